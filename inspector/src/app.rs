@@ -9,7 +9,8 @@ use eframe::egui::{
 use groundtruth::explain;
 use groundtruth::scene::Scene;
 
-use crate::comparison::bar;
+use crate::comparison::bar::{self, Wish};
+use crate::comparison::judgement::Asked;
 use crate::comparison::theirs::Theirs;
 use crate::explanation::selection::Selection;
 use crate::explanation::trail;
@@ -184,21 +185,38 @@ impl Inspector {
         if let Some(theirs) = &mut self.theirs {
             let (rendering, generation) = (&self.rendering, self.generation);
             let show = |ui: &mut Ui| bar::show(ui, theirs, rendering, generation);
-            if Panel::top("comparison").frame(bar).show(ui, show).inner {
-                self.select_next_region();
-            }
+            let wish = Panel::top("comparison").frame(bar).show(ui, show).inner;
+            self.carry_out(ui.ctx(), wish);
         }
         action.inner
+    }
+
+    /// Carries out what is asked for in the bar of the comparison.
+    fn carry_out(&mut self, ctx: &Context, wish: Option<Wish>) {
+        match wish {
+            Some(Wish::NextRegion) => self.select_next_region(),
+            Some(Wish::Of(Asked::Explain(pixel))) => self.select_and_reveal(pixel),
+            Some(Wish::Of(Asked::Judge)) => {
+                if let Some(theirs) = &mut self.theirs {
+                    theirs.judge(ctx, &self.rendering, self.generation);
+                }
+            }
+            None => {}
+        }
+    }
+
+    fn select_and_reveal(&mut self, pixel: [u32; 2]) {
+        self.select(pixel);
+        if self.selection.pixel == Some(pixel) {
+            self.picture.reveal(self.rendering.size(), pixel);
+        }
     }
 
     /// Selects the worst pixel of the next region of difference.
     fn select_next_region(&mut self) {
         let Some(theirs) = &mut self.theirs else { return };
         match theirs.next_region(self.generation) {
-            Some(pixel) => {
-                self.select(pixel);
-                self.picture.reveal(self.rendering.size(), pixel);
-            }
+            Some(pixel) => self.select_and_reveal(pixel),
             None => {
                 let is_compared = theirs.comparison(self.generation).is_some();
                 let text = if is_compared {
@@ -215,29 +233,35 @@ impl Inspector {
     fn parts(&mut self, ui: &mut Ui) -> bool {
         let parts = self.splits.show(ui, ui.max_rect());
         let changed = part(ui, ("scene", parts.scene), |ui| {
-            ScrollArea::vertical().auto_shrink(false).show(ui, |ui| self.scene(ui)).inner
+            ScrollArea::both().auto_shrink(false).show(ui, |ui| self.scene(ui)).inner
         });
         let resampled = part(ui, ("explanation", parts.explanation), |ui| {
             let (rendering, tone) = (&self.rendering, &self.picture.tone);
             let shown = (rendering, self.theirs.as_ref(), self.generation);
-            self.selection.show(ui, shown, tone, &mut self.wanted)
+            self.selection.show(ui, shown, tone, (&mut self.wanted, &mut self.splits))
         });
-        part(ui, ("picture", parts.picture), |ui| {
+        let framed = part(ui, ("picture", parts.picture), |ui| {
             let size = self.rendering.size();
             let fits = |theirs: &&mut Theirs| theirs.fits(&self.rendering);
-            let mut theirs = self.theirs.as_mut().filter(fits);
+            let theirs = self.theirs.as_mut().filter(fits);
             self.hovered =
                 self.picture.show(ui, size, self.selection.pixel, |painter, placement| {
                     if let Some(theirs) = &theirs {
                         theirs.paint(painter, placement, self.generation);
                     }
                 });
-            if let Some(theirs) = &mut theirs {
+            let placement = self.picture.placement(size);
+            let framed = theirs.and_then(|theirs| {
                 theirs.show_divider(ui, parts.picture);
-            }
+                theirs.judgement.show_frames(ui, &placement)
+            });
             let trail = self.selection.trail(&self.rendering);
-            trail::paint(ui.painter(), &self.picture.placement(size), &trail);
+            trail::paint(ui.painter(), &placement, &trail);
+            framed
         });
+        if let Some(pixel) = framed {
+            self.select(pixel);
+        }
         changed || resampled
     }
 
@@ -326,12 +350,7 @@ impl Inspector {
                 self.saving.start(ctx, &self.rendering, &self.picture, &path);
             }
             Action::Select(text) => match parse_pixel(&text) {
-                Ok(pixel) => {
-                    self.select(pixel);
-                    if self.selection.pixel == Some(pixel) {
-                        self.picture.reveal(self.rendering.size(), pixel);
-                    }
-                }
+                Ok(pixel) => self.select_and_reveal(pixel),
                 Err(error) => self.message = Some((error, true)),
             },
         }

@@ -7,7 +7,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::Args;
-use groundtruth::explain::count;
 use groundtruth::film;
 use groundtruth::render::Canvas;
 use groundtruth::scene::Scene;
@@ -63,9 +62,6 @@ pub struct Verify {
     json: bool,
 }
 
-/// Our pictures have the seeds from `--seed` on, fewer than a million.
-const LAST_SEED: u64 = u64::MAX - 1_000_000;
-
 fn level(text: &str) -> Result<f64, String> {
     match text.parse() {
         Ok(level) if (1e-4..=0.2).contains(&level) => Ok(level),
@@ -98,11 +94,8 @@ impl Verify {
         let reference = self.reference(arguments, (&scene, &world), &pictures)?;
         let asked = arguments.seed();
         let seed = reference.as_ref().map_or(asked, |reference| reference.first_free(asked));
-        if seed > LAST_SEED {
-            return Err(format!(
-                "--seed: ours have the seeds after it too; at most {LAST_SEED} fits"
-            )
-            .into());
+        if let Some(problem) = verdict::refusal_of_seed(seed) {
+            return Err(problem.into());
         }
         let mut watch = Watch::new(strictness.most())?;
         let (interrupted, bar) = (Arc::clone(&watch.interrupted), watch.bar.clone());
@@ -187,22 +180,8 @@ impl Verify {
             let picture = Picture::read(file, self.encoding.unwrap_or(Transfer::Srgb))?;
             let name = file.display();
             picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
-            if picture.transparent > 0 {
-                let pixels = count(picture.transparent as usize, "pixel");
-                return Err(format!(
-                    "{name}: alpha is below 1 in {pixels}; lay the picture over the scene's background, or write it \
-                     without alpha"
-                )
-                .into());
-            }
-            let is_number = |color: &[f32; 3]| color.iter().all(|value| value.is_finite());
-            if let Some(at) = picture.values.iter().position(|color| !is_number(color)) {
-                let (width, value) = (picture.size[0] as usize, picture.values[at]);
-                let [x, y] = [at % width, at / width];
-                return Err(format!(
-                    "{name}: pixel {x}, {y} is {value:?}; radiance is finite: find the ray that brings it first"
-                )
-                .into());
+            if let Some(problem) = verdict::refusal(&picture) {
+                return Err(format!("{name}: {problem}").into());
             }
             if let Some(first) = pictures.first().filter(|first| first.size != picture.size) {
                 let [[w, h], [width, height]] = [first.size, picture.size];

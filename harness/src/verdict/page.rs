@@ -50,13 +50,20 @@ fn views(pictures: [&Picture; 2]) -> String {
     Pair { names, pictures, shown, tone, comparison: &comparison, commands }.views()
 }
 
-/// The map of z, with the regions framed.
-fn map(verdict: &Verdict, z: &[f64], [width, height]: [u32; 2]) -> String {
+/// The map of z in values for display: 0.5 where z is 0, brighter where theirs is larger, 0 and 1 from six standard
+/// deviations on.
+pub fn map_film(z: &[f64], [width, height]: [u32; 2]) -> Film {
     let mut film = Film::new(width, height);
     for (index, z) in z.iter().enumerate() {
         let grey = 0.5 + 0.5 * (z / FARTHEST).clamp(-1.0, 1.0);
         film.set([index as u32 % width, index as u32 / width], Rgb::grey(grey));
     }
+    film
+}
+
+/// The map of z, with the regions framed.
+fn map(verdict: &Verdict, z: &[f64], [width, height]: [u32; 2]) -> String {
+    let film = map_film(z, [width, height]);
     let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
     let frames: String =
         verdict.regions.iter().map(|region| frame(region, [width, height])).collect();

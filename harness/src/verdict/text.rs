@@ -10,8 +10,8 @@ use super::{Answer, Cause, Causes, Decision, Means};
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "assumed: {}", self.assumed)?;
-        if let Some(seed) = self.equal_to_seed {
-            return writeln!(f, "agrees: it is our picture with --seed {seed}, bit for bit");
+        if self.equal_to_seed.is_some() {
+            return writeln!(f, "{}", self.decision_in_words());
         }
         if let Some(whole) = self.means.first() {
             let [theirs, ours] = [whole.theirs, whole.ours].map(color);
@@ -50,8 +50,12 @@ impl Verdict {
         }
     }
 
-    fn decision_in_words(&self) -> String {
+    /// The decision, and on what it rests, in one line.
+    pub fn decision_in_words(&self) -> String {
         let Self { as_far, replicas, pictures, .. } = self;
+        if let Some(seed) = self.equal_to_seed {
+            return format!("agrees: it is our picture with --seed {seed}, bit for bit");
+        }
         match (self.decision, self.fixed, *pictures > 1) {
             (Decision::Agrees, true, _) => {
                 "agrees: no value differs by more than rounding".to_owned()
@@ -136,16 +140,7 @@ impl Verdict {
         if !self.regions.is_empty() {
             writeln!(f, "where:")?;
         }
-        for Region { name, bounds: [x, y, w, h], z, ours, theirs, worst: [wx, wy] } in &self.regions
-        {
-            let z = z.map_or(String::new(), |z| format!("{z:+.1} standard deviations, "));
-            let [theirs, ours] = [*theirs, *ours].map(color);
-            writeln!(
-                f,
-                "  {name} in {x},{y},{w}x{h}: {z}{theirs}, ours {ours}, the worst at {wx},{wy}"
-            )?;
-        }
-        Ok(())
+        self.regions.iter().try_for_each(|region| writeln!(f, "  {region}"))
     }
 
     fn power(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -165,6 +160,15 @@ impl Verdict {
             writeln!(f, "the smallest gain in a tile that stands out: {}", gains.join(", "))?;
         }
         Ok(())
+    }
+}
+
+impl fmt::Display for Region {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { name, bounds: [x, y, w, h], z, ours, theirs, worst: [wx, wy] } = self;
+        let z = z.map_or(String::new(), |z| format!("{z:+.1} standard deviations, "));
+        let [theirs, ours] = [*theirs, *ours].map(color);
+        write!(f, "{name} in {x},{y},{w}x{h}: {z}{theirs}, ours {ours}, the worst at {wx},{wy}")
     }
 }
 

@@ -1,14 +1,15 @@
-//! The bar of a comparison: what is shown, how much differs, and the next region.
+//! The bar of a comparison: what is shown, how much differs, the next region, and the verdict.
 
 use eframe::egui::{Align, Button, Layout, RichText, Ui};
 use groundtruth::explain::{brief, count};
 use harness::compare::Comparison;
 
+use crate::comparison::judgement::Asked;
 use crate::comparison::theirs::{SCALES, Shows, Theirs};
-use crate::picture::worker::Rendering;
+use crate::picture::worker::{Progress, Rendering};
 
 /// What can be shown, with the key's name.
-const SHOWN: [(Shows, &str, &str); 4] = [
+const SHOWN: [(Shows, &str, &str); 5] = [
     (Shows::Ours, "Ours", "T flips between ours and theirs"),
     (Shows::Theirs, "Theirs", "T flips between ours and theirs"),
     (Shows::Swipe, "Swipe", "Ours at the left of the line, theirs at its right (W)"),
@@ -17,10 +18,37 @@ const SHOWN: [(Shows, &str, &str); 4] = [
         "Difference",
         "Theirs less ours; grey: equal, brighter: theirs is larger (D)",
     ),
+    (
+        Shows::Map,
+        "Map of z",
+        "The difference of each pixel in standard deviations; grey: 0, white and black: ±6 and more (Z)",
+    ),
 ];
 
-/// Shows the bar. Returns whether to select the next region.
-pub fn show(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering, generation: u64) -> bool {
+/// What the bar asks for.
+pub enum Wish {
+    /// Explain the worst pixel of the next region of difference.
+    NextRegion,
+    /// Judge the picture, or explain a pixel of the verdict.
+    Of(Asked),
+}
+
+/// Shows the bar. Returns what the user asks for.
+pub fn show(
+    ui: &mut Ui,
+    theirs: &mut Theirs,
+    rendering: &Rendering,
+    generation: u64,
+) -> Option<Wish> {
+    let is_next = views(ui, theirs, rendering, generation);
+    let is_finished = matches!(rendering.progress(), Progress::Done(_));
+    let judged = theirs.fits(rendering).then(|| theirs.judgement.show(ui, is_finished));
+    let asked = judged.flatten();
+    is_next.then_some(Wish::NextRegion).or(asked.map(Wish::Of))
+}
+
+/// What is shown, and how much differs. Returns whether to select the next region.
+fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering, generation: u64) -> bool {
     let mut is_next = false;
     ui.horizontal(|ui| {
         if !theirs.fits(rendering) {
@@ -31,7 +59,9 @@ pub fn show(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering, generation:
             return;
         }
         for (shows, name, hint) in SHOWN {
-            ui.selectable_value(&mut theirs.shows, shows, name).on_hover_text(hint);
+            if shows != Shows::Map || theirs.judgement.verdict().is_some() {
+                ui.selectable_value(&mut theirs.shows, shows, name).on_hover_text(hint);
+            }
         }
         ui.separator();
         if theirs.shows == Shows::Difference

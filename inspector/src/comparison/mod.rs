@@ -1,5 +1,6 @@
-//! Another program's picture held against ours: its file, its layers over our picture, and its bar.
+//! Another program's picture held against ours: its file, its layers over our picture, its bar, and the verdict on it.
 
 pub mod bar;
+pub mod judgement;
 pub mod layer;
 pub mod theirs;

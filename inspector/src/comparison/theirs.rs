@@ -12,6 +12,7 @@ use groundtruth::film::{Film, OutOfGamut, Tone};
 use groundtruth::rgb::Rgb;
 use harness::compare::{Comparison, Differences, Picture, Transfer};
 
+use crate::comparison::judgement::Judgement;
 use crate::comparison::layer::Layer;
 use crate::picture::display;
 use crate::picture::tiles::{self, Images};
@@ -31,6 +32,8 @@ pub enum Shows {
     Swipe,
     /// Theirs less ours, around grey.
     Difference,
+    /// The difference of each pixel in standard deviations, around grey.
+    Map,
 }
 
 /// The scales of the difference: the shares of differing channels that are shown unclipped.
@@ -52,7 +55,11 @@ pub struct Theirs {
     pub divider: f32,
     /// The scale of the difference.
     pub scale: f64,
+    /// The verdict on it.
+    pub judgement: Judgement,
     picture: Arc<Picture>,
+    /// How its display values are encoded, if the user said it.
+    encoding: Option<Transfer>,
     radiance: Arc<Film>,
     layer: Layer<Tone>,
     differences: Layer<(u64, f64)>,
@@ -63,17 +70,20 @@ pub struct Theirs {
 }
 
 impl Theirs {
-    /// Reads a picture file whose display values are encoded by this curve.
+    /// Reads a picture file whose display values are encoded by this curve, or that of sRGB.
     ///
     /// # Errors
     /// If it is no picture, or damaged.
-    pub fn read(path: &Path, encoding: Transfer) -> Result<Self, String> {
-        let picture = Picture::read(path, encoding).map_err(|error| error.to_string())?;
+    pub fn read(path: &Path, encoding: Option<Transfer>) -> Result<Self, String> {
+        let transfer = encoding.unwrap_or(Transfer::Srgb);
+        let picture = Picture::read(path, transfer).map_err(|error| error.to_string())?;
         Ok(Self {
             name: path.display().to_string(),
             shows: Shows::default(),
             divider: 0.5,
             scale: 0.9,
+            judgement: Judgement::default(),
+            encoding,
             radiance: Arc::new(picture.radiance()),
             picture: Arc::new(picture),
             layer: Layer::default(),
@@ -141,6 +151,7 @@ impl Theirs {
             Shortcut::Flip => Shows::Theirs,
             Shortcut::Swipe => Shows::Swipe,
             Shortcut::Difference => Shows::Difference,
+            Shortcut::Map if self.judgement.verdict().is_some() => Shows::Map,
             _ => return,
         };
         self.shows = if self.shows == wanted { Shows::Ours } else { wanted };
@@ -160,7 +171,7 @@ impl Theirs {
     pub fn is_busy(&self, rendering: &Rendering, generation: u64) -> bool {
         let is_finished = matches!(rendering.progress(), Progress::Done(_));
         let is_due = is_finished && self.fits(rendering) && self.comparison(generation).is_none();
-        self.layer.is_busy() || self.differences.is_busy() || is_due
+        self.layer.is_busy() || self.differences.is_busy() || self.judgement.is_busy() || is_due
     }
 
     /// Whether our picture has its size.
@@ -168,10 +179,19 @@ impl Theirs {
         rendering.size() == self.size()
     }
 
+    /// Judges it as a picture of the scene that is shown.
+    pub fn judge(&mut self, ctx: &Context, rendering: &Rendering, generation: u64) {
+        self.judgement.start(ctx, rendering, (&self.picture, self.encoding), generation);
+    }
+
     /// Compares with our picture once it is finished, and makes the layer that is shown.
     pub fn refresh(&mut self, ctx: &Context, rendering: &Rendering, generation: u64, tone: Tone) {
         if let Some(Ok(compared)) = self.comparing.poll() {
             (self.compared, self.region) = (Some(compared), None);
+        }
+        self.judgement.refresh(ctx, generation, self.shows == Shows::Map);
+        if self.shows == Shows::Map && self.judgement.verdict().is_none() {
+            self.shows = Shows::Ours;
         }
         if !self.fits(rendering) {
             return;
@@ -212,10 +232,12 @@ impl Theirs {
             Shows::Difference => {
                 self.differences.paint(painter, placement, |(of, _)| of == generation)
             }
+            Shows::Map => self.judgement.paint_map(painter, placement),
         };
         if !is_ready {
             let text = match self.shows {
                 Shows::Difference => "the difference follows when our picture is finished",
+                Shows::Map => "the map of z follows",
                 _ => "their picture follows",
             };
             let at = placement.whole().intersect(painter.clip_rect()).center();
@@ -257,7 +279,7 @@ fn divider_x(area: Rect, share: f32) -> f32 {
 }
 
 /// A film in the colours of the screen; what is not a number is magenta.
-fn shown(film: &Film, tone: &Tone) -> Images {
+pub fn shown(film: &Film, tone: &Tone) -> Images {
     let color = |at| {
         let radiance = film.get(at);
         let is_number = radiance.to_array().iter().all(|channel| !channel.is_nan());

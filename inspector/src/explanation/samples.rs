@@ -15,8 +15,8 @@ use crate::picture::worker::Rendering;
 
 /// The largest number of points of a plot that is still readable.
 const MAX_POINTS: u32 = 4096;
-/// The side of a plot, in points of the screen.
-const SIDE: f32 = 168.0;
+/// The least and the largest side of a plot, in points of the screen.
+const SIDES: [f32; 2] = [120.0, 168.0];
 /// The largest distance of a click from a point, in points of the screen.
 const CLICK_RADIUS: f32 = 8.0;
 
@@ -169,16 +169,22 @@ impl Samples {
     ) -> bool {
         self.refresh(rendering, generation, pixel);
         let changed = choose(ui, rendering, wanted);
+        // side by side if they fit
+        let plots = self.plots.len() as f32;
+        let gaps = (plots - 1.0) * ui.spacing().item_spacing.x;
+        let side = ((ui.available_width() - gaps) / plots).floor().clamp(SIDES[0], SIDES[1]);
         ui.horizontal_wrapped(|ui| {
             for plot in &mut self.plots {
-                plot.show(ui, color, sample);
+                plot.show(ui, side, color, sample);
             }
         });
         if rendering.world.samples_per_pixel() > MAX_POINTS {
             ui.weak(format!("the first {MAX_POINTS} samples"));
         }
         if let Some(uniformity) = &self.uniformity {
-            histogram(ui, &uniformity.strips);
+            let mean = uniformity.points as f64 / STRIPS as f64;
+            ui.weak(format!("x of {} points of all sets, in {STRIPS} strips", uniformity.points));
+            histogram(ui, &uniformity.strips, mean);
             ui.label(uniformity.verdict());
         }
         changed
@@ -191,10 +197,10 @@ impl Plot {
         self.area.center() + half * vec2(x as f32, -y as f32)
     }
 
-    fn show(&mut self, ui: &mut Ui, color: &dyn Fn(u32) -> Color32, sample: &mut u32) {
+    fn show(&mut self, ui: &mut Ui, side: f32, color: &dyn Fn(u32) -> Color32, sample: &mut u32) {
         ui.vertical(|ui| {
             ui.label(self.title).on_hover_text(self.hint);
-            let (area, response) = ui.allocate_exact_size(Vec2::splat(SIDE), Sense::click());
+            let (area, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::click());
             self.area = area;
             let response = response.on_hover_text(self.hint);
             let painter = ui.painter_at(area);
@@ -281,20 +287,35 @@ fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
     changed
 }
 
-/// The number of points in each strip of the square.
-fn histogram(ui: &mut Ui, strips: &[u64]) {
+/// The number of points in each strip of the square, with axes: x from 0 to 1, and a line at the mean number.
+fn histogram(ui: &mut Ui, strips: &[u64], mean: f64) {
     let max = strips.iter().copied().max().unwrap_or(0).max(1);
-    let size = vec2(ui.available_width().min(3.0 * SIDE), 44.0);
-    let (area, response) = ui.allocate_exact_size(size, Sense::hover());
+    let size = vec2(ui.available_width().min(3.0 * SIDES[1]), 60.0);
+    let (whole, response) = ui.allocate_exact_size(size, Sense::hover());
     response.on_hover_text("Histogram of x over all sets: level if the sampler is unbiased");
-    let painter = ui.painter_at(area);
+    let painter = ui.painter_at(whole);
+    let (font, grey) = (FontId::proportional(11.0), Color32::from_gray(165));
+    // room for the numbers at the left and below
+    let area = whole.with_min_x(whole.left() + 44.0).with_max_y(whole.bottom() - 14.0);
+    let area = area.with_max_x(whole.right() - 6.0);
     painter.rect_filled(area, 2.0, Color32::from_gray(18));
+    let height = |count: f64| area.bottom() - (area.height() - 4.0) * (count / max as f64) as f32;
     let width = area.width() / strips.len() as f32;
     for (index, &count) in strips.iter().enumerate() {
         let left = area.left() + width * index as f32;
-        let top = area.bottom() - (area.height() - 4.0) * (count as f32 / max as f32);
-        let bar =
-            Rect::from_min_max(pos2(left + 0.5, top), pos2(left + width - 0.5, area.bottom()));
-        painter.rect_filled(bar, 0.0, Color32::from_rgb(120, 180, 255));
+        let [near, far] =
+            [pos2(left + 0.5, height(count as f64)), pos2(left + width - 0.5, area.bottom())];
+        painter.rect_filled(Rect::from_min_max(near, far), 0.0, Color32::from_rgb(120, 180, 255));
+    }
+    painter.hline(area.x_range(), height(mean), Stroke::new(1.0, Color32::from_rgb(255, 200, 60)));
+    for (at, words) in [(height(mean), format!("{mean:.0}")), (area.bottom(), "0".to_owned())] {
+        let at = pos2(area.left() - 4.0, at.max(area.top() + 5.0));
+        painter.text(at, Align2::RIGHT_CENTER, words, font.clone(), grey);
+    }
+    for (share, words) in [(0.0, "x = 0"), (0.5, "0.5"), (1.0, "1")] {
+        let x = area.left() + share * area.width();
+        painter.vline(x, area.bottom()..=area.bottom() + 3.0, Stroke::new(1.0, grey));
+        let at = pos2(x, whole.bottom());
+        painter.text(at, Align2::CENTER_BOTTOM, words, font.clone(), grey);
     }
 }

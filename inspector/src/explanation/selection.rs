@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use eframe::egui::{self, CentralPanel, Frame, Key, Margin, Panel, ScrollArea, Ui};
+use eframe::egui::{self, Frame, Key, Margin, Panel, Rect, ScrollArea, Ui, UiBuilder, vec2};
 use groundtruth::explain::{self, PixelExplanation, RecordedRay, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::render;
@@ -20,6 +20,7 @@ use crate::explanation::trail::{self, TrailPoint};
 use crate::explanation::tree::{self, Tree};
 use crate::picture::display;
 use crate::picture::worker::{Background, Lost, Rendering};
+use crate::window::splits::Splits;
 
 /// A pixel with more rays is explained one sample at a time.
 const MAX_RAYS_PER_PIXEL: u64 = 30_000;
@@ -164,7 +165,7 @@ impl Selection {
         ui: &mut Ui,
         (rendering, theirs, generation): (&Rendering, Option<&Theirs>, u64),
         tone: &Tone,
-        wanted: &mut Scene,
+        (wanted, splits): (&mut Scene, &mut Splits),
     ) -> bool {
         let answer = match &self.answered {
             Some((_, Ok(explanation))) => Arc::clone(explanation),
@@ -188,10 +189,12 @@ impl Selection {
         let index = self.sample.min(answer.samples_per_pixel - 1);
         let sample = answer.samples.iter().find(|sample| sample.index == index);
         let camera_ray = sample.and_then(|sample| sample.ray.as_ref());
-        let height = ui.available_height();
-        let panel = Panel::bottom("details").frame(inner).resizable(true);
-        let panel = panel.default_size(0.45 * height).max_size((height - 150.0).max(0.45 * height));
-        let changed = panel.show(ui, |ui| {
+        let [above, below] = splits.show_lower(ui, ui.available_rect_before_wrap());
+        part(ui, ("tree", above), |ui| match sample {
+            Some(sample) => self.sample_tree(ui, sample, tone),
+            None => drop(ui.spinner()),
+        });
+        part(ui, ("details", below), |ui| {
             ui.horizontal(|ui| {
                 ui.selectable_value(&mut self.tab, Tab::Ray, "The ray");
                 ui.selectable_value(&mut self.tab, Tab::Sum, "The sum");
@@ -221,12 +224,7 @@ impl Selection {
                     area.show(ui, show).inner
                 }
             }
-        });
-        CentralPanel::default().frame(inner).show(ui, |ui| match sample {
-            Some(sample) => self.sample_tree(ui, sample, tone),
-            None => drop(ui.spinner()),
-        });
-        changed.inner
+        })
     }
 
     fn ray_details(&mut self, ui: &mut Ui, root: &RecordedRay) {
@@ -285,6 +283,16 @@ impl Selection {
         }
         pixel::sum(ui, answer, rendered(rendering, answer.pixel));
     }
+}
+
+/// Shows a part of the explanation in its area.
+fn part<T>(ui: &mut Ui, (name, area): (&str, Rect), show: impl FnOnce(&mut Ui) -> T) -> T {
+    let builder = UiBuilder::new().id_salt(name).max_rect(area.shrink2(vec2(0.0, 4.0)));
+    ui.scope_builder(builder, |ui| {
+        ui.set_clip_rect(ui.clip_rect().intersect(area));
+        show(ui)
+    })
+    .inner
 }
 
 /// The picture's radiance at a pixel, if it is rendered.

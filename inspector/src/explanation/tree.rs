@@ -2,8 +2,8 @@
 
 use eframe::egui::collapsing_header::paint_default_icon;
 use eframe::egui::{
-    Align2, Button, Color32, FontId, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind, Ui,
-    vec2,
+    Align2, Button, Color32, FontId, Label, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind,
+    Ui, vec2,
 };
 use groundtruth::explain::{Outline, RecordedRay, RecordedTerm, Row, count, percent};
 use groundtruth::film::Tone;
@@ -120,6 +120,8 @@ impl Tree {
                 ui.scroll_to_rect(Rect::from_x_y_ranges(ui.clip_rect().x_range(), y), None);
             }
             ui.style_mut().wrap_mode = Some(eframe::egui::TextWrapMode::Extend);
+            // lines that are cut fill the width: no scroll bar because of rounding
+            ui.set_max_width(ui.available_width() - 1.0);
             for row in &rows[visible] {
                 ui.horizontal(|ui| match *row {
                     Row::Ray { ray, term, indent } => self.ray_line(ui, ray, term, indent, tone),
@@ -129,7 +131,7 @@ impl Tree {
                         // no children: a space in place of the triangle
                         ui.allocate_exact_size(vec2(INDENT, LINE), Sense::hover());
                         swatch(ui, display::color(tone, term.contribution));
-                        ui.label(RichText::new(term.line()).color(LOCAL));
+                        cut(ui, RichText::new(term.line()).color(LOCAL), &term.line());
                     }
                     Row::Folded { parent, indent, rays, share } => {
                         bar(ui, share);
@@ -173,9 +175,15 @@ impl Tree {
             self.ray = ray.number;
         }
         if let Some(sampling) = term.map(RecordedTerm::sampling).filter(|it| !it.is_empty()) {
-            ui.weak(sampling).on_hover_text(SAMPLING);
+            let hint = format!("{sampling}\n{SAMPLING}");
+            cut(ui, RichText::new(sampling).weak(), &hint);
         }
     }
+}
+
+/// A text at the end of a line, cut with an ellipsis where the line ends; `hint` is shown under the mouse.
+fn cut(ui: &mut Ui, text: RichText, hint: &str) {
+    ui.add(Label::new(text).truncate().show_tooltip_when_elided(false)).on_hover_text(hint);
 }
 
 /// The share of a ray as a bar and a percentage.

@@ -42,7 +42,7 @@ impl Source {
     }
 
     /// The files that a scene names are relative to this folder.
-    fn folder(&self) -> &Path {
+    pub fn folder(&self) -> &Path {
         match self {
             Self::Gallery(_) => Path::new(""),
             Self::File(path) => path.parent().unwrap_or(Path::new("")),

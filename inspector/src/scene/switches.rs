@@ -26,7 +26,9 @@ fn list(ui: &mut Ui, title: &str, thing: &str, mut things: Vec<(&str, &mut bool)
     let mut only = None;
     for (index, (name, on)) in things.iter_mut().enumerate() {
         ui.push_id((thing, index), |ui| {
-            let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
+            // not wider than what is visible, if the panel above is
+            let width = ui.available_width().min(ui.clip_rect().width());
+            let row = vec2(width, ui.spacing().interact_size.y);
             ui.allocate_ui_with_layout(row, Layout::right_to_left(Align::Center), |ui| {
                 let hint = format!("Switch every other {thing} off");
                 if ui.small_button("only").on_hover_text(hint).clicked() {

@@ -75,8 +75,7 @@ impl Arguments {
     /// # Errors
     /// If it cannot be read.
     pub fn theirs(&self) -> Result<Option<Theirs>, String> {
-        let encoding = self.encoding.unwrap_or(Transfer::Srgb);
-        self.compare.as_ref().map(|path| Theirs::read(path, encoding)).transpose()
+        self.compare.as_ref().map(|path| Theirs::read(path, self.encoding)).transpose()
     }
 
     /// The scene of the arguments, at the size of the picture that it is held against.

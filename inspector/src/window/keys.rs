@@ -17,21 +17,27 @@ pub enum Shortcut {
     Swipe,
     /// Show the difference.
     Difference,
+    /// Show the map of z.
+    Map,
     /// Select the worst pixel of the next region of difference.
     NextRegion,
 }
 
 /// The keys and what they do.
-const KEYS: [(&str, &str); 14] = [
+const KEYS: [(&str, &str); 15] = [
     ("click", "explain this pixel"),
     ("arrows", "explain the next pixel (Shift: ten pixels on)"),
     ("L", "follow the light: the next ray on the path of the largest share"),
     ("wheel, pinch", "zoom in and out under the mouse"),
     ("drag", "move the picture; a bar between two parts: resize them"),
-    ("double click", "on a bar: its usual place"),
+    ("double click", "on a bar: its default place"),
     ("T", "with --compare: flip between ours and theirs"),
     ("W", "with --compare: ours at the left of a line, theirs at its right; drag the line"),
     ("D", "with --compare: theirs less ours"),
+    (
+        "Z",
+        "with --compare, when it is judged: the map of z, each pixel's difference over its noise",
+    ),
     ("N", "with --compare: explain the worst pixel of the next region of difference"),
     ("Ctrl-O", "type the name of a scene file"),
     ("Ctrl-S", "save the picture"),
@@ -41,10 +47,11 @@ const KEYS: [(&str, &str); 14] = [
 
 /// The shortcut that was pressed. `?` and letters are one only if no text is being typed (`is_text`).
 pub fn pressed(ctx: &Context, is_text: bool) -> Option<Shortcut> {
-    const LETTERS: [(Key, Shortcut); 4] = [
+    const LETTERS: [(Key, Shortcut); 5] = [
         (Key::T, Shortcut::Flip),
         (Key::W, Shortcut::Swipe),
         (Key::D, Shortcut::Difference),
+        (Key::Z, Shortcut::Map),
         (Key::N, Shortcut::NextRegion),
     ];
     let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);

@@ -1,4 +1,5 @@
-//! The three parts of the window side by side: shares of its width, and the bars between them.
+//! The three parts of the window side by side and the two of the explanation, one above the other: shares of width and
+//! height, and the bars between them.
 
 use eframe::egui::{
     CursorIcon, Id, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role, vec2,
@@ -9,10 +10,12 @@ use serde::{Deserialize, Serialize};
 const BAR: f32 = 8.0;
 /// The smallest shares of scene, picture and explanation.
 const MIN: [f32; 3] = [0.1, 0.3, 0.25];
+/// The smallest and the largest share of the details.
+const DETAILS: [f32; 2] = [0.15, 0.85];
 /// The least width of the scene's panel, which its numbers need, in points of the screen.
 const SCENE_MIN_WIDTH: f32 = 144.0;
 
-/// Shares of the window's width; the picture has the rest.
+/// Shares of the window's width, of which the picture has the rest, and of the explanation's height.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Splits {
@@ -20,11 +23,13 @@ pub struct Splits {
     scene: f32,
     /// The share of the explanation, at the right.
     explanation: f32,
+    /// The share of the details, below the tree.
+    details: f32,
 }
 
 impl Default for Splits {
     fn default() -> Self {
-        Self { scene: 0.15, explanation: 0.38 }
+        Self { scene: 0.15, explanation: 0.38, details: 0.45 }
     }
 }
 
@@ -42,18 +47,18 @@ pub struct Parts {
 impl Splits {
     /// Draws the bars, moves them with the mouse, and returns the areas of the parts.
     pub fn show(&mut self, ui: &mut Ui, area: Rect) -> Parts {
-        let Self { scene: left, explanation: right } = *self;
+        let Self { scene: left, explanation: right, .. } = *self;
         let at = |share: f32| (area.left() + share * area.width()).round();
         let left = left.max(SCENE_MIN_WIDTH / area.width());
         let moved = bar(ui, "left bar", strip(area, at(left)), left);
         self.scene = match moved {
-            Some(0.0) => self.scene,
-            Some(by) => left + by / area.width(),
+            Some(by) if by.x == 0.0 => self.scene,
+            Some(by) => left + by.x / area.width(),
             None => Self::default().scene,
         };
         let moved = bar(ui, "right bar", strip(area, at(1.0 - right)), 1.0 - right);
         self.explanation =
-            moved.map_or(Self::default().explanation, |by| right - by / area.width());
+            moved.map_or(Self::default().explanation, |by| right - by.x / area.width());
         *self = self.fitting();
         let (first, last) = (strip(area, at(left)), strip(area, at(1.0 - right)));
         Parts {
@@ -63,15 +68,29 @@ impl Splits {
         }
     }
 
+    /// Draws the bar between tree and details, moves it with the mouse, and returns the areas of both.
+    pub fn show_lower(&mut self, ui: &mut Ui, area: Rect) -> [Rect; 2] {
+        let y = (area.bottom() - self.details * area.height()).round();
+        let strip = Rect::from_x_y_ranges(area.x_range(), y - 0.5 * BAR..=y + 0.5 * BAR);
+        let moved = bar(ui, "lower bar", strip, 1.0 - self.details);
+        self.details =
+            moved.map_or(Self::default().details, |by| self.details - by.y / area.height());
+        *self = self.fitting();
+        [area.with_max_y(strip.top()), area.with_min_y(strip.bottom())]
+    }
+
     /// The shares clamped so that each part has room; the defaults if a share is NaN.
     #[must_use]
     pub fn fitting(self) -> Self {
-        if !(self.scene.is_finite() && self.explanation.is_finite()) {
+        if ![self.scene, self.explanation, self.details].into_iter().all(f32::is_finite) {
             return Self::default();
         }
+        let [least, most] = DETAILS;
+        let details = self.details.clamp(least, most);
         let [scene, picture, explanation] = MIN;
         let scene = self.scene.clamp(scene, 1.0 - picture - explanation);
-        Self { scene, explanation: self.explanation.clamp(explanation, 1.0 - picture - scene) }
+        let explanation = self.explanation.clamp(explanation, 1.0 - picture - scene);
+        Self { scene, explanation, details }
     }
 }
 
@@ -81,7 +100,12 @@ fn strip(area: Rect, x: f32) -> Rect {
 }
 
 /// Shows a bar and returns how far it is dragged; `None` on a double click, which resets it.
-fn bar(ui: &mut Ui, name: &str, rect: Rect, share: f32) -> Option<f32> {
+fn bar(ui: &mut Ui, name: &str, rect: Rect, share: f32) -> Option<Vec2> {
+    let is_upright = rect.height() > rect.width();
+    let (cursor, along) = match is_upright {
+        true => (CursorIcon::ResizeHorizontal, vec2(0.0, 1.0)),
+        false => (CursorIcon::ResizeVertical, vec2(1.0, 0.0)),
+    };
     let response = ui.interact(rect, Id::unique(name), Sense::click_and_drag());
     response.widget_info(|| {
         let mut info = WidgetInfo::labeled(Role::Splitter, true, name);
@@ -89,16 +113,16 @@ fn bar(ui: &mut Ui, name: &str, rect: Rect, share: f32) -> Option<f32> {
         info
     });
     let response = response
-        .on_hover_and_drag_cursor(CursorIcon::ResizeHorizontal)
-        .on_hover_text("Drag to resize; double click: the usual width");
+        .on_hover_and_drag_cursor(cursor)
+        .on_hover_text("Drag to resize; double click: its default place");
     let visuals = ui.style().interact(&response);
     let painter = ui.painter();
     painter.rect_filled(rect, 0.0, visuals.bg_fill);
     let line = Stroke::new(1.0, visuals.fg_stroke.color);
     // three dots as a handle
     for offset in [-8.0, 0.0, 8.0] {
-        let dot: Pos2 = rect.center() + vec2(0.0, offset);
+        let dot: Pos2 = rect.center() + offset * along;
         painter.rect_filled(Rect::from_center_size(dot, Vec2::splat(3.0)), 1.5, line.color);
     }
-    (!response.double_clicked()).then(|| response.drag_delta().x)
+    (!response.double_clicked()).then(|| response.drag_delta())
 }

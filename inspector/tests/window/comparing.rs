@@ -8,7 +8,6 @@ use egui_kittest::kittest::Queryable;
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use harness::compare::Transfer;
 use inspector::comparison::theirs::{Shows, Theirs};
 use inspector::window::arguments::Arguments;
 
@@ -35,7 +34,7 @@ fn films() -> [Film; 2] {
 fn read(folder: &Path, film: &Film, name: &str) -> Theirs {
     let path = folder.join(name);
     film::write(film, &PLAIN, &path).expect("written");
-    Theirs::read(&path, Transfer::Srgb).expect("it is a picture")
+    Theirs::read(&path, None).expect("it is a picture")
 }
 
 /// A window on the small glass sphere that is held against this picture.

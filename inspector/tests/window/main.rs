@@ -4,6 +4,7 @@ mod arguments;
 mod choosing;
 mod comparing;
 mod explaining;
+mod judging;
 mod looking;
 mod noise;
 mod renderer;

@@ -1,6 +1,6 @@
 //! Windows of every size: each part has room, and nothing is out of reach.
 
-use eframe::egui::{Rect, accesskit::Role, pos2, vec2};
+use eframe::egui::{Event, Modifiers, PointerButton, Pos2, Rect, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::support::*;
@@ -19,6 +19,20 @@ fn window_of([width, height]: [f32; 2]) -> (Window, Rect) {
 
 fn picture(window: &Window) -> Rect {
     window.get_by_role_and_label(Role::Image, "picture").rect()
+}
+
+/// Two clicks in one frame: each event of its own would take one, too slow for a double click.
+fn double_click(window: &mut Window, pos: Pos2) {
+    window.hover_at(pos);
+    window.step();
+    let click = |pressed| Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    window.input_mut().events.extend([true, false, true, false].map(click));
+    window.run_steps(3);
 }
 
 /// Law: the picture has about a third of the window, whatever its size.
@@ -92,6 +106,9 @@ fn the_bars_between_the_parts_can_be_grabbed() {
     drag(&mut window, -80.0);
     let moved = before.right() - picture(&window).right();
     assert!((moved - 80.0).abs() < 3.0, "moved by {moved}, not 80");
+    let at = bar(&window).center();
+    double_click(&mut window, at);
+    assert_eq!(picture(&window), before, "moved back");
     for by in [-2000.0, 2000.0] {
         drag(&mut window, by);
         let width = picture(&window).width();
@@ -99,6 +116,78 @@ fn the_bars_between_the_parts_can_be_grabbed() {
         let heading = window.get_by_label("Pixel (17, 19)").rect();
         assert!(heading.left() < 0.8 * whole.width(), "{heading} of {}", whole.width());
     }
+}
+
+/// Law: the details keep their share of the height when the window becomes small and large again, and it is stored for
+/// the next run; a drag of the bar above them moves it with the mouse, a double click moves it back.
+#[test]
+fn the_details_keep_their_share() {
+    let (mut window, _) = window_of([1400.0, 830.0]);
+    let bar = |window: &Window| window.get_by_role_and_label(Role::Splitter, "lower bar").rect();
+    let first = bar(&window);
+    let stored = window.state().stored_settings();
+    for size in [[800.0, 500.0], [1400.0, 830.0]] {
+        window.set_size(size.into());
+        window.run_steps(4);
+    }
+    assert_eq!(bar(&window), first);
+    assert_eq!(window.state().stored_settings(), stored);
+
+    let at = first.center();
+    window.hover_at(at);
+    window.drag_at(at);
+    window.step();
+    window.hover_at(at - vec2(0.0, 100.0));
+    window.step();
+    window.drop_at(at - vec2(0.0, 100.0));
+    window.run_steps(3);
+    let moved = bar(&window);
+    assert!((first.top() - moved.top() - 100.0).abs() < 2.0, "{moved} from {first}");
+    assert_ne!(window.state().stored_settings(), stored);
+    double_click(&mut window, moved.center());
+    assert_eq!(bar(&window), first, "moved back");
+}
+
+/// Law: every setting of the scene's panel can be scrolled into view, also in a window that is enlarged by Ctrl-+; a
+/// button at the end of a line needs no scrolling to the right.
+#[test]
+fn every_setting_of_the_scene_can_be_reached() {
+    for size in [SIZES[0], SIZES[1], SIZES[2], [550.0, 350.0]] {
+        let mut window = open_sized(small_glass_sphere(), size);
+        settle(&mut window);
+        let panel = picture(&window).left() - 8.0;
+        let first = window.get_all_by_label("only").next().expect("a light has one").rect();
+        assert!(first.right() <= panel, "only at {first} of {size:?}");
+        for (role, name) in [(Role::ComboBox, "Tracer"), (Role::ComboBox, "Intersections")] {
+            let of = |window: &Window| window.get_by_role_and_label(role, name).rect();
+            window.get_by_role_and_label(role, name).scroll_to_me();
+            window.run_steps(20);
+            let rect = of(&window);
+            assert!(rect.right() <= panel && rect.width() > 20.0, "{name} at {rect} of {size:?}");
+        }
+    }
+}
+
+/// Law: at the program's own size the lines of the tree end inside it: what is too long ends in an ellipsis, and the
+/// whole text is shown under the mouse.
+#[test]
+fn long_lines_of_the_tree_end_inside_it() {
+    let (mut window, whole) = window_of([1400.0, 830.0]);
+    let end = window.get_by_role_and_label(Role::Splitter, "lower bar").rect().top();
+    let lines: Vec<(String, Rect)> = window
+        .query_all_by_label_contains("weight ")
+        .map(|node| (node.accesskit_node().value().unwrap_or_default(), node.rect()))
+        .filter(|(_, rect)| rect.bottom() < end)
+        .collect();
+    assert!(lines.len() > 3, "{lines:?}");
+    for (line, rect) in &lines {
+        assert!(rect.right() <= whole.right() - 8.0, "{line} at {rect}");
+    }
+    let (longest, rect) = lines.iter().max_by_key(|(line, _)| line.len()).expect("lines");
+    window.hover_at(rect.center());
+    window.run_steps(60);
+    let texts = window.query_all_by_label_contains(longest).count();
+    assert!(texts >= 2, "{longest}");
 }
 
 /// Law: the last number of a ray is completely visible after scrolling to it.

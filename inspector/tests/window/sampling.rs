@@ -23,7 +23,8 @@ fn sixteen() -> Scene {
 
 /// A window on a scene, a pixel selected and its samples shown.
 fn samples_of(scene: Scene, pixel: [u32; 2]) -> Window {
-    let mut window = open(scene);
+    // so wide that the plots have their largest side
+    let mut window = open_sized(scene, [1500.0, 800.0]);
     settle(&mut window);
     click(&mut window, pixel);
     window.get_by_label("The samples").click();
@@ -178,4 +179,27 @@ fn the_light_is_shown_where_one_is_sampled() {
     let draws = |i| world.draws(ON_GLASS, i).draw(purpose).map(|u| 2.0 * u - 1.0);
     let positions: Vec<_> = (0..16).map(draws).collect();
     assert_drawn_as(&window, 2, 78.0, &positions);
+}
+
+/// Law: at the program's own size all plots are whole. Oracle: the edge of the window.
+#[test]
+fn the_plots_fit_the_window() {
+    let mut scene = sixteen();
+    scene.lights.push(Light::new("occluder", AmbientOccluder::default()));
+    scene.image.sampler = Some(Regular {}.into());
+    let mut window = open_sized(scene, [1400.0, 830.0]);
+    settle(&mut window);
+    click(&mut window, ON_GLASS);
+    window.get_by_label("The samples").click();
+    settle(&mut window);
+    let of_light: Vec<f32> = (0..16).map(|sample| point(&window, 2, sample).x).collect();
+    // margin and scroll bar
+    let edge = 1400.0 - 8.0 - 9.0;
+    let [low, high] =
+        of_light.iter().fold([f32::INFINITY, 0.0], |[a, b], x| [a.min(*x), b.max(*x)]);
+    // the outer columns of the 4 × 4 points are at ±3/4
+    let right = 0.5 * (low + high) + (high - low) / 1.5;
+    assert!(high > low && right <= edge, "the plot ends at {right}");
+    let verdict = window.get_by_label_contains("χ² of ").rect();
+    assert!(verdict.right() <= edge, "{verdict}");
 }

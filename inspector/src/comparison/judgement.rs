@@ -1,0 +1,311 @@
+//! The verdict on their picture, the same as that of `groundtruth verify`: a button starts it, on a separate thread.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::time::Duration;
+
+use eframe::egui::{
+    Align2, Button, Color32, Context, FontId, Id, Label, Painter, Rect, RichText, Sense, Stroke,
+    StrokeKind, Ui, WidgetInfo, accesskit::Role, vec2,
+};
+use groundtruth::explain::count;
+use groundtruth::film::{OutOfGamut, Tone};
+use groundtruth::render::Canvas;
+use groundtruth::scene::Scene;
+use groundtruth::world::World;
+use harness::compare::{Picture, Transfer};
+use harness::verdict::{self, Case, Judged, Region, Strictness, Verdict};
+
+use crate::comparison::layer::Layer;
+use crate::comparison::theirs::shown;
+use crate::picture::view::Placement;
+use crate::picture::worker::{Background, Rendering};
+use crate::scene::source::Source;
+
+/// The defaults of `groundtruth verify`.
+const STRICTNESS: Strictness = Strictness { level: 0.01, first: 8 };
+
+/// The side of a region's number over the picture, in points of the screen.
+const NUMBER: f32 = 16.0;
+
+/// The verdict on their picture.
+#[derive(Default)]
+pub struct Judgement {
+    state: State,
+    /// The generation of our picture that it belongs to.
+    generation: u64,
+    map: Layer<()>,
+}
+
+#[derive(Default)]
+enum State {
+    /// Nobody asked.
+    #[default]
+    Nothing,
+    Running(Arc<Course>, Background<Outcome>),
+    Done(Outcome),
+}
+
+/// The verdict, or why there is none.
+type Outcome = Result<Arc<Verdict>, String>;
+
+/// What a user asks for in its part of the bar.
+pub enum Asked {
+    /// Judge the picture.
+    Judge,
+    /// Explain this pixel.
+    Explain([u32; 2]),
+}
+
+/// How far a judgement is, and whether it is to stop.
+#[derive(Default)]
+struct Course {
+    pictures: AtomicUsize,
+    /// Of ours, once they were held against theirs for the first time.
+    as_far: AtomicUsize,
+    is_held: AtomicBool,
+    is_stopped: AtomicBool,
+}
+
+impl Course {
+    fn is_stopped(&self) -> bool {
+        self.is_stopped.load(Ordering::Relaxed)
+    }
+
+    fn note(&self, judged: &Judged) {
+        let as_far = judged.ranking.as_far_as(judged.pool.count() - 1);
+        self.as_far.store(as_far, Ordering::Relaxed);
+        self.is_held.store(true, Ordering::Relaxed);
+    }
+
+    /// Renders a picture of ours; whether it was finished.
+    fn render(&self, world: &World, canvas: &Canvas) -> bool {
+        std::thread::scope(|scope| {
+            let rendering = scope.spawn(|| canvas.render(world));
+            while !rendering.is_finished() {
+                if self.is_stopped() {
+                    canvas.cancel();
+                }
+                // returns early when the rendering ends
+                std::thread::park_timeout(Duration::from_millis(5));
+            }
+        });
+        self.pictures.fetch_add(1, Ordering::Relaxed);
+        !canvas.is_cancelled()
+    }
+
+    fn words(&self) -> String {
+        let pictures = count(self.pictures.load(Ordering::Relaxed), "picture");
+        let as_far = self.is_held.load(Ordering::Relaxed).then(|| {
+            let as_far = self.as_far.load(Ordering::Relaxed);
+            format!(", {as_far} as far out as theirs")
+        });
+        format!("{pictures} of ours so far{}", as_far.unwrap_or_default())
+    }
+}
+
+/// A scene as the window shows it, and the seed of the first of our pictures.
+struct Question {
+    source: Source,
+    read: Scene,
+    scene: Arc<Scene>,
+    seed: u64,
+    theirs: Arc<Picture>,
+    /// What the user said of their transfer function.
+    transfer: Option<Transfer>,
+}
+
+impl Question {
+    fn answer(self, course: &Course) -> Outcome {
+        let Self { source, read, scene, seed, theirs, transfer } = self;
+        let refusal = verdict::refusal(&theirs).or_else(|| verdict::refusal_of_seed(seed));
+        if let Some(problem) = refusal {
+            return Err(problem);
+        }
+        let folder = source.folder().to_owned();
+        // a world of its own: it is given other seeds
+        let mut world = source.rebuild(read, (*scene).clone(), seed)?.world;
+        let mut case = Case {
+            world: &mut world,
+            scene: &scene,
+            folder: &folder,
+            is_interrupted: &|| course.is_stopped(),
+            so_far: &|judged| course.note(judged),
+            strictness: STRICTNESS,
+            transfer,
+            tone: (scene.image.gamma, scene.image.out_of_gamut),
+            seed,
+            reference: None,
+        };
+        let verdict = case.verdict(&theirs, &mut |world, canvas| course.render(world, canvas));
+        let verdict = verdict.map(Arc::new);
+        verdict.ok_or("interrupted; too few pictures were rendered to say anything".to_owned())
+    }
+}
+
+impl Judgement {
+    /// Judges a picture as one of the scene that is shown; `transfer` is what the user said of its transfer function.
+    pub fn start(
+        &mut self,
+        ctx: &Context,
+        rendering: &Rendering,
+        (theirs, transfer): (&Arc<Picture>, Option<Transfer>),
+        generation: u64,
+    ) {
+        self.drop_verdict();
+        self.generation = generation;
+        let question = Question {
+            source: rendering.source.clone(),
+            read: rendering.read.clone(),
+            scene: Arc::clone(&rendering.scene),
+            seed: rendering.world.seed,
+            theirs: Arc::clone(theirs),
+            transfer,
+        };
+        let (course, mut working) = (Arc::new(Course::default()), Background::default());
+        let of_thread = Arc::clone(&course);
+        working.start(ctx, move || question.answer(&of_thread));
+        self.state = State::Running(course, working);
+    }
+
+    /// Stops the work; what is known by then is said.
+    pub fn stop(&self) {
+        if let State::Running(course, _) = &self.state {
+            course.is_stopped.store(true, Ordering::Relaxed);
+        }
+    }
+
+    fn drop_verdict(&mut self) {
+        self.stop();
+        *self = Self::default();
+    }
+
+    /// Whether it is being worked on.
+    pub fn is_busy(&self) -> bool {
+        matches!(self.state, State::Running(..)) || self.map.is_busy()
+    }
+
+    /// The verdict, once there is one.
+    pub fn verdict(&self) -> Option<&Verdict> {
+        match &self.state {
+            State::Done(Ok(verdict)) => Some(verdict),
+            _ => None,
+        }
+    }
+
+    /// Accepts what is finished, drops what belongs to another picture of ours, and makes the map if it is shown.
+    pub fn refresh(&mut self, ctx: &Context, generation: u64, is_map_shown: bool) {
+        if self.generation != generation {
+            self.drop_verdict();
+            self.generation = generation;
+        }
+        if let State::Running(_, working) = &mut self.state
+            && let Some(outcome) = working.poll()
+        {
+            self.state = State::Done(outcome.unwrap_or_else(|lost| Err(lost.to_string())));
+        }
+        if let State::Done(Ok(verdict)) = &self.state
+            && is_map_shown
+        {
+            let verdict = Arc::clone(verdict);
+            self.map.refresh(ctx, (), move || {
+                let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+                let pictures = &verdict.shown;
+                shown(&verdict::map_film(&pictures.z, pictures.theirs.size), &plain)
+            });
+        }
+    }
+
+    /// Its lines of the bar: the button, which waits until our picture is finished; the verdict, and the regions.
+    pub fn show(&self, ui: &mut Ui, is_finished: bool) -> Option<Asked> {
+        let is_judging = ui.horizontal(|ui| self.line(ui, is_finished)).inner;
+        let regions = self.verdict().map_or(&[][..], |verdict| &verdict.regions);
+        let list = |ui: &mut Ui| {
+            let mut explained = None;
+            for (number, region) in (1..).zip(regions) {
+                let Region { name, z, .. } = region;
+                let z = z.map_or(String::new(), |z| format!(", z = {z:+.1}"));
+                let link = ui.link(format!("{number} {name}{z}"));
+                if link.on_hover_text(region.to_string()).clicked() {
+                    explained = Some(worst(region));
+                }
+            }
+            explained
+        };
+        let explained = if regions.is_empty() { None } else { ui.horizontal_wrapped(list).inner };
+        is_judging.then_some(Asked::Judge).or(explained.map(Asked::Explain))
+    }
+
+    /// The button, and how far the judgement is. Returns whether to judge.
+    fn line(&self, ui: &mut Ui, is_finished: bool) -> bool {
+        if let State::Running(course, _) = &self.state {
+            if ui.button("Stop").on_hover_text("What is known by then is said").clicked() {
+                self.stop();
+            }
+            ui.spinner();
+            ui.label(course.words());
+            return false;
+        }
+        let hint = "Is the difference noise? Renders pictures of ours with other seeds, as `groundtruth verify` does";
+        let button = ui.add_enabled(is_finished, Button::new("Judge")).on_hover_text(hint);
+        let button = button.on_disabled_hover_text("When our picture is finished");
+        if let State::Done(outcome) = &self.state {
+            let (line, all) = match outcome {
+                Ok(verdict) => (line(verdict), verdict.to_string()),
+                Err(problem) => (problem.clone(), problem.clone()),
+            };
+            let label = ui.add(Label::new(&line).truncate());
+            label.on_hover_text(RichText::new(all).monospace());
+        }
+        button.clicked()
+    }
+
+    /// Draws the map of z; `false` if it is not made yet.
+    pub fn paint_map(&self, painter: &Painter, placement: &Placement) -> bool {
+        self.map.paint(painter, placement, |()| true)
+    }
+
+    /// Frames the regions, each with its number. Returns the worst pixel of one whose number was clicked.
+    pub fn show_frames(&self, ui: &Ui, placement: &Placement) -> Option<[u32; 2]> {
+        let mut explained = None;
+        for (number, region) in (1..).zip(&self.verdict()?.regions) {
+            let [x, y, w, h] = region.bounds.map(|along| along as u32);
+            let frame = placement.part([x, y], [w, h]);
+            let tag = Rect::from_min_size(frame.min, vec2(NUMBER, NUMBER));
+            let response = ui.interact(tag, Id::unique(("region", number)), Sense::click());
+            let name = format!("region {number}");
+            response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
+            for (width, color) in [(4.0, Color32::BLACK), (2.0, ORANGE)] {
+                let stroke = Stroke::new(width, color);
+                ui.painter().rect_stroke(frame, 0.0, stroke, StrokeKind::Middle);
+            }
+            ui.painter().rect_filled(tag, 0.0, ORANGE);
+            let (at, font) = (tag.center(), FontId::proportional(12.0));
+            ui.painter().text(at, Align2::CENTER_CENTER, number, font, Color32::BLACK);
+            if response.on_hover_text(region.to_string()).clicked() {
+                explained = Some(worst(region));
+            }
+        }
+        explained
+    }
+}
+
+impl Drop for Judgement {
+    fn drop(&mut self) {
+        self.stop();
+    }
+}
+
+/// As on the page of `groundtruth verify`.
+const ORANGE: Color32 = Color32::from_rgb(255, 136, 0);
+
+/// A verdict in one line.
+fn line(verdict: &Verdict) -> String {
+    let z = verdict.regions.first().and_then(|region| region.z);
+    let z = z.map_or(String::new(), |z| format!(", z = {z:+.1}"));
+    verdict.decision_in_words() + &z
+}
+
+fn worst(region: &Region) -> [u32; 2] {
+    region.worst.map(|along| along as u32)
+}
