@@ -1,5 +1,7 @@
 //! Compares texts with numbers: words and integers exactly, other numbers within rounding.
 
+use std::path::Path;
+
 /// Numbers that are printed with all digits may differ by this share: the last few of their 17 digits
 /// depend on the order of a sum.
 const RELATIVE: f64 = 1e-12;
@@ -28,6 +30,22 @@ pub fn difference(found: &str, expected: &str, printed: Printed) -> Option<Strin
         let [found, expected] = [found, expected].map(|text| text.lines().count());
         (found != expected).then(|| format!("{found} lines, expected {expected}"))
     })
+}
+
+/// Holds a document to what it should say: up to rounding, they are the same.
+///
+/// With `RENEW_TEXTS` in the environment the document is written instead: `scripts/renew-texts.sh`.
+///
+/// # Panics
+/// They differ, or the document cannot be read or written.
+pub fn hold(document: &Path, should_say: &str, printed: Printed) {
+    let says = std::fs::read_to_string(document).expect("it is there");
+    let Some(wrong) = difference(should_say, &says, printed) else { return };
+    let file = document.display();
+    match std::env::var_os("RENEW_TEXTS") {
+        Some(_) => std::fs::write(document, should_say).expect("it can be written"),
+        None => panic!("{file}: {wrong}\nif that is right, renew it: scripts/renew-texts.sh"),
+    }
 }
 
 fn line_difference(found: &str, expected: &str, printed: Printed) -> Option<String> {

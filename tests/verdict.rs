@@ -12,6 +12,9 @@ mod commands;
 mod pictures;
 #[path = "verdict/power.rs"]
 mod power;
+#[path = "same_text.rs"]
+#[allow(dead_code)] // others compare texts
+mod same_text;
 #[path = "verdict/shared.rs"]
 mod shared;
 #[path = "verdict/statistic.rs"]
