@@ -29,8 +29,8 @@ pub trait SampledSurface: Debug + Send + Sync {
     /// and finite. `None` for a point that is not seen, or edge-on.
     fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)>;
 
-    /// The candidate of the point for these two numbers, as far as its texture coordinates need it. Called
-    /// only if the lamp's colour is a texture.
+    /// The candidate of the point for these two numbers, as far as its texture coordinates and its triangle
+    /// need it. Called only if the lamp's colour is a texture.
     fn candidate(&self, _from: Point, _u: [f64; 2]) -> Candidate {
         Candidate::at(0.0)
     }

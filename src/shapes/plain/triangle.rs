@@ -145,4 +145,8 @@ impl EvenSurface for TriangleShape {
     fn point(&self, u: [f64; 2]) -> Surface {
         self.surface_at(maps::triangle(u))
     }
+
+    fn candidate(&self, u: [f64; 2]) -> Candidate {
+        Candidate { parameters: maps::triangle(u), ..Candidate::at(0.0) }
+    }
 }

@@ -3,7 +3,7 @@
 use dashu_ratio::RBig;
 use groundtruth::lights::{LightContext, Target};
 use groundtruth::materials::Emissive;
-use groundtruth::math::{cos, power};
+use groundtruth::math::{Step, cos, power};
 use groundtruth::shapes::Surface;
 use proptest::prelude::*;
 
@@ -12,18 +12,34 @@ use super::*;
 use crate::support::replicas::assert_color;
 use crate::support::{U, laws, point, unit};
 
+/// The sphere as an instance that is turned, mirrored and enlarged.
+fn mirrored_and_moved(center: Point, radius: f64, inward: bool) -> Instance {
+    let own = Sphere { center: Point::ORIGIN, radius: 0.5 * radius, inward };
+    let steps = vec![
+        Step::RotateX(40.0),
+        Step::Scale(Vector::new(-2.0, 2.0, 2.0)),
+        Step::Translate(center.to_vector()),
+    ];
+    Instance::new(own, steps)
+}
+
 /// Law: from outside, a sphere shines by its near side alone: with the whole closed form if that side is the
 /// front or the lamp has two sides, not at all if it is the back; whether or not anything casts shadows, so that
 /// the far side, which faces the point, adds nothing through the near one. Oracle: the closed form, and black;
-/// both ways of sampling.
+/// both ways of sampling,
+/// and an instance of a sphere.
 #[test]
 fn only_the_near_side_of_a_sphere_shines_outside() {
     const SAMPLES: u32 = 128;
     const POWER: f64 = 0.06;
     let (radius, n) = (1.2, Normal::new(Vector::new(0.4, 1.0, -0.3)).expect("not zero"));
     for (inward, two_sided) in [(false, false), (false, true), (true, false), (true, true)] {
-        for (distance, angle) in [(2.0, 0.3), (1.6, 1.6)] {
+        for (distance, angle, is_instance) in [(2.0, 0.3, false), (1.6, 1.6, true)] {
             let center = Point::ORIGIN + distance * radius * at_angle(n, cos(angle), 2.0);
+            let shape = |is_instance| match is_instance {
+                false => shapes::Kind::from(Sphere { center, radius, inward }),
+                true => mirrored_and_moved(center, radius, inward).into(),
+            };
             let shines = two_sided || !inward;
             let expected = if shines { lit(sphere_share(distance, angle)) } else { Rgb::BLACK };
             for (sampling, shadows) in [Sampling::Area, Sampling::SolidAngle]
@@ -31,12 +47,12 @@ fn only_the_near_side_of_a_sphere_shines_outside() {
                 .flat_map(|sampling| [0, 1, 2].map(|shadows| (sampling, shadows)))
             {
                 let mut scene = floor(n);
-                let lamp = hang(&mut scene, Sphere { center, radius, inward }, Some(sampling));
+                let lamp = hang(&mut scene, shape(is_instance), Some(sampling));
                 scene.materials[lamp].two_sided = two_sided;
                 scene.lights[0].shadows = shadows != 1;
                 scene.materials[lamp].casts_shadows = shadows != 2;
                 let what = format!(
-                    "{distance} radii away, inward {inward}, two-sided {two_sided}, {sampling:?}, \
+                    "{distance} radii away, instance {is_instance}, inward {inward}, two-sided {two_sided}, {sampling:?}, \
                      shadows {}",
                     ["all", "none of the light", "none of the lamp"][shadows]
                 );

@@ -8,12 +8,13 @@ mod sky_light;
 mod texels;
 
 use std::io::Write;
+use std::sync::Arc;
 
 use groundtruth::kinds::Resources;
 use groundtruth::math::{Normal, Point};
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::Surface;
-use groundtruth::textures::{Image, Kind, Mapping, TexturePoint};
+use groundtruth::textures::{Image, Kind, Mapping, Texture, TexturePoint};
 
 /// A linear image whose texel at a column from the left and a row from the bottom has this colour, in steps
 /// of 1/65535; the file is deleted when the value is dropped.
@@ -38,9 +39,22 @@ pub fn linear(file: &tempfile::NamedTempFile, mapping: Option<Mapping>) -> Image
     Image { encoding, ..Image::of_file(file.path(), mapping) }
 }
 
+fn texture(image: &Image) -> Arc<dyn Texture> {
+    Kind::from(image.clone()).build(&mut Resources::default()).expect("an image")
+}
+
 /// The colours that an image has at texture coordinates.
 pub fn by_uv(image: &Image) -> impl Fn([f64; 2]) -> Rgb + use<> {
-    let texture = Kind::from(image.clone()).build(&mut Resources::default()).expect("an image");
-    let surface = Surface::new(Point::ORIGIN, 0.0, Normal::Y);
+    let (texture, surface) = (texture(image), Surface::new(Point::ORIGIN, 0.0, Normal::Y));
     move |uv| texture.color(&TexturePoint::with_uv(&surface, uv))
+}
+
+/// The columns and rows that an image names at texture coordinates.
+pub fn texel_by_uv(image: &Image) -> impl Fn([f64; 2]) -> [u32; 2] + use<> {
+    let (texture, surface) = (texture(image), Surface::new(Point::ORIGIN, 0.0, Normal::Y));
+    move |uv| {
+        let texel =
+            texture.texel(&TexturePoint::with_uv(&surface, uv)).expect("an image has texels");
+        [texel.column, texel.row]
+    }
 }

@@ -9,7 +9,7 @@ use groundtruth::shapes::Surface;
 use groundtruth::textures::{Filtering, Image, Kind, Rule, TexturePoint, Wrap};
 use proptest::prelude::*;
 
-use super::{by_uv, image_file, linear};
+use super::{by_uv, image_file, linear, texel_by_uv};
 use crate::support::laws;
 
 /// Texels are stored in single precision, and interpolated three times.
@@ -111,41 +111,52 @@ fn assert_close(found: Rgb, expected: Rgb, what: &str) {
     assert!(apart <= SINGLE, "{what}: {found:?}, expected {expected:?}: {apart:e} apart");
 }
 
-/// Law: each direction of an image has a wrap of its own: with any of the nine pairs, and nearest or bilinear,
-/// a look-up reads an image that goes on for ever in both directions, each by its own rule. Oracle: that
-/// endless image, whose texels are found by whole numbers: `i mod n`, the nearest of the border, or `i mod 2n`
-/// counted back; tents over the texels around the point.
-#[test]
-fn all_nine_pairs_of_wraps_go_on_in_their_directions() {
-    let (file, exact) = random_colors();
-    let [width, height] = SIZE.map(f64::from);
-    let index = |wrap: Wrap, i: i32, n: i32| match wrap {
+/// The texel of an endless image, by the even rule.
+fn endless(wrap: Wrap, i: i32, n: i32) -> i32 {
+    match wrap {
         Wrap::Repeat => i.rem_euclid(n),
         Wrap::Clamp => i.clamp(0, n - 1),
         Wrap::Mirror => i.rem_euclid(2 * n).min(2 * n - 1 - i.rem_euclid(2 * n)),
-    };
+    }
+}
+
+/// Law: each direction of an image has a wrap of its own: with any of the nine pairs, and nearest or bilinear,
+/// a look-up reads an image that goes on for ever in both directions, each by its own rule; an explanation
+/// names the texel around the point. Oracle: that endless image, whose texels are found by whole numbers:
+/// `i mod n`, the nearest of the border, or `i mod 2n` counted back; tents over the texels around the point.
+#[test]
+fn all_nine_pairs_of_wraps_go_on_in_their_directions() {
+    let (file, exact) = random_colors();
+    let ([width, height], counts) = (SIZE.map(f64::from), SIZE.map(|n| n as i32));
     let wraps = [Wrap::Repeat, Wrap::Clamp, Wrap::Mirror];
-    for (wrap_u, wrap_v) in wraps.into_iter().flat_map(|a| wraps.map(|b| (a, b))) {
+    for pair in wraps.into_iter().flat_map(|a| wraps.map(|b| [a, b])) {
+        let index =
+            |at: [i32; 2]| [0, 1].map(|axis| endless(pair[axis], at[axis], counts[axis]) as u32);
         let texel = |i: i32, j: i32| {
-            let [i, j] = [index(wrap_u, i, SIZE[0] as i32), index(wrap_v, j, SIZE[1] as i32)];
-            exact(i as u32, j as u32)
+            let [column, row] = index([i, j]);
+            exact(column, row)
         };
         let [nearest, bilinear] = [Filtering::Nearest, Filtering::Bilinear].map(|filtering| {
-            let (wrap_u, wrap_v) = (Some(wrap_u), Some(wrap_v));
-            by_uv(&Image { wrap_u, wrap_v, ..filtered(&file, filtering, Rule::Even) })
+            let [wrap_u, wrap_v] = pair.map(Some);
+            Image { wrap_u, wrap_v, ..filtered(&file, filtering, Rule::Even) }
         });
+        let colors = [&nearest, &bilinear].map(by_uv);
+        let texels = [&nearest, &bilinear].map(texel_by_uv);
         let mut random = Pcg32::new(29, 10);
         for _ in 0..500 {
             let [u, v] = [0; 2].map(|_| 7.0 * random.uniform() - 3.0);
-            let what = format!("{wrap_u:?} by {wrap_v:?} at ({u}, {v})");
+            let what = format!("{pair:?} at ({u}, {v})");
             let [i, j] = [width * u, height * v].map(|x| floor(x) as i32);
-            assert_close(nearest([u, v]), texel(i, j), &format!("nearest, {what}"));
+            assert_close(colors[0]([u, v]), texel(i, j), &format!("nearest, {what}"));
             let [x, y] = [width * u - 0.5, height * v - 0.5];
             let tent = |x: f64, i: i32| (1.0 - (x - f64::from(i)).abs()).max(0.0);
             let around = |x: f64| [0, 1].map(|step| floor(x) as i32 + step);
             let parts = around(y).into_iter().flat_map(|j| around(x).map(|i| (i, j)));
             let sum = parts.map(|(i, j)| tent(x, i) * tent(y, j) * texel(i, j)).sum::<Rgb>();
-            assert_close(bilinear([u, v]), sum, &format!("bilinear, {what}"));
+            assert_close(colors[1]([u, v]), sum, &format!("bilinear, {what}"));
+            for of in &texels {
+                assert_eq!(of([u, v]), index([i, j]), "the texel named: {what}");
+            }
         }
     }
 }

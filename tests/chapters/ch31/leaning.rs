@@ -2,7 +2,10 @@
 //! normal, what is glossy follows the shading normal.
 
 use groundtruth::bumps;
-use groundtruth::lobes::GlossyRule;
+use groundtruth::lobes::{
+    Bsdf, GlossyReflection, GlossyRule, GlossySpecular, Lambertian, Lobe, LobeSet, Lobes,
+    NormalKind, Normals,
+};
 use groundtruth::materials::{
     Dielectric, GlossyReflector, Kind as Recipe, Medium, Phong, Transparent,
 };
@@ -101,7 +104,7 @@ proptest! {
         }
     }
 
-    /// Law: a glossy lobe is about the mirror direction of the shading normal (of the true normal, where the
+    /// Law: on either side of a surface, a glossy lobe is about the mirror direction of the shading normal (of the true normal, where the
     /// shading normal would send that behind the surface), and it tends to that direction as its exponent
     /// grows: for the same random numbers its rays have the same `(r·ω)^(e + 1)`, by which they are drawn, and
     /// lie on one side of r or, turned half around, on the other; at 10¹⁵ they are the mirror's. Oracle: r from
@@ -135,15 +138,16 @@ proptest! {
         for e in [1e15, 1e12, 1e6, 1e3, 30.0, 3.0] {
             let (recipe, tracer) = of(e);
             for (scene, drawn) in leaning(&recipe, lean).into_iter().zip(&mut drawn) {
-                let scene = Scene { tracer, ..scene };
+                let mut scene = Scene { tracer, ..scene };
+                scene.materials[0].two_sided = true;
                 let Some((tree, hit)) = met(&scene, seed.into(), target, to_eye) else { continue };
                 let wo = Vector::from(to_eye);
-                if !hit.front || hit.normal.dot(wo) < MARGIN {
-                    continue;
-                }
+                // both normals are turned to a viewer behind the surface
+                let [n, shading] = [hit.normal, hit.shading_normal]
+                    .map(|n| if hit.front { n } else { -n });
                 let about = |n: Normal| 2.0 * n.dot(wo) * n - wo;
-                let leans = about(hit.shading_normal);
-                let heights = [hit.shading_normal.dot(wo), hit.normal.dot(leans)];
+                let leans = about(shading);
+                let heights = [n.dot(wo), shading.dot(wo), n.dot(leans)];
                 if heights.iter().any(|height| height.abs() < MARGIN) {
                     continue;
                 }
@@ -151,7 +155,7 @@ proptest! {
                 if !is_leaning && kind == 3 {
                     continue; // a highlight has no mirror image to save
                 }
-                let r = if is_leaning { leans } else { about(hit.normal) };
+                let r = if is_leaning { leans } else { about(n) };
                 let Some(reflected) = child(&tree, RayKind::Reflected) else {
                     prop_assert!(e < 1e5, "exponent {e:e}: no ray is reflected; {hit:?}");
                     continue;
@@ -177,8 +181,65 @@ proptest! {
     }
 }
 
-/// Law: the cases of the law above are no empty set: most of them have rays at every exponent. Oracle: counting
-/// the hits whose normals lean.
+/// Lobes that scatter over many directions.
+fn wide_lobes(exponent: f64) -> [Lobe; 4] {
+    let reflectance = Rgb::new(0.5, 0.25, 0.75);
+    let glossy = |rule| GlossyReflection { reflectance, exponent, rule };
+    [
+        Lambertian { reflectance }.into(),
+        GlossySpecular { reflectance, exponent }.into(),
+        glossy(GlossyRule::Book).into(),
+        glossy(GlossyRule::Normalised).into(),
+    ]
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: however the shading normal leans, a direction that a lobe draws has the density that the surface
+    /// gives it, and its weight is `f cosθ_i / pdf` of the values with which lights are weighed; the density of
+    /// two lobes is the mean of theirs, weighted by the probabilities with which a path takes them. Oracle:
+    /// `pdf` and `lit`, which multiple importance sampling compares; each lobe alone.
+    #[test]
+    fn drawn_directions_have_the_density_and_weight_of_their_lobe(
+        (geometry, shading, wo) in (unit(), unit(), unit()),
+        u in [0.0..1.0_f64, 0.0..1.0_f64],
+        exponent in 0.0..60.0_f64,
+    ) {
+        /// Powers of cosines above 0.01 to the 60th, and normals that are turned there and back.
+        const ROUNDING: f64 = 1e-10;
+        let above = |n: Normal| if geometry.dot(n) < 0.0 { -n } else { n };
+        let (shading, wo) = (above(shading), Vector::from(above(wo)));
+        let normals = Normals { shading, geometry };
+        let all = wide_lobes(exponent).map(|lobe| (lobe, NormalKind::Shading));
+        let alone = all.map(|lobe| Lobes::from_iter([lobe]));
+        let alone = [0, 1, 2, 3].map(|i: usize| {
+            Bsdf::new(&alone[i], normals, wo).with_lobe_probabilities()
+        });
+        for (i, (lobe, kind)) in all.iter().enumerate() {
+            let Some(sample) = alone[i].sample(lobe, *kind, u) else { continue };
+            let pdf = sample.pdf.expect("it scatters over many directions");
+            if pdf < 1e-3 {
+                continue; // so far from the middle that a power multiplies roundings
+            }
+            near!(alone[i].pdf(sample.direction), pdf, ROUNDING * pdf, "{lobe:?}");
+            let lit = alone[i].lit(LobeSet::NonDelta, sample.direction);
+            let weight: Rgb = lit.iter().map(|lit| (lit.cos_i / pdf) * lit.f).sum();
+            close!(sample.weight, weight, ROUNDING, "{lobe:?}");
+            for (j, other) in all.iter().enumerate().filter(|(j, _)| *j != i) {
+                let both = Lobes::from_iter([(*lobe, *kind), *other]);
+                let both = Bsdf::new(&both, normals, wo).with_lobe_probabilities();
+                let [p, q] = both.lobe_probabilities() else { panic!("two lobes") };
+                let expected = p * pdf + q * alone[j].pdf(sample.direction);
+                near!(p + q, 1.0, ROUNDING);
+                near!(both.pdf(sample.direction), expected, ROUNDING * (1.0 + expected), "{lobe:?}, {other:?}");
+            }
+        }
+    }
+}
+
+/// Law: the scenes above are no empty case: in each of them most rays meet a normal that leans. Oracle: counting
+/// such hits.
 #[test]
 fn the_surfaces_lean() {
     let glossy = Recipe::from(Phong { ks: 1.0.into(), ..Phong::default() });
