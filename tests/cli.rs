@@ -7,6 +7,8 @@ mod goldens;
 #[path = "cli/interrupt.rs"]
 #[cfg(unix)]
 mod interrupt;
+#[path = "cli/list.rs"]
+mod list;
 #[path = "cli/stereo.rs"]
 mod stereo;
 

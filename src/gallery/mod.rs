@@ -33,8 +33,11 @@ mod ch31;
 
 // shared by the chapters
 pub mod parts;
+mod search;
 mod sets;
 mod shaded_sets;
+
+pub use search::search;
 
 use crate::scene::Scene;
 

@@ -8,9 +8,10 @@ use super::{Outcome, print};
 
 #[derive(Args)]
 pub struct List {
-    /// Chapters to list, such as ch24; all if left out
-    #[arg(value_name = "CHAPTER")]
-    chapters: Vec<String>,
+    /// Chapters to list, such as ch24 or 24, and words to find in names and descriptions, such as fresnel or 26.12;
+    /// all scenes if left out
+    #[arg(value_name = "WORD")]
+    words: Vec<String>,
     /// Print JSON
     #[arg(long)]
     json: bool,
@@ -24,17 +25,12 @@ struct Line {
 
 impl List {
     pub fn run(&self) -> Outcome {
-        let names: Vec<&str> = gallery::scenes().map(|entry| entry.name).collect();
-        if let Some(unknown) = self.chapters.iter().find(|chapter| !is_chapter(chapter, &names)) {
-            return Err(no_chapter(unknown, &names).into());
+        let found = gallery::search(self.words.iter().map(String::as_str));
+        if found.is_empty() {
+            return Err(nothing(&self.words).into());
         }
-        let wanted = |name: &str| {
-            self.chapters.is_empty() || self.chapters.iter().any(|chapter| is_in(name, chapter))
-        };
-        let lines: Vec<Line> = gallery::scenes()
-            .filter(|entry| wanted(entry.name))
-            .map(|entry| Line { name: entry.name, about: (entry.build)().about })
-            .collect();
+        let line = |entry: gallery::Entry| Line { name: entry.name, about: (entry.build)().about };
+        let lines: Vec<Line> = found.into_iter().map(line).collect();
         if self.json {
             return print(&(serde_json::to_string_pretty(&lines)? + "\n"));
         }
@@ -50,13 +46,23 @@ pub fn is_in(name: &str, chapter: &str) -> bool {
     name.split_once('/').is_some_and(|(its, _)| its == chapter)
 }
 
-fn is_chapter(chapter: &str, names: &[&str]) -> bool {
-    names.iter().any(|name| is_in(name, chapter))
+/// The message when no scene fits the words.
+fn nothing(words: &[String]) -> String {
+    let is_chapter = |word: &&String| {
+        let number = word.strip_prefix("ch");
+        number.is_some_and(|number| number.parse::<u32>().is_ok())
+    };
+    match words.iter().filter(is_chapter).find(|word| gallery::search([word.as_str()]).is_empty()) {
+        Some(unknown) => no_chapter(unknown),
+        None => format!("no scene has `{}` in its name and description", words.join(" ")),
+    }
 }
 
-fn no_chapter(chapter: &str, names: &[&str]) -> String {
-    let mut chapters: Vec<&str> =
-        names.iter().filter_map(|name| name.split_once('/')).map(|(chapter, _)| chapter).collect();
+fn no_chapter(chapter: &str) -> String {
+    let mut chapters: Vec<&str> = gallery::scenes()
+        .filter_map(|entry| entry.name.split_once('/'))
+        .map(|(chapter, _)| chapter)
+        .collect();
     chapters.dedup();
     format!("no scenes of a chapter `{chapter}`; the chapters are: {}", chapters.join(", "))
 }

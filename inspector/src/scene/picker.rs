@@ -1,9 +1,9 @@
 //! The list of the gallery's scenes by chapter, with thumbnails and a search field.
 
 use eframe::egui::{
-    Align, Button, Color32, ColorImage, Image, Key, Popup, PopupCloseBehavior, Rect, ScrollArea,
-    Shape, Stroke, TextEdit, TextureHandle, TextureId, TextureOptions, Ui, load::SizedTexture,
-    vec2,
+    Align, Button, Color32, ColorImage, Image, Key, Modifiers, Popup, PopupCloseBehavior, Rect,
+    ScrollArea, Shape, Stroke, TextEdit, TextureHandle, TextureId, TextureOptions, Ui,
+    load::SizedTexture, vec2,
 };
 use groundtruth::gallery::{self, Entry};
 
@@ -17,6 +17,10 @@ const FRAMES_TO_OPEN: u8 = 3;
 pub struct ScenePicker {
     /// The text in the search field.
     typed: String,
+    /// The place in the list of the scene that Enter opens.
+    chosen: usize,
+    /// Whether that scene is to be scrolled into view.
+    scroll: bool,
     /// Frames until the open list is in position.
     opening: u8,
     thumbnails: Thumbnails,
@@ -36,37 +40,48 @@ impl ScenePicker {
         arrow(ui, button.rect);
         if button.clicked() {
             self.typed.clear();
+            self.chosen = found("").iter().position(|entry| entry.name == current).unwrap_or(0);
             self.opening = FRAMES_TO_OPEN;
         }
         let max_height = 0.8 * ui.ctx().content_rect().height();
         let popup = Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-        popup.width(320.0).show(|ui| self.list(ui, current, max_height))?.inner
+        popup.width(320.0).show(|ui| self.list(ui, max_height))?.inner
     }
 
-    fn list(&mut self, ui: &mut Ui, current: &str, max_height: f32) -> Option<Entry> {
-        let field = TextEdit::singleline(&mut self.typed).hint_text("type a part of a name");
+    fn list(&mut self, ui: &mut Ui, max_height: f32) -> Option<Entry> {
+        let step = arrow_step(ui);
+        let hint = "a name, a word, a chapter or a figure";
+        let field = TextEdit::singleline(&mut self.typed).hint_text(hint);
         let field = ui.add(field.desired_width(f32::INFINITY));
         let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         if self.opening > 0 {
             field.request_focus();
         }
         let found = found(&self.typed);
-        let mut picked = if entered { found.first().copied() } else { None };
-        ScrollArea::vertical().max_height(max_height).auto_shrink([false, true]).show(ui, |ui| {
+        if field.changed() {
+            self.chosen = 0;
+        }
+        let last = found.len().saturating_sub(1);
+        self.chosen = self.chosen.saturating_add_signed(step).min(last);
+        self.scroll = step != 0 || field.changed() || self.opening > 0;
+        let mut picked = if entered { found.get(self.chosen).copied() } else { None };
+        // with a least height: the popup remembers that of a short list
+        let area = ScrollArea::vertical().max_height(max_height).min_scrolled_height(max_height);
+        area.auto_shrink([false, true]).show(ui, |ui| {
             let mut chapter = "";
-            for &entry in &found {
+            for (index, &entry) in found.iter().enumerate() {
                 let (its_chapter, name) = entry.name.split_once('/').unwrap_or(("", entry.name));
                 if its_chapter != chapter {
                     chapter = its_chapter;
                     let number = chapter.trim_start_matches("ch").trim_start_matches('0');
                     ui.weak(format!("Chapter {number}"));
                 }
-                if self.row(ui, entry, name, entry.name == current) {
+                if self.row(ui, entry, name, index == self.chosen) {
                     picked = Some(entry);
                 }
             }
             if found.is_empty() {
-                ui.weak("no scene has this in its name");
+                ui.weak("no scene has this in its name and description");
             }
         });
         self.opening = self.opening.saturating_sub(1);
@@ -77,20 +92,20 @@ impl ScenePicker {
     }
 
     /// Shows a scene's thumbnail and name; returns whether it was clicked.
-    fn row(&mut self, ui: &mut Ui, entry: Entry, name: &str, is_current: bool) -> bool {
+    fn row(&mut self, ui: &mut Ui, entry: Entry, name: &str, is_chosen: bool) -> bool {
         let row_height = SIZE[1] as f32 + 4.0;
         let next = ui.cursor().with_max_y(ui.cursor().top() + row_height);
-        if !ui.is_rect_visible(next) && !is_current {
+        if !ui.is_rect_visible(next) && !(is_chosen && self.scroll) {
             ui.allocate_space(vec2(ui.available_width(), row_height));
             return false;
         }
         let [width, height] = SIZE.map(|side| side as f32);
         let image = Image::new(SizedTexture::new(self.picture(ui, entry), vec2(width, height)));
         let button = Button::image_and_text(image.fit_to_exact_size(vec2(width, height)), name);
-        let button = button.selected(is_current).frame_when_inactive(is_current);
+        let button = button.selected(is_chosen).frame_when_inactive(is_chosen);
         let row = ui.add(button.min_size(vec2(0.0, row_height)));
-        if is_current && self.opening > 0 {
-            row.scroll_to_me(Some(Align::Center));
+        if is_chosen && self.scroll {
+            row.scroll_to_me(if self.opening > 0 { Some(Align::Center) } else { None });
         }
         row.on_hover_ui(|ui| drop(ui.label((entry.build)().about))).clicked()
     }
@@ -118,8 +133,15 @@ fn arrow(ui: &Ui, button: Rect) {
     ui.painter().add(Shape::convex_polygon(corners.into(), color, Stroke::NONE));
 }
 
-/// The scenes whose names contain the typed text.
+/// The step in the list that the arrow keys ask for; the field does not get them.
+fn arrow_step(ui: &Ui) -> isize {
+    ui.input_mut(|input| {
+        let mut presses = |key| input.count_and_consume_key(Modifiers::NONE, key) as isize;
+        presses(Key::ArrowDown) - presses(Key::ArrowUp)
+    })
+}
+
+/// The scenes that fit the typed words.
 pub fn found(typed: &str) -> Vec<Entry> {
-    let typed = typed.trim().to_lowercase();
-    gallery::scenes().filter(|entry| entry.name.contains(&typed)).collect()
+    gallery::search(typed.split_whitespace())
 }
