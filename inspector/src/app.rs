@@ -21,9 +21,10 @@ use crate::picture::saving::Saving;
 use crate::picture::view::parse_pixel;
 use crate::picture::worker::{Background, Progress, Rendering};
 use crate::scene::picker::ScenePicker;
-use crate::scene::source::Loaded;
+use crate::scene::source::{Loaded, Source};
 use crate::scene::switches;
 use crate::scene::watch::Watch;
+use crate::window::chooser::{FileChooser, Purpose};
 use crate::window::keys::{self, Shortcut};
 use crate::window::panels::{self, Action, Fields};
 use crate::window::splits::Splits;
@@ -45,6 +46,8 @@ pub struct Inspector {
     pub theirs: Option<Theirs>,
     /// The list of scenes.
     pub picker: ScenePicker,
+    /// The desktop's file chooser.
+    pub chooser: FileChooser,
     /// The scene with the present settings and switches.
     pub(crate) wanted: Scene,
     /// The present seed.
@@ -78,6 +81,7 @@ impl Inspector {
             message: None,
             theirs: None,
             picker: ScenePicker::default(),
+            chooser: FileChooser::default(),
             wanted,
             seed,
             generation: 0,
@@ -121,6 +125,7 @@ impl Inspector {
     pub fn is_busy(&self) -> bool {
         self.loading.is_busy()
             || self.saving.is_busy()
+            || self.chooser.is_open()
             || self.selection.is_waiting()
             || matches!(self.rendering.progress(), Progress::Running(..))
             || !self.picture.is_fresh(&self.rendering, self.generation)
@@ -150,7 +155,8 @@ impl Inspector {
         }
         // before an action opens the question: the Enter that caused it must not answer it
         self.saving.ask(&ctx, &self.rendering, &self.picture);
-        if let Some(action) = action.or(self.shortcut(&ctx)) {
+        let chosen = self.chosen();
+        if let Some(action) = action.or(chosen).or(self.shortcut(&ctx)) {
             self.perform(&ctx, action);
         }
         keys::list(&ctx, &mut self.is_showing_keys);
@@ -341,6 +347,22 @@ impl Inspector {
         None
     }
 
+    /// What to do with the file that was chosen; its name is in its field.
+    fn chosen(&mut self) -> Option<Action> {
+        let (purpose, path) = self.chooser.poll()?;
+        let name = path.display().to_string();
+        Some(match purpose {
+            Purpose::Scene => {
+                self.fields.open = name;
+                Action::Open(Source::File(path))
+            }
+            Purpose::Picture => {
+                self.fields.save = name;
+                Action::Save(path)
+            }
+        })
+    }
+
     /// Carries out what the user asked for in a bar.
     fn perform(&mut self, ctx: &Context, action: Action) {
         match action {
@@ -349,6 +371,7 @@ impl Inspector {
                 self.message = None;
                 self.saving.start(ctx, &self.rendering, &self.picture, &path);
             }
+            Action::Choose(purpose) => self.chooser.show(ctx, purpose),
             Action::Select(text) => match parse_pixel(&text) {
                 Ok(pixel) => self.select_and_reveal(pixel),
                 Err(error) => self.message = Some((error, true)),
