@@ -23,6 +23,7 @@ use crate::picture::worker::{Background, Progress, Rendering};
 use crate::scene::picker::ScenePicker;
 use crate::scene::source::{Loaded, Source};
 use crate::scene::switches;
+use crate::scene::waiting::{Broken, Waiting};
 use crate::scene::watch::Watch;
 use crate::window::chooser::{FileChooser, Purpose};
 use crate::window::keys::{self, Shortcut};
@@ -56,6 +57,8 @@ pub struct Inspector {
     pub(crate) generation: u64,
     pub(crate) loading: Background<Result<Loaded, String>>,
     pub(crate) watch: Watch,
+    /// What the command line asks for, until its scene file is valid.
+    pub(crate) waiting: Option<Waiting>,
     saving: Saving,
     settings: ImageSettings,
     splits: Splits,
@@ -87,12 +90,22 @@ impl Inspector {
             generation: 0,
             loading: Background::default(),
             watch,
+            waiting: None,
             saving: Saving::default(),
             settings: ImageSettings::default(),
             splits: Splits::default(),
             is_showing_keys: false,
             hovered: None,
         }
+    }
+
+    /// Shows the error of a scene file, and waits until it is mended.
+    pub fn waiting_for(ctx: &Context, broken: Broken) -> Self {
+        let mut inspector = Self::new(ctx, broken.placeholder());
+        inspector.fields.open = broken.path.display().to_string();
+        inspector.message = Some((broken.error, true));
+        (inspector.watch, inspector.waiting) = (broken.watch, Some(broken.waiting));
+        inspector
     }
 
     /// Selects a pixel, if the picture has it.
@@ -188,7 +201,7 @@ impl Inspector {
         Panel::top("view")
             .frame(bar)
             .show(ui, |ui| panels::view_settings(ui, &mut self.picture, &self.rendering));
-        if let Some(theirs) = &mut self.theirs {
+        if let Some(theirs) = self.theirs.as_mut().filter(|_| self.waiting.is_none()) {
             let (rendering, generation) = (&self.rendering, self.generation);
             let show = |ui: &mut Ui| bar::show(ui, theirs, rendering, generation);
             let wish = Panel::top("comparison").frame(bar).show(ui, show).inner;
@@ -237,6 +250,11 @@ impl Inspector {
 
     /// The scene, the picture and the explanation, side by side. Returns whether the scene was changed.
     fn parts(&mut self, ui: &mut Ui) -> bool {
+        if self.waiting.is_some() {
+            let text = "The picture follows when the scene file is mended.";
+            ui.centered_and_justified(|ui| ui.weak(text));
+            return false;
+        }
         let parts = self.splits.show(ui, ui.max_rect());
         let changed = part(ui, ("scene", parts.scene), |ui| {
             ScrollArea::both().auto_shrink(false).show(ui, |ui| self.scene(ui)).inner
