@@ -9,8 +9,7 @@ use eframe::egui::{
 use groundtruth::explain;
 use groundtruth::scene::Scene;
 
-use crate::comparison::bar::{self, Wish};
-use crate::comparison::judgement::Asked;
+use crate::comparison::bar;
 use crate::comparison::theirs::Theirs;
 use crate::explanation::selection::Selection;
 use crate::explanation::trail;
@@ -210,41 +209,11 @@ impl Inspector {
         action.inner
     }
 
-    /// Carries out what is asked for in the bar of the comparison.
-    fn carry_out(&mut self, ctx: &Context, wish: Option<Wish>) {
-        match wish {
-            Some(Wish::NextRegion) => self.select_next_region(),
-            Some(Wish::Of(Asked::Explain(pixel))) => self.select_and_reveal(pixel),
-            Some(Wish::Of(Asked::Judge)) => {
-                if let Some(theirs) = &mut self.theirs {
-                    theirs.judge(ctx, &self.rendering, self.generation);
-                }
-            }
-            None => {}
-        }
-    }
-
-    fn select_and_reveal(&mut self, pixel: [u32; 2]) {
+    /// Selects a pixel and moves the picture if it is not in view.
+    pub(crate) fn select_and_reveal(&mut self, pixel: [u32; 2]) {
         self.select(pixel);
         if self.selection.pixel == Some(pixel) {
             self.picture.reveal(self.rendering.size(), pixel);
-        }
-    }
-
-    /// Selects the worst pixel of the next region of difference.
-    fn select_next_region(&mut self) {
-        let Some(theirs) = &mut self.theirs else { return };
-        match theirs.next_region(self.generation) {
-            Some(pixel) => self.select_and_reveal(pixel),
-            None => {
-                let is_compared = theirs.comparison(self.generation).is_some();
-                let text = if is_compared {
-                    "no pixel differs"
-                } else {
-                    "the pictures are not compared yet"
-                };
-                self.message = Some((text.to_owned(), false));
-            }
         }
     }
 
