@@ -1,5 +1,5 @@
-//! The bar of a comparison: what is shown, how much differs, the next region, and the verdict; and what
-//! is done when it is asked.
+//! The bar of a comparison: what is shown, how much differs, the next region, and the verdict; and what is done when
+//! it is asked.
 
 use eframe::egui::{Align, Button, Context, Layout, RichText, Ui};
 use groundtruth::explain::{brief, count};
