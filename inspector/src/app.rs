@@ -9,8 +9,7 @@ use eframe::egui::{
 use groundtruth::explain;
 use groundtruth::scene::Scene;
 
-use crate::comparison::bar::{self, Wish};
-use crate::comparison::judgement::Asked;
+use crate::comparison::bar;
 use crate::comparison::theirs::Theirs;
 use crate::explanation::selection::Selection;
 use crate::explanation::trail;
@@ -21,9 +20,11 @@ use crate::picture::saving::Saving;
 use crate::picture::view::parse_pixel;
 use crate::picture::worker::{Background, Progress, Rendering};
 use crate::scene::picker::ScenePicker;
-use crate::scene::source::Loaded;
+use crate::scene::source::{Loaded, Source};
 use crate::scene::switches;
+use crate::scene::waiting::{Broken, Waiting};
 use crate::scene::watch::Watch;
+use crate::window::chooser::{FileChooser, Purpose};
 use crate::window::keys::{self, Shortcut};
 use crate::window::panels::{self, Action, Fields};
 use crate::window::splits::Splits;
@@ -45,6 +46,8 @@ pub struct Inspector {
     pub theirs: Option<Theirs>,
     /// The list of scenes.
     pub picker: ScenePicker,
+    /// The desktop's file chooser.
+    pub chooser: FileChooser,
     /// The scene with the present settings and switches.
     pub(crate) wanted: Scene,
     /// The present seed.
@@ -53,6 +56,8 @@ pub struct Inspector {
     pub(crate) generation: u64,
     pub(crate) loading: Background<Result<Loaded, String>>,
     pub(crate) watch: Watch,
+    /// What the command line asks for, until its scene file is valid.
+    pub(crate) waiting: Option<Waiting>,
     saving: Saving,
     settings: ImageSettings,
     splits: Splits,
@@ -78,17 +83,28 @@ impl Inspector {
             message: None,
             theirs: None,
             picker: ScenePicker::default(),
+            chooser: FileChooser::default(),
             wanted,
             seed,
             generation: 0,
             loading: Background::default(),
             watch,
+            waiting: None,
             saving: Saving::default(),
             settings: ImageSettings::default(),
             splits: Splits::default(),
             is_showing_keys: false,
             hovered: None,
         }
+    }
+
+    /// Shows the error of a scene file, and waits until it is mended.
+    pub fn waiting_for(ctx: &Context, broken: Broken) -> Self {
+        let mut inspector = Self::new(ctx, broken.placeholder());
+        inspector.fields.open = broken.path.display().to_string();
+        inspector.message = Some((broken.error, true));
+        (inspector.watch, inspector.waiting) = (broken.watch, Some(broken.waiting));
+        inspector
     }
 
     /// Selects a pixel, if the picture has it.
@@ -121,6 +137,7 @@ impl Inspector {
     pub fn is_busy(&self) -> bool {
         self.loading.is_busy()
             || self.saving.is_busy()
+            || self.chooser.is_open()
             || self.selection.is_waiting()
             || matches!(self.rendering.progress(), Progress::Running(..))
             || !self.picture.is_fresh(&self.rendering, self.generation)
@@ -150,7 +167,8 @@ impl Inspector {
         }
         // before an action opens the question: the Enter that caused it must not answer it
         self.saving.ask(&ctx, &self.rendering, &self.picture);
-        if let Some(action) = action.or(self.shortcut(&ctx)) {
+        let chosen = self.chosen();
+        if let Some(action) = action.or(chosen).or(self.shortcut(&ctx)) {
             self.perform(&ctx, action);
         }
         keys::list(&ctx, &mut self.is_showing_keys);
@@ -182,7 +200,7 @@ impl Inspector {
         Panel::top("view")
             .frame(bar)
             .show(ui, |ui| panels::view_settings(ui, &mut self.picture, &self.rendering));
-        if let Some(theirs) = &mut self.theirs {
+        if let Some(theirs) = self.theirs.as_mut().filter(|_| self.waiting.is_none()) {
             let (rendering, generation) = (&self.rendering, self.generation);
             let show = |ui: &mut Ui| bar::show(ui, theirs, rendering, generation);
             let wish = Panel::top("comparison").frame(bar).show(ui, show).inner;
@@ -191,46 +209,21 @@ impl Inspector {
         action.inner
     }
 
-    /// Carries out what is asked for in the bar of the comparison.
-    fn carry_out(&mut self, ctx: &Context, wish: Option<Wish>) {
-        match wish {
-            Some(Wish::NextRegion) => self.select_next_region(),
-            Some(Wish::Of(Asked::Explain(pixel))) => self.select_and_reveal(pixel),
-            Some(Wish::Of(Asked::Judge)) => {
-                if let Some(theirs) = &mut self.theirs {
-                    theirs.judge(ctx, &self.rendering, self.generation);
-                }
-            }
-            None => {}
-        }
-    }
-
-    fn select_and_reveal(&mut self, pixel: [u32; 2]) {
+    /// Selects a pixel and moves the picture if it is not in view.
+    pub(crate) fn select_and_reveal(&mut self, pixel: [u32; 2]) {
         self.select(pixel);
         if self.selection.pixel == Some(pixel) {
             self.picture.reveal(self.rendering.size(), pixel);
         }
     }
 
-    /// Selects the worst pixel of the next region of difference.
-    fn select_next_region(&mut self) {
-        let Some(theirs) = &mut self.theirs else { return };
-        match theirs.next_region(self.generation) {
-            Some(pixel) => self.select_and_reveal(pixel),
-            None => {
-                let is_compared = theirs.comparison(self.generation).is_some();
-                let text = if is_compared {
-                    "no pixel differs"
-                } else {
-                    "the pictures are not compared yet"
-                };
-                self.message = Some((text.to_owned(), false));
-            }
-        }
-    }
-
     /// The scene, the picture and the explanation, side by side. Returns whether the scene was changed.
     fn parts(&mut self, ui: &mut Ui) -> bool {
+        if self.waiting.is_some() {
+            let text = "The picture follows when the scene file is mended.";
+            ui.centered_and_justified(|ui| ui.weak(text));
+            return false;
+        }
         let parts = self.splits.show(ui, ui.max_rect());
         let changed = part(ui, ("scene", parts.scene), |ui| {
             ScrollArea::both().auto_shrink(false).show(ui, |ui| self.scene(ui)).inner
@@ -341,6 +334,22 @@ impl Inspector {
         None
     }
 
+    /// What to do with the file that was chosen; its name is in its field.
+    fn chosen(&mut self) -> Option<Action> {
+        let (purpose, path) = self.chooser.poll()?;
+        let name = path.display().to_string();
+        Some(match purpose {
+            Purpose::Scene => {
+                self.fields.open = name;
+                Action::Open(Source::File(path))
+            }
+            Purpose::Picture => {
+                self.fields.save = name;
+                Action::Save(path)
+            }
+        })
+    }
+
     /// Carries out what the user asked for in a bar.
     fn perform(&mut self, ctx: &Context, action: Action) {
         match action {
@@ -349,6 +358,7 @@ impl Inspector {
                 self.message = None;
                 self.saving.start(ctx, &self.rendering, &self.picture, &path);
             }
+            Action::Choose(purpose) => self.chooser.show(ctx, purpose),
             Action::Select(text) => match parse_pixel(&text) {
                 Ok(pixel) => self.select_and_reveal(pixel),
                 Err(error) => self.message = Some((error, true)),

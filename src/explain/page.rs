@@ -70,9 +70,8 @@ impl Source {
 impl Sources {
     /// The two ways to divide the pixel's light, each with its description.
     pub fn lists(&self) -> [(&'static str, &[SourceExplanation]); 2] {
-        let by_entry = "the pixel by where light enters: a light's samples at all hits; what a lobe's rays meet";
-        let by_first_hit =
-            "the pixel by its first hit: a light's samples there; all light along a lobe's rays";
+        let by_entry = "the pixel by source: direct light of each light, at all hits; emission and background that rays of each BRDF (lobe) hit";
+        let by_first_hit = "the pixel at its first hit: direct light of each light there; all light that arrives along rays of each BRDF (lobe)";
         [(by_entry, &self.by_entry), (by_first_hit, &self.by_first_hit)]
     }
 }

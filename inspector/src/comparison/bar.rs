@@ -1,9 +1,11 @@
-//! The bar of a comparison: what is shown, how much differs, the next region, and the verdict.
+//! The bar of a comparison: what is shown, how much differs, the next region, and the verdict; and what is done when
+//! it is asked.
 
-use eframe::egui::{Align, Button, Layout, RichText, Ui};
+use eframe::egui::{Align, Button, Context, Layout, RichText, Ui};
 use groundtruth::explain::{brief, count};
 use harness::compare::Comparison;
 
+use crate::app::Inspector;
 use crate::comparison::judgement::Asked;
 use crate::comparison::theirs::{SCALES, Shows, Theirs};
 use crate::picture::worker::{Progress, Rendering};
@@ -112,4 +114,37 @@ fn summary(comparison: &Comparison) -> String {
     let worst = comparison.worst.map_or(String::new(), |worst| brief(worst.difference));
     let verb = if comparison.differing == 1 { "differs" } else { "differ" };
     format!("{differing} ({share:.2} %) {verb}, by at most {worst}{why}")
+}
+
+impl Inspector {
+    /// Carries out what is asked for in the bar of the comparison.
+    pub(crate) fn carry_out(&mut self, ctx: &Context, wish: Option<Wish>) {
+        match wish {
+            Some(Wish::NextRegion) => self.select_next_region(),
+            Some(Wish::Of(Asked::Explain(pixel))) => self.select_and_reveal(pixel),
+            Some(Wish::Of(Asked::Judge)) => {
+                if let Some(theirs) = &mut self.theirs {
+                    theirs.judge(ctx, &self.rendering, self.generation);
+                }
+            }
+            None => {}
+        }
+    }
+
+    /// Selects the worst pixel of the next region of difference.
+    pub(crate) fn select_next_region(&mut self) {
+        let Some(theirs) = &mut self.theirs else { return };
+        match theirs.next_region(self.generation) {
+            Some(pixel) => self.select_and_reveal(pixel),
+            None => {
+                let is_compared = theirs.comparison(self.generation).is_some();
+                let text = if is_compared {
+                    "no pixel differs"
+                } else {
+                    "the pictures are not compared yet"
+                };
+                self.message = Some((text.to_owned(), false));
+            }
+        }
+    }
 }

@@ -11,6 +11,17 @@ use groundtruth::trace::{Optics, Outcome, RayKind, RecordedTexture};
 
 use crate::explanation::tree::kind_color;
 
+/// The columns of the terms, with what they are.
+const TERM_TITLES: [(&str, &str); 4] = [
+    ("radiance", "What the term adds to the radiance of this ray"),
+    (
+        "BRDF, light",
+        "The BRDF or BTDF that scatters the light (a lobe of the material), and the light it is from",
+    ),
+    ("ray", "The ray along which the light arrives"),
+    ("factors", "The product that is the term"),
+];
+
 /// Numbers with all their digits.
 pub fn exact(numbers: [f64; 3]) -> String {
     let [x, y, z] = numbers;
@@ -149,8 +160,8 @@ fn terms(ui: &mut Ui, ray: &RecordedRay) -> Option<usize> {
     let mut clicked = None;
     let grid = Grid::new("terms").num_columns(4).striped(true).min_row_height(16.0);
     grid.spacing([14.0, 1.0]).show(ui, |ui| {
-        for title in ["adds", "by", "along", "as"] {
-            ui.weak(title);
+        for (title, hint) in TERM_TITLES {
+            ui.weak(title).on_hover_text(hint);
         }
         ui.end_row();
         for term in &ray.terms {

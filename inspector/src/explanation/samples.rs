@@ -258,15 +258,16 @@ fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
         let label = ui.label("Sampler");
         let image = &mut wanted.image;
         let words = |kind: &samplers::Kind| format!("{kind:?}");
-        let usual = "as the book: one sample in the middle, or multi-jittered ones";
+        let default =
+            "As in the book: multi-jittered, and a single sample in the centre of the pixel";
         let all = samplers::named();
         let current = image.sampler.as_ref().map(words);
         let name = all.iter().find(|(_, kind)| Some(words(kind)) == current);
-        let shown = name.map_or("usual", |(name, _)| name.as_str());
+        let shown = name.map_or("default", |(name, _)| name.as_str());
         let combo = ComboBox::from_id_salt("sampler").selected_text(shown).width(190.0);
         let combo = combo.show_ui(ui, |ui| {
-            let none = ui.selectable_label(image.sampler.is_none(), "usual");
-            if none.on_hover_text(usual).clicked() {
+            let none = ui.selectable_label(image.sampler.is_none(), "default");
+            if none.on_hover_text(default).clicked() {
                 image.sampler = None;
                 changed = true;
             }

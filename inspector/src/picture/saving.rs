@@ -30,7 +30,9 @@ impl Saving {
         let (canvas, tone) = (rendering.canvas.clone(), picture.tone);
         self.working.start(ctx, move || {
             let written = film::write(&canvas.film(), &tone, &to);
-            written.map(|()| to).map_err(|error| error.to_string())
+            // with its folder, which a relative name hides
+            let whole = std::path::absolute(&to).unwrap_or(to);
+            written.map(|()| whole).map_err(|error| error.to_string())
         });
     }
 

@@ -7,4 +7,5 @@ pub mod reload;
 pub mod source;
 pub mod switches;
 pub mod thumbnails;
+pub mod waiting;
 pub mod watch;

@@ -1,5 +1,7 @@
 //! Opening scenes, rebuilding them after changes, and reading changed files again.
 
+use std::sync::Arc;
+
 use eframe::egui::Context;
 
 use crate::app::Inspector;
@@ -7,6 +9,7 @@ use crate::explanation::tree::Tree;
 use crate::picture::display::{self, Picture};
 use crate::picture::worker::Rendering;
 use crate::scene::source::{Loaded, Source};
+use crate::scene::waiting::Waiting;
 use crate::scene::{reload, watch};
 
 impl Inspector {
@@ -36,7 +39,11 @@ impl Inspector {
         let Rendering { source, read, .. } = &self.rendering;
         let (source, before, wanted, seed) =
             (source.clone(), read.clone(), self.wanted.clone(), self.seed);
-        let change = move |now| Ok(reload::with_changes(&before, &wanted, now));
+        let asked = self.waiting.as_ref().map(|waiting| Arc::clone(&waiting.change));
+        let change = move |now| match asked {
+            Some(change) => change(now),
+            None => Ok(reload::with_changes(&before, &wanted, now)),
+        };
         self.loading.start(ctx, move || source.load_changed(seed, change));
     }
 
@@ -67,7 +74,9 @@ impl Inspector {
     }
 
     fn show_scene(&mut self, ctx: &Context, mut loaded: Loaded) {
-        let is_same_scene = loaded.source.name() == self.rendering.source.name();
+        let is_same_file = loaded.source.name() == self.rendering.source.name();
+        let waited = self.waiting.take();
+        let is_same_scene = is_same_file && waited.is_none();
         let old_size = self.rendering.size();
         self.message = None;
         self.wanted = loaded.scene.clone();
@@ -87,6 +96,10 @@ impl Inspector {
             self.selection.tree = Tree::default();
         }
         self.keep_selection();
+        if let Some(Waiting { pixel: Some(pixel), sample, .. }) = waited.filter(|_| is_same_file) {
+            self.selection.sample = sample;
+            self.select(pixel);
+        }
     }
 
     /// The pixel stays selected if the picture has it.

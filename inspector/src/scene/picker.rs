@@ -94,8 +94,9 @@ impl ScenePicker {
     /// Shows a scene's thumbnail and name; returns whether it was clicked.
     fn row(&mut self, ui: &mut Ui, entry: Entry, name: &str, is_chosen: bool) -> bool {
         let row_height = SIZE[1] as f32 + 4.0;
+        let is_wanted = is_chosen && self.scroll;
         let next = ui.cursor().with_max_y(ui.cursor().top() + row_height);
-        if !ui.is_rect_visible(next) && !(is_chosen && self.scroll) {
+        if !ui.is_rect_visible(next) && !is_wanted {
             ui.allocate_space(vec2(ui.available_width(), row_height));
             return false;
         }
@@ -104,7 +105,7 @@ impl ScenePicker {
         let button = Button::image_and_text(image.fit_to_exact_size(vec2(width, height)), name);
         let button = button.selected(is_chosen).frame_when_inactive(is_chosen);
         let row = ui.add(button.min_size(vec2(0.0, row_height)));
-        if is_chosen && self.scroll {
+        if is_wanted {
             row.scroll_to_me(if self.opening > 0 { Some(Align::Center) } else { None });
         }
         row.on_hover_ui(|ui| drop(ui.label((entry.build)().about))).clicked()

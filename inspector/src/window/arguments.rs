@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 use std::str::FromStr;
+use std::sync::Arc;
 
 use clap::Parser;
 use groundtruth::scene::{Scene, Tracer};
@@ -11,6 +12,7 @@ use harness::compare::{self, Transfer};
 use crate::comparison::theirs::Theirs;
 use crate::picture::view::parse_pixel;
 use crate::scene::source::{Loaded, Source};
+use crate::scene::waiting::{Broken, Waiting};
 
 /// Click a pixel and read why it has its colour.
 #[derive(Clone, Debug, Parser)]
@@ -85,6 +87,7 @@ impl Arguments {
     /// scene has.
     pub fn load(&self, theirs: Option<&Theirs>) -> Result<Loaded, String> {
         let source = Source::named(&self.scene)?;
+        let theirs = theirs.map(|theirs| (&*theirs.name, theirs.size()));
         let loaded = source.load_changed(self.seed, |scene| self.change(scene, theirs))?;
         let [width, height] = loaded.world.picture_size();
         if let Some([x, y]) = self.pixel.filter(|&[x, y]| x >= width || y >= height) {
@@ -99,15 +102,27 @@ impl Arguments {
         }
     }
 
-    fn change(&self, mut scene: Scene, theirs: Option<&Theirs>) -> Result<Scene, String> {
-        if let Some(theirs) = theirs {
+    /// The scene file, if it is there but cannot be loaded.
+    pub fn broken(&self, theirs: Option<&Theirs>) -> Option<Broken> {
+        let Ok(Source::File(path)) = Source::named(&self.scene) else { return None };
+        let (arguments, theirs) =
+            (self.clone(), theirs.map(|theirs| (theirs.name.clone(), theirs.size())));
+        let change = move |scene| {
+            let theirs = theirs.as_ref().map(|(name, size)| (&**name, *size));
+            arguments.change(scene, theirs)
+        };
+        let (change, pixel, sample) = (Arc::new(change), self.pixel, self.sample.unwrap_or(0));
+        Broken::of(path, self.seed, Waiting { change, pixel, sample })
+    }
+
+    /// A scene with the settings of the arguments, at the size of their picture; `theirs` is its name and size.
+    fn change(&self, mut scene: Scene, theirs: Option<(&str, [u32; 2])>) -> Result<Scene, String> {
+        if let Some((name, size @ [width, height])) = theirs {
             let [w, h] = [scene.image.width, scene.image.height];
-            let is_alike = compare::fit(&mut scene, theirs.size());
-            if !is_alike.map_err(|error| format!("{}: {error}", theirs.name))? {
-                let [width, height] = theirs.size();
+            let is_alike = compare::fit(&mut scene, size);
+            if !is_alike.map_err(|error| format!("{name}: {error}"))? {
                 eprintln!(
-                    "note: {} has {width} × {height} pixels, the scene the shape of {w} × {h}; the width of its view is kept",
-                    theirs.name
+                    "note: {name} has {width} × {height} pixels, the scene the shape of {w} × {h}; the width of its view is kept"
                 );
             }
         }

@@ -24,7 +24,7 @@ pub enum Shortcut {
 }
 
 /// The keys and what they do.
-const KEYS: [(&str, &str); 15] = [
+const KEYS: [(&str, &str); 16] = [
     ("click", "explain this pixel"),
     ("arrows", "explain the next pixel (Shift: ten pixels on)"),
     ("L", "follow the light: the next ray on the path of the largest share"),
@@ -34,13 +34,11 @@ const KEYS: [(&str, &str); 15] = [
     ("T", "with --compare: flip between ours and theirs"),
     ("W", "with --compare: ours at the left of a line, theirs at its right; drag the line"),
     ("D", "with --compare: theirs less ours"),
-    (
-        "Z",
-        "with --compare, when it is judged: the map of z, each pixel's difference over its noise",
-    ),
+    ("Z", "with --compare, once it is judged: the map of z"),
     ("N", "with --compare: explain the worst pixel of the next region of difference"),
     ("Ctrl-O", "type the name of a scene file"),
     ("Ctrl-S", "save the picture"),
+    ("Ctrl-+, Ctrl-−, Ctrl-0", "everything larger, smaller, or as at first"),
     ("?, F1", "show or hide these keys"),
     ("Esc", "close what is in front"),
 ];

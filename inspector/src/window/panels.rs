@@ -13,6 +13,7 @@ use crate::picture::view::View;
 use crate::picture::worker::{Progress, Rendering};
 use crate::scene::picker::ScenePicker;
 use crate::scene::source::Source;
+use crate::window::chooser::Purpose;
 
 /// The text typed into the bars.
 #[derive(Default)]
@@ -31,6 +32,8 @@ pub enum Action {
     Open(Source),
     /// Save the picture in a file.
     Save(PathBuf),
+    /// Show the desktop's file chooser.
+    Choose(Purpose),
     /// Select the pixel of these coordinates, as typed.
     Select(String),
 }
@@ -60,8 +63,8 @@ pub fn files(
         return ui.horizontal(opened).inner;
     }
     // the width that labels, buttons and other fields leave
-    let opened = ui.horizontal(|ui| open(ui, fields, picker, source, width - 400.0)).inner;
-    opened.or(ui.horizontal(|ui| save_and_select(ui, fields, width - 330.0)).inner)
+    let opened = ui.horizontal(|ui| open(ui, fields, picker, source, width - 430.0)).inner;
+    opened.or(ui.horizontal(|ui| save_and_select(ui, fields, width - 360.0)).inner)
 }
 
 fn open(
@@ -75,34 +78,57 @@ fn open(
     ui.separator();
     let field = TextEdit::singleline(&mut fields.open).id(file_field());
     let field = field.hint_text("scene.toml, or drop a file");
-    let named = entry(ui, "File", field, width, "Open");
+    let named = entry(ui, "File", field, width, |ui| {
+        let is_choosing = choose(ui, "Choose a scene file");
+        (ui.button("Open").clicked(), is_choosing)
+    });
     let file = fields.open.trim();
-    match picked {
-        Some(entry) => Some(Action::Open(Source::Gallery(entry))),
-        None => (named && !file.is_empty()).then(|| Action::Open(Source::File(file.into()))),
+    match (picked, named) {
+        (Some(entry), _) => Some(Action::Open(Source::Gallery(entry))),
+        (None, (_, true)) => Some(Action::Choose(Purpose::Scene)),
+        (None, (true, _)) if !file.is_empty() => Some(Action::Open(Source::File(file.into()))),
+        _ => None,
     }
+}
+
+/// The button of the desktop's file chooser.
+fn choose(ui: &mut Ui, hint: &str) -> bool {
+    ui.button("…").on_hover_text(format!("{hint} (by the desktop's portal, or zenity)")).clicked()
 }
 
 fn save_and_select(ui: &mut Ui, fields: &mut Fields, width: f32) -> Option<Action> {
     let field = TextEdit::singleline(&mut fields.save).hint_text("picture.png or .exr");
-    let saved = entry(ui, "Picture", field, width, "Save");
+    let (saved, is_choosing) = entry(ui, "Picture", field, width, |ui| {
+        let is_choosing = choose(ui, "Choose the file for the picture, and save it");
+        (ui.button("Save").clicked(), is_choosing)
+    });
     ui.separator();
     let field = TextEdit::singleline(&mut fields.pixel).hint_text("x, y");
-    let selected = entry(ui, "Pixel", field, 70.0, "Explain");
+    let explain = |ui: &mut Ui| (ui.button("Explain").clicked(), false);
+    let (selected, _) = entry(ui, "Pixel", field, 70.0, explain);
     let (name, pixel) = (fields.save.trim(), fields.pixel.trim());
+    if is_choosing {
+        return Some(Action::Choose(Purpose::Picture));
+    }
     if saved && !name.is_empty() {
         return Some(Action::Save(name.into()));
     }
     (selected && !pixel.is_empty()).then(|| Action::Select(pixel.to_owned()))
 }
 
-/// A field with its button; true if the button or Enter was pressed.
-fn entry(ui: &mut Ui, name: &str, field: TextEdit<'_>, width: f32, verb: &str) -> bool {
+/// A field with its buttons: whether the first of them, or Enter, was pressed, and whether the second was.
+fn entry(
+    ui: &mut Ui,
+    name: &str,
+    field: TextEdit<'_>,
+    width: f32,
+    buttons: impl FnOnce(&mut Ui) -> (bool, bool),
+) -> (bool, bool) {
     let label = ui.label(name);
     let field = ui.add(field.desired_width(width)).labelled_by(label.id);
     let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
-    let pressed = ui.button(verb).clicked();
-    entered || pressed
+    let (pressed, other) = buttons(ui);
+    (entered || pressed, other)
 }
 
 /// The settings of the view.

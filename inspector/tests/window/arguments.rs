@@ -30,6 +30,35 @@ fn a_bad_scene_is_reported_before_a_window_opens() {
     }
 }
 
+/// Law: without a screen, one line says what helps, with status 2; a scene file with an error, for which a window would
+/// open, is reported before it. Oracle: the script that is named.
+#[cfg(target_os = "linux")]
+#[test]
+fn without_a_screen_one_line_says_what_helps() {
+    let script = "scripts/headless.sh";
+    assert!(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(script).exists());
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let broken = folder.path().join("broken.toml");
+    std::fs::write(&broken, "image = { width = 3 }\n").expect("writable");
+    let error = groundtruth::world::read(&broken).expect_err("it is broken").to_string();
+    let broken = broken.to_str().expect("UTF-8");
+    for (scene, before) in
+        [("ch03/single-sphere", String::new()), (broken, format!("error: {error}\n"))]
+    {
+        let mut program = Command::new(env!("CARGO_BIN_EXE_inspector"));
+        for display in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
+            program.env_remove(display);
+        }
+        let output = program.arg(scene).output().expect("the program starts");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        let last = said.strip_prefix(&before).expect("the scene's error comes first");
+        assert_eq!(last.lines().count(), 1, "{last}");
+        assert!(last.starts_with("error: no screen for the window"), "{last}");
+        assert!(last.contains(script), "{last}");
+    }
+}
+
 /// Law: `--help` explains the argument, and an invalid pixel is refused.
 #[test]
 fn help_is_given_and_arguments_are_checked() {

@@ -1,10 +1,13 @@
 //! Opening scenes, switching lights and objects, saving; and the window never waits.
 
+use std::path::PathBuf;
+
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::read_exr;
 use groundtruth::rgb::Rgb;
 use inspector::picture::worker::Progress;
 use inspector::scene::source::Source;
+use inspector::window::chooser::Purpose;
 
 use crate::support::*;
 
@@ -147,6 +150,47 @@ fn the_picture_is_saved_and_errors_are_shown() {
     );
     assert!(window.query_by_label(&error).is_some());
     assert!(!path.exists());
+}
+
+/// Law: a file that is chosen in the desktop's chooser is opened, or the picture is saved there, and its field names it;
+/// a chooser that is closed without a choice changes nothing. Oracle: the library's scene and picture.
+#[test]
+fn a_chosen_file_is_opened_or_saved() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let [scene_file, picture_file] =
+        ["small.toml", "saved.exr"].map(|name| folder.path().join(name));
+    let mut scene = small_glass_sphere();
+    scene.image.resize(20, 10);
+    let text = groundtruth::scene::to_toml(&scene).expect("plain data");
+    std::fs::write(&scene_file, text).expect("writable");
+    let mut window = glass_window();
+    let ctx = window.ctx.clone();
+    let choose = |window: &mut Window, purpose: Purpose, file: Option<PathBuf>| {
+        window.state_mut().chooser.wait_for(&ctx, purpose, || file);
+        settle(window);
+    };
+    choose(&mut window, Purpose::Scene, None);
+    assert_eq!(window.state().rendering.source.name(), "ch28/glass-sphere");
+    choose(&mut window, Purpose::Scene, Some(scene_file.clone()));
+    assert_eq!(window.state().rendering.size(), [20, 10]);
+    assert_eq!(window.state().fields.open, scene_file.display().to_string());
+    choose(&mut window, Purpose::Picture, Some(picture_file.clone()));
+    let saved = read_exr(&picture_file).expect("a picture");
+    assert!(saved.to_f32().eq(window.state().rendering.canvas.film().to_f32()));
+    assert_eq!(window.state().fields.save, picture_file.display().to_string());
+}
+
+/// Law: a picture that is saved under a relative name is reported with the whole path. Oracle: the present folder.
+#[test]
+fn a_saved_picture_is_named_with_its_folder() {
+    let here = std::env::current_dir().expect("a present folder");
+    let folder = tempfile::tempdir_in(&here).expect("a temporary folder");
+    let name = folder.path().file_name().expect("a name").to_string_lossy().into_owned();
+    let mut window = glass_window();
+    type_into(&mut window, "Picture", &format!("{name}/saved.png"));
+    let whole = here.join(name).join("saved.png");
+    assert!(whole.exists());
+    assert!(window.query_by_label(&format!("saved {}", whole.display())).is_some());
 }
 
 /// Law: a frame returns although the picture is far from finished; a pixel is explained meanwhile;

@@ -4,10 +4,14 @@ use std::collections::HashMap;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use eframe::egui::{Key, Modifiers, accesskit::Role};
+use clap::Parser;
+use eframe::egui::{Context, Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::scene::Scene;
+use groundtruth::world::World;
+use inspector::app::Inspector;
 use inspector::scene::source::Source;
+use inspector::window::arguments::Arguments;
 use inspector::window::stored_settings::StoredSettings;
 
 use crate::support::*;
@@ -82,6 +86,48 @@ fn a_broken_file_keeps_the_picture_until_it_is_mended() {
     write(&path, &scene);
     wait_until(&mut window, |window| window.state().rendering.scene.about == "mended");
     assert_eq!(window.state().message, None);
+}
+
+/// Law: a broken file of the command line is shown with its error and without a picture; mended, it is opened as the
+/// arguments say, and their pixel is explained. Files that are good, or that do not exist, are none. Oracle: the
+/// library's error, and its rendering with the same settings.
+#[test]
+fn a_broken_file_of_the_command_line_is_waited_for() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("mine.toml");
+    let file = path.to_str().expect("UTF-8");
+    let line = ["inspector", file, "--size", "30x20", "--samples", "9", "--seed", "5"];
+    let line = [&line[..], &["--pixel", "12,9", "--sample", "3"]].concat();
+    let arguments = Arguments::parse_from(line);
+    assert!(arguments.broken(None).is_none(), "there is no such file");
+    std::fs::write(&path, "image = { width = 3 }\n").expect("writable");
+    let broken = arguments.broken(None).expect("it is broken");
+    let mut window =
+        window_of(Inspector::waiting_for(&Context::default(), broken), [1280.0, 800.0]);
+    settle(&mut window);
+    let error = groundtruth::world::read(&path).expect_err("it is broken").to_string();
+    assert!(window.query_by_label(&error).is_some());
+    assert!(window.query_by_label("picture").is_none());
+
+    let mut scene = small_glass_sphere();
+    write(&path, &scene);
+    wait_until(&mut window, |window| window.query_by_label("picture").is_some());
+    assert_eq!(window.state().message, None);
+    scene.image.resize(30, 20);
+    scene.image.samples = 9;
+    let world = World::build_seeded(&scene, folder.path(), 5).expect("the scene is valid");
+    let film = window.state().rendering.canvas.film();
+    assert_eq!(film.pixels(), groundtruth::render::render(&world).pixels());
+    assert!(window.query_by_label("Pixel (12, 9)").is_some());
+    assert_eq!(window.state().selection.sample, 3);
+    assert!(arguments.broken(None).is_none(), "it is good");
+
+    // from now on changes in the window count
+    type_number(&mut window, "Samples", "16");
+    scene.about = "changed again".to_owned();
+    write(&path, &scene);
+    wait_until(&mut window, |window| window.state().rendering.scene.about == "changed again");
+    assert_eq!(window.state().rendering.scene.image.samples, 16);
 }
 
 /// Law: a mesh file that a scene names is watched as well.

@@ -46,7 +46,11 @@ pub fn open_sized(scene: Scene, size: [f32; 2]) -> Window {
 
 /// A window of this size on a loaded scene.
 pub fn window(loaded: Loaded, size: [f32; 2]) -> Window {
-    let inspector = Inspector::new(&Context::default(), loaded);
+    window_of(Inspector::new(&Context::default(), loaded), size)
+}
+
+/// A window of this size.
+pub fn window_of(inspector: Inspector, size: [f32; 2]) -> Window {
     Harness::builder()
         .with_size(size)
         .with_theme(Theme::Dark)

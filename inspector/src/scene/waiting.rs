@@ -1,0 +1,63 @@
+//! A scene file of the command line that is not valid yet: the window shows the error and waits until it is mended.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use groundtruth::gallery::parts::{pinhole, point};
+use groundtruth::scene::{self, Scene};
+
+use crate::scene::source::{Loaded, Source};
+use crate::scene::watch::Watch;
+
+/// What the command line changes in a scene.
+pub type Change = Arc<dyn Fn(Scene) -> Result<Scene, String> + Send + Sync>;
+
+/// A scene file that is not valid yet, and what the command line asks for.
+pub struct Waiting {
+    /// What is changed in the scene.
+    pub change: Change,
+    /// The pixel that is explained once there is a picture.
+    pub pixel: Option<[u32; 2]>,
+    /// The sample that is explained.
+    pub sample: u32,
+}
+
+/// A scene file with an error.
+pub struct Broken {
+    /// The file.
+    pub path: PathBuf,
+    /// What is wrong, with file and line.
+    pub error: String,
+    /// Notices that it is mended.
+    pub watch: Watch,
+    /// The seed of all random choices.
+    pub seed: u64,
+    /// What is asked for.
+    pub waiting: Waiting,
+}
+
+impl Broken {
+    /// A file that cannot be loaded; `None` if it can, or if there is no such file.
+    pub fn of(path: PathBuf, seed: u64, waiting: Waiting) -> Option<Self> {
+        let mut watch = Watch::default();
+        // before it is read, so that no change in between is missed
+        watch.add(path.clone());
+        if !path.is_file() {
+            return None;
+        }
+        let source = Source::File(path.clone());
+        let error = source.clone().load().err()?;
+        if let Ok((scene, _)) = scene::open(&path) {
+            watch.add_meshes(&scene, source.folder());
+        }
+        Some(Self { path, error, watch, seed, waiting })
+    }
+
+    /// A black pixel in place of the scene.
+    pub fn placeholder(&self) -> Loaded {
+        let view = [point(0.0, 0.0, 1.0), point(0.0, 0.0, 0.0)];
+        let scene = pinhole("", [1, 1], view, 1.0);
+        let source = Source::File(self.path.clone());
+        source.rebuild(scene.clone(), scene, self.seed).expect("the placeholder is valid")
+    }
+}
