@@ -8,7 +8,6 @@ use std::time::Duration;
 
 use clap::Args;
 use groundtruth::explain::count;
-use groundtruth::film;
 use groundtruth::render::Canvas;
 use groundtruth::world::World;
 use harness::compare::{Picture, Transfer};
@@ -16,14 +15,15 @@ use harness::verdict::{self, Answer, Case, Decision, Judged, Region, Strictness,
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::mistakes;
+use super::numbers::whole;
 use super::scene::SceneArguments;
-use super::{Exit, Outcome, print};
+use super::{Exit, Outcome, output};
 
 #[derive(Args)]
 pub struct Verify {
     #[command(flatten)]
     scene: Option<SceneArguments>,
-    /// The picture to be judged: PNG, JPEG, PPM, HDR, EXR or PFM. Several are pictures of one program with other
+    /// The picture to be judged: PNG, JPEG, PPM, HDR, EXR or PFM; - is the standard input. Several are pictures of one program with other
     /// seeds
     #[arg(value_name = "IMAGE", required_unless_present = "scenes")]
     images: Vec<PathBuf>,
@@ -31,7 +31,7 @@ pub struct Verify {
     #[arg(long, value_name = "N", value_parser = super::scene::samples(), conflicts_with = "samples")]
     their_samples: Option<u32>,
     /// The pictures of ours that are rendered at first; more follow while theirs is among the farthest out
-    #[arg(long, value_name = "R", default_value_t = 8, value_parser = clap::value_parser!(u32).range(3..))]
+    #[arg(long, value_name = "R", default_value_t = 8, value_parser = whole::<u32>(3..=u32::MAX.into()))]
     replicas: u32,
     /// The probability of calling a correct picture wrong; a wrong one is called so after 1/P − 1 of our pictures
     #[arg(long, value_name = "P", default_value_t = 0.01, value_parser = level)]
@@ -126,11 +126,12 @@ impl Verify {
         if let Some(file) = &self.output {
             let name = format!("{} and {}", self.images[0].display(), arguments.name());
             let html = verdict::page(&verdict, &name, &words);
-            film::replace(file, html.as_bytes()).map_err(|e| format!("{}: {e}", file.display()))?;
+            output::write(file, html.as_bytes())?;
         }
+        let say = |text: &str| output::say(text, self.output.as_deref());
         match self.json {
-            true => print(&(serde_json::to_string_pretty(&verdict)? + "\n"))?,
-            false => print(&words)?,
+            true => say(&(serde_json::to_string_pretty(&verdict)? + "\n"))?,
+            false => say(&words)?,
         };
         Ok(match (verdict.margin, verdict.decision) {
             _ if watch.is_interrupted() => Exit::Interrupted,
@@ -194,7 +195,7 @@ fn advice(scene: &str, verdict: &Verdict, [width, height]: [u32; 2]) -> String {
     }
     let explain = |region: &Region| {
         let [x, y] = region.worst;
-        format!("  groundtruth explain {scene} {x} {y} --size {width}x{height}\n")
+        format!("  groundtruth explain {scene} {x},{y} --size {width}x{height}\n")
     };
     let commands: Vec<String> = verdict.regions.iter().map(explain).collect();
     if commands.is_empty() {
