@@ -30,7 +30,7 @@ light_source { <-1000, 2000, 2000> rgb 1 parallel point_at 0 shadowless }
 SCENE
     ours=$(for _ in 1 2 3 4 5; do
         target/release/groundtruth render "$work/spheres.toml" -o "$work/ours.png" --threads 1 2>&1 |
-            sed 's/.*rendered in \([0-9.]*\) s.*/\1/'
+            sed -n 's/.*rendered in \([0-9.]*\) s.*/\1/p'
     done | median)
     theirs=$(for _ in 1 2 3; do
         povray "+I$work/spheres.pov" "+O$work/pov.png" +W400 +H400 -D -A +WT1 2>&1 |

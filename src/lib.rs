@@ -10,7 +10,7 @@
 //! Each module names only modules of lines above its own:
 //!
 //! ```text
-//! candidate, math, mesh_file, printable
+//! candidate, math, mesh_file, printable, similar
 //! accel, invalid
 //! mesh_bvh, rgb
 //! film, images
@@ -53,6 +53,7 @@ pub mod rgb;
 pub mod samplers;
 pub mod scene;
 pub mod shapes;
+pub mod similar;
 pub mod textures;
 pub mod trace;
 pub mod world;

@@ -1,7 +1,14 @@
 //! The command line: exit statuses, error texts, and that no unfinished file is left.
 
+#[path = "cli/bounds.rs"]
+mod bounds;
+#[path = "cli/explain_json.rs"]
+mod explain_json;
 #[path = "cli/export.rs"]
 mod export;
+#[path = "cli/full_disk.rs"]
+#[cfg(unix)]
+mod full_disk;
 #[path = "cli/goldens.rs"]
 mod goldens;
 #[path = "cli/interrupt.rs"]
@@ -9,6 +16,8 @@ mod goldens;
 mod interrupt;
 #[path = "cli/list.rs"]
 mod list;
+#[path = "cli/provenance.rs"]
+mod provenance;
 #[path = "cli/stereo.rs"]
 mod stereo;
 
@@ -88,11 +97,11 @@ const ERRORS: &[(&[&str], &str)] = &[
     ),
     (
         &["render", "ch03/single-sphere", "--samples", "0", "-o", "a.png"],
-        "error: invalid value '0' for '--samples <N>': 0 is not in 1..=65536",
+        "error: invalid value '0' for '--samples <N>': write a whole number from 1 to 65536",
     ),
     (
         &["render", "ch03/single-sphere", "--samples", "many", "-o", "a.png"],
-        "error: invalid value 'many' for '--samples <N>': invalid digit found in string",
+        "error: invalid value 'many' for '--samples <N>': write a whole number from 1 to 65536",
     ),
     (
         &[
@@ -136,7 +145,36 @@ const ERRORS: &[(&[&str], &str)] = &[
         &["explain", "ch28/glass-sphere", "0", "0", "--sample", "16"],
         "error: no sample 16: the pixel has 16, numbered from 0",
     ),
-    (&["explain", "ch03/single-sphere", "-1", "0"], "error: unexpected argument '-1' found"),
+    (
+        &["explain", "ch03/single-sphere", "-1", "0"],
+        "error: `-1 0` is no pixel; write column and row as 200,150",
+    ),
+    (
+        &["explain", "ch03/single-sphere", "200"],
+        "error: `200` is no pixel; write column and row as 200,150",
+    ),
+    (
+        &["render", "ch03/single-sphere", "--samples", "-4", "-o", "a.png"],
+        "error: invalid value '-4' for '--samples <N>': write a whole number from 1 to 65536",
+    ),
+    (
+        &["render", "ch03/single-sphere", "--samples", "1e3", "-o", "a.png"],
+        "error: invalid value '1e3' for '--samples <N>': write 1000",
+    ),
+    (
+        &["render", "ch03/single-sphere", "--seed", "-1", "-o", "a.png"],
+        "error: invalid value '-1' for '--seed <N>': write a whole number that is at least 0",
+    ),
+    (
+        &["render", "ch03/single-sphere", "--tracer", "Whitted", "-o", "a.png"],
+        "error: invalid value 'Whitted' for '--tracer <NAME>': there are: ray_cast, whitted, path_trace, \
+         global_trace, path; did you mean `whitted`?",
+    ),
+    (
+        &["goldens", "check"],
+        "error: goldens/manifest.toml: there is none; run this where the folder `goldens` is, or name a folder by \
+         --folder DIR",
+    ),
     (
         &["export", "ch03/single-spheres"],
         "error: no scene `ch03/single-spheres`: neither a gallery name (`groundtruth list` shows \
@@ -157,7 +195,7 @@ const ERRORS: &[(&[&str], &str)] = &[
     ),
     (
         &["goldens", "accept", "ch03/single-sphere", "--because", "x", "--samples", "0"],
-        "error: invalid value '0' for '--samples <N>': 0 is not in 1..=65536",
+        "error: invalid value '0' for '--samples <N>': write a whole number from 1 to 65536",
     ),
     (
         &["render", "ch14/set", "-o", "a.png", "--max-depth", "3"],
@@ -165,11 +203,11 @@ const ERRORS: &[(&[&str], &str)] = &[
     ),
     (
         &["explain", "ch14/set", "1", "1", "--tracer", "paths"],
-        "error: invalid value 'paths' for '--tracer <NAME>': there are: ray_cast, whitted, path_trace, global_trace, path",
+        "error: invalid value 'paths' for '--tracer <NAME>': there are: ray_cast, whitted, path_trace, global_trace, path; did you mean `path`?",
     ),
     (
         &["explain", "ch14/set", "1", "1", "--max-depth", "129"],
-        "error: invalid value '129' for '--max-depth <N>': 129 is not in 0..=128",
+        "error: invalid value '129' for '--max-depth <N>': write a whole number from 0 to 128",
     ),
     (
         &["render", "ch12/fisheye", "-o", "a.png", "--size", "5792x5792"],
@@ -272,9 +310,16 @@ fn help_speaks_of_every_option() {
     let scene = ["--size", "--samples", "--tracer", "--max-depth", "--seed", "<SCENE>"];
     for (command, options) in [
         ("list", &["--json"][..]),
-        ("render", &["--output", "--crop", "--stereo", "--threads", "--replicas", "--part"]),
+        ("bounds", &["<SCENE>", "bunny.ply"]),
+        (
+            "render",
+            &["--output", "--format", "--crop", "--stereo", "--threads", "--replicas", "--part"],
+        ),
         ("merge", &["--output", "--standard-error", "--audit", "--scene", "not one picture"]),
-        ("explain", &["<X>", "<Y>", "--sample", "--all", "--min-share", "--largest", "--json"]),
+        (
+            "explain",
+            &["<X,Y>", "--sample", "--all", "--min-share", "--largest", "--json", "--columns"],
+        ),
         ("export", &["--output", "--replace"]),
         ("describe", &["another renderer", "formulas"]),
         ("kinds", &["--page", "--schema", "docs/scene.md"]),
@@ -283,11 +328,12 @@ fn help_speaks_of_every_option() {
     ] {
         let run = run_in(Path::new("."), &[command, "--help"]);
         assert_eq!(run.status, Some(0));
-        let scene = if matches!(command, "list" | "kinds" | "mistakes" | "probe" | "merge") {
-            &[][..]
-        } else {
-            &scene
-        };
+        let scene =
+            if matches!(command, "list" | "kinds" | "mistakes" | "probe" | "merge" | "bounds") {
+                &[][..]
+            } else {
+                &scene
+            };
         for option in scene.iter().chain(options) {
             assert!(run.stdout.contains(option), "{command}: {option} in\n{}", run.stdout);
         }

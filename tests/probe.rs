@@ -14,6 +14,8 @@ mod inside;
 mod lines;
 #[path = "probe/lobes.rs"]
 mod lobes;
+#[path = "probe/python.rs"]
+mod python;
 #[path = "probe/radiance.rs"]
 mod radiance;
 #[path = "same_text.rs"]

@@ -17,7 +17,6 @@ use crate::explanation::tree::Tree;
 use crate::picture::display::{self, Picture};
 use crate::picture::image_settings::ImageSettings;
 use crate::picture::saving::Saving;
-use crate::picture::view::parse_pixel;
 use crate::picture::worker::{Background, Progress, Rendering};
 use crate::scene::picker::ScenePicker;
 use crate::scene::source::{Loaded, Source};
@@ -29,6 +28,7 @@ use crate::window::keys::{self, Shortcut};
 use crate::window::panels::{self, Action, Fields};
 use crate::window::splits::Splits;
 use crate::window::stored_settings::StoredSettings;
+use harness::parse_pixel;
 
 /// The whole state of the window.
 pub struct Inspector {

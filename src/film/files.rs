@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use exr::prelude::{Image as ExrImage, ReadChannels, ReadLayers, SpecificChannels, WritableImage};
 
 use super::replace::{replace, replaceable};
-use super::{Film, Tone};
+use super::{Film, Provenance, Tone};
 use crate::rgb::Rgb;
 
 /// A picture file that cannot be written or read.
@@ -38,40 +38,75 @@ pub enum ImageError {
 }
 
 /// The formats of picture files, by the ends of their names.
-#[derive(Clone, Copy)]
-enum Format {
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// For display, compressed.
     Png,
+    /// For display.
     Ppm,
+    /// Linear radiance, compressed.
     Exr,
+    /// Linear radiance.
     Pfm,
 }
 
 impl Format {
-    fn of(path: &Path) -> Result<Self, ImageError> {
-        let extension = path.extension().map(|e| e.to_string_lossy().to_lowercase());
-        match extension.as_deref() {
-            Some("png") => Ok(Self::Png),
-            Some("ppm") => Ok(Self::Ppm),
-            Some("exr") => Ok(Self::Exr),
-            Some("pfm") => Ok(Self::Pfm),
-            _ => Err(ImageError::Format { path: path.to_owned() }),
-        }
+    /// All of them, with the ends of their names.
+    pub const ALL: [(Self, &'static str); 4] =
+        [(Self::Png, "png"), (Self::Ppm, "ppm"), (Self::Exr, "exr"), (Self::Pfm, "pfm")];
+
+    /// The format of a file by the end of its name.
+    ///
+    /// # Errors
+    /// [`ImageError::Format`].
+    pub fn of(path: &Path) -> Result<Self, ImageError> {
+        let extension = path.extension().unwrap_or_default().to_string_lossy().to_lowercase();
+        let format = Self::ALL.into_iter().find(|(_, end)| *end == extension);
+        format.map(|(format, _)| format).ok_or(ImageError::Format { path: path.to_owned() })
+    }
+
+    /// Whether its values are encoded for display, by the gamma of a [`Tone`]; linear radiance if not.
+    pub fn is_for_display(self) -> bool {
+        matches!(self, Self::Png | Self::Ppm)
+    }
+}
+
+/// The bytes of a picture file: `.png` and `.ppm` as shown by `tone`, `.exr` and `.pfm` as linear radiance in single
+/// precision. PNG and EXR say how it was made; a PNG file also its gamma.
+///
+/// # Errors
+/// Of the encoder; none is known.
+pub fn encode(
+    film: &Film,
+    tone: &Tone,
+    format: Format,
+    made: &Provenance,
+) -> std::io::Result<Vec<u8>> {
+    let bytes = encoded(film, tone, format)?;
+    Ok(match format {
+        Format::Png => made.in_png(&bytes, tone.gamma),
+        Format::Exr => made.in_exr(&bytes).expect("an EXR file of one part"),
+        Format::Ppm | Format::Pfm => bytes,
+    })
+}
+
+fn encoded(film: &Film, tone: &Tone, format: Format) -> std::io::Result<Vec<u8>> {
+    match format {
+        Format::Png => png(film, tone),
+        Format::Ppm => Ok(ppm(film, tone)),
+        Format::Exr => exr(film),
+        Format::Pfm => Ok(pfm(film)),
     }
 }
 
 /// Writes a picture: `.png` and `.ppm` as shown by `tone`, `.exr` and `.pfm` as linear radiance in
-/// single precision. It is written to a temporary file in the same folder and then renamed, so never
+/// single precision, without a word about how it was made. It is written to a temporary file in the same folder and then renamed, so never
 /// partly.
 ///
 /// # Errors
 /// [`ImageError::Format`] and [`ImageError::Unwritable`].
 pub fn write(film: &Film, tone: &Tone, path: &Path) -> Result<(), ImageError> {
-    let bytes = match Format::of(path)? {
-        Format::Png => png(film, tone),
-        Format::Ppm => Ok(ppm(film, tone)),
-        Format::Exr => exr(film),
-        Format::Pfm => Ok(pfm(film)),
-    };
+    let bytes = encoded(film, tone, Format::of(path)?);
     let unwritable = |source| ImageError::Unwritable { path: path.to_owned(), source };
     replace(path, &bytes.map_err(unwritable)?).map_err(unwritable)
 }

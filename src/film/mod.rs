@@ -1,13 +1,15 @@
 //! Film: finished pixels, tone mapping, and picture files.
 
 mod files;
+mod provenance;
 mod replace;
 mod tone;
 
 use crate::rgb::Rgb;
 
-pub use files::{ImageError, data_uri, read_exr, writable, write};
-pub use replace::{TEMPORARY, folder_of, replace, replace_all, replaceable};
+pub use files::{Format, ImageError, data_uri, encode, read_exr, writable, write};
+pub use provenance::Provenance;
+pub use replace::{TEMPORARY, folder_of, replace, replace_all, replaceable, without_path};
 pub use tone::{OutOfGamut, Tone};
 
 /// A picture of linear radiance, row by row from the top left. Pixels that are not rendered yet are

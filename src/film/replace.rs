@@ -56,7 +56,8 @@ impl Staged {
             return Ok(Self { target, temporary: None });
         }
         let mut temporary = temporary_beside(&target)?;
-        temporary.write_all(bytes)?;
+        // not through the temporary file, whose errors name it
+        temporary.as_file_mut().write_all(bytes)?;
         if let Some(old) = old {
             temporary.as_file().set_permissions(old.permissions())?;
         }
@@ -118,12 +119,7 @@ fn temporary_beside(path: &Path) -> Result<NamedTempFile> {
     let folder = folder_of(path);
     remove_left(folder);
     loop {
-        // without the name of the temporary file, which the user does not know
-        let file = builder.tempfile_in(folder).map_err(|error| {
-            let text = error.to_string();
-            let reason = text.split_once(" at path ").map_or(text.as_str(), |(reason, _)| reason);
-            Error::new(error.kind(), reason)
-        })?;
+        let file = builder.tempfile_in(folder).map_err(without_path)?;
         // the lock says that a process is at work; the system frees that of a killed one. A process that
         // came before the lock may have removed the file as one that was left.
         let is_locked = file.as_file().lock().is_ok();
@@ -131,6 +127,13 @@ fn temporary_beside(path: &Path) -> Result<NamedTempFile> {
             return Ok(file);
         }
     }
+}
+
+/// The error without the name of a temporary file, which the user does not know.
+pub fn without_path(error: Error) -> Error {
+    let text = error.to_string();
+    let reason = text.split_once(" at path ").map_or(text.as_str(), |(reason, _)| reason);
+    Error::new(error.kind(), reason)
 }
 
 /// Removes the temporary files that killed runs left in a folder: those that nobody holds a lock on.

@@ -40,6 +40,7 @@ mod shaded_sets;
 pub use search::search;
 
 use crate::scene::Scene;
+use crate::similar::did_you_mean;
 
 /// A scene by its name, `chNN/some-scene`.
 #[derive(Clone, Copy, Debug)]
@@ -99,54 +100,6 @@ pub fn unknown(name: &str) -> String {
     );
     let names: Vec<&str> = scenes().map(|entry| entry.name).collect();
     problem + &did_you_mean(name, &names)
-}
-
-/// `; did you mean …?` with similar names; empty if there are none.
-pub fn did_you_mean(name: &str, known: &[&str]) -> String {
-    let similar = similar_names(name, known);
-    let quoted: Vec<String> = similar.iter().map(|known| format!("`{known}`")).collect();
-    match &quoted[..] {
-        [] => String::new(),
-        [one] => format!("; did you mean {one}?"),
-        [first @ .., last] => format!("; did you mean {} or {last}?", first.join(", ")),
-    }
-}
-
-/// The names that contain `name`; if there are none, those with the smallest edit distance to it
-/// (of the whole name or of the part after the chapter), if the distance is at most a third of its
-/// length.
-fn similar_names<'a>(name: &str, known: &[&'a str]) -> Vec<&'a str> {
-    /// Shorter texts are part of too many names.
-    const MIN_LENGTH: usize = 3;
-    const MAX_SUGGESTIONS: usize = 8;
-    let mut similar: Vec<&str> = known.to_vec();
-    if name.len() >= MIN_LENGTH && known.iter().any(|known| known.contains(name)) {
-        similar.retain(|known| known.contains(name));
-    } else {
-        let distance = |known: &str| {
-            let after_chapter = known.split_once('/').map_or(known, |(_, rest)| rest);
-            edit_distance(name, known).min(edit_distance(name, after_chapter))
-        };
-        let least = known.iter().map(|known| distance(known)).min().unwrap_or(usize::MAX);
-        similar.retain(|known| distance(known) == least && least <= name.len() / 3);
-    }
-    similar.truncate(MAX_SUGGESTIONS);
-    similar
-}
-
-/// The number of bytes that must be inserted, deleted or changed to turn `a` into `b` (Levenshtein
-/// 1965).
-fn edit_distance(a: &str, b: &str) -> usize {
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, byte) in a.bytes().take(100).enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
-        for (j, other) in b.bytes().enumerate() {
-            let change = diagonal + usize::from(byte != other);
-            diagonal = row[j + 1];
-            row[j + 1] = change.min(row[j] + 1).min(diagonal + 1);
-        }
-    }
-    row[b.len()]
 }
 
 /// The scenes of a chapter: names and build functions.

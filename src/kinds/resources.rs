@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::images::{self, Drawn, Encoding, Texels};
-use crate::invalid::Invalid;
+use crate::invalid::{BACKSLASH, Invalid};
 use crate::mesh_file::{self, MeshData};
 
 /// The most bytes in the mesh files of one scene: more would take gigabytes, because they are read whole.
@@ -43,7 +43,9 @@ impl Resources {
             return Ok(Arc::clone(known));
         }
         self.take_bytes(&path).map_err(|problem| Invalid::field("file", problem))?;
-        let mesh = mesh_file::read(&path).map_err(|e| Invalid::field("file", e.to_string()))?;
+        let unread =
+            |e: mesh_file::MeshFileError| Invalid::field("file", with_advice(file, e.to_string()));
+        let mesh = mesh_file::read(&path).map_err(unread)?;
         self.note_all(&path, &mesh.notes);
         let mesh = Arc::new(mesh);
         self.meshes.insert(path, Arc::clone(&mesh));
@@ -119,7 +121,7 @@ impl Resources {
         }
         let left = MAX_TEXELS - self.texels;
         let texels = images::read(&key.0, encoding, layer, left)
-            .map_err(|e| Invalid::field(e.field, e.to_string()))?;
+            .map_err(|e| Invalid::field(e.field, with_advice(file, e.to_string())))?;
         self.texels += u64::from(texels.width()) * u64::from(texels.height());
         self.note_all(&key.0, texels.notes());
         let texels = Arc::new(texels);
@@ -164,5 +166,13 @@ impl Resources {
             ));
         }
         Ok(())
+    }
+}
+
+/// The problem of a file; if its name has a `\b` or `\n` in it, which is no part of a name, what to write instead.
+fn with_advice(file: &Path, problem: String) -> String {
+    match file.to_string_lossy().contains(char::is_control) {
+        true => format!("{problem}; {BACKSLASH}"),
+        false => problem,
     }
 }

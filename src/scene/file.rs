@@ -36,16 +36,23 @@ impl Source {
     }
 }
 
-/// Reads a scene file without building it.
+/// The path that means the standard input; files in such a scene are relative to the current folder.
+pub const STANDARD_INPUT: &str = "-";
+
+/// Reads a scene file, or the standard input if its path is `-`, without building it.
 ///
 /// # Errors
 /// [`SceneError`] with file, line, object and field.
 pub fn open(path: &Path) -> Result<(Scene, Source), SceneError> {
     let unreadable = |source| SceneError::Unreadable { path: path.to_owned(), source };
-    let file = std::fs::File::open(path).map_err(unreadable)?;
     let mut bytes = Vec::new();
     // limits the bytes that are read, not the reported size: the file may be a pipe
-    file.take(LARGEST_FILE + 1).read_to_end(&mut bytes).map_err(unreadable)?;
+    let read = match path == Path::new(STANDARD_INPUT) {
+        true => std::io::stdin().lock().take(LARGEST_FILE + 1).read_to_end(&mut bytes),
+        false => std::fs::File::open(path)
+            .and_then(|file| file.take(LARGEST_FILE + 1).read_to_end(&mut bytes)),
+    };
+    read.map_err(unreadable)?;
     if bytes.len() as u64 > LARGEST_FILE {
         let problem = format!("it is too large for a scene (at most {LARGEST_FILE} bytes fit)");
         return Err(unreadable(std::io::Error::other(problem)));

@@ -5,10 +5,10 @@ use std::path::Path;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::SceneError;
 use super::error::Location;
-use super::vocabulary::Definition;
-use crate::invalid::{Invalid, Key, plain_words};
+use super::vocabulary::{Choice, Definition};
+use super::{SceneError, mismatch, syntax};
+use crate::invalid::{Invalid, Key, NEEDS_TABLE, WHOLE_NUMBER, plain_words};
 
 /// The line (from 1) of the value at this path. If the text does not contain the value (a default),
 /// the line of the innermost table on the path.
@@ -52,8 +52,18 @@ pub(super) fn parse_error(text: &str, file: &Path, error: &toml::de::Error) -> S
     let end = if header { text[span.start..].find(']').unwrap_or(0) } else { 0 };
     let location = Location::line(file, line_at(text, span.start));
     let Some(document) = parse(text) else {
+        let line = text[..span.start].rfind('\n').map_or(0, |end| end + 1);
+        let problem =
+            syntax::with_advice(&problem, text[line..].lines().next().unwrap_or_default());
         return SceneError::Invalid { location, invalid: Invalid::new(problem) };
     };
+    // an unknown name is where the reader says
+    let found = if problem.starts_with("unknown ") { None } else { mismatch::first(&document) };
+    if let Some(mismatch::Mismatch { path, at, problem }) = found {
+        let location = Location::line(file, line_at(text, at));
+        let problem = with_help(&path, problem, None);
+        return SceneError::Invalid { location, invalid: Invalid { path, problem } };
+    }
     let mut path = path_at(&document, span.start + end);
     if let Some(unknown) = problem.strip_prefix("unknown field `") {
         // a table that nothing knows is named itself, not its first element
@@ -62,13 +72,22 @@ pub(super) fn parse_error(text: &str, file: &Path, error: &toml::de::Error) -> S
         let last = path.iter().rposition(is_unknown).map_or(path.len(), |index| index + 1);
         path.truncate(last);
     }
-    let problem = with_help(&path, problem);
+    let problem = with_help(&path, problem, string_at(&document, &path));
     SceneError::Invalid { location, invalid: Invalid { path, problem } }
 }
 
-/// Adds the command that describes the field or kind, and replaces the name of a Rust type by an
-/// example of a table.
-fn with_help(path: &[Key], problem: String) -> String {
+/// The string at a path.
+fn string_at<'a>(document: &'a Spanned<DeValue<'_>>, path: &[Key]) -> Option<&'a str> {
+    let next = |value: &'a DeValue<'_>, key: &Key| match key {
+        Key::Field(name) => Some(value.get(name.as_str())?.as_ref()),
+        Key::Item(index, _) => Some(value.get(*index)?.as_ref()),
+    };
+    path.iter().try_fold(document.as_ref(), next)?.as_str()
+}
+
+/// Adds the command that describes the field or kind; replaces the name of a Rust type by an example of a table, and
+/// the range of a type by that of the field. `found` is the value, if it is a string.
+fn with_help(path: &[Key], problem: String, found: Option<&str>) -> String {
     let definition = Definition::at(path);
     let topic = definition.title().replace(' ', "_");
     let key = path.iter().rev().find_map(|key| match key {
@@ -81,7 +100,36 @@ fn with_help(path: &[Key], problem: String) -> String {
         }
         _ => problem,
     };
+    let problem = match (problem.contains(WHOLE_NUMBER), key) {
+        (true, Some(key)) => with_range(&definition, key, &problem),
+        _ => problem,
+    };
+    let kind = |tag| definition.choices().into_iter().find(|choice| choice.tag == tag);
+    let problem = match (found.and_then(kind), key) {
+        (Some(kind), Some(key)) if problem == NEEDS_TABLE => as_table(key, &kind),
+        _ => problem,
+    };
     format!("{problem}; see `groundtruth kinds {topic}` (docs/scene.md)")
+}
+
+/// The problem with the range of its field.
+fn with_range(definition: &Definition, key: &str, problem: &str) -> String {
+    let range = definition.fields().find(|field| field.name == key).and_then(|field| field.range());
+    match range {
+        Some([least, most]) => {
+            let whole_number = format!("expected a whole number from {least} to {most}");
+            problem.replace(WHOLE_NUMBER, &whole_number)
+        }
+        None => problem.to_owned(),
+    }
+}
+
+/// How a kind is written that was found as a string.
+fn as_table(key: &str, kind: &Choice) -> String {
+    let field = kind.table().and_then(|table| table.fields().find(|field| field.required));
+    let fields = field.map_or(String::new(), |field| format!(" {} = … ", field.name));
+    let tag = kind.tag;
+    format!("`{tag}` needs a table of fields: write `{key} = {{ {tag} = {{{fields}}} }}`")
 }
 
 /// The path of the last key or element that begins at or before this byte offset.
@@ -124,6 +172,7 @@ fn latest(
     }
 }
 
-fn name(value: &DeValue<'_>) -> Option<String> {
+/// The name that a table gives itself.
+pub(super) fn name(value: &DeValue<'_>) -> Option<String> {
     value.get("name")?.as_ref().as_str().map(str::to_owned)
 }

@@ -6,7 +6,9 @@ mod file;
 mod files;
 mod intersect;
 mod locations;
+mod mismatch;
 mod schema;
+mod syntax;
 mod tracer;
 mod transparency;
 pub mod vocabulary;
@@ -21,7 +23,7 @@ use crate::shapes::textbook::EPSILON;
 use crate::{accel, bumps, filters, kinds, lights, materials, samplers, shapes};
 
 pub use error::SceneError;
-pub use file::{Source, open, parse, to_toml};
+pub use file::{STANDARD_INPUT, Source, open, parse, to_toml};
 pub use intersect::Intersect;
 pub use schema::schema;
 pub use tracer::{Depth, Tracer, Whitted};
@@ -75,8 +77,10 @@ pub struct Scene {
 #[serde(deny_unknown_fields)]
 pub struct Image {
     /// The number of pixel columns; at least 1.
+    #[schemars(range(min = 1, max = 33554432))]
     pub width: u32,
     /// The number of pixel rows; at least 1.
+    #[schemars(range(min = 1, max = 33554432))]
     pub height: u32,
     /// The side of a pixel on the view plane, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
@@ -84,6 +88,7 @@ pub struct Image {
     /// The number of samples per pixel: from 1 to 65536, rounded up to a number that the sampler's
     /// pattern allows. 16 gives smooth edges.
     #[serde(default = "one_sample")]
+    #[schemars(range(min = 1, max = 65536))]
     pub samples: u32,
     /// The pattern of the samples. If left out: multi-jittered, as in the book; but a single sample
     /// is at the centre of pixel and lens.

@@ -5,6 +5,8 @@ use std::str::FromStr;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+use crate::similar;
+
 /// Which light paths are traced: the book's tracers as settings of one recursion.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
@@ -36,6 +38,7 @@ pub struct Depth {
     /// 0, each reflection or refraction adds 1, and so does a ray to a light: at a hit of depth
     /// `max_depth` lights are not sampled, and with 0 only what shines itself is seen. From 0 to
     /// 128; 10 is enough for most rooms.
+    #[schemars(range(max = 128))]
     pub max_depth: u32,
 }
 
@@ -46,6 +49,7 @@ pub struct Depth {
 pub struct Whitted {
     /// The largest depth of a ray that is traced; deeper rays are black. The camera's ray has depth
     /// 0, each reflection or refraction adds 1. From 0 to 128; 5 to 10 is enough for most scenes.
+    #[schemars(range(max = 128))]
     pub max_depth: u32,
 }
 
@@ -121,6 +125,9 @@ impl FromStr for Tracer {
 
     fn from_str(name: &str) -> Result<Self, String> {
         let named = Self::ALL.into_iter().find(|tracer| tracer.name() == name);
-        named.ok_or_else(|| format!("there are: {}", Self::ALL.map(Self::name).join(", ")))
+        named.ok_or_else(|| {
+            let names = Self::ALL.map(Self::name);
+            format!("there are: {}{}", names.join(", "), similar::did_you_mean(name, &names))
+        })
     }
 }

@@ -161,6 +161,16 @@ impl Field {
     pub fn is_array(&self) -> bool {
         self.schema["type"] == "array"
     }
+
+    /// Whether it can be a value of this type of JSON, such as `array` or `object`.
+    pub fn can_be(&self, kind: &str) -> bool {
+        can_be(self.schema, kind)
+    }
+
+    /// The range of a whole number, if both of its ends are known.
+    pub fn range(&self) -> Option<[u64; 2]> {
+        Some([self.schema["minimum"].as_u64()?, self.schema["maximum"].as_u64()?])
+    }
 }
 
 impl Choice {
@@ -191,6 +201,11 @@ impl Choice {
         Some(Definition { name: self.tag, ..table })
     }
 
+    /// Whether the value after the tag can be of this type of JSON.
+    pub fn can_be(&self, kind: &str) -> bool {
+        self.content.is_some_and(|schema| can_be(schema, kind))
+    }
+
     /// An example of the value after the tag.
     pub fn example(&self) -> Option<&'static Value> {
         let own = self.schema["examples"].as_array().and_then(|all| all.first());
@@ -216,6 +231,19 @@ fn named(schema: &'static Value) -> Option<Definition> {
 fn parts(schema: &'static Value) -> impl Iterator<Item = &'static Value> {
     let of = |keyword| schema[keyword].as_array().into_iter().flatten();
     of("allOf").chain(of("anyOf"))
+}
+
+/// Whether a value of this schema can be of this type of JSON; `true` if it says nothing.
+fn can_be(schema: &'static Value, kind: &str) -> bool {
+    if let Some(definition) = named(schema) {
+        return can_be(definition.schema, kind);
+    }
+    let variants = schema["oneOf"].as_array().into_iter().flatten();
+    let mut all = parts(schema).chain(variants).peekable();
+    match schema["type"].as_str() {
+        Some(of) => of == kind,
+        None => all.peek().is_none() || all.any(|part| can_be(part, kind)),
+    }
 }
 
 /// The table or list of kinds of a value of this schema, or of its elements.

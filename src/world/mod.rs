@@ -133,6 +133,13 @@ pub struct PlacedObject {
     bounds: Aabb,
 }
 
+impl PlacedObject {
+    /// The box around it; not bounded for a shape without an end.
+    pub fn bounds(&self) -> Aabb {
+        self.bounds
+    }
+}
+
 /// The first hit of a ray.
 #[derive(Debug)]
 pub struct Hit<'a> {

@@ -52,6 +52,61 @@ fn an_unknown_golden_gets_a_suggestion() {
     assert!(run.stderr.contains("did you mean `ch28/glass-sphere`"), "{}", run.stderr);
 }
 
+/// Law: goldens of one's own scene files stand in a folder of one's own; the check asks for nothing of the gallery, and
+/// each command that it prints acts on that folder. Oracle: the printed command, run by a shell.
+#[test]
+#[cfg(unix)]
+fn goldens_of_ones_own_files_are_kept_in_a_folder_of_ones_own() {
+    let here = tempfile::tempdir().expect("a folder");
+    let run = |arguments: &[&str]| run_in(here.path(), arguments);
+    let export = run(&["export", "ch03/three-objects"]).stdout;
+    let scene = here.path().join("mine.toml");
+    std::fs::write(&scene, &export).expect("written");
+    let folder = ["--folder", "my goldens"];
+    let accept = |names: &[&str]| {
+        let start = &["goldens", "accept", "--size", "12x12", "--because", "seen"];
+        run(&[&start[..], names, &folder].concat())
+    };
+    let accepted = accept(&["mine.toml", "mine.toml.normals", "ch03/single-sphere"]);
+    assert_eq!(accepted.status, Some(0), "{}", accepted.stderr);
+    assert!(accepted.stdout.ends_with("my goldens: 3 goldens\n"), "{}", accepted.stdout);
+    let check = || run(&[&["goldens", "check"][..], &folder].concat());
+    assert!(check().stdout.ends_with("checked 3, all the same\n"), "{}", check().stdout);
+    // a sphere that is seen less of
+    std::fs::write(&scene, export.replacen("radius = 80.0", "radius = 60.0", 1)).expect("written");
+    let changed = check();
+    assert_eq!(changed.status, Some(1), "{}", changed.stdout);
+    let commands: Vec<&str> = changed
+        .stdout
+        .lines()
+        .filter_map(|line| line.split_once("groundtruth "))
+        .map(|it| it.1)
+        .collect();
+    assert_eq!(commands.len(), 3, "{}", changed.stdout);
+    let page = run(&["goldens", "review", "-o", "-", folder[0], folder[1]]).stdout;
+    let escaped =
+        "groundtruth goldens accept mine.toml --because &quot;…&quot; --folder 'my goldens'";
+    assert!(page.contains(escaped) || page.contains(&escaped.replace('\'', "&#39;")), "{page}");
+    assert!(page.contains("groundtruth explain mine.toml --size 12x12"), "{page}");
+    for command in commands {
+        let line = format!("'{}' {}", super::GROUNDTRUTH, command);
+        let mut shell = std::process::Command::new("sh");
+        let done = shell.args(["-c", &line]).current_dir(here.path()).output().expect("a shell");
+        assert!(done.status.success(), "{line}: {}", String::from_utf8_lossy(&done.stderr));
+    }
+    assert!(check().stdout.ends_with("checked 3, all the same\n"), "{}", check().stdout);
+    // another file of the same name
+    std::fs::create_dir(here.path().join("other")).expect("made");
+    std::fs::write(here.path().join("other/mine.toml"), export).expect("written");
+    let refused = accept(&["other/mine.toml"]);
+    assert_eq!(refused.status, Some(2));
+    assert!(
+        refused.stderr.contains("golden `mine.toml` is of the file mine.toml"),
+        "{}",
+        refused.stderr
+    );
+}
+
 /// Law: a review of a chapter shows each of its goldens.
 #[test]
 fn a_review_of_a_chapter_shows_its_goldens() {

@@ -15,7 +15,7 @@ const LINES: &[(&str, &str)] = &[
     (r#"hello"#, "column 1: expected value"),
     (
         r#"[1]"#,
-        r#"column 0: invalid type: sequence, expected an object with one question, as {"intersect": {…}}"#,
+        r#"column 0: invalid type: list, expected an object with one question, as {"intersect": {…}}"#,
     ),
     (
         r#"{}"#,

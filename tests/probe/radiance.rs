@@ -86,6 +86,23 @@ fn exposure_and_filter_are_those_of_the_picture() {
     assert_eq!(values[..3].iter().map(|value| 2.0 * value).collect::<Vec<_>>(), values[3..]);
 }
 
+/// Law: with a size, a pixel is that of the scene rendered at this size, bit for bit; a ray has no size. Oracle: the
+/// renderer.
+#[test]
+fn a_pixel_may_be_of_another_size() {
+    let entry = gallery::find("ch28/glass-sphere").expect("it is in the gallery");
+    let mut scene = (entry.build)();
+    scene.image.resize(30, 20);
+    scene.image.samples = 4;
+    let world = World::build_seeded(&scene, Path::new(""), 7).expect("it is valid");
+    for pixel in [[0, 0], [14, 11], [29, 19]] {
+        let answer =
+            ask(&json!({"radiance": {"scene": entry.name, "pixel": pixel, "size": [30, 20],
+            "samples": 4, "seed": 7, "replicas": 1}}));
+        assert_eq!(numbers(&answer["mean"]), render::pixel(&world, pixel).to_array());
+    }
+}
+
 /// Law: random samples of a pixel of which a share p is white have the standard error
 /// `√(p (1 − p)/(n R))`, and their mean is within 5 standard errors of p (significance 6e-7). The estimate
 /// from R = 1024 replicas is good to `1/√(2 (R − 1))`, 2.2 %; five times that is allowed.

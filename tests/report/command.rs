@@ -58,11 +58,11 @@ fn errors_are_said_at_once_and_leave_nothing() {
         (&["-o", "taken"], "error: taken/index.html: cannot be written: it is a folder"),
         (
             &["-o", "a", "--cases", "0"],
-            "error: invalid value '0' for '--cases <N>': 0 is not in 1..=1000000",
+            "error: invalid value '0' for '--cases <N>': write a whole number from 1 to 1000000",
         ),
         (
             &["-o", "a", "--objects", "99"],
-            "error: invalid value '99' for '--objects <N>': 99 is not in 100..=1000000",
+            "error: invalid value '99' for '--objects <N>': write a whole number from 100 to 1000000",
         ),
         (&[], "error: the following required arguments were not provided:"),
     ] {

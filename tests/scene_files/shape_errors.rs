@@ -5,7 +5,7 @@ pub const ERRORS: &[(&str, &str, &str)] = &[
     (
         "radius",
         "radios",
-        "scene.toml:31: objects[0] \"ball\", shape.sphere.radios: unknown field `radios`, expected one of `center`, `radius`, `inward`",
+        "scene.toml:31: objects[0] \"ball\", shape.sphere.radios: unknown field `radios`; did you mean `radius`?",
     ),
     (
         "radius = 1\n",
@@ -30,7 +30,7 @@ pub const ERRORS: &[(&str, &str, &str)] = &[
     (
         "sphere",
         "spheer",
-        "scene.toml:29: objects[0] \"ball\", shape.spheer: unknown variant `spheer`, expected one of `plane`, `sphere`, …",
+        "scene.toml:29: objects[0] \"ball\", shape.spheer: unknown kind `spheer`; did you mean `sphere`?",
     ),
     (
         "radius = 1",
@@ -120,7 +120,7 @@ pub const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",
         "shape = { instance = { of = { sphere = { center = [0, 0, 0], radius = 1 } }, transform = [{ spin = 3 }] } }\n",
-        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].spin: unknown variant `spin`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`, `matrix`",
+        "scene.toml:29: objects[0] \"ball\", shape.instance.transform[0].spin: unknown kind `spin`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`, `matrix`",
     ),
     (
         "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n",

@@ -4,19 +4,18 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use groundtruth::film;
 use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
 use harness::compare::{self, Comparison, Picture, Transfer};
 
-use super::{Exit, Outcome, print};
+use super::{Exit, Outcome, output};
 
 #[derive(Args)]
 pub struct Compare {
-    /// A picture file (PNG, JPEG, PPM, HDR, EXR or PFM), a gallery name, or a scene file; a scene is
-    /// rendered at the size of the other side
+    /// A picture file (PNG, JPEG, PPM, HDR, EXR or PFM; - is the standard input), a gallery name, or a
+    /// scene file; a scene is rendered at the size of the other side
     a: String,
     /// The same
     b: String,
@@ -87,11 +86,12 @@ impl Compare {
             let commands = |pixel| ours.map_or(Vec::new(), |ours| self.commands(ours, pixel));
             let (names, both) = ([&*self.a, &*self.b], [&pictures[0], &pictures[1]]);
             let html = compare::page(&comparison, names, both, &commands);
-            film::replace(file, html.as_bytes()).map_err(|e| format!("{}: {e}", file.display()))?;
+            output::write(file, html.as_bytes())?;
         }
+        let say = |text: &str| output::say(text, self.output.as_deref());
         match self.json {
-            true => print(&(serde_json::to_string_pretty(&comparison)? + "\n"))?,
-            false => print(&(comparison.to_string() + &self.advice(&comparison, ours)))?,
+            true => say(&(serde_json::to_string_pretty(&comparison)? + "\n"))?,
+            false => say(&(comparison.to_string() + &self.advice(&comparison, ours)))?,
         };
         Ok(if comparison.is_same() { Exit::Yes } else { Exit::No })
     }
@@ -123,7 +123,7 @@ impl Compare {
             let (scene, source) = scene::open(path)?;
             return Ok(Side::Scene(Box::new(scene), Some(source)));
         }
-        if path.extension().is_none() && !path.exists() {
+        if path.extension().is_none() && !path.exists() && !output::is_standard(path) {
             return Err(gallery::unknown(name).into());
         }
         Ok(Side::Picture(Picture::read(path, self.encoding)?))
@@ -131,7 +131,7 @@ impl Compare {
 
     /// The commands that explain a pixel of a scene whose image (of a stereo pair: each eye's) has this size.
     fn commands(&self, (scene, [width, height]): Ours<'_>, [x, y]: [u32; 2]) -> Vec<String> {
-        let explain = format!("groundtruth explain {scene} {x} {y} --size {width}x{height}");
+        let explain = format!("groundtruth explain {scene} {x},{y} --size {width}x{height}");
         let inspect = self.window(scene).map(|window| format!("{window} --pixel {x},{y}"));
         std::iter::once(explain).chain(inspect).collect()
     }

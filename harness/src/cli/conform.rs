@@ -12,6 +12,7 @@ use harness::conform::family::Family;
 use harness::conform::{self, Card, Limits, Options, Profile, Program, Row, card};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::numbers::whole;
 use super::{Exit, Outcome, print};
 
 #[derive(Args)]
@@ -23,13 +24,13 @@ pub struct Conform {
     #[arg(long, value_enum, default_value_t = Exact::Careful)]
     profile: Exact,
     /// Of the cases
-    #[arg(long, default_value_t = 1)]
+    #[arg(long, default_value_t = 1, value_parser = whole::<u64>(0..=u64::MAX))]
     seed: u64,
     /// A seed that nobody has seen; the card prints it
     #[arg(long, conflicts_with = "seed")]
     fresh: bool,
     /// Cases in each family
-    #[arg(long, value_name = "N", default_value_t = 48)]
+    #[arg(long, value_name = "N", default_value_t = 48, value_parser = whole::<usize>(0..=u32::MAX.into()))]
     cases: usize,
     /// Only families whose names match, as "intersect.*.grazing"
     #[arg(long, value_name = "GLOB")]

@@ -1,8 +1,12 @@
 //! `groundtruth explain`.
 
 use clap::Args;
-use groundtruth::explain;
+use groundtruth::explain::{self, PixelExplanation};
+use groundtruth::film::Provenance;
+use serde::Serialize;
 
+use super::columns::wrapped;
+use super::numbers::whole;
 use super::scene::SceneArguments;
 use super::{Outcome, print};
 
@@ -10,12 +14,11 @@ use super::{Outcome, print};
 pub struct Explain {
     #[command(flatten)]
     scene: SceneArguments,
-    /// Column of the pixel, from 0 at the left
-    x: u32,
-    /// Row of the pixel, from 0 at the top
-    y: u32,
+    /// The pixel: column and row, from 0 at the top left, as 200,150 or 200 150
+    #[arg(value_name = "X,Y", required = true, num_args = 1..=2)]
+    pixel: Vec<String>,
     /// Explain this sample only; the first if neither this nor --all is given
-    #[arg(long, value_name = "I")]
+    #[arg(long, value_name = "I", value_parser = whole::<u32>(0..=u32::MAX.into()))]
     sample: Option<u32>,
     /// Explain every sample of the pixel
     #[arg(long, conflicts_with = "sample")]
@@ -26,9 +29,20 @@ pub struct Explain {
     /// Show only the path of rays along which most of the light comes
     #[arg(long)]
     largest: bool,
-    /// Print JSON, with every ray
-    #[arg(long, conflicts_with = "largest")]
+    /// Break lines that are longer than this, such as 100
+    #[arg(long, value_name = "N", value_parser = whole::<usize>(60..=1000))]
+    columns: Option<usize>,
+    /// Print JSON, with every ray; docs/explain-json.md describes it
+    #[arg(long, conflicts_with_all = ["largest", "columns"])]
     json: bool,
+}
+
+/// What --json prints.
+#[derive(Serialize)]
+struct Report {
+    made: Provenance,
+    #[serde(flatten)]
+    explanation: PixelExplanation,
 }
 
 fn percentage(text: &str) -> Result<f64, String> {
@@ -40,10 +54,11 @@ fn percentage(text: &str) -> Result<f64, String> {
 
 impl Explain {
     pub fn run(&self) -> Outcome {
+        let pixel = harness::parse_pixel(&self.pixel.join(" "))?;
         let (scene, world) = self.scene.load()?;
         let [width, height] = world.picture_size();
-        if self.x >= width || self.y >= height {
-            let (x, y) = (self.x, self.y);
+        let [x, y] = pixel;
+        if x >= width || y >= height {
             return Err(
                 format!("pixel ({x}, {y}) is outside the picture of {width}x{height}").into()
             );
@@ -53,10 +68,15 @@ impl Explain {
             let count = world.samples_per_pixel();
             return Err(format!("no sample {index}: the pixel has {count}, numbered from 0").into());
         }
-        let explanation = explain::pixel(&scene, &world, [self.x, self.y], only)?;
+        let explanation = explain::pixel(&scene, &world, pixel, only)?;
         if self.json {
-            return print(&(serde_json::to_string_pretty(&explanation)? + "\n"));
+            let report = Report { made: self.scene.provenance(&scene, &world)?, explanation };
+            return print(&(serde_json::to_string_pretty(&report)? + "\n"));
         }
-        print(&explanation.text(self.min_share / 100.0, self.largest))
+        let text = explanation.text(self.min_share / 100.0, self.largest);
+        match self.columns {
+            Some(columns) => print(&wrapped(&text, columns)),
+            None => print(&text),
+        }
     }
 }

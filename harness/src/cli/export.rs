@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use groundtruth::{film, scene};
 
+use super::output;
 use super::scene::SceneArguments;
 use super::{Exit, Outcome, print};
 
@@ -13,7 +14,7 @@ use super::{Exit, Outcome, print};
 pub struct Export {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The scene file to write; file names in it are relative to its folder. If left out, the scene
+    /// The scene file to write; file names in it are relative to its folder. If left out, or -, the scene
     /// goes to the standard output, with absolute file names
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -33,7 +34,7 @@ impl Export {
             scene = scene.files_from(&folder)?;
         }
         let text = scene::to_toml(&scene)?;
-        let Some(output) = &self.output else { return print(&text) };
+        let Some(output) = self.file() else { return print(&text) };
         if output.is_dir() {
             return Err(unwritable(output, "it is a folder"));
         }
@@ -46,11 +47,16 @@ impl Export {
         Ok(Exit::Yes)
     }
 
+    /// The file to write, if it is not the standard output.
+    fn file(&self) -> Option<&Path> {
+        self.output.as_deref().filter(|path| !output::is_standard(path))
+    }
+
     /// The folder of the scene, relative to the folder of the output; absolute without an output.
     fn relative_to_output(&self, folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
         // resolves symbolic links, so that `..` is the parent folder
         let folder = folder.canonicalize()?;
-        let Some(output) = &self.output else { return Ok(folder) };
+        let Some(output) = self.file() else { return Ok(folder) };
         let from = film::folder_of(output).canonicalize().map_err(|e| unwritable(output, e))?;
         // on Windows there is no relative path from one drive to another
         Ok(pathdiff::diff_paths(&folder, from).unwrap_or(folder))

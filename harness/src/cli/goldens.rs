@@ -6,12 +6,13 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use clap::{Args, Subcommand};
-use groundtruth::{film, gallery};
+use groundtruth::similar;
 use harness::verify::compare;
-use harness::verify::golden::{Finding, GoldenSettings, Goldens as Folder, Status};
+use harness::verify::golden::{self, Finding, GoldenSettings, Goldens as Folder, Status};
 use harness::verify::review;
 
 use super::list::is_in;
+use super::output;
 use super::part::PartOf;
 use super::scene::{Size, samples};
 use super::{Exit, Outcome, print};
@@ -20,8 +21,8 @@ use super::{Exit, Outcome, print};
 pub struct Goldens {
     #[command(subcommand)]
     command: Command,
-    /// The folder with manifest.toml
-    #[arg(long, value_name = "DIR", default_value = "goldens", global = true)]
+    /// The folder with manifest.toml. In another one than goldens, the gallery's scenes may be without goldens
+    #[arg(long, value_name = "DIR", default_value = review::DEFAULT_FOLDER, global = true)]
     folder: PathBuf,
 }
 
@@ -38,7 +39,7 @@ enum Command {
 
 #[derive(Args)]
 struct Check {
-    /// Goldens to check, such as ch24/hall-of-mirrors, or chapters, such as ch24; all if left out
+    /// Goldens to check, such as ch24/hall-of-mirrors or spheres.toml, or chapters, such as ch24; all if left out
     names: Vec<String>,
     /// Check only every N-th of them, from K on, such as 0/8, so that N machines share the work; K is from 0 to
     /// N − 1
@@ -60,7 +61,8 @@ struct Review {
 
 #[derive(Args)]
 struct Accept {
-    /// Goldens, such as ch24/hall-of-mirrors; .normals or .hits for another view of a scene
+    /// Goldens, such as ch24/hall-of-mirrors, or scene files, such as spheres.toml; with .normals or .hits for another
+    /// view of a scene
     #[arg(required_unless_present = "all_drifted")]
     names: Vec<String>,
     /// Accept every golden that differs by rounding only
@@ -104,12 +106,15 @@ fn findings(
     names: &[String],
     part: PartOf,
 ) -> Result<Vec<Finding>, Box<dyn Error>> {
-    let known = goldens.names();
-    let wanted = |name: &str, known: &str| name == known || is_in(known, name);
+    let mut known = goldens.names();
+    if names.is_empty() && goldens.folder() != Path::new(review::DEFAULT_FOLDER) {
+        known.retain(|name| goldens.find(name).is_some());
+    }
+    let wanted = |name: &str, known: &str| golden::leaf(name) == known || is_in(known, name);
     for name in names {
         if !known.iter().any(|known| wanted(name, known)) {
             let known: Vec<&str> = known.iter().map(String::as_str).collect();
-            let hint = gallery::did_you_mean(name, &known);
+            let hint = similar::did_you_mean(name, &known);
             return Err(format!("no golden `{name}`: neither in the manifest nor a scene of the gallery (`groundtruth list`){hint}").into());
         }
     }
@@ -129,15 +134,19 @@ impl Check {
             return Ok(Exit::Yes);
         }
         let mut advice = format!(
-            "{} of {} are not the same\nto look:   groundtruth goldens review -o review.html\n",
+            "{} of {} are not the same\nto look:   groundtruth goldens review -o review.html{}\n",
             bad.len(),
-            findings.len()
+            findings.len(),
+            review::folder_option(folder)
         );
         for finding in bad.iter().filter(|f| f.status != Status::Drift) {
             advice += &format!("to accept: {}\n", review::accept_command(finding));
         }
         if bad.iter().any(|f| f.status == Status::Drift) {
-            advice += "to accept: groundtruth goldens accept --all-drifted --because \"…\"\n";
+            let folder = review::folder_option(folder);
+            advice += &format!(
+                "to accept: groundtruth goldens accept --all-drifted --because \"…\"{folder}\n"
+            );
         }
         print(&advice)?;
         Ok(Exit::No)
@@ -175,9 +184,8 @@ impl Review {
             findings.retain(|finding| finding.status != Status::Same);
         }
         let path = self.output.display();
-        film::replace(&self.output, review::page(&findings).as_bytes())
-            .map_err(|e| format!("{path}: cannot be written: {e}"))?;
-        print(&format!("{path}: shows {}\n", findings.len()))
+        output::write(&self.output, review::page(&findings).as_bytes())?;
+        output::say(&format!("{path}: shows {}\n", findings.len()), Some(&self.output))
     }
 }
 
@@ -206,7 +214,8 @@ impl Accept {
             }
         }
         goldens.accept(proposals)?;
-        let text: String = names.iter().map(|name| format!("accepted  {name}\n")).collect();
+        let text: String =
+            names.iter().map(|name| format!("accepted  {}\n", golden::leaf(name))).collect();
         print(&text)?;
         let kept = match goldens.all().len() {
             1 => "1 golden".to_owned(),

@@ -1,7 +1,7 @@
 //! `groundtruth mistakes`.
 
 use clap::Args;
-use groundtruth::gallery;
+use groundtruth::{gallery, similar};
 use harness::mistakes::{self, Cover, Mistake, table};
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -90,7 +90,7 @@ fn of_scene(scene: &str) -> Result<String, String> {
 /// What is said of a name that the gallery does not have.
 fn unknown(scene: &str) -> String {
     let names: Vec<&str> = gallery::scenes().map(|entry| entry.name).collect();
-    let similar = gallery::did_you_mean(scene, &names);
+    let similar = similar::did_you_mean(scene, &names);
     format!("no scene `{scene}` in the gallery (`groundtruth list` shows it){similar}")
 }
 

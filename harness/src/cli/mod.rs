@@ -3,6 +3,8 @@
 //! Exit status 0 means yes, 1 means the answer is no, 2 means an error, and 130 means that the user
 //! interrupted the command.
 
+mod bounds;
+mod columns;
 mod compare;
 mod conform;
 mod describe;
@@ -13,6 +15,8 @@ mod kinds;
 mod list;
 mod merge;
 mod mistakes;
+mod numbers;
+mod output;
 mod part;
 mod probe;
 mod render;
@@ -24,7 +28,7 @@ mod verify;
 use std::error::Error;
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use groundtruth::printable;
 
 /// Ray tracing from the ground up, verified chapter by chapter.
@@ -46,6 +50,10 @@ enum Command {
     Render(render::Render),
     /// Explain the colour of a pixel: the tree of its rays
     Explain(explain::Explain),
+    /// Print the box around each object, and a camera that sees all of them
+    ///
+    /// Of a mesh file it prints a whole scene to begin with: `groundtruth bounds bunny.ply > bunny.toml`.
+    Bounds(bounds::Bounds),
     /// Write a scene as a scene file
     Export(export::Export),
     /// Describe a scene in words and numbers, to build it in another renderer
@@ -116,11 +124,14 @@ type Outcome = Result<Exit, Box<dyn Error>>;
 
 /// Runs the command of the arguments.
 pub fn run() -> ExitCode {
-    let outcome = match Arguments::parse().command {
+    let matches = with_negative_numbers(Arguments::command()).get_matches();
+    let arguments = Arguments::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let outcome = match arguments.command {
         Command::List(command) => command.run(),
         Command::Kinds(command) => command.run(),
         Command::Render(command) => command.run(),
         Command::Explain(command) => command.run(),
+        Command::Bounds(command) => command.run(),
         Command::Export(command) => command.run(),
         Command::Describe(command) => command.run(),
         Command::Compare(command) => command.run(),
@@ -142,6 +153,11 @@ pub fn run() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// The command, in which `-4` is a number and no option: the parser of the number says what to write.
+fn with_negative_numbers(command: clap::Command) -> clap::Command {
+    command.allow_negative_numbers(true).mut_subcommands(with_negative_numbers)
 }
 
 /// Writes to standard output; a closed pipe (`| head`) is not an error.

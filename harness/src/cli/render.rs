@@ -6,13 +6,15 @@ use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use groundtruth::explain;
-use groundtruth::film::{self, Tone};
+use groundtruth::film::{self, Format, Tone};
 use groundtruth::printable;
 use groundtruth::render::{self, Canvas};
 use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::numbers::whole;
+use super::output;
 use super::part::PartOf;
 use super::replicas;
 use super::scene::{CropArgument, SceneArguments, start_threads};
@@ -23,12 +25,16 @@ pub struct Render {
     #[command(flatten)]
     scene: SceneArguments,
     /// The picture file: .png or .ppm for display, .exr or .pfm for linear radiance; .sums with
-    /// --replicas
+    /// --replicas. - is the standard output, with --format
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
+    /// The format of the picture, png, ppm, exr or pfm, whatever the name of the file is
+    #[arg(long, value_name = "FORMAT", value_parser = output::format_named)]
+    #[arg(conflicts_with = "replicas")]
+    format: Option<Format>,
     /// Render R pictures with the seeds --seed, --seed + 1 …, and write their exact sums, for `merge`.
     /// An existing file of the same scene is continued
-    #[arg(long, value_name = "R", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "R", value_parser = whole::<u32>(1..=u32::MAX.into()))]
     #[arg(conflicts_with_all = ["crop", "stereo"])]
     replicas: Option<u32>,
     /// Render only the replicas of part K of N, such as 0/8; K is from 0 to N − 1
@@ -41,7 +47,7 @@ pub struct Render {
     #[arg(long, value_enum, value_name = "HOW")]
     stereo: Option<Pair>,
     /// Threads to use; all cores if left out. The picture is the same for any number
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1..=1024))]
     threads: Option<u16>,
 }
 
@@ -83,10 +89,14 @@ impl Render {
         let (scene, world) = self.scene.load()?;
         let pair = self.pair(&world)?;
         let files = match pair {
+            Pair::TwoFiles if output::is_standard(&self.output) => {
+                return Err("two files cannot go to the standard output; name a file by -o".into());
+            }
             Pair::TwoFiles => ["-left", "-right"].map(|end| named(&self.output, end)).to_vec(),
             _ => vec![self.output.clone()],
         };
-        files.iter().try_for_each(|file| film::writable(file))?;
+        let format = output::format(&self.output, self.format)?;
+        files.iter().try_for_each(|file| output::writable(file))?;
         let canvas = Arc::new(match self.crop {
             Some(crop) => Canvas::cropped(crop.inside(&world)?),
             None => Canvas::new(&world),
@@ -134,13 +144,21 @@ impl Render {
             (Pair::TwoFiles, Some(images)) => images.to_vec(),
             _ => vec![film],
         };
-        for (film, file) in films.iter().zip(&files) {
-            film::write(film, &tone, file)?;
+        let mut made = self.scene.provenance(&scene, &world)?;
+        let parts = match (pair, self.crop) {
+            (Pair::TwoFiles, _) => ["left", "right"].map(|eye| Some(format!("{eye} eye"))),
+            (Pair::Anaglyph, _) => [Some("anaglyph".to_owned()), None],
+            (Pair::SideBySide, crop) => [crop.map(|crop| format!("crop {crop}")), None],
+        };
+        for ((film, file), part) in films.iter().zip(&files).zip(parts) {
+            made.part = part;
+            output::write(file, &film::encode(film, &tone, format, &made)?)?;
         }
         let paths: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
         let (paths, loaded, rendered) =
             (paths.join(", "), loaded.as_secs_f64(), rendered.as_secs_f64());
         eprintln!("{paths}: loaded in {loaded:.2} s, rendered in {rendered:.2} s");
+        eprintln!("{paths}: {}", transfer(format, tone.gamma));
         Ok(Exit::Yes)
     }
 
@@ -155,6 +173,21 @@ impl Render {
                 "--crop gives a part of the picture side by side; it goes with no other --stereo",
             ),
             Some(pair) => Ok(pair),
+        }
+    }
+}
+
+/// What the values of a picture mean, and how `compare` and `verify` are told.
+fn transfer(format: Format, gamma: f64) -> String {
+    match (format.is_for_display(), gamma) {
+        (false, _) => "values are linear radiance".to_owned(),
+        (true, 1.0) => {
+            "values are linear, as gamma is 1; compare with --encoding linear".to_owned()
+        }
+        (true, gamma) => {
+            format!(
+                "values are radiance to the power 1/{gamma}; compare with --encoding gamma={gamma}"
+            )
         }
     }
 }

@@ -8,6 +8,7 @@ use clap::Args;
 use harness::report::{self, PAGES, Page, Progress, Settings};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::numbers::whole;
 use super::scene::start_threads;
 use super::{Exit, Outcome};
 
@@ -24,20 +25,20 @@ pub struct Report {
     #[arg(long)]
     quick: bool,
     /// Intersections: rays for each shape and family of hard cases
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(1..=1_000_000))]
     cases: Option<u32>,
     /// Acceleration: the largest number of objects
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(100..=1_000_000))]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(100..=1_000_000))]
     objects: Option<u32>,
     /// Samplers, light and textures: the largest number of samples per pixel; at most 1024 for
     /// light and 256 for textures, and 16 times as many for their references
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(4..=65536))]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(4..=65536))]
     samples: Option<u32>,
     /// The seed of all random choices
-    #[arg(long, value_name = "N", default_value_t = Settings::FULL.seed)]
+    #[arg(long, value_name = "N", default_value_t = Settings::FULL.seed, value_parser = whole::<u64>(0..=u64::MAX))]
     seed: u64,
     /// Threads to use; all cores if left out. Rays are always timed on one
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1..=1024))]
     threads: Option<u16>,
 }
 

@@ -1,20 +1,24 @@
 //! The arguments that select a scene and change its settings, the same for every command.
 
 use std::error::Error;
+use std::fmt;
 use std::path::Path;
 use std::str::FromStr;
 
 use clap::{Args, Parser};
-use groundtruth::film;
+use groundtruth::film::{self, Provenance};
 use groundtruth::gallery;
+use groundtruth::printable;
 use groundtruth::render::Crop;
 use groundtruth::scene::{self, Scene, SceneError, Source, Tracer};
 use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES, World};
-use harness::compare;
+use harness::{compare, sums};
+
+use super::numbers::whole;
 
 #[derive(Args)]
 pub struct SceneArguments {
-    /// A gallery name such as ch28/glass-sphere (see `list`), or a scene file
+    /// A gallery name such as ch28/glass-sphere (see `list`), or a scene file; - is the standard input
     scene: String,
     /// Width and height of the picture in pixels, such as 300x200; the view stays the same. For a
     /// stereo pair: of each eye's image
@@ -28,10 +32,10 @@ pub struct SceneArguments {
     #[arg(long, value_name = "NAME")]
     tracer: Option<Tracer>,
     /// The largest depth of a ray that is traced; the camera's ray has depth 0
-    #[arg(long, value_name = "N", value_parser = depth())]
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(0..=MAX_DEPTH.into()))]
     max_depth: Option<u32>,
     /// The seed of all random choices
-    #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED)]
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED, value_parser = whole::<u64>(0..=u64::MAX))]
     seed: u64,
 }
 
@@ -40,14 +44,7 @@ impl SceneArguments {
     pub fn load(&self) -> Result<(Scene, World), Box<dyn Error>> {
         let (as_written, source) = self.open()?;
         let mut scene = as_written.clone();
-        if let Some(Size { width, height }) = self.size {
-            scene.image.resize(width, height);
-        }
-        if let Some(samples) = self.samples {
-            scene.image.samples = samples;
-        }
-        let changed = scene.tracer.change(self.tracer, self.max_depth);
-        changed.map_err(|problem| format!("--max-depth: {problem}"))?;
+        self.change(&mut scene)?;
         let build = |scene: &Scene| match &source {
             Some(source) => World::of_source(scene, source, self.seed),
             None => World::build_seeded(scene, Path::new(""), self.seed),
@@ -118,6 +115,55 @@ impl SceneArguments {
         }
     }
 
+    /// How a picture of this scene, as [`Self::load`] gave it, is made.
+    pub fn provenance(&self, scene: &Scene, world: &World) -> Result<Provenance, Box<dyn Error>> {
+        let mut tracer = scene.tracer;
+        Ok(Provenance {
+            scene: printable::text(&self.name_by_content(scene, world)?),
+            size: [scene.image.width, scene.image.height],
+            samples: world.samples_per_pixel(),
+            seed: self.seed,
+            tracer: tracer.name().to_owned(),
+            max_depth: tracer.max_depth().copied(),
+            part: None,
+            version: Provenance::VERSION,
+        })
+    }
+
+    /// A name that follows from what the scene is, not from where it is: equal pictures are equal files.
+    fn name_by_content(&self, scene: &Scene, world: &World) -> Result<String, Box<dyn Error>> {
+        if let Some(entry) = gallery::find(&self.scene) {
+            return Ok(entry.name.to_owned());
+        }
+        let text = scene::to_toml(scene)?;
+        let is_it = |entry: &gallery::Entry| {
+            let mut other = (entry.build)();
+            other.about == scene.about
+                && self.change(&mut other).is_ok()
+                && scene::to_toml(&other).is_ok_and(|other| other == text)
+        };
+        if let Some(exported) = gallery::scenes().find(is_it) {
+            return Ok(exported.name.to_owned());
+        }
+        if !scene.about.is_empty() {
+            return Ok(scene.about.clone());
+        }
+        let digest = sums::scene_digest(scene, world, self.folder().unwrap_or(Path::new("")))?;
+        Ok(format!("sha256:{}", &digest[..16]))
+    }
+
+    /// Changes a scene as the arguments say.
+    fn change(&self, scene: &mut Scene) -> Result<(), String> {
+        if let Some(Size { width, height }) = self.size {
+            scene.image.resize(width, height);
+        }
+        if let Some(samples) = self.samples {
+            scene.image.samples = samples;
+        }
+        let changed = scene.tracer.change(self.tracer, self.max_depth);
+        changed.map_err(|problem| format!("--max-depth: {problem}"))
+    }
+
     /// The seed of all random choices.
     pub fn seed(&self) -> u64 {
         self.seed
@@ -134,6 +180,12 @@ impl SceneArguments {
         ];
         let given = options.into_iter().filter_map(|(name, value)| Some([name.to_owned(), value?]));
         std::iter::once(self.scene.clone()).chain(given.flatten()).collect()
+    }
+
+    /// The scene of this name or file, as it is.
+    pub fn of_name(scene: &str) -> Self {
+        let scene = scene.to_owned();
+        Self { scene, size: None, samples: None, tracer: None, max_depth: None, seed: DEFAULT_SEED }
     }
 
     /// The scene of such arguments.
@@ -162,7 +214,7 @@ impl SceneArguments {
             return Ok(((entry.build)(), None));
         }
         let path = Path::new(&self.scene);
-        if path.extension().is_none() && !path.exists() {
+        if path.extension().is_none() && !path.exists() && self.scene != scene::STANDARD_INPUT {
             return Err(gallery::unknown(&self.scene).into());
         }
         let (scene, source) = scene::open(path)?;
@@ -171,13 +223,8 @@ impl SceneArguments {
 }
 
 /// Parses a number of samples per pixel.
-pub fn samples() -> clap::builder::RangedI64ValueParser<u32> {
-    clap::value_parser!(u32).range(1..=i64::from(MAX_SAMPLES))
-}
-
-/// Parses a maximum depth.
-pub fn depth() -> clap::builder::RangedI64ValueParser<u32> {
-    clap::value_parser!(u32).range(0..=i64::from(MAX_DEPTH))
+pub fn samples() -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync + 'static {
+    whole(1..=MAX_SAMPLES.into())
 }
 
 /// `300x200`.
@@ -223,6 +270,13 @@ impl FromStr for CropArgument {
     }
 }
 
+impl fmt::Display for CropArgument {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Crop { x, y, width, height } = self.0;
+        write!(f, "{x},{y},{width}x{height}")
+    }
+}
+
 impl CropArgument {
     /// The part; fails if it is not inside the picture.
     pub fn inside(self, world: &World) -> Result<Crop, Box<dyn Error>> {
@@ -234,7 +288,7 @@ impl CropArgument {
         if fits(x, width, w) && fits(y, height, h) {
             return Ok(self.0);
         }
-        Err(format!("--crop {x},{y},{width}x{height} reaches beyond the picture of {w}x{h}").into())
+        Err(format!("--crop {self} reaches beyond the picture of {w}x{h}").into())
     }
 }
 

@@ -7,7 +7,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::Args;
-use groundtruth::film;
 use groundtruth::render::Canvas;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
@@ -18,15 +17,15 @@ use harness::verdict::{
 };
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::numbers::whole;
 use super::scene::SceneArguments;
-use super::{Exit, Outcome, print};
-use super::{mistakes, replicas};
+use super::{Exit, Outcome, mistakes, output, replicas};
 
 #[derive(Args)]
 pub struct Verify {
     #[command(flatten)]
     scene: Option<SceneArguments>,
-    /// The picture to be judged: PNG, JPEG, PPM, HDR, EXR or PFM. Several are pictures of one program with other
+    /// The picture to be judged: PNG, JPEG, PPM, HDR, EXR or PFM; - is the standard input. Several are pictures of one program with other
     /// seeds
     #[arg(value_name = "IMAGE", required_unless_present = "scenes")]
     images: Vec<PathBuf>,
@@ -34,7 +33,7 @@ pub struct Verify {
     #[arg(long, value_name = "N", value_parser = super::scene::samples(), conflicts_with = "samples")]
     their_samples: Option<u32>,
     /// The pictures of ours that are rendered at first; more follow while theirs is among the farthest out
-    #[arg(long, value_name = "R", default_value_t = 8, value_parser = clap::value_parser!(u32).range(3..))]
+    #[arg(long, value_name = "R", default_value_t = 8, value_parser = whole::<u32>(3..=u32::MAX.into()))]
     replicas: u32,
     /// The probability of calling a correct picture wrong; a wrong one is called so after 1/P − 1 of our pictures
     #[arg(long, value_name = "P", default_value_t = 0.01, value_parser = level)]
@@ -130,11 +129,12 @@ impl Verify {
         if let Some(file) = &self.output {
             let name = format!("{} and {}", self.images[0].display(), arguments.name());
             let html = verdict::page(&verdict, &name, &words);
-            film::replace(file, html.as_bytes()).map_err(|e| format!("{}: {e}", file.display()))?;
+            output::write(file, html.as_bytes())?;
         }
+        let say = |text: &str| output::say(text, self.output.as_deref());
         match self.json {
-            true => print(&(serde_json::to_string_pretty(&verdict)? + "\n"))?,
-            false => print(&words)?,
+            true => say(&(serde_json::to_string_pretty(&verdict)? + "\n"))?,
+            false => say(&words)?,
         };
         Ok(match (verdict.margin, verdict.decision) {
             _ if watch.is_interrupted() => Exit::Interrupted,
@@ -210,7 +210,7 @@ fn advice(scene: &str, verdict: &Verdict, [width, height]: [u32; 2]) -> String {
     }
     let explain = |region: &Region| {
         let [x, y] = region.worst;
-        format!("  groundtruth explain {scene} {x} {y} --size {width}x{height}\n")
+        format!("  groundtruth explain {scene} {x},{y} --size {width}x{height}\n")
     };
     let commands: Vec<String> = verdict.regions.iter().map(explain).collect();
     if commands.is_empty() {

@@ -9,7 +9,7 @@ use groundtruth::invalid::Invalid;
 use groundtruth::math::Ray;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayBudget;
-use groundtruth::world::{DEFAULT_SEED, World};
+use groundtruth::world::{DEFAULT_SEED, MAX_PIXELS, World};
 use groundtruth::{render, trace};
 
 #[derive(Deserialize)]
@@ -17,6 +17,8 @@ use groundtruth::{render, trace};
 pub struct Radiance {
     scene: Source,
     pixel: Option<[u32; 2]>,
+    /// Columns and rows of the picture of the pixel.
+    size: Option<[u32; 2]>,
     ray: Option<RayData>,
     samples: Option<u32>,
     tracer: Option<String>,
@@ -104,6 +106,9 @@ impl Radiance {
     fn looks(&self) -> Result<Looks, Invalid> {
         match (self.pixel, self.ray) {
             (Some(pixel), None) => Ok(Looks::AtPixel(pixel)),
+            (None, Some(_)) if self.size.is_some() => {
+                Err(Invalid::field("size", "a ray has no size; leave it out, or ask for a `pixel`"))
+            }
             (None, Some(ray)) => Ok(Looks::Along(ray.unit_ray()?)),
             _ => Err(Invalid::new("needs either `pixel` or `ray`")),
         }
@@ -114,6 +119,15 @@ impl Radiance {
         let tracer = self.tracer.as_deref().map(str::parse).transpose();
         let tracer = tracer.map_err(|problem| Invalid::field("tracer", problem))?;
         let built = self.scene.built(seed, |scene| {
+            if let Some([width, height]) = self.size {
+                let pixels = u64::from(width) * u64::from(height);
+                if !(1..=MAX_PIXELS).contains(&pixels) {
+                    let problem =
+                        format!("found {width} × {height}, but 1 to {MAX_PIXELS} pixels fit");
+                    return Err(Invalid::field("size", problem));
+                }
+                scene.image.resize(width, height);
+            }
             if let Some(samples) = self.samples {
                 scene.image.samples = samples;
             }

@@ -1,6 +1,7 @@
 //! The header of a file of sums: text lines that end at an empty one.
 
 use super::Seeds;
+use crate::shell;
 
 /// The first line; the number is that of the format.
 const FORMAT: &str = "groundtruth sums 2";
@@ -125,20 +126,11 @@ impl Header {
     pub fn command(&self, [first, count]: [u64; 2]) -> String {
         let scene: Vec<String> = match self.arguments.as_slice() {
             [] => vec!["SCENE".to_owned()],
-            arguments => arguments.iter().map(|argument| quoted(argument)).collect(),
+            arguments => arguments.iter().map(|argument| shell::quoted(argument)).collect(),
         };
         let scene = scene.join(" ");
         format!(
             "groundtruth render {scene} --seed {first} --replicas {count} -o seeds-{first}.sums"
         )
-    }
-}
-
-/// An argument as a shell reads it.
-fn quoted(argument: &str) -> String {
-    let is_plain = |c: char| c.is_ascii_alphanumeric() || "/._-+=:,@%".contains(c);
-    match !argument.is_empty() && argument.chars().all(is_plain) {
-        true => argument.to_owned(),
-        false => format!("'{}'", argument.replace('\'', "'\\''")),
     }
 }

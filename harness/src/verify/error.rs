@@ -17,6 +17,12 @@ pub enum GoldenError {
         /// Why.
         source: std::io::Error,
     },
+    /// The folder has no manifest.
+    #[error("{}: there is none; run this where the folder `goldens` is, or name a folder by --folder DIR", path.display())]
+    NoManifest {
+        /// The manifest that would be there.
+        path: PathBuf,
+    },
     /// The manifest is invalid.
     #[error("{}: {problem}", path.display())]
     Manifest {
@@ -28,7 +34,7 @@ pub enum GoldenError {
     /// A picture cannot be read or written.
     #[error(transparent)]
     Image(#[from] ImageError),
-    /// A scene of the gallery cannot be built.
+    /// A scene cannot be read or built.
     #[error("{name}: {source}")]
     Scene {
         /// Its name.
@@ -36,9 +42,19 @@ pub enum GoldenError {
         /// Why.
         source: Box<SceneError>,
     },
-    /// No scene of the gallery has this name.
-    #[error("no golden `{0}` can be made: the gallery has no such scene (`groundtruth list`)")]
+    /// Neither a scene of the gallery nor a scene file has this name.
+    #[error(
+        "no golden `{0}` can be made: the gallery has no such scene (`groundtruth list`), and a scene file ends in .toml"
+    )]
     NoScene(String),
+    /// Another scene file has the name of a golden already.
+    #[error("golden `{name}` is of the file {}; rename one of the two", known.display())]
+    OtherFile {
+        /// The golden's name.
+        name: String,
+        /// Its scene file.
+        known: PathBuf,
+    },
     /// A golden is accepted without a reason.
     #[error("a golden is accepted with a reason: --because \"what it was checked against\"")]
     NoReason,

@@ -3,6 +3,7 @@
 //! `goldens/manifest.toml` says what each one shows and why it was accepted. The EXR beside it is the
 //! truth; the PNG is for viewing. The digest in the manifest detects an image that does not belong to it.
 
+mod entry;
 mod journal;
 
 use std::fmt::Write;
@@ -11,62 +12,12 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
+use super::GoldenError;
 use super::compare::{self, Verdict};
-use super::{GoldenError, View};
-use groundtruth::film::{self, Film};
+use groundtruth::film::{self, Film, ImageError};
 use groundtruth::gallery;
-use groundtruth::scene::Scene;
-use groundtruth::world::World;
 
-/// One golden image, as in the manifest.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Golden {
-    /// A scene of the gallery.
-    pub scene: String,
-    /// The quantity that is shown.
-    #[serde(default, skip_serializing_if = "View::is_radiance")]
-    pub view: View,
-    /// Width and height in pixels.
-    pub size: [u32; 2],
-    /// Samples for each pixel.
-    pub samples: u32,
-    /// [`digest`] of the picture.
-    pub digest: String,
-    /// What to look for, in words.
-    pub shows: String,
-    /// Why this picture was accepted: what it was checked against.
-    pub because: String,
-}
-
-impl Golden {
-    /// `ch24/hall-of-mirrors`, or `ch24/hall-of-mirrors.normals` for another view.
-    pub fn name(&self) -> String {
-        format!("{}{}", self.scene, self.view.suffix())
-    }
-
-    /// The scene at the size and with the samples of this golden.
-    ///
-    /// # Errors
-    /// [`GoldenError::NoScene`].
-    pub fn small_scene(&self) -> Result<Scene, GoldenError> {
-        let entry = gallery::find(&self.scene).ok_or_else(|| GoldenError::NoScene(self.name()))?;
-        let mut scene = (entry.build)();
-        scene.image.resize(self.size[0], self.size[1]);
-        scene.image.samples = self.samples;
-        Ok(scene)
-    }
-
-    /// The picture that the code renders now.
-    ///
-    /// # Errors
-    /// [`GoldenError::NoScene`] and [`GoldenError::Scene`].
-    pub fn render(&self) -> Result<Film, GoldenError> {
-        let world = World::build(&self.small_scene()?)
-            .map_err(|e| GoldenError::Scene { name: self.scene.clone(), source: Box::new(e) })?;
-        Ok(self.view.render(&world))
-    }
-}
+pub use entry::{Golden, leaf};
 
 /// SHA-256, as hexadecimal digits, of width and height (32 bits each) and the channels in single
 /// precision, all little-endian.
@@ -105,6 +56,8 @@ pub enum Status {
 pub struct Finding {
     /// The golden's name.
     pub name: String,
+    /// The folder of the goldens, as it was named.
+    pub folder: PathBuf,
     /// The result.
     pub status: Status,
     /// The golden, if the manifest has it.
@@ -116,8 +69,9 @@ pub struct Finding {
 }
 
 impl Finding {
-    fn without_pictures(name: String, status: Status, golden: Option<Golden>) -> Self {
-        Self { name, status, golden, expected: None, got: None }
+    /// The path of the scene file; `None` for a scene of the gallery.
+    pub fn scene_file(&self) -> Option<PathBuf> {
+        self.golden.as_ref()?.scene_file(&self.folder)
     }
 }
 
@@ -155,8 +109,6 @@ pub struct GoldenSettings {
 }
 
 const MANIFEST: &str = "manifest.toml";
-const WIDTH: u32 = 96;
-const SAMPLES: u32 = 4;
 
 const HEADER: &str = "\
 # Golden images: `groundtruth goldens check`, `review` and `accept NAME --because \"…\"`.
@@ -185,8 +137,10 @@ impl Goldens {
     /// The goldens of the manifest of a folder.
     fn read(folder: &Path) -> Result<Vec<Golden>, GoldenError> {
         let path = folder.join(MANIFEST);
-        let text = std::fs::read_to_string(&path)
-            .map_err(|source| GoldenError::File { path: path.clone(), source })?;
+        let text = std::fs::read_to_string(&path).map_err(|source| match source.kind() {
+            std::io::ErrorKind::NotFound => GoldenError::NoManifest { path: path.clone() },
+            _ => GoldenError::File { path: path.clone(), source },
+        })?;
         let wrong = |problem| GoldenError::Manifest { path: path.clone(), problem };
         let manifest: Manifest = toml::from_str(&text).map_err(|e| wrong(e.to_string()))?;
         let mut names = std::collections::BTreeSet::new();
@@ -212,6 +166,11 @@ impl Goldens {
         Self { folder: folder.to_owned(), all: Vec::new(), finished: false }
     }
 
+    /// The folder, as it was named.
+    pub fn folder(&self) -> &Path {
+        &self.folder
+    }
+
     /// Whether opening finished an earlier run that was stopped.
     pub fn was_finished(&self) -> bool {
         self.finished
@@ -227,7 +186,7 @@ impl Goldens {
         self.all.iter().find(|golden| golden.name() == name)
     }
 
-    /// The names of all goldens: those of the manifest, and each scene of the gallery.
+    /// The names of all goldens: those of the manifest, and each scene of the gallery, which may have none.
     pub fn names(&self) -> Vec<String> {
         let mut names: Vec<String> = self.all.iter().map(Golden::name).collect();
         names.extend(gallery::scenes().map(|entry| entry.name.to_owned()));
@@ -247,12 +206,16 @@ impl Goldens {
     /// [`GoldenError`] if they cannot be compared: a scene that does not build, a damaged file.
     pub fn check(&self, name: &str) -> Result<Finding, GoldenError> {
         let golden = self.find(name).cloned();
-        let alone = |status| Ok(Finding::without_pictures(name.to_owned(), status, golden.clone()));
+        let (owned, folder) = (name.to_owned(), self.folder.clone());
+        let alone = |status| {
+            let (name, golden, expected, got) = (owned.clone(), golden.clone(), None, None);
+            Ok(Finding { name, folder: folder.clone(), status, golden, expected, got })
+        };
         let Some(known) = &golden else {
-            let in_gallery = named(name).is_some();
+            let in_gallery = entry::in_gallery(name).is_some();
             return alone(if in_gallery { Status::Missing } else { Status::NoScene });
         };
-        let got = match known.render() {
+        let got = match known.render(&self.folder) {
             Err(GoldenError::NoScene(_)) => return alone(Status::NoScene),
             other => other?,
         };
@@ -270,13 +233,14 @@ impl Goldens {
                 Verdict::Changed => Status::Changed,
             },
         };
-        Ok(Finding { name: name.to_owned(), status, golden, expected, got: Some(got) })
+        Ok(Finding { name: owned, folder, status, golden, expected, got: Some(got) })
     }
 
-    /// Renders a picture to be accepted under this name, for this reason.
+    /// Renders a picture to be accepted under this name, for this reason. The name may be the path of a scene file:
+    /// then the golden has the name of that file.
     ///
     /// # Errors
-    /// [`GoldenError::NoReason`], [`GoldenError::NoScene`] and [`GoldenError::Scene`].
+    /// [`GoldenError::NoReason`], [`GoldenError::NoScene`], [`GoldenError::OtherFile`] and [`GoldenError::Scene`].
     pub fn propose(
         &self,
         name: &str,
@@ -286,15 +250,15 @@ impl Goldens {
         if because.trim().is_empty() {
             return Err(GoldenError::NoReason);
         }
-        let mut golden = match self.find(name) {
-            Some(known) => known.clone(),
-            None => first_version(name)?,
+        let mut golden = match self.find(entry::leaf(name)) {
+            Some(known) => known.same_file(name, &self.folder)?,
+            None => Golden::first_version(name, &self.folder)?,
         };
         golden.size = settings.size.unwrap_or(golden.size);
         golden.samples = settings.samples.unwrap_or(golden.samples);
         golden.shows = settings.shows.clone().unwrap_or(golden.shows);
         golden.because = because.trim().to_owned();
-        let film = golden.render()?;
+        let film = golden.render(&self.folder)?;
         golden.digest = digest(&film);
         Ok(Proposal { golden, film })
     }
@@ -326,13 +290,17 @@ impl Goldens {
         let mut all = self.all.clone();
         for Proposal { golden, film } in proposals {
             let name = golden.name();
-            let scene = golden.small_scene()?;
+            let (scene, _) = golden.small_scene(&self.folder)?;
             let tone = golden.view.tone(&scene);
             let shown = golden.view.for_eyes(&film);
             for (extension, film) in [("exr", &film), ("png", &shown)] {
                 let path = staged.path().join(format!("{name}.{extension}"));
                 std::fs::create_dir_all(film::folder_of(&path)).map_err(|e| self.unwritten(e))?;
-                film::write(film, &tone, &path)?;
+                // without the name of the temporary folder
+                film::write(film, &tone, &path).map_err(|error| match error {
+                    ImageError::Unwritable { source, .. } => self.unwritten(source),
+                    other => other.into(),
+                })?;
             }
             all.retain(|other| other.name() != name);
             all.push(golden);
@@ -350,29 +318,6 @@ impl Goldens {
     fn unwritten(&self, source: std::io::Error) -> GoldenError {
         GoldenError::File { path: self.folder.clone(), source }
     }
-}
-
-/// The scene and the view of a golden's name, if the gallery has the scene.
-fn named(name: &str) -> Option<(gallery::Entry, View)> {
-    View::ALL
-        .into_iter()
-        .find_map(|view| Some((gallery::find(name.strip_suffix(view.suffix())?)?, view)))
-}
-
-/// The first golden of a scene.
-fn first_version(name: &str) -> Result<Golden, GoldenError> {
-    let (entry, view) = named(name).ok_or_else(|| GoldenError::NoScene(name.to_owned()))?;
-    let Scene { about, image, .. } = (entry.build)();
-    let height = f64::from(WIDTH) * f64::from(image.height) / f64::from(image.width);
-    Ok(Golden {
-        scene: entry.name.to_owned(),
-        view,
-        size: [WIDTH, (height.round() as u32).max(1)],
-        samples: if view == View::Radiance { image.samples.min(SAMPLES) } else { 1 },
-        digest: String::new(),
-        shows: about,
-        because: String::new(),
-    })
 }
 
 #[cfg(test)]

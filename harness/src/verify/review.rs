@@ -1,6 +1,7 @@
 //! Golden images on one HTML page that needs nothing beside it: each pair is drawn as by `compare`.
 
 use std::fmt::Write;
+use std::path::Path;
 
 use super::compare::DRIFT;
 use super::golden::{Finding, Golden, Status};
@@ -8,6 +9,7 @@ use super::view::View;
 use crate::compare::pair::{self, Pair};
 use crate::compare::{Comparison, Picture};
 use crate::html::escaped;
+use crate::shell;
 use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
 
 const STYLE: &str = "\
@@ -71,16 +73,30 @@ pub fn accept_command(finding: &Finding) -> String {
         Status::NoScene => {
             format!("remove {} from the manifest, and its pictures", finding.name)
         }
-        _ => format!("groundtruth goldens accept {} --because \"…\"", finding.name),
+        _ => {
+            let (name, folder) = (shell::quoted(&finding.name), folder_option(&finding.folder));
+            format!("groundtruth goldens accept {name} --because \"…\"{folder}")
+        }
+    }
+}
+
+/// The folder that commands take without being told.
+pub const DEFAULT_FOLDER: &str = "goldens";
+
+/// What a command needs to act on the goldens of a folder: ` --folder mine`, or nothing for the default.
+pub fn folder_option(folder: &Path) -> String {
+    match folder == Path::new(DEFAULT_FOLDER) {
+        true => String::new(),
+        false => format!(" --folder {}", shell::quoted(&folder.display().to_string())),
     }
 }
 
 fn pictures(html: &mut String, finding: &Finding) {
     let view = finding.golden.as_ref().map(|golden| golden.view).unwrap_or_default();
     let tone =
-        finding.golden.as_ref().and_then(|golden| golden.small_scene().ok()).map_or(
+        finding.golden.as_ref().and_then(|golden| golden.small_scene(&finding.folder).ok()).map_or(
             Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne },
-            |scene| view.tone(&scene),
+            |(scene, _)| view.tone(&scene),
         );
     if let (Some(expected), Some(got)) = (&finding.expected, &finding.got)
         && pair(html, finding, [expected, got], (view, tone))
@@ -115,7 +131,10 @@ fn pair(
         "<p>{count} of {pixels} pixels differ. Drift is a relative difference of at most {DRIFT:e}.</p>"
     );
     let commands = |pixel| {
-        let of_golden = |golden| [explain_command(golden, pixel), inspect_command(golden, pixel)];
+        let of_golden = |golden| {
+            let scene = scene_arguments(finding, golden);
+            [explain_command(&scene, pixel), inspect_command(&scene, pixel)]
+        };
         finding.golden.as_ref().map(of_golden).into_iter().flatten().collect()
     };
     let pair = Pair {
@@ -131,18 +150,20 @@ fn pair(
 }
 
 /// The command that opens a golden's scene in the inspector, a pixel selected.
-fn inspect_command(golden: &Golden, [x, y]: [u32; 2]) -> String {
-    format!("inspector {} --pixel {x},{y}", scene_arguments(golden))
+fn inspect_command(scene: &str, [x, y]: [u32; 2]) -> String {
+    format!("inspector {scene} --pixel {x},{y}")
 }
 
 /// The command that explains a pixel of a golden's scene.
-fn explain_command(golden: &Golden, [x, y]: [u32; 2]) -> String {
-    format!("groundtruth explain {} {x} {y} --all", scene_arguments(golden))
+fn explain_command(scene: &str, [x, y]: [u32; 2]) -> String {
+    format!("groundtruth explain {scene} {x},{y} --all")
 }
 
 /// A golden's scene as both programs are told of it.
-fn scene_arguments(golden: &Golden) -> String {
-    let ([w, h], scene, samples) = (golden.size, &golden.scene, golden.samples);
+fn scene_arguments(finding: &Finding, golden: &Golden) -> String {
+    let ([w, h], samples) = (golden.size, golden.samples);
+    let file = finding.scene_file().map(|file| file.display().to_string());
+    let scene = shell::quoted(file.as_ref().unwrap_or(&golden.scene));
     format!("{scene} --size {w}x{h} --samples {samples}")
 }
 
@@ -184,7 +205,7 @@ mod tests {
         assert_eq!(rows.len(), 3);
         let scene = "ch03/three-objects --size 12x12 --samples 1";
         for (row, x) in rows.iter().zip([5, 7, 3]) {
-            let explain = format!("groundtruth explain {scene} {x} 9 --all</code>");
+            let explain = format!("groundtruth explain {scene} {x},9 --all</code>");
             let inspect = format!("inspector {scene} --pixel {x},9</code>");
             assert!(row.contains(&explain) && row.contains(&inspect), "{row}");
         }

@@ -38,6 +38,13 @@ impl View {
         }
     }
 
+    /// The view of a golden's name, and the rest of the name.
+    pub fn split(name: &str) -> (Self, &str) {
+        let others = Self::ALL.into_iter().filter(|view| !view.is_radiance());
+        let mut found = others.filter_map(|view| Some((view, name.strip_suffix(view.suffix())?)));
+        found.next().unwrap_or((Self::Radiance, name))
+    }
+
     pub(super) fn is_radiance(&self) -> bool {
         *self == Self::Radiance
     }

@@ -10,9 +10,9 @@ use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH};
 use harness::compare::{self, Transfer};
 
 use crate::comparison::theirs::Theirs;
-use crate::picture::view::parse_pixel;
 use crate::scene::source::{Loaded, Source};
 use crate::scene::waiting::{Broken, Waiting};
+use harness::parse_pixel;
 
 /// Click a pixel and read why it has its colour.
 #[derive(Clone, Debug, Parser)]

@@ -5,7 +5,8 @@ use eframe::egui::{
 };
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{SnapshotOptions, image_snapshot_options};
-use inspector::picture::view::{View, parse_pixel};
+use harness::parse_pixel;
+use inspector::picture::view::View;
 
 use crate::support::*;
 

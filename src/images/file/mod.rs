@@ -195,17 +195,32 @@ pub struct Stored {
     pub is_linear: bool,
 }
 
-/// The stored values of a picture file, at most `max_texels`.
+/// The stored values of a picture file, or of the standard input if its path is `-`; at most `max_texels`.
 ///
 /// # Errors
 /// As [`read`].
 pub fn read_stored(path: &Path, max_texels: u64) -> Result<Stored, ImageFileError> {
     let wrong = |problem| ImageFileError { path: path.to_owned(), problem, field: "file" };
-    let bytes = read_bytes(path).map_err(wrong)?;
+    let bytes = match path == Path::new("-") {
+        true => read_input(),
+        false => read_bytes(path),
+    };
+    let bytes = bytes.map_err(wrong)?;
     let format = Format::of(&bytes).map_err(wrong)?;
     let texels = decode_stored(format, &bytes, Some(Encoding::Linear), None, max_texels);
     let texels = texels.map_err(|Wrong { problem, .. }| wrong(problem))?;
     Ok(Stored { texels, is_linear: format.is_linear() })
+}
+
+/// All bytes of the standard input; fails if they are too many.
+fn read_input() -> Result<Vec<u8>, Problem> {
+    let mut bytes = Vec::new();
+    let input = std::io::stdin().lock();
+    input.take(MAX_BYTES + 1).read_to_end(&mut bytes).map_err(|e| e.to_string())?;
+    match bytes.len() as u64 > MAX_BYTES {
+        true => Err(format!("there are too many bytes; at most {MAX_BYTES} fit")),
+        false => Ok(bytes),
+    }
 }
 
 /// All bytes of a file; fails if its first bytes are not those of an image, or it is too large.

@@ -52,7 +52,7 @@ pub const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"intersect": {"shape": {"spheer": {}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
-        "column 33: unknown variant `spheer`, expected one of `plane`, `sphere`, …",
+        "column 33: unknown kind `spheer`; did you mean `sphere`?",
     ),
     (
         r#"{"intersect": {"shape": "sphere", "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}}}"#,
@@ -136,11 +136,11 @@ pub const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"transform": {"steps": [{"matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]}]}}"#,
-        "column 38: invalid type: integer `1`, expected a sequence",
+        "column 38: invalid type: integer `1`, expected a list",
     ),
     (
         r#"{"transform": {"steps": [{"turn": 3}]}}"#,
-        "column 32: unknown variant `turn`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`, `matrix`",
+        "column 32: unknown kind `turn`, expected one of `translate`, `scale`, `rotate_x`, `rotate_y`, `rotate_z`, `rotate_about`, `reflect`, `shear`, `matrix`",
     ),
     (
         r#"{"intersect": {"shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "ray": {"origin": [0, 0, 5], "direction": [0, 0, -1]}, "leave": [0, 0, 0]}}"#,

@@ -77,7 +77,7 @@ pub const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"light": {"light": {"sun": {}}, "from": [0, 0, 0]}}"#,
-        "column 26: unknown variant `sun`, expected one of `ambient`, `directional`, `point`, `spot`, `ambient_occluder`, `area`, `environment`, `jittered_directional`, `fake_spherical`",
+        "column 26: unknown kind `sun`, expected one of `ambient`, `directional`, `point`, `spot`, `ambient_occluder`, `area`, `environment`, `jittered_directional`, `fake_spherical`",
     ),
     (
         r#"{"texture": {"texture": {"checker3d": {"size": 0}}, "point": [0, 0, 0]}}"#,

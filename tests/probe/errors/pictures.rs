@@ -52,7 +52,7 @@ pub const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"project": {"camera": {"eye": [0, 0, 4], "stereo": {"viewing": "crossed", "separation": 5}, "lens": {"pinhole": {"distance": 4}}}, "image": {"width": 6, "height": 2}, "point": [0, 0, 0]}}"#,
-        "column 73: unknown variant `crossed`, expected `parallel` or `transverse`",
+        "column 73: unknown kind `crossed`, expected `parallel` or `transverse`",
     ),
     (
         r#"{"samples": {"sampler": {"regular": {}}, "n": 0}}"#,
@@ -64,7 +64,7 @@ pub const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"samples": {"sampler": {"regular": {}}, "n": 1e3}}"#,
-        "column 49: invalid type: floating point `1000.0`, expected a whole number from 0 to 4294967295",
+        "column 49: invalid type: floating point `1000.0`, expected a whole number from 0 to 4294967295; write 1000",
     ),
     (
         r#"{"samples": {"sampler": {"regular": {}}, "n": 1000, "sets": 83}}"#,
@@ -72,7 +72,7 @@ pub const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"samples": {"sampler": {"halton": {}}, "n": 4}}"#,
-        "column 33: unknown variant `halton`, expected one of `regular`, `random`, `jittered`, `n_rooks`, `multi_jittered`, `hammersley`, `correlated_multi_jittered`, `sobol`",
+        "column 33: unknown kind `halton`, expected one of `regular`, `random`, `jittered`, `n_rooks`, `multi_jittered`, `hammersley`, `correlated_multi_jittered`, `sobol`",
     ),
     (
         r#"{"samples": {"sampler": {"regular": {}}, "n": 4, "sets": 1, "draw": {"pixel": [0, 0], "index": 0}}}"#,
@@ -108,6 +108,18 @@ pub const ERRORS: &[(&str, &str)] = &[
         "map.point: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed",
     ),
     (r#"{"radiance": {"scene": "ch28/glass-sphere"}}"#, "radiance: needs either `pixel` or `ray`"),
+    (
+        r#"{"radiance": {"scene": "ch28/glass-sphere", "pixel": [30, 0], "size": [30, 20]}}"#,
+        "radiance.pixel: found [30, 0], which is outside the picture of 30 × 20",
+    ),
+    (
+        r#"{"radiance": {"scene": "ch28/glass-sphere", "pixel": [0, 0], "size": [30, 0]}}"#,
+        "radiance.size: found 30 × 0, but 1 to 33554432 pixels fit",
+    ),
+    (
+        r#"{"radiance": {"scene": "ch28/glass-sphere", "ray": {"origin": [0, 0, 0], "direction": [0, 0, 1]}, "size": [3, 2]}}"#,
+        "radiance.size: a ray has no size; leave it out, or ask for a `pixel`",
+    ),
     (
         r#"{"radiance": {"scene": "ch28/glass-sphere", "pixel": [600, 0]}}"#,
         "radiance.pixel: found [600, 0], which is outside the picture of 600 × 600",
@@ -159,6 +171,6 @@ pub const ERRORS: &[(&str, &str)] = &[
     ),
     (
         r#"{"radiance": {"scene": {"trace": 1, "image": {"width": 2, "height": 2}, "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}}, "materials": [{"name": "glass", "recipe": {"dielectric": {"inside": {"eta": 1.5}}}}], "objects": [{"name": "ball", "material": "glass", "shape": {"sphere": {"center": [0, 0, 0], "radius": 1}}}]}, "pixel": [0, 0]}}"#,
-        "column 31: unknown field `trace`, expected one of `about`, `tracer`, `transparency`, `accel`, `intersect`, `epsilon`, `background`, `image`, `camera`, `lights`, `materials`, `objects`",
+        "column 31: unknown field `trace`; did you mean `tracer`?",
     ),
 ];

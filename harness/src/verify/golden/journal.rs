@@ -8,6 +8,7 @@ use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 
+use groundtruth::film;
 use tempfile::TempDir;
 
 /// The folder of files that are decided, and may not be in their places yet.
@@ -36,7 +37,7 @@ pub fn lock(folder: &Path) -> io::Result<File> {
 
 /// A folder for new files, gone again unless it is decided.
 pub fn stage(folder: &Path) -> io::Result<TempDir> {
-    tempfile::Builder::new().prefix(STAGED).tempdir_in(folder)
+    tempfile::Builder::new().prefix(STAGED).tempdir_in(folder).map_err(film::without_path)
 }
 
 /// Decides for the staged files. They are on the disk before their folder has its new name.

@@ -1,6 +1,7 @@
 //! Goldens made, kept, damaged and found out.
 
 use super::*;
+use crate::verify::View;
 use crate::verify::judge::near;
 use groundtruth::rgb::Rgb;
 
@@ -113,9 +114,9 @@ fn an_acceptance_that_stops_anywhere_leaves_a_consistent_folder() {
 #[test]
 fn an_image_and_a_manifest_that_do_not_belong_together_are_found_out() {
     let (_folder, goldens) = one_golden();
-    let mut other = goldens.find(NAME).unwrap().render().unwrap();
+    let mut other = goldens.find(NAME).unwrap().render(Path::new("")).unwrap();
     other.set([3, 4], Rgb::grey(0.25));
-    let tone = View::Radiance.tone(&goldens.all()[0].small_scene().unwrap());
+    let tone = View::Radiance.tone(&goldens.all()[0].small_scene(Path::new("")).unwrap().0);
     film::write(&other, &tone, &goldens.file(NAME, "exr")).unwrap();
     assert_eq!(goldens.check(NAME).unwrap().status, Status::Mismatch);
 }
@@ -127,7 +128,7 @@ fn a_golden_of_another_picture_is_changed_and_one_of_nearly_the_same_has_drifted
         [(1.02, Status::Changed), (1.0 + 3e-7, Status::Drift), (1.0, Status::Same)]
     {
         let golden = goldens.find(NAME).unwrap().clone();
-        let mut film = golden.render().unwrap();
+        let mut film = golden.render(Path::new("")).unwrap();
         for i in 0..144 {
             let at = [i % 12, i / 12];
             film.set(at, factor * film.get(at));
@@ -191,16 +192,16 @@ fn a_manifest_that_gives_no_reason_or_a_name_twice_is_refused() {
 
 #[test]
 fn views_show_distance_object_rays_and_normal_of_the_first_hit() {
-    let mut golden = first_version(NAME).unwrap();
+    let mut golden = Golden::first_version(NAME, Path::new("")).unwrap();
     golden.size = [3, 3];
     golden.view = View::Hits;
     // the middle pixel sees the red sphere, (0, −25, 0) of radius 80, from z = 100
     let t = 100.0 - (80.0_f64 * 80.0 - 25.0 * 25.0).sqrt();
-    let hits = golden.render().unwrap();
+    let hits = golden.render(Path::new("")).unwrap();
     near(hits.get([1, 1]).r, t, 1e-12);
     assert_eq!((hits.get([1, 1]).g, hits.get([1, 1]).b), (1.0, 1.0));
     golden.view = View::Normals;
-    let normal = golden.render().unwrap().get([1, 1]);
+    let normal = golden.render(Path::new("")).unwrap().get([1, 1]);
     assert!((normal.g - 25.0 / 80.0).abs() < 1e-12 && normal.b > 0.9, "{normal:?}");
 }
 

@@ -1,0 +1,73 @@
+//! Where a command writes a file: to a path, or to the standard output if the path is `-`.
+
+use std::error::Error;
+use std::io::Write;
+use std::path::Path;
+
+use groundtruth::film::{self, Format};
+use groundtruth::scene::STANDARD_INPUT;
+
+/// Whether a path means the standard output.
+pub fn is_standard(path: &Path) -> bool {
+    path == Path::new(STANDARD_INPUT)
+}
+
+/// Writes a file, completely or not at all.
+pub fn write(path: &Path, bytes: &[u8]) -> Result<(), Box<dyn Error>> {
+    let written = match is_standard(path) {
+        true => std::io::stdout().lock().write_all(bytes),
+        false => film::replace(path, bytes),
+    };
+    match written {
+        // a closed pipe (`| head`) is not an error
+        Err(error) if is_standard(path) && error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
+        other => other.map_err(|error| unwritable(path, error)),
+    }
+}
+
+/// Fails if a file cannot be written there, found out before there is something to write.
+pub fn writable(path: &Path) -> Result<(), Box<dyn Error>> {
+    match is_standard(path) {
+        true => Ok(()),
+        false => film::replaceable(path).map_err(|error| unwritable(path, error)),
+    }
+}
+
+fn unwritable(path: &Path, error: std::io::Error) -> Box<dyn Error> {
+    format!("{}: cannot be written: {error}", path.display()).into()
+}
+
+/// Prints what a command says; to the standard error if its page goes to the standard output.
+pub fn say(text: &str, page: Option<&Path>) -> super::Outcome {
+    match page.is_some_and(is_standard) {
+        true => {
+            eprint!("{text}");
+            Ok(super::Exit::Yes)
+        }
+        false => super::print(text),
+    }
+}
+
+/// The format of a picture: the one given, or that of the file's name.
+pub fn format(path: &Path, given: Option<Format>) -> Result<Format, Box<dyn Error>> {
+    match given {
+        Some(format) => Ok(format),
+        None if is_standard(path) => Err(format!(
+            "-o -: say which format is written to the standard output: --format {}",
+            names().join(", ")
+        )
+        .into()),
+        None => Ok(Format::of(path)?),
+    }
+}
+
+/// The formats' names.
+fn names() -> Vec<&'static str> {
+    Format::ALL.map(|(_, name)| name).to_vec()
+}
+
+/// Parses the name of a format.
+pub fn format_named(name: &str) -> Result<Format, String> {
+    let found = Format::ALL.into_iter().find(|(_, known)| *known == name);
+    found.map(|(format, _)| format).ok_or_else(|| format!("write one of {}", names().join(", ")))
+}

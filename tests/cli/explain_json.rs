@@ -1,0 +1,154 @@
+//! `explain --json` and its document.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+use rayon::prelude::*;
+use serde_json::Value;
+
+use super::run_in;
+
+/// The fields of each kind of object.
+type Fields = BTreeMap<&'static str, BTreeSet<String>>;
+
+/// The kind of the object under this key in an object of another kind; `None` for what is described in words.
+fn kind_of(inside: &str, key: &str) -> Option<&'static str> {
+    Some(match (inside, key) {
+        ("explanation", "made") => "made",
+        ("explanation", "samples") => "sample",
+        ("explanation", "statistics") => "statistics",
+        ("explanation", "sources") => "sources",
+        ("sources", _) => "source",
+        ("sample", "ray") | ("ray", "children") => "ray",
+        ("ray", "hit") => "hit",
+        ("ray", "terms") => "term",
+        ("ray", "unlit") => "unlit",
+        ("hit", "optics") => "optics",
+        ("hit", "textures") => "texture",
+        _ => return None,
+    })
+}
+
+fn collect(value: &Value, kind: &'static str, fields: &mut Fields) {
+    match value {
+        Value::Array(all) => all.iter().for_each(|value| collect(value, kind, fields)),
+        Value::Object(object) => {
+            let known = fields.entry(kind).or_default();
+            known.extend(object.keys().cloned());
+            for (key, value) in object {
+                if let Some(kind) = kind_of(kind, key) {
+                    collect(value, kind, fields);
+                }
+            }
+        }
+        _ => {}
+    }
+}
+
+/// The tables of the document: the fields of each heading.
+fn documented() -> BTreeMap<String, BTreeSet<String>> {
+    let text =
+        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/explain-json.md"));
+    let text = text.expect("the document is there");
+    let sections = text.split("\n## `").skip(1);
+    let section = |section: &str| {
+        let (kind, rest) = section.split_once('`').expect("a heading in backticks");
+        let fields = rest.lines().filter_map(|line| line.strip_prefix("| `")?.split('`').next());
+        (kind.to_owned(), fields.map(str::to_owned).collect())
+    };
+    sections.map(section).collect()
+}
+
+/// Scenes and pixels that together have almost every field.
+const ASKED: &[&[&str]] = &[
+    &["ch28/glass-sphere", "200,150"],
+    &["ch10/near-focus", "100,100", "--all"],
+    &["ch18/rectangle", "40,40"],
+    &["ch26/cornell-box", "100,100", "--samples", "4"],
+    &["ch29/earth", "200,150"],
+    &["ch24/hall-of-mirrors", "50,50", "--max-depth", "2"],
+    &["ch28/glass-sphere", "300,300", "--tracer", "path", "--samples", "4"],
+];
+
+/// Fields that need a scene of their own; tests of the library ask for them.
+const RARE: &[&str] = &[
+    "ray.boundaries",
+    "ray.black",
+    "hit.is_switched_off",
+    "term.mis",
+    "unlit.angle",
+    "unlit.outer",
+    "unlit.distance",
+    "unlit.cos_lamp",
+    "unlit.cos_o",
+    "unlit.blocked_by",
+    "explanation.notes",
+    "optics.critical_angle",
+    "optics.media",
+    "hit.path",
+];
+
+/// Law: the document has each field that `explain --json` prints, in the table of its object; and each field of the
+/// document is printed. Oracle: the keys of explanations of several scenes.
+#[test]
+fn the_document_of_the_json_has_every_field_and_no_other() {
+    let of = |arguments: &&[&str]| {
+        let run = run_in(Path::new("."), &[&["explain", "--json"], *arguments].concat());
+        assert_eq!(run.status, Some(0), "{arguments:?}: {}", run.stderr);
+        serde_json::from_str::<Value>(&run.stdout).expect("it is JSON")
+    };
+    let answers: Vec<Value> = ASKED.par_iter().map(of).collect();
+    let mut found = Fields::new();
+    answers.iter().for_each(|answer| collect(answer, "explanation", &mut found));
+    let documented = documented();
+    let none = BTreeSet::new();
+    for (kind, fields) in &found {
+        let table = documented.get(*kind).unwrap_or(&none);
+        let missing: Vec<&String> = fields.difference(table).collect();
+        assert!(missing.is_empty(), "docs/explain-json.md: the table of {kind} has no {missing:?}");
+    }
+    for (kind, table) in &documented {
+        let fields = found.get(kind.as_str()).unwrap_or(&none);
+        for field in table.difference(fields) {
+            let name = format!("{kind}.{field}");
+            assert!(RARE.contains(&name.as_str()), "docs/explain-json.md: nothing prints {name}");
+        }
+    }
+}
+
+/// Law: an explanation says how its pixel was made. Oracle: the arguments.
+#[test]
+fn an_explanation_says_how_its_pixel_was_made() {
+    let arguments = ["--size", "30x20", "--samples", "4", "--seed", "7", "--tracer", "path"];
+    let run = run_in(
+        Path::new("."),
+        &[
+            &["explain", "ch28/glass-sphere", "10", "12", "--json", "--max-depth", "3"],
+            &arguments[..],
+        ]
+        .concat(),
+    );
+    assert_eq!(run.status, Some(0), "{}", run.stderr);
+    let answer: Value = serde_json::from_str(&run.stdout).expect("it is JSON");
+    let expected = serde_json::json!({"scene": "ch28/glass-sphere", "size": [30, 20], "samples": 4, "seed": 7,
+        "tracer": "path", "max_depth": 3, "version": env!("CARGO_PKG_VERSION")});
+    assert_eq!(answer["made"], expected);
+    assert_eq!(answer["pixel"], serde_json::json!([10, 12]));
+}
+
+/// Law: with --columns no line is longer, and the words are the same. Oracle: the text without it.
+#[test]
+fn an_explanation_fits_a_hundred_columns() {
+    let explain = |more: &[&str]| {
+        let run =
+            run_in(Path::new("."), &[&["explain", "ch28/glass-sphere", "200,150"], more].concat());
+        assert_eq!(run.status, Some(0), "{}", run.stderr);
+        run.stdout
+    };
+    let (whole, broken) = (explain(&[]), explain(&["--columns", "100"]));
+    assert!(whole.lines().any(|line| line.chars().count() > 120));
+    for line in broken.lines() {
+        assert!(line.chars().count() <= 100, "{line}");
+    }
+    assert!(whole.split_whitespace().eq(broken.split_whitespace()));
+}
