@@ -20,6 +20,7 @@ mod replicas;
 mod report;
 mod scene;
 mod verify;
+mod witness;
 
 use std::error::Error;
 use std::process::ExitCode;
@@ -46,7 +47,7 @@ enum Command {
     Render(render::Render),
     /// Explain the colour of a pixel: the tree of its rays
     Explain(explain::Explain),
-    /// Write a scene as a scene file
+    /// Write a scene as a scene file, or in the language of another renderer
     Export(export::Export),
     /// Describe a scene in words and numbers, to build it in another renderer
     ///
