@@ -3,7 +3,8 @@
 # gallery that can be said to it is rendered by both and judged (docs/renderers.md). With WORDs, only the scenes that
 # `groundtruth list WORD` lists. Scenes with highlights are rendered without them by both (`--without phong`), because
 # POV-Ray's have no cosine. Prints the table scene × verdict; for each scene that cannot be said, why, if LISTED=1.
-# The exit status is 0 if every picture agrees, 1 if some differ, 77 without POV-Ray.
+# The exit status is 0 if every picture agrees, 1 if some differ, 2 if one
+# could not be rendered, 77 without POV-Ray.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -22,7 +23,7 @@ agree=0 differ=0 refused=0
 
 # 96 columns, and as many rows as the scene's shape needs
 size() {
-    "$PROGRAM" export "$1" 2> /dev/null | awk '/^width = /{ w = $3 } /^height = /{ h = $3 }
+    "$PROGRAM" export "$1" 2> /dev/null | awk '/^width = / && !w { w = $3 } /^height = / && !h { h = $3 }
         END { print "96x" (h * 96 % w == 0 ? h * 96 / w : int(h * 96 / w + 0.5)) }'
 }
 
@@ -40,10 +41,13 @@ for scene in $("$PROGRAM" list "$@" | awk '$1 ~ /^ch[0-9]+\// { print $1 }'); do
     fi
     if "$PROGRAM" verify "$scene" --by pov --size "$(size "$scene")" --replicas 3 "${without[@]}" > "$work/said" 2> "$work/errors"; then
         agree=$((agree + 1))
-    else
+    elif [ $? = 1 ]; then
         differ=$((differ + 1))
+    else
+        cat "$work/errors" >&2
+        exit 2
     fi
-    verdict=$(grep -E '^(agrees|differs|undecided)' "$work/said" || tail -n 1 "$work/errors")
+    verdict=$(grep -E '^(agrees|differs|undecided)' "$work/said")
     apart=$(sed -n 's/^set apart: \([0-9]* pixels\{0,1\}\).*/; \1 set apart/p' "$work/said")
     echo "| $scene | $verdict$apart${without:+; without phong} |"
 done

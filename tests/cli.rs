@@ -11,6 +11,8 @@ mod interrupt;
 mod list;
 #[path = "cli/stereo.rs"]
 mod stereo;
+#[path = "cli/witness.rs"]
+mod witness;
 
 use std::path::Path;
 use std::process::{Command, Stdio};
