@@ -222,7 +222,7 @@ impl Writer<'_> {
         match transform_of("transform", &instance.transform) {
             Ok(map) => {
                 let moves = instance.transform_texture && !at.is_still;
-                let texture = if moves { at.texture.after(&map) } else { at.texture.clone() };
+                let texture = if moves { at.texture.after(&map) } else { at.texture };
                 let (path, map) = (format!("{}.of", at.path), at.map.after(&map));
                 let is_still = !moves;
                 self.shape(&instance.of, &Setting { path, map, texture, is_still, ..at.clone() });
