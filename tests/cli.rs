@@ -20,6 +20,8 @@ mod list;
 mod provenance;
 #[path = "cli/stereo.rs"]
 mod stereo;
+#[path = "cli/witness.rs"]
+mod witness;
 
 use std::path::Path;
 use std::process::{Command, Stdio};

@@ -3,18 +3,34 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 use groundtruth::{film, scene};
+use harness::export::Term;
 
-use super::output;
 use super::scene::SceneArguments;
-use super::{Exit, Outcome, print};
+use super::{Exit, Outcome, output, print, witness};
+
+/// What is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// A scene file
+    Toml,
+    /// The scene language of POV-Ray 3.7
+    Pov,
+}
 
 #[derive(Args)]
 pub struct Export {
     #[command(flatten)]
     scene: SceneArguments,
-    /// The scene file to write; file names in it are relative to its folder. If left out, or -, the scene
+    /// What to write. In another language than ours, all that it cannot say is listed, and nothing is written;
+    /// docs/renderers.md has the table
+    #[arg(long, value_enum, default_value_t = Format::Toml)]
+    format: Format,
+    /// Terms to leave out of the scene: phong (the highlights) or ambient, with commas
+    #[arg(long, value_name = "TERMS", value_delimiter = ',')]
+    without: Vec<Term>,
+    /// The file to write; file names in it are relative to its folder. If left out, or -, the scene
     /// goes to the standard output, with absolute file names
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -29,12 +45,21 @@ impl Export {
             return Err("a scene file keeps no seed; give --seed where it is rendered".into());
         }
         let (mut scene, _) = self.scene.load()?;
+        self.without.iter().for_each(|term| term.remove(&mut scene));
+        if self.format == Format::Pov {
+            let said = witness::said(self.scene.name(), &scene);
+            return said.map_or(Ok(Exit::Unanswered), |text| self.write(&text));
+        }
         if let Some(folder) = self.scene.folder() {
             let folder = self.relative_to_output(folder)?;
             scene = scene.files_from(&folder)?;
         }
-        let text = scene::to_toml(&scene)?;
-        let Some(output) = self.file() else { return print(&text) };
+        self.write(&scene::to_toml(&scene)?)
+    }
+
+    /// Writes the text to the output.
+    fn write(&self, text: &str) -> Outcome {
+        let Some(output) = self.file() else { return print(text) };
         if output.is_dir() {
             return Err(unwritable(output, "it is a folder"));
         }

@@ -24,6 +24,7 @@ mod replicas;
 mod report;
 mod scene;
 mod verify;
+mod witness;
 
 use std::error::Error;
 use std::process::ExitCode;
@@ -54,7 +55,7 @@ enum Command {
     ///
     /// Of a mesh file it prints a whole scene to begin with: `groundtruth bounds bunny.ply > bunny.toml`.
     Bounds(bounds::Bounds),
-    /// Write a scene as a scene file
+    /// Write a scene as a scene file, or in the language of another renderer
     Export(export::Export),
     /// Describe a scene in words and numbers, to build it in another renderer
     ///

@@ -11,6 +11,7 @@ use groundtruth::render::Canvas;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use harness::compare::{Picture, Transfer};
+use harness::export::Term;
 use harness::sums::Part;
 use harness::verdict::{
     self, Answer, Case, Decision, Judged, Reference, Region, Strictness, Verdict,
@@ -19,6 +20,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::numbers::whole;
 use super::scene::SceneArguments;
+use super::witness::{By, Witnessed};
 use super::{Exit, Outcome, mistakes, output, replicas};
 
 #[derive(Args)]
@@ -27,8 +29,18 @@ pub struct Verify {
     scene: Option<SceneArguments>,
     /// The picture to be judged: PNG, JPEG, PPM, HDR, EXR or PFM; - is the standard input. Several are pictures of one program with other
     /// seeds
-    #[arg(value_name = "IMAGE", required_unless_present = "scenes")]
+    #[arg(value_name = "IMAGE", required_unless_present_any = ["scenes", "by"], conflicts_with = "by")]
     images: Vec<PathBuf>,
+    /// Let another renderer render the scene, and judge its picture: one ray through the centre of each pixel on both
+    /// sides. docs/renderers.md says which scenes it can render
+    #[arg(long, value_enum, value_name = "RENDERER", conflicts_with_all = ["their_samples", "samples", "encoding", "reference"])]
+    by: Option<By>,
+    /// The program of that renderer; by default it is looked for on the path
+    #[arg(long, value_name = "FILE", requires = "by")]
+    program: Option<PathBuf>,
+    /// Terms that both sides leave out: phong (the highlights) or ambient, with commas
+    #[arg(long, value_name = "TERMS", value_delimiter = ',', requires = "by")]
+    without: Vec<Term>,
     /// The samples per pixel of their picture: ours take as many
     #[arg(long, value_name = "N", value_parser = super::scene::samples(), conflicts_with = "samples")]
     their_samples: Option<u32>,
@@ -85,9 +97,13 @@ impl Verify {
             return mistakes::of_chapter_named(chapter);
         }
         let arguments = self.scene.as_ref().expect("only --scenes goes without a scene");
-        let pictures = self.pictures()?;
-        let size = pictures[0].size;
-        let (scene, mut world) = arguments.load_fitted(size, self.their_samples)?;
+        let rendered = match self.by {
+            Some(by) => by.render(arguments, self.program.clone(), &self.without)?,
+            None => Some(self.given(arguments)?),
+        };
+        let Some(Witnessed { scene, mut world, pictures, words: witness }) = rendered else {
+            return Ok(Exit::Unanswered);
+        };
         let tone = (scene.image.gamma, scene.image.out_of_gamut);
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
         let reference = self.reference(arguments, (&scene, &world), &pictures)?;
@@ -105,7 +121,7 @@ impl Verify {
             is_interrupted: &|| interrupted.load(Ordering::Relaxed),
             so_far: &|judged| bar.set_message(so_far(judged)),
             strictness,
-            transfer: self.encoding,
+            transfer: self.by.map(|_| Transfer::Linear).or(self.encoding),
             tone,
             seed,
             reference: reference.as_ref(),
@@ -125,9 +141,9 @@ impl Verify {
         }
         // of a stereo pair: that of each eye's image
         let size = [scene.image.width, scene.image.height];
-        let words = verdict.to_string() + &advice(arguments.name(), &verdict, size);
+        let words = witness + &verdict.to_string() + &advice(arguments.name(), &verdict, size);
         if let Some(file) = &self.output {
-            let name = format!("{} and {}", self.images[0].display(), arguments.name());
+            let name = format!("{} and {}", self.name(), arguments.name());
             let html = verdict::page(&verdict, &name, &words);
             output::write(file, html.as_bytes())?;
         }
@@ -170,6 +186,19 @@ impl Verify {
         let scene = replicas::header(arguments, scene, world)?;
         let problem = |problem| format!("{}: {problem}", file.display());
         Ok(Some(Reference::new(&sums, &scene).map_err(problem)?))
+    }
+
+    /// The pictures that were given, and the scene at their size.
+    fn given(&self, arguments: &SceneArguments) -> Result<Witnessed, Box<dyn Error>> {
+        let pictures = self.pictures()?;
+        let (scene, world) = arguments.load_fitted(pictures[0].size, self.their_samples)?;
+        Ok(Witnessed { scene, world, pictures, words: String::new() })
+    }
+
+    /// What a page calls the judged picture.
+    fn name(&self) -> String {
+        let image = self.images.first().map(|image| image.display().to_string());
+        image.unwrap_or_else(|| "another renderer".to_owned())
     }
 
     /// The pictures, all of one size and without values that are no numbers.

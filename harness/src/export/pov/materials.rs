@@ -1,0 +1,163 @@
+//! The materials: a texture for each side of a surface.
+
+use groundtruth::materials::{Emissive, Kind, Matte, Phong, Reflective};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Material, Tracer};
+use groundtruth::textures::{Amount, Paint};
+
+use super::Writer;
+use super::text::{number, rgb};
+use crate::export::{How, item, kinds};
+
+/// What one side of a surface does.
+#[derive(Clone)]
+struct Side {
+    /// The words of the pigment.
+    pigment: String,
+    ka: f64,
+    kd: f64,
+    mirror: Rgb,
+    /// `ls`, of a colour that shines.
+    emission: f64,
+}
+
+impl Side {
+    /// POV-Ray adds pigment · ambient · ambient_light + pigment · diffuse · Σ colour · cosθ + reflection · L + pigment ·
+    /// emission. We add ka · cd · Σ ls · color + kd · cd / π · Σ ls · color · cosθ + kr · cr · L + ls · ce: without the
+    /// 1/π, POV-Ray's `diffuse` is kd/π.
+    fn texture(&self) -> String {
+        let mut finish = format!("ambient {} diffuse {}/pi", number(self.ka), number(self.kd));
+        if !self.mirror.is_black() {
+            finish += &format!(" reflection {{ rgb {} }}", rgb(self.mirror));
+        }
+        if self.emission > 0.0 {
+            finish += &format!(" emission exposure*{}", number(self.emission));
+        }
+        format!("texture {{ pigment {{ {} }} finish {{ {finish} }} }}", self.pigment)
+    }
+
+    /// The back of a one-sided surface: ambient light and mirrors know no sides, all else is black.
+    fn back(&self) -> Self {
+        let shines = self.emission > 0.0;
+        let pigment = if shines { plain(Rgb::BLACK) } else { self.pigment.clone() };
+        Self { pigment, kd: 0.0, emission: 0.0, ..*self }
+    }
+}
+
+impl Writer<'_> {
+    /// Declares `front_N` and `back_N` of these materials.
+    pub(super) fn materials(&mut self, used: &[usize]) {
+        for &index in used {
+            let material = &self.scene.materials[index];
+            let path = item("materials", index, &material.name);
+            if material.bump.is_some() {
+                self.refuse(format!("{path}: bump"), "no counterpart");
+            }
+            let Some(front) = self.side(&path, material) else { continue };
+            let back = if material.two_sided { front.clone() } else { front.back() };
+            self.line(&format!("#declare front_{index} = {}", front.texture()));
+            self.line(&format!("#declare back_{index} = {}", back.texture()));
+        }
+    }
+
+    /// What the front does; `None` if it cannot be said.
+    fn side(&mut self, path: &str, material: &Material) -> Option<Side> {
+        let path = format!("{path}: recipe.{}", kinds::tag(&material.recipe));
+        match &material.recipe {
+            Kind::Matte(matte) => self.matte(&path, matte),
+            Kind::Phong(phong) => self.phong(&path, phong),
+            Kind::Reflective(it) => self.reflective(&path, it),
+            Kind::Emissive(it) => self.emissive(&path, it),
+            _ => {
+                self.refuse(path, "no counterpart");
+                None
+            }
+        }
+    }
+
+    fn matte(&mut self, path: &str, Matte { ka, kd, cd }: &Matte) -> Option<Side> {
+        let ka = self.amount(&format!("{path}.ka"), ka);
+        let kd = self.amount(&format!("{path}.kd"), kd);
+        let pigment = self.pigment(&format!("{path}.cd"), cd);
+        Some(Side { pigment: pigment?, ka: ka?, kd: kd?, mirror: Rgb::BLACK, emission: 0.0 })
+    }
+
+    /// The highlight is refused: POV-Ray's `phong` adds ks · (r·ωo)^e · colour, ours the same times cosθ.
+    fn phong(&mut self, path: &str, phong: &Phong) -> Option<Side> {
+        let Phong { ka, kd, cd, ks, .. } = phong;
+        let ks = self.amount(&format!("{path}.ks"), ks);
+        if ks.is_some_and(|ks| ks > 0.0) {
+            let problem = "the highlight of POV-Ray is not multiplied by the cosine of the angle of incidence";
+            self.refuse(format!("{path}.ks"), problem);
+        }
+        self.matte(path, &Matte { ka: ka.clone(), kd: kd.clone(), cd: cd.clone() })
+    }
+
+    /// The mirror image is seen by `whitted` only.
+    fn reflective(&mut self, path: &str, it: &Reflective) -> Option<Side> {
+        let side = self.phong(&format!("{path}.phong"), &it.phong);
+        let kr = self.amount(&format!("{path}.kr"), &it.kr);
+        let cr = self.paint(&format!("{path}.cr"), &it.cr);
+        let mirror = match self.scene.tracer {
+            Tracer::RayCast => Rgb::BLACK,
+            _ => kr? * cr?,
+        };
+        Some(Side { mirror, ..side? })
+    }
+
+    fn emissive(&mut self, path: &str, it: &Emissive) -> Option<Side> {
+        if it.matte.is_some() {
+            self.refuse(format!("{path}.matte"), "a surface that shines has one colour there");
+        }
+        let ls = self.amount(&format!("{path}.ls"), &it.ls);
+        let pigment = self.pigment(&format!("{path}.ce"), &it.ce);
+        Some(Side { pigment: pigment?, ka: 0.0, kd: 0.0, mirror: Rgb::BLACK, emission: ls? })
+    }
+
+    fn amount(&mut self, path: &str, amount: &Amount) -> Option<f64> {
+        match amount {
+            Amount::Plain(value) => Some(*value),
+            Amount::Textured(kind) => {
+                self.refuse(format!("{path}.{}", kinds::tag(kind)), "a texture");
+                None
+            }
+        }
+    }
+
+    /// The words of a pigment.
+    fn pigment(&mut self, path: &str, paint: &Paint) -> Option<String> {
+        match paint {
+            Paint::Textured(kind) if kinds::pov_texture(kind).0 != How::None => {
+                self.texture(&format!("{path}.{}", kinds::tag(kind)), kind)
+            }
+            paint => self.paint(path, paint).map(plain),
+        }
+    }
+
+    pub(super) fn paint(&mut self, path: &str, paint: &Paint) -> Option<Rgb> {
+        match paint {
+            Paint::Plain(color) => Some(*color),
+            Paint::Textured(kind) => {
+                self.refuse(format!("{path}.{}", kinds::tag(kind)), "a texture");
+                None
+            }
+        }
+    }
+}
+
+/// The words of a pigment of one colour.
+fn plain(color: Rgb) -> String {
+    format!("rgb {}", rgb(color))
+}
+
+/// Whether the surface of a material looks different in different places.
+pub fn is_patterned(material: &Material) -> bool {
+    let cd = match &material.recipe {
+        Kind::Matte(it) => &it.cd,
+        Kind::Phong(it) => &it.cd,
+        Kind::Reflective(it) => &it.phong.cd,
+        Kind::Emissive(it) => &it.ce,
+        _ => return false,
+    };
+    matches!(cd, Paint::Textured(_))
+}

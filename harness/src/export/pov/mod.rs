@@ -1,0 +1,126 @@
+//! The scene language of POV-Ray 3.7.
+//!
+//! Its formulas are read from its documentation ("Scene Description Language") and from its source, `trace.cpp` of
+//! version 3.7; each factor is derived where it is written. Points, vectors and colours are written as they are: a
+//! scene language is left-handed or right-handed only where it turns something itself, and nothing here is turned
+//! there. Camera axes and matrices are given in full.
+
+mod camera;
+mod lights;
+mod materials;
+mod render;
+mod shapes;
+mod text;
+mod textures;
+
+pub use render::{Program, Rendering};
+
+use groundtruth::background::Background;
+use groundtruth::printable;
+use groundtruth::scene::{Intersect, Scene, Tracer};
+
+use super::Unsayable;
+use text::rgb;
+
+/// A scene being written.
+struct Writer<'a> {
+    scene: &'a Scene,
+    text: String,
+    /// The indices of materials that objects have, in the order of their first use.
+    materials: Vec<usize>,
+    unsayable: Vec<Unsayable>,
+}
+
+/// The scene as the text of a `.pov` file; `name` goes into its first line.
+///
+/// # Errors
+/// All that cannot be said.
+pub fn write(name: &str, scene: &Scene) -> Result<String, Vec<Unsayable>> {
+    let writer =
+        |text: String| Writer { scene, text, materials: Vec::new(), unsayable: Vec::new() };
+    let mut head = writer(String::new());
+    head.refuse_settings();
+    head.header(name);
+    head.globals();
+    head.camera();
+    head.lights();
+    // objects first: they say which materials are declared
+    let mut objects = writer(String::new());
+    objects.objects();
+    head.materials(&objects.materials);
+    head.unsayable.append(&mut objects.unsayable);
+    match head.unsayable.is_empty() {
+        true => Ok(head.text + &objects.text),
+        false => Err(head.unsayable),
+    }
+}
+
+impl Writer<'_> {
+    fn refuse(&mut self, path: impl Into<String>, problem: impl Into<String>) {
+        self.unsayable.push(Unsayable { path: path.into(), problem: problem.into() });
+    }
+
+    fn line(&mut self, line: &str) {
+        self.text += line;
+        self.text.push('\n');
+    }
+
+    /// What holds for the whole scene and has no counterpart.
+    fn refuse_settings(&mut self) {
+        if !matches!(self.scene.tracer, Tracer::RayCast | Tracer::Whitted(_)) {
+            let problem = "a path tracer; POV-Ray adds up direct light and mirror images, as ray_cast and whitted do";
+            self.refuse("tracer", problem);
+        }
+        let objects = self.scene.objects.iter().filter(|object| object.enabled);
+        let intersect = |it: Option<Intersect>| it.unwrap_or(self.scene.intersect);
+        if objects.into_iter().any(|it| intersect(it.intersect) == Intersect::Textbook) {
+            let problem =
+                "the errors of the book's routines are not those of POV-Ray's; write robust";
+            self.refuse("intersect", problem);
+        }
+        if let Background::Pattern(_) = self.scene.background {
+            self.refuse("background", "a pattern; only a colour can be said");
+        }
+    }
+
+    fn header(&mut self, name: &str) {
+        let image = &self.scene.image;
+        self.line(&format!("// {}: {}", printable::text(name), printable::text(&self.scene.about)));
+        self.line("// Linear radiance, one ray through the centre of each pixel:");
+        self.line(&format!(
+            "//   povray +Ithis.pov +Othis.png +W{} +H{} -A -D +FN16 File_Gamma=1.0",
+            image.width, image.height
+        ));
+        self.line("#version 3.7;");
+    }
+
+    /// What holds for the whole picture.
+    ///
+    /// - `exposure` multiplies every source of light, hence every pixel: all that POV-Ray computes here is linear in
+    ///   them.
+    /// - `ambient_light`: POV-Ray adds pigment · ambient · ambient_light to a surface, we ρa · Σ ls · color with
+    ///   ρa = ka · cd. So it is the sum of the ambient lights, and `ambient` is ka.
+    /// - `max_trace_level`: POV-Ray stops where the number of edges before a ray is at least this number, we where it is
+    ///   above `max_depth`: one more.
+    /// - `adc_bailout 0`: no ray is left out because its weight is small.
+    fn globals(&mut self) {
+        let ambient = lights::ambient(self.scene);
+        let depth = match self.scene.tracer {
+            Tracer::Whitted(whitted) => whitted.max_depth,
+            _ => 0,
+        };
+        self.line(&format!(
+            "#declare exposure = {};",
+            text::number(self.scene.camera.exposure_time)
+        ));
+        self.line("global_settings {");
+        self.line("  assumed_gamma 1");
+        self.line(&format!("  ambient_light rgb exposure*{}", rgb(ambient)));
+        self.line(&format!("  max_trace_level {}", depth + 1));
+        self.line("  adc_bailout 0");
+        self.line("}");
+        if let Background::Color(color) = self.scene.background {
+            self.line(&format!("background {{ rgb exposure*{} }}", rgb(color)));
+        }
+    }
+}

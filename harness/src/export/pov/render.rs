@@ -1,0 +1,85 @@
+//! POV-Ray itself, as a program that renders a scene.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+use groundtruth::film::Film;
+
+/// The program.
+#[derive(Clone, Debug)]
+pub struct Program {
+    file: PathBuf,
+}
+
+/// A picture of it, and what it wrote besides.
+#[derive(Debug)]
+pub struct Rendering {
+    /// The file of the picture, linear, with 16 bits a channel.
+    pub picture: PathBuf,
+}
+
+/// What its picture holds between 0 and 1 is brightened or darkened so that our brightest value is between these two:
+/// nothing is clipped, not even if theirs is twice as bright, and most of the 65536 steps are used.
+const BRIGHTEST: f64 = 0.5;
+
+/// The last lines of its messages that a failure quotes.
+const QUOTED: usize = 12;
+
+impl Program {
+    /// The program of this file, or `povray` on the path.
+    ///
+    /// # Errors
+    /// There is none.
+    pub fn find(given: Option<PathBuf>) -> Result<Self, String> {
+        super::super::program("povray", given, "povray").map(|file| Self { file })
+    }
+
+    /// The power of two by which to multiply every pixel of a picture like ours.
+    pub fn exposure(ours: &Film) -> f64 {
+        let brightest = ours.pixels().iter().map(|color| color.max()).fold(0.0, f64::max);
+        let mut exposure = 1.0;
+        if brightest > 0.0 && brightest.is_finite() {
+            while exposure * brightest > BRIGHTEST {
+                exposure /= 2.0;
+            }
+            while exposure * brightest <= 0.5 * BRIGHTEST {
+                exposure *= 2.0;
+            }
+        }
+        exposure
+    }
+
+    /// The version, as it says it.
+    pub fn version(&self) -> Option<String> {
+        let said = Command::new(&self.file).arg("--version").stdin(Stdio::null()).output().ok()?;
+        let text = String::from_utf8_lossy(&said.stderr).into_owned()
+            + &String::from_utf8_lossy(&said.stdout);
+        text.lines().find(|line| line.starts_with("POV-Ray")).map(|line| line.trim().to_owned())
+    }
+
+    /// Renders the text of a scene in a folder: it writes in its working folder only.
+    ///
+    /// One ray through the centre of each pixel (`-A`: no more where neighbours differ), linear values (`File_Gamma=1`)
+    /// of 16 bits (`+FN16`).
+    ///
+    /// # Errors
+    /// It cannot be started, or fails.
+    pub fn render(&self, text: &str, size: [u32; 2], folder: &Path) -> Result<Rendering, String> {
+        let problem = |what: &str| format!("{}: {what}", self.file.display());
+        std::fs::write(folder.join("scene.pov"), text).map_err(|e| problem(&e.to_string()))?;
+        let [width, height] = size;
+        let mut command = Command::new(&self.file);
+        command.current_dir(folder).stdin(Stdio::null());
+        command.args(["+Iscene.pov", "+Oscene.png", "-A", "-D", "+FN16", "File_Gamma=1.0"]);
+        command.args([format!("+W{width}"), format!("+H{height}")]);
+        let run = command.output().map_err(|e| problem(&format!("cannot be started: {e}")))?;
+        let picture = folder.join("scene.png");
+        if run.status.success() && picture.is_file() {
+            return Ok(Rendering { picture });
+        }
+        let messages = String::from_utf8_lossy(&run.stderr).into_owned();
+        let lines: Vec<&str> = messages.lines().filter(|line| !line.trim().is_empty()).collect();
+        let last = lines[lines.len().saturating_sub(QUOTED)..].join("\n  ");
+        Err(problem(&format!("no picture ({}):\n  {last}", run.status)))
+    }
+}
