@@ -15,6 +15,7 @@ mod html;
 pub mod mistakes;
 mod pixel;
 pub mod probe;
+mod provenance;
 pub mod reference;
 pub mod report;
 mod shell;
@@ -23,3 +24,4 @@ pub mod verdict;
 pub mod verify;
 
 pub use pixel::parse_pixel;
+pub use provenance::provenance;

@@ -100,13 +100,29 @@ fn encoded(film: &Film, tone: &Tone, format: Format) -> std::io::Result<Vec<u8>>
 }
 
 /// Writes a picture: `.png` and `.ppm` as shown by `tone`, `.exr` and `.pfm` as linear radiance in
-/// single precision, without a word about how it was made. It is written to a temporary file in the same folder and then renamed, so never
-/// partly.
+/// single precision, without a word about how it was made. It is written to a temporary file in the same folder and then
+/// renamed, so never partly.
 ///
 /// # Errors
 /// [`ImageError::Format`] and [`ImageError::Unwritable`].
 pub fn write(film: &Film, tone: &Tone, path: &Path) -> Result<(), ImageError> {
-    let bytes = encoded(film, tone, Format::of(path)?);
+    written(path, encoded(film, tone, Format::of(path)?))
+}
+
+/// As [`write()`]; PNG and EXR files say how the picture was made.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_made(
+    film: &Film,
+    tone: &Tone,
+    path: &Path,
+    made: &Provenance,
+) -> Result<(), ImageError> {
+    written(path, encode(film, tone, Format::of(path)?, made))
+}
+
+fn written(path: &Path, bytes: std::io::Result<Vec<u8>>) -> Result<(), ImageError> {
     let unwritable = |source| ImageError::Unwritable { path: path.to_owned(), source };
     replace(path, &bytes.map_err(unwritable)?).map_err(unwritable)
 }

@@ -8,11 +8,10 @@ use std::str::FromStr;
 use clap::{Args, Parser};
 use groundtruth::film::{self, Provenance};
 use groundtruth::gallery;
-use groundtruth::printable;
 use groundtruth::render::Crop;
 use groundtruth::scene::{self, Scene, SceneError, Source, Tracer};
 use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES, World};
-use harness::{compare, sums};
+use harness::compare;
 
 use super::numbers::whole;
 
@@ -117,39 +116,9 @@ impl SceneArguments {
 
     /// How a picture of this scene, as [`Self::load`] gave it, is made.
     pub fn provenance(&self, scene: &Scene, world: &World) -> Result<Provenance, Box<dyn Error>> {
-        let mut tracer = scene.tracer;
-        Ok(Provenance {
-            scene: printable::text(&self.name_by_content(scene, world)?),
-            size: [scene.image.width, scene.image.height],
-            samples: world.samples_per_pixel(),
-            seed: self.seed,
-            tracer: tracer.name().to_owned(),
-            max_depth: tracer.max_depth().copied(),
-            part: None,
-            version: Provenance::VERSION,
-        })
-    }
-
-    /// A name that follows from what the scene is, not from where it is: equal pictures are equal files.
-    fn name_by_content(&self, scene: &Scene, world: &World) -> Result<String, Box<dyn Error>> {
-        if let Some(entry) = gallery::find(&self.scene) {
-            return Ok(entry.name.to_owned());
-        }
-        let text = scene::to_toml(scene)?;
-        let is_it = |entry: &gallery::Entry| {
-            let mut other = (entry.build)();
-            other.about == scene.about
-                && self.change(&mut other).is_ok()
-                && scene::to_toml(&other).is_ok_and(|other| other == text)
-        };
-        if let Some(exported) = gallery::scenes().find(is_it) {
-            return Ok(exported.name.to_owned());
-        }
-        if !scene.about.is_empty() {
-            return Ok(scene.about.clone());
-        }
-        let digest = sums::scene_digest(scene, world, self.folder().unwrap_or(Path::new("")))?;
-        Ok(format!("sha256:{}", &digest[..16]))
+        let folder = self.folder().unwrap_or(Path::new(""));
+        // these arguments change nothing by which a scene is not known
+        harness::provenance((gallery::find(&self.scene), scene), (scene, world), folder)
     }
 
     /// Changes a scene as the arguments say.

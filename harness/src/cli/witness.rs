@@ -56,8 +56,8 @@ impl By {
         let Some(text) = said(arguments.name(), &scene) else { return Ok(None) };
         let (world, size) = (build(&scene)?, [scene.image.width, scene.image.height]);
         let temporary = tempfile::tempdir()?;
-        let rendering = program.render(&text, size, temporary.path())?;
-        let picture = Picture::read(&rendering.picture, Transfer::Linear)?;
+        let file = program.render(&text, size, temporary.path())?;
+        let picture = Picture::read(&file, Transfer::Linear)?;
         let version = program.version().unwrap_or_else(|| "POV-Ray".to_owned());
         let [width, height] = size;
         let words = format!(

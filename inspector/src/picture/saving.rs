@@ -1,9 +1,11 @@
 //! Saving the picture: on a separate thread, and asking before a file is replaced.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use eframe::egui::{Context, Event, Id, Key, Modal};
 use groundtruth::film;
+use harness::provenance;
 
 use crate::picture::display::Picture;
 use crate::picture::worker::{Background, Rendering};
@@ -28,8 +30,12 @@ impl Saving {
 
     fn write(&mut self, ctx: &Context, rendering: &Rendering, picture: &Picture, to: PathBuf) {
         let (canvas, tone) = (rendering.canvas.clone(), picture.tone);
+        let (source, read) = (rendering.source.clone(), rendering.read.clone());
+        let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
         self.working.start(ctx, move || {
-            let written = film::write(&canvas.film(), &tone, &to);
+            let made = provenance((source.entry(), &read), (&scene, &world), source.folder());
+            let made = made.map_err(|error| error.to_string())?;
+            let written = film::write_made(&canvas.film(), &tone, &to, &made);
             // with its folder, which a relative name hides
             let whole = std::path::absolute(&to).unwrap_or(to);
             written.map(|()| whole).map_err(|error| error.to_string())

@@ -41,6 +41,14 @@ impl Source {
         }
     }
 
+    /// The scene of the gallery.
+    pub fn entry(&self) -> Option<gallery::Entry> {
+        match self {
+            Self::Gallery(entry) => Some(*entry),
+            Self::File(_) => None,
+        }
+    }
+
     /// The files that a scene names are relative to this folder.
     pub fn folder(&self) -> &Path {
         match self {

@@ -152,6 +152,28 @@ fn the_picture_is_saved_and_errors_are_shown() {
     assert!(!path.exists());
 }
 
+/// Law: a saved picture names its scene, and one in which a light was switched off is no longer that of the gallery.
+/// Oracle: the file's text.
+#[test]
+fn a_saved_picture_says_how_it_was_made() {
+    let mut window = glass_window();
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let saved = |window: &mut Window, name: &str| {
+        let path = folder.path().join(name);
+        type_into(window, "Picture", &path.display().to_string());
+        String::from_utf8_lossy(&std::fs::read(&path).expect("it is saved")).into_owned()
+    };
+    let usual = saved(&mut window, "usual.png");
+    let [width, height] = window.state().rendering.size();
+    for text in ["Scene\0ch28/glass-sphere", &format!("Size\0{width}x{height}"), "Samples\0"] {
+        assert!(usual.contains(text), "{text:?}");
+    }
+    window.get_by_label("high lamp").click();
+    settle(&mut window);
+    let dark = saved(&mut window, "dark.png");
+    assert!(!dark.contains("ch28/glass-sphere") && dark.contains("Scene\0sha256:"));
+}
+
 /// Law: a file that is chosen in the desktop's chooser is opened, or the picture is saved there, and its field names it;
 /// a chooser that is closed without a choice changes nothing. Oracle: the library's scene and picture.
 #[test]

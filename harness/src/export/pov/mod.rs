@@ -13,7 +13,7 @@ mod shapes;
 mod text;
 mod textures;
 
-pub use render::{Program, Rendering};
+pub use render::Program;
 
 use groundtruth::background::Background;
 use groundtruth::printable;

@@ -11,13 +11,6 @@ pub struct Program {
     file: PathBuf,
 }
 
-/// A picture of it, and what it wrote besides.
-#[derive(Debug)]
-pub struct Rendering {
-    /// The file of the picture, linear, with 16 bits a channel.
-    pub picture: PathBuf,
-}
-
 /// What its picture holds between 0 and 1 is brightened or darkened so that our brightest value is between these two:
 /// nothing is clipped, not even if theirs is twice as bright, and most of the 65536 steps are used.
 const BRIGHTEST: f64 = 0.5;
@@ -57,14 +50,14 @@ impl Program {
         text.lines().find(|line| line.starts_with("POV-Ray")).map(|line| line.trim().to_owned())
     }
 
-    /// Renders the text of a scene in a folder: it writes in its working folder only.
+    /// Renders the text of a scene in a folder, where it writes the picture: it writes in its working folder only.
     ///
     /// One ray through the centre of each pixel (`-A`: no more where neighbours differ), linear values (`File_Gamma=1`)
     /// of 16 bits (`+FN16`).
     ///
     /// # Errors
     /// It cannot be started, or fails.
-    pub fn render(&self, text: &str, size: [u32; 2], folder: &Path) -> Result<Rendering, String> {
+    pub fn render(&self, text: &str, size: [u32; 2], folder: &Path) -> Result<PathBuf, String> {
         let problem = |what: &str| format!("{}: {what}", self.file.display());
         std::fs::write(folder.join("scene.pov"), text).map_err(|e| problem(&e.to_string()))?;
         let [width, height] = size;
@@ -75,7 +68,7 @@ impl Program {
         let run = command.output().map_err(|e| problem(&format!("cannot be started: {e}")))?;
         let picture = folder.join("scene.png");
         if run.status.success() && picture.is_file() {
-            return Ok(Rendering { picture });
+            return Ok(picture);
         }
         let messages = String::from_utf8_lossy(&run.stderr).into_owned();
         let lines: Vec<&str> = messages.lines().filter(|line| !line.trim().is_empty()).collect();
