@@ -67,7 +67,7 @@ fn help_is_given_and_arguments_are_checked() {
     assert!(String::from_utf8_lossy(&help.stdout).contains("ch28/glass-sphere"));
     let output = inspector(&["--pixel", "left"]);
     assert_eq!(output.status.code(), Some(2));
-    assert!(String::from_utf8_lossy(&output.stderr).contains("written as 200,150"));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("write column and row as 200,150"));
 }
 
 /// Law: arguments that do not fit the scene are refused before a window opens, with the messages of

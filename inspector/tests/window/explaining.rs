@@ -95,7 +95,7 @@ fn typed_coordinates_select_a_pixel() {
     let error = "pixel (48, 3) is outside the picture of 48 × 48";
     assert!(window.query_by_label(error).is_some());
     type_into(&mut window, "Pixel", "left");
-    let error = "`left` is no pixel; column and row are written as 200,150";
+    let error = "`left` is no pixel; write column and row as 200,150";
     assert!(window.query_by_label(error).is_some());
     assert_eq!(window.state().selection.pixel, Some([30, 44]));
 }
