@@ -109,7 +109,8 @@ fn a_sphere_gives_its_closed_form_however_it_is_sampled() {
             let values = seen(&scene, SAMPLES, Point::ORIGIN, n);
             let share = sphere_share(distance / radius, angle);
             let what = format!("{sampling:?}: radius {radius}, distance {distance}, angle {angle}");
-            assert_color(&what, &values, lit(share), 12, 4.0 * POWER);
+            // samples by area that are near vary most
+            assert_color(&what, &values, lit(share), 12, 6.0 * POWER);
         }
     }
 }
