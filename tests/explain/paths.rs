@@ -195,7 +195,8 @@ fn near(found: f64, expected: f64) -> bool {
 fn the_weight_of_a_bounce_is_its_factors() {
     let (kd, ks) = (0.5, 0.3);
     let (mut by, mut ended) = ([0, 0], 0);
-    for root in &paths(&room(kd, ks, 256)) {
+    // few paths come as deep as roulette
+    for root in &paths(&room(kd, ks, 1024)) {
         for (hit, term, ray) in bounces(root) {
             let TermSource::Traced { lobe, pdf, lobe_probability: chance, survival } = &term.source
             else {
@@ -218,8 +219,7 @@ fn the_weight_of_a_bounce_is_its_factors() {
             ended += usize::from(*survival < 1.0);
         }
     }
-    // few paths come that deep
-    assert!(by.iter().all(|&count| count > 50) && ended > 2, "{by:?}, {ended}");
+    assert!(by.iter().all(|&count| count > 50) && ended > 20, "{by:?}, {ended}");
 }
 
 /// Law: emission met by a lobe's ray has the MIS weight `p²/(p² + q²)`, a light sample `q²/(p² + q²)`: `p` is

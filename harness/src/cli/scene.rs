@@ -117,7 +117,7 @@ impl SceneArguments {
     /// How a picture of this scene, as [`Self::load`] gave it, is made.
     pub fn provenance(&self, scene: &Scene, world: &World) -> Result<Provenance, Box<dyn Error>> {
         let folder = self.folder().unwrap_or(Path::new(""));
-        // these arguments change nothing by which a scene is not known
+        // what the arguments change (size, samples, tracer) does not decide the name: this is the scene as it was read
         harness::provenance((gallery::find(&self.scene), scene), (scene, world), folder)
     }
 

@@ -27,8 +27,8 @@ use super::{Exit, Outcome, mistakes, output, replicas};
 pub struct Verify {
     #[command(flatten)]
     scene: Option<SceneArguments>,
-    /// The picture to be judged: PNG, JPEG, PPM, HDR, EXR or PFM; - is the standard input. Several are pictures of one program with other
-    /// seeds
+    /// The picture to be judged: PNG, JPEG, PPM, HDR, EXR or PFM; - is the standard input. Several are pictures of one
+    /// program with other seeds
     #[arg(value_name = "IMAGE", required_unless_present_any = ["scenes", "by"], conflicts_with = "by")]
     images: Vec<PathBuf>,
     /// Let another renderer render the scene, and judge its picture: one ray through the centre of each pixel on both

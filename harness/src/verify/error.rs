@@ -42,7 +42,7 @@ pub enum GoldenError {
         /// Why.
         source: Box<SceneError>,
     },
-    /// Neither a scene of the gallery nor a scene file has this name.
+    /// There is no scene of the gallery and no scene file of this name.
     #[error(
         "no golden `{0}` can be made: the gallery has no such scene (`groundtruth list`), and a scene file ends in .toml"
     )]

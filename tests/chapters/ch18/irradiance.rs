@@ -106,11 +106,11 @@ fn a_sphere_gives_its_closed_form_however_it_is_sampled() {
             let mut scene = floor(n);
             let center = Point::ORIGIN + distance * at_angle(n, cos(angle), 1.0);
             hang(&mut scene, ball(center, radius), Some(sampling));
-            let values = seen(&scene, SAMPLES, Point::ORIGIN, n);
+            // near a lamp, samples by area vary most
+            let values = seen(&scene, 2 * SAMPLES, Point::ORIGIN, n);
             let share = sphere_share(distance / radius, angle);
             let what = format!("{sampling:?}: radius {radius}, distance {distance}, angle {angle}");
-            // samples by area that are near vary most
-            assert_color(&what, &values, lit(share), 12, 6.0 * POWER);
+            assert_color(&what, &values, lit(share), 12, 4.0 * POWER);
         }
     }
 }
