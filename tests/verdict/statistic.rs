@@ -4,8 +4,8 @@ use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::Pcg32;
 use harness::compare::{Picture, Transfer};
 use harness::verdict::{
-    Area, Areas, Bright, Evidence, Judged, Level, Map, Mean, Pool, Ranking, Stored, Strictness,
-    Subject, factors, terms,
+    Area, Areas, Bright, Evidence, Factor, Judged, Level, Map, Mean, Pool, Ranking, Stored,
+    Strictness, Subject, TermFilm, factors, terms,
 };
 use harness::verify::chi_square;
 
@@ -157,7 +157,7 @@ fn terms_add_up_to_the_picture() {
                         [0, 1, 2].map(|channel| sum[channel] + color[channel])
                     })
                 };
-                let of_terms = sum(&mut terms.iter().map(|(_, film)| film));
+                let of_terms = sum(&mut terms.iter().map(|term| &term.film));
                 let of_ours = sum(&mut ours.iter()).map(|value| 0.5 * value);
                 for (a, b) in of_terms.into_iter().zip(of_ours) {
                     assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{name}: {a}, not {b}");
@@ -167,27 +167,35 @@ fn terms_add_up_to_the_picture() {
     }
 }
 
-/// Law: a picture that holds other multiples of some terms has these as its factors, within four standard deviations, and
-/// their errors are small. Oracle: the multiples that were made.
-#[test]
-fn factors_of_terms_are_found() {
-    let mut world = world(&scene("ch18/rectangle", [48, 48], 16), 1);
+/// The factors of a picture that is made of the terms of a scene, each this many times; `made` is of the term.
+fn factors_of(
+    name: &str,
+    [side, samples]: [u32; 2],
+    made: impl Fn(&TermFilm) -> f64,
+) -> Vec<Factor> {
+    let mut world = world(&scene(name, [side; 2], samples), 1);
     let areas = Areas::of(&world);
-    let known: Vec<Vec<f32>> =
+    let mut known: Vec<Vec<f32>> =
         films(&mut world, 1..17).iter().map(|it| FLOATS.values(it)).collect();
-    let made = |name: &str| if name.contains(" on ") { std::f64::consts::FRAC_1_PI } else { 1.0 };
-    let mut theirs = vec![0.0_f32; 3 * 48 * 48];
-    for (name, film) in terms(&mut world, 300..301) {
-        for (sum, value) in theirs.iter_mut().zip(FLOATS.values(&film)) {
-            *sum += value * made(&name) as f32;
+    let mut theirs = vec![0.0_f32; 3 * (side * side) as usize];
+    for term in terms(&mut world, 300..301) {
+        for (sum, value) in theirs.iter_mut().zip(FLOATS.values(&term.film)) {
+            *sum += value * made(&term) as f32;
         }
     }
-    let mut known = known;
     let strictness = Strictness { level: 0.05, first: 16 };
     let subject = Subject { areas: &areas, stored: FLOATS, reference: None };
     let judged = Judged::of(&theirs, subject, strictness, &mut known, |_| None);
     let evidence = Evidence::of(&judged.expect("enough"), &areas, &theirs);
-    let factors = factors(&terms(&mut world, 1..5), &evidence).expect("factors explain it");
+    factors(&terms(&mut world, 1..5), &evidence).expect("factors explain it")
+}
+
+/// Law: a picture that holds 1/π of the light of a lamp has this as its factor, within four standard deviations, and no
+/// other is off. Oracle: the multiples that were made.
+#[test]
+fn factors_of_terms_are_found() {
+    let made = |name: &str| if name.contains(" on ") { std::f64::consts::FRAC_1_PI } else { 1.0 };
+    let factors = factors_of("ch18/rectangle", [48, 16], |term| made(&term.name));
     for factor in &factors {
         let expected = made(&factor.terms[0]);
         let apart = (factor.factor - expected).abs();
@@ -196,4 +204,16 @@ fn factors_of_terms_are_found() {
     let direct = factors.iter().find(|factor| factor.terms[0].contains(" on ")).expect("a term");
     assert_eq!(direct.meaning(), Some("1/π"), "{direct:?}");
     assert_eq!(factors.iter().filter(|factor| factor.is_off()).count(), 1, "{factors:?}");
+}
+
+/// Law: where a program traces no ray deeper than 1, light at greater depths is named as left out, and no other is off.
+/// Oracle: the depths that were left out.
+#[test]
+fn depths_that_are_left_out_are_named() {
+    let made = |term: &TermFilm| if term.depth > 1 { 0.0 } else { 1.0 };
+    let factors = factors_of("ch24/hall-of-mirrors", [80, 16], made);
+    let off: Vec<&Factor> = factors.iter().filter(|factor| factor.is_off()).collect();
+    let names: Vec<&str> = off.iter().map(|factor| &*factor.terms[0]).collect();
+    assert_eq!(names, ["light at depth 2", "light at depth 3 or more"], "{factors:?}");
+    assert!(off.iter().all(|factor| factor.meaning() == Some("left out")), "{off:?}");
 }

@@ -42,7 +42,7 @@ pub use reference::{Mean, Reference};
 pub use replicas::{Renders, Replicas};
 pub use several::{WelchTest, several};
 pub use stored::{Bright, Stored};
-pub use terms::{Factor, factors, terms};
+pub use terms::{Factor, TermFilm, factors, terms};
 pub use verdict::{Explanation, Pictures, Region, Verdict};
 
 use groundtruth::math::ln;

@@ -1,7 +1,8 @@
 //! Our picture divided into terms, and how much of each a picture holds.
 //!
-//! A term is the light of one source that one lobe scatters to the eye, or to the first hit's lobe that sends it on.
-//! The picture is their sum. A picture by a program with a wrong factor holds another multiple of some of them.
+//! A term is the light of one source that arrives after so many edges and that one lobe scatters to the eye, or to the
+//! first hit's lobe that sends it on. The picture is their sum. A picture by a program with a wrong factor holds another
+//! multiple of some of them.
 
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
@@ -24,7 +25,12 @@ struct Key {
     source: Source,
     /// The lobe at the eye's hit that sent the ray along which the light arrives, if it does not come from there.
     by: Option<&'static str>,
+    /// The depth of the ray that meets the light or the lit surface, at most [`DEEPEST`].
+    depth: u32,
 }
+
+/// Greater depths count as this one: their light is little, and looks alike.
+const DEEPEST: u32 = 3;
 
 /// Where the light of a term comes from.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -80,7 +86,8 @@ impl Recorder for Dividing {
             TermSource::Direct { light, lobe, .. } => Source::Direct(light, lobe.name()),
             TermSource::Traced { lobe, .. } => {
                 for (key, arriving) in std::mem::take(child) {
-                    let key = Key { by: Some(lobe.name()), ..key };
+                    let depth = DEEPEST.min(key.depth + 1);
+                    let key = Key { by: Some(lobe.name()), depth, ..key };
                     *sums.entry(key).or_default() += term.weight * arriving;
                 }
                 return;
@@ -88,7 +95,7 @@ impl Recorder for Dividing {
             // of a shadow ray, whose surface has the term
             TermSource::Light { .. } => return,
         };
-        *sums.entry(Key { source, by: None }).or_default() += term.value;
+        *sums.entry(Key { source, by: None, depth: 0 }).or_default() += term.value;
     }
 
     fn leave(&mut self, transmittance: Rgb, _: Rgb) {
@@ -101,8 +108,25 @@ impl Recorder for Dividing {
     }
 }
 
+/// The film of a term.
+pub struct TermFilm {
+    /// What it is of, without the depth.
+    pub name: String,
+    /// The depth, at most [`DEEPEST`].
+    pub depth: u32,
+    /// What it adds to each pixel.
+    pub film: Film,
+}
+
+impl TermFilm {
+    fn depth_name(&self) -> String {
+        let more = if self.depth == DEEPEST { " or more" } else { "" };
+        format!("at depth {}{more}", self.depth)
+    }
+}
+
 /// The terms of a world's pictures with these seeds, each as the mean of films; their sum is the mean of the pictures.
-pub fn terms(world: &mut World, seeds: Range<u64>) -> Vec<(String, Film)> {
+pub fn terms(world: &mut World, seeds: Range<u64>) -> Vec<TermFilm> {
     let [width, height] = world.picture_size();
     let part = 1.0 / (seeds.end - seeds.start) as f64;
     let mut films: BTreeMap<Key, Film> = BTreeMap::new();
@@ -120,7 +144,9 @@ pub fn terms(world: &mut World, seeds: Range<u64>) -> Vec<(String, Film)> {
             }
         }
     }
-    films.into_iter().map(|(key, film)| (key.name(world), film)).collect()
+    let term =
+        |(key, film): (Key, Film)| TermFilm { name: key.name(world), depth: key.depth, film };
+    films.into_iter().map(term).collect()
 }
 
 /// The terms of a pixel.
@@ -192,24 +218,48 @@ const SMALLEST: f64 = 1e-4;
 /// A picture is explained by factors if they leave at most this part of the squared difference.
 const LEFT: f64 = 0.2;
 
-/// The factors of the terms of which a picture is the sum, by weighted least squares over tiles. `None` if factors do
-/// not explain it.
-pub fn factors(terms: &[(String, Film)], evidence: &Evidence<'_>) -> Option<Vec<Factor>> {
+/// The factors of the terms of which a picture is the sum, by weighted least squares over tiles. Terms of all depths have
+/// one factor if that explains the picture; else all terms of a depth; else each has its own. `None` if factors do not
+/// explain it.
+pub fn factors(terms: &[TermFilm], evidence: &Evidence<'_>) -> Option<Vec<Factor>> {
+    let tiles_of = |term: &TermFilm| {
+        let values: Vec<f64> =
+            term.film.pixels().iter().flat_map(|color| color.to_array()).collect();
+        evidence.tiles(|at| values[at])
+    };
+    let tiles: Vec<Vec<f64>> = terms.iter().map(tiles_of).collect();
+    let explain = |name: fn(&TermFilm) -> String| {
+        let mut named: BTreeMap<String, Vec<f64>> = BTreeMap::new();
+        for (term, tiles) in terms.iter().zip(&tiles) {
+            add(named.entry(name(term)).or_insert_with(|| vec![0.0; tiles.len()]), tiles);
+        }
+        fit(named, evidence)
+    };
+    explain(|term| term.name.clone())
+        .or_else(|| explain(|term| format!("light {}", term.depth_name())))
+        .or_else(|| explain(|term| format!("{}, {}", term.name, term.depth_name())))
+}
+
+/// Adds tiles to sums of tiles.
+fn add(sums: &mut [f64], tiles: &[f64]) {
+    sums.iter_mut().zip(tiles).for_each(|(sum, value)| *sum += value);
+}
+
+/// The factors of terms, each given by its tiles.
+fn fit(terms: BTreeMap<String, Vec<f64>>, evidence: &Evidence<'_>) -> Option<Vec<Factor>> {
     let weights = evidence.weights();
     let total: f64 = evidence.mean.iter().sum();
     let mut groups: Vec<(Vec<String>, Vec<f64>)> = Vec::new();
-    for (name, film) in terms {
-        let values: Vec<f64> = film.pixels().iter().flat_map(|color| color.to_array()).collect();
-        if values.iter().sum::<f64>() < SMALLEST * total {
+    for (name, tiles) in terms {
+        if tiles.iter().sum::<f64>() < SMALLEST * total {
             continue;
         }
-        let tiles = evidence.tiles(|at| values[at]);
         match groups.iter_mut().find(|(_, group)| cosine(group, &tiles, &weights) > ALIKE) {
             Some((names, group)) => {
-                names.push(name.clone());
-                group.iter_mut().zip(&tiles).for_each(|(sum, value)| *sum += value);
+                names.push(name);
+                add(group, &tiles);
             }
-            None => groups.push((vec![name.clone()], tiles)),
+            None => groups.push((vec![name], tiles)),
         }
     }
     let finite = |value: f64| if value.is_finite() { value } else { 0.0 };
