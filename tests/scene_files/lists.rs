@@ -72,9 +72,10 @@ fn check<K: Serialize>(path: &[Step], entries: &[Entry<K>]) {
         for specimen in (entry.specimens)() {
             let specimen = Value::try_from(&specimen).expect("specimens are plain data");
             for error in errors(path, &specimen) {
-                // where a colour may stand, a list is one
+                // where a colour or its numbers may stand, the reader itself refuses the list
                 let is_said = error.contains("found a list, but a table is needed: write `")
-                    || error.contains("expected a colour");
+                    || error.contains("expected a colour")
+                    || error.contains("expected a number");
                 assert!(is_said && error.contains("scene.toml:"), "{}: {error}", entry.module);
             }
         }
