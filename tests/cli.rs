@@ -71,6 +71,18 @@ const ERRORS: &[(&[&str], &str)] = &[
         &["render", "no.toml", "-o", "a.png"],
         "error: no.toml: cannot be read: No such file or directory (os error 2)",
     ),
+    (
+        &["compare", "-", "-"],
+        "error: -: the standard input is one file; name another in place of one -",
+    ),
+    (
+        &["verify", "-", "-"],
+        "error: -: the standard input is one file; name another in place of one -",
+    ),
+    (
+        &["conform", "-o", "-", "--junit", "-", "--", "true"],
+        "error: -: the standard output is one file; name another in place of one -",
+    ),
     (&["render", ".", "-o", "a.png"], "error: .: cannot be read: Is a directory (os error 21)"),
     (
         &["render", "ch03/single-sphere", "-o", "a.jpg"],

@@ -1,5 +1,8 @@
 //! Two pictures compared: what counts as a difference, which changes are named, and the exit status.
 
+#[path = "compare/encoded.rs"]
+mod encoded;
+
 use std::path::Path;
 use std::process::Command;
 

@@ -7,6 +7,8 @@ mod advice;
 mod hostile_names;
 #[path = "scene_files/light_bounds.rs"]
 mod light_bounds;
+#[path = "scene_files/lists.rs"]
+mod lists;
 #[path = "scene_files/mesh_lists.rs"]
 mod mesh_lists;
 #[path = "scene_files/meshes.rs"]

@@ -7,6 +7,8 @@ mod damage;
 #[path = "sums/interrupt.rs"]
 #[cfg(unix)]
 mod interrupt;
+#[path = "sums/pictures.rs"]
+mod pictures;
 #[path = "sums/seeds.rs"]
 mod seeds;
 
@@ -16,7 +18,7 @@ use dashu_ratio::RBig;
 use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
 use groundtruth::{gallery, render, world::World};
-use harness::sums::{ChannelSums, Header, Seeds, Sums, fixed};
+use harness::sums::{ChannelSums, Header, Made, Seeds, Sums, fixed};
 use proptest::prelude::*;
 
 /// The header of an invented scene.
@@ -24,6 +26,12 @@ fn header(size: [u32; 2]) -> Header {
     Header {
         program: "1".to_owned(),
         scene: "5".repeat(64),
+        made: Made {
+            name: "a name".to_owned(),
+            image: size,
+            tracer: "path".to_owned(),
+            max_depth: Some(9),
+        },
         size,
         samples: 4,
         arguments: vec!["scene".to_owned()],

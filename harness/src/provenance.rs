@@ -27,9 +27,11 @@ pub fn provenance(
         size: [scene.image.width, scene.image.height],
         samples: world.samples_per_pixel(),
         seed: world.seed,
+        replicas: None,
         tracer: tracer.name().to_owned(),
         max_depth: tracer.max_depth().copied(),
         part: None,
+        tone: None,
         version: Provenance::VERSION,
     })
 }

@@ -336,7 +336,11 @@ impl Inspector {
 
     /// What to do with the file that was chosen; its name is in its field.
     fn chosen(&mut self) -> Option<Action> {
-        let (purpose, path) = self.chooser.poll()?;
+        let Some((purpose, path)) = self.chooser.poll()? else {
+            let text = "no file chosen (the chooser is that of the desktop's portal, or zenity); the path can be typed, too";
+            self.message = Some((text.to_owned(), false));
+            return None;
+        };
         let name = path.display().to_string();
         Some(match purpose {
             Purpose::Scene => {

@@ -14,8 +14,11 @@ pub struct Provenance {
     pub size: [u32; 2],
     /// Samples for each pixel.
     pub samples: u32,
-    /// The seed of all random choices.
+    /// The seed of all random choices; of several replicas the first one.
     pub seed: u64,
+    /// The replicas whose mean it is, if it is one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub replicas: Option<Replicas>,
     /// The tracer's name in scene files.
     pub tracer: String,
     /// The largest depth of a ray that is traced; `None` for ray casting.
@@ -24,8 +27,20 @@ pub struct Provenance {
     /// Which part of the picture it is, if not the whole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub part: Option<String>,
+    /// How radiance is shown, if not as the scene says.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub tone: Option<String>,
     /// The version of this program.
     pub version: &'static str,
+}
+
+/// Pictures of one scene with other seeds.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Replicas {
+    /// How many there are.
+    pub count: u64,
+    /// Their seeds, such as `0 to 7, 9`.
+    pub seeds: String,
 }
 
 impl Provenance {
@@ -40,11 +55,17 @@ impl Provenance {
             ("Scene", self.scene.clone()),
             ("Size", format!("{width}x{height}")),
             ("Samples", self.samples.to_string()),
-            ("Seed", self.seed.to_string()),
-            ("Tracer", self.tracer.clone()),
         ];
+        match &self.replicas {
+            None => entries.push(("Seed", self.seed.to_string())),
+            Some(Replicas { count, seeds }) => {
+                entries.extend([("Replicas", count.to_string()), ("Seeds", seeds.clone())]);
+            }
+        }
+        entries.push(("Tracer", self.tracer.clone()));
         entries.extend(self.max_depth.map(|depth| ("MaxDepth", depth.to_string())));
         entries.extend(self.part.clone().map(|part| ("Part", part)));
+        entries.extend(self.tone.clone().map(|tone| ("Tone", tone)));
         entries
     }
 

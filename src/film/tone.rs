@@ -1,5 +1,7 @@
 //! From radiance to the colours of a screen (Suffern, ch. 3 and 14).
 
+use std::fmt;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -26,6 +28,17 @@ pub struct Tone {
     pub gamma: f64,
     /// What becomes of a colour with a channel above 1.
     pub out_of_gamut: OutOfGamut,
+}
+
+/// `exposure 2, gamma 2.2, max_to_one`.
+impl fmt::Display for Tone {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rule = match self.out_of_gamut {
+            OutOfGamut::MaxToOne => "max_to_one",
+            OutOfGamut::ClampToColor => "clamp_to_color",
+        };
+        write!(f, "exposure {}, gamma {}, {rule}", self.exposure, self.gamma)
+    }
 }
 
 impl Tone {

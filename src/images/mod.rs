@@ -6,7 +6,7 @@ mod file;
 use crate::rgb::Rgb;
 
 pub use drawn::{Drawn, Picture};
-pub use file::{Encoding, ImageFileError, Stored, decode, decode_layer, read, read_stored};
+pub use file::{Curve, Encoding, ImageFileError, Stored, decode, decode_layer, read, read_stored};
 
 /// The colours of an image, linear, in single precision.
 #[derive(Debug)]
@@ -42,7 +42,7 @@ impl Texels {
         &self.notes
     }
 
-    /// The number of texels whose alpha, which is ignored, is below 1 in a file of integers.
+    /// The number of texels whose alpha, which is ignored, is below 1.
     pub fn transparent(&self) -> u64 {
         self.transparent
     }

@@ -82,6 +82,10 @@ fn not_utf8(error: &std::string::FromUtf8Error, path: &Path) -> SceneError {
 pub fn parse(text: String, path: &Path) -> Result<(Scene, Source), SceneError> {
     let scene: Scene =
         toml::from_str(&text).map_err(|e| locations::parse_error(&text, path, &e))?;
+    // the reader takes a list for a table, as the values of its fields in the order of their declaration
+    if let Some(error) = locations::mismatch_error(&text, path) {
+        return Err(error);
+    }
     Ok((scene, Source { text, path: path.to_owned() }))
 }
 

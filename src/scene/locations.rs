@@ -59,10 +59,8 @@ pub(super) fn parse_error(text: &str, file: &Path, error: &toml::de::Error) -> S
     };
     // an unknown name is where the reader says
     let found = if problem.starts_with("unknown ") { None } else { mismatch::first(&document) };
-    if let Some(mismatch::Mismatch { path, at, problem }) = found {
-        let location = Location::line(file, line_at(text, at));
-        let problem = with_help(&path, problem, None);
-        return SceneError::Invalid { location, invalid: Invalid { path, problem } };
+    if let Some(found) = found {
+        return of_mismatch(text, file, found);
     }
     let mut path = path_at(&document, span.start + end);
     if let Some(unknown) = problem.strip_prefix("unknown field `") {
@@ -73,6 +71,18 @@ pub(super) fn parse_error(text: &str, file: &Path, error: &toml::de::Error) -> S
         path.truncate(last);
     }
     let problem = with_help(&path, problem, string_at(&document, &path));
+    SceneError::Invalid { location, invalid: Invalid { path, problem } }
+}
+
+/// The error of the first list in place of a table, or table in place of a list.
+pub(super) fn mismatch_error(text: &str, file: &Path) -> Option<SceneError> {
+    Some(of_mismatch(text, file, mismatch::first(&parse(text)?)?))
+}
+
+fn of_mismatch(text: &str, file: &Path, found: mismatch::Mismatch) -> SceneError {
+    let mismatch::Mismatch { path, at, problem } = found;
+    let location = Location::line(file, line_at(text, at));
+    let problem = with_help(&path, problem, None);
     SceneError::Invalid { location, invalid: Invalid { path, problem } }
 }
 

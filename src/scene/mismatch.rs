@@ -1,8 +1,8 @@
 //! Lists where a table is meant, and tables where a list of tables is meant. The reader reports these at another
-//! value, as it knows the types of values but not what the header of a table meant.
+//! value, as it knows the types of values but not what the header of a table meant; or it takes a list for a table.
 
 use toml::Spanned;
-use toml::de::{DeTable, DeValue};
+use toml::de::{DeArray, DeTable, DeValue};
 
 use super::locations::name;
 use super::vocabulary::{Choice, Definition, Field};
@@ -46,6 +46,14 @@ impl Entry {
         }
     }
 
+    /// Whether an element of its value, a list, can be a value of this type of JSON.
+    fn elements_can_be(&self, kind: &str) -> bool {
+        match self {
+            Self::Field(field) => field.elements_can_be(kind),
+            Self::Kind(choice) => choice.elements_can_be(kind),
+        }
+    }
+
     fn content(&self) -> Option<Definition> {
         match self {
             Self::Field(field) => field.content(),
@@ -76,13 +84,12 @@ fn inside(table: &DeTable<'_>, definition: Definition, path: &mut Vec<Key>) -> O
                 Some(Mismatch { path: path.clone(), at: key.span().start, problem })
             }
             (None, DeValue::Table(table)) => inside(table, content, path),
-            (None, DeValue::Array(array)) => (0..).zip(array).find_map(|(index, element)| {
-                let DeValue::Table(table) = element.get_ref() else { return None };
-                path.push(Key::Item(index, name(element.get_ref())));
-                let found = inside(table, content, path);
-                path.pop();
-                found
-            }),
+            (None, DeValue::Array(array)) => {
+                let as_list = as_list(key_name, path);
+                let problem = format!("found a list, but a table is needed: write {as_list}");
+                let problem = (!entry.elements_can_be("array")).then_some(problem);
+                elements(array, content, path, problem.as_deref())
+            }
             _ => None,
         };
         path.pop();
@@ -93,11 +100,35 @@ fn inside(table: &DeTable<'_>, definition: Definition, path: &mut Vec<Key>) -> O
     None
 }
 
+/// The first mismatch of the elements of a list; an element that is a list itself has this problem.
+fn elements(
+    array: &DeArray<'_>,
+    content: Definition,
+    path: &mut Vec<Key>,
+    of_list: Option<&str>,
+) -> Option<Mismatch> {
+    (0..).zip(array).find_map(|(index, element)| {
+        path.push(Key::Item(index, name(element.get_ref())));
+        let found = match element.get_ref() {
+            DeValue::Table(table) => inside(table, content, path),
+            DeValue::Array(_) => of_list.map(|problem| Mismatch {
+                path: path.clone(),
+                at: element.span().start,
+                problem: problem.to_owned(),
+            }),
+            _ => None,
+        };
+        path.pop();
+        found
+    })
+}
+
 /// How a table is written.
 fn as_table(name: &str, path: &[Key], content: &Definition) -> String {
     match content.fields().next() {
         Some(_) if path.len() == 1 => format!("`[{name}]`"),
         Some(field) => format!("`{name} = {{ {} = … }}`", field.name),
+        None if content.is_table() => format!("`{name} = {{}}`"),
         None => format!("`{name} = {{ kind = {{ … }} }}`"),
     }
 }

@@ -167,6 +167,11 @@ impl Field {
         can_be(self.schema, kind)
     }
 
+    /// Whether an element of its value, a list, can be a value of this type of JSON.
+    pub fn elements_can_be(&self, kind: &str) -> bool {
+        elements_can_be(self.schema, kind)
+    }
+
     /// The range of a whole number, if both of its ends are known.
     pub fn range(&self) -> Option<[u64; 2]> {
         Some([self.schema["minimum"].as_u64()?, self.schema["maximum"].as_u64()?])
@@ -206,6 +211,11 @@ impl Choice {
         self.content.is_some_and(|schema| can_be(schema, kind))
     }
 
+    /// Whether an element of that value, a list, can be of this type of JSON.
+    pub fn elements_can_be(&self, kind: &str) -> bool {
+        self.content.is_some_and(|schema| elements_can_be(schema, kind))
+    }
+
     /// An example of the value after the tag.
     pub fn example(&self) -> Option<&'static Value> {
         let own = self.schema["examples"].as_array().and_then(|all| all.first());
@@ -243,6 +253,20 @@ fn can_be(schema: &'static Value, kind: &str) -> bool {
     match schema["type"].as_str() {
         Some(of) => of == kind,
         None => all.peek().is_none() || all.any(|part| can_be(part, kind)),
+    }
+}
+
+/// Whether an element of a list of this schema can be a value of this type of JSON; `true` if it says nothing.
+fn elements_can_be(schema: &'static Value, kind: &str) -> bool {
+    if let Some(definition) = named(schema) {
+        return elements_can_be(definition.schema, kind);
+    }
+    match schema.get("items") {
+        Some(items) => can_be(items, kind),
+        None => {
+            let mut lists = parts(schema).filter(|part| can_be(part, "array")).peekable();
+            lists.peek().is_none() || lists.any(|part| elements_can_be(part, kind))
+        }
     }
 }
 

@@ -98,6 +98,8 @@ fn gamma_and_names_are_written_as_png_wants_them() {
     let unnamed = rendered(folder.path(), &small("unnamed.toml", "b.png", &[]), "b.png");
     assert!(at(&unnamed, b"tEXtScene\0sha256:").is_some());
     let said = run_in(folder.path(), &arguments).stderr;
+    assert!(said.contains("radiance to the power 1/2.2; the file says so (gAMA)"), "{said}");
+    let said = run_in(folder.path(), &small("a.toml", "a.ppm", &[])).stderr;
     assert!(
         said.contains("radiance to the power 1/2.2; compare with --encoding gamma=2.2"),
         "{said}"

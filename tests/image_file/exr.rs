@@ -1,9 +1,10 @@
 //! OpenEXR.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::rgb::Rgb;
+use harness::compare::Picture;
 
 use super::*;
 
@@ -54,6 +55,37 @@ fn negative_values_become_0_with_a_note() {
     assert_eq!(linear(&file), expected);
     let texels = decode(&file, None, MAX).expect("it loads");
     assert_eq!(texels.notes(), ["5 values below 0, the lowest -0.25, are taken as 0"]);
+}
+
+/// An EXR file with this alpha at each column, written by the `exr` crate.
+fn with_alpha(name: &str, alpha: [f32; 3]) -> PathBuf {
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("image-{name}.exr"));
+    let write =
+        ::exr::prelude::write_rgba_file(&path, 3, 2, |x, _| (0.5_f32, 0.25_f32, 1.0_f32, alpha[x]));
+    write.expect("the folder can be written to");
+    path
+}
+
+/// Law: alpha is left out of the colours; the texels in which it is below 1 are counted, except for a rounding error of
+/// half precision, and `verify` refuses such a picture. Oracle: the numbers.
+#[test]
+fn alpha_below_1_is_counted() {
+    for (name, alpha, count) in [
+        ("opaque", [1.0; 3], 0),
+        ("rounded", [1.0, 1.0 - 1.0 / 2048.0, 1.5], 0),
+        ("transparent", [1.0, 0.5, 0.0], 4),
+        ("nearly", [1.0, 0.998, 1.0], 2),
+        ("not-a-number", [1.0, f32::NAN, 1.0], 2),
+    ] {
+        let path = with_alpha(name, alpha);
+        let texels = decode(&std::fs::read(&path).expect("written"), None, MAX).expect("right");
+        assert_eq!(texels.transparent(), count, "{name}");
+        assert!(texels.colors().iter().all(|color| *color == [0.5, 0.25, 1.0]), "{name}");
+        let refused = harness::verdict::refusal(&Picture::read(&path, None).expect("a picture"));
+        assert_eq!(refused.is_some_and(|it| it.contains("alpha is below 1")), count > 0, "{name}");
+    }
+    let plain = decode(&exr("no-alpha", 2, 2, |_, _| Rgb::WHITE), None, MAX).expect("right");
+    assert_eq!(plain.transparent(), 0);
 }
 
 fn attribute(name: &str, kind: &str, value: &[u8]) -> Vec<u8> {

@@ -122,7 +122,7 @@ fn values_are_stored_as_files_store_them() {
     for (gamma, out_of_gamut) in [(2.2, OutOfGamut::MaxToOne), (1.0, OutOfGamut::ClampToColor)] {
         film::write(&film, &Tone { exposure: 1.0, gamma, out_of_gamut }, &file).expect("written");
         let transfer = Transfer::Gamma(gamma);
-        let read = Picture::read(&file, transfer).expect("a picture");
+        let read = Picture::read(&file, Some(transfer)).expect("a picture");
         let bright = Bright::Mapped(out_of_gamut);
         let stored = Stored::Integers { step: 1.0 / 255.0, transfer, truncated: false, bright };
         let expected: Vec<f32> =

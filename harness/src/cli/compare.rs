@@ -19,9 +19,10 @@ pub struct Compare {
     a: String,
     /// The same
     b: String,
-    /// How PNG, JPEG and PPM files encode radiance: srgb, linear, or gamma=2.2
-    #[arg(long, value_name = "CURVE", default_value = "srgb")]
-    encoding: Transfer,
+    /// How PNG, JPEG and PPM files encode radiance: srgb, linear, or gamma=2.2. If left out, what a PNG file says of
+    /// itself (gAMA, sRGB), else srgb
+    #[arg(long, value_name = "CURVE")]
+    encoding: Option<Transfer>,
     /// The relative difference up to which channels are equal
     #[arg(long, value_name = "R", default_value_t = 0.0, value_parser = tolerance)]
     tolerance: f64,
@@ -56,6 +57,7 @@ enum Side {
 
 impl Compare {
     pub fn run(self) -> Outcome {
+        output::once([&self.a, &self.b].map(Path::new), "input")?;
         let sides = [self.side(&self.a)?, self.side(&self.b)?];
         let size = sides.iter().find_map(|side| match side {
             Side::Picture(picture) => Some(picture.size),
@@ -140,9 +142,10 @@ impl Compare {
     fn window(&self, scene: &str) -> Option<String> {
         let file = if self.a == scene { &self.b } else { &self.a };
         let encoding = match self.encoding {
-            Transfer::Srgb => String::new(),
-            Transfer::Linear => " --encoding linear".to_owned(),
-            Transfer::Gamma(gamma) => format!(" --encoding gamma={gamma}"),
+            None => String::new(),
+            Some(Transfer::Srgb) => " --encoding srgb".to_owned(),
+            Some(Transfer::Linear) => " --encoding linear".to_owned(),
+            Some(Transfer::Gamma(gamma)) => format!(" --encoding gamma={gamma}"),
         };
         (!is_scene(file)).then(|| format!("inspector {scene} --compare {file}{encoding}"))
     }

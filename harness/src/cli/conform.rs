@@ -1,19 +1,19 @@
 //! `conform`.
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
-use groundtruth::{film, printable};
+use groundtruth::printable;
 use harness::conform::family::Family;
 use harness::conform::{self, Card, Limits, Options, Profile, Program, Row, card};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::numbers::whole;
-use super::{Exit, Outcome, print};
+use super::{Exit, Outcome, output, print};
 
 #[derive(Args)]
 pub struct Conform {
@@ -50,7 +50,7 @@ pub struct Conform {
     /// Write the results for continuous integration (JUnit's XML)
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
-    /// Write the card as a page
+    /// Write the card as a page; - is the standard output, here and for the other files
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Print JSON
@@ -99,6 +99,8 @@ impl Conform {
         if families.is_empty() {
             return Err("no family matches --only; the names are those on the card".into());
         }
+        output::once(self.files(), "output")?;
+        self.files().try_for_each(output::writable)?;
         let known = self.known.as_deref().map(conform::Known::read).transpose()?;
         let interrupted = Arc::new(AtomicBool::new(false));
         let flag = Arc::clone(&interrupted);
@@ -127,7 +129,7 @@ impl Conform {
                 && !self.json
             {
                 // a closed pipe ends the printing, not the run
-                progress.suspend(|| print(&line)).ok();
+                progress.suspend(|| self.say(&line)).ok();
             }
         });
         progress.finish_and_clear();
@@ -143,9 +145,9 @@ impl Conform {
         };
         self.write(&card)?;
         match self.json {
-            true => print(&(serde_json::to_string_pretty(&card.json())? + "\n"))?,
+            true => self.say(&(serde_json::to_string_pretty(&card.json())? + "\n"))?,
             false => {
-                print(&(chapters.unfinished(&card) + &card::rest(&card) + &self.verdict(&card)))?
+                self.say(&(chapters.unfinished(&card) + &card::rest(&card) + &self.verdict(&card)))?
             }
         };
         if !card.is_whole {
@@ -166,11 +168,20 @@ impl Conform {
         Ok(if failed { Exit::No } else { Exit::Yes })
     }
 
+    /// The files that are written.
+    fn files(&self) -> impl Iterator<Item = &Path> {
+        [&self.output, &self.junit, &self.write_known].into_iter().flatten().map(PathBuf::as_path)
+    }
+
+    /// Prints what is said; to the standard error if a file goes to the standard output.
+    fn say(&self, text: &str) -> Outcome {
+        output::say(text, self.files().find(|file| output::is_standard(file)))
+    }
+
     fn write(&self, card: &Card) -> Result<(), Box<dyn std::error::Error>> {
         let command = self.program.join(" ");
         let write = |file: &Option<PathBuf>, text: &dyn Fn() -> String| match file {
-            Some(file) => film::replace(file, text().as_bytes())
-                .map_err(|e| format!("{}: {e}", file.display())),
+            Some(file) => output::write(file, text().as_bytes()),
             None => Ok(()),
         };
         write(&self.output, &|| card::page(card, &command))?;

@@ -5,25 +5,29 @@ use std::hash::{BuildHasher, RandomState};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use groundtruth::film::{self, Film, Tone};
+use groundtruth::film::{self, Film, Format, Provenance, Tone};
 use groundtruth::scene::Image;
 use harness::sums::{self, MergeError, Part, Plan, Sums};
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::scene::SceneArguments;
-use super::{Exit, Outcome, print, replicas};
+use super::{Exit, Outcome, output, replicas};
 
 #[derive(Args)]
 pub struct Merge {
     /// The parts: files of sums, in any order
     #[arg(required = true)]
     files: Vec<PathBuf>,
-    /// The mean of the replicas: .exr or .pfm; or all sums: .sums, which `merge` reads again
+    /// The mean of the replicas: .exr or .pfm; or all sums: .sums, which `merge` reads again. - is the standard
+    /// output, with --format
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// The standard error of the mean of each channel: .exr or .pfm
     #[arg(long, value_name = "FILE")]
     standard_error: Option<PathBuf>,
+    /// The format of the pictures, exr or pfm, whatever the names of the files are
+    #[arg(long, value_name = "FORMAT", value_parser = linear_format)]
+    format: Option<Format>,
     /// Render this share of the rows of each part again here, such as 1%, and compare the bits
     #[arg(long, value_name = "P", value_parser = share)]
     audit: Option<f64>,
@@ -42,17 +46,20 @@ fn share(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "write a share above 0 and up to 1, such as 0.01 or 1%".to_owned())
 }
 
+fn linear_format(name: &str) -> Result<Format, String> {
+    let format = output::format_named(name).ok().filter(|format| !format.is_for_display());
+    format.ok_or_else(|| "write exr or pfm: a mean is linear radiance".to_owned())
+}
+
 impl Merge {
     pub fn run(&self) -> Outcome {
-        let is_sums = |file: &Path| file.extension().is_some_and(|end| end == "sums");
-        let pictures =
-            self.standard_error.iter().chain(Some(&self.output).filter(|it| !is_sums(it)));
-        for file in pictures {
-            let is_linear = file.extension().is_some_and(|end| end == "exr" || end == "pfm");
-            if !is_linear {
-                return Err(format!("{}: end the name with .exr or .pfm", file.display()).into());
+        let files = || self.standard_error.iter().chain([&self.output]).map(PathBuf::as_path);
+        output::once(files(), "output")?;
+        for file in files() {
+            if !is_sums(file) {
+                self.format_of(file)?;
             }
-            film::writable(file)?;
+            output::writable(file)?;
         }
         let parts: Vec<Part> =
             self.files.iter().map(|file| Part::open(file)).collect::<Result<_, _>>()?;
@@ -73,7 +80,7 @@ impl Merge {
         {
             return refused(error);
         }
-        self.write(&sums, is_sums(&self.output))?;
+        self.write(&sums)?;
         Ok(if plan.missing.is_empty() { Exit::Yes } else { Exit::No })
     }
 
@@ -107,7 +114,9 @@ impl Merge {
                 text += &format!("  {}\n", header.command(range));
             }
         }
-        print(&text)
+        let to_output =
+            self.standard_error.iter().chain([&self.output]).find(|it| output::is_standard(it));
+        output::say(&text, to_output.map(PathBuf::as_path))
     }
 
     /// Puts the name of the scene on this machine into the arguments.
@@ -161,16 +170,45 @@ impl Merge {
         Ok(Ok(()))
     }
 
-    fn write(&self, sums: &Sums, is_sums: bool) -> Result<(), Box<dyn Error>> {
+    fn write(&self, sums: &Sums) -> Result<(), Box<dyn Error>> {
+        let made = sums.header().provenance();
         if let Some(file) = &self.standard_error {
-            let film = sums.standard_error();
-            write(&film.ok_or("--standard-error needs at least two replicas")?, file)?;
+            let film =
+                sums.standard_error().ok_or("--standard-error needs at least two replicas")?;
+            let made = Provenance { part: Some("standard error".to_owned()), ..made.clone() };
+            self.write_picture(&film, &made, file)?;
         }
-        match is_sums {
+        match is_sums(&self.output) {
             true => Ok(sums.write(&self.output)?),
-            false => write(&sums.mean(), &self.output),
+            false => self.write_picture(&sums.mean(), &made, &self.output),
         }
     }
+
+    /// The tone is not used: both formats keep linear radiance.
+    fn write_picture(
+        &self,
+        film: &Film,
+        made: &Provenance,
+        file: &Path,
+    ) -> Result<(), Box<dyn Error>> {
+        let image = Image::new(1, 1);
+        let tone = Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut };
+        output::write(file, &film::encode(film, &tone, self.format_of(file)?, made)?)
+    }
+
+    /// The format of a picture.
+    fn format_of(&self, file: &Path) -> Result<Format, String> {
+        let named = Format::of(file).ok().filter(|format| !format.is_for_display());
+        self.format.or(named).ok_or_else(|| match output::is_standard(file) {
+            true => "-o -: say which format is written to the standard output: --format exr or pfm"
+                .to_owned(),
+            false => format!("{}: end the name with .exr or .pfm", file.display()),
+        })
+    }
+}
+
+fn is_sums(file: &Path) -> bool {
+    file.extension().is_some_and(|end| end == "sums")
 }
 
 /// The exit status of parts that cannot be added.
@@ -192,13 +230,6 @@ fn random_rows(height: u32, share: f64) -> Vec<u32> {
     rows.truncate(((share * f64::from(height)).round() as usize).max(1));
     rows.sort_unstable();
     rows
-}
-
-/// The tone is not used: both formats keep linear radiance.
-fn write(film: &Film, file: &Path) -> Result<(), Box<dyn Error>> {
-    let image = Image::new(1, 1);
-    let tone = Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut };
-    Ok(film::write(film, &tone, file)?)
 }
 
 fn progress(count: u64, what: &str) -> ProgressBar {

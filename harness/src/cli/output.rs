@@ -37,6 +37,20 @@ fn unwritable(path: &Path, error: std::io::Error) -> Box<dyn Error> {
     format!("{}: cannot be written: {error}", path.display()).into()
 }
 
+/// Fails if the standard input or output is named more than once.
+pub fn once<'a>(
+    paths: impl IntoIterator<Item = &'a Path>,
+    stream: &str,
+) -> Result<(), Box<dyn Error>> {
+    match paths.into_iter().filter(|path| is_standard(path)).count() {
+        0 | 1 => Ok(()),
+        _ => {
+            Err(format!("-: the standard {stream} is one file; name another in place of one -")
+                .into())
+        }
+    }
+}
+
 /// Prints what a command says; to the standard error if its page goes to the standard output.
 pub fn say(text: &str, page: Option<&Path>) -> super::Outcome {
     match page.is_some_and(is_standard) {

@@ -177,18 +177,16 @@ impl Render {
     }
 }
 
-/// What the values of a picture mean, and how `compare` and `verify` are told.
+/// What the values of a picture mean, and how `compare` and `verify` know.
 fn transfer(format: Format, gamma: f64) -> String {
-    match (format.is_for_display(), gamma) {
-        (false, _) => "values are linear radiance".to_owned(),
-        (true, 1.0) => {
-            "values are linear, as gamma is 1; compare with --encoding linear".to_owned()
-        }
-        (true, gamma) => {
-            format!(
-                "values are radiance to the power 1/{gamma}; compare with --encoding gamma={gamma}"
-            )
-        }
+    let (words, encoding) = match gamma {
+        1.0 => ("linear, as gamma is 1".to_owned(), "linear".to_owned()),
+        gamma => (format!("radiance to the power 1/{gamma}"), format!("gamma={gamma}")),
+    };
+    match format {
+        Format::Exr | Format::Pfm => "values are linear radiance".to_owned(),
+        Format::Png => format!("values are {words}; the file says so (gAMA)"),
+        Format::Ppm => format!("values are {words}; compare with --encoding {encoding}"),
     }
 }
 

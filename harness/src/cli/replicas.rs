@@ -98,6 +98,7 @@ pub fn header(
     Ok(Header {
         program: env!("CARGO_PKG_VERSION").to_owned(),
         scene: sums::scene_digest(scene, world, folder)?,
+        made: arguments.provenance(scene, world)?.into(),
         size: world.picture_size(),
         samples: world.samples_per_pixel(),
         arguments: Vec::new(),

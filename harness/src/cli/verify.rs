@@ -61,8 +61,8 @@ pub struct Verify {
     /// Few scenes of the gallery that together show all known mistakes of a chapter, such as ch28
     #[arg(long, value_name = "CHAPTER", exclusive = true)]
     scenes: Option<String>,
-    /// How PNG, JPEG and PPM files encode radiance: srgb, linear, or gamma=2.2. If left out, the likeliest is taken,
-    /// and named
+    /// How PNG, JPEG and PPM files encode radiance: srgb, linear, or gamma=2.2. If left out, what a PNG file says of
+    /// itself (gAMA, sRGB), else the likeliest is taken, and named
     #[arg(long, value_name = "CURVE")]
     encoding: Option<Transfer>,
     /// Write a page with the verdict, both pictures, their difference and the map of z
@@ -121,7 +121,7 @@ impl Verify {
             is_interrupted: &|| interrupted.load(Ordering::Relaxed),
             so_far: &|judged| bar.set_message(so_far(judged)),
             strictness,
-            transfer: self.by.map(|_| Transfer::Linear).or(self.encoding),
+            transfer: pictures[0].stated,
             tone,
             seed,
             reference: reference.as_ref(),
@@ -203,10 +203,11 @@ impl Verify {
 
     /// The pictures, all of one size and without values that are no numbers.
     fn pictures(&self) -> Result<Vec<Picture>, Box<dyn Error>> {
+        let scene = self.scene.as_ref().map(|scene| Path::new(scene.name()));
+        output::once(self.images.iter().map(PathBuf::as_path).chain(scene), "input")?;
         let mut pictures: Vec<Picture> = Vec::new();
         for file in &self.images {
-            // the transfer function is guessed later
-            let picture = Picture::read(file, self.encoding.unwrap_or(Transfer::Srgb))?;
+            let picture = Picture::read(file, self.encoding)?;
             let name = file.display();
             picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
             if let Some(problem) = verdict::refusal(&picture) {

@@ -57,7 +57,7 @@ impl By {
         let (world, size) = (build(&scene)?, [scene.image.width, scene.image.height]);
         let temporary = tempfile::tempdir()?;
         let file = program.render(&text, size, temporary.path())?;
-        let picture = Picture::read(&file, Transfer::Linear)?;
+        let picture = Picture::read(&file, Some(Transfer::Linear))?;
         let version = program.version().unwrap_or_else(|| "POV-Ray".to_owned());
         let [width, height] = size;
         let words = format!(

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::str::FromStr;
 
 use groundtruth::film::Film;
-use groundtruth::images::{self, ImageFileError};
+use groundtruth::images::{self, Curve, ImageFileError};
 use groundtruth::math::power;
 use groundtruth::world::MAX_PIXELS;
 
@@ -20,6 +20,16 @@ pub enum Transfer {
 }
 
 impl Transfer {
+    /// What a file says, if it is read.
+    fn of(curve: Curve) -> Option<Self> {
+        match curve {
+            Curve::Srgb => Some(Self::Srgb),
+            Curve::Gamma(1.0) => Some(Self::Linear),
+            Curve::Gamma(gamma) => Some(Self::Gamma(gamma)),
+            Curve::Unread(_) => None,
+        }
+    }
+
     /// The radiance of a display value.
     pub fn decoded(self, value: f64) -> f64 {
         match self {
@@ -75,6 +85,8 @@ pub struct Picture {
     pub values: Vec<[f32; 3]>,
     /// What they mean.
     pub transfer: Transfer,
+    /// The transfer function that the user or the file states; if neither does, it is taken to be that of sRGB.
+    pub stated: Option<Transfer>,
     /// The distance between neighbouring integers, if the values were stored as such.
     pub step: Option<f64>,
     /// What was ignored in its file.
@@ -91,6 +103,7 @@ impl Picture {
             size,
             values: film.to_f32().collect(),
             transfer,
+            stated: None,
             step: None,
             notes: Vec::new(),
             transparent: 0,
@@ -100,23 +113,26 @@ impl Picture {
     /// A picture of radiance: three values a pixel, row by row from the top left.
     pub fn of_radiance(values: &[f32], size: [u32; 2]) -> Self {
         let (values, transfer) = (values.as_chunks::<3>().0.to_vec(), Transfer::Linear);
-        Self { size, values, transfer, step: None, notes: Vec::new(), transparent: 0 }
+        Self { size, values, transfer, stated: None, step: None, notes: Vec::new(), transparent: 0 }
     }
 
-    /// Reads a PNG, JPEG, PPM, HDR, EXR or PFM file; display values are taken to be encoded by `transfer`.
+    /// Reads a PNG, JPEG, PPM, HDR, EXR or PFM file. Display values are taken to be encoded as the user said, else as
+    /// the file says, else by the curve of sRGB.
     ///
     /// # Errors
     /// If it is no picture, or damaged.
-    pub fn read(path: &Path, transfer: Transfer) -> Result<Self, ImageFileError> {
+    pub fn read(path: &Path, said: Option<Transfer>) -> Result<Self, ImageFileError> {
         let stored = images::read_stored(path, MAX_PIXELS)?;
         let texels = stored.texels;
         let (size, values) = ([texels.width(), texels.height()], texels.colors().to_vec());
-        let (transfer, step) = match stored.is_linear {
-            true => (Transfer::Linear, None),
-            false => (transfer, Some(step_of(&values))),
+        let (mut notes, transparent) = (texels.notes().to_vec(), texels.transparent());
+        let (stated, step) = match stored.is_linear {
+            true => (Some(Transfer::Linear), None),
+            false => (said.or(stored.curve.and_then(Transfer::of)), Some(step_of(&values))),
         };
-        let (notes, transparent) = (texels.notes().to_vec(), texels.transparent());
-        Ok(Self { size, values, transfer, step, notes, transparent })
+        notes.extend(stored.curve.and_then(|curve| note(curve, said)));
+        let transfer = stated.unwrap_or(Transfer::Srgb);
+        Ok(Self { size, values, transfer, stated, step, notes, transparent })
     }
 
     /// The radiance of its values.
@@ -133,6 +149,21 @@ impl Picture {
     /// The index of a pixel.
     pub fn index(&self, [x, y]: [u32; 2]) -> usize {
         y as usize * self.size[0] as usize + x as usize
+    }
+}
+
+/// What a file says of its transfer function and the user does not.
+fn note(curve: Curve, said: Option<Transfer>) -> Option<String> {
+    let of_file = Transfer::of(curve);
+    match (of_file, curve, said) {
+        (Some(of_file), _, Some(said)) if of_file != said => {
+            Some(format!("it says {of_file}; --encoding counts"))
+        }
+        (Some(of_file), _, None) => Some(format!("its transfer function is {of_file}, as it says")),
+        (None, Curve::Unread(kind), None) => Some(format!(
+            "its transfer function is in a chunk {kind}, which is not read; --encoding says it"
+        )),
+        _ => None,
     }
 }
 

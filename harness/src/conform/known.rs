@@ -4,6 +4,8 @@ use std::collections::BTreeSet;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
+use groundtruth::scene::STANDARD_INPUT;
+
 use super::card::Card;
 
 /// The names of families that may fail.
@@ -35,13 +37,17 @@ pub enum KnownError {
 }
 
 impl Known {
-    /// Reads names, one a line; `#` begins a comment.
+    /// Reads names, one a line, from a file or, if its path is `-`, the standard input; `#` begins a comment.
     ///
     /// # Errors
     /// [`KnownError`] with file and line.
     pub fn read(path: &Path) -> Result<Self, KnownError> {
         let unreadable = |source| KnownError::Unreadable { path: path.to_owned(), source };
-        let text = std::fs::read_to_string(path).map_err(unreadable)?;
+        let text = match path == Path::new(STANDARD_INPUT) {
+            true => std::io::read_to_string(std::io::stdin().lock()),
+            false => std::fs::read_to_string(path),
+        };
+        let text = text.map_err(unreadable)?;
         let families = super::suite::all();
         let mut names = BTreeSet::new();
         for (index, line) in text.lines().enumerate() {

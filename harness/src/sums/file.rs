@@ -13,6 +13,7 @@ use std::io::{BufRead, BufReader, Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
 
 use groundtruth::film;
+use groundtruth::scene::STANDARD_INPUT;
 use groundtruth::world::MAX_PIXELS;
 use rayon::prelude::*;
 use xxhash_rust::xxh3::xxh3_128;
@@ -75,6 +76,10 @@ impl Part {
     /// # Errors
     /// [`FileError`]; the sums are not checked yet.
     pub fn open(path: &Path) -> Result<Self, FileError> {
+        if path == Path::new(STANDARD_INPUT) {
+            let problem = "sums are read in blocks by all cores: write the standard input to a file, and name that";
+            return Err(system(path, std::io::Error::other(problem)));
+        }
         let file = File::open(path).map_err(|source| system(path, source))?;
         let length = file.metadata().map_err(|source| system(path, source))?.len();
         let mut bytes = Vec::new();

@@ -1,10 +1,12 @@
 //! The header of a file of sums: text lines that end at an empty one.
 
+use groundtruth::film::{Provenance, Replicas};
+
 use super::Seeds;
 use crate::shell;
 
 /// The first line; the number is that of the format.
-const FORMAT: &str = "groundtruth sums 2";
+const FORMAT: &str = "groundtruth sums 3";
 
 /// What the sums of a file are of.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -13,6 +15,8 @@ pub struct Header {
     pub program: String,
     /// SHA-256 of the scene, as [`super::scene_digest`] gives it, in hexadecimal digits.
     pub scene: String,
+    /// What picture files say of the scene; it follows from the digest.
+    pub made: Made,
     /// Columns and rows of the picture.
     pub size: [u32; 2],
     /// Samples of a pixel of one replica.
@@ -28,17 +32,57 @@ pub struct Header {
     pub not_finite: u64,
 }
 
+/// What picture files say of their scene.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Made {
+    /// What names the scene.
+    pub name: String,
+    /// Columns and rows; of a stereo pair: of each eye's image.
+    pub image: [u32; 2],
+    /// The tracer's name in scene files.
+    pub tracer: String,
+    /// The largest depth of a ray that is traced; `None` for ray casting.
+    pub max_depth: Option<u32>,
+}
+
+impl From<Provenance> for Made {
+    fn from(made: Provenance) -> Self {
+        let Provenance { scene: name, size: image, tracer, max_depth, .. } = made;
+        Self { name, image, tracer, max_depth }
+    }
+}
+
 impl Header {
+    /// How the mean of the replicas is made.
+    pub fn provenance(&self) -> Provenance {
+        let Made { name, image, tracer, max_depth } = self.made.clone();
+        let replicas = Replicas { count: self.seeds.count(), seeds: self.seeds.list() };
+        Provenance {
+            scene: name,
+            size: image,
+            samples: self.samples,
+            seed: self.seeds.iter().next().unwrap_or_default(),
+            replicas: Some(replicas),
+            tracer,
+            max_depth,
+            part: None,
+            tone: None,
+            version: Provenance::VERSION,
+        }
+    }
+
     /// The lines, and the empty one.
     pub fn text(&self) -> String {
         let [width, height] = self.size;
+        let Made { name, image: [columns, rows], tracer, max_depth } = &self.made;
+        let depth = max_depth.map_or(String::new(), |depth| format!("max-depth {depth}\n"));
         let arguments = serde_json::to_string(&self.arguments).expect("texts are plain");
         let lines = |name: &str, seeds: &Seeds| {
             let line = |[first, count]: [u64; 2]| format!("{name} {first} {count}\n");
             seeds.ranges().map(line).collect::<String>()
         };
         format!(
-            "{FORMAT}\nprogram {}\nscene {}\nsize {width} {height}\nsamples {}\narguments {arguments}\n{}{}not-finite {}\n\n",
+            "{FORMAT}\nprogram {}\nscene {}\nname {name}\nimage {columns} {rows}\ntracer {tracer}\n{depth}size {width} {height}\nsamples {}\narguments {arguments}\n{}{}not-finite {}\n\n",
             self.program,
             self.scene,
             self.samples,
@@ -64,6 +108,7 @@ impl Header {
         let mut header = Self {
             program: String::new(),
             scene: String::new(),
+            made: Made::default(),
             size: [0; 2],
             samples: 0,
             arguments: Vec::new(),
@@ -91,13 +136,18 @@ impl Header {
             let [first, count] = pair()?;
             Some(seeds.union(&Seeds::range(first, count)?))
         };
+        let size = || {
+            let [width, height] = pair()?.map(u32::try_from);
+            Some([width.ok()?, height.ok()?])
+        };
         match name {
             "program" => self.program = value.to_owned(),
             "scene" => self.scene = value.to_owned(),
-            "size" => {
-                let [width, height] = pair()?.map(u32::try_from);
-                self.size = [width.ok()?, height.ok()?];
-            }
+            "name" => self.made.name = value.to_owned(),
+            "image" => self.made.image = size()?,
+            "tracer" => self.made.tracer = value.to_owned(),
+            "max-depth" => self.made.max_depth = Some(value.parse().ok()?),
+            "size" => self.size = size()?,
             "samples" => self.samples = value.parse().ok()?,
             "arguments" => self.arguments = serde_json::from_str(value).ok()?,
             "wanted" => self.wanted = with(&self.wanted)?,

@@ -22,7 +22,7 @@ use groundtruth::rgb::Rgb;
 
 pub use audit::audit;
 pub use file::{FileError, Part};
-pub use header::Header;
+pub use header::{Header, Made};
 pub use merge::{Contradiction, MergeError, Plan};
 pub use number::{ChannelSums, U256, fixed};
 pub use scene::scene_digest;

@@ -84,6 +84,15 @@ impl Seeds {
         Self(left)
     }
 
+    /// `1 to 10, 12`.
+    pub fn list(&self) -> String {
+        let text = |&[first, last]: &[u64; 2]| match first == last {
+            true => first.to_string(),
+            false => format!("{first} to {last}"),
+        };
+        self.0.iter().map(text).collect::<Vec<_>>().join(", ")
+    }
+
     /// Whether `other` has all of them.
     pub fn is_within(&self, other: &Self) -> bool {
         self.without(other).is_empty()
@@ -93,11 +102,6 @@ impl Seeds {
 /// `seeds 1 to 10, 12`.
 impl fmt::Display for Seeds {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let text = |&[first, last]: &[u64; 2]| match first == last {
-            true => first.to_string(),
-            false => format!("{first} to {last}"),
-        };
-        let ranges: Vec<String> = self.0.iter().map(text).collect();
-        write!(f, "{} {}", if self.count() == 1 { "seed" } else { "seeds" }, ranges.join(", "))
+        write!(f, "{} {}", if self.count() == 1 { "seed" } else { "seeds" }, self.list())
     }
 }

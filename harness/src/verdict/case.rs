@@ -34,7 +34,7 @@ pub struct Case<'a> {
     pub so_far: &'a dyn Fn(&Judged),
     /// How strictly.
     pub strictness: Strictness,
-    /// The transfer function of pictures for display, if the user said it.
+    /// The transfer function of pictures for display, if the user or the file says it.
     pub transfer: Option<Transfer>,
     /// The gamma of the scene's picture, and its rule for colours beyond 1.
     pub tone: (f64, OutOfGamut),

@@ -44,7 +44,7 @@ const ROUNDING: f64 = 1e-5;
 
 impl Stored {
     /// The ways in which the values of a picture may be stored, the likeliest first. Display values say little of
-    /// themselves: `transfer` is what the user says of them, `gamma` what the scene's picture has.
+    /// themselves: `transfer` is what the user or the file says of them, `gamma` what the scene's picture has.
     pub fn candidates(
         picture: &Picture,
         transfer: Option<Transfer>,

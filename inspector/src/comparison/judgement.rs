@@ -13,7 +13,7 @@ use groundtruth::film::{OutOfGamut, Tone};
 use groundtruth::render::Canvas;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use harness::compare::{Picture, Transfer};
+use harness::compare::Picture;
 use harness::verdict::{self, Case, Judged, Region, Strictness, Verdict};
 
 use crate::comparison::layer::Layer;
@@ -111,13 +111,11 @@ struct Question {
     scene: Arc<Scene>,
     seed: u64,
     theirs: Arc<Picture>,
-    /// What the user said of their transfer function.
-    transfer: Option<Transfer>,
 }
 
 impl Question {
     fn answer(self, course: &Course) -> Outcome {
-        let Self { source, read, scene, seed, theirs, transfer } = self;
+        let Self { source, read, scene, seed, theirs } = self;
         let refusal = verdict::refusal(&theirs).or_else(|| verdict::refusal_of_seed(seed));
         if let Some(problem) = refusal {
             return Err(problem);
@@ -132,7 +130,7 @@ impl Question {
             is_interrupted: &|| course.is_stopped(),
             so_far: &|judged| course.note(judged),
             strictness: STRICTNESS,
-            transfer,
+            transfer: theirs.stated,
             tone: (scene.image.gamma, scene.image.out_of_gamut),
             seed,
             reference: None,
@@ -144,12 +142,12 @@ impl Question {
 }
 
 impl Judgement {
-    /// Judges a picture as one of the scene that is shown; `transfer` is what the user said of its transfer function.
+    /// Judges a picture as one of the scene that is shown.
     pub fn start(
         &mut self,
         ctx: &Context,
         rendering: &Rendering,
-        (theirs, transfer): (&Arc<Picture>, Option<Transfer>),
+        theirs: &Arc<Picture>,
         generation: u64,
     ) {
         self.drop_verdict();
@@ -160,7 +158,6 @@ impl Judgement {
             scene: Arc::clone(&rendering.scene),
             seed: rendering.world.seed,
             theirs: Arc::clone(theirs),
-            transfer,
         };
         let (course, mut working) = (Arc::new(Course::default()), Background::default());
         let of_thread = Arc::clone(&course);

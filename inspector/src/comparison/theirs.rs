@@ -58,8 +58,6 @@ pub struct Theirs {
     /// The verdict on it.
     pub judgement: Judgement,
     picture: Arc<Picture>,
-    /// How its display values are encoded, if the user said it.
-    encoding: Option<Transfer>,
     radiance: Arc<Film>,
     layer: Layer<Tone>,
     differences: Layer<(u64, f64)>,
@@ -70,20 +68,19 @@ pub struct Theirs {
 }
 
 impl Theirs {
-    /// Reads a picture file whose display values are encoded by this curve, or that of sRGB.
+    /// Reads a picture file whose display values are encoded by this curve; else by the one that it names, or that of
+    /// sRGB.
     ///
     /// # Errors
     /// If it is no picture, or damaged.
     pub fn read(path: &Path, encoding: Option<Transfer>) -> Result<Self, String> {
-        let transfer = encoding.unwrap_or(Transfer::Srgb);
-        let picture = Picture::read(path, transfer).map_err(|error| error.to_string())?;
+        let picture = Picture::read(path, encoding).map_err(|error| error.to_string())?;
         Ok(Self {
             name: path.display().to_string(),
             shows: Shows::default(),
             divider: 0.5,
             scale: 0.9,
             judgement: Judgement::default(),
-            encoding,
             radiance: Arc::new(picture.radiance()),
             picture: Arc::new(picture),
             layer: Layer::default(),
@@ -181,7 +178,7 @@ impl Theirs {
 
     /// Judges it as a picture of the scene that is shown.
     pub fn judge(&mut self, ctx: &Context, rendering: &Rendering, generation: u64) {
-        self.judgement.start(ctx, rendering, (&self.picture, self.encoding), generation);
+        self.judgement.start(ctx, rendering, &self.picture, generation);
     }
 
     /// Compares with our picture once it is finished, and makes the layer that is shown.

@@ -4,10 +4,10 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use eframe::egui::{Context, Event, Id, Key, Modal};
-use groundtruth::film;
+use groundtruth::film::{self, Format};
 use harness::provenance;
 
-use crate::picture::display::Picture;
+use crate::picture::display::{Picture, tone_of};
 use crate::picture::worker::{Background, Rendering};
 
 /// The state of saving.
@@ -29,12 +29,14 @@ impl Saving {
     }
 
     fn write(&mut self, ctx: &Context, rendering: &Rendering, picture: &Picture, to: PathBuf) {
-        let (canvas, tone) = (rendering.canvas.clone(), picture.tone);
+        let (canvas, tone, of_scene) = (rendering.canvas.clone(), picture.tone, tone_of(rendering));
+        let is_for_display = Format::of(&to).is_ok_and(Format::is_for_display);
         let (source, read) = (rendering.source.clone(), rendering.read.clone());
         let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
         self.working.start(ctx, move || {
             let made = provenance((source.entry(), &read), (&scene, &world), source.folder());
-            let made = made.map_err(|error| error.to_string())?;
+            let mut made = made.map_err(|error| error.to_string())?;
+            made.tone = (is_for_display && tone != of_scene).then(|| tone.to_string());
             let written = film::write_made(&canvas.film(), &tone, &to, &made);
             // with its folder, which a relative name hides
             let whole = std::path::absolute(&to).unwrap_or(to);

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use groundtruth::gallery;
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::{self, STANDARD_INPUT, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
 
 use crate::scene::watch::Watch;
@@ -21,10 +21,15 @@ impl Source {
     /// A gallery name or a file.
     ///
     /// # Errors
-    /// If it is a gallery name that does not exist.
+    /// If it is a gallery name that does not exist, or the standard input.
     pub fn named(name: &str) -> Result<Self, String> {
         if let Some(entry) = gallery::find(name) {
             return Ok(Self::Gallery(entry));
+        }
+        if name == STANDARD_INPUT {
+            let problem = "the window reads a scene file again when it changes; write the standard input to a file, and \
+                           name that";
+            return Err(format!("{name}: {problem}"));
         }
         let path = Path::new(name);
         if path.extension().is_none() && !path.exists() {

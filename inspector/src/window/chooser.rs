@@ -56,9 +56,10 @@ impl FileChooser {
         self.answer.is_busy()
     }
 
-    /// The file that was chosen, returned once.
-    pub fn poll(&mut self) -> Option<(Purpose, PathBuf)> {
-        let (purpose, file) = self.answer.poll()?.ok()?;
-        Some((purpose, file?))
+    /// The file that was chosen, returned once; `None` inside if there is none. That is all that is known when the user
+    /// closed the chooser, and when the desktop has none to show.
+    pub fn poll(&mut self) -> Option<Option<(Purpose, PathBuf)>> {
+        let answer = self.answer.poll()?.ok();
+        Some(answer.and_then(|(purpose, file)| Some((purpose, file?))))
     }
 }

@@ -95,6 +95,10 @@ fn arguments_that_do_not_fit_are_refused() {
         assert_eq!(output.status.code(), Some(2));
         assert_eq!(String::from_utf8_lossy(&output.stderr), format!("error: {error}\n"));
     }
+    let output = inspector(&["-"]);
+    assert_eq!(output.status.code(), Some(2));
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert!(error.starts_with("error: -: the window reads a scene file again"), "{error}");
 }
 
 /// Law: size, samples, seed, pixel and sample are those of the arguments. Oracle: the library's

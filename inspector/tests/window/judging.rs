@@ -11,7 +11,7 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};
-use harness::compare::{Picture, Transfer};
+use harness::compare::Picture;
 use harness::verdict::{Case, Decision, Strictness, Verdict};
 use inspector::comparison::theirs::{Shows, Theirs};
 
@@ -45,7 +45,7 @@ fn written(film: &Film) -> (Theirs, Picture) {
     let path = folder.path().join("theirs.exr");
     let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
     film::write(film, &plain, &path).expect("written");
-    let picture = Picture::read(&path, Transfer::Srgb).expect("it is a picture");
+    let picture = Picture::read(&path, None).expect("it is a picture");
     (Theirs::read(&path, None).expect("it is a picture"), picture)
 }
 

@@ -192,6 +192,9 @@ fn a_chosen_file_is_opened_or_saved() {
         settle(window);
     };
     choose(&mut window, Purpose::Scene, None);
+    // a desktop without a chooser looks the same as one whose user closes it
+    text_with(&window, "no file chosen");
+    text_with(&window, "the path can be typed");
     assert_eq!(window.state().rendering.source.name(), "ch28/glass-sphere");
     choose(&mut window, Purpose::Scene, Some(scene_file.clone()));
     assert_eq!(window.state().rendering.size(), [20, 10]);
@@ -200,6 +203,27 @@ fn a_chosen_file_is_opened_or_saved() {
     let saved = read_exr(&picture_file).expect("a picture");
     assert!(saved.to_f32().eq(window.state().rendering.canvas.film().to_f32()));
     assert_eq!(window.state().fields.save, picture_file.display().to_string());
+}
+
+/// Law: a picture that is shown in another way than the scene says, and saved so, says how; not if it is shown as the scene
+/// says, nor as radiance. Oracle: the text.
+#[test]
+fn a_saved_picture_says_another_exposure() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut window = glass_window();
+    let saved = |window: &mut Window, name: &str| {
+        let path = folder.path().join(name);
+        type_into(window, "Picture", &path.display().to_string());
+        let bytes = std::fs::read(&path).expect("it was saved");
+        bytes.windows(5).any(|part| part == b"Tone\0").then_some(bytes)
+    };
+    assert!(saved(&mut window, "plain.png").is_none());
+    window.state_mut().picture.tone.exposure = 2.0;
+    settle(&mut window);
+    let bytes = saved(&mut window, "brighter.png").expect("it says so");
+    let text = b"tEXtTone\0exposure 2, gamma 1, max_to_one";
+    assert!(bytes.windows(text.len()).any(|part| part == text));
+    assert!(saved(&mut window, "brighter.exr").is_none());
 }
 
 /// Law: a picture that is saved under a relative name is reported with the whole path. Oracle: the present folder.

@@ -35,7 +35,12 @@ pub fn decode(bytes: &[u8], wanted: Option<&str>, max_texels: u64) -> Result<Tex
     let note =
         (cropped > 0).then(|| format!("{cropped} texels outside its display window are ignored"));
     let size = picture.size.map(|length| length as u32);
-    Ok(Texels::new(size[0], size[1], picture.colors).with_notes(notes).with_notes(note))
+    let transparent = match layer.alpha {
+        Some(_) => picture.colors.len() as u64 - picture.opaque,
+        None => 0,
+    };
+    let texels = Texels { transparent, ..Texels::new(size[0], size[1], picture.colors) };
+    Ok(texels.with_notes(notes).with_notes(note))
 }
 
 /// The texels of the display window, while blocks are read.
@@ -49,7 +54,12 @@ struct Picture<'a> {
     /// The texels of the data window found so far, and those of them outside the display window.
     found: usize,
     cropped: usize,
+    /// The texels of the display window whose alpha is 1; those that are in no data have none.
+    opaque: u64,
 }
+
+/// Alpha from here on counts as 1: the largest number of half precision below it may be 1 with a rounding error.
+const OPAQUE: f32 = 1.0 - 1.0 / 2048.0;
 
 impl<'a> Picture<'a> {
     fn new(header: &'a Header, layer: &'a Layer) -> Self {
@@ -61,7 +71,7 @@ impl<'a> Picture<'a> {
             i64::from(data.y()) - i64::from(display.position.y()),
         ];
         let colors = vec![[0.0; 3]; size[0] * size[1]];
-        Self { header, layer, size, offset, colors, found: 0, cropped: 0 }
+        Self { header, layer, size, offset, colors, found: 0, cropped: 0, opaque: 0 }
     }
 
     fn read(&mut self, bytes: &[u8]) -> Result<(), Error> {
@@ -93,7 +103,7 @@ impl<'a> Picture<'a> {
     fn add(&mut self, block: &UncompressedBlock) -> Result<(), Error> {
         for line in block.lines(&self.header.channels) {
             let channel = line.location.channel;
-            if !self.layer.channels.contains(&channel) {
+            if !self.layer.channels.contains(&channel) && self.layer.alpha != Some(channel) {
                 continue;
             }
             let samples: Vec<f32> = match self.header.channels.list[channel].sample_type {
@@ -122,6 +132,10 @@ impl<'a> Picture<'a> {
             self.cropped += usize::from(channel == self.layer.channels[0]);
             return;
         };
+        if self.layer.alpha == Some(channel) {
+            self.opaque += u64::from(sample >= OPAQUE);
+            return;
+        }
         let color = &mut self.colors[y * self.size[0] + x];
         for (value, _) in color.iter_mut().zip(self.layer.channels).filter(|(_, c)| *c == channel) {
             *value = sample;
@@ -138,8 +152,9 @@ fn check_header(header: &Header, layer: &Layer, max_texels: u64) -> Result<(), P
     check_size([width as u64, height as u64], max_texels)?;
     let display = header.shared_attributes.display_window.size;
     check_size([display.width() as u64, display.height() as u64], max_texels)?;
-    let sampling = layer.channels.map(|channel| header.channels.list[channel].sampling);
-    if sampling.iter().any(|sampling| (sampling.x(), sampling.y()) != (1, 1)) {
+    let used = layer.channels.into_iter().chain(layer.alpha);
+    let mut sampling = used.map(|channel| header.channels.list[channel].sampling);
+    if sampling.any(|sampling| (sampling.x(), sampling.y()) != (1, 1)) {
         return Err("channels of a lower resolution (subsampled) are not supported".to_owned());
     }
     let texel = header.channels.bytes_per_pixel;

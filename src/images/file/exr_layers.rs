@@ -11,6 +11,8 @@ pub struct Layer {
     pub part: usize,
     /// The indices of its channels R, G and B.
     pub channels: [usize; 3],
+    /// The index of its channel A, if it has one.
+    pub alpha: Option<usize>,
     /// How a scene names it; empty for the main image.
     name: String,
     view: Option<String>,
@@ -76,9 +78,10 @@ fn all(
         prefixes.dedup();
         for prefix in prefixes {
             let Some(channels) = channels_of(list, &prefix) else { continue };
+            let alpha = index(list, &prefix, "A");
             let names = [part_name.as_deref().unwrap_or_default(), prefix.as_str()];
             let names: Vec<&str> = names.into_iter().filter(|name| !name.is_empty()).collect();
-            layers.push(Layer { part, channels, name: names.join("."), view: view.clone() });
+            layers.push(Layer { part, channels, alpha, name: names.join("."), view: view.clone() });
         }
     }
     layers

@@ -193,6 +193,19 @@ pub struct Stored {
     pub texels: Texels,
     /// Whether they are radiance, not encoded for display.
     pub is_linear: bool,
+    /// What the file says of its transfer function, if anything.
+    pub curve: Option<Curve>,
+}
+
+/// What a file says of its transfer function.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Curve {
+    /// That of sRGB (IEC 61966-2-1).
+    Srgb,
+    /// Radiance is the value to this power.
+    Gamma(f64),
+    /// A chunk of this kind, which is not read.
+    Unread(&'static str),
 }
 
 /// The stored values of a picture file, or of the standard input if its path is `-`; at most `max_texels`.
@@ -209,7 +222,11 @@ pub fn read_stored(path: &Path, max_texels: u64) -> Result<Stored, ImageFileErro
     let format = Format::of(&bytes).map_err(wrong)?;
     let texels = decode_stored(format, &bytes, Some(Encoding::Linear), None, max_texels);
     let texels = texels.map_err(|Wrong { problem, .. }| wrong(problem))?;
-    Ok(Stored { texels, is_linear: format.is_linear() })
+    let (curve, note) = match format {
+        Format::Png => png::curve(&bytes).map_err(wrong)?,
+        _ => (None, None),
+    };
+    Ok(Stored { texels: texels.with_notes(note), is_linear: format.is_linear(), curve })
 }
 
 /// All bytes of the standard input; fails if they are too many.

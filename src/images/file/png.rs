@@ -6,7 +6,9 @@ use flate2::read::ZlibDecoder;
 use image::codecs::png::PngDecoder;
 use png::{ColorType, Decoder, Reader};
 
-use super::{Encoding, Problem, after_the_end, check_size, damaged, integers, limits, samples};
+use super::{
+    Curve, Encoding, Problem, after_the_end, check_size, damaged, integers, limits, samples,
+};
 use crate::images::Texels;
 
 /// The decoder scales samples of fewer than 8 bits to 8, exactly: `255/(2ⁿ − 1)` is an integer.
@@ -28,6 +30,48 @@ pub fn decode(
     let is_8_bit = image.color().bytes_per_pixel() == image.color().channel_count();
     let texels = integers(image, if is_8_bit { 255 } else { u16::MAX }, encoding)?;
     Ok(texels.with_notes(after_the_end(after)))
+}
+
+/// What a file says of its transfer function, and a note on primaries that are not those of sRGB.
+///
+/// Source: W3C, *Portable Network Graphics* (third edition), 4.3: the first of cICP, iCCP, sRGB and gAMA counts.
+pub fn curve(bytes: &[u8]) -> Result<(Option<Curve>, Option<String>), Problem> {
+    let (chunks, _) = checked_chunks(bytes)?;
+    let before_data = || chunks.iter().take_while(|chunk| chunk.kind != b"IDAT");
+    let find = |kind: &[u8; 4]| before_data().find(|chunk| chunk.kind == kind);
+    let gamma = || match find(b"gAMA")?.data {
+        &[a, b, c, d] => gamma_of(u32::from_be_bytes([a, b, c, d])).map(Curve::Gamma),
+        _ => None,
+    };
+    let curve = if find(b"cICP").is_some() {
+        Some(Curve::Unread("cICP"))
+    } else if find(b"iCCP").is_some() {
+        Some(Curve::Unread("iCCP"))
+    } else if find(b"sRGB").is_some() {
+        Some(Curve::Srgb)
+    } else {
+        gamma()
+    };
+    let has_others = find(b"cHRM").is_some_and(|chunk| chunk.data != srgb_primaries());
+    let counts = matches!(curve, None | Some(Curve::Gamma(_)));
+    let note = "its primaries (cHRM) are not those of sRGB; they are ignored";
+    Ok((curve, (has_others && counts).then(|| note.to_owned())))
+}
+
+/// The white point and the primaries of sRGB, as a cHRM chunk has them.
+fn srgb_primaries() -> Vec<u8> {
+    let numbers = [31270_u32, 32900, 64000, 33000, 30000, 60000, 15000, 6000];
+    numbers.into_iter().flat_map(u32::to_be_bytes).collect()
+}
+
+/// The gamma whose reciprocal, in units of 1/100000, is rounded to this integer; the one with the fewest digits, as
+/// 2.2 for 45455. `None` for 0, which means nothing.
+fn gamma_of(power: u32) -> Option<f64> {
+    let exact = (power > 0).then(|| 1e5 / f64::from(power))?;
+    let scales = std::iter::successors(Some(1.0), |scale| Some(10.0 * scale)).take(10);
+    let rounded = scales.map(|scale: f64| (exact * scale).round() / scale);
+    let is_written_so = |gamma: &f64| (1e5 / gamma).round() == f64::from(power);
+    Some(rounded.into_iter().find(is_written_so).unwrap_or(exact))
 }
 
 struct Chunk<'a> {

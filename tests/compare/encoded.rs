@@ -1,0 +1,110 @@
+//! PNG files that say which transfer function they have.
+
+use std::path::Path;
+
+use groundtruth::film::Film;
+use groundtruth::math::power;
+use groundtruth::rgb::Rgb;
+use harness::compare::{Picture, Transfer};
+
+use super::compared;
+
+/// Radiance from 0 to 1, in steps that no integer of 8 bits falls on.
+fn radiance() -> Film {
+    let mut film = Film::new(64, 16);
+    for index in 0..1024 {
+        let grey = f64::from(index) / 1023.0;
+        film.set([index % 64, index / 64], Rgb::new(grey, 1.0 - grey, grey * grey));
+    }
+    film
+}
+
+fn gamma(x: f64) -> f64 {
+    power(x, 1.0 / 2.2)
+}
+
+/// IEC 61966-2-1.
+fn srgb(x: f64) -> f64 {
+    if x <= 0.0031308 { 12.92 * x } else { 1.055 * power(x, 1.0 / 2.4) - 0.055 }
+}
+
+/// A chunk of a PNG file: the length, kind and data, and the checksum of both.
+fn chunk(kind: &str, data: &[u8]) -> Vec<u8> {
+    let body = [kind.as_bytes(), data].concat();
+    let [length, sum] = [data.len() as u32, crc32fast::hash(&body)].map(u32::to_be_bytes);
+    [&length[..], &body, &sum].concat()
+}
+
+/// The radiance in 8 bits, encoded by a function, in a file with these chunks after its header.
+fn file(folder: &Path, encode: fn(f64) -> f64, chunks: &[Vec<u8>]) -> std::path::PathBuf {
+    let film = radiance();
+    let byte = |x: f64| (255.0 * encode(x)).round() as u8;
+    let bytes = film.pixels().iter().flat_map(|pixel| pixel.to_array().map(byte)).collect();
+    let picture = image::RgbImage::from_raw(64, 16, bytes).expect("three bytes a pixel");
+    let path = folder.join("encoded.png");
+    picture.save(&path).expect("written");
+    let mut bytes = std::fs::read(&path).expect("it is there");
+    bytes.splice(33..33, chunks.concat());
+    std::fs::write(&path, bytes).expect("written");
+    path
+}
+
+/// Law: a picture equals its radiance if it is encoded as its file says, by gAMA or sRGB, of which sRGB counts; not if
+/// the file says nothing, another thing, or a thing that is not read (a profile), which is said. Oracle: the transfer
+/// functions by hand; W3C, *Portable Network Graphics*, for chunks and their order.
+#[test]
+fn png_files_are_decoded_as_they_say() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let ours = Picture::of_film(&radiance());
+    let gama = |power: u32| chunk("gAMA", &power.to_be_bytes());
+    let srgb_chunk = || chunk("sRGB", &[0]);
+    // a profile of no bytes: a name, the method, and an empty zlib stream
+    let stream = [0x78, 1, 1, 0, 0, 0xff, 0xff, 0, 0, 0, 1];
+    let profile = || chunk("iCCP", &[&b"p\0\0"[..], &stream].concat());
+    let video = || chunk("cICP", &[1, 8, 0, 1]);
+    let (yes, no) = (true, false);
+    type Case = (fn(f64) -> f64, Vec<Vec<u8>>, Option<Transfer>, bool, &'static str);
+    let cases: [Case; 12] = [
+        (gamma, vec![gama(45455)], Some(Transfer::Gamma(2.2)), yes, "is gamma 2.2, as it says"),
+        (|x| x, vec![gama(100_000)], Some(Transfer::Linear), yes, "is linear, as it says"),
+        (srgb, vec![srgb_chunk()], Some(Transfer::Srgb), yes, "is sRGB, as it says"),
+        (srgb, vec![gama(45455), srgb_chunk()], Some(Transfer::Srgb), yes, "is sRGB"),
+        (srgb, vec![], None, yes, ""),
+        (srgb, vec![gama(0)], None, yes, ""),
+        (gamma, vec![], None, no, ""),
+        (|x| x, vec![gama(45455)], Some(Transfer::Gamma(2.2)), no, "is gamma 2.2"),
+        (srgb, vec![gama(45455)], Some(Transfer::Gamma(2.2)), no, "is gamma 2.2"),
+        (srgb, vec![profile(), gama(100_000)], None, yes, "in a chunk iCCP, which is not read"),
+        (srgb, vec![video(), srgb_chunk()], None, yes, "in a chunk cICP, which is not read"),
+        (gamma, vec![gama(55556)], Some(Transfer::Gamma(1.8)), no, "is gamma 1.8"),
+    ];
+    for (encode, chunks, stated, is_same, note) in cases {
+        let theirs = Picture::read(&file(folder.path(), encode, &chunks), None).expect("a picture");
+        assert_eq!(
+            (theirs.stated, compared(&ours, &theirs).is_same()),
+            (stated, is_same),
+            "{note}"
+        );
+        assert_eq!(theirs.notes.len(), usize::from(!note.is_empty()), "{:?}", theirs.notes);
+        assert!(theirs.notes.iter().all(|found| found.contains(note)), "{:?}", theirs.notes);
+    }
+    let path = file(folder.path(), gamma, &[gama(100_000)]);
+    let theirs = Picture::read(&path, Some(Transfer::Gamma(2.2))).expect("a picture");
+    assert!(compared(&ours, &theirs).is_same(), "the user's word counts");
+    assert_eq!(theirs.notes, ["it says linear; --encoding counts"]);
+}
+
+/// Law: primaries that are not those of sRGB are noted. Oracle: those of ITU-R BT.709, which are the same, and BT.2020.
+#[test]
+fn other_primaries_are_noted() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let primaries = |numbers: [u32; 8]| chunk("cHRM", &numbers.map(u32::to_be_bytes).concat());
+    for (numbers, count) in [
+        ([31270, 32900, 64000, 33000, 30000, 60000, 15000, 6000], 0),
+        ([31270, 32900, 70800, 29200, 17000, 79700, 13100, 4600], 1),
+    ] {
+        let picture = Picture::read(&file(folder.path(), srgb, &[primaries(numbers)]), None);
+        let notes = picture.expect("a picture").notes;
+        assert_eq!(notes.iter().filter(|note| note.contains("cHRM")).count(), count, "{notes:?}");
+    }
+}
