@@ -13,6 +13,7 @@ sys.dont_write_bytecode = True  # nothing is left behind in this folder
 
 import shapes
 from cameras import camera_ray
+from grids import grid
 from light import fresnel, light, lobe
 from samplers import map_of, samples
 from shapes import intersect, occluded
@@ -35,7 +36,7 @@ def spelled(answer):
 
 
 FUNCTIONS = {f.__name__: f for f in (intersect, occluded, camera_ray, samples, lobe, fresnel, light, texture, mapping,
-                                     transform)}
+                                     transform, grid)}
 FUNCTIONS["map"] = map_of
 QUESTIONS = {name: lambda q, f=f: spelled(f(q)) for name, f in FUNCTIONS.items()}
 

@@ -29,13 +29,11 @@ def lambertian(data, q, answer):
 
 
 def glossy_specular(data, q, answer):
-    """f = ks cs (r·wo)^e, without a factor of e, and ρ is black (ch. 15)."""
-    answer["albedo"] = [0.0, 0.0, 0.0]
-    if "wi" in q:
-        cosine = dot(mirrored(q["wi"], N), q["wo"])
-        answer["f"] = times(cosine ** data["exponent"] if cosine > 0 else 0.0, data["reflectance"])
+    """f = ks cs (r·wo)^e, without a factor of e (ch. 15)."""
     if "u" in q:
         raise Unsupported("directions of highlights: those of glossy_reflection (ch. 25)")
+    cosine = dot(mirrored(q["wi"], N), q["wo"])
+    answer["f"] = times(cosine ** data["exponent"] if cosine > 0 else 0.0, data["reflectance"])
 
 
 def glossy_reflection(data, q, answer):
@@ -73,8 +71,8 @@ def perfect_specular(data, q, answer):
 def perfect_transmitter(data, q, answer):
     """f = kt / η² / |n·wt| (ch. 27)."""
     wt = refracted(q["wo"], N, data["eta"])
-    f = wt and times(1 / (data["eta"] * data["eta"]) / abs(dot(N, wt)), data["transmittance"])
-    answer["sample"] = wt and drawn(wt, f, 1.0)
+    kt = data["transmittance"]
+    answer["sample"] = wt and drawn(wt, [kt / (data["eta"] * data["eta"]) / abs(dot(N, wt))] * 3, 1.0)
 
 
 def fresnel_reflector(data, q, answer):
@@ -99,6 +97,8 @@ def lobe(q):
     (kind, data), = q["lobe"].items()
     if kind not in LOBES:
         raise Unsupported(kind)
+    if "wi" not in q and "u" not in q and kind != "lambertian":
+        raise Unsupported("an albedo: ρ is black in all other BRDFs, for ambient light alone has a use for it")
     answer = {}
     LOBES[kind](data, q, answer)
     return answer

@@ -69,8 +69,6 @@ PATTERNS = {"regular": regular, "random": pure_random, "jittered": jittered, "n_
             "multi_jittered": multi_jittered, "hammersley": hammersley}
 
 
-
-
 class Sampler:
     """83 sets and, for each, an order of its samples, which are made once (ch. 5)."""
 

@@ -10,8 +10,6 @@ from transforms import inverse_of, normal_by, point_by, vector_by
 from unsupported import Unsupported
 
 
-
-
 def flat_t(point, normal, o, d):
     """(a − o)·n / (d·n), without a case for d·n = 0 (ch. 3)."""
     return over(dot(sub(point, o), normal), dot(d, normal))
@@ -146,8 +144,8 @@ def torus(s, o, d, epsilon, is_on=lambda p: True):
     return None
 
 
-# Part objects: the azimuth is measured from +z towards +x. A range is φ_min ≤ φ ≤ φ_max within 0 … 2π: one that goes
-# through 0 has no points, and none of the part objects tests for it.
+# Part objects: the azimuth is measured from +z towards +x. A range is φ_min ≤ φ ≤ φ_max within 0 … 2π; the part objects
+# have no case for one that goes through 0, and with φ_min > φ_max they would have no points.
 
 
 def angle(sine, cosine):
@@ -215,6 +213,9 @@ def hit_function(kind):
         raise Unsupported(name)
     if s.get("normals") or s.get("inward"):
         raise Unsupported(f"a smooth triangle, or a concave {name}")
+    low, high = s.get("phi", [0, 360])
+    if not 0 <= low <= high <= 360:
+        raise Unsupported("a range of φ through 0: the book turns an instance")
     of, epsilon = KINDS[name]
     return lambda o, d: of(s, o, d, epsilon if only_epsilon is None else only_epsilon)
 
