@@ -2,6 +2,7 @@
 import math
 
 from numbers_as_in_c import cross, dot, unit
+from unsupported import Unsupported
 
 IDENTITY = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0]]
 
@@ -71,7 +72,7 @@ def pair(step):
         return across, across
     if name == "shear":
         return shear(*data), inverse_shear(*data)
-    raise KeyError(name)
+    raise Unsupported(f"{name}: the book has no inverse of any matrix")
 
 
 def matrix_of(steps):
