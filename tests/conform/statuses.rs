@@ -169,8 +169,7 @@ impl Subject for WithoutRoll {
 /// mistake.
 #[test]
 fn a_family_is_not_given_up_for_its_first_two_cases() {
-    let card =
-        card_with(&mut WithoutRoll, &["camera_ray.pinhole.values"], Profile::Book, 2, false);
+    let card = card_with(&mut WithoutRoll, &["camera_ray.pinhole.values"], Profile::Book, 2, false);
     assert!(card.rows[0].is_unsupported(), "the first two cases have a roll: {card}");
     let card =
         card_with(&mut WithoutRoll, &["camera_ray.pinhole.values"], Profile::Book, 48, false);

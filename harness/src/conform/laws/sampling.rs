@@ -121,7 +121,9 @@ fn unevenness(points: &[Vec<f64>], level: f64) -> Option<String> {
     different.dedup();
     let n = different.len();
     if n < FEWEST as usize {
-        return Some(format!("at least {FEWEST} different first draws of {PIXELS} pixels, not {n}"));
+        return Some(format!(
+            "at least {FEWEST} different first draws of {PIXELS} pixels, not {n}"
+        ));
     }
     let mut counts = vec![0_u64; CELLS * CELLS];
     for point in &different {
