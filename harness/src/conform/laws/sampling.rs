@@ -57,8 +57,8 @@ const FEWEST: u64 = 64;
 
 /// Law: what a renderer draws is as good as its sets: the draws of one pixel use up a stratified set, the first draws
 /// of all pixels are many points that fill the square evenly (χ²), and those of neighbouring pixels are not correlated
-/// (Pearson): so one sample set in every pixel, or a shuffle that favours some, shows (Suffern, ch. 5). The case is a `samples` with `n`
-/// and a `draw`, of a sampler with random numbers.
+/// (Pearson): so one sample set in every pixel, or a shuffle that favours some, shows (Suffern, ch. 5). The case is a
+/// `samples` with `n` and a `draw`, of a sampler with random numbers.
 pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
     let asked = &case["samples"];
     let Some(n) = asked["n"].as_u64().filter(|n| *n >= FEWEST) else {
