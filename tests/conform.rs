@@ -2,6 +2,8 @@
 
 #[path = "conform/altered.rs"]
 mod altered;
+#[path = "conform/book.rs"]
+mod book;
 #[path = "conform/constants.rs"]
 mod constants;
 #[path = "conform/exact.rs"]

@@ -188,7 +188,7 @@ fn adapters_of_a_language_share_their_protocol() {
         text[begin..end].to_owned()
     };
     for (from, files) in [
-        ("def reply", &["init.py", "adapter.py", "wrong.py"][..]),
+        ("def reply", &["init.py", "adapter.py", "wrong.py", "book/book.py"][..]),
         ("// The protocol", &["init.cpp", "adapter.cpp"]),
         ("/// The protocol", &["init.rs", "adapter.rs"]),
     ] {

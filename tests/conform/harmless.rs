@@ -3,7 +3,7 @@
 use harness::conform::{Profile, ours};
 use serde_json::{Value, json};
 
-use super::altered::{Altered, card, each, instead, length, swap, vector};
+use super::altered::{Altered, card, data, each, instead, length, swap, vector};
 
 /// Applies a function to every number of an answer.
 fn all_numbers(value: &mut Value, of: &impl Fn(f64) -> Value) {
@@ -158,5 +158,37 @@ fn noise_of_other_tables_is_no_mistake() {
         let mut other = question.clone();
         other["noise"]["noise"]["seed"] = json!(99);
         ours(&other).unwrap_or(a)
+    });
+}
+
+/// The book's pixels draw one of 83 sets, each with one order of its points (Suffern, ch. 5).
+#[test]
+fn pixels_that_share_83_sets_are_no_mistake() {
+    let all = ["samples.jittered.stream", "samples.multi_jittered.stream", "samples.random.stream"];
+    passes("83 sets", Profile::Book, &all, |question, _| {
+        instead(question, |data| {
+            let [x, y] = [0, 1].map(|i| data["draw"]["pixel"][i].as_u64().unwrap_or(0));
+            let set = (x + 1000 * y).wrapping_mul(0x9e37_79b9_7f4a_7c15) % 83;
+            data["draw"]["pixel"] = json!([set, 0]);
+        })
+    });
+}
+
+/// `⌊multiplier · w / s⌋ + 1` cells for all sets of boxes, where s³ is their volume over their number (Suffern, ch. 22).
+#[test]
+fn the_cells_of_the_book_are_no_mistake() {
+    passes("the book's formula", Profile::Careful, &["grid.boxes"], |question, mut a| {
+        let data = data(question);
+        let boxes = data["boxes"].as_array().expect("boxes");
+        let ends = |corner: &str, of: fn(f64, f64) -> f64| {
+            let corners: Vec<[f64; 3]> = boxes.iter().map(|it| vector(&it[corner])).collect();
+            corners.into_iter().reduce(|a, b| [0, 1, 2].map(|i| of(a[i], b[i]))).expect("a box")
+        };
+        let (low, high) = (ends("min", f64::min), ends("max", f64::max));
+        let w = [0, 1, 2].map(|i| high[i] - low[i]);
+        let s = groundtruth::math::cbrt(w.iter().product::<f64>() / boxes.len() as f64);
+        let multiplier = data["multiplier"].as_f64().unwrap_or(2.0);
+        a["resolution"] = json!(w.map(|w| (multiplier * w / s).floor() + 1.0));
+        a
     });
 }

@@ -3,7 +3,10 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
+use harness::conform::{Profile, Reply, Status, Subject, ours};
 use serde_json::Value;
+
+use super::altered::{card_with, each};
 
 const GROUNDTRUTH: &str = env!("CARGO_BIN_EXE_groundtruth");
 
@@ -143,4 +146,32 @@ fn each_language_has_an_adapter_to_start_from() {
         assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
         assert!(String::from_utf8_lossy(&output.stdout).contains(has), "{language}");
     }
+}
+
+/// A program without a roll angle, whose cameras look backwards.
+struct WithoutRoll;
+
+impl Subject for WithoutRoll {
+    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+        let reply = |question: &Value| {
+            if !question["camera_ray"]["camera"]["roll"].is_null() {
+                return Reply::Unsupported("roll".to_owned());
+            }
+            let mut answer = ours(question).expect("an answer");
+            each(&mut answer["direction"], |x| -x);
+            Reply::Answer(answer)
+        };
+        questions.iter().map(reply).collect()
+    }
+}
+
+/// Law: a program that lacks a field of many cases is judged by the others, even if it lacks the first two. Oracle: its
+/// mistake.
+#[test]
+fn a_family_is_not_given_up_for_its_first_two_cases() {
+    let card = card_with(&mut WithoutRoll, &["camera_ray.pinhole.values"], Profile::Book, 2, false);
+    assert!(card.rows[0].is_unsupported(), "the first two cases have a roll: {card}");
+    let card =
+        card_with(&mut WithoutRoll, &["camera_ray.pinhole.values"], Profile::Book, 48, false);
+    assert!(card.count(Status::Wrong) > 10, "{card}");
 }

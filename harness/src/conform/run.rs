@@ -32,6 +32,9 @@ pub struct Options {
 
 /// Cases of a family in the first round, so that a run that is stopped soon has touched all families.
 const FIRST_ROUND: usize = 2;
+/// Unsupported cases after which a family is left alone. Not two: a program may lack a field of half of the cases, as a
+/// camera's roll.
+const FEW: usize = 8;
 /// Faults after which all families of a question are not asked any more.
 const MOST_FAULTS_OF_QUESTION: u64 = 6;
 /// Wrong answers of a family that are kept, to find what they have in common.
@@ -134,8 +137,19 @@ impl<'a> Asked<'a> {
         Self { family, cases, row, wrong: Vec::new(), first: None, is_done }
     }
 
-    /// Asks some of its cases.
+    /// Asks some of its cases; while nothing is supported, few of them.
     fn ask(&mut self, subject: &mut dyn Subject, from: usize, to: usize, profile: Profile) {
+        if from < FEW && FEW < to && self.row.is_unsupported() {
+            self.ask_range(subject, from, FEW, profile);
+            if !self.is_done {
+                self.ask_range(subject, FEW, to, profile);
+            }
+        } else {
+            self.ask_range(subject, from, to, profile);
+        }
+    }
+
+    fn ask_range(&mut self, subject: &mut dyn Subject, from: usize, to: usize, profile: Profile) {
         let to = to.min(self.cases.len());
         let cases: Vec<Value> = self.cases[from.min(to)..to].to_vec();
         match self.family.judge {
@@ -167,10 +181,9 @@ impl<'a> Asked<'a> {
                 }
             }
         }
-        let unsupported = self.row.counts[Status::Unsupported as usize];
-        let is_unsupported = unsupported > 0 && unsupported == self.row.total();
+        let is_left_alone = to >= FEW && self.row.is_unsupported();
         self.is_done =
-            to == self.cases.len() || is_unsupported || self.row.faults() >= MOST_FAULTS as u64;
+            to == self.cases.len() || is_left_alone || self.row.faults() >= MOST_FAULTS as u64;
     }
 
     fn count(

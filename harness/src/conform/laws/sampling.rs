@@ -1,5 +1,7 @@
 //! Laws of samples and their maps.
 
+use std::cmp::Ordering;
+
 use serde_json::{Value, json};
 
 use super::super::family::Asking;
@@ -49,13 +51,14 @@ pub fn strata_of(tag: &str) -> Strata {
 const PIXELS: u64 = 400;
 /// Cells of the square along an axis.
 const CELLS: usize = 4;
-/// The fewest points of a set: the book has 83 sets, and fewer points would repeat themselves in so many pixels.
+/// The fewest points of a set, and the fewest different ones among the first draws: the book has 83 sets, each with one
+/// order of its points, so that its pixels begin with one of 83 points.
 const FEWEST: u64 = 64;
 
 /// Law: what a renderer draws is as good as its sets: the draws of one pixel use up a stratified set, the first draws
-/// of all pixels fill the square evenly (χ²), and those of neighbouring pixels are not correlated (Pearson): so one
-/// sample set in every pixel, or a shuffle that favours some, shows (Suffern, ch. 5). The case is a `samples` with `n`
-/// and a `draw`, of a sampler with random numbers.
+/// of all pixels are many points that fill the square evenly (χ²), and those of neighbouring pixels are not correlated
+/// (Pearson): so one sample set in every pixel, or a shuffle that favours some, shows (Suffern, ch. 5). The case is a
+/// `samples` with `n` and a `draw`, of a sampler with random numbers.
 pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
     let asked = &case["samples"];
     let Some(n) = asked["n"].as_u64().filter(|n| *n >= FEWEST) else {
@@ -88,17 +91,8 @@ pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
             "two numbers of at least 0 and below 1",
         ));
     }
-    let mut counts = vec![0_u64; CELLS * CELLS];
-    for point in &points {
-        let [x, y] = [point[0], point[1]].map(|x| (x * CELLS as f64) as usize);
-        counts[y * CELLS + x] += 1;
-    }
-    let expected = vec![PIXELS as f64 / counts.len() as f64; counts.len()];
     let level = sidak(LEVEL, 3 * TESTS);
-    let p = goodness_of_fit(&counts, &expected);
-    if p <= level {
-        let text =
-            format!("first draws of {PIXELS} pixels all over the square: χ² has p = {p:.1e}");
+    if let Some(text) = unevenness(&points, level) {
         return Ok(Judgement::wrong("uneven", f64::INFINITY, text));
     }
     for axis in [0, 1] {
@@ -117,6 +111,29 @@ pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
         return Ok(Judgement::wrong("pixels", f64::INFINITY, text));
     }
     Ok(Judgement::Right(0.0))
+}
+
+/// What is expected of the first draws of pixels, if they are few points or do not fill the square evenly. Pixels that
+/// share a set may begin with the same point, which counts once: only different points are independent.
+fn unevenness(points: &[Vec<f64>], level: f64) -> Option<String> {
+    let mut different = points.to_vec();
+    different.sort_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
+    different.dedup();
+    let n = different.len();
+    if n < FEWEST as usize {
+        return Some(format!(
+            "at least {FEWEST} different first draws of {PIXELS} pixels, not {n}"
+        ));
+    }
+    let mut counts = vec![0_u64; CELLS * CELLS];
+    for point in &different {
+        let [x, y] = [point[0], point[1]].map(|x| (x * CELLS as f64) as usize);
+        counts[y * CELLS + x] += 1;
+    }
+    let expected = vec![n as f64 / counts.len() as f64; counts.len()];
+    let p = goodness_of_fit(&counts, &expected);
+    let text = format!("first draws of {PIXELS} pixels all over the square: χ² has p = {p:.1e}");
+    (p <= level).then_some(text)
 }
 
 /// Law: the points of each set are in the unit square, are as many as were asked for, and are stratified as the
