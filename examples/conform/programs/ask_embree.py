@@ -48,10 +48,10 @@ def load():
 
 class Ray(ctypes.Structure):
     """RTCRayHit."""
-    _fields_ = [("o", ctypes.c_float * 3), ("near", ctypes.c_float), ("d", ctypes.c_float * 3), ("time", ctypes.c_float),
-                ("far", ctypes.c_float), ("mask", ctypes.c_uint), ("id", ctypes.c_uint), ("flags", ctypes.c_uint),
-                ("n", ctypes.c_float * 3), ("uv", ctypes.c_float * 2), ("primitive", ctypes.c_uint),
-                ("geometry", ctypes.c_uint), ("instance", ctypes.c_uint * 2), ("room", ctypes.c_uint * 11)]
+    real, uint = ctypes.c_float, ctypes.c_uint
+    _fields_ = [("o", real * 3), ("near", real), ("d", real * 3), ("time", real), ("far", real), ("mask", uint),
+                ("id", uint), ("flags", uint), ("n", real * 3), ("uv", real * 2), ("primitive", uint),
+                ("geometry", uint), ("instance", uint * 2), ("room", uint * 11)]
 
 
 def fill(geometry, which, layout, kind, rows):
@@ -68,14 +68,48 @@ def polygons(geometry_type, layout, vertices, faces):
     return geometry
 
 
+def step(data):
+    """The rows of the matrix of a step of a transform."""
+    (kind, x), = data.items()
+    if kind == "matrix":
+        return x
+    if kind == "translate":
+        return [[1, 0, 0, x[0]], [0, 1, 0, x[1]], [0, 0, 1, x[2]], [0, 0, 0, 1]]
+    if kind == "scale":
+        return [[x[0], 0, 0, 0], [0, x[1], 0, 0], [0, 0, x[2], 0], [0, 0, 0, 1]]
+    if kind == "shear":
+        a, b, c, d, e, f = x
+        return [[1, a, b, 0], [c, 1, d, 0], [e, f, 1, 0], [0, 0, 0, 1]]
+    if kind != "rotate_about":
+        raise Unsupported(kind)
+    length = math.hypot(*x["direction"])
+    a, b, c = (y / length for y in x["direction"])
+    # Rodrigues: the parts of a vector along the axis, across it, and across both
+    s, along = math.sin(math.radians(x["degrees"])), 2 * math.sin(math.radians(x["degrees"]) / 2) ** 2
+    rows = [[1 - along * (b * b + c * c), along * a * b - s * c, along * a * c + s * b],
+            [along * a * b + s * c, 1 - along * (a * a + c * c), along * b * c - s * a],
+            [along * a * c - s * b, along * b * c + s * a, 1 - along * (a * a + b * b)]]
+    p = x["point"]
+    return [[*row, y - sum(r * z for r, z in zip(row, p))] for row, y in zip(rows, p)] + [[0, 0, 0, 1]]
+
+
+def placed(shape):
+    """The matrix of an instance, or of instances in one another (this build has one level), and what is in it."""
+    matrix = step({"scale": [1, 1, 1]})
+    while "instance" in shape:
+        for data in reversed(shape["instance"]["transform"]):
+            columns = list(zip(*step(data)))
+            matrix = [[sum(x * y for x, y in zip(row, column)) for column in columns] for row in matrix]
+        shape = shape["instance"]["of"]
+    return matrix, shape
+
+
 def scene(shape, made):
     """A built scene of one shape; `made` gets all scenes, to be released."""
     (kind, data), = shape.items()
     if kind == "instance":
-        (name, matrix), = data["transform"][0].items()
-        if name != "matrix" or len(data["transform"]) > 1 or "instance" in data["of"]:
-            raise Unsupported("transforms but one matrix, and instances of instances (this build has one level)")
-        inner = scene(data["of"], made)
+        matrix, within = placed(shape)
+        inner = scene(within, made)
         geometry = RTC.rtcNewGeometry(DEVICE, INSTANCE)
         RTC.rtcSetGeometryInstancedScene(geometry, inner)
         rows = (ctypes.c_float * 12)(*[x for row in matrix[:3] for x in row])
@@ -147,7 +181,7 @@ def intersect(q):
         return None
     n = list(ray.n)
     if "instance" in q["shape"]:
-        n = out_of_instance(q["shape"]["instance"]["transform"][0]["matrix"], n)
+        n = out_of_instance(placed(q["shape"])[0], n)
     length = math.hypot(*n)  # Embree's normal has any length
     return {"t": ray.far, "normal": [x / length for x in n]}
 

@@ -12,6 +12,7 @@ import sys
 import mitsuba as mi
 
 mi.set_variant(sys.argv[1] if len(sys.argv) > 1 else "scalar_rgb")
+mi.set_log_level(mi.LogLevel.Error)  # its warnings go to the standard output
 T = mi.ScalarTransform4f
 NEAR = 0.01  # of cameras
 
@@ -21,8 +22,9 @@ class Unsupported(Exception):
 
 
 def one(x):
-    """A number; of the arrays of other variants than scalar ones, the first."""
-    return float(x) if isinstance(x, (int, float)) else float(x[0])
+    """A number; of the arrays of other variants than scalar ones, the first. NaN is no JSON."""
+    x = float(x) if isinstance(x, (int, float)) else float(x[0])
+    return "nan" if math.isnan(x) else x
 
 
 def three(v):
@@ -44,6 +46,33 @@ def mesh(vertices, faces):
     values["faces"] = [i for face in faces for i in face]
     values.update()
     return made
+
+
+def step(data):
+    (kind, x), = data.items()
+    if kind == "matrix":
+        return T(x)
+    if kind == "translate":
+        return T().translate(x)
+    if kind == "scale":
+        return T().scale(x)
+    if kind == "shear":
+        a, b, c, d, e, f = x
+        return T([[1, a, b, 0], [c, 1, d, 0], [e, f, 1, 0], [0, 0, 0, 1]])
+    if kind == "rotate_about":
+        p, axis = x["point"], [y / math.hypot(*x["direction"]) for y in x["direction"]]
+        return T().translate(p) @ T().rotate(axis, x["degrees"]) @ T().translate([-y for y in p])
+    raise Unsupported(kind)
+
+
+def placed(asked):
+    """The transform of an instance, or of instances in one another, and what is in it."""
+    place = T()
+    while "instance" in asked:
+        for data in reversed(asked["instance"]["transform"]):
+            place = place @ step(data)
+        asked = asked["instance"]["of"]
+    return place, asked
 
 
 def shape(asked):
@@ -72,11 +101,8 @@ def shape(asked):
         return mesh(data["vertices"], [[0, 1, 2]])
     if kind == "mesh" and "vertices" in data:
         return mesh(data["vertices"], data["triangles"])
-    if kind == "instance" and "instance" not in data["of"] and all("matrix" in step for step in data["transform"]):
-        place = T()
-        for step in data["transform"]:
-            place = T(step["matrix"]) @ place
-        return {"type": "instance", "group": {"type": "ref", "id": "group"}, "to_world": place}
+    if kind == "instance":
+        return {"type": "instance", "group": {"type": "ref", "id": "group"}, "to_world": placed(asked)[0]}
     raise Unsupported(kind)
 
 
@@ -85,7 +111,7 @@ def scene(q):
         raise Unsupported("scenes, lists of shapes, a transform beside one, all hits, or a part of a ray")
     made = {"type": "scene"}
     if "instance" in q["shape"]:
-        made["group"] = {"type": "shapegroup", "shape": shape(q["shape"]["instance"]["of"])}
+        made["group"] = {"type": "shapegroup", "shape": shape(placed(q["shape"])[1])}
     made["shape"] = shape(q["shape"])
     return mi.load_dict(made)
 

@@ -6,6 +6,7 @@ so a window of 64 takes one run, of about a second. With --sturm, tori and polyn
 Needs: apt-get install povray
 Run: groundtruth conform -- python3 examples/conform/programs/ask_povray.py"""
 import json
+import math
 import os
 import select
 import subprocess
@@ -74,15 +75,37 @@ def algebraic(data):
     return f"poly {{ {order}, {coefficients}{STURM} clipped_by {{ {box} }} bounded_by {{ clipped_by }} }}"
 
 
+def step(data):
+    """The rows of the matrix of a step of a transform."""
+    (kind, x), = data.items()
+    if kind == "matrix":
+        return x
+    if kind == "translate":
+        return [[1, 0, 0, x[0]], [0, 1, 0, x[1]], [0, 0, 1, x[2]], [0, 0, 0, 1]]
+    if kind == "scale":
+        return [[x[0], 0, 0, 0], [0, x[1], 0, 0], [0, 0, x[2], 0], [0, 0, 0, 1]]
+    if kind == "shear":
+        a, b, c, d, e, f = x
+        return [[1, a, b, 0], [c, 1, d, 0], [e, f, 1, 0], [0, 0, 0, 1]]
+    if kind != "rotate_about":
+        raise Unsupported(kind)
+    length = math.hypot(*x["direction"])
+    a, b, c = (y / length for y in x["direction"])
+    # Rodrigues: the parts of a vector along the axis, across it, and across both
+    s, along = math.sin(math.radians(x["degrees"])), 2 * math.sin(math.radians(x["degrees"]) / 2) ** 2
+    rows = [[1 - along * (b * b + c * c), along * a * b - s * c, along * a * c + s * b],
+            [along * a * b + s * c, 1 - along * (a * a + c * c), along * b * c - s * a],
+            [along * a * c - s * b, along * b * c + s * a, 1 - along * (a * a + b * b)]]
+    p = x["point"]
+    return [[*row, y - sum(r * z for r, z in zip(row, p))] for row, y in zip(rows, p)] + [[0, 0, 0, 1]]
+
+
 def instance(data):
-    """Row vectors: the matrix is transposed."""
-    text = shape(data["of"])
-    for step in data["transform"]:
-        if "matrix" not in step:
-            raise Unsupported("transforms but matrices")
-        columns = [[row[i] for row in step["matrix"][:3]] for i in range(4)]
-        text = f"object {{ {text} matrix {v(x for column in columns for x in column)} }}"
-    return text
+    """Row vectors: the matrices are transposed."""
+    matrices = ""
+    for rows in map(step, data["transform"]):
+        matrices += f" matrix {v(row[i] for i in range(4) for row in rows[:3])}"
+    return f"object {{ {shape(data['of'])}{matrices} }}"
 
 
 SHAPES = {

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""trimesh (its own ray–triangle queries, in NumPy) answers `groundtruth conform`: triangles, rectangles as two of them,
-boxes as twelve, planes, meshes, all of these under a matrix, and matrices.
+"""trimesh (its own ray–triangle queries, in NumPy) answers `groundtruth conform`: triangles, rectangles as two of
+them, boxes as twelve, planes, meshes, all of these under a matrix, and matrices.
 
 Needs: pip install trimesh rtree scipy
 Run: groundtruth conform -- python3 examples/conform/programs/ask_trimesh.py"""
@@ -26,6 +26,9 @@ def step(data):
         return transformations.translation_matrix(x)
     if kind == "scale":
         return transformations.scale_and_translate(scale=x)
+    if kind == "shear":
+        a, b, c, d, e, f = x
+        return np.array([[1, a, b, 0], [c, 1, d, 0], [e, f, 1, 0], [0, 0, 0, 1]])
     if kind == "reflect":
         return transformations.reflection_matrix([0, 0, 0], np.eye(3)["xyz".index(x)])
     if kind == "rotate_about":
@@ -70,7 +73,8 @@ def hits(q, o, d, nearest=False):
         found = intersections.planes_lines([shape["plane"]["point"]], normals, o, d, return_distance=True)
         return [(t, list(normals[0])) for t in found[2].tolist() if t > 0]  # of the whole line
     target = mesh(shape)
-    triangles, _, places = RayMeshIntersector(target).intersects_id(o, d, multiple_hits=not nearest, return_locations=True)
+    query = RayMeshIntersector(target)
+    triangles, _, places = query.intersects_id(o, d, multiple_hits=not nearest, return_locations=True)
     normals = target.face_normals[triangles].tolist()
     ts = [float((place - o[0]) @ d[0] / (d[0] @ d[0])) for place in places]  # trimesh says only where
     return sorted(zip(ts, normals))
