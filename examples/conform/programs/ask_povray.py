@@ -160,7 +160,8 @@ def traced(rays):
         if run.returncode:
             raise RuntimeError("povray: " + run.stderr[-300:])
         with open(os.path.join(folder, "answers")) as answers:
-            return [(values[:3], values[3:]) for values in map(json.loads, answers)]
+            lines = (line.replace("-nan", "NaN").replace("nan", "NaN") for line in answers)
+            return [(values[:3], values[3:]) for values in map(json.loads, lines)]
 
 
 def answer(name, q, point, normal):
@@ -171,7 +172,7 @@ def answer(name, q, point, normal):
         return is_hit and t < 1
     if "triangle" in q["shape"] or "rectangle" in q["shape"]:
         normal = [-x for x in normal]  # of a triangle (v0 − v1) × (v2 − v1)
-    return {"t": t, "normal": normal} if is_hit else None
+    return {"t": t, "normal": [x if x == x else "nan" for x in normal]} if is_hit else None
 
 
 def replies(lines):
