@@ -81,10 +81,12 @@ def shape(asked):
         return {"type": "sphere", "center": data["center"], "radius": data["radius"]}
     if kind == "disk":
         # from the unit disk, whose normal is z
-        n = data["normal"]
-        across = [float(i == min(range(3), key=lambda j: abs(n[j]))) for i in range(3)]
-        place = T().look_at(data["center"], [x + y for x, y in zip(data["center"], n)], across)
-        return {"type": "disk", "to_world": place @ T().scale(data["radius"])}
+        length, r = math.hypot(*data["normal"]), data["radius"]
+        n = [x / length for x in data["normal"]]
+        x = cross(n, [float(i == min(range(3), key=lambda j: abs(n[j]))) for i in range(3)])
+        x = [r * a / math.hypot(*x) for a in x]
+        columns = zip(x, cross(n, x), n, data["center"])
+        return {"type": "disk", "to_world": T([list(row) for row in columns] + [[0, 0, 0, 1]])}
     if kind == "rectangle":
         # from the square of x and y from −1 to 1
         a, b = ([x / 2 for x in data[name]] for name in "ab")
