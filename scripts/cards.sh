@@ -7,7 +7,8 @@
 # PROGRAM is the `groundtruth` to run, built if left out; OPTIONS are more words for `conform`, before its `--`.
 # A card is printed for each profile that fits: `careful` for double precision, `book` beside it for single precision.
 # It stays in target/cards/*.json. A program that cannot be installed is named and skipped. The exit status is 0 if all
-# could be asked, whatever they answered, 1 if one could not, 77 if none could.
+# could be asked, whatever they answered, 1 if one could not, 77 if none could. POV-Ray takes a quarter of an hour, the
+# others a few minutes.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 adapters=examples/conform/programs
@@ -26,7 +27,7 @@ venv() {
     { [ -x "$place/bin/python" ] || python3 -m venv "$place"; } && "$place/bin/pip" install --quiet "$@"
 }
 
-install() {
+fetch() {
     case $1 in
         trimesh) venv trimesh numpy scipy rtree trimesh ;;
         embree) venv embree embreex ;;
@@ -85,7 +86,8 @@ cards() {
             card three-book "three.js $v" book node "$folder/three/ask_three.mjs" ;;
         povray)
             card povray "POV-Ray $v" careful python3 "$adapters/ask_povray.py"
-            card povray-sturm "POV-Ray $v, sturm" careful python3 "$adapters/ask_povray.py" --sturm ;;
+            OPTIONS="${OPTIONS:-} shapes/torus shapes/algebraic" \
+                card povray-sturm "POV-Ray $v, sturm" careful python3 "$adapters/ask_povray.py" --sturm ;;
         mitsuba)
             card mitsuba "Mitsuba $v, scalar_rgb" careful "$python" "$adapters/ask_mitsuba.py"
             card mitsuba-book "Mitsuba $v, scalar_rgb" book "$python" "$adapters/ask_mitsuba.py"
@@ -98,7 +100,7 @@ cards() {
 [ $# -gt 0 ] || set -- trimesh embree parry three povray mitsuba
 asked=0 missing=""
 for name in "$@"; do
-    if ! install "$name" > "$folder/log" 2>&1; then
+    if ! fetch "$name" > "$folder/log" 2>&1; then
         echo "$name: cannot be installed, skipped: $(tail -n 1 "$folder/log")" >&2
         missing="$missing $name"
         continue
