@@ -1,6 +1,6 @@
 //! What is no mistake: other roundings, other notations, less than everything, other random numbers.
 
-use harness::conform::{Profile, ours};
+use harness::conform::{Profile, Status, ours};
 use serde_json::{Value, json};
 
 use super::altered::{Altered, card, data, each, instead, length, swap, vector};
@@ -48,6 +48,25 @@ fn single_precision_is_fair_by_the_book() {
         all_numbers(&mut a, &|x| json!(f64::from(x as f32)));
         a
     });
+}
+
+/// Law: of a program in single precision, every wrong answer to an ordinary question counts as fair, those that break
+/// laws and those at edges too. Oracle: the profile *book*, by which none of them fails.
+#[test]
+fn single_precision_is_counted_as_fair() {
+    let mut single = Altered(|_, mut a| {
+        all_numbers(&mut a, &|x| json!(f64::from(x as f32)));
+        a
+    });
+    let ordinary = card(&mut single, &SOME, Profile::Book, 48);
+    let is_ordinary = |name: &str| ordinary.rows.iter().any(|row| row.name == name);
+    let card = card(&mut single, &SOME, Profile::Careful, 48);
+    let rows = card.rows.iter().filter(|row| is_ordinary(&row.name));
+    let wrong: Vec<_> = rows.filter(|row| row.count(Status::Wrong) > 0).collect();
+    assert!(wrong.iter().any(|row| row.name.ends_with(".there_and_back")), "no law is broken");
+    for row in wrong {
+        assert_eq!(row.fair, row.count(Status::Wrong), "{}: {card}", row.name);
+    }
 }
 
 #[test]

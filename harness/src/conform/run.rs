@@ -171,8 +171,12 @@ impl<'a> Asked<'a> {
             Judge::Law(law) => {
                 for case in &cases {
                     let mut asking = Asking::new(subject);
-                    let judged = Judged::from(law(&mut asking, case, profile));
+                    let mut judged = Judged::from(law(&mut asking, case, profile));
                     let asked = asking.asked;
+                    if judged.is_wrong_with_care(profile) {
+                        let again = law(&mut Asking::new(subject), case, Profile::Book);
+                        judged.is_fair = again.is_ok_and(|it| is_no_failure(&it));
+                    }
                     let texts = || asked.into_iter().map(|(q, a)| (q, a.to_string())).collect();
                     self.count(case, judged, texts);
                     if self.row.faults() >= MOST_FAULTS as u64 {
@@ -233,7 +237,7 @@ struct Judged {
     /// `None` if it was not asked any more.
     status: Option<Status>,
     error: f64,
-    /// Wrong, but right in single precision.
+    /// Wrong, but no failure in single precision.
     is_fair: bool,
     wrong: Option<Box<Wrong>>,
     text: Option<String>,
@@ -253,12 +257,17 @@ impl Judged {
             Reply::Fault(fault) => Self::from(Err(Stop::Fault(fault.clone()))),
             Reply::NotAsked => Self::from(Err(Stop::NotAsked)),
         };
-        if let (Some(Status::Wrong), Profile::Careful, Reply::Answer(answer)) =
-            (judged.status, profile, reply)
+        if let Reply::Answer(answer) = reply
+            && judged.is_wrong_with_care(profile)
         {
-            judged.is_fair = matches!(judge(question, answer, Profile::Book), Judgement::Right(_));
+            judged.is_fair = is_no_failure(&judge(question, answer, Profile::Book));
         }
         judged
+    }
+
+    /// Whether it is wrong, and may be right by the other profile.
+    fn is_wrong_with_care(&self, profile: Profile) -> bool {
+        self.status == Some(Status::Wrong) && profile == Profile::Careful
     }
 
     fn from(found: Result<Judgement, Stop>) -> Self {
@@ -282,4 +291,9 @@ impl Judged {
             Err(Stop::NotAsked) => plain(None, None),
         }
     }
+}
+
+/// Whether it is right, or not judged.
+fn is_no_failure(judgement: &Judgement) -> bool {
+    !matches!(judgement, Judgement::Wrong(_))
 }

@@ -229,9 +229,12 @@ pub fn factors(terms: &[TermFilm], evidence: &Evidence<'_>) -> Option<Vec<Factor
     };
     let tiles: Vec<Vec<f64>> = terms.iter().map(tiles_of).collect();
     let explain = |name: fn(&TermFilm) -> String| {
-        let mut named: BTreeMap<String, Vec<f64>> = BTreeMap::new();
+        let mut named: Vec<(String, Vec<f64>)> = Vec::new();
         for (term, tiles) in terms.iter().zip(&tiles) {
-            add(named.entry(name(term)).or_insert_with(|| vec![0.0; tiles.len()]), tiles);
+            match named.iter_mut().find(|(it, _)| *it == name(term)) {
+                Some((_, sum)) => add(sum, tiles),
+                None => named.push((name(term), tiles.clone())),
+            }
         }
         fit(named, evidence)
     };
@@ -246,7 +249,7 @@ fn add(sums: &mut [f64], tiles: &[f64]) {
 }
 
 /// The factors of terms, each given by its tiles.
-fn fit(terms: BTreeMap<String, Vec<f64>>, evidence: &Evidence<'_>) -> Option<Vec<Factor>> {
+fn fit(terms: Vec<(String, Vec<f64>)>, evidence: &Evidence<'_>) -> Option<Vec<Factor>> {
     let weights = evidence.weights();
     let total: f64 = evidence.mean.iter().sum();
     let mut groups: Vec<(Vec<String>, Vec<f64>)> = Vec::new();

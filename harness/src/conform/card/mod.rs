@@ -79,7 +79,7 @@ pub struct Row {
     pub chapter: &'static str,
     /// Cases of each status, in the order of [`Status::ALL`].
     pub counts: [u64; 8],
-    /// Of the wrong ones, those that are right in single precision.
+    /// Of the wrong ones, those that are no failures by the profile *book*.
     pub fair: u64,
     /// The largest error of a right answer, in u·cond.
     pub worst: f64,
