@@ -6,6 +6,14 @@ mod function;
 mod kinds;
 #[path = "export/parsed.rs"]
 mod parsed;
+#[path = "export/pbrt.rs"]
+mod pbrt;
+#[path = "export/pbrt_parsed.rs"]
+mod pbrt_parsed;
+#[path = "export/pbrt_refusals.rs"]
+mod pbrt_refusals;
+#[path = "export/pbrt_scenes.rs"]
+mod pbrt_scenes;
 #[path = "export/pov.rs"]
 mod pov;
 #[path = "export/refusals.rs"]

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use groundtruth::{film, scene};
-use harness::export::Term;
+use harness::export::{Term, listed, pbrt};
 
 use super::scene::SceneArguments;
 use super::{Exit, Outcome, output, print, witness};
@@ -17,6 +17,8 @@ enum Format {
     Toml,
     /// The scene language of POV-Ray 3.7
     Pov,
+    /// A scene file of pbrt-v4
+    Pbrt,
 }
 
 #[derive(Args)]
@@ -27,7 +29,8 @@ pub struct Export {
     /// docs/renderers.md has the table
     #[arg(long, value_enum, default_value_t = Format::Toml)]
     format: Format,
-    /// Terms to leave out of the scene: phong (the highlights) or ambient, with commas
+    /// Terms to leave out of the scene: phong (the highlights), ambient, background (where it lights nothing) or
+    /// shadowless (all cast shadows), with commas
     #[arg(long, value_name = "TERMS", value_delimiter = ',')]
     without: Vec<Term>,
     /// The file to write; file names in it are relative to its folder. If left out, or -, the scene
@@ -49,6 +52,16 @@ impl Export {
         if self.format == Format::Pov {
             let said = witness::said(self.scene.name(), &scene);
             return said.map_or(Ok(Exit::Unanswered), |text| self.write(&text));
+        }
+        if self.format == Format::Pbrt {
+            let folder = self.scene.folder().unwrap_or(Path::new(""));
+            return match pbrt::write(self.scene.name(), &scene, folder)? {
+                Ok(text) => self.write(&text),
+                Err(all) => {
+                    eprintln!("error: {}", listed("pbrt", &all));
+                    Ok(Exit::Unanswered)
+                }
+            };
         }
         if let Some(folder) = self.scene.folder() {
             let folder = self.relative_to_output(folder)?;

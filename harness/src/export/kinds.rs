@@ -3,6 +3,8 @@
 use groundtruth::{cameras, lights, materials, shapes, textures};
 use serde::Serialize;
 
+use super::pbrt;
+
 /// How a kind is said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum How {
@@ -12,6 +14,8 @@ pub enum How {
     Instance,
     /// As triangles or other parts whose union is the same surface.
     Mesh,
+    /// As the part of it that the camera sees.
+    Seen,
     /// Not at all: a scene that has it is refused.
     None,
 }
@@ -27,6 +31,8 @@ pub struct Row {
     pub pov: How,
     /// What must hold of it, or is left out.
     pub note: &'static str,
+    /// How pbrt says it, and what must hold of it.
+    pub pbrt: (How, &'static str),
 }
 
 impl How {
@@ -36,6 +42,7 @@ impl How {
             Self::Exact => "exact",
             Self::Instance => "instance",
             Self::Mesh => "mesh",
+            Self::Seen => "seen part",
             Self::None => "none",
         }
     }
@@ -44,26 +51,28 @@ impl How {
 /// The table, in the order of the lists.
 pub fn kinds() -> Vec<Row> {
     let mut rows = Vec::new();
-    let mut add = |list, kind: String, (pov, note)| rows.push(Row { list, kind, pov, note });
+    let mut add = |list, kind: String, (pov, note), pbrt| {
+        rows.push(Row { list, kind, pov, note, pbrt });
+    };
     for kind in
         shapes::Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)().into_iter().take(1))
     {
-        add("shape", tag(&kind), pov_shape(&kind));
+        add("shape", tag(&kind), pov_shape(&kind), pbrt::kinds::shape(&kind));
     }
     for kind in materials::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1))
     {
-        add("material", tag(&kind), pov_material(&kind));
+        add("material", tag(&kind), pov_material(&kind), pbrt::kinds::material(&kind));
     }
     for kind in
         lights::Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)().into_iter().take(1))
     {
-        add("light", tag(&kind), pov_light(&kind));
+        add("light", tag(&kind), pov_light(&kind), pbrt::kinds::light(&kind));
     }
     for kind in textures::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1)) {
-        add("texture", tag(&kind), pov_texture(&kind));
+        add("texture", tag(&kind), pov_texture(&kind), pbrt::kinds::texture(&kind));
     }
     for kind in cameras::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1)) {
-        add("camera", tag(&kind), pov_camera(&kind));
+        add("camera", tag(&kind), pov_camera(&kind), pbrt::kinds::camera(&kind));
     }
     rows
 }

@@ -1,8 +1,11 @@
 //! Scenes of ours as input of other renderers: what can be said there is written, and all that cannot is listed.
 //!
-//! [`kinds()`] is the table of what each kind becomes. [`pov`] writes the scene language of POV-Ray.
+//! [`kinds()`] is the table of what each kind becomes. [`pov`] writes the scene language of POV-Ray,
+//! [`pbrt`] scene files of pbrt-v4.
 
 pub mod kinds;
+mod parts;
+pub mod pbrt;
 pub mod pov;
 mod without;
 
@@ -42,6 +45,12 @@ pub(crate) fn item(list: &str, index: usize, name: &str) -> String {
         "" => format!("{list}[{index}]"),
         name => format!("{list}[{index}] \"{}\"", printable::name(name)),
     }
+}
+
+/// A number, with all of its digits.
+pub(crate) fn number(number: f64) -> String {
+    let is_short = number == 0.0 || (1e-6..1e15).contains(&number.abs());
+    if is_short { format!("{number}") } else { format!("{number:e}") }
 }
 
 /// A program of this name: `given`, or the first of the folders in `PATH` that has it.

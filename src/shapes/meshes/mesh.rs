@@ -6,7 +6,7 @@
 //! of the file are used if there are any, and they also decide which side of the triangles is the
 //! front, so that such a file needs no flag.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use schemars::JsonSchema;
@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use super::vertex_normals::{are_opposed, mean_normals, reverse_winding};
 use crate::accel;
 use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Specification};
+use crate::kinds::{self, Resources, Specification};
 use crate::math::{Aabb, Normal, Point, Vector, lists};
 use crate::mesh_file::MeshData;
 use crate::shapes::{Context, Shape, TriangleMesh, mesh_lists, size_problem};
@@ -117,6 +117,17 @@ impl Mesh {
         accel: None,
     };
 
+    /// The triangles; a file is relative to `folder`.
+    ///
+    /// # Errors
+    /// The file cannot be read, or the data are not valid.
+    pub fn triangle_mesh(&self, folder: &Path) -> Result<TriangleMesh, Invalid> {
+        match &self.file {
+            Some(file) => self.mesh_of(&*Resources::new(folder).mesh(file)?, "file"),
+            None => self.mesh_of(&mesh_lists::data(self)?, "triangles"),
+        }
+    }
+
     /// The mesh of `data`; `field` is the scene field that the data come from, for errors.
     fn build_of(
         &self,
@@ -124,8 +135,13 @@ impl Mesh {
         field: &str,
         context: &mut Context,
     ) -> Result<Arc<dyn Shape>, Invalid> {
-        let scale = positive("scale", self.scale)?;
+        positive("scale", self.scale)?;
         context.add_triangles(data.triangles.len() as u64).map_err(|e| e.inside(field))?;
+        Ok(self.mesh_of(data, field)?.into_shape(self.accel, context))
+    }
+
+    fn mesh_of(&self, data: &MeshData, field: &str) -> Result<TriangleMesh, Invalid> {
+        let scale = positive("scale", self.scale)?;
         let vertices: Vec<_> =
             data.vertices.iter().map(|&v| Point::from(v).scaled(scale)).collect();
         let normals: Option<Vec<_>> = data
@@ -158,7 +174,7 @@ impl Mesh {
         if self.reverse_normals {
             mesh.reverse();
         }
-        Ok(mesh.into_shape(self.accel, context))
+        Ok(mesh)
     }
 }
 

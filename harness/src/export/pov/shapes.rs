@@ -2,15 +2,13 @@
 
 use groundtruth::math::{Normal, Point, Transform, Vector};
 use groundtruth::scene::Object;
-use groundtruth::shapes::{
-    Annulus, Cone, Disk, Instance, Kind, Materials, OpenCylinder, Plane, Rectangle, SolidCone,
-    SolidCylinder, ThickRing, Triangle, transform_of,
-};
+use groundtruth::shapes::{Instance, Kind, Plane, Rectangle, Triangle, transform_of};
 
 use super::Writer;
 use super::lights::FAR;
 use super::materials::is_patterned;
 use super::text::{matrix, number, vector};
+use crate::export::parts::{Part, parts};
 use crate::export::{item, kinds};
 
 /// Where a shape stands, and what it is made of.
@@ -124,20 +122,13 @@ impl Writer<'_> {
                 );
                 self.leaf("quadric", &words, Sense::of(it.inward), at);
             }
-            Kind::Compound(compound) => {
-                for (index, part) in compound.parts.iter().enumerate() {
-                    let path = format!("{}.parts[{index}]", at.path);
-                    self.part(
-                        &part.shape,
-                        part.material.as_deref(),
-                        &Setting { path, ..at.clone() },
-                    );
-                }
-            }
             Kind::Instance(instance) => self.instance(instance, at),
-            Kind::SolidCylinder(it) => self.solid_cylinder(it, at),
-            Kind::SolidCone(it) => self.solid_cone(it, at),
-            Kind::ThickRing(it) => self.thick_ring(it, at),
+            Kind::Compound(_)
+            | Kind::SolidCylinder(_)
+            | Kind::SolidCone(_)
+            | Kind::ThickRing(_) => {
+                self.parts(parts(kind).unwrap_or_default(), at);
+            }
             _ => self.refuse(&at.path, "no counterpart"),
         }
     }
@@ -231,61 +222,18 @@ impl Writer<'_> {
         }
     }
 
-    /// A part, of a material of its own if it has one.
-    fn part(&mut self, shape: &Kind, material: Option<&str>, at: &Setting) {
-        let material = match material {
-            None => Some(at.material),
-            Some(name) => self.material(&at.path, name),
-        };
-        if let Some(material) = material {
-            self.shape(shape, &Setting { material, ..at.clone() });
-        }
-    }
-
-    fn parts<const N: usize>(
-        &mut self,
-        parts: [(&str, Kind); N],
-        materials: &Materials,
-        at: &Setting,
-    ) {
-        for (name, shape) in parts {
+    /// The parts of a shape, each of a material of its own if it has one.
+    fn parts(&mut self, parts: Vec<Part>, at: &Setting) {
+        for Part { name, material, shape } in parts {
             let path = format!("{}.{name}", at.path);
-            let material = materials.get(name).map(String::as_str);
-            self.part(&shape, material, &Setting { path, ..at.clone() });
+            let material = match material {
+                None => Some(at.material),
+                Some(name) => self.material(&path, &name),
+            };
+            if let Some(material) = material {
+                self.shape(&shape, &Setting { path, material, ..at.clone() });
+            }
         }
-    }
-
-    fn solid_cylinder(&mut self, it: &SolidCylinder, at: &Setting) {
-        let SolidCylinder { y0, y1, radius, .. } = *it;
-        let parts = [
-            ("bottom", Disk { center: on_axis(y0), normal: -Vector::Y, radius }.into()),
-            ("top", Disk { center: on_axis(y1), normal: Vector::Y, radius }.into()),
-            ("wall", OpenCylinder { y0, y1, radius, inward: false }.into()),
-        ];
-        self.parts(parts, &it.materials, at);
-    }
-
-    fn solid_cone(&mut self, it: &SolidCone, at: &Setting) {
-        let SolidCone { height, radius, .. } = *it;
-        let parts = [
-            ("base", Disk { center: on_axis(0.0), normal: -Vector::Y, radius }.into()),
-            ("wall", Cone { height, radius, inward: false }.into()),
-        ];
-        self.parts(parts, &it.materials, at);
-    }
-
-    fn thick_ring(&mut self, it: &ThickRing, at: &Setting) {
-        let ThickRing { y0, y1, inner_radius, outer_radius, .. } = *it;
-        let lid =
-            |y, normal| Annulus { center: on_axis(y), normal, inner_radius, outer_radius }.into();
-        let wall = |radius, inward| OpenCylinder { y0, y1, radius, inward }.into();
-        let parts = [
-            ("bottom", lid(y0, -Vector::Y)),
-            ("top", lid(y1, Vector::Y)),
-            ("inner_wall", wall(inner_radius, true)),
-            ("outer_wall", wall(outer_radius, false)),
-        ];
-        self.parts(parts, &it.materials, at);
     }
 }
 
@@ -295,8 +243,4 @@ fn farthest(words: &str, map: &Transform) -> Option<f64> {
     let origin = map.point(Point::ORIGIN).to_array();
     let numbers = words.split([' ', ',', '<', '>']).filter_map(|word| word.parse::<f64>().ok());
     numbers.chain(origin).find(|number| number.abs() > FAR)
-}
-
-fn on_axis(y: f64) -> Point {
-    Point::new(0.0, y, 0.0)
 }

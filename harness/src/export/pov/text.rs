@@ -3,11 +3,7 @@
 use groundtruth::math::Transform;
 use groundtruth::rgb::Rgb;
 
-/// A number, with all of its digits.
-pub fn number(number: f64) -> String {
-    let is_short = number == 0.0 || (1e-6..1e15).contains(&number.abs());
-    if is_short { format!("{number}") } else { format!("{number:e}") }
-}
+pub(super) use crate::export::number;
 
 /// A point or a vector.
 pub fn vector(numbers: [f64; 3]) -> String {
