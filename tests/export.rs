@@ -4,6 +4,12 @@
 mod function;
 #[path = "export/kinds.rs"]
 mod kinds;
+#[path = "export/mitsuba.rs"]
+mod mitsuba;
+#[path = "export/mitsuba_camera.rs"]
+mod mitsuba_camera;
+#[path = "export/mitsuba_surfaces.rs"]
+mod mitsuba_surfaces;
 #[path = "export/parsed.rs"]
 mod parsed;
 #[path = "export/pbrt.rs"]
@@ -18,3 +24,5 @@ mod pbrt_scenes;
 mod pov;
 #[path = "export/refusals.rs"]
 mod refusals;
+#[path = "export/xml.rs"]
+mod xml;

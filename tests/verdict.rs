@@ -8,6 +8,8 @@ mod cases;
 mod causes;
 #[path = "verdict/commands.rs"]
 mod commands;
+#[path = "verdict/edges.rs"]
+mod edges;
 #[path = "verdict/pictures.rs"]
 mod pictures;
 #[path = "verdict/power.rs"]

@@ -1,24 +1,28 @@
 //! The table of kinds: whole, as the page says it, and true.
 
 use std::fs;
-use std::path::Path;
 
 use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::lights::Area;
 use groundtruth::materials::{Emissive, Matte};
 use groundtruth::math::Point;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Light, Material, Object, Scene};
+use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer};
 use groundtruth::{cameras, lights, materials, shapes, textures};
-use harness::export::{How, Row, kinds, pbrt, pov};
+use harness::export::{How, Row, Target, kinds};
 
 /// Law: docs/renderers.md has a line for each kind of shape, material, light and camera, and no other.
 #[test]
 fn the_page_has_the_table_of_kinds() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/renderers.md");
     let page = fs::read_to_string(file).expect("the page is there");
-    let line = |Row { list, kind, pov, note, pbrt: (pbrt, pbrt_note) }: &Row| {
-        format!("| {list} | `{kind}` | {} | {note} | {} | {pbrt_note} |", pov.word(), pbrt.word())
+    let cell = |(how, note): &(How, &str)| match *note {
+        "" => how.word().to_owned(),
+        note => format!("{}: {note}", how.word()),
+    };
+    let line = |Row { list, kind, cells }: &Row| {
+        let cells: Vec<String> = cells.iter().map(cell).collect();
+        format!("| {list} | `{kind}` | {} |", cells.join(" | "))
     };
     let expected: Vec<String> = kinds().iter().map(line).collect();
     let is_row = |line: &&str| {
@@ -40,65 +44,95 @@ fn empty() -> Scene {
     scene
 }
 
-fn check(what: &str, how: How, scene: &Scene) {
-    let said = pov::write("scene", scene);
-    assert_eq!(said.is_ok(), how != How::None, "{what}: {:?}", said.err());
+/// A lit scene, for a target that sees nothing in the dark.
+fn lit() -> Scene {
+    let mut scene = empty();
+    let direction = groundtruth::math::Vector::Y;
+    let sun = lights::Directional { ls: 1.0, color: Rgb::WHITE, direction };
+    scene.lights.push(Light::new("sun", sun));
+    scene.background = Rgb::WHITE.into();
+    scene
+}
+
+fn floor(material: &str) -> Object {
+    use groundtruth::math::Vector;
+    let [a, b] = [Vector::X, Vector::Z];
+    Object::new("floor", material, shapes::Rectangle { corner: Point::ORIGIN, a, b })
+}
+
+fn check(what: &str, target: Target, (how, _): (How, &str), scene: &Scene) {
+    let said = target.write("scene", "scene", scene, "".as_ref());
+    assert_eq!(said.is_ok(), how != How::None, "{what} for {target:?}: {:?}", said.err());
 }
 
 /// Law: a kind that the table calls sayable is written, and any other is refused.
 #[test]
 fn the_table_is_true() {
-    for entry in shapes::Kind::ENTRIES {
-        let Some(shape) = (entry.specimens)().into_iter().next() else { continue };
-        let (how, _) = kinds::pov_shape(&shape);
-        let mut scene = empty();
-        scene.objects.push(Object::new("it", "grey", shape));
-        check(entry.module, how, &scene);
-    }
-    for entry in lights::Kind::ENTRIES {
-        let Some(light) = (entry.specimens)().into_iter().next() else { continue };
-        let (how, _) = kinds::pov_light(&light);
-        let mut scene = empty();
-        scene.lights.push(Light::new("it", light));
-        check(entry.module, how, &scene);
-    }
-    for entry in textures::Kind::ENTRIES {
-        // the last has plain colours
-        let Some(texture) = (entry.specimens)().pop() else { continue };
-        let (how, _) = kinds::pov_texture(&texture);
-        let mut scene = empty();
-        let cd = textures::Paint::Textured(Box::new(texture));
-        scene.materials.push(Material::new("it", Matte { ka: 0.1.into(), kd: 0.5.into(), cd }));
-        let sphere = shapes::Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
-        scene.objects.push(Object::new("ball", "it", sphere));
-        check(entry.module, how, &scene);
-    }
-    for entry in cameras::Kind::ENTRIES {
-        let Some(lens) = (entry.specimens)().into_iter().next() else { continue };
-        let (how, _) = kinds::pov_camera(&lens);
-        let mut scene = empty();
-        scene.camera.lens = lens;
-        check(entry.module, how, &scene);
+    for target in [Target::Pov, Target::Mitsuba] {
+        for entry in shapes::Kind::ENTRIES {
+            let Some(shape) = (entry.specimens)().into_iter().next() else { continue };
+            let mut scene = lit();
+            scene.objects.push(Object::new("it", "grey", shape.clone()));
+            check(entry.module, target, target.shape(&shape), &scene);
+        }
+        for entry in lights::Kind::ENTRIES {
+            let Some(light) = (entry.specimens)().into_iter().next() else { continue };
+            let mut scene = lit();
+            scene.objects.push(floor("grey"));
+            scene.materials.push(Material::new("lamp", materials::Emissive::new(1.0, Rgb::WHITE)));
+            scene.objects.push(Object { name: "lamp".into(), ..floor("lamp") });
+            scene.lights.push(Light::new("it", light.clone()));
+            check(entry.module, target, target.light(&light), &scene);
+        }
+        for entry in textures::Kind::ENTRIES {
+            let plain = |it: &textures::Kind| !format!("{it:?}").contains("Textured");
+            let specimens = || (entry.specimens)().into_iter();
+            let texture = specimens().find(plain).or_else(|| specimens().next());
+            let Some(texture) = texture else { continue };
+            let how = target.texture(&texture);
+            let mut scene = lit();
+            let cd = textures::Paint::Textured(Box::new(texture));
+            scene.materials.push(Material::new("it", Matte { ka: 0.1.into(), kd: 0.5.into(), cd }));
+            scene.objects.push(floor("it"));
+            check(entry.module, target, how, &scene);
+        }
+        for entry in cameras::Kind::ENTRIES {
+            let Some(lens) = (entry.specimens)().into_iter().next() else { continue };
+            let how = target.camera(&lens);
+            let mut scene = lit();
+            scene.camera.lens = lens;
+            check(entry.module, target, how, &scene);
+        }
     }
 }
 
-/// Law: so for materials, whose specimens have highlights, which are refused: without those.
+/// Law: so for materials, whose specimens have highlights, which are refused: without those, and with a tracer that sees
+/// all of them.
 #[test]
 fn the_table_of_materials_is_true() {
-    for entry in materials::Kind::ENTRIES {
-        let Some(mut recipe) = (entry.specimens)().into_iter().next() else { continue };
-        match &mut recipe {
-            materials::Kind::Phong(it) => it.ks = 0.0.into(),
-            materials::Kind::Reflective(it) => it.phong.ks = 0.0.into(),
-            materials::Kind::Emissive(it) => it.matte = None,
-            _ => {}
+    for target in [Target::Pov, Target::Mitsuba] {
+        for entry in materials::Kind::ENTRIES {
+            let Some(mut recipe) = (entry.specimens)().into_iter().next() else { continue };
+            match &mut recipe {
+                materials::Kind::Phong(it) => it.ks = 0.0.into(),
+                materials::Kind::Reflective(it) => {
+                    it.phong.ks = 0.0.into();
+                    it.kr = 0.25.into();
+                }
+                materials::Kind::Dielectric(it) => it.phong.ks = 0.0.into(),
+                materials::Kind::Emissive(it) => it.matte = None,
+                _ => {}
+            }
+            let how = target.material(&recipe);
+            let mut scene = lit();
+            if target == Target::Mitsuba {
+                scene.tracer = Tracer::Path(Depth { max_depth: 2 });
+            }
+            scene.materials.push(Material::new("it", recipe));
+            let sphere = shapes::Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
+            scene.objects.push(Object::new("ball", "it", sphere));
+            check(entry.module, target, how, &scene);
         }
-        let (how, _) = kinds::pov_material(&recipe);
-        let mut scene = empty();
-        scene.materials.push(Material::new("it", recipe));
-        let sphere = shapes::Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
-        scene.objects.push(Object::new("ball", "it", sphere));
-        check(entry.module, how, &scene);
     }
 }
 
@@ -116,34 +150,29 @@ fn seen_from_above() -> Scene {
     scene
 }
 
-fn check_pbrt(what: &str, (how, _): (How, &str), scene: &Scene) {
-    let said = pbrt::write("scene", scene, Path::new("")).unwrap_or_else(|e| panic!("{what}: {e}"));
-    assert_eq!(said.is_ok(), how != How::None, "{what}: {:?}", said.err());
-}
-
 /// Law: so for pbrt.
 #[test]
 fn the_table_of_pbrt_is_true() {
     for entry in shapes::Kind::ENTRIES {
         let Some(shape) = (entry.specimens)().into_iter().next() else { continue };
-        let how = pbrt::kinds::shape(&shape);
+        let how = Target::Pbrt.shape(&shape);
         let mut scene = seen_from_above();
         scene.objects.push(Object::new("it", "grey", shape));
-        check_pbrt(entry.module, how, &scene);
+        check(entry.module, Target::Pbrt, how, &scene);
     }
     for entry in lights::Kind::ENTRIES {
         let Some(light) = (entry.specimens)().into_iter().next() else { continue };
-        let how = pbrt::kinds::light(&light);
+        let how = Target::Pbrt.light(&light);
         let mut scene = seen_from_above();
         scene.lights = vec![Light::new("it", light)];
-        check_pbrt(entry.module, how, &scene);
+        check(entry.module, Target::Pbrt, how, &scene);
     }
     for entry in cameras::Kind::ENTRIES {
         let Some(lens) = (entry.specimens)().into_iter().next() else { continue };
-        let how = pbrt::kinds::camera(&lens);
+        let how = Target::Pbrt.camera(&lens);
         let mut scene = seen_from_above();
         scene.camera.lens = lens;
-        check_pbrt(entry.module, how, &scene);
+        check(entry.module, Target::Pbrt, how, &scene);
     }
 }
 
@@ -160,12 +189,12 @@ fn the_table_of_looks_of_pbrt_is_true() {
             materials::Kind::Dielectric(it) => it.phong = materials::Phong::default(),
             _ => {}
         }
-        let how = pbrt::kinds::material(&recipe);
+        let how = Target::Pbrt.material(&recipe);
         let mut scene = seen_from_above();
         scene.materials.push(Material::new("it", recipe));
         scene.objects = vec![Object::new("ball", "it", ball())];
         scene.lights.clear();
-        check_pbrt(entry.module, how, &scene);
+        check(entry.module, Target::Pbrt, how, &scene);
     }
     for entry in textures::Kind::ENTRIES {
         let Some(mut texture) = (entry.specimens)().pop() else { continue };
@@ -175,11 +204,11 @@ fn the_table_of_looks_of_pbrt_is_true() {
             textures::Kind::Image(_) => continue,
             _ => {}
         }
-        let how = pbrt::kinds::texture(&texture);
+        let how = Target::Pbrt.texture(&texture);
         let mut scene = seen_from_above();
         let cd = textures::Paint::Textured(Box::new(texture));
         scene.materials.push(Material::new("it", Matte { ka: 0.1.into(), kd: 0.5.into(), cd }));
         scene.objects.push(Object::new("ball", "it", ball()));
-        check_pbrt(entry.module, how, &scene);
+        check(entry.module, Target::Pbrt, how, &scene);
     }
 }

@@ -91,7 +91,7 @@ pub fn read(scene: &Scene) -> Read {
 
 /// The text of a scene, or why it cannot be said.
 pub fn written(scene: &Scene) -> Result<String, Vec<Unsayable>> {
-    pbrt::write("scene", scene, Path::new("")).expect("it is valid")
+    pbrt::write("scene", scene, Path::new(""))
 }
 
 /// A point, moved by a matrix.

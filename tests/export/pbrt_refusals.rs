@@ -216,8 +216,8 @@ fn terms_are_left_out() {
         scene
     };
     assert!(background(&without(&scene, "background")).is_black());
-    assert_eq!(background(&without(&scene, "shadowless")), Rgb::grey(0.5));
-    let shaded = without(&scene, "shadowless");
+    assert_eq!(background(&without(&scene, "unshadowed")), Rgb::grey(0.5));
+    let shaded = without(&scene, "unshadowed");
     assert!(
         shaded.lights[0].shadows
             && shaded.materials[0].casts_shadows

@@ -6,7 +6,9 @@ use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::{Pcg32, power};
 use groundtruth::scene::Scene;
 use harness::compare::{Picture, Transfer};
-use harness::verdict::{Answer, Areas, Case, Decision, Means, Strictness, Subject, Verdict, noise};
+use harness::verdict::{
+    Answer, Areas, Case, Decision, Edge, Means, Strictness, Subject, Verdict, noise,
+};
 
 use super::pictures::{films, scene, world};
 use super::shared::FLOATS;
@@ -40,6 +42,7 @@ fn interrupted(
         tone: (scene.image.gamma, scene.image.out_of_gamut),
         seed: 1,
         reference: None,
+        edge: Edge::DOUBLE,
     };
     let renders = &mut |world: &_, canvas: &groundtruth::render::Canvas| {
         canvas.render(world);

@@ -7,7 +7,7 @@ use groundtruth::samplers;
 use groundtruth::world::World;
 use harness::compare::Transfer;
 use harness::verdict::{
-    Areas, Bright, Judged, Stored, Strictness, Subject, is_alike, is_nearer, noise, set_apart,
+    Areas, Bright, Edge, Judged, Stored, Strictness, Subject, is_alike, is_nearer, noise, set_apart,
 };
 
 pub const LEVEL: f64 = 0.01;
@@ -75,7 +75,7 @@ impl Shared {
         }
         let mut known = first(films);
         let mut next = order[STRICTNESS.first..].iter().map(|index| stored.values(&films[*index]));
-        set_apart(&mut theirs, world, &known, stored);
+        set_apart(&mut theirs, world, &known, stored, Edge::DOUBLE);
         Judged::of(&theirs, subject, STRICTNESS, &mut known, |_| next.next()).expect("enough")
     }
 }

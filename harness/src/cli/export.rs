@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
 use groundtruth::{film, scene};
-use harness::export::{Term, listed, pbrt};
+use harness::export::{Said, Target, Term};
 
 use super::scene::SceneArguments;
 use super::{Exit, Outcome, output, print, witness};
@@ -19,6 +19,21 @@ enum Format {
     Pov,
     /// A scene file of pbrt-v4
     Pbrt,
+    /// The XML of Mitsuba 3. Meshes are files beside it, whose names begin as its own; so are further scenes
+    /// (NAME-2.xml), if their pictures are to be added
+    Mitsuba,
+}
+
+impl Format {
+    /// The other renderer whose language it is.
+    fn target(self) -> Option<Target> {
+        match self {
+            Self::Toml => None,
+            Self::Pov => Some(Target::Pov),
+            Self::Mitsuba => Some(Target::Mitsuba),
+            Self::Pbrt => Some(Target::Pbrt),
+        }
+    }
 }
 
 #[derive(Args)]
@@ -29,8 +44,9 @@ pub struct Export {
     /// docs/renderers.md has the table
     #[arg(long, value_enum, default_value_t = Format::Toml)]
     format: Format,
-    /// Terms to leave out of the scene: phong (the highlights), ambient, background (where it lights nothing) or
-    /// shadowless (all cast shadows), with commas
+    /// Terms to leave out of the scene, with commas: phong (the highlights), ambient, background (where it lights
+    /// nothing), absorption (of media), smooth (interpolated normals), or unshadowed (light that passes through objects:
+    /// they block it)
     #[arg(long, value_name = "TERMS", value_delimiter = ',')]
     without: Vec<Term>,
     /// The file to write; file names in it are relative to its folder. If left out, or -, the scene
@@ -49,19 +65,10 @@ impl Export {
         }
         let (mut scene, _) = self.scene.load()?;
         self.without.iter().for_each(|term| term.remove(&mut scene));
-        if self.format == Format::Pov {
-            let said = witness::said(self.scene.name(), &scene);
-            return said.map_or(Ok(Exit::Unanswered), |text| self.write(&text));
-        }
-        if self.format == Format::Pbrt {
+        if let Some(target) = self.format.target() {
             let folder = self.scene.folder().unwrap_or(Path::new(""));
-            return match pbrt::write(self.scene.name(), &scene, folder)? {
-                Ok(text) => self.write(&text),
-                Err(all) => {
-                    eprintln!("error: {}", listed("pbrt", &all));
-                    Ok(Exit::Unanswered)
-                }
-            };
+            let said = witness::said(target, (self.scene.name(), &self.stem()), &scene, folder);
+            return said.map_or(Ok(Exit::Unanswered), |said| self.write_all(&said));
         }
         if let Some(folder) = self.scene.folder() {
             let folder = self.relative_to_output(folder)?;
@@ -70,9 +77,43 @@ impl Export {
         self.write(&scene::to_toml(&scene)?)
     }
 
+    /// How the names of files beside the output begin.
+    fn stem(&self) -> String {
+        let stem = self.file().and_then(Path::file_stem);
+        stem.map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned())
+    }
+
+    /// Writes a scene in the language of another renderer, and the files beside it.
+    fn write_all(&self, said: &Said) -> Outcome {
+        let [text, further @ ..] = &said.scenes[..] else { return Ok(Exit::Yes) };
+        if !(further.is_empty() && said.files.is_empty()) && self.file().is_none() {
+            let problem = "this scene becomes several files; write it to one with -o, and the others go beside it";
+            return Err(problem.into());
+        }
+        let mut files: Vec<(String, &[u8])> = Vec::new();
+        for (index, text) in further.iter().enumerate() {
+            files.push((format!("{}-{}.xml", self.stem(), index + 2), text.as_bytes()));
+        }
+        files.extend(said.files.iter().map(|(name, bytes)| (name.clone(), &bytes[..])));
+        let folder = film::folder_of(self.file().unwrap_or(Path::new("")));
+        let files = files.into_iter().map(|(name, bytes)| (folder.join(name), bytes));
+        let files: Vec<(PathBuf, &[u8])> = files.collect();
+        // all or none
+        let outputs = files.iter().map(|(output, _)| &**output).chain(self.file());
+        outputs.into_iter().try_for_each(|output| self.check(output))?;
+        files.iter().try_for_each(|(output, bytes)| self.write_to(output, bytes))?;
+        self.write(text)
+    }
+
     /// Writes the text to the output.
     fn write(&self, text: &str) -> Outcome {
         let Some(output) = self.file() else { return print(text) };
+        self.write_to(output, text.as_bytes())?;
+        Ok(Exit::Yes)
+    }
+
+    /// Whether it may be written.
+    fn check(&self, output: &Path) -> Result<(), Box<dyn Error>> {
         if output.is_dir() {
             return Err(unwritable(output, "it is a folder"));
         }
@@ -81,8 +122,12 @@ impl Export {
             let problem = "exists already; write to another file, or replace it with --replace";
             return Err(format!("{}: {problem}", output.display()).into());
         }
-        film::replace(output, text.as_bytes()).map_err(|e| unwritable(output, e))?;
-        Ok(Exit::Yes)
+        Ok(())
+    }
+
+    fn write_to(&self, output: &Path, bytes: &[u8]) -> Result<(), Box<dyn Error>> {
+        self.check(output)?;
+        film::replace(output, bytes).map_err(|e| unwritable(output, e))
     }
 
     /// The file to write, if it is not the standard output.

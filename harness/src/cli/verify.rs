@@ -20,7 +20,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 
 use super::numbers::whole;
 use super::scene::SceneArguments;
-use super::witness::{By, Witnessed};
+use super::witness::{Asked, By, Witnessed};
 use super::{Exit, Outcome, mistakes, output, replicas};
 
 #[derive(Args)]
@@ -32,13 +32,15 @@ pub struct Verify {
     #[arg(value_name = "IMAGE", required_unless_present_any = ["scenes", "by"], conflicts_with = "by")]
     images: Vec<PathBuf>,
     /// Let another renderer render the scene, and judge its picture: one ray through the centre of each pixel on both
-    /// sides. docs/renderers.md says which scenes it can render
-    #[arg(long, value_enum, value_name = "RENDERER", conflicts_with_all = ["their_samples", "samples", "encoding", "reference"])]
+    /// sides, or 64 samples (--their-samples) if Mitsuba renders a scene with random numbers. docs/renderers.md says
+    /// which scenes it can render
+    #[arg(long, value_enum, value_name = "RENDERER", conflicts_with_all = ["samples", "encoding", "reference"])]
     by: Option<By>,
-    /// The program of that renderer; by default it is looked for on the path
+    /// The program of that renderer; by default it is looked for on the path. For Mitsuba: a Python that has it
     #[arg(long, value_name = "FILE", requires = "by")]
     program: Option<PathBuf>,
-    /// Terms that both sides leave out: phong (the highlights) or ambient, with commas
+    /// Terms that both sides leave out, with commas: phong (the highlights), ambient, absorption (of media), smooth
+    /// (interpolated normals), or unshadowed (light that passes through objects: they block it)
     #[arg(long, value_name = "TERMS", value_delimiter = ',', requires = "by")]
     without: Vec<Term>,
     /// The samples per pixel of their picture: ours take as many
@@ -98,12 +100,14 @@ impl Verify {
         }
         let arguments = self.scene.as_ref().expect("only --scenes goes without a scene");
         let rendered = match self.by {
-            Some(by) => by.render(arguments, self.program.clone(), &self.without)?,
+            Some(by) => {
+                let (program, without) = (self.program.clone(), &self.without);
+                Asked { by, program, without, samples: self.their_samples }.render(arguments)?
+            }
             None => Some(self.given(arguments)?),
         };
-        let Some(Witnessed { scene, mut world, pictures, words: witness }) = rendered else {
-            return Ok(Exit::Unanswered);
-        };
+        let Some(witnessed) = rendered else { return Ok(Exit::Unanswered) };
+        let Witnessed { scene, mut world, pictures, words: witness, explained_with } = witnessed;
         let tone = (scene.image.gamma, scene.image.out_of_gamut);
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
         let reference = self.reference(arguments, (&scene, &world), &pictures)?;
@@ -125,6 +129,7 @@ impl Verify {
             tone,
             seed,
             reference: reference.as_ref(),
+            edge: self.by.map_or(verdict::Edge::DOUBLE, By::edge),
         };
         let renders = &mut |world: &World, canvas: &Canvas| watch.render(world, canvas);
         let verdict = match &*pictures {
@@ -140,8 +145,14 @@ impl Verify {
             verdict.hold_to(margin);
         }
         // of a stereo pair: that of each eye's image
-        let size = [scene.image.width, scene.image.height];
-        let words = witness + &verdict.to_string() + &advice(arguments.name(), &verdict, size);
+        let [width, height] = [scene.image.width, scene.image.height];
+        let given = arguments.arguments();
+        let given =
+            given[1..].chunks(2).filter(|pair| !["--size", "--samples"].contains(&&*pair[0]));
+        let given = given.map(|pair| format!(" {}", pair.join(" "))).collect::<String>();
+        let explained_with = format!(" --size {width}x{height}{given}{explained_with}");
+        let words =
+            witness + &verdict.to_string() + &advice(arguments.name(), &verdict, &explained_with);
         if let Some(file) = &self.output {
             let name = format!("{} and {}", self.name(), arguments.name());
             let html = verdict::page(&verdict, &name, &words);
@@ -192,7 +203,8 @@ impl Verify {
     fn given(&self, arguments: &SceneArguments) -> Result<Witnessed, Box<dyn Error>> {
         let pictures = self.pictures()?;
         let (scene, world) = arguments.load_fitted(pictures[0].size, self.their_samples)?;
-        Ok(Witnessed { scene, world, pictures, words: String::new() })
+        let (words, explained_with) = (String::new(), String::new());
+        Ok(Witnessed { scene, world, pictures, words, explained_with })
     }
 
     /// What a page calls the judged picture.
@@ -228,7 +240,7 @@ impl Verify {
 }
 
 /// What a picture that agrees does not say, and the commands that explain the worst pixels of one that differs.
-fn advice(scene: &str, verdict: &Verdict, [width, height]: [u32; 2]) -> String {
+fn advice(scene: &str, verdict: &Verdict, arguments: &str) -> String {
     let hidden = harness::mistakes::not_shown_by(scene).unwrap_or_default();
     if verdict.decision == Decision::Agrees && !hidden.is_empty() {
         return format!(
@@ -240,7 +252,7 @@ fn advice(scene: &str, verdict: &Verdict, [width, height]: [u32; 2]) -> String {
     }
     let explain = |region: &Region| {
         let [x, y] = region.worst;
-        format!("  groundtruth explain {scene} {x},{y} --size {width}x{height}\n")
+        format!("  groundtruth explain {scene} {x},{y}{arguments}\n")
     };
     let commands: Vec<String> = verdict.regions.iter().map(explain).collect();
     if commands.is_empty() {

@@ -9,7 +9,8 @@ use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use harness::compare::{Picture, Transfer};
-use harness::export::{Term, listed, pov};
+use harness::export::{Said, Target, Term, exposure, listed, mitsuba, pov};
+use harness::verdict::Edge;
 
 use super::scene::SceneArguments;
 
@@ -18,6 +19,19 @@ use super::scene::SceneArguments;
 pub enum By {
     /// POV-Ray 3.7
     Pov,
+    /// Mitsuba 3, a module of Python
+    Mitsuba,
+}
+
+/// What the user asks of another renderer.
+pub struct Asked<'a> {
+    pub by: By,
+    /// Its program.
+    pub program: Option<PathBuf>,
+    /// What both sides leave out.
+    pub without: &'a [Term],
+    /// The samples per pixel of scenes with random numbers.
+    pub samples: Option<u32>,
 }
 
 /// A scene, as both sides render it, and the pictures of the other side.
@@ -27,45 +41,117 @@ pub struct Witnessed {
     pub pictures: Vec<Picture>,
     /// What was rendered by what, in a line.
     pub words: String,
+    /// Arguments that the commands of an explanation need.
+    pub explained_with: String,
 }
 
+/// The program that was found.
+enum Program {
+    Pov(pov::Program),
+    Mitsuba(mitsuba::Program),
+}
+
+/// Samples per pixel of both sides, if the user does not say.
+const SAMPLES: u32 = 64;
+
 impl By {
+    /// How far its rays may be from ours.
+    pub fn edge(self) -> Edge {
+        match self {
+            Self::Pov => Edge::DOUBLE,
+            Self::Mitsuba => Edge::SINGLE,
+        }
+    }
+
+    fn target(self) -> Target {
+        match self {
+            Self::Pov => Target::Pov,
+            Self::Mitsuba => Target::Mitsuba,
+        }
+    }
+
+    fn find(self, program: Option<PathBuf>) -> Result<Program, String> {
+        match self {
+            Self::Pov => pov::Program::find(program).map(Program::Pov),
+            Self::Mitsuba => mitsuba::Program::find(program).map(Program::Mitsuba),
+        }
+    }
+
+    /// Whether both sides have a picture without noise: POV-Ray always, Mitsuba if nothing in the scene is random.
+    fn is_noiseless(self, scene: &Scene) -> bool {
+        match self {
+            Self::Pov => true,
+            Self::Mitsuba => mitsuba::is_noiseless(scene),
+        }
+    }
+}
+
+impl Program {
+    fn version(&self) -> String {
+        match self {
+            Self::Pov(it) => it.version().unwrap_or_else(|| Target::Pov.name().to_owned()),
+            Self::Mitsuba(it) => it.version.clone(),
+        }
+    }
+
+    fn render(&self, said: &Said, size: [u32; 2]) -> Result<Picture, Box<dyn Error>> {
+        let folder = tempfile::tempdir()?;
+        Ok(match self {
+            Self::Pov(it) => Picture::read(
+                &it.render(&said.scenes.concat(), size, folder.path())?,
+                Some(Transfer::Linear),
+            )?,
+            Self::Mitsuba(it) => it.render(said, folder.path())?,
+        })
+    }
+}
+
+impl Asked<'_> {
     /// Renders the scene of these arguments with the other renderer; `None` if the scene cannot be said, which is printed.
     ///
     /// # Errors
     /// The scene cannot be built, or the program is missing or fails.
-    pub fn render(
-        self,
-        arguments: &SceneArguments,
-        program: Option<PathBuf>,
-        without: &[Term],
-    ) -> Result<Option<Witnessed>, Box<dyn Error>> {
-        let Self::Pov = self;
+    pub fn render(self, arguments: &SceneArguments) -> Result<Option<Witnessed>, Box<dyn Error>> {
         let (scene, _) = arguments.load()?;
-        let mut scene = with_centred_rays(scene);
-        without.iter().for_each(|term| term.remove(&mut scene));
+        let mut scene = scene;
+        self.without.iter().for_each(|term| term.remove(&mut scene));
+        let is_noiseless = self.by.is_noiseless(&scene);
+        if is_noiseless && self.samples.is_some() {
+            return Err("--their-samples: this scene has no random numbers; leave it out".into());
+        }
+        let samples = if is_noiseless { 1 } else { self.samples.unwrap_or(SAMPLES) };
+        let mut scene = sampled(scene, samples);
         let folder = arguments.folder().unwrap_or(Path::new(""));
         let build = |scene: &Scene| World::build_seeded(scene, folder, arguments.seed());
+        let target = self.by.target();
+        let said = |scene: &Scene| said(target, (arguments.name(), "scene"), scene, folder);
         // before our picture is rendered
-        if said(arguments.name(), &scene).is_none() {
+        if said(&scene).is_none() {
             return Ok(None);
         }
-        let program = pov::Program::find(program)?;
-        let exposure = pov::Program::exposure(&render::render(&build(&scene)?));
+        let program = self.by.find(self.program)?;
+        let exposure = if is_noiseless { exposure(&render::render(&build(&scene)?)) } else { 1.0 };
         scene.camera.exposure_time *= exposure;
-        let Some(text) = said(arguments.name(), &scene) else { return Ok(None) };
+        let Some(text) = said(&scene) else { return Ok(None) };
         let (world, size) = (build(&scene)?, [scene.image.width, scene.image.height]);
-        let temporary = tempfile::tempdir()?;
-        let file = program.render(&text, size, temporary.path())?;
-        let picture = Picture::read(&file, Some(Transfer::Linear))?;
-        let version = program.version().unwrap_or_else(|| "POV-Ray".to_owned());
+        scene.image.samples = world.samples_per_pixel();
+        let mut picture = program.render(&text, size)?;
         let [width, height] = size;
+        let rays = if is_noiseless {
+            picture = picture.in_16_bits();
+            format!(
+                "one ray through the centre of each, every pixel times {exposure} on both sides"
+            )
+        } else {
+            format!("{samples} samples in each")
+        };
         let words = format!(
-            "by {version}: {width} × {height} pixels, one ray through the centre of each, every pixel times {exposure} on \
-             both sides{}\n",
-            left_out(without)
+            "by {}: {width} × {height} pixels, {rays}{}\n",
+            program.version(),
+            left_out(self.without)
         );
-        Ok(Some(Witnessed { scene, world, pictures: vec![picture], words }))
+        let explained_with = format!(" --samples {samples}");
+        Ok(Some(Witnessed { scene, world, pictures: vec![picture], words, explained_with }))
     }
 }
 
@@ -76,20 +162,26 @@ fn left_out(without: &[Term]) -> String {
     if names.is_empty() { String::new() } else { format!(", both without {}", names.join(" and ")) }
 }
 
-/// The scene with one ray through the centre of each pixel, and linear values.
-fn with_centred_rays(mut scene: Scene) -> Scene {
+/// The scene with so many samples per pixel, by the patterns that we choose ourselves, and linear values.
+fn sampled(mut scene: Scene, samples: u32) -> Scene {
     let image = &mut scene.image;
-    (image.samples, image.sampler) = (1, None);
+    (image.samples, image.sampler) = (samples, None);
     (image.filter, image.gamma) = (filters::Kind::default(), 1.0);
     scene
 }
 
-/// The scene in the language of the other renderer; `None` if it cannot be said, which is printed.
-pub fn said(name: &str, scene: &Scene) -> Option<String> {
-    match pov::write(name, scene) {
-        Ok(text) => Some(text),
+/// The scene in the language of the other renderer, under its name and with files whose names begin with a stem; `None`
+/// if it cannot be said, which is printed.
+pub fn said(
+    target: Target,
+    (name, stem): (&str, &str),
+    scene: &Scene,
+    folder: &Path,
+) -> Option<Said> {
+    match target.write(name, stem, scene, folder) {
+        Ok(said) => Some(said),
         Err(all) => {
-            eprintln!("error: {}", listed("POV-Ray", &all));
+            eprintln!("error: {}", listed(target.name(), &all));
             None
         }
     }

@@ -135,6 +135,16 @@ impl Picture {
         Ok(Self { size, values, transfer, stated, step, notes, transparent })
     }
 
+    /// A picture of radiance from 0 to 1 as integers of 16 bits, linear.
+    #[must_use]
+    pub fn in_16_bits(mut self) -> Self {
+        const LARGEST: f64 = 65535.0;
+        for value in self.values.as_flattened_mut() {
+            *value = ((f64::from(*value).clamp(0.0, 1.0) * LARGEST).round() / LARGEST) as f32;
+        }
+        Self { transfer: Transfer::Linear, step: Some(1.0 / LARGEST), ..self }
+    }
+
     /// The radiance of its values.
     pub fn radiance(&self) -> Film {
         let [width, height] = self.size;

@@ -3,7 +3,7 @@
 use groundtruth::{cameras, lights, materials, shapes, textures};
 use serde::Serialize;
 
-use super::pbrt;
+use super::Target;
 
 /// How a kind is said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -27,12 +27,8 @@ pub struct Row {
     pub list: &'static str,
     /// The tag of the kind in scene files.
     pub kind: String,
-    /// How POV-Ray says it.
-    pub pov: How,
-    /// What must hold of it, or is left out.
-    pub note: &'static str,
-    /// How pbrt says it, and what must hold of it.
-    pub pbrt: (How, &'static str),
+    /// How each target says it, and what must hold of it or is left out, in the order of [`Target::ALL`].
+    pub cells: [(How, &'static str); Target::ALL.len()],
 }
 
 impl How {
@@ -51,28 +47,24 @@ impl How {
 /// The table, in the order of the lists.
 pub fn kinds() -> Vec<Row> {
     let mut rows = Vec::new();
-    let mut add = |list, kind: String, (pov, note), pbrt| {
-        rows.push(Row { list, kind, pov, note, pbrt });
+    let mut add = |list, kind: String, how: &dyn Fn(Target) -> (How, &'static str)| {
+        rows.push(Row { list, kind, cells: Target::ALL.map(how) });
     };
-    for kind in
-        shapes::Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)().into_iter().take(1))
-    {
-        add("shape", tag(&kind), pov_shape(&kind), pbrt::kinds::shape(&kind));
+    for kind in shapes::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1)) {
+        add("shape", tag(&kind), &|target| target.shape(&kind));
     }
     for kind in materials::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1))
     {
-        add("material", tag(&kind), pov_material(&kind), pbrt::kinds::material(&kind));
+        add("material", tag(&kind), &|target| target.material(&kind));
     }
-    for kind in
-        lights::Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)().into_iter().take(1))
-    {
-        add("light", tag(&kind), pov_light(&kind), pbrt::kinds::light(&kind));
+    for kind in lights::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1)) {
+        add("light", tag(&kind), &|target| target.light(&kind));
     }
     for kind in textures::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1)) {
-        add("texture", tag(&kind), pov_texture(&kind), pbrt::kinds::texture(&kind));
+        add("texture", tag(&kind), &|target| target.texture(&kind));
     }
     for kind in cameras::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1)) {
-        add("camera", tag(&kind), pov_camera(&kind), pbrt::kinds::camera(&kind));
+        add("camera", tag(&kind), &|target| target.camera(&kind));
     }
     rows
 }

@@ -1,12 +1,16 @@
 //! Scenes of ours as input of other renderers: what can be said there is written, and all that cannot is listed.
 //!
-//! [`kinds()`] is the table of what each kind becomes. [`pov`] writes the scene language of POV-Ray,
-//! [`pbrt`] scene files of pbrt-v4.
+//! [`kinds()`] is the table of what each kind becomes. [`pov`] writes the scene language of POV-Ray, [`mitsuba`] the XML of
+//! Mitsuba 3, [`pbrt`] scene files of pbrt-v4.
 
+mod exposure;
 pub mod kinds;
+pub mod leaves;
+pub mod mitsuba;
 mod parts;
 pub mod pbrt;
 pub mod pov;
+mod target;
 mod without;
 
 use std::fmt;
@@ -14,7 +18,10 @@ use std::path::PathBuf;
 
 use groundtruth::printable;
 
+pub use exposure::exposure;
 pub use kinds::{How, Row, kinds};
+pub use leaves::Leaf;
+pub use target::{Said, Target};
 pub use without::Term;
 
 /// Something of a scene that another renderer cannot say, and where it stands.
@@ -51,6 +58,15 @@ pub(crate) fn item(list: &str, index: usize, name: &str) -> String {
 pub(crate) fn number(number: f64) -> String {
     let is_short = number == 0.0 || (1e-6..1e15).contains(&number.abs());
     if is_short { format!("{number}") } else { format!("{number:e}") }
+}
+
+/// The last lines of the messages of a program that failed.
+pub(crate) fn last_lines(messages: &[u8]) -> String {
+    /// So many are quoted.
+    const QUOTED: usize = 12;
+    let messages = String::from_utf8_lossy(messages).into_owned();
+    let lines: Vec<&str> = messages.lines().filter(|line| !line.trim().is_empty()).collect();
+    lines[lines.len().saturating_sub(QUOTED)..].join("\n  ")
 }
 
 /// A program of this name: `given`, or the first of the folders in `PATH` that has it.

@@ -6,6 +6,7 @@ use groundtruth::background::Background;
 use groundtruth::materials::{Kind, Phong};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Light, Scene, Tracer};
+use groundtruth::shapes;
 
 /// A term that can be left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,17 +17,23 @@ pub enum Term {
     Ambient,
     /// The colour behind everything, where it is only seen and lights nothing: it becomes black.
     Background,
-    /// Lights and things without shadows: they get them.
-    Shadowless,
+    /// Light that passes through objects: all of them block that of all lights.
+    Unshadowed,
+    /// The absorption of media: glass becomes clear.
+    Absorption,
+    /// Normals interpolated between the corners of triangles: meshes become flat.
+    Smooth,
 }
 
 impl Term {
     /// All, by their names.
-    pub const ALL: [(&'static str, Self); 4] = [
+    pub const ALL: [(&'static str, Self); 6] = [
         ("phong", Self::Phong),
         ("ambient", Self::Ambient),
         ("background", Self::Background),
-        ("shadowless", Self::Shadowless),
+        ("unshadowed", Self::Unshadowed),
+        ("absorption", Self::Absorption),
+        ("smooth", Self::Smooth),
     ];
 
     /// Leaves it out of a scene.
@@ -47,10 +54,22 @@ impl Term {
             }
             Self::Background if is_sky(scene) => {}
             Self::Background => scene.background = Background::Color(Rgb::BLACK),
-            Self::Shadowless => {
-                scene.lights.iter_mut().for_each(|light| light.shadows = true);
-                scene.materials.iter_mut().for_each(|material| material.casts_shadows = true);
-                scene.objects.iter_mut().for_each(|object| object.casts_shadows = true);
+            Self::Unshadowed => {
+                scene.lights.iter_mut().for_each(|it| it.shadows = true);
+                scene.materials.iter_mut().for_each(|it| it.casts_shadows = true);
+                scene.objects.iter_mut().for_each(|it| it.casts_shadows = true);
+            }
+            Self::Absorption => {
+                scene.camera.medium.absorption = Rgb::BLACK;
+                for material in &mut scene.materials {
+                    if let Kind::Dielectric(it) = &mut material.recipe {
+                        it.inside.absorption = Rgb::BLACK;
+                        it.outside.absorption = Rgb::BLACK;
+                    }
+                }
+            }
+            Self::Smooth => {
+                scene.objects.iter_mut().for_each(|it| flatten(&mut it.shape));
             }
         }
     }
@@ -72,6 +91,19 @@ pub(super) fn is_sky(scene: &Scene) -> bool {
     let sampled = |light: &Light| light.enabled && matches!(light.source, Environment(_));
     let is_path = !matches!(scene.tracer, Tracer::RayCast | Tracer::Whitted(_));
     is_path || scene.lights.iter().any(sampled)
+}
+
+/// Gives the triangles of a shape one normal each.
+fn flatten(shape: &mut shapes::Kind) {
+    use shapes::Kind::{Compound, Instance, Mesh, TessellatedSphere, Triangle};
+    match shape {
+        Triangle(it) => it.normals = None,
+        Mesh(it) => it.smooth = false,
+        TessellatedSphere(it) => it.smooth = false,
+        Instance(it) => flatten(&mut it.of),
+        Compound(it) => it.parts.iter_mut().for_each(|part| flatten(&mut part.shape)),
+        _ => {}
+    }
 }
 
 /// The fields of `phong` in a material.

@@ -9,12 +9,33 @@ use rayon::prelude::*;
 
 use super::stored::Stored;
 
-/// The rays move by so many pixels in each direction.
-const STEP: f64 = 1e-6;
+/// How far the rays of a renderer may be from ours by its rounding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Edge {
+    /// So far our rays are moved, in pixels.
+    pub width: f64,
+    /// Whether the picture must have a value between those of the moved rays. Else it is enough that these differ, as they
+    /// do on an edge alone, where rays move by little.
+    pub is_between: bool,
+}
+
+impl Edge {
+    /// Of double precision.
+    pub const DOUBLE: Self = Self { width: 1e-6, is_between: false };
+    /// Of single precision: hits are wrong by about 1e-7 of their coordinates, and shadow rays start off the surface by
+    /// 1e-4 of them.
+    pub const SINGLE: Self = Self { width: 0.03, is_between: true };
+}
 
 /// Where all replicas agree against a picture and need not, the picture gets our value. Returns the number of such
 /// pixels.
-pub fn set_apart(theirs: &mut [f32], world: &World, known: &[Vec<f32>], stored: Stored) -> usize {
+pub fn set_apart(
+    theirs: &mut [f32],
+    world: &World,
+    known: &[Vec<f32>],
+    stored: Stored,
+    edge: Edge,
+) -> usize {
     let width = world.picture_size()[0] as usize;
     let ours = &known[0];
     let is_same = |x: f32, y: f32| {
@@ -30,7 +51,8 @@ pub fn set_apart(theirs: &mut [f32], world: &World, known: &[Vec<f32>], stored: 
         .into_par_iter()
         .filter(|pixel| {
             let at = [pixel % width, pixel / width].map(|x| x as u32);
-            is_edge(world, at, stored) || !is_fixed && samples_differ(world, at, stored)
+            is_edge(world, at, (&theirs[3 * pixel..][..3], stored), edge)
+                || !is_fixed && samples_differ(world, at, stored)
         })
         .collect();
     for pixel in &apart {
@@ -49,21 +71,43 @@ fn samples_differ(world: &World, pixel: [u32; 2], stored: Stored) -> bool {
     })
 }
 
-/// Whether the stored colour of a pixel changes when its rays move by a millionth of a pixel: on which side of an edge
+/// Whether the stored colour of a pixel changes when its rays move, so that it may be `theirs`: on which side of an edge
 /// such a pixel falls, a renderer's rounding decides.
-fn is_edge(world: &World, pixel: [u32; 2], stored: Stored) -> bool {
+fn is_edge(world: &World, pixel: [u32; 2], (theirs, stored): (&[f32], Stored), edge: Edge) -> bool {
+    const AROUND: [[f64; 2]; 8] = [
+        [-1.0, -1.0],
+        [1.0, -1.0],
+        [-1.0, 1.0],
+        [1.0, 1.0],
+        [0.0, 1.0],
+        [0.0, -1.0],
+        [1.0, 0.0],
+        [-1.0, 0.0],
+    ];
     let value = |color: Rgb| {
         let mut film = groundtruth::film::Film::new(1, 1);
         film.set([0, 0], color);
         stored.values(&film)
     };
     let here = value(moved(world, pixel, [0.0, 0.0]));
-    [[-1.0, -1.0], [1.0, -1.0], [-1.0, 1.0], [1.0, 1.0]].into_iter().any(|direction| {
-        let there = value(moved(world, pixel, direction.map(|along: f64| along * STEP)));
+    let differs = |there: &Vec<f32>| {
         here.iter().zip(there).any(|(x, y)| {
-            let [x, y] = [*x, y].map(f64::from);
+            let [x, y] = [*x, *y].map(f64::from);
             (x - y).abs() > stored.tolerance(x)
         })
+    };
+    let mut around = AROUND
+        .iter()
+        .map(|direction| value(moved(world, pixel, direction.map(|along| along * edge.width))));
+    if !edge.is_between {
+        return around.any(|there| differs(&there));
+    }
+    let all: Vec<Vec<f32>> = around.chain([here.clone()]).collect();
+    theirs.iter().enumerate().all(|(channel, theirs)| {
+        let values = || all.iter().map(|it| f64::from(it[channel]));
+        let (low, high) = (values().fold(f64::MAX, f64::min), values().fold(f64::MIN, f64::max));
+        let theirs = f64::from(*theirs);
+        low - stored.tolerance(low) <= theirs && theirs <= high + stored.tolerance(high)
     })
 }
 

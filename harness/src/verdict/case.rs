@@ -11,9 +11,9 @@ use rayon::prelude::*;
 use super::plants::brighter;
 use super::verdict::{Explanation, REGIONS, Region, Verdict};
 use super::{
-    Area, Areas, Decision, Evidence, Factor, Judged, Map, Plant, Reference, Renders, Replicas,
-    Stored, Strictness, Subject, Suspects, factors, is_alike, is_nearer, noise, planted, set_apart,
-    several, smallest_gains, terms,
+    Area, Areas, Decision, Edge, Evidence, Factor, Judged, Map, Plant, Reference, Renders,
+    Replicas, Stored, Strictness, Subject, Suspects, factors, is_alike, is_nearer, noise, planted,
+    set_apart, several, smallest_gains, terms,
 };
 use crate::compare::{
     Change, Decoded, Picture, Transfer, changes_that_explain, distance_of, half_pixel_directions,
@@ -42,6 +42,8 @@ pub struct Case<'a> {
     pub seed: u64,
     /// A mean of other pictures of ours, if one was rendered before.
     pub reference: Option<&'a Reference>,
+    /// How far the rays of the other renderer may be from ours.
+    pub edge: Edge,
 }
 
 /// The gain that is planted everywhere, and the one in an object.
@@ -64,8 +66,8 @@ impl Case<'_> {
         let (transfer, tone) = (self.transfer, self.tone);
         let mut replicas = Replicas::new(self.world, seed, renders);
         replicas.fill(strictness.first);
-        let (so_far, reference) = (self.so_far, self.reference);
-        let judge = Judge { areas: &areas, strictness, transfer, tone, so_far, reference };
+        let (so_far, reference, edge) = (self.so_far, self.reference, self.edge);
+        let judge = Judge { areas: &areas, strictness, transfer, tone, so_far, reference, edge };
         let independent = judge.match_noise(theirs, &mut replicas);
         let mut known = Vec::new();
         let (stored, judged, apart) = judge.judged(theirs, &mut replicas, &mut known)?;
@@ -164,6 +166,7 @@ struct Judge<'a> {
     tone: (f64, OutOfGamut),
     so_far: &'a dyn Fn(&Judged),
     reference: Option<&'a Reference>,
+    edge: Edge,
 }
 
 impl Judge<'_> {
@@ -213,7 +216,7 @@ impl Judge<'_> {
         let mut values = read(theirs, stored);
         // it is no mean of pictures whose film points are off
         let reference = self.reference.filter(|_| replicas.direction == [0, 0]);
-        let apart = set_apart(&mut values, replicas.world, known, stored);
+        let apart = set_apart(&mut values, replicas.world, known, stored, self.edge);
         let next = |so_far: Option<&Judged>| {
             so_far.into_iter().for_each(self.so_far);
             replicas.render().map(|film| stored.values(&film))

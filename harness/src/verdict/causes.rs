@@ -13,7 +13,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::evidence::Evidence;
-use super::{Decision, Judged, Strictness, Subject, set_apart};
+use super::{Decision, Edge, Judged, Strictness, Subject, set_apart};
 use crate::mistakes::{self, Films, Mistake};
 
 /// A mistake that explains a picture.
@@ -133,7 +133,7 @@ impl Suspects<'_> {
         if known.len() < strictness.first {
             return false;
         }
-        set_apart(&mut theirs, self.world, &known, *stored);
+        set_apart(&mut theirs, self.world, &known, *stored, Edge::DOUBLE);
         let subject = Subject { areas, stored: *stored, reference: None };
         let judged = Judged::of(&theirs, subject, strictness, &mut known, |_| replicas());
         judged.is_some_and(|judged| judged.decision == Decision::Agrees)

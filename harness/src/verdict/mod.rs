@@ -26,7 +26,7 @@ mod text;
 #[expect(clippy::module_inception, reason = "the file of the type of this name")]
 mod verdict;
 
-pub use apart::set_apart;
+pub use apart::{Edge, set_apart};
 pub use areas::{Area, Areas};
 pub use case::Case;
 pub use causes::{Cause, Causes, Suspects};

@@ -14,7 +14,7 @@ use groundtruth::render::Canvas;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use harness::compare::Picture;
-use harness::verdict::{self, Case, Judged, Region, Strictness, Verdict};
+use harness::verdict::{self, Case, Edge, Judged, Region, Strictness, Verdict};
 
 use crate::comparison::layer::Layer;
 use crate::comparison::theirs::shown;
@@ -134,6 +134,7 @@ impl Question {
             tone: (scene.image.gamma, scene.image.out_of_gamut),
             seed,
             reference: None,
+            edge: Edge::DOUBLE,
         };
         let verdict = case.verdict(&theirs, &mut |world, canvas| course.render(world, canvas));
         let verdict = verdict.map(Arc::new);

@@ -74,6 +74,7 @@ fn of_command(picture: &Picture) -> Verdict {
         tone: (scene.image.gamma, scene.image.out_of_gamut),
         seed: DEFAULT_SEED,
         reference: None,
+        edge: harness::verdict::Edge::DOUBLE,
     };
     let renders = &mut |world: &World, canvas: &render::Canvas| {
         canvas.render(world);

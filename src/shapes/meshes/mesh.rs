@@ -6,7 +6,7 @@
 //! of the file are used if there are any, and they also decide which side of the triangles is the
 //! front, so that such a file needs no flag.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use schemars::JsonSchema;
@@ -117,18 +117,21 @@ impl Mesh {
         accel: None,
     };
 
-    /// The triangles; a file is relative to `folder`.
+    /// The triangles and normals that this describes, with the files in their folder.
     ///
     /// # Errors
-    /// The file cannot be read, or the data are not valid.
-    pub fn triangle_mesh(&self, folder: &Path) -> Result<TriangleMesh, Invalid> {
+    /// The file cannot be read, or the lists are invalid.
+    pub fn triangle_mesh(&self, resources: &mut Resources) -> Result<TriangleMesh, Invalid> {
         match &self.file {
-            Some(file) => self.mesh_of(&*Resources::new(folder).mesh(file)?, "file"),
-            None => self.mesh_of(&mesh_lists::data(self)?, "triangles"),
+            Some(file) => {
+                mesh_lists::check_absent(self)?;
+                self.triangle_mesh_of(&*resources.mesh(file)?, "file")
+            }
+            None => self.triangle_mesh_of(&mesh_lists::data(self)?, "triangles"),
         }
     }
 
-    /// The mesh of `data`; `field` is the scene field that the data come from, for errors.
+    /// The shape of `data`; `field` is the scene field that the data come from, for errors.
     fn build_of(
         &self,
         data: &MeshData,
@@ -137,10 +140,12 @@ impl Mesh {
     ) -> Result<Arc<dyn Shape>, Invalid> {
         positive("scale", self.scale)?;
         context.add_triangles(data.triangles.len() as u64).map_err(|e| e.inside(field))?;
-        Ok(self.mesh_of(data, field)?.into_shape(self.accel, context))
+        let mesh = self.triangle_mesh_of(data, field)?;
+        Ok(mesh.into_shape(self.accel, context))
     }
 
-    fn mesh_of(&self, data: &MeshData, field: &str) -> Result<TriangleMesh, Invalid> {
+    /// The mesh of `data`.
+    fn triangle_mesh_of(&self, data: &MeshData, field: &str) -> Result<TriangleMesh, Invalid> {
         let scale = positive("scale", self.scale)?;
         let vertices: Vec<_> =
             data.vertices.iter().map(|&v| Point::from(v).scaled(scale)).collect();

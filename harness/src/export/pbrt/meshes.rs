@@ -1,5 +1,6 @@
 //! Triangles, and what is made of them.
 
+use groundtruth::kinds::Resources;
 use groundtruth::math::Point;
 use groundtruth::shapes::{Cuboid, Mesh, Rectangle, Triangle, TriangleMesh};
 
@@ -41,7 +42,7 @@ impl Writer<'_> {
         if mesh.smooth {
             return self.refuse(&at.path, SMOOTH);
         }
-        match mesh.triangle_mesh(self.folder) {
+        match mesh.triangle_mesh(&mut Resources::new(self.folder)) {
             Ok(triangles) => self.mesh(&triangles, at),
             Err(problem) => self.refuse(&at.path, problem.to_string()),
         }

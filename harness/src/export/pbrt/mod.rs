@@ -59,13 +59,11 @@ struct Writer<'a> {
 /// The scene as the text of a `.pbrt` file; `name` goes into its first line, and files that the scene names are in `folder`.
 ///
 /// # Errors
-/// All that cannot be said, or the scene is not valid.
-pub fn write(
-    name: &str,
-    scene: &Scene,
-    folder: &Path,
-) -> Result<Result<String, Vec<Unsayable>>, SceneError> {
-    let world = World::build_seeded(scene, folder, DEFAULT_SEED)?;
+/// All that cannot be said, or why the scene is not valid.
+pub fn write(name: &str, scene: &Scene, folder: &Path) -> Result<String, Vec<Unsayable>> {
+    let invalid =
+        |e: SceneError| vec![Unsayable { path: "the scene".to_owned(), problem: e.to_string() }];
+    let world = World::build_seeded(scene, folder, DEFAULT_SEED).map_err(invalid)?;
     let mut writer = Writer::new(scene, &world, folder);
     writer.refuse_settings();
     writer.header(name);
@@ -82,7 +80,7 @@ pub fn write(
     let Writer { named, text, mut unsayable, .. } = writer;
     unsayable.sort_by_key(|it| section(&it.path));
     let whole = || format!("{head}{integrator}WorldBegin\n{named}{text}");
-    Ok(if unsayable.is_empty() { Ok(whole()) } else { Err(unsayable) })
+    if unsayable.is_empty() { Ok(whole()) } else { Err(unsayable) }
 }
 
 /// The place of a part of the scene among the others.

@@ -87,7 +87,7 @@ impl Writer<'_> {
         let Phong { ka, kd, cd, ks, .. } = phong;
         let ks = self.amount(&format!("{path}.ks"), ks);
         if ks.is_some_and(|ks| ks > 0.0) {
-            let problem = "the highlight of POV-Ray is not multiplied by the cosine of the angle of incidence";
+            let problem = "the highlight of POV-Ray is not multiplied by the cosine of the angle of incidence; --without phong leaves it out";
             self.refuse(format!("{path}.ks"), problem);
         }
         self.matte(path, &Matte { ka: ka.clone(), kd: kd.clone(), cd: cd.clone() })

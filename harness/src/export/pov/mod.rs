@@ -20,14 +20,13 @@ use groundtruth::printable;
 use groundtruth::scene::{Intersect, Scene, Tracer};
 
 use super::Unsayable;
+use super::leaves::Leaves;
 use text::rgb;
 
 /// A scene being written.
 struct Writer<'a> {
     scene: &'a Scene,
     text: String,
-    /// The indices of materials that objects have, in the order of their first use.
-    materials: Vec<usize>,
     unsayable: Vec<Unsayable>,
 }
 
@@ -36,21 +35,17 @@ struct Writer<'a> {
 /// # Errors
 /// All that cannot be said.
 pub fn write(name: &str, scene: &Scene) -> Result<String, Vec<Unsayable>> {
-    let writer =
-        |text: String| Writer { scene, text, materials: Vec::new(), unsayable: Vec::new() };
-    let mut head = writer(String::new());
+    let leaves = Leaves::of(scene);
+    let mut head = Writer { scene, text: String::new(), unsayable: Vec::new() };
     head.refuse_settings();
     head.header(name);
     head.globals();
     head.camera();
     head.lights();
-    // objects first: they say which materials are declared
-    let mut objects = writer(String::new());
-    objects.objects();
-    head.materials(&objects.materials);
-    head.unsayable.append(&mut objects.unsayable);
+    head.materials(&leaves.materials());
+    head.objects(&leaves);
     match head.unsayable.is_empty() {
-        true => Ok(head.text + &objects.text),
+        true => Ok(head.text),
         false => Err(head.unsayable),
     }
 }

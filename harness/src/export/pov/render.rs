@@ -3,20 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
-use groundtruth::film::Film;
+use crate::export::last_lines;
 
 /// The program.
 #[derive(Clone, Debug)]
 pub struct Program {
     file: PathBuf,
 }
-
-/// What its picture holds between 0 and 1 is brightened or darkened so that our brightest value is between these two:
-/// nothing is clipped, not even if theirs is twice as bright, and most of the 65536 steps are used.
-const BRIGHTEST: f64 = 0.5;
-
-/// The last lines of its messages that a failure quotes.
-const QUOTED: usize = 12;
 
 impl Program {
     /// The program of this file, or `povray` on the path.
@@ -25,21 +18,6 @@ impl Program {
     /// There is none.
     pub fn find(given: Option<PathBuf>) -> Result<Self, String> {
         super::super::program("povray", given, "povray").map(|file| Self { file })
-    }
-
-    /// The power of two by which to multiply every pixel of a picture like ours.
-    pub fn exposure(ours: &Film) -> f64 {
-        let brightest = ours.pixels().iter().map(|color| color.max()).fold(0.0, f64::max);
-        let mut exposure = 1.0;
-        if brightest > 0.0 && brightest.is_finite() {
-            while exposure * brightest > BRIGHTEST {
-                exposure /= 2.0;
-            }
-            while exposure * brightest <= 0.5 * BRIGHTEST {
-                exposure *= 2.0;
-            }
-        }
-        exposure
     }
 
     /// The version, as it says it.
@@ -70,9 +48,6 @@ impl Program {
         if run.status.success() && picture.is_file() {
             return Ok(picture);
         }
-        let messages = String::from_utf8_lossy(&run.stderr).into_owned();
-        let lines: Vec<&str> = messages.lines().filter(|line| !line.trim().is_empty()).collect();
-        let last = lines[lines.len().saturating_sub(QUOTED)..].join("\n  ");
-        Err(problem(&format!("no picture ({}):\n  {last}", run.status)))
+        Err(problem(&format!("no picture ({}):\n  {}", run.status, last_lines(&run.stderr))))
     }
 }

@@ -1,32 +1,14 @@
-//! The objects, each taken apart into shapes of POV-Ray.
+//! The shapes of POV-Ray for the leaves of the objects.
 
 use groundtruth::math::{Normal, Point, Transform, Vector};
-use groundtruth::scene::Object;
-use groundtruth::shapes::{Instance, Kind, Plane, Rectangle, Triangle, transform_of};
+use groundtruth::shapes::{Kind, Plane, Rectangle, Triangle};
 
 use super::Writer;
 use super::lights::FAR;
 use super::materials::is_patterned;
 use super::text::{matrix, number, vector};
-use crate::export::parts::{Part, parts};
-use crate::export::{item, kinds};
-
-/// Where a shape stands, and what it is made of.
-#[derive(Clone)]
-struct Setting {
-    /// Its place in the scene.
-    path: String,
-    /// From its coordinates to the world's.
-    map: Transform,
-    /// From the coordinates in which its texture is looked up to the world's.
-    texture: Transform,
-    /// Whether an instance around it keeps its texture where it is: then instances in it do not move it.
-    is_still: bool,
-    /// The index of its material.
-    material: usize,
-    /// Whether the object casts shadows; its material may not.
-    casts_shadows: bool,
-}
+use crate::export::Leaf;
+use crate::export::leaves::Leaves;
 
 /// Which way the normal of a shape in POV-Ray points.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -44,37 +26,14 @@ impl Sense {
 }
 
 impl Writer<'_> {
-    /// All objects that are part of the scene.
-    pub(super) fn objects(&mut self) {
-        for (index, object) in self.scene.objects.iter().enumerate().filter(|(_, it)| it.enabled) {
-            self.object(index, object);
-        }
+    /// All objects, in leaves.
+    pub(super) fn objects(&mut self, leaves: &Leaves<'_>) {
+        leaves.all.iter().for_each(|leaf| self.shape(leaf));
+        self.unsayable.extend_from_slice(&leaves.unsayable);
     }
 
-    fn object(&mut self, index: usize, object: &Object) {
-        let path = item("objects", index, &object.name);
-        let Some(material) = self.material(&path, &object.material) else { return };
-        let path = format!("{path}: shape");
-        let (map, texture) = (Transform::IDENTITY, Transform::IDENTITY);
-        let casts_shadows = object.casts_shadows;
-        let at = Setting { path, map, texture, is_still: false, material, casts_shadows };
-        self.shape(&object.shape, &at);
-    }
-
-    /// The index of a material.
-    fn material(&mut self, path: &str, name: &str) -> Option<usize> {
-        let index = self.scene.materials.iter().position(|material| material.name == name);
-        match index {
-            Some(index) if !self.materials.contains(&index) => self.materials.push(index),
-            Some(_) => {}
-            None => self.refuse(path, format!("no material \"{name}\"")),
-        }
-        index
-    }
-
-    fn shape(&mut self, kind: &Kind, at: &Setting) {
-        let at = &Setting { path: format!("{}.{}", at.path, kinds::tag(kind)), ..at.clone() };
-        match kind {
+    fn shape(&mut self, at: &Leaf) {
+        match &at.shape {
             Kind::Plane(plane) => self.plane(plane, at),
             Kind::Sphere(it) => {
                 let words = format!("{}, {}", vector(it.center.to_array()), number(it.radius));
@@ -122,20 +81,13 @@ impl Writer<'_> {
                 );
                 self.leaf("quadric", &words, Sense::of(it.inward), at);
             }
-            Kind::Instance(instance) => self.instance(instance, at),
-            Kind::Compound(_)
-            | Kind::SolidCylinder(_)
-            | Kind::SolidCone(_)
-            | Kind::ThickRing(_) => {
-                self.parts(parts(kind).unwrap_or_default(), at);
-            }
             _ => self.refuse(&at.path, "no counterpart"),
         }
     }
 
     /// One shape of POV-Ray, with the texture of each side: `interior_texture` is that of the side which the normal
     /// points away from.
-    fn leaf(&mut self, word: &str, words: &str, sense: Sense, at: &Setting) {
+    fn leaf(&mut self, word: &str, words: &str, sense: Sense, at: &Leaf) {
         if let Some(far) = farthest(words, &at.map) {
             let problem = format!(
                 "found a coordinate or length of {far}; POV-Ray sees up to 10⁷, so 10⁶ is the most"
@@ -164,14 +116,14 @@ impl Writer<'_> {
     }
 
     /// `plane { n, d }` has the points with `n·p = d` for a unit n: so `d = n·point`.
-    fn plane(&mut self, plane: &Plane, at: &Setting) {
+    fn plane(&mut self, plane: &Plane, at: &Leaf) {
         let Some(normal) = Normal::new(plane.normal) else { return };
         let distance = normal.dot(plane.point.to_vector());
         let words = format!("{}, {}", vector(normal.to_array()), number(distance));
         self.leaf("plane", &words, Sense::Same, at);
     }
 
-    fn disc(&mut self, center: Point, normal: Vector, [inner, outer]: [f64; 2], at: &Setting) {
+    fn disc(&mut self, center: Point, normal: Vector, [inner, outer]: [f64; 2], at: &Leaf) {
         let [center, normal] = [center.to_array(), normal.to_array()].map(vector);
         let words = format!("{center}, {normal}, {}, {}", number(outer), number(inner));
         self.leaf("disc", &words, Sense::Same, at);
@@ -182,9 +134,9 @@ impl Writer<'_> {
     /// that a reflection keeps its side, and that of the transformed corners changes it.
     ///
     /// The normals of a smooth triangle have the sense of ours, and theirs decides which side is seen.
-    fn triangle(&mut self, triangle: &Triangle, at: &Setting) {
+    fn triangle(&mut self, triangle: &Triangle, at: &Leaf) {
         let corners = triangle.vertices.map(|corner| vector(at.map.point(corner).to_array()));
-        let in_world = Setting { map: Transform::IDENTITY, ..at.clone() };
+        let in_world = Leaf { map: Transform::IDENTITY, ..at.clone() };
         let Some(normals) = triangle.normals else {
             let sense = Sense::of(at.map.determinant() > 0.0);
             return self.leaf("triangle", &corners.join(", "), sense, &in_world);
@@ -202,37 +154,10 @@ impl Writer<'_> {
     }
 
     /// Two triangles with the normal `a × b`.
-    fn rectangle(&mut self, Rectangle { corner, a, b }: &Rectangle, at: &Setting) {
+    fn rectangle(&mut self, Rectangle { corner, a, b }: &Rectangle, at: &Leaf) {
         let far = *corner + *a + *b;
         for vertices in [[*corner, *corner + *a, far], [*corner, far, *corner + *b]] {
             self.triangle(&Triangle { vertices, normals: None }, at);
-        }
-    }
-
-    fn instance(&mut self, instance: &Instance, at: &Setting) {
-        match transform_of("transform", &instance.transform) {
-            Ok(map) => {
-                let moves = instance.transform_texture && !at.is_still;
-                let texture = if moves { at.texture.after(&map) } else { at.texture };
-                let (path, map) = (format!("{}.of", at.path), at.map.after(&map));
-                let is_still = !moves;
-                self.shape(&instance.of, &Setting { path, map, texture, is_still, ..at.clone() });
-            }
-            Err(problem) => self.refuse(&at.path, problem.to_string()),
-        }
-    }
-
-    /// The parts of a shape, each of a material of its own if it has one.
-    fn parts(&mut self, parts: Vec<Part>, at: &Setting) {
-        for Part { name, material, shape } in parts {
-            let path = format!("{}.{name}", at.path);
-            let material = match material {
-                None => Some(at.material),
-                Some(name) => self.material(&path, &name),
-            };
-            if let Some(material) = material {
-                self.shape(&shape, &Setting { path, material, ..at.clone() });
-            }
         }
     }
 }

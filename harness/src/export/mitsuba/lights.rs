@@ -1,0 +1,141 @@
+//! The lights, and the background.
+
+use groundtruth::background::Background;
+use groundtruth::lights::Kind;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Tracer;
+
+use super::Writer;
+use super::passes::{Pass, is_direction, samples_sky};
+use super::text::{float, plugin, point, rgb, vector};
+use crate::export::{item, kinds};
+
+impl Writer<'_> {
+    /// The index of the light of an object.
+    pub(super) fn lamp_of(&self, object: usize) -> Option<usize> {
+        let name = &self.scene.objects[object].name;
+        self.scene.lights.iter().position(|light| match &light.source {
+            Kind::Area(area) => area.object == *name,
+            _ => false,
+        })
+    }
+
+    /// The lights of these passes that cannot be said, and those that nothing blocks.
+    pub(super) fn refuse_lights(&mut self, passes: &[Pass]) {
+        let is_path = !matches!(self.scene.tracer, Tracer::RayCast | Tracer::Whitted(_));
+        let used = |index: usize| passes.iter().any(|pass| pass.lights.contains(&index));
+        for (index, light) in self.scene.lights.iter().enumerate().filter(|(_, it)| it.enabled) {
+            let path = format!(
+                "{}: source.{}",
+                item("lights", index, &light.name),
+                kinds::tag(&light.source)
+            );
+            match &light.source {
+                Kind::Ambient(_) | Kind::AmbientOccluder(_) => {
+                    if !is_path {
+                        let problem = "Mitsuba has no ambient term; --without ambient leaves it out on both sides";
+                        self.refuse(path, problem);
+                    }
+                    continue;
+                }
+                _ if !used(index) => continue,
+                Kind::PointLight(it) if it.attenuation != 2.0 => {
+                    let problem = format!(
+                        "found {}; the light of Mitsuba's lamps falls with the square of the distance: only 2 can be said",
+                        it.attenuation
+                    );
+                    self.refuse(format!("{path}.attenuation"), problem);
+                }
+                Kind::PointLight(_)
+                | Kind::Directional(_)
+                | Kind::Area(_)
+                | Kind::Environment(_) => {}
+                _ => self.refuse(&path, "no counterpart"),
+            }
+            if !light.shadows && (is_direction(light) || !is_path) {
+                let problem = "everything blocks light there; --without unshadowed gives such lights shadows on both sides";
+                self.refuse(format!("{}: shadows", item("lights", index, &light.name)), problem);
+            }
+        }
+        self.refuse_unshadowed(passes);
+    }
+
+    /// Objects and materials that cast no shadows.
+    fn refuse_unshadowed(&mut self, passes: &[Pass]) {
+        let is_path = !matches!(self.scene.tracer, Tracer::RayCast | Tracer::Whitted(_));
+        let blocked = |index: &usize| !is_path || is_direction(&self.scene.lights[*index]);
+        if !passes.iter().any(|pass| pass.is_lit && pass.lights.iter().any(blocked)) {
+            return;
+        }
+        let problem =
+            "everything casts shadows there; --without unshadowed gives it shadows on both sides";
+        let scene = self.scene;
+        for (index, object) in scene.objects.iter().enumerate().filter(|(_, it)| it.enabled) {
+            if !object.casts_shadows {
+                self.refuse(
+                    format!("{}: casts_shadows", item("objects", index, &object.name)),
+                    problem,
+                );
+            }
+        }
+        for (index, material) in scene.materials.iter().enumerate() {
+            if !material.casts_shadows {
+                self.refuse(
+                    format!("{}: casts_shadows", item("materials", index, &material.name)),
+                    problem,
+                );
+            }
+        }
+    }
+
+    /// The emitters that are no shapes.
+    ///
+    /// - `point`: the radiance that a surface reflects is f · I / d² · cosθ, ours f · ls · color / d² · cosθ. So the
+    ///   intensity I is ls · color.
+    /// - `directional`: f · E · cosθ, ours f · ls · color · cosθ. So the irradiance E (across the light) is ls · color; its
+    ///   direction is that in which the light goes, ours that from which it comes.
+    /// - `constant`: the radiance of rays that hit nothing, as ours. Where ours is drawn from by the cosine, its directions
+    ///   are those of the material there too: `sampling_weight` is 0.
+    pub(super) fn emitters(&mut self, pass: &Pass) -> String {
+        let mut emitters = Vec::new();
+        let scene = self.scene;
+        let is_sampled = samples_sky(scene);
+        for index in &pass.lights {
+            match &scene.lights[*index].source {
+                Kind::PointLight(it) => {
+                    let intensity = self.exposed(it.ls * it.color);
+                    let inner = [point("position", it.location), rgb("intensity", intensity)];
+                    emitters.push(plugin("emitter", "point", &inner));
+                }
+                Kind::Directional(it) => {
+                    let irradiance = self.exposed(it.ls * it.color);
+                    let inner = [vector("direction", -it.direction), rgb("irradiance", irradiance)];
+                    emitters.push(plugin("emitter", "directional", &inner));
+                }
+                _ => {}
+            }
+        }
+        if pass.has_background {
+            match scene.background {
+                Background::Color(color) if color.is_black() => {}
+                Background::Color(color) => {
+                    let weight = float("sampling_weight", f64::from(is_sampled));
+                    let inner = [rgb("radiance", self.exposed(color)), weight];
+                    let is_lamp =
+                        |index: &usize| matches!(scene.lights[*index].source, Kind::Area(_));
+                    let is_alone = emitters.is_empty() && !pass.lights.iter().any(is_lamp);
+                    emitters.push(plugin("emitter", "constant", &inner));
+                    if is_alone && !is_sampled {
+                        // a black lamp takes the samples
+                        let inner = [rgb("intensity", Rgb::BLACK)];
+                        emitters.push(plugin("emitter", "point", &inner));
+                    }
+                }
+                Background::Pattern(_) => {
+                    self.refuse("background", "a pattern; only a colour can be said");
+                }
+            }
+        }
+        emitters.join("\n")
+    }
+}

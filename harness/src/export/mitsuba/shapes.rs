@@ -1,0 +1,395 @@
+//! The shapes of Mitsuba for the leaves of the objects.
+
+use groundtruth::cameras;
+use groundtruth::math::{Frame, Normal, Point, Transform, Vector};
+use groundtruth::rgb::Rgb;
+use groundtruth::shapes::{Cuboid, Disk, Kind, OpenCylinder, Plane, Sphere, TriangleMesh};
+
+use super::Writer;
+use super::materials::Diffuse;
+use super::passes::Pass;
+use super::text::{boolean, float, matrix, plugin, point, rgb, rows, word};
+use super::textures::Face;
+use super::{Look, ply};
+use crate::export::Leaf;
+use crate::export::leaves::Leaves;
+
+/// A plane ends at the cube of this times the distance of the eye from it. Farther out Mitsuba's shadow rays, in single
+/// precision, miss by too much. With a checker a square ends at this times the size of the next smaller one, because texture
+/// coordinates are in single precision.
+const FARTHER: f64 = 12.0;
+
+/// The largest coordinate of an object: Mitsuba computes in single precision.
+const FAR: f64 = 1e6;
+
+impl Writer<'_> {
+    /// All objects, in leaves.
+    pub(super) fn shapes(&mut self, leaves: &Leaves<'_>, pass: &Pass) -> String {
+        let mut all = Vec::new();
+        for (index, leaf) in leaves.all.iter().enumerate() {
+            let middle = leaf.map.point(Point::ORIGIN).to_vector().max_abs();
+            let far = extent(&leaf.shape).max(middle);
+            if far > FAR {
+                let problem = format!(
+                    "a coordinate or length of {far}; in single precision, 10⁶ is the most"
+                );
+                self.refuse(&leaf.path, problem);
+                continue;
+            }
+            // without a look its material is refused already
+            if let Some(look) = self.looks.get(&leaf.material).cloned() {
+                all.extend(self.shape(&Placed { index, leaf, look: &look, pass }));
+            }
+        }
+        all.join("\n")
+    }
+
+    fn shape(&mut self, at: &Placed<'_>) -> Vec<String> {
+        match &at.leaf.shape {
+            Kind::Plane(it) => self.plane(it, at),
+            Kind::Sphere(it) => self.sphere(it, at),
+            Kind::Cuboid(it) => self.cuboid(it, at),
+            Kind::Triangle(it) => {
+                self.triangles((&it.vertices, &[[0, 1, 2]]), it.normals.is_some(), at)
+            }
+            Kind::Rectangle(it) => {
+                let face = Flat { corner: it.corner, a: it.a, b: it.b };
+                self.flat(&face.after(&at.leaf.map), at).into_iter().collect()
+            }
+            Kind::Disk(it) => self.disk(it, at),
+            Kind::OpenCylinder(it) => self.cylinder(it, at),
+            Kind::TessellatedSphere(it) => self.mesh(&it.mesh(), at),
+            Kind::Mesh(it) => match it.triangle_mesh(&mut self.resources) {
+                Ok(mesh) => self.mesh(&mesh, at),
+                Err(problem) => {
+                    self.refuse(&at.leaf.path, problem.to_string());
+                    Vec::new()
+                }
+            },
+            _ => {
+                self.refuse(&at.leaf.path, "no counterpart");
+                Vec::new()
+            }
+        }
+    }
+
+    /// The radiance that a leaf sends out in this pass. An object that is a lamp is dark where its light is off.
+    fn emission(&self, at: &Placed<'_>) -> Rgb {
+        let shines = match self.lamp_of(at.leaf.object) {
+            Some(light) => at.pass.lights.contains(&light),
+            None => at.pass.has_emission,
+        };
+        if shines { self.exposed(at.look.emission) } else { Rgb::BLACK }
+    }
+
+    /// A shape of this kind, with its material and its emission. `flips` turns its normal round.
+    fn element(
+        &mut self,
+        kind: &str,
+        mut inner: Vec<String>,
+        flips: bool,
+        at: &Placed<'_>,
+    ) -> String {
+        if flips {
+            inner.push(boolean("flip_normals", true));
+        }
+        let emission = self.emission(at);
+        if !emission.is_black() {
+            inner.push(plugin("emitter", "area", &[rgb("radiance", emission)]));
+        }
+        match &at.look.diffuse {
+            Diffuse::Plain(_) => inner.push(format!("<ref id=\"m{}\"/>", at.leaf.material)),
+            // the texture of a face is written with it
+            Diffuse::Textured(..) if kind == "rectangle" => {}
+            Diffuse::Textured(..) if !at.pass.is_lit => {
+                inner.push(at.look.bsdf("", at.pass));
+            }
+            Diffuse::Textured(..) => {
+                self.refuse(&at.leaf.path, "a checker on a surface that is not flat, or a disk");
+            }
+        }
+        plugin("shape", kind, &inner)
+    }
+
+    /// A shape under a map that is no similarity: an instance.
+    fn instance(
+        &mut self,
+        kind: &str,
+        inner: Vec<String>,
+        flips: bool,
+        at: &Placed<'_>,
+    ) -> Vec<String> {
+        if !self.emission(at).is_black() {
+            self.refuse(&at.leaf.path, "an instance of this shape does not shine there");
+        }
+        let id = format!("g{}", at.index);
+        let shape = self.element(kind, inner, flips, at);
+        let group = plugin("shape", "shapegroup", &[shape]);
+        let map = matrix("to_world", at.leaf.map.rows());
+        vec![
+            group.replacen("<shape ", &format!("<shape id=\"{id}\" "), 1),
+            plugin("shape", "instance", &[format!("<ref id=\"{id}\"/>"), map]),
+        ]
+    }
+
+    /// A sphere, its normal outward.
+    fn sphere(&mut self, it: &Sphere, at: &Placed<'_>) -> Vec<String> {
+        let map = &at.leaf.map;
+        let flips = self.seen_from_inside(it, at).unwrap_or(it.inward);
+        if !map.is_similarity() {
+            let inner = vec![point("center", it.center), float("radius", it.radius)];
+            return self.instance("sphere", inner, flips, at);
+        }
+        let radius = it.radius * scale(map);
+        let inner = vec![point("center", map.point(it.center)), float("radius", radius)];
+        vec![self.element("sphere", inner, flips, at)]
+    }
+
+    /// A cylinder without ends, its normal outward.
+    fn cylinder(&mut self, it: &OpenCylinder, at: &Placed<'_>) -> Vec<String> {
+        self.refuse_two_sided_lamp(at);
+        let map = &at.leaf.map;
+        let ends = [("p0", it.y0), ("p1", it.y1)].map(|(name, y)| (name, Point::new(0.0, y, 0.0)));
+        if !map.is_similarity() {
+            let mut inner = ends.map(|(name, end)| point(name, end)).to_vec();
+            inner.push(float("radius", it.radius));
+            return self.instance("cylinder", inner, it.inward, at);
+        }
+        let mut inner = ends.map(|(name, end)| point(name, map.point(end))).to_vec();
+        inner.push(float("radius", it.radius * scale(map)));
+        vec![self.element("cylinder", inner, it.inward, at)]
+    }
+
+    /// A cube from −1 to 1 under a map; with a checker, its six faces.
+    fn cuboid(&mut self, it: &Cuboid, at: &Placed<'_>) -> Vec<String> {
+        if at.is_textured() {
+            return faces(it)
+                .iter()
+                .flat_map(|face| self.flat(&face.after(&at.leaf.map), at))
+                .collect();
+        }
+        self.refuse_two_sided_lamp(at);
+        let half = 0.5 * (it.max - it.min);
+        let [x, y, z] = half.to_array();
+        // a cube is its own mirror image: the map must not turn its triangles round
+        let x = if at.leaf.map.determinant() < 0.0 { -x } else { x };
+        let axes = [x * Vector::X, y * Vector::Y, z * Vector::Z];
+        let axes = axes.map(|axis| at.leaf.map.vector(axis));
+        let map = matrix("to_world", rows(axes, at.leaf.map.point(it.min + half)));
+        vec![self.element("cube", vec![map], false, at)]
+    }
+
+    /// `disk` is x² + y² ≤ 1 in z = 0, with the normal z.
+    fn disk(&mut self, it: &Disk, at: &Placed<'_>) -> Vec<String> {
+        let Some(normal) = Normal::new(it.normal) else { return Vec::new() };
+        let (frame, map) = (Frame::around(normal), &at.leaf.map);
+        let [u, v] = [frame.u, frame.v].map(|axis| map.vector(it.radius * axis));
+        let Some(n) = map.covector(normal).unit() else { return Vec::new() };
+        let flips = self.seen_from_behind(map.point(it.center), n, at).unwrap_or(false);
+        let [u, v] = if u.cross(v).dot(n) < 0.0 { [v, u] } else { [u, v] };
+        let map = matrix("to_world", rows([u, v, n], map.point(it.center)));
+        vec![self.element("disk", vec![map], flips, at)]
+    }
+
+    /// `rectangle` is from −1 to 1 on x and y, with the normal z; its texture coordinates are from 0 to 1.
+    fn flat(&mut self, Flat { corner, a, b }: &Flat, at: &Placed<'_>) -> Option<String> {
+        let n = a.cross(*b).unit()?;
+        let flips = self.seen_from_behind(*corner, n, at).unwrap_or(false);
+        let middle = *corner + 0.5 * (*a + *b);
+        let mut inner = vec![matrix("to_world", rows([0.5 * *a, 0.5 * *b, n], middle))];
+        if let (Diffuse::Textured(kd, kind), true) = (&at.look.diffuse, at.pass.is_lit) {
+            let back = at.leaf.texture.inverse();
+            let face = Face { corner: back.point(*corner), a: back.vector(*a), b: back.vector(*b) };
+            let path = format!("{}: the texture of its material", at.leaf.path);
+            let texture = self.texture(&path, kind, kd * at.look.factor(at.pass), &face)?;
+            inner.push(at.look.bsdf(&texture, at.pass));
+        } else if at.is_textured() {
+            inner.push(at.look.bsdf("", at.pass));
+        }
+        Some(self.element("rectangle", inner, flips, at))
+    }
+
+    /// A plane: a square about the point below the eye, and with a checker three times a larger one around it.
+    fn plane(&mut self, plane: &Plane, at: &Placed<'_>) -> Vec<String> {
+        let Some(normal) = Normal::new(plane.normal) else { return Vec::new() };
+        let map = &at.leaf.map;
+        let Some(normal) = Normal::new(map.covector(normal)) else { return Vec::new() };
+        let (frame, eye) = (Frame::around(normal), self.scene.camera.eye);
+        let height = (eye - map.point(plane.point)).dot(normal);
+        let middle = eye - height * Vector::from(normal);
+        let near = height.abs().max(self.extent() / FARTHER);
+        let part = |[u0, u1]: [f64; 2], [v0, v1]: [f64; 2]| Flat {
+            corner: middle + u0 * frame.u + v0 * frame.v,
+            a: (u1 - u0) * frame.u,
+            b: (v1 - v0) * frame.v,
+        };
+        let square = |half: f64| part([-half, half], [-half, half]);
+        let parts = match at.is_textured() {
+            false => vec![square(near * FARTHER * FARTHER * FARTHER)],
+            true => {
+                let mut parts = vec![square(near)];
+                let mut inner = near;
+                for _ in 0..3 {
+                    let outer = FARTHER * inner;
+                    let (all, across) = ([-outer, outer], [-inner, inner]);
+                    for side in [[-outer, -inner], [inner, outer]] {
+                        parts.extend([part(side, all), part(across, side)]);
+                    }
+                    inner = outer;
+                }
+                parts
+            }
+        };
+        parts.iter().flat_map(|part| self.flat(part, at)).collect()
+    }
+
+    /// About how far the camera sees.
+    fn extent(&self) -> f64 {
+        let (camera, film) = (&self.scene.camera, self.scene.image.plane());
+        let distance = (camera.eye - camera.look_at).length();
+        match &camera.lens {
+            cameras::Kind::Orthographic(it) => distance.max(FARTHER * film.width / it.zoom),
+            _ => distance,
+        }
+    }
+
+    /// Triangles in a file, in world coordinates. Mitsuba's `diffuse` is black where an interpolated normal is turned away
+    /// from the viewer, ours where the true one is: so smooth ones are refused.
+    fn triangles(
+        &mut self,
+        (corners, triangles): (&[Point], &[[u32; 3]]),
+        is_smooth: bool,
+        at: &Placed<'_>,
+    ) -> Vec<String> {
+        self.refuse_two_sided_lamp(at);
+        if is_smooth {
+            let problem = "interpolated normals, which differ at silhouettes; --without smooth makes it flat on both sides";
+            self.refuse(&at.leaf.path, problem);
+        }
+        let name = format!("{}-{}.ply", self.stem, at.index);
+        if !self.files.iter().any(|(known, _)| *known == name) {
+            self.files.push((name.clone(), ply::of_triangles(corners, triangles, &at.leaf.map)));
+        }
+        let inner = vec![word("filename", &name), boolean("face_normals", true)];
+        vec![self.element("ply", inner, false, at)]
+    }
+
+    fn mesh(&mut self, mesh: &TriangleMesh, at: &Placed<'_>) -> Vec<String> {
+        let lists = (mesh.vertices(), mesh.triangles());
+        self.triangles(lists, mesh.normals().is_some(), at)
+    }
+
+    fn refuse_two_sided_lamp(&mut self, at: &Placed<'_>) {
+        if at.is_two_sided_lamp() {
+            self.refuse(
+                &at.leaf.path,
+                "a lamp that shines on both sides: there are no such lamps there",
+            );
+        }
+    }
+
+    /// Whether a two-sided lamp is seen from inside; the other side of a closed surface is never seen.
+    fn seen_from_inside(&mut self, it: &Sphere, at: &Placed<'_>) -> Option<bool> {
+        if !at.is_two_sided_lamp() {
+            return None;
+        }
+        let (camera, map) = (&self.scene.camera, &at.leaf.map);
+        let eye = map.inverse().point(camera.eye);
+        let is_inside = eye.distance(it.center) < it.radius;
+        let back = (camera.eye - camera.look_at).unit()?;
+        let in_front = -back.dot(map.point(it.center) - camera.eye);
+        let starts_apart = match camera.lens {
+            cameras::Kind::Pinhole(_) => true,
+            _ => map.is_similarity() && in_front.abs() > it.radius * scale(map),
+        };
+        if !starts_apart {
+            self.refuse(
+                &at.leaf.path,
+                "a lamp that shines on both sides, and rays start inside and outside of it",
+            );
+        }
+        Some(is_inside)
+    }
+
+    /// Whether the camera sees a flat two-sided lamp from behind; nothing else may see it.
+    fn seen_from_behind(&mut self, on: Point, normal: Vector, at: &Placed<'_>) -> Option<bool> {
+        if !at.is_two_sided_lamp() {
+            return None;
+        }
+        let camera = &self.scene.camera;
+        let to_eye = match camera.lens {
+            cameras::Kind::Pinhole(_) => camera.eye - on,
+            _ => camera.eye - camera.look_at,
+        };
+        let has_lens = matches!(camera.lens, cameras::Kind::ThinLens(_));
+        if has_lens || at.pass.edges > 1 {
+            self.refuse(
+                &at.leaf.path,
+                "a lamp that shines on both sides, of which rays may see both",
+            );
+        }
+        Some(to_eye.dot(normal) < 0.0)
+    }
+}
+
+/// A leaf in a pass.
+struct Placed<'a> {
+    index: usize,
+    leaf: &'a Leaf,
+    look: &'a Look,
+    pass: &'a Pass,
+}
+
+impl Placed<'_> {
+    fn is_textured(&self) -> bool {
+        matches!(self.look.diffuse, Diffuse::Textured(..))
+    }
+
+    fn is_two_sided_lamp(&self) -> bool {
+        self.look.is_two_sided && !self.look.emission.is_black()
+    }
+}
+
+/// A parallelogram in the world; its normal is along `a × b`.
+struct Flat {
+    corner: Point,
+    a: Vector,
+    b: Vector,
+}
+
+impl Flat {
+    /// After a map; of a reflection the sides are exchanged, which keeps the front.
+    fn after(&self, map: &Transform) -> Self {
+        let (corner, a, b) = (map.point(self.corner), map.vector(self.a), map.vector(self.b));
+        let [a, b] = if map.determinant() < 0.0 { [b, a] } else { [a, b] };
+        Self { corner, a, b }
+    }
+}
+
+/// The faces of a box, their normals outward.
+fn faces(it: &Cuboid) -> Vec<Flat> {
+    let [x, y, z] = (it.max - it.min).to_array();
+    let (x, y, z) = (x * Vector::X, y * Vector::Y, z * Vector::Z);
+    let [min, max] = [it.min, it.max];
+    let near = [[y, x], [z, y], [x, z]].map(|[a, b]| Flat { corner: min, a, b });
+    let far = [[x, y], [y, z], [z, x]].map(|[a, b]| Flat { corner: max, a: -a, b: -b });
+    near.into_iter().chain(far).collect()
+}
+
+/// The largest number of a shape; of planes, which are cut off, and of other kinds 0.
+fn extent(shape: &Kind) -> f64 {
+    match shape {
+        Kind::Sphere(it) => it.center.to_vector().max_abs().max(it.radius),
+        Kind::Cuboid(it) => it.min.to_vector().max_abs().max(it.max.to_vector().max_abs()),
+        Kind::Rectangle(it) => {
+            it.corner.to_vector().max_abs().max(it.a.max_abs()).max(it.b.max_abs())
+        }
+        Kind::Disk(it) => it.center.to_vector().max_abs().max(it.radius),
+        _ => 0.0,
+    }
+}
+
+/// The factor of lengths of a similarity.
+fn scale(map: &Transform) -> f64 {
+    map.vector(Vector::X).length()
+}

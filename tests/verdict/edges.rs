@@ -1,0 +1,56 @@
+//! Pixels on edges, for renderers of single precision.
+
+use std::f64::consts::PI;
+
+use groundtruth::cameras::{Pinhole, Viewpoint};
+use groundtruth::film::Film;
+use groundtruth::lights::Directional;
+use groundtruth::materials::Matte;
+use groundtruth::math::{Point, Vector};
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Image, Light, Material, Object, Scene};
+use groundtruth::shapes::Sphere;
+use groundtruth::world::World;
+use harness::verdict::{Edge, Stored, set_apart};
+
+/// A matte ball of this radius before a black background, 16 × 16 pixels without noise.
+fn ball(radius: f64, ls: f64) -> World {
+    let lens = Pinhole { distance: 16.0, zoom: 1.0 };
+    let eye = Viewpoint::new(Point::new(0.0, 0.0, 10.0), Point::ORIGIN, lens);
+    let mut scene = Scene::new("a ball", Image::new(16, 16), eye);
+    let matte = Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::WHITE.into() };
+    scene.materials.push(Material::new("matte", matte));
+    let sphere = Sphere { center: Point::ORIGIN, radius, inward: false };
+    scene.objects.push(Object::new("ball", "matte", sphere));
+    let direction = Vector::new(1.0, 1.0, 2.0);
+    scene.lights.push(Light::new("sun", Directional { ls, color: Rgb::WHITE, direction }));
+    World::build(&scene).expect("it is valid")
+}
+
+const STORED: Stored = Stored::Floats { bits: 24 };
+
+/// The number of pixels of a picture that are set apart, and of those that still differ.
+fn apart(theirs: &Film, ours: &World, edge: Edge) -> (usize, usize) {
+    let known = vec![STORED.values(&render::render(ours)); 3];
+    let mut values = STORED.values(theirs);
+    let apart = set_apart(&mut values, ours, &known, STORED, edge);
+    let differ = |(x, y): &(&f32, &f32)| (**x - **y).abs() > 1e-4 * y.abs();
+    (apart, values.iter().zip(&known[0]).filter(differ).count())
+}
+
+/// Law: for a renderer of single precision, a value between those of rays 0.03 pixels away is set apart, and no other, also on
+/// edges. Oracle: pictures of balls that are a hundredth of a pixel larger, and of lamps that are 1 % brighter.
+#[test]
+fn only_values_between_those_of_near_rays_are_set_apart() {
+    // a pixel is 10/16 units wide at the ball
+    let (ours, larger) = (ball(4.0, PI), render::render(&ball(4.0 + 0.01 * 10.0 / 16.0, PI)));
+    let (some, differ) = apart(&larger, &ours, Edge::SINGLE);
+    assert!(some > 50, "the shading differs everywhere: {some}");
+    assert_eq!(differ, 0);
+    let (_, differ) = apart(&larger, &ours, Edge::DOUBLE);
+    assert!(differ > 50, "{differ}");
+    let brighter = render::render(&ball(4.0, 1.01 * PI));
+    let (_, differ) = apart(&brighter, &ours, Edge::SINGLE);
+    assert!(differ > 50, "{differ}");
+}
