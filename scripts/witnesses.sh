@@ -31,7 +31,7 @@ if [ "${BY:-pov}" = pov ]; then
 fi
 if [ "${BY:-mitsuba}" = mitsuba ]; then
     if ! "$PYTHON" -c "import mitsuba" 2> /dev/null; then
-        { python3 -m venv target/mitsuba && target/mitsuba/bin/pip install --quiet mitsuba; } > /dev/null 2>&1 || true
+        { python3 -m venv target/mitsuba && target/mitsuba/bin/pip install --quiet mitsuba==3.9.1; } > /dev/null 2>&1 || true
     fi
     if "$PYTHON" -c "import mitsuba" 2> /dev/null; then
         by+=(mitsuba)
