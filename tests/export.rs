@@ -20,6 +20,10 @@ mod pbrt_parsed;
 mod pbrt_refusals;
 #[path = "export/pbrt_scenes.rs"]
 mod pbrt_scenes;
+#[path = "export/pbrt_shapes.rs"]
+mod pbrt_shapes;
+#[path = "export/pbrt_surfaces.rs"]
+mod pbrt_surfaces;
 #[path = "export/pov.rs"]
 mod pov;
 #[path = "export/refusals.rs"]
