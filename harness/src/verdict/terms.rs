@@ -25,7 +25,7 @@ struct Key {
     source: Source,
     /// The lobe at the eye's hit that sent the ray along which the light arrives, if it does not come from there.
     by: Option<&'static str>,
-    /// The depth of the ray that meets the light or the lit surface, at most [`DEEPEST`].
+    /// The depth of the ray that meets the light or the lit surface, at most 3: greater depths count as this one.
     depth: u32,
 }
 
@@ -112,7 +112,7 @@ impl Recorder for Dividing {
 pub struct TermFilm {
     /// What it is of, without the depth.
     pub name: String,
-    /// The depth, at most [`DEEPEST`].
+    /// The depth, at most 3: greater depths count as this one.
     pub depth: u32,
     /// What it adds to each pixel.
     pub film: Film,

@@ -1,7 +1,7 @@
 //! The XML of Mitsuba 3.
 //!
 //! Its formulas are those of its documentation ("Plugin reference"); each factor is derived where it is written. A scene
-//! becomes one text, or several whose pictures are to be added: see [`passes`].
+//! becomes one text, or several whose pictures are to be added: see `passes`.
 
 mod camera;
 pub mod kinds;
