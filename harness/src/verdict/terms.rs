@@ -25,7 +25,7 @@ struct Key {
     source: Source,
     /// The lobe at the eye's hit that sent the ray along which the light arrives, if it does not come from there.
     by: Option<&'static str>,
-    /// The depth of the ray that meets the light or the lit surface, at most 3: greater depths count as this one.
+    /// The depth of the ray that meets the light or the lit surface, at most [`DEEPEST`].
     depth: u32,
 }
 
