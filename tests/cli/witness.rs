@@ -47,7 +47,7 @@ fn a_python_without_mitsuba_is_named() {
 }
 
 /// Law: a scene of several texts or with meshes becomes files beside the output, whose names begin with its own; without an
-/// output it is refused.
+/// output it is refused. Oracle: the names.
 #[test]
 fn further_files_are_written_beside_the_output() {
     let folder = tempfile::tempdir().expect("a folder");
