@@ -74,15 +74,17 @@ pub(crate) fn last_lines(messages: &[u8]) -> String {
 /// # Errors
 /// There is none; the message says what to install or write.
 pub fn program(name: &str, given: Option<PathBuf>, package: &str) -> Result<PathBuf, String> {
+    // it is started in another folder
+    let absolute = |file: PathBuf| std::path::absolute(&file).unwrap_or(file);
     if let Some(given) = given {
         return match given.is_file() {
-            true => Ok(given),
+            true => Ok(absolute(given)),
             false => Err(format!("--program {}: there is no such file", given.display())),
         };
     }
     let folders = std::env::var_os("PATH").unwrap_or_default();
     let found = std::env::split_paths(&folders).map(|it| it.join(name)).find(|it| it.is_file());
-    found.ok_or_else(|| {
+    found.map(absolute).ok_or_else(|| {
         format!(
             "there is no program `{name}` on the path; install it (Debian: `apt-get install {package}`), or give its \
              file with --program"
