@@ -17,7 +17,7 @@ use crate::export::leaves::Leaves;
 /// A plane ends at the cube of this times the distance of the eye from it. Farther out Mitsuba's shadow rays, in single
 /// precision, miss by too much. With a checker a square ends at this times the size of the next smaller one, because texture
 /// coordinates are in single precision.
-const FARTHER: f64 = 12.0;
+const FARTHER: f64 = 20.0;
 
 /// The largest coordinate of an object: Mitsuba computes in single precision.
 const FAR: f64 = 1e6;
