@@ -92,7 +92,8 @@ fn explanations_take_the_samples_of_the_pictures() {
     }
 }
 
-/// Law: so for pbrt, which has neither ambient light nor lights without shadows. Oracle: figure 14.1 has one of each.
+/// Law: a scene that cannot be said to pbrt is refused with the reasons, and written without those terms. Oracle: figure 14.1
+/// has ambient light and a light without shadows, and pbrt has neither.
 #[test]
 fn an_export_to_pbrt_lists_why_or_is_written() {
     let folder = tempfile::tempdir().expect("a folder");

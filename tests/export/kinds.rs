@@ -150,7 +150,7 @@ fn seen_from_above() -> Scene {
     scene
 }
 
-/// Law: so for pbrt.
+/// Law: a shape, light or camera that the table calls sayable to pbrt is written, and any other is refused.
 #[test]
 fn the_table_of_pbrt_is_true() {
     for entry in shapes::Kind::ENTRIES {

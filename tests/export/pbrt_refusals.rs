@@ -106,7 +106,8 @@ fn a_background_is_a_light() {
     assert_eq!(paths(&scene), ["background"]);
 }
 
-/// Law: a one-sided surface whose back is seen is refused; a closed one seen from outside is not, nor a two-sided one.
+/// Law: a one-sided surface is refused if the camera sees its back. A closed surface seen from outside is written, and so
+/// is a two-sided one.
 #[test]
 fn backs_that_are_seen_are_refused() {
     let mut scene = scene();
