@@ -264,6 +264,19 @@ fn glass_has_its_indices() {
     assert_eq!((bsdf.number("int_ior"), bsdf.number("ext_ior")), (1.5, 1.25));
 }
 
+/// Law: among clear glass no path ends at random. Oracle: such a path loses no light, so ours never ends one.
+#[test]
+fn paths_through_clear_glass_have_no_roulette() {
+    let mut scene = askew(Pinhole { distance: 6.0, zoom: 1.0 });
+    scene.tracer = Tracer::Path(Depth { max_depth: 7 });
+    scene.background = Rgb::WHITE.into();
+    scene.materials[0].recipe =
+        Dielectric { inside: Medium::clear(1.5), ..Default::default() }.into();
+    let path = xml::scene(&scene);
+    let path = path.one("integrator", "path");
+    assert!(path.number("rr_depth") > path.number("max_depth"));
+}
+
 /// Law: backs are dark unless the material is two-sided; an inward shape has its front inside.
 #[test]
 fn sides_are_ours() {
