@@ -381,7 +381,7 @@ fn light_that_nothing_blocks_is_refused() {
 }
 
 /// Law: the sky is sampled by the material where ours is drawn from by the cosine: its weight is 0, and a black lamp takes
-/// the samples, which Mitsuba must draw; the recommended path tracer samples it.
+/// the samples, which Mitsuba must draw; the recommended path tracer samples it, if it is a light.
 #[test]
 fn the_sky_is_sampled_as_ours() {
     let mut scene = askew(Pinhole { distance: 6.0, zoom: 1.0 });
@@ -393,4 +393,7 @@ fn the_sky_is_sampled_as_ours() {
     scene.tracer = Tracer::Path(Depth { max_depth: 3 });
     let parsed = xml::scene(&scene);
     assert_eq!(parsed.one("emitter", "").number("sampling_weight"), 1.0);
+    scene.lights = vec![sun()];
+    let parsed = xml::scene(&scene);
+    assert_eq!(parsed.one("emitter", "constant").number("sampling_weight"), 0.0);
 }

@@ -120,35 +120,69 @@ fn checkers_on_other_surfaces_are_refused() {
     assert!(refused(&scene(solid, slope)));
 }
 
-/// Law: a plane with a checker is covered by squares that do not overlap, up to far away, and all of them have our colours
-/// and our normal. Oracle: the area, and the number of squares over points of the plane.
-#[test]
-fn a_plane_is_covered_once() {
+/// A scene with a plane with a checker, its texture, and the written rectangles: their half sides and middles.
+fn plane_with_a_checker() -> (Scene, groundtruth::textures::Kind, Vec<[Vector; 3]>) {
     let [color1, color2] = COLORS.map(Into::into);
     let solid = Checker3d { size: 2.0, color1, color2 };
     let plane = Plane { point: Point::new(1.0, -1.0, 2.0), normal: Vector::new(0.0, 3.0, 0.0) };
     let scene = scene(solid.clone(), plane);
-    assert_eq!(checkers_agree(&scene, &solid.into(), |p| p), 13);
-    let parsed = xml::scene(&scene);
-    let maps: Vec<_> =
-        parsed.all("shape", "rectangle").iter().map(|it| it.matrix("to_world")).collect();
-    for map in &maps {
-        assert_eq!(image(map, [0.0, 0.0, 1.0, 0.0]), [0.0, 1.0, 0.0]);
-    }
+    let parts = |map: &[[f64; 4]; 4]| {
+        [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
+            .map(|it| image(map, it))
+            .map(|[x, y, z]| Vector::new(x, y, z))
+    };
+    let rectangles = xml::scene(&scene);
+    let rectangles = rectangles.all("shape", "rectangle");
+    let all = rectangles.iter().map(|it| parts(&it.matrix("to_world"))).collect();
+    (scene, solid.into(), all)
+}
+
+/// Law: a plane with a checker is covered by squares that do not overlap, up to far away, and all of them have our colours
+/// and our normal. Oracle: the area, and the number of squares over points of the plane.
+#[test]
+fn a_plane_is_covered_once() {
+    let (scene, texture, all) = plane_with_a_checker();
+    // slopes have the colours of the plane below them
+    assert_eq!(checkers_agree(&scene, &texture, |p| Point::new(p.x(), -1.0, p.z())), 17);
+    let (flat, slopes): (Vec<_>, Vec<_>) =
+        all.into_iter().partition(|[a, b, _]| a.cross(*b).unit() == Some(Vector::Y));
+    assert_eq!((flat.len(), slopes.len()), (13, 4));
     for index in 0..500 {
         // spread over all sizes; not on borders
         let far = groundtruth::math::power(1.03, f64::from(index));
         let angle = 0.7 * f64::from(index) + 0.1;
         let x = 3.0 + far.min(1e4) * groundtruth::math::cos(angle);
         let z = 8.0 + far.min(1e4) * groundtruth::math::sin(angle);
-        let covers = |map: &&[[f64; 4]; 4]| {
-            let [a, b, middle] = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]]
-                .map(|it| image(map, it))
-                .map(|[x, y, z]| Vector::new(x, y, z));
-            let at = Vector::new(x, -1.0, z) - middle;
-            [a, b].iter().all(|side| at.dot(*side).abs() <= side.length_squared())
+        let covers = |[a, b, middle]: &&[Vector; 3]| {
+            let at = Vector::new(x, -1.0, z) - *middle;
+            [a, b].iter().all(|side| at.dot(**side).abs() <= side.length_squared())
         };
-        assert_eq!(maps.iter().filter(covers).count(), 1, "at {x}, {z}");
+        assert_eq!(flat.iter().filter(covers).count(), 1, "at {x}, {z}");
+    }
+}
+
+/// Law: rays that go down from the eye hit the ground, also just below the horizon, and its normal there is ours but for
+/// 1/4000. Oracle: each ray with each written rectangle.
+#[test]
+fn a_plane_reaches_the_horizon() {
+    let (scene, _, all) = plane_with_a_checker();
+    let eye = scene.camera.eye.to_vector();
+    for index in 0..500 {
+        let angle = 0.7 * f64::from(index) + 0.1;
+        let down = groundtruth::math::power(0.95, f64::from(index));
+        let [x, z] = [groundtruth::math::cos(angle), groundtruth::math::sin(angle)];
+        let direction = Vector::new(x, -down, z);
+        let hits = |[a, b, middle]: &&[Vector; 3]| {
+            let normal = a.cross(*b);
+            let t = (*middle - eye).dot(normal) / direction.dot(normal);
+            let at = eye + t * direction - *middle;
+            t > 0.0 && [a, b].iter().all(|side| at.dot(**side).abs() <= side.length_squared())
+        };
+        assert!(all.iter().any(|it| hits(&it)), "{angle} {down}");
+    }
+    for [a, b, _] in all {
+        let normal = a.cross(b).unit().expect("an area");
+        assert!((normal - Vector::Y).length() < 1.0 / 4000.0, "{normal:?}");
     }
 }
 

@@ -55,10 +55,15 @@ pub fn is_direction(light: &Light) -> bool {
     !matches!(light.source, Area(_) | Environment(_))
 }
 
-/// Whether directions to the sky are drawn uniformly: our tracers of direct light draw them by the cosine, and `path_trace`
-/// draws none.
+/// Whether directions to the sky are drawn uniformly: our tracers of direct light draw them by the cosine, `path_trace`
+/// draws none, and a background without an environment light is met by chance.
 pub fn samples_sky(scene: &Scene) -> bool {
-    matches!(scene.tracer, Tracer::GlobalTrace(_) | Tracer::Path(_))
+    matches!(scene.tracer, Tracer::GlobalTrace(_) | Tracer::Path(_)) && has_sky(scene)
+}
+
+/// Whether the background is a light.
+fn has_sky(scene: &Scene) -> bool {
+    on(scene).any(|(_, it)| matches!(it.source, lights::Kind::Environment(_)))
 }
 
 /// What a scene has, for the choice of its passes.
@@ -115,7 +120,7 @@ impl Writer<'_> {
         use groundtruth::materials::Kind::*;
         Has {
             background,
-            sky: on(scene).any(|(_, it)| matches!(it.source, lights::Kind::Environment(_))),
+            sky: has_sky(scene),
             emission: leaves.all.iter().any(|leaf| {
                 matches!(scene.materials[leaf.material].recipe, Emissive(_))
                     && self.lamp_of(leaf.object).is_none()

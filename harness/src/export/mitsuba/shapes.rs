@@ -14,10 +14,12 @@ use super::{Look, ply};
 use crate::export::Leaf;
 use crate::export::leaves::Leaves;
 
-/// A plane ends at the cube of this times the distance of the eye from it. Farther out Mitsuba's shadow rays, in single
-/// precision, miss by too much. With a checker a square ends at this times the size of the next smaller one, because texture
-/// coordinates are in single precision.
-const FARTHER: f64 = 20.0;
+/// A plane is flat up to the cube of this times the distance of the eye from it. With a checker a square ends at this times
+/// the size of the next smaller one, because texture coordinates are in single precision.
+const FARTHER: f64 = 16.0;
+
+/// A plane ends at this times its flat part: farther out Mitsuba's shadow rays, in single precision, miss by too much.
+const SLOPES_END: f64 = 2.0;
 
 /// The largest coordinate of an object: Mitsuba computes in single precision.
 const FAR: f64 = 1e6;
@@ -191,15 +193,26 @@ impl Writer<'_> {
         vec![self.element("disk", vec![map], flips, at)]
     }
 
-    /// `rectangle` is from −1 to 1 on x and y, with the normal z; its texture coordinates are from 0 to 1.
-    fn flat(&mut self, Flat { corner, a, b }: &Flat, at: &Placed<'_>) -> Option<String> {
+    fn flat(&mut self, face: &Flat, at: &Placed<'_>) -> Option<String> {
+        self.rectangle(face, face, at)
+    }
+
+    /// `rectangle` is from −1 to 1 on x and y, with the normal z; its texture coordinates are from 0 to 1. It has the texture
+    /// of the face `painted`.
+    fn rectangle(
+        &mut self,
+        Flat { corner, a, b }: &Flat,
+        painted: &Flat,
+        at: &Placed<'_>,
+    ) -> Option<String> {
         let n = a.cross(*b).unit()?;
         let flips = self.seen_from_behind(*corner, n, at).unwrap_or(false);
         let middle = *corner + 0.5 * (*a + *b);
         let mut inner = vec![matrix("to_world", rows([0.5 * *a, 0.5 * *b, n], middle))];
         if let (Diffuse::Textured(kd, kind), true) = (&at.look.diffuse, at.pass.is_lit) {
             let back = at.leaf.texture.inverse();
-            let face = Face { corner: back.point(*corner), a: back.vector(*a), b: back.vector(*b) };
+            let Flat { corner, a, b } = *painted;
+            let face = Face { corner: back.point(corner), a: back.vector(a), b: back.vector(b) };
             let path = format!("{}: the texture of its material", at.leaf.path);
             let texture = self.texture(&path, kind, kd * at.look.factor(at.pass), &face)?;
             inner.push(at.look.bsdf(&texture, at.pass));
@@ -209,7 +222,9 @@ impl Writer<'_> {
         Some(self.element("rectangle", inner, flips, at))
     }
 
-    /// A plane: a square about the point below the eye, and with a checker three times a larger one around it.
+    /// A plane: a square about the point below the eye, with a checker three times a larger one around it, and around all
+    /// four slopes that rise to the height of the eye. Without these its end would be below the horizon, by 1/40 of a pixel
+    /// in our scenes, and the background be seen there. Their normals are off by less than 1/4096.
     fn plane(&mut self, plane: &Plane, at: &Placed<'_>) -> Vec<String> {
         let Some(normal) = Normal::new(plane.normal) else { return Vec::new() };
         let map = &at.leaf.map;
@@ -224,8 +239,9 @@ impl Writer<'_> {
             b: (v1 - v0) * frame.v,
         };
         let square = |half: f64| part([-half, half], [-half, half]);
+        let end = near * FARTHER * FARTHER * FARTHER;
         let parts = match at.is_textured() {
-            false => vec![square(near * FARTHER * FARTHER * FARTHER)],
+            false => vec![square(end)],
             true => {
                 let mut parts = vec![square(near)];
                 let mut inner = near;
@@ -240,7 +256,19 @@ impl Writer<'_> {
                 parts
             }
         };
-        parts.iter().flat_map(|part| self.flat(part, at)).collect()
+        let mut all: Vec<String> = parts.iter().flat_map(|part| self.flat(part, at)).collect();
+        let far = SLOPES_END * end;
+        for rising in [frame.u, frame.v, -frame.u, -frame.v] {
+            let across = rising.cross(normal);
+            let below = Flat {
+                corner: middle + end * rising - far * across,
+                a: 2.0 * far * across,
+                b: (far - end) * rising,
+            };
+            let slope = Flat { b: below.b + height * Vector::from(normal), ..below };
+            all.extend(self.rectangle(&slope, &below, at));
+        }
+        all
     }
 
     /// About how far the camera sees.
