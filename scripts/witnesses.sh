@@ -15,11 +15,8 @@ cd "$(dirname "$0")/.."
 FIRST=(--their-samples 16 --level 0.01)
 AGAIN=(--their-samples 64 --level 0.005)
 
-# Known differences, by docs/renderers.md: they are shown and do not count. The first six are errors of Mitsuba in single
-# precision, the others are not explained yet.
-KNOWN=" ch17/sphere-in-sunlight ch17/corner-ambient ch17/corner ch17/corner-dark ch23/leaks-cured ch24/inside-four-spheres
- ch28/nested-spheres-wrong ch28/ten-blocks "
-KNOWN=${KNOWN//$'\n'/}
+# Known differences, by docs/renderers.md: they are shown and do not count. All are errors of Mitsuba in single precision.
+KNOWN=" ch17/sphere-in-sunlight ch17/corner-ambient ch17/corner ch17/corner-dark ch23/leaks-cured ch24/inside-four-spheres "
 
 by=()
 PYTHON=${PYTHON:-target/mitsuba/bin/python}

@@ -3,6 +3,7 @@
 use std::fs;
 
 use groundtruth::cameras::{Pinhole, Viewpoint};
+use groundtruth::kinds::Entry;
 use groundtruth::lights::Area;
 use groundtruth::materials::{Emissive, Matte};
 use groundtruth::math::Point;
@@ -60,6 +61,12 @@ fn floor(material: &str) -> Object {
     Object::new("floor", material, shapes::Rectangle { corner: Point::ORIGIN, a, b })
 }
 
+/// A specimen with as few textured colours of its own as any.
+fn plainest(entry: &Entry<textures::Kind>) -> Option<textures::Kind> {
+    let textured = |it: &textures::Kind| format!("{it:?}").matches("Textured").count();
+    (entry.specimens)().into_iter().min_by_key(textured)
+}
+
 fn check(what: &str, target: Target, (how, _): (How, &str), scene: &Scene) {
     let said = target.write("scene", "scene", scene, "".as_ref());
     assert_eq!(said.is_ok(), how != How::None, "{what} for {target:?}: {:?}", said.err());
@@ -85,10 +92,7 @@ fn the_table_is_true() {
             check(entry.module, target, target.light(&light), &scene);
         }
         for entry in textures::Kind::ENTRIES {
-            let plain = |it: &textures::Kind| !format!("{it:?}").contains("Textured");
-            let specimens = || (entry.specimens)().into_iter();
-            let texture = specimens().find(plain).or_else(|| specimens().next());
-            let Some(texture) = texture else { continue };
+            let Some(texture) = plainest(entry) else { continue };
             let how = target.texture(&texture);
             let mut scene = lit();
             let cd = textures::Paint::Textured(Box::new(texture));
@@ -197,9 +201,15 @@ fn the_table_of_looks_of_pbrt_is_true() {
         check(entry.module, Target::Pbrt, how, &scene);
     }
     for entry in textures::Kind::ENTRIES {
-        let Some(mut texture) = (entry.specimens)().pop() else { continue };
+        let Some(mut texture) = plainest(entry) else { continue };
         match &mut texture {
             textures::Kind::PlaneChecker(it) => it.outline_width = 0.0,
+            // the specimen's has a texture in a colour
+            textures::Kind::TextureInstance(it) => {
+                let [color1, color2] = [Rgb::BLACK, Rgb::WHITE].map(Into::into);
+                let of = textures::Checker3d { size: 1.0, color1, color2 };
+                it.of = textures::Paint::Textured(Box::new(of.into()));
+            }
             // the specimen needs a mesh with texture coordinates
             textures::Kind::Image(_) => continue,
             _ => {}

@@ -11,14 +11,14 @@ use groundtruth::scene::{Depth, Light, Material, Object, Scene, Tracer, Whitted}
 use groundtruth::shapes::{
     self, Compound, Disk, Instance, Lattice, RandomSpheres, Sphere, Surface,
 };
-use groundtruth::textures::{self, Checker3d, PlaneChecker, RandomColors, TexturePoint};
+use groundtruth::textures::{self, Checker3d, PlaneChecker, RandomColors, TextureInstance, TexturePoint};
 use groundtruth::world::World;
 
 use super::pbrt::{near, near_all, pinhole, to_world};
 use super::pbrt_parsed::{Statement, read, written};
 use super::pbrt_shapes::{in_world, their_point};
 
-/// Law: checkers are ours, in the coordinates of the object. Oracle: our texture, beside the formula of pbrt's source
+/// Law: checkers are ours, in the coordinates of the object, also instances of them. Oracle: our texture, beside the formula of pbrt's source
 /// (`textures.cpp`) without filtering: `tex1` where the sum of the whole parts of the coordinates is even.
 #[test]
 fn checkers_are_ours() {
@@ -29,9 +29,16 @@ fn checkers_are_ours() {
     let outline_color = Rgb::BLACK.into();
     let level = PlaneChecker { size: 0.5, color1, color2, outline_width: 0.0, outline_color };
     let kinds: [textures::Kind; 2] = [solid.into(), level.into()];
+    let stretch =
+        vec![Step::Scale(Vector::new(0.5, 1.0, 3.0)), Step::RotateY(20.0), Step::Translate(Vector::Z)];
+    let instance = |of: &textures::Kind| {
+        let of = textures::Paint::Textured(Box::new(of.clone()));
+        TextureInstance::new(of, stretch.clone()).into()
+    };
+    let instances = kinds.each_ref().map(instance);
     let steps = vec![Step::RotateX(30.0), Step::Translate(Vector::new(0.5, -0.25, 0.125))];
     let map = Transform::from_steps(&steps).expect("it has an inverse");
-    for kind in kinds {
+    for kind in kinds.into_iter().chain(instances) {
         let built = kind.build(&mut Resources::new(Path::new(""))).expect("it is valid");
         let mut scene = pinhole();
         let cd = textures::Paint::Textured(Box::new(kind));

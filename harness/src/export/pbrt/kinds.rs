@@ -73,9 +73,10 @@ pub fn texture(kind: &textures::Kind) -> (How, &'static str) {
         RandomColors(_) => (How::Exact, "a material for each shape"),
         Checker3d(_) => (How::Exact, "two plain colours"),
         PlaneChecker(_) => (How::Exact, "two plain colours, no outline"),
+        TextureInstance(_) => (How::Instance, "of what it can say"),
         Constant(_) | Image(_) | SphereChecker(_) | CylinderChecker(_) | ConeChecker(_)
         | DiskChecker(_) | RectangleChecker(_) | Stripes(_) | Ramp(_) | Wireframe(_)
-        | SphereTextures(_) | TextureInstance(_) | Fbm(_) | Turbulence(_) | WrappedFbm(_)
+        | SphereTextures(_) | Fbm(_) | Turbulence(_) | WrappedFbm(_)
         | TwoColors(_) | ThreeColors(_) | RampFbm(_) | WrappedRamp(_) | Wood(_) | Custom(_) => {
             (How::None, "")
         }

@@ -46,6 +46,16 @@ impl Reflectance {
         self.colors().iter().all(|color| color.is_black())
     }
 
+    /// It in coordinates that are mapped so; those of a shape's number stay.
+    fn after(self, map: &Transform) -> Self {
+        match self {
+            Self::Checker { dimension, cells, colors } => {
+                Self::Checker { dimension, cells: Box::new(map.after(&cells)), colors }
+            }
+            it => it,
+        }
+    }
+
     pub fn scaled(self, kd: f64) -> Self {
         match self {
             Self::Plain(color) => Self::Plain(kd * color),
@@ -72,6 +82,10 @@ impl Writer<'_> {
         let (dimension, size, offset, colors) = match kind {
             Kind::RandomColors(RandomColors { seed }) => {
                 return Some(Reflectance::Random { seed: *seed, kd: 1.0 });
+            }
+            Kind::TextureInstance(it) => {
+                let steps = Transform::from_steps(&it.transform).ok()?;
+                return Some(self.colors(&format!("{path}.of"), &it.of)?.after(&steps));
             }
             Kind::Checker3d(Checker3d { size, color1, color2 }) => {
                 (3, *size, OFFSET, [color1, color2])
