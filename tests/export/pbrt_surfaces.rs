@@ -11,7 +11,9 @@ use groundtruth::scene::{Depth, Light, Material, Object, Scene, Tracer, Whitted}
 use groundtruth::shapes::{
     self, Compound, Disk, Instance, Lattice, RandomSpheres, Sphere, Surface,
 };
-use groundtruth::textures::{self, Checker3d, PlaneChecker, RandomColors, TextureInstance, TexturePoint};
+use groundtruth::textures::{
+    self, Checker3d, PlaneChecker, RandomColors, TextureInstance, TexturePoint,
+};
 use groundtruth::world::World;
 
 use super::pbrt::{near, near_all, pinhole, to_world};
@@ -29,8 +31,11 @@ fn checkers_are_ours() {
     let outline_color = Rgb::BLACK.into();
     let level = PlaneChecker { size: 0.5, color1, color2, outline_width: 0.0, outline_color };
     let kinds: [textures::Kind; 2] = [solid.into(), level.into()];
-    let stretch =
-        vec![Step::Scale(Vector::new(0.5, 1.0, 3.0)), Step::RotateY(20.0), Step::Translate(Vector::Z)];
+    let stretch = vec![
+        Step::Scale(Vector::new(0.5, 1.0, 3.0)),
+        Step::RotateY(20.0),
+        Step::Translate(Vector::Z),
+    ];
     let instance = |of: &textures::Kind| {
         let of = textures::Paint::Textured(Box::new(of.clone()));
         TextureInstance::new(of, stretch.clone()).into()

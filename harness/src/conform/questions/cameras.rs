@@ -16,7 +16,8 @@ pub fn families() -> Vec<Family> {
     let mut all = Vec::new();
     for (tag, chapter, specimens) in kinds(cameras::Kind::ENTRIES) {
         let about = format!("cameras/{tag}");
-        let (for_rays, for_points) = (specimens.clone(), specimens);
+        let [for_rays, for_middles, for_points] = [(); 3].map(|()| specimens.clone());
+        let middles = move |draw: &mut Draw| middle_question(draw, &for_middles);
         let rays = move |draw: &mut Draw| ray_question(draw, &for_rays);
         let points = move |draw: &mut Draw| {
             let mut question = ray_question(draw, &for_points)["camera_ray"].take();
@@ -37,6 +38,7 @@ pub fn families() -> Vec<Family> {
         let ray = Judge::Answer(camera_ray);
         let point = Judge::Answer(project);
         all.push(family(&format!("camera_ray.{tag}.values"), &about, chapter, ray, rays));
+        all.push(family(&format!("camera_ray.{tag}.middle"), &about, chapter, ray, middles));
         all.push(family(&format!("project.{tag}.values"), &about, chapter, point, points));
     }
     let pinhole = [json!({"pinhole": {"distance": 4.0}})];
@@ -82,6 +84,19 @@ pub fn ray_question(draw: &mut Draw, lenses: &[Value]) -> Value {
         question["lens"] = json!([round(draw.between(-0.7, 0.7)), round(draw.between(-0.7, 0.7))]);
     }
     json!({"camera_ray": question})
+}
+
+/// The ray through the middle of a picture with odd sides, where polar coordinates have no angle.
+fn middle_question(draw: &mut Draw, lenses: &[Value]) -> Value {
+    let mut question = ray_question(draw, lenses);
+    let halves = [draw.below(12), draw.below(9)];
+    let data = &mut question["camera_ray"];
+    for (half, side) in halves.into_iter().zip(["width", "height"]) {
+        data["image"][side] = json!(2 * half + 1);
+    }
+    data["pixel"] = json!(halves);
+    data.as_object_mut().map(|fields| fields.remove("place"));
+    question
 }
 
 /// What turns the film of a question for a ray.

@@ -8,7 +8,7 @@ use super::super::mistakes as m;
 use super::super::values::{self, Rules};
 use super::{any, change, data, direction, family, kinds, only, swap, vector};
 use crate::verify::Draw;
-use groundtruth::math::power;
+use groundtruth::math::{Vector, power};
 use groundtruth::textures::Mapping;
 use groundtruth::{lights, textures};
 
@@ -71,6 +71,19 @@ pub fn families() -> Vec<Family> {
         let (name, about) = (format!("mapping.{tag}.values"), format!("mappings/{tag}"));
         let case =
             move |draw: &mut Draw| json!({"mapping": {"mapping": of, "point": on(of, draw)}});
+        all.push(family(&name, &about, "ch29", Judge::Answer(mapping), case));
+    }
+    // where the direction has no azimuth; the opposite one is a whole circle of the picture
+    for (of, tag, z) in
+        [(Mapping::LightProbe, "light_probe", 1.0), (Mapping::Panoramic, "panoramic", -1.0)]
+    {
+        let case = move |draw: &mut Draw| {
+            let reach = draw.pick(&[0.0, 0.25]);
+            let aside = draw.vector(reach);
+            let point = Vector::new(aside.x(), aside.y(), z).unit().unwrap_or(Vector::Z);
+            json!({"mapping": {"mapping": of, "point": point.to_array()}})
+        };
+        let (name, about) = (format!("mapping.{tag}.axis"), format!("mappings/{tag}"));
         all.push(family(&name, &about, "ch29", Judge::Answer(mapping), case));
     }
     all

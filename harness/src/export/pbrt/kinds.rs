@@ -76,9 +76,7 @@ pub fn texture(kind: &textures::Kind) -> (How, &'static str) {
         TextureInstance(_) => (How::Instance, "of what it can say"),
         Constant(_) | Image(_) | SphereChecker(_) | CylinderChecker(_) | ConeChecker(_)
         | DiskChecker(_) | RectangleChecker(_) | Stripes(_) | Ramp(_) | Wireframe(_)
-        | SphereTextures(_) | Fbm(_) | Turbulence(_) | WrappedFbm(_)
-        | TwoColors(_) | ThreeColors(_) | RampFbm(_) | WrappedRamp(_) | Wood(_) | Custom(_) => {
-            (How::None, "")
-        }
+        | SphereTextures(_) | Fbm(_) | Turbulence(_) | WrappedFbm(_) | TwoColors(_)
+        | ThreeColors(_) | RampFbm(_) | WrappedRamp(_) | Wood(_) | Custom(_) => (How::None, ""),
     }
 }
