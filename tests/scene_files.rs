@@ -348,6 +348,10 @@ fn bytes_that_are_no_text_get_line_and_byte() {
             utf16,
             "scene.toml:1: byte 1 of the line, 0xff, is not UTF-8: the file is UTF-16 text; save it as UTF-8",
         ),
+        (
+            [0x89, b'P', b'N', b'G', b'\r', b'\n'].to_vec(),
+            "scene.toml:1: byte 1 of the line, 0x89, is not UTF-8: the file is a picture; name a scene",
+        ),
     ] {
         std::fs::write(&path, bytes).expect("written");
         let found = world::read(&path).expect_err("it is no text").to_string();

@@ -69,6 +69,10 @@ fn not_utf8(error: &std::string::FromUtf8Error, path: &Path) -> SceneError {
     let byte = at - before.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1) + 1;
     let kind = match bytes {
         [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => "the file is UTF-16 text; save it as UTF-8",
+        // PNG, JPEG, EXR
+        [0x89, b'P', b'N', b'G', ..] | [0xff, 0xd8, ..] | [0x76, 0x2f, 0x31, 0x01, ..] => {
+            "the file is a picture; name a scene"
+        }
         _ => "save the file as UTF-8 text",
     };
     let problem = format!("byte {byte} of the line, 0x{:02x}, is not UTF-8: {kind}", bytes[at]);

@@ -209,13 +209,16 @@ impl FromStr for Size {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        let parts =
-            text.split_once('x').and_then(|(w, h)| Some((w.parse().ok()?, h.parse().ok()?)));
+        let number = |text: &str| text.parse::<u64>().ok();
+        let parts = text.split_once('x').and_then(|(w, h)| Some((number(w)?, number(h)?)));
         match parts {
-            Some((width, height)) if u64::from(width) * u64::from(height) > MAX_PIXELS => {
+            Some((width, height)) if width.saturating_mul(height) > MAX_PIXELS => {
                 Err(format!("{width} × {height} pixels are too many; at most {MAX_PIXELS} fit"))
             }
-            Some((width, height)) if width > 0 && height > 0 => Ok(Self { width, height }),
+            // both fit, because their product does
+            Some((width, height)) if width > 0 && height > 0 => {
+                Ok(Self { width: width as u32, height: height as u32 })
+            }
             _ => Err("a size is written as 300x200".to_owned()),
         }
     }
