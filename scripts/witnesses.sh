@@ -5,7 +5,8 @@
 # `groundtruth list WORD` lists. What a renderer does not have (highlights, ambient light, …) is left out
 # on both sides, and scenes that Mitsuba cannot render otherwise have their paths traced by both (`--tracer path`). Prints the
 # table scene × renderer; for each scene that cannot be said, why, if LISTED=1. BY=pov or BY=mitsuba asks only one; PYTHON is
-# the Python that has Mitsuba.
+# the Python that has Mitsuba. JOBS scenes are rendered at once: 4 by POV-Ray alone, which sleeps for most of a second in each
+# run, otherwise 1.
 # The exit status is 0 if every picture agrees, 1 if some differ, 2 if one could not be rendered, 77 without a renderer.
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -17,6 +18,9 @@ AGAIN=(--their-samples 64 --level 0.005)
 
 # Known differences, by docs/renderers.md: they are shown and do not count. All are errors of Mitsuba in single precision.
 KNOWN=" ch17/sphere-in-sunlight ch17/corner-ambient ch17/corner ch17/corner-dark ch23/leaks-cured ch24/inside-four-spheres "
+# POV-Ray ignores hits nearer than 10⁻⁴, which rays in glass have; and does not say which of two surfaces at the same distance it
+# hits (ch27/cylinder).
+KNOWN_POV=" ch27/cylinder ch27/ellipsoid ch27/ring ch28/ten-blocks "
 
 by=()
 PYTHON=${PYTHON:-target/mitsuba/bin/python}
@@ -42,10 +46,9 @@ if [ -z "${PROGRAM:-}" ]; then
     cargo build --release --quiet --bin groundtruth
     PROGRAM=target/release/groundtruth
 fi
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-declare -A agree=([pov]=0 [mitsuba]=0) differ=([pov]=0 [mitsuba]=0) refused=([pov]=0 [mitsuba]=0)
-known=0
+all=$(mktemp -d)
+trap 'rm -rf "$all"' EXIT
+if [ "${by[*]}" = pov ]; then JOBS=${JOBS:-4}; else JOBS=${JOBS:-1}; fi
 declare -A columns=([pov]=96 [mitsuba]=64)
 declare -A title=([pov]=POV-Ray [mitsuba]=Mitsuba)
 
@@ -56,13 +59,13 @@ size() {
         END { print n "x" (h * n % w == 0 ? h * n / w : int(h * n / w + 0.5)) }'
 }
 
-# sets `without` and `tracer` so that the scene can be said to a renderer; fails if it cannot
+# sets `without` and `tracer` so that the scene of a size can be said to a renderer; fails if it cannot
 sayable() {
     without="" tracer=()
     local term
-    while ! "$PROGRAM" export "$1" --format "$2" -o "$work/scene.xml" --replace ${without:+--without "$without"} "${tracer[@]}" \
+    while ! "$PROGRAM" export "$1" --size "$3" --format "$2" -o "$work/scene.xml" --replace ${without:+--without "$without"} "${tracer[@]}" \
         > /dev/null 2> "$work/why"; do
-        for term in phong ambient unshadowed absorption smooth; do
+        for term in phong ambient unshadowed absorption scaling smooth; do
             if [[ ,$without, != *,$term,* ]] && grep -q -e "--without $term" "$work/why"; then
                 without=${without:+$without,}$term
                 continue 2
@@ -76,10 +79,10 @@ sayable() {
     done
 }
 
-# the verdict on a scene by a renderer, as a cell of the table
+# the verdict on a scene by a renderer, as a cell of the table, and what it counts as
 cell() {
     local scene=$1 by=$2 options status=0
-    options=(--by "$by" --size "$(size "$scene" "${columns[$by]}")" --replicas 3 ${without:+--without "$without"} "${tracer[@]}")
+    options=(--by "$by" --size "$3" --replicas 3 ${without:+--without "$without"} "${tracer[@]}")
     if [ "$by" = mitsuba ]; then
         options+=(--program "$PYTHON")
         "$PROGRAM" verify "$scene" "${options[@]}" "${FIRST[@]}" > "$work/said" 2> "$work/errors" || status=$?
@@ -97,10 +100,13 @@ cell() {
     if [ "$status" = 1 ] && [ "$by" = mitsuba ] && [[ $KNOWN = *" $scene "* ]]; then
         status=3
     fi
+    if [ "$status" = 1 ] && [ "$by" = pov ] && [[ $KNOWN_POV = *" $scene "* ]]; then
+        status=3
+    fi
     case $status in
-        0) agree[$by]=$((agree[$by] + 1)) ;;
-        1) differ[$by]=$((differ[$by] + 1)) ;;
-        3) known=$((known + 1)) ;;
+        0) outcome=agree ;;
+        1) outcome=differ ;;
+        3) outcome=known ;;
         *) cat "$work/errors" >&2; exit 2 ;;
     esac
     local apart
@@ -111,29 +117,59 @@ cell() {
     verdict+="$apart${without:+; without ${without//,/, }}${tracer:+; path}"
 }
 
+# writes the line of a scene into a folder, and a file for each renderer with what it counts as
+row() {
+    local scene=$1 line="" said=0 it picture verdict outcome
+    work=$2
+    mkdir "$work"
+    for it in "${by[@]}"; do
+        verdict="" outcome=refused
+        picture=$(size "$scene" "${columns[$it]}")
+        if sayable "$scene" "$it" "$picture"; then
+            said=1
+            cell "$scene" "$it" "$picture"
+        elif [ -n "${LISTED:-}" ]; then
+            { echo "$scene to ${title[$it]}:"; cat "$work/why"; } >&2
+        fi
+        line+=" $verdict |"
+        echo "$outcome" > "$work/$it"
+    done
+    [ "$said" = 0 ] || echo "| \`$scene\` |$line" > "$work/line"
+}
+
+# prints the lines of the scenes that are being rendered, and waits for them
+finish() {
+    local index
+    for index in "${!running[@]}"; do
+        wait "${running[$index]}" || exit 2
+        [ ! -f "$all/$index/line" ] || cat "$all/$index/line"
+    done
+    running=()
+}
+
+# how many scenes count as this for a renderer
+count() {
+    cat "$all"/*/"$1" 2> /dev/null | grep -c -x "$2" || true
+}
+
 printf '| scene |'; for it in "${by[@]}"; do printf ' %s |' "${title[$it]}"; done
 printf '\n| --- |'; for it in "${by[@]}"; do printf ' --- |'; done
 echo
+running=() index=0
 for scene in $("$PROGRAM" list "$@" | awk '$1 ~ /^ch[0-9]+\// { print $1 }'); do
-    line="" said=0
-    for it in "${by[@]}"; do
-        verdict=""
-        if sayable "$scene" "$it"; then
-            said=1
-            cell "$scene" "$it"
-        else
-            refused[$it]=$((refused[$it] + 1))
-            [ -z "${LISTED:-}" ] || { echo "$scene to ${title[$it]}:"; cat "$work/why"; } >&2
-        fi
-        line+=" $verdict |"
-    done
-    [ "$said" = 0 ] || echo "| \`$scene\` |$line"
+    row "$scene" "$all/$index" &
+    running[index]=$!
+    index=$((index + 1))
+    [ ${#running[@]} -lt "$JOBS" ] || finish
 done
+finish
 echo
-failed=0
+failed=0 known=0
 for it in "${by[@]}"; do
-    echo "${title[$it]}: ${agree[$it]} scenes agree, ${differ[$it]} differ, ${refused[$it]} cannot be said"
-    failed=$((failed + differ[$it]))
+    differ=$(count "$it" differ)
+    echo "${title[$it]}: $(count "$it" agree) scenes agree, $differ differ, $(count "$it" refused) cannot be said"
+    failed=$((failed + differ))
+    known=$((known + $(count "$it" known)))
 done
-[ "$known" = 0 ] || echo "besides, $known scenes differ from Mitsuba as docs/renderers.md says"
+[ "$known" = 0 ] || echo "besides, $known scenes differ as docs/renderers.md says"
 [ "$failed" = 0 ]

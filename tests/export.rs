@@ -26,6 +26,12 @@ mod pbrt_shapes;
 mod pbrt_surfaces;
 #[path = "export/pov.rs"]
 mod pov;
+#[path = "export/pov_camera.rs"]
+mod pov_camera;
+#[path = "export/pov_glass.rs"]
+mod pov_glass;
+#[path = "export/pov_shapes.rs"]
+mod pov_shapes;
 #[path = "export/refusals.rs"]
 mod refusals;
 #[path = "export/xml.rs"]

@@ -8,7 +8,7 @@ use groundtruth::lights::Area;
 use groundtruth::materials::{Emissive, Matte};
 use groundtruth::math::Point;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer};
+use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer, Whitted};
 use groundtruth::{cameras, lights, materials, shapes, textures};
 use harness::export::{How, Row, Target, kinds};
 
@@ -124,14 +124,16 @@ fn the_table_of_materials_is_true() {
                     it.kr = 0.25.into();
                 }
                 materials::Kind::Dielectric(it) => it.phong.ks = 0.0.into(),
+                materials::Kind::Transparent(it) => it.phong.ks = 0.0.into(),
                 materials::Kind::Emissive(it) => it.matte = None,
                 _ => {}
             }
             let how = target.material(&recipe);
             let mut scene = lit();
-            if target == Target::Mitsuba {
-                scene.tracer = Tracer::Path(Depth { max_depth: 2 });
-            }
+            scene.tracer = match target {
+                Target::Mitsuba => Tracer::Path(Depth { max_depth: 2 }),
+                _ => Tracer::Whitted(Whitted { max_depth: 2 }),
+            };
             scene.materials.push(Material::new("it", recipe));
             let sphere = shapes::Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
             scene.objects.push(Object::new("ball", "it", sphere));

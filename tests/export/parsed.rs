@@ -67,7 +67,7 @@ impl Parsed {
 
 /// What a scene becomes.
 pub fn said(scene: &Scene) -> Parsed {
-    parsed(&pov::write("scene", scene).unwrap_or_else(|all| panic!("{all:?}")))
+    parsed(&pov::write("scene", scene, "".as_ref()).unwrap_or_else(|all| panic!("{all:?}")))
 }
 
 fn tokens(text: &str) -> Vec<Token> {

@@ -34,7 +34,10 @@ fn the_page_lists_the_scenes() {
     let page = fs::read_to_string(file).expect("the page is there");
     let section = page.split("## Scenes of pbrt\n").nth(1).expect("it has the section");
     let listed = section.split("\n## ").next().map(names).unwrap_or_default();
-    let (few, all) = ([Term::Phong, Term::Ambient], Term::ALL.map(|(_, term)| term));
+    let few = [Term::Phong, Term::Ambient];
+    // pbrt has the 1/η² of radiance
+    let all: Vec<Term> =
+        Term::ALL.map(|(_, term)| term).into_iter().filter(|it| *it != Term::Scaling).collect();
     let (mut lit, mut found, mut more) = (0, Vec::new(), Vec::new());
     for entry in gallery::scenes() {
         let said = |without: &[Term]| written(&reduced((entry.build)(), without)).ok();

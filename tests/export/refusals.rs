@@ -1,13 +1,13 @@
 //! What cannot be said is listed at once, each with its place.
 
-use groundtruth::cameras::{Fisheye, Pinhole, Viewpoint};
+use groundtruth::cameras::{Fisheye, Pinhole, ThinLens, Viewpoint};
 use groundtruth::kinds::Specification;
 use groundtruth::lights::{Ambient, Directional, Spot};
 use groundtruth::materials::{Matte, Phong, Reflective};
 use groundtruth::math::Point;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Compound, Lattice, Part, Sphere};
+use groundtruth::shapes::{Algebraic, Compound, Lattice, Part, Sphere};
 use groundtruth::textures::Fbm;
 use harness::export::{mitsuba, pov};
 
@@ -25,7 +25,7 @@ fn scene() -> Scene {
 fn all_that_cannot_be_said_is_listed_at_once() {
     let mut scene = scene();
     scene.tracer = Tracer::Path(Depth { max_depth: 3 });
-    scene.camera.lens = Fisheye::specimens().remove(0).into();
+    scene.camera.lens = ThinLens::specimens().remove(0).into();
     scene.lights.push(Light::new("lamp", Spot::specimens().remove(0)));
     scene.lights.push(Light { enabled: false, ..Light::new("off", Spot::specimens().remove(0)) });
     let shiny = Phong { ks: 0.5.into(), kd: 0.5.into(), cd: Rgb::WHITE.into(), ..Phong::default() };
@@ -35,19 +35,19 @@ fn all_that_cannot_be_said_is_listed_at_once() {
     scene.materials.push(Material::new("checked", checked.clone()));
     scene.materials.push(Material::new("unused", checked));
     let sphere = || Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
-    let lattice = Lattice::specimens().remove(0);
-    let parts = vec![Part::new(sphere()).of_material("checked"), Part::new(lattice)];
+    let tangle = Algebraic::specimens().remove(0);
+    let parts = vec![Part::new(sphere()).of_material("checked"), Part::new(tangle)];
     scene.objects.push(Object::new("ball", "shiny", sphere()));
     scene.objects.push(Object::new("two", "shiny", Compound { accel: None, parts }));
-    let all = pov::write("refused", &scene).expect_err("it cannot be said");
+    let all = pov::write("refused", &scene, "".as_ref()).expect_err("it cannot be said");
     let paths: Vec<&str> = all.iter().map(|it| it.path.as_str()).collect();
     let expected = [
         "tracer",
-        "camera.lens.fisheye",
+        "camera.lens.thin_lens",
         "lights[0] \"lamp\": source.spot",
         "materials[0] \"shiny\": recipe.phong.ks",
         "materials[1] \"checked\": recipe.matte.cd.fbm",
-        "objects[1] \"two\": shape.compound.parts[1].lattice",
+        "objects[1] \"two\": shape.compound.parts[1].algebraic",
     ];
     assert_eq!(paths, expected);
 }

@@ -45,8 +45,8 @@ pub struct Export {
     #[arg(long, value_enum, default_value_t = Format::Toml)]
     format: Format,
     /// Terms to leave out of the scene, with commas: phong (the highlights), ambient, background (where it lights
-    /// nothing), absorption (of media), smooth (interpolated normals), or unshadowed (light that passes through objects:
-    /// they block it)
+    /// nothing), absorption (of media), scaling (the 1/η² of refracted radiance), smooth (interpolated normals), or
+    /// unshadowed (light that passes through objects: they block it)
     #[arg(long, value_name = "TERMS", value_delimiter = ',')]
     without: Vec<Term>,
     /// The file to write; file names in it are relative to its folder. If left out, or -, the scene

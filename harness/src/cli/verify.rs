@@ -39,8 +39,9 @@ pub struct Verify {
     /// The program of that renderer; by default it is looked for on the path. For Mitsuba: a Python that has it
     #[arg(long, value_name = "FILE", requires = "by")]
     program: Option<PathBuf>,
-    /// Terms that both sides leave out, with commas: phong (the highlights), ambient, absorption (of media), smooth
-    /// (interpolated normals), or unshadowed (light that passes through objects: they block it)
+    /// Terms that both sides leave out, with commas: phong (the highlights), ambient, absorption (of media), scaling
+    /// (the 1/η² of refracted radiance), smooth (interpolated normals), or unshadowed (light that passes through objects:
+    /// they block it)
     #[arg(long, value_name = "TERMS", value_delimiter = ',', requires = "by")]
     without: Vec<Term>,
     /// The samples per pixel of their picture: ours take as many

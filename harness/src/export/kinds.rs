@@ -80,16 +80,20 @@ pub(crate) fn tag(kind: &impl Serialize) -> String {
 pub fn pov_shape(kind: &shapes::Kind) -> (How, &'static str) {
     use shapes::Kind::*;
     match kind {
-        Plane(_) | Sphere(_) | Cuboid(_) | Triangle(_) | Disk(_) | Annulus(_) | OpenCylinder(_)
-        | Cone(_) | Torus(_) | Paraboloid(_) => (How::Exact, ""),
+        Plane(_) | Sphere(_) | Cuboid(_) | Disk(_) | Annulus(_) | OpenCylinder(_) | Cone(_)
+        | Torus(_) | Paraboloid(_) => (How::Exact, ""),
+        Triangle(_) => (How::Exact, "flat"),
         Rectangle(_) => (How::Mesh, "two triangles"),
-        Compound(_) | SolidCylinder(_) | SolidCone(_) | ThickRing(_) => (How::Mesh, "its parts"),
+        Mesh(_) | TessellatedSphere(_) => (How::Mesh, "its triangles, flat"),
+        Compound(_) | SolidCylinder(_) | SolidCone(_) | ThickRing(_) | RandomSpheres(_) => {
+            (How::Mesh, "its parts")
+        }
+        Lattice(_) => (How::Instance, "each copy"),
         Instance(_) => (How::Instance, "triangles have their corners transformed"),
         FlatRimmedBowl(_) | RoundRimmedBowl(_) | ConcaveLens(_) | CutFace(_) | PartSphere(_)
         | PartCylinder(_) | PartAnnulus(_) | PartTorus(_) | Algebraic(_) | BeveledBox(_)
         | BeveledCylinder(_) | BeveledRing(_) | BeveledWedge(_) | Rosette(_) | Archway(_)
-        | RandomSpheres(_) | Lattice(_) | Mesh(_) | TessellatedSphere(_) | GlassOfWater(_)
-        | FishBowl(_) | Custom(_) => (How::None, ""),
+        | GlassOfWater(_) | FishBowl(_) | Custom(_) => (How::None, ""),
     }
 }
 
@@ -101,9 +105,9 @@ pub fn pov_material(kind: &materials::Kind) -> (How, &'static str) {
         Phong(_) => (How::Exact, "if `ks` is 0: the highlight of POV-Ray has no cosine"),
         Reflective(_) => (How::Exact, "as `phong`"),
         Emissive(_) => (How::Exact, "without `matte`"),
-        GlossyReflector(_) | Transparent(_) | Dielectric(_) | SphereMaterials(_) | Custom(_) => {
-            (How::None, "")
-        }
+        Transparent(_) => (How::Exact, "with `phong` black"),
+        Dielectric(_) => (How::Exact, "with `phong` black, in air"),
+        GlossyReflector(_) | SphereMaterials(_) | Custom(_) => (How::None, ""),
     }
 }
 
@@ -115,12 +119,10 @@ pub fn pov_light(kind: &lights::Kind) -> (How, &'static str) {
         PointLight(_) => (How::Exact, "`attenuation` 0 or at least 1"),
         Directional(_) => (How::Exact, ""),
         Spot(_) => (How::None, "its edge is a cubic of the cosine there, of the angle here"),
-        AmbientOccluder(_)
-        | Area(_)
-        | Environment(_)
-        | JitteredDirectional(_)
-        | FakeSpherical(_)
-        | Custom(_) => (How::None, ""),
+        AmbientOccluder(_) => (How::None, "ambient light is not occluded"),
+        Area(_) | Environment(_) | JitteredDirectional(_) | FakeSpherical(_) | Custom(_) => {
+            (How::None, "")
+        }
     }
 }
 
@@ -128,10 +130,12 @@ pub fn pov_light(kind: &lights::Kind) -> (How, &'static str) {
 pub fn pov_camera(kind: &cameras::Kind) -> (How, &'static str) {
     use cameras::Kind::*;
     match kind {
-        Orthographic(_) | Pinhole(_) => (How::Exact, ""),
-        ThinLens(_) | Fisheye(_) | SphericalPanorama(_) | CylindricalPanorama(_) | Custom(_) => {
-            (How::None, "")
-        }
+        Orthographic(_)
+        | Pinhole(_)
+        | Fisheye(_)
+        | SphericalPanorama(_)
+        | CylindricalPanorama(_) => (How::Exact, ""),
+        ThinLens(_) | Custom(_) => (How::None, ""),
     }
 }
 
@@ -141,10 +145,12 @@ pub fn pov_texture(kind: &textures::Kind) -> (How, &'static str) {
     match kind {
         Checker3d(_) => (How::Exact, "as a function of our formula; two plain colours"),
         PlaneChecker(_) => (How::Exact, "so too; plain colours"),
+        RandomColors(_) => (How::Exact, "a pigment for each shape"),
         Constant(_) | Image(_) | SphereChecker(_) | CylinderChecker(_) | ConeChecker(_)
         | DiskChecker(_) | RectangleChecker(_) | Stripes(_) | Ramp(_) | Wireframe(_)
         | SphereTextures(_) | TextureInstance(_) | Fbm(_) | Turbulence(_) | WrappedFbm(_)
-        | TwoColors(_) | ThreeColors(_) | RampFbm(_) | WrappedRamp(_) | Wood(_)
-        | RandomColors(_) | Custom(_) => (How::None, ""),
+        | TwoColors(_) | ThreeColors(_) | RampFbm(_) | WrappedRamp(_) | Wood(_) | Custom(_) => {
+            (How::None, "")
+        }
     }
 }

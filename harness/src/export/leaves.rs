@@ -4,10 +4,13 @@ use groundtruth::math::Transform;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Instance, Kind, transform_of};
 
-use super::parts::{Part, parts};
-use super::{Unsayable, item, kinds};
+use super::parts::{self, Part, copies, parts};
+use super::{How, Target, Unsayable, item, kinds};
 
-/// A shape that is no compound, no instance and no solid of named parts.
+/// More shapes are refused: their text would be of many megabytes.
+pub const MOST_SHAPES: u64 = 200_000;
+
+/// A shape that is not taken apart.
 #[derive(Clone, Debug)]
 pub struct Leaf {
     /// The shape.
@@ -22,6 +25,8 @@ pub struct Leaf {
     pub material: usize,
     /// The index of its object.
     pub object: usize,
+    /// How many shapes of its object are before it.
+    pub number: u64,
     /// Whether its object casts shadows; its material may not.
     pub casts_shadows: bool,
 }
@@ -43,6 +48,10 @@ struct Setting {
 #[derive(Debug)]
 pub struct Leaves<'a> {
     scene: &'a Scene,
+    /// What it can say is taken apart.
+    target: Target,
+    /// How many shapes of the object are in `all` already.
+    number: u64,
     /// In the order of the objects and their parts.
     pub all: Vec<Leaf>,
     /// Names of materials that are none, and maps without an inverse.
@@ -50,9 +59,9 @@ pub struct Leaves<'a> {
 }
 
 impl<'a> Leaves<'a> {
-    /// Of the objects that are part of the scene.
-    pub fn of(scene: &'a Scene) -> Self {
-        let mut leaves = Self { scene, all: Vec::new(), unsayable: Vec::new() };
+    /// Of the objects that are part of the scene, for a renderer.
+    pub fn of(scene: &'a Scene, target: Target) -> Self {
+        let mut leaves = Self { scene, target, number: 0, all: Vec::new(), unsayable: Vec::new() };
         for (index, object) in scene.objects.iter().enumerate().filter(|(_, it)| it.enabled) {
             let path = item("objects", index, &object.name);
             let Some(material) = leaves.material(&path, &object.material) else { continue };
@@ -66,6 +75,7 @@ impl<'a> Leaves<'a> {
                 object: index,
                 casts_shadows: object.casts_shadows,
             };
+            leaves.number = 0;
             leaves.shape(&object.shape, &at);
         }
         leaves
@@ -97,22 +107,30 @@ impl<'a> Leaves<'a> {
 
     fn shape(&mut self, kind: &Kind, at: &Setting) {
         let at = &Setting { path: format!("{}.{}", at.path, kinds::tag(kind)), ..at.clone() };
+        let can_say = self.target.shape(kind).0 != How::None;
         match kind {
             Kind::Instance(instance) => self.instance(instance, at),
-            Kind::Compound(_)
-            | Kind::SolidCylinder(_)
-            | Kind::SolidCone(_)
-            | Kind::ThickRing(_) => {
-                parts(kind).into_iter().flatten().for_each(|part| self.part(&part, at));
+            _ if can_say && parts::leaves(kind) > MOST_SHAPES => {
+                let count = parts::leaves(kind);
+                self.refuse(&at.path, format!("{count} shapes, and {MOST_SHAPES} are the most"));
             }
-            _ => {
-                let Setting { path, map, texture, material, object, casts_shadows, .. } =
-                    at.clone();
-                let shape = kind.clone();
-                let leaf = Leaf { shape, path, map, texture, material, object, casts_shadows };
-                self.all.push(leaf);
-            }
+            Kind::Lattice(lattice) if can_say => self.parts(copies(lattice), at),
+            kind => match parts(kind).filter(|_| can_say) {
+                Some(parts) => self.parts(parts, at),
+                None => self.leaf(kind, at),
+            },
         }
+    }
+
+    fn leaf(&mut self, kind: &Kind, at: &Setting) {
+        let Setting { path, map, texture, material, object, casts_shadows, .. } = at.clone();
+        let (shape, number) = (kind.clone(), self.number);
+        self.all.push(Leaf { shape, path, map, texture, material, object, number, casts_shadows });
+        self.number += 1;
+    }
+
+    fn parts(&mut self, parts: Vec<Part>, at: &Setting) {
+        parts.iter().for_each(|part| self.part(part, at));
     }
 
     fn instance(&mut self, instance: &Instance, at: &Setting) {

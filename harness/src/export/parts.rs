@@ -1,6 +1,7 @@
 //! Shapes that are made of others, taken apart.
 
-use groundtruth::math::{Point, Step, Vector};
+use groundtruth::math::{Pcg32, Point, Step, Vector, hash};
+use groundtruth::rgb::Rgb;
 use groundtruth::shapes::{
     Annulus, Cone, Disk, Instance, Kind, Lattice, Materials, OpenCylinder, SolidCone,
     SolidCylinder, ThickRing,
@@ -64,6 +65,13 @@ pub fn leaves(kind: &Kind) -> u64 {
         }
         _ => 1,
     }
+}
+
+/// The colour that `random_colors` gives to a shape of an object.
+pub fn random_color(seed: u64, leaf: u64) -> Rgb {
+    let mut random = Pcg32::new(hash(&[seed, leaf]), 0);
+    let mut channel = || random.uniform();
+    Rgb::new(channel(), channel(), channel())
 }
 
 fn numbered(list: &str, parts: impl IntoIterator<Item = (Option<String>, Kind)>) -> Vec<Part> {

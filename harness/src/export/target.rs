@@ -55,7 +55,7 @@ impl Target {
     ) -> Result<Said, Vec<Unsayable>> {
         let of_text = |text| Said { scenes: vec![text], files: Vec::new() };
         match self {
-            Self::Pov => pov::write(name, scene).map(of_text),
+            Self::Pov => pov::write(name, scene, folder).map(of_text),
             Self::Mitsuba => mitsuba::write(name, stem, scene, folder),
             Self::Pbrt => pbrt::write(name, scene, folder).map(of_text),
         }

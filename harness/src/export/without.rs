@@ -21,18 +21,21 @@ pub enum Term {
     Unshadowed,
     /// The absorption of media: glass becomes clear.
     Absorption,
+    /// The factor 1/η² of refracted radiance.
+    Scaling,
     /// Normals interpolated between the corners of triangles: meshes become flat.
     Smooth,
 }
 
 impl Term {
     /// All, by their names.
-    pub const ALL: [(&'static str, Self); 6] = [
+    pub const ALL: [(&'static str, Self); 7] = [
         ("phong", Self::Phong),
         ("ambient", Self::Ambient),
         ("background", Self::Background),
         ("unshadowed", Self::Unshadowed),
         ("absorption", Self::Absorption),
+        ("scaling", Self::Scaling),
         ("smooth", Self::Smooth),
     ];
 
@@ -68,6 +71,7 @@ impl Term {
                     }
                 }
             }
+            Self::Scaling => scene.transparency.scales_radiance = false,
             Self::Smooth => {
                 scene.objects.iter_mut().for_each(|it| flatten(&mut it.shape));
             }

@@ -25,7 +25,7 @@ pub use passes::is_noiseless;
 pub use render::Program;
 
 use super::leaves::Leaves;
-use super::{Said, Unsayable};
+use super::{Said, Target, Unsayable};
 use materials::Look;
 use passes::Pass;
 use text::{boolean, comment, integer, plugin};
@@ -47,7 +47,7 @@ struct Writer<'a> {
 /// # Errors
 /// All that cannot be said.
 pub fn write(name: &str, stem: &str, scene: &Scene, folder: &Path) -> Result<Said, Vec<Unsayable>> {
-    let leaves = Leaves::of(scene);
+    let leaves = Leaves::of(scene, Target::Mitsuba);
     let mut writer = Writer {
         scene,
         stem,

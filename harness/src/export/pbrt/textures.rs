@@ -1,12 +1,13 @@
 //! The textures of matte surfaces.
 
-use groundtruth::math::{Pcg32, Step, Transform, Vector, hash};
+use groundtruth::math::{Step, Transform, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::textures::{Checker3d, Kind, Paint, PlaneChecker, RandomColors};
 
 use super::materials::Look;
 use super::text::{rgb, transform};
 use super::{Writer, kinds};
+use crate::export::parts::random_color;
 use crate::export::{How, kinds::tag};
 
 /// What our solid checker adds to `x / size`, so that no face lies on a border.
@@ -140,11 +141,4 @@ impl Writer<'_> {
         ));
         self.line(&format!("  Material \"diffuse\" \"texture reflectance\" [ \"{name}\" ]"));
     }
-}
-
-/// The colour that `random_colors` gives to a shape of an object.
-fn random_color(seed: u64, leaf: u64) -> Rgb {
-    let mut random = Pcg32::new(hash(&[seed, leaf]), 0);
-    let mut channel = || random.uniform();
-    Rgb::new(channel(), channel(), channel())
 }

@@ -2,10 +2,10 @@
 
 use groundtruth::cameras::{Kind, Side};
 use groundtruth::materials::Medium;
-use groundtruth::math::{Point, Vector};
+use groundtruth::math::{Frame, Point, Vector, cos_degrees, sin_degrees};
 
 use super::Writer;
-use super::text::vector;
+use super::text::{number, vector};
 use crate::export::kinds::{self, How};
 
 impl Writer<'_> {
@@ -20,6 +20,16 @@ impl Writer<'_> {
     /// the same offset of its origin and the direction −w. So `right` is `(width / zoom) u` and `up` is
     /// `(height / zoom) v`. POV-Ray's own axes, `right x` with `direction z`, are left-handed, which is why scenes of
     /// right-handed coordinates have `right -x` there; u, v and w are written in full, so no sign is left to be changed.
+    ///
+    /// With angles in place of lengths, for x and y again from −1/2 to 1/2:
+    ///
+    /// - fisheye: the angle from `direction` is r · angle / 2, with r the length of (2x |right|, 2y |up|); nothing is seen
+    ///   where r > 1. Ours is r · fov / 2 where r ≤ 1; of a rectangular one, where that angle is at most 180°: so `angle` is
+    ///   360 and the lengths are fov / 360.
+    /// - spherical: `direction` turned about `right` by −y · V, then about `up` by x · H, by the right-hand rule. Because
+    ///   u × v = w, while POV-Ray's right × up is its direction, −u and −v turn it as ours is.
+    /// - cylinder 1: sin(x · angle) right + y |up| up + cos(x · angle) direction, of unit axes. Ours has
+    ///   2y tan(vertical_fov / 2) in place of y |up|.
     pub(super) fn camera(&mut self) {
         let camera = &self.scene.camera;
         if camera.stereo.is_some() {
@@ -38,13 +48,32 @@ impl Writer<'_> {
             Err(problem) => return self.refuse("camera", problem.to_string()),
         };
         let (frame, eye) = (view.frame(), view.eye(Side::Left).position());
-        let (word, direction, zoom) = match &camera.lens {
-            Kind::Pinhole(it) => ("perspective", -it.distance * frame.w, it.zoom),
-            Kind::Orthographic(it) => ("orthographic", -frame.w, it.zoom),
+        let Frame { u, v, w } = *frame;
+        let flat = |zoom: f64| [(film.width / zoom) * u, (film.height / zoom) * v];
+        let (word, direction, [right, up]) = match &camera.lens {
+            Kind::Pinhole(it) => ("perspective".to_owned(), -it.distance * w, flat(it.zoom)),
+            Kind::Orthographic(it) => ("orthographic".to_owned(), -w, flat(it.zoom)),
+            Kind::Fisheye(it) => {
+                let (length, fov) = match it.rectangular {
+                    true => (it.fov / 360.0, 360.0),
+                    false => (1.0, it.fov),
+                };
+                (format!("fisheye angle {}", number(fov)), -w, [length * u, length * v])
+            }
+            Kind::SphericalPanorama(it) => {
+                let [across, along] = [it.horizontal_fov, it.vertical_fov].map(number);
+                // −u and −v: see above
+                (format!("spherical angle {across}, {along}"), -w, [-u, -v])
+            }
+            Kind::CylindricalPanorama(it) => {
+                let half = 0.5 * it.vertical_fov;
+                let height = 2.0 * sin_degrees(half) / cos_degrees(half);
+                let word = format!("cylinder 1 angle {}", number(it.horizontal_fov));
+                (word, -w, [u, height * v])
+            }
             _ => return,
         };
-        let (right, up) = ((film.width / zoom) * frame.u, (film.height / zoom) * frame.v);
-        self.line(&described(word, eye, [direction, right, up]));
+        self.line(&described(&word, eye, [direction, right, up]));
     }
 }
 

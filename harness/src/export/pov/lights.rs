@@ -34,6 +34,12 @@ impl Writer<'_> {
                 Kind::Ambient(_) => {}
                 Kind::PointLight(point) => self.point(index, light, point),
                 Kind::Directional(sun) => self.directional(light, sun),
+                Kind::AmbientOccluder(_) => {
+                    let path = item("lights", index, &light.name);
+                    let problem =
+                        "POV-Ray does not occlude ambient light; --without ambient leaves it out";
+                    self.refuse(format!("{path}: source.ambient_occluder"), problem);
+                }
                 other => {
                     let path = format!(
                         "{}: source.{}",

@@ -3,11 +3,15 @@
 use groundtruth::materials::{Emissive, Kind, Matte, Phong, Reflective};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Material, Tracer};
-use groundtruth::textures::{Amount, Paint};
+use groundtruth::textures::{self, Amount, Paint};
 
 use super::Writer;
-use super::text::{number, rgb};
-use crate::export::{How, item, kinds};
+use super::text::{matrix, number, rgb};
+use crate::export::parts::random_color;
+use crate::export::{How, Leaf, item, kinds};
+
+/// Why a highlight is refused.
+pub(super) const HIGHLIGHT: &str = "the highlight of POV-Ray is not multiplied by the cosine of the angle of incidence; --without phong leaves it out";
 
 /// What one side of a surface does.
 #[derive(Clone)]
@@ -53,10 +57,38 @@ impl Writer<'_> {
             if material.bump.is_some() {
                 self.refuse(format!("{path}: bump"), "no counterpart");
             }
+            if self.is_glass(index) {
+                let Some(texture) = self.glass(&path, &material.recipe) else { continue };
+                self.line(&format!("#declare front_{index} = {texture}"));
+                self.line(&format!("#declare back_{index} = {texture}"));
+                continue;
+            }
             let Some(front) = self.side(&path, material) else { continue };
             let back = if material.two_sided { front.clone() } else { front.back() };
             self.line(&format!("#declare front_{index} = {}", front.texture()));
             self.line(&format!("#declare back_{index} = {}", back.texture()));
+        }
+    }
+
+    /// The texture of glass, which is that of both sides.
+    fn glass(&mut self, path: &str, recipe: &Kind) -> Option<String> {
+        let path = format!("{path}: recipe.{}", kinds::tag(recipe));
+        match recipe {
+            Kind::Transparent(it) => self.transparent(&path, it),
+            Kind::Dielectric(it) => self.dielectric(&path, it),
+            _ => None,
+        }
+    }
+
+    /// What the textures of a shape's sides have besides those of its material: a matrix of their own, because a
+    /// modifier transforms only what stands before it; or the pigment of this shape.
+    pub(super) fn dress(&self, at: &Leaf) -> String {
+        match texture_of(&self.scene.materials[at.material]) {
+            None => String::new(),
+            Some(textures::Kind::RandomColors(it)) => {
+                format!(" pigment {{ {} }}", plain(random_color(it.seed, at.number)))
+            }
+            Some(_) => matrix(&at.texture),
         }
     }
 
@@ -68,6 +100,9 @@ impl Writer<'_> {
             Kind::Phong(phong) => self.phong(&path, phong),
             Kind::Reflective(it) => self.reflective(&path, it),
             Kind::Emissive(it) => self.emissive(&path, it),
+            // ray_cast sees what is not glass of it
+            Kind::Transparent(it) => self.phong(&format!("{path}.phong"), &it.phong),
+            Kind::Dielectric(it) => self.phong(&format!("{path}.phong"), &it.phong),
             _ => {
                 self.refuse(path, "no counterpart");
                 None
@@ -87,8 +122,7 @@ impl Writer<'_> {
         let Phong { ka, kd, cd, ks, .. } = phong;
         let ks = self.amount(&format!("{path}.ks"), ks);
         if ks.is_some_and(|ks| ks > 0.0) {
-            let problem = "the highlight of POV-Ray is not multiplied by the cosine of the angle of incidence; --without phong leaves it out";
-            self.refuse(format!("{path}.ks"), problem);
+            self.refuse(format!("{path}.ks"), HIGHLIGHT);
         }
         self.matte(path, &Matte { ka: ka.clone(), kd: kd.clone(), cd: cd.clone() })
     }
@@ -114,7 +148,7 @@ impl Writer<'_> {
         Some(Side { pigment: pigment?, ka: 0.0, kd: 0.0, mirror: Rgb::BLACK, emission: ls? })
     }
 
-    fn amount(&mut self, path: &str, amount: &Amount) -> Option<f64> {
+    pub(super) fn amount(&mut self, path: &str, amount: &Amount) -> Option<f64> {
         match amount {
             Amount::Plain(value) => Some(*value),
             Amount::Textured(kind) => {
@@ -150,14 +184,19 @@ fn plain(color: Rgb) -> String {
     format!("rgb {}", rgb(color))
 }
 
-/// Whether the surface of a material looks different in different places.
-pub fn is_patterned(material: &Material) -> bool {
-    let cd = match &material.recipe {
+/// The texture of a material's colour.
+fn texture_of(material: &Material) -> Option<&textures::Kind> {
+    let paint = match &material.recipe {
         Kind::Matte(it) => &it.cd,
         Kind::Phong(it) => &it.cd,
         Kind::Reflective(it) => &it.phong.cd,
         Kind::Emissive(it) => &it.ce,
-        _ => return false,
+        Kind::Transparent(it) => &it.phong.cd,
+        Kind::Dielectric(it) => &it.phong.cd,
+        _ => return None,
     };
-    matches!(cd, Paint::Textured(_))
+    match paint {
+        Paint::Textured(kind) => Some(kind),
+        Paint::Plain(_) => None,
+    }
 }

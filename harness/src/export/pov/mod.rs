@@ -6,37 +6,60 @@
 //! there. Camera axes and matrices are given in full.
 
 mod camera;
+mod glass;
 mod lights;
 mod materials;
 mod render;
 mod shapes;
 mod text;
 mod textures;
+mod walk;
 
 pub use render::Program;
 
+use std::collections::BTreeMap;
+use std::path::Path;
+
 use groundtruth::background::Background;
+use groundtruth::kinds::Resources;
 use groundtruth::printable;
 use groundtruth::scene::{Intersect, Scene, Tracer};
 
-use super::Unsayable;
 use super::leaves::Leaves;
+use super::{Target, Unsayable};
 use text::rgb;
+use walk::Body;
 
 /// A scene being written.
 struct Writer<'a> {
     scene: &'a Scene,
+    resources: Resources,
+    /// How many triangles are written.
+    triangles: u64,
+    /// The bodies of glass that are still to be written.
+    bodies: BTreeMap<Body, Vec<glass::Part>>,
+    /// The index of refraction inside each of those that our picture shows.
+    indices: BTreeMap<Body, f64>,
     text: String,
     unsayable: Vec<Unsayable>,
 }
 
-/// The scene as the text of a `.pov` file; `name` goes into its first line.
+/// The scene as the text of a `.pov` file; `name` goes into its first line, `folder` has the files that the scene names.
 ///
 /// # Errors
 /// All that cannot be said.
-pub fn write(name: &str, scene: &Scene) -> Result<String, Vec<Unsayable>> {
-    let leaves = Leaves::of(scene);
-    let mut head = Writer { scene, text: String::new(), unsayable: Vec::new() };
+pub fn write(name: &str, scene: &Scene, folder: &Path) -> Result<String, Vec<Unsayable>> {
+    let leaves = Leaves::of(scene, Target::Pov);
+    let resources = Resources::new(folder);
+    let mut head = Writer {
+        scene,
+        resources,
+        triangles: 0,
+        bodies: BTreeMap::new(),
+        indices: BTreeMap::new(),
+        text: String::new(),
+        unsayable: Vec::new(),
+    };
     head.refuse_settings();
     head.header(name);
     head.globals();
@@ -44,6 +67,11 @@ pub fn write(name: &str, scene: &Scene) -> Result<String, Vec<Unsayable>> {
     head.lights();
     head.materials(&leaves.materials());
     head.objects(&leaves);
+    head.refuse_attenuated_shadows();
+    if head.unsayable.is_empty() && !head.bodies.is_empty() {
+        head.walk(folder);
+    }
+    head.bodies();
     match head.unsayable.is_empty() {
         true => Ok(head.text),
         false => Err(head.unsayable),

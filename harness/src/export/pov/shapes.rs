@@ -1,14 +1,13 @@
 //! The shapes of POV-Ray for the leaves of the objects.
 
 use groundtruth::math::{Normal, Point, Transform, Vector};
-use groundtruth::shapes::{Kind, Plane, Rectangle, Triangle};
+use groundtruth::shapes::{Kind, Plane, Rectangle, Triangle, TriangleMesh};
 
 use super::Writer;
 use super::lights::FAR;
-use super::materials::is_patterned;
 use super::text::{matrix, number, vector};
 use crate::export::Leaf;
-use crate::export::leaves::Leaves;
+use crate::export::leaves::{Leaves, MOST_SHAPES};
 
 /// Which way the normal of a shape in POV-Ray points.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -81,6 +80,11 @@ impl Writer<'_> {
                 );
                 self.leaf("quadric", &words, Sense::of(it.inward), at);
             }
+            Kind::TessellatedSphere(it) => self.mesh(&it.mesh(), at),
+            Kind::Mesh(it) => match it.triangle_mesh(&mut self.resources) {
+                Ok(mesh) => self.mesh(&mesh, at),
+                Err(problem) => self.refuse(&at.path, problem.to_string()),
+            },
             _ => self.refuse(&at.path, "no counterpart"),
         }
     }
@@ -99,20 +103,20 @@ impl Writer<'_> {
             Sense::Same => ("front", "back"),
             Sense::Opposite => ("back", "front"),
         };
-        let dark = match at.casts_shadows && self.scene.materials[material].casts_shadows {
-            true => "",
-            false => " no_shadow",
-        };
-        let map = matrix(&at.map);
-        // a modifier transforms only what stands before it: the texture has a matrix of its own
-        let texture = match is_patterned(&self.scene.materials[material]) {
-            true => matrix(&at.texture),
-            false => String::new(),
-        };
+        let shape = format!("{word} {{ {words}{}", matrix(&at.map));
+        if self.is_glass(material) {
+            return self.add_to_body(shape, at);
+        }
+        let dark = if self.casts_shadows(at) { "" } else { " no_shadow" };
+        let texture = self.dress(at);
         self.line(&format!(
-            "{word} {{ {words}{map} texture {{ {out}_{material}{texture} }} \
+            "{shape} texture {{ {out}_{material}{texture} }} \
              interior_texture {{ {inside}_{material}{texture} }}{dark} }}"
         ));
+    }
+
+    pub(super) fn casts_shadows(&self, at: &Leaf) -> bool {
+        at.casts_shadows && self.scene.materials[at.material].casts_shadows
     }
 
     /// `plane { n, d }` has the points with `n·p = d` for a unit n: so `d = n·point`.
@@ -129,36 +133,58 @@ impl Writer<'_> {
         self.leaf("disc", &words, Sense::Same, at);
     }
 
+    /// The triangles of a mesh, as a union: the coordinates of POV-Ray's own `mesh` are in single precision.
+    ///
     /// The corners are transformed here: POV-Ray would compute the normal again after it had reordered them. Its normal
     /// is `(v0 − v1) × (v2 − v1)`, which is opposite to ours, `(v1 − v0) × (v2 − v0)`; ours turns with the surface, so
     /// that a reflection keeps its side, and that of the transformed corners changes it.
     ///
-    /// The normals of a smooth triangle have the sense of ours, and theirs decides which side is seen.
-    fn triangle(&mut self, triangle: &Triangle, at: &Leaf) {
-        let corners = triangle.vertices.map(|corner| vector(at.map.point(corner).to_array()));
-        let in_world = Leaf { map: Transform::IDENTITY, ..at.clone() };
-        let Some(normals) = triangle.normals else {
-            let sense = Sense::of(at.map.determinant() > 0.0);
-            return self.leaf("triangle", &corners.join(", "), sense, &in_world);
-        };
-        let normals = normals.map(|normal| {
-            let moved = Normal::new(normal).map(|normal| at.map.covector(normal));
-            vector(moved.and_then(Vector::unit).unwrap_or(normal).to_array())
-        });
-        let pairs: Vec<String> = corners
+    /// Interpolated normals are refused: the side that POV-Ray sees is that of the interpolated normal, here it is that
+    /// of the true one; and it interpolates after the transformation, we before.
+    fn mesh(&mut self, mesh: &TriangleMesh, at: &Leaf) {
+        if mesh.normals().is_some() {
+            let problem = "the interpolated normal decides which side POV-Ray sees, here the true one does; \
+                           --without smooth leaves it out";
+            return self.refuse(&at.path, problem);
+        }
+        let before = self.triangles;
+        self.triangles += mesh.triangles().len() as u64;
+        if self.triangles > MOST_SHAPES {
+            if before <= MOST_SHAPES {
+                self.refuse(&at.path, format!("more than {MOST_SHAPES} triangles, the most"));
+            }
+            return;
+        }
+        let corner = |&corner: &Point| vector(at.map.point(corner).to_array());
+        let corners: Vec<String> = mesh.vertices().iter().map(corner).collect();
+        let triangles: Vec<String> = mesh
+            .triangles()
             .iter()
-            .zip(&normals)
-            .map(|(corner, normal)| format!("{corner}, {normal}"))
+            .map(|triangle| triangle.map(|i| corners[i as usize].as_str()).join(", "))
             .collect();
-        self.leaf("smooth_triangle", &pairs.join(", "), Sense::Same, &in_world);
+        let in_world = Leaf { map: Transform::IDENTITY, ..at.clone() };
+        let sense = Sense::of(at.map.determinant() > 0.0);
+        match triangles.as_slice() {
+            [one] => self.leaf("triangle", one, sense, &in_world),
+            all => {
+                let all: String = all.iter().map(|it| format!("\n  triangle {{ {it} }}")).collect();
+                self.leaf("union", &format!("{all}\n "), sense, &in_world);
+            }
+        }
+    }
+
+    fn triangle(&mut self, Triangle { vertices, normals }: &Triangle, at: &Leaf) {
+        let mesh = TriangleMesh::new(vertices.to_vec(), vec![[0, 1, 2]]);
+        let normals: Vec<Normal> =
+            normals.iter().flatten().filter_map(|&normal| Normal::new(normal)).collect();
+        self.mesh(&if normals.is_empty() { mesh } else { mesh.with_normals(normals) }, at);
     }
 
     /// Two triangles with the normal `a × b`.
     fn rectangle(&mut self, Rectangle { corner, a, b }: &Rectangle, at: &Leaf) {
         let far = *corner + *a + *b;
-        for vertices in [[*corner, *corner + *a, far], [*corner, far, *corner + *b]] {
-            self.triangle(&Triangle { vertices, normals: None }, at);
-        }
+        let vertices = vec![*corner, *corner + *a, far, *corner + *b];
+        self.mesh(&TriangleMesh::new(vertices, vec![[0, 1, 2], [0, 2, 3]]), at);
     }
 }
 
@@ -166,6 +192,7 @@ impl Writer<'_> {
 /// farther than 10⁷ from a ray's origin (`MAX_DISTANCE`), and the plane of parallel lights is at [`FAR`].
 fn farthest(words: &str, map: &Transform) -> Option<f64> {
     let origin = map.point(Point::ORIGIN).to_array();
-    let numbers = words.split([' ', ',', '<', '>']).filter_map(|word| word.parse::<f64>().ok());
+    let numbers =
+        words.split([' ', ',', '<', '>', '\n']).filter_map(|word| word.parse::<f64>().ok());
     numbers.chain(origin).find(|number| number.abs() > FAR)
 }

@@ -1,5 +1,6 @@
 //! The textures: colours as functions of the point, in the formulas of our own textures.
 
+use groundtruth::rgb::Rgb;
 use groundtruth::textures::{Checker3d, Kind, Paint, PlaneChecker};
 
 use super::Writer;
@@ -23,6 +24,8 @@ impl Writer<'_> {
     /// The words of the pigment of a texture; `None` if it cannot be said.
     pub(super) fn texture(&mut self, path: &str, kind: &Kind) -> Option<String> {
         match kind {
+            // each shape has its own
+            Kind::RandomColors(_) => Some(format!("rgb {}", rgb(Rgb::BLACK))),
             Kind::Checker3d(Checker3d { size, color1, color2 }) => {
                 let (axes, colors) = (["x", "y", "z"].as_slice(), [color1, color2]);
                 let (half_line, line) = (0.0, color1);
