@@ -8,6 +8,7 @@ pub mod kinds;
 mod lights;
 mod materials;
 mod passes;
+mod planes;
 mod ply;
 mod render;
 mod shapes;
