@@ -26,7 +26,7 @@ pub const BYTES: Stored = Stored::Integers {
 /// The pool from which each judgement takes its replicas, in another order.
 pub struct Shared {
     pub areas: Areas,
-    films: Vec<Film>,
+    pub films: Vec<Film>,
     /// Of independent samples.
     independent: Vec<Film>,
 }
