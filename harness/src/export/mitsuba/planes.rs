@@ -16,8 +16,8 @@ const SLOPES_END: f64 = 2.0;
 
 impl Writer<'_> {
     /// A plane: a square about the point below the eye, with a checker three times a larger one around it, and around all
-    /// four slopes that rise to the height of the eye. Without these its end would be below the horizon, by 1/40 of a pixel
-    /// in our scenes, and the background be seen there. Their normals are off by less than 1/4096.
+    /// four slopes that rise to the height of the eye. Without these its end would be below the horizon, by some hundredths
+    /// of a pixel, and the background be seen there. Their normals are off by less than 1/4096.
     pub(super) fn plane(&mut self, plane: &Plane, at: &Placed<'_>) -> Vec<String> {
         let Some(normal) = Normal::new(plane.normal) else { return Vec::new() };
         let map = &at.leaf.map;
