@@ -16,6 +16,12 @@ pub const SCENES: List = &[
         scene.camera.lens = Fisheye { fov: 180.0, rectangular: true }.into();
         scene
     }),
+    ("ch11/fisheye-wide", || {
+        let about = "a fisheye of 150° in a picture of 3 to 2: an ellipse, as the book's x and y each reach 1";
+        let mut scene = fisheye(about, 150.0);
+        scene.image = Image { samples: 16, ..Image::new(600, 400) };
+        scene
+    }),
     ("ch11/city", || {
         let about = "figure 11.11: the city in a panorama of 84° by 56°";
         panorama(about, [600, 400], FROM_OUTSIDE, [84.0, 56.0])

@@ -6,8 +6,8 @@ use super::shaded_sets::{thirty_five_spheres, two_spheres_before_a_wall};
 use crate::lights::PointLight;
 use crate::math::Point;
 use crate::rgb::Rgb;
-use crate::scene::{Image, Intersect, Light, Scene};
-use crate::shapes::{Compound, Materials, SolidCylinder, Triangle};
+use crate::scene::{Image, Intersect, Light, Material, Object, Scene};
+use crate::shapes::{Compound, Materials, Part, SolidCylinder, Triangle};
 
 pub const SCENES: List = &[
     ("ch16/page-one", || {
@@ -33,6 +33,7 @@ pub const SCENES: List = &[
         two_spheres_before_a_wall("figure 16.10a: the two spheres of figure 14.21 with shadows")
     }),
     ("ch16/coloured-shadows", coloured_shadows),
+    ("ch16/mixed-shadows", mixed_shadows),
     ("ch16/surface-acne", || {
         let about = "surface acne: far from the origin, coordinates are rounded to 3 cm, but the book's \
                      epsilon is 1 mm: planet and moon have spots of their own shadow";
@@ -108,6 +109,40 @@ fn coloured_shadows() -> Scene {
     let grey_matte = || matte(0.0, 0.35, grey(0.7));
     add(&mut scene, "sphere", sphere(Point::ORIGIN, 1.0), grey_matte());
     add(&mut scene, "ground", ground(-3.0), grey_matte());
+    scene
+}
+
+/// A table whose top casts no shadow, because its material does not, before a wall that casts none; one of two lamps has
+/// shadows.
+fn mixed_shadows() -> Scene {
+    let about = "who casts shadows: the legs of the table but not its top, the sphere on it but not the wall; and the \
+                 second lamp casts none";
+    let view = [point(2.0, 6.0, 14.0), point(0.0, 1.2, 0.0)];
+    let mut scene = pinhole(about, [300, 200], view, 480.0);
+    scene.lights.push(ambient(0.5));
+    scene.lights.push(point_light("lamp", point(-4.0, 8.0, 5.0), 2.5));
+    let lamp = point_light("lamp without shadows", point(6.0, 5.0, 6.0), 1.0);
+    scene.lights.push(Light { shadows: false, ..lamp });
+
+    let leg =
+        |x: f64, z: f64| boxed(point(x - 0.15, 0.0, z - 0.15), point(x + 0.15, 2.0, z + 0.15));
+    let legs = [(-1.5, -1.0), (1.5, -1.0), (-1.5, 1.0), (1.5, 1.0)].map(|(x, z)| leg(x, z));
+    let top = boxed(point(-1.8, 2.0, -1.3), point(1.8, 2.2, 1.3));
+    let mut parts = legs.map(Part::new).to_vec();
+    parts.push(Part::new(top).of_material("top"));
+    add(&mut scene, "table", Compound { accel: None, parts }, matte(0.3, 0.7, rgb(0.7, 0.4, 0.2)));
+    let top = Material::new("top", matte(0.3, 0.7, rgb(0.9, 0.7, 0.4)));
+    scene.materials.push(Material { casts_shadows: false, ..top });
+    let red = matte(0.3, 0.7, rgb(0.9, 0.2, 0.2));
+    add(&mut scene, "sphere", sphere(point(0.3, 2.9, 0.2), 0.7), red);
+    let (wall, teal) = object(
+        "wall",
+        boxed(point(-3.2, 0.0, -2.0), point(-3.0, 3.0, 2.5)),
+        matte(0.3, 0.7, rgb(0.3, 0.6, 0.6)),
+    );
+    scene.objects.push(Object { casts_shadows: false, ..wall });
+    scene.materials.push(teal);
+    add(&mut scene, "ground", ground(0.0), matte(0.25, 0.75, Rgb::WHITE));
     scene
 }
 

@@ -55,6 +55,19 @@ pub const SCENES: List = &[
         scene.lights = vec![Light::new("ambient", source)];
         scene
     }),
+    ("ch17/near-occlusion", || {
+        let about = "occlusion counts within a distance of half the sphere's radius: a small dark ring below it";
+        let mut scene = sphere_on_a_plane(about, 64);
+        let source = AmbientOccluder {
+            ls: 1.0,
+            color: Rgb::WHITE,
+            min_amount: 0.0,
+            occluded_color: None,
+            max_distance: Some(0.5),
+        };
+        scene.lights = vec![Light::new("ambient", source)];
+        scene
+    }),
     ("ch17/one-sided", || {
         let about = "figure 17.9: outward normals only: the inside is shaded like the outside";
         half_cylinder(about, FROM_THE_FRONT, false)

@@ -4,7 +4,7 @@ use super::List;
 use super::parts::*;
 use crate::lights::{Area, Directional, Environment, FakeSpherical, JitteredDirectional};
 use crate::materials::{Emissive, Kind as MaterialKind, Matte, Phong};
-use crate::math::{Point, Vector};
+use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
 use crate::scene::{Light, Scene};
 use crate::shapes::{Disk, Kind, Materials, Rectangle, SolidCylinder};
@@ -32,6 +32,21 @@ pub const SCENES: List = &[
     ("ch18/sphere", || {
         let about = "figure 18.5b: a sphere, which also lights what is behind it";
         lit_boxes(about, 20.0, sphere(LAMP, LAMP_RADIUS))
+    }),
+    ("ch18/stretched-lamp", || {
+        let about =
+            "a sphere stretched to an ellipsoid as the lamp: its area is not stretched evenly";
+        let steps = vec![Step::Scale(vector(5.0, 1.0, 0.5)), Step::Translate(LAMP - Point::ORIGIN)];
+        lit_boxes(about, 20.0, transformed(sphere(Point::ORIGIN, 1.0), steps))
+    }),
+    ("ch18/mirrored-lamp", || {
+        let about =
+            "the square of figure 18.4 as a mirrored instance: it shines on the boxes as before";
+        lit_boxes(
+            about,
+            40.0,
+            transformed(square(4.0, 7.0), vec![Step::Scale(vector(-1.0, 1.0, 1.0))]),
+        )
     }),
     ("ch18/on-the-ground", || {
         let about = "figure 18.6: a rectangular light on the ground: long shadows";

@@ -15,6 +15,7 @@ pub const SCENES: List = &[
     ("ch23/flat-sphere-100x50", || tessellated(100, 50, false)),
     ("ch23/smooth-sphere", || tessellated(10, 5, true)),
     ("ch23/coarsest-sphere", coarsest),
+    ("ch23/smooth-ground", smooth_ground),
     ("ch23/penguins", penguins),
     ("ch23/nested-grids", nested),
     ("ch23/leaks", || {
@@ -57,6 +58,23 @@ fn coarsest() -> Scene {
     let about = "figure 23.3: six triangles shaded as a sphere";
     let shape = TessellatedSphere::new(3, 2, true);
     with_mesh(about, shape)
+}
+
+/// A large sphere of few triangles as the ground: towards the horizon, smooth normals turn away from the viewer.
+fn smooth_ground() -> Scene {
+    let about = "a smooth mesh up to its horizon, where the normals turn away from the viewer, in low sunlight";
+    let view = [point(0.0, 1.5, 12.0), point(0.0, 0.0, 0.0)];
+    let mut scene = pinhole(about, [600, 300], view, 500.0);
+    scene.background = rgb(0.6, 0.75, 0.95).into();
+    scene.lights.push(ambient(0.25));
+    scene.lights.push(directional("sun", vector(-6.0, 2.5, -1.0), 3.0));
+    let planet = TessellatedSphere { radius: 20.0, ..TessellatedSphere::new(24, 16, true) };
+    let steps = vec![Step::RotateX(70.0), Step::Translate(-20.0 * Vector::Y)];
+    let green = phong(0.4, 0.6, rgb(0.4, 0.7, 0.3), 0.3, 8.0);
+    add(&mut scene, "ground", transformed(planet, steps), green);
+    let red = matte(0.4, 0.6, rgb(0.9, 0.3, 0.2));
+    add(&mut scene, "sphere", sphere(point(1.5, 1.0, 3.0), 1.0), red);
+    scene
 }
 
 /// Figure 23.10 without the book's file: a penguin of twelve meshes, each a scaled tessellated

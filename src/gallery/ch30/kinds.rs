@@ -3,7 +3,7 @@
 
 use super::super::parts::*;
 use super::{lines, lit, show};
-use crate::materials::{Kind as Material, SphereMaterials};
+use crate::materials::{Kind as Material, Matte, Phong, SphereMaterials};
 use crate::math::{Axis, Point, Step, Vector};
 use crate::rgb::Rgb;
 use crate::scene::{Scene, Tracer, Whitted};
@@ -108,6 +108,21 @@ pub fn ramp() -> Scene {
     show(&mut scene, "clamped", ball(1.1, point(-2.5, 0.0, 0.0)), along_y(1.1, Wrap::Clamp));
     show(&mut scene, "repeated", ball(1.1, Point::ORIGIN), along_y(0.3, Wrap::Repeat));
     show(&mut scene, "mirrored", block, along_y(0.3, Wrap::Mirror));
+    scene
+}
+
+/// Numbers of a material that are textures.
+pub fn coloured_amounts() -> Scene {
+    let about = "coloured checkers as the k_d of a matte sphere and the k_s of a shiny one: red is the number, green \
+                 and blue do not count";
+    let view = [point(0.0, 3.0, 20.0), Point::ORIGIN];
+    let mut scene = lit(pinhole(about, [600, 350], view, 2000.0));
+    let (color1, color2) = (rgb(0.9, 0.1, 0.4), rgb(0.2, 0.8, 1.0));
+    let amount = || Checker3d { size: 0.5, color1: color1.into(), color2: color2.into() }.into();
+    let dull = Matte { ka: 0.4.into(), kd: amount(), cd: rgb(0.9, 0.8, 0.6).into() };
+    let shiny = phong(0.4, 0.4, rgb(0.3, 0.5, 0.8), 0.0, 10.0);
+    add(&mut scene, "matte", ball(1.3, point(-1.5, 0.0, 0.0)), dull);
+    add(&mut scene, "shiny", ball(1.3, point(1.5, 0.0, 0.0)), Phong { ks: amount(), ..shiny });
     scene
 }
 

@@ -22,6 +22,7 @@ pub const SCENES: List = &[
     ("ch30/sphere-checkers", kinds::sphere_checkers),
     ("ch30/checkers", kinds::checkers),
     ("ch30/ramp", kinds::ramp),
+    ("ch30/coloured-amounts", kinds::coloured_amounts),
     ("ch30/wireframe", kinds::wireframe),
     ("ch30/sphere-textures", kinds::sphere_textures),
     ("ch30/sphere-materials", kinds::sphere_materials),

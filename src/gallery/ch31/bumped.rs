@@ -3,7 +3,7 @@
 use super::super::parts::*;
 use super::{WALL, lit_stage};
 use crate::bumps::{self, Height};
-use crate::math::Point;
+use crate::math::{Point, Step};
 use crate::noise::Noise;
 use crate::scene::Scene;
 use crate::textures::Fbm;
@@ -21,6 +21,15 @@ pub fn by_noise() -> Scene {
     let about = "a smooth sphere with normals perturbed by noise: it looks rough, like an orange";
     let noise = Noise::of_octaves(1);
     bumped_sphere(about, bumps::Noise { noise, size: 0.15, perturbation: 0.25 })
+}
+
+pub fn stretched() -> Scene {
+    let about = "the same bumps on a sphere stretched to an ellipsoid: they are stretched with it, and so are slopes";
+    let mut scene = by_height();
+    scene.about = about.to_owned();
+    let steps = vec![Step::Scale(vector(1.0, 0.4, 1.0)), Step::RotateZ(30.0)];
+    scene.objects[0].shape = transformed(sphere(Point::ORIGIN, 3.0), steps);
+    scene
 }
 
 pub fn by_height() -> Scene {

@@ -55,6 +55,7 @@ pub const SCENES: List = &[
     ("ch31/wrapped-ramp", wrapped::ramp),
     ("ch31/noise-bump", bumped::by_noise),
     ("ch31/height-bump", bumped::by_height),
+    ("ch31/bumped-ellipsoid", bumped::stretched),
 ];
 
 /// A view along −z from far away; `distance` is that of the view plane, for a picture 600 pixels
