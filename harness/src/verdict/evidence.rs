@@ -17,6 +17,8 @@ pub struct Evidence<'a> {
     pub mean: Vec<f64>,
     /// The variance of the difference.
     pub variances: Vec<f64>,
+    /// Whether the difference has noise, of which that is the variance.
+    pub has_noise: bool,
 }
 
 /// Differences below this part of our value are no evidence.
@@ -38,7 +40,13 @@ impl<'a> Evidence<'a> {
             map.variance(&[at / 3], at % 3).max(least * least)
         };
         let variances = (0..theirs.len()).map(variance).collect();
-        Self { areas, stored: pool.stored, theirs, mean, variances }
+        let (stored, has_noise) = (pool.stored, !judged.is_fixed);
+        Self { areas, stored, theirs, mean, variances, has_noise }
+    }
+
+    /// The side of these tiles.
+    pub fn side(&self) -> usize {
+        1 << LEVEL.min(self.areas.levels() - 1)
     }
 
     /// Sums over tiles, of each channel, of values for each pixel and channel.
