@@ -247,20 +247,20 @@ fn a_form_of_a_mistake_is_named() {
 /// made.
 #[test]
 fn a_mistake_of_one_texture_is_named_with_its_place() {
-    let scene = scene("ch18/rectangle", [48, 48], 16);
-    let ground = scene.objects.iter().find(|it| it.name == "ground").expect("the ground");
+    let scene = scene("ch30/solid-checkers", [96, 32], 4);
     let mut other = scene.clone();
-    let material = other.materials.iter_mut().find(|it| it.name == ground.material);
-    let materials::Kind::Matte(matte) = &mut material.expect("its material").recipe else {
-        panic!("the ground is matte");
-    };
+    let material = other.materials.iter_mut().find(|it| it.name == "cylinder").expect("it has one");
+    let materials::Kind::Matte(matte) = &mut material.recipe else { panic!("it is matte") };
     let Paint::Textured(texture) = &mut matte.cd else { panic!("it has a texture") };
-    let textures::Kind::PlaneChecker(checker) = &mut **texture else { panic!("{texture:?}") };
+    let textures::Kind::Checker3d(checker) = &mut **texture else { panic!("{texture:?}") };
     std::mem::swap(&mut checker.color1, &mut checker.color2);
     let verdict = verdict_on(&scene, &other);
-    let named = |it: &Cause| it.name == Some("texture-colours-exchanged");
+    let named = |it: &Cause| it.name == Some("texture-colours-exchanged") && it.chapter.is_none();
     assert!(verdict.causes.explained_by.iter().any(named), "{verdict}");
     assert!(verdict.factors.is_none(), "{verdict}");
+    let place = verdict.causes.place.expect("it is in one object");
+    assert_eq!(place.objects, ["cylinder"]);
+    assert!(place.about.contains("checker3d"), "{place:?}");
 }
 
 /// Law: where one object has another colour, it is named with its material and the factor of each channel. Oracle: the

@@ -108,10 +108,11 @@ impl Suspects<'_> {
         weights: &[f64],
     ) -> Vec<Change> {
         let difference = evidence.tiles(|at| finite(evidence.theirs[at] - evidence.mean[at]));
+        let noise = evidence.squares_of_noise();
         let of = |(suspect, tiles): (Suspect, Vec<Vec<f64>>)| {
             let ends = [&tiles[0], &tiles[tiles.len() - 1]];
             let [first, last] = ends.map(|change| apart(&difference, change));
-            let share = Share::of(&difference, [&first, &last], weights, evidence.has_noise);
+            let share = Share::of(&difference, [&first, &last], weights, &noise);
             let mean = ends[0].iter().zip(ends[1]).map(|(a, b)| 0.5 * (a + b)).collect();
             Change { suspect, tiles: mean, share }
         };

@@ -70,6 +70,15 @@ impl Factor {
     }
 }
 
+impl Factors {
+    /// Whether these are fewer, or as many and leave less than half as much.
+    fn is_better(&self, other: &Self) -> bool {
+        let ([own, its], [left, rest]) =
+            ([self, other].map(|it| it.factors.len()), [self, other].map(|it| 1.0 - it.share));
+        own < its || own == its && left < 0.5 * rest
+    }
+}
+
 /// Two terms whose pictures are so alike cannot be told apart: the cosine of their angle.
 const ALIKE: f64 = 0.98;
 
@@ -104,9 +113,7 @@ pub fn factors(terms: &[TermFilm], evidence: &Evidence<'_>) -> Option<Factors> {
     let by_lobe = fit(&|term| term.name.clone());
     let by_source = fit(&|term| term.source.clone());
     match (by_lobe, by_source) {
-        (Some(lobe), Some(source)) if source.factors.len() < lobe.factors.len() => {
-            return Some(source);
-        }
+        (Some(lobe), Some(source)) if source.is_better(&lobe) => return Some(source),
         (Some(found), _) | (None, Some(found)) => return Some(found),
         (None, None) => {}
     }
@@ -193,7 +200,8 @@ fn fitted(columns: Vec<Column>, evidence: &Evidence<'_>) -> Option<Factors> {
     for (column, more) in chosen.iter().zip(&solution) {
         rest.iter_mut().zip(tiles[*column]).for_each(|(rest, value)| *rest -= more * value);
     }
-    let share = Share::of(&difference, [&rest, &rest], &weights, evidence.has_noise).part;
+    let noise = evidence.squares_of_noise();
+    let share = Share::of(&difference, [&rest, &rest], &weights, &noise).part;
     if share < 1.0 - LEFT {
         return None;
     }
@@ -208,6 +216,10 @@ fn fitted(columns: Vec<Column>, evidence: &Evidence<'_>) -> Option<Factors> {
         share: tiles[*column].iter().sum::<f64>() / ours,
     };
     let factors: Vec<Factor> = chosen.iter().enumerate().map(factor).collect();
+    // light is not taken away
+    if factors.iter().any(|it| it.factor < -(3.0 * it.error).max(NOTHING[0])) {
+        return None;
+    }
     Some(Factors { factors: factors.into_iter().filter(Factor::is_off).collect(), share })
 }
 

@@ -40,13 +40,17 @@ struct Part {
     theirs: f64,
     ours: f64,
     variance: f64,
+    noise: f64,
 }
 
 impl Part {
-    /// The squared difference in units of its variance, less that of noise.
-    fn square(&self, noise: f64) -> f64 {
+    /// The weighted square of the difference, less that of noise.
+    fn square(&self) -> f64 {
         let difference = self.theirs - self.ours;
-        if self.variance > 0.0 { difference * difference / self.variance - noise } else { 0.0 }
+        match self.variance > 0.0 {
+            true => (difference * difference - self.noise) / self.variance,
+            false => 0.0,
+        }
     }
 }
 
@@ -56,9 +60,9 @@ type Parts = Vec<Vec<[Part; 3]>>;
 impl Place {
     /// Where a difference from our pictures of a scene is; `None` if it is in several places.
     pub fn of(evidence: &Evidence<'_>, scene: &Scene) -> Option<Self> {
-        let (areas, noise) = (evidence.areas, f64::from(u8::from(evidence.has_noise)));
+        let areas = evidence.areas;
         let parts = parts(evidence);
-        let square = |part: &[Part; 3]| part.iter().map(|it| it.square(noise)).sum::<f64>();
+        let square = |part: &[Part; 3]| part.iter().map(Part::square).sum::<f64>();
         let squares: Vec<f64> = parts.iter().map(|its| its.iter().map(square).sum()).collect();
         let whole: f64 = squares.iter().map(|it| it.max(0.0)).sum();
         let material_of = |object: usize| {
@@ -86,7 +90,7 @@ impl Place {
             material: material.map(|it| it.name.clone()),
             about: material.map(about).unwrap_or_default(),
             share: share.min(1.0),
-            factors: factors(&its, noise),
+            factors: factors(&its),
         })
     }
 }
@@ -105,6 +109,7 @@ fn parts(evidence: &Evidence<'_>) -> Parts {
                 part.theirs += evidence.theirs[at];
                 part.ours += finite(evidence.mean[at]);
                 part.variance += evidence.variances[at];
+                part.noise += evidence.noise[at];
             }
         }
     }
@@ -112,7 +117,7 @@ fn parts(evidence: &Evidence<'_>) -> Parts {
 }
 
 /// For each channel, the multiple of ours that is nearest to theirs, if these explain it.
-fn factors(parts: &[[Part; 3]], noise: f64) -> Option<[Factor; 3]> {
+fn factors(parts: &[[Part; 3]]) -> Option<[Factor; 3]> {
     let (mut before, mut after) = (0.0, 0.0);
     let factors = [0, 1, 2].map(|channel| {
         let its = || parts.iter().map(|part| part[channel]).filter(|part| part.variance > 0.0);
@@ -122,11 +127,11 @@ fn factors(parts: &[[Part; 3]], noise: f64) -> Option<[Factor; 3]> {
         ];
         let factor = if ours > 0.0 { both / ours } else { 1.0 };
         let multiple = |part: Part| Part { ours: factor * part.ours, ..part };
-        before += its().map(|it| it.square(noise)).sum::<f64>();
-        let left: f64 = its().map(|it| multiple(it).square(0.0)).sum();
-        let count = its().count() as f64;
-        after += left - noise * count;
-        let beyond = (left / (count - 1.0).max(1.0)).max(1.0);
+        before += its().map(|it| it.square()).sum::<f64>();
+        let left: f64 = its().map(|it| multiple(it).square()).sum();
+        after += left;
+        // what is left beyond noise makes the factor less certain
+        let beyond = (1.0 + left / (its().count() as f64 - 1.0).max(1.0)).max(1.0);
         let error = if ours > 0.0 { (beyond / ours).sqrt() } else { 0.0 };
         let name = ["red", "green", "blue"][channel].to_owned();
         Factor { terms: vec![name], factor, error, share: 1.0 }

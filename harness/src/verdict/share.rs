@@ -18,14 +18,13 @@ const DRAWN: usize = 200;
 
 impl Share {
     /// Of a difference over tiles of three channels, and what is left of it: twice, with independent noise of what explains
-    /// it, so that this noise has the mean 0 in their product. The noise of the difference has the variance 1 in each
-    /// tile if there is any.
-    pub fn of(difference: &[f64], left: [&[f64]; 2], weights: &[f64], has_noise: bool) -> Self {
+    /// it, so that this noise has the mean 0 in their product. `noise` is the weighted square that the noise of the
+    /// difference has in each tile.
+    pub fn of(difference: &[f64], left: [&[f64]; 2], weights: &[f64], noise: &[f64]) -> Self {
         let tiles = difference.len() / 3;
-        let noise = |at: usize| f64::from(u8::from(has_noise && weights[at] > 0.0));
         let channels = |tile: usize| (0..3).map(move |channel| channel * tiles + tile);
-        let before = |at: usize| weights[at] * difference[at] * difference[at] - noise(at);
-        let after = |at: usize| weights[at] * left[0][at] * left[1][at] - noise(at);
+        let before = |at: usize| weights[at] * difference[at] * difference[at] - noise[at];
+        let after = |at: usize| weights[at] * left[0][at] * left[1][at] - noise[at];
         let of = |value: &dyn Fn(usize) -> f64| -> Vec<f64> {
             (0..tiles).map(|tile| channels(tile).map(value).sum()).collect()
         };
@@ -36,7 +35,7 @@ impl Share {
                 there += before[tile];
                 rest += after[tile];
             }
-            if there > 0.0 { 1.0 - rest / there } else { 0.0 }
+            if there > 0.0 { (1.0 - rest / there).min(1.0) } else { 0.0 }
         };
         let mut random = Pcg32::new(tiles as u64, 0);
         let drawn: Vec<f64> = (0..DRAWN)

@@ -129,6 +129,12 @@ impl Verdict {
         if explained_by.is_empty() && *tried > 0 {
             writeln!(f, "cause: none of the {tried} known mistakes that change this picture")?;
         }
+        // they explain more than what is nearest
+        if let Some(Factors { factors, share }) = &self.factors {
+            let share = 100.0 * share;
+            writeln!(f, "factors: these explain {share:.0} % of the difference")?;
+            factors.iter().try_for_each(|factor| writeln!(f, "  {factor}"))?;
+        }
         if let Some(Nearest { cause, share, interval }) = nearest {
             let [share, low, high] =
                 [*share, interval[0].max(0.0), interval[1]].map(|it| 100.0 * it);
@@ -140,11 +146,6 @@ impl Verdict {
         }
         if let Some(place) = place {
             write!(f, "{place}")?;
-        }
-        if let Some(Factors { factors, share }) = &self.factors {
-            let share = 100.0 * share;
-            writeln!(f, "factors: these explain {share:.0} % of the difference")?;
-            factors.iter().try_for_each(|factor| writeln!(f, "  {factor}"))?;
         }
         Ok(())
     }

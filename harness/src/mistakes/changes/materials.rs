@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use groundtruth::bumps::{self, Bump};
-use groundtruth::kinds::{Custom, Resources, Specification};
+use groundtruth::kinds::{Custom, Resources};
 use groundtruth::lobes::Lobe;
 use groundtruth::materials::{
     Boundary, Emission, Kind, Material, Reflectance, Response, TexturedField,
