@@ -8,6 +8,8 @@ mod closed_forms;
 mod glass;
 #[path = "mistakes/lamps.rs"]
 mod lamps;
+#[path = "mistakes/local.rs"]
+mod local;
 #[path = "mistakes/paths.rs"]
 mod paths;
 #[path = "mistakes/recorder.rs"]
@@ -16,5 +18,7 @@ mod recorder;
 mod stage;
 #[path = "mistakes/table.rs"]
 mod table;
+#[path = "mistakes/textures.rs"]
+mod textures;
 #[path = "mistakes/twins.rs"]
 mod twins;

@@ -31,6 +31,7 @@ fn cosines_of_direct_light() {
     expect("cosine-twice", &scene, KD / PI * cos_i * cos_i, ROUNDING);
     expect("cosine-of-viewer", &scene, KD / PI * cos_o, ROUNDING);
     expect("lambertian-without-pi", &scene, KD * cos_i, ROUNDING);
+    expect("lambertian-pi-twice", &scene, KD / PI / PI * cos_i, ROUNDING);
 }
 
 /// Law: highlights without their cosine, normalised, and by the half vector. Oracle: `(cos α)^e` of the angles between
@@ -51,8 +52,12 @@ fn highlights() {
     let scene = lit_plane(shiny(0.0), viewer, sun);
     expect("highlight-without-cosine", &scene, phong, ROUNDING);
     expect("highlight-normalised", &scene, phong * cos_i * 12.0 / (2.0 * PI), ROUNDING);
+    expect("no-highlight", &scene, 0.0, 0.0);
     let half = |degrees: f64| ks * power(cos_degrees(degrees), exponent);
     expect("highlight-of-half-vector", &scene, half(10.0) * cos_i, ROUNDING);
+    let grey = Phong { cd: Rgb::grey(0.5).into(), ..shiny(KD) };
+    let both = (KD * 0.5 / PI + 0.5 * phong) * cos_i;
+    expect("highlight-of-surface-colour", &lit_plane(grey, viewer, sun), both, ROUNDING);
     let scene = lit_plane(shiny(KD), 70.0, 70.0);
     let expected = (KD / PI + half(70.0)) * cos_degrees(70.0);
     expect("highlight-of-half-vector", &scene, expected, ROUNDING);
@@ -70,6 +75,48 @@ fn ambient_light() {
     expect("no-ambient", &scene, 0.0, 0.0);
     expect("ambient-for-each-light", &scene, 3.0 * ka, ROUNDING);
     expect("ambient-over-pi", &scene, ka / PI, ROUNDING);
+    let mut scene = plane(matte(ka, KD, Rgb::WHITE), 0.0);
+    light(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+    expect("ambient-without-ka", &scene, 1.0, ROUNDING);
+    expect("ambient-of-kd", &scene, KD, ROUNDING);
+    expect_form("ambient-of-kd", "times k_a", &scene, ka * KD, ROUNDING);
+}
+
+/// Law: a sun that shines from the other side, or with the length of its direction. Oracle: the sun that does.
+#[test]
+fn directions_of_the_sun() {
+    let scene = lit_plane(diffuse(), 10.0, 115.0);
+    expect("sun-reversed", &scene, KD / PI * cos_degrees(65.0), ROUNDING);
+    let mut scene = plane(diffuse(), 10.0);
+    scene.lights.push(directional("sun", 3.0 * at_angle(65.0), 1.0).without_shadows());
+    expect("sun-not-normalised", &scene, 3.0 * KD / PI * cos_degrees(65.0), ROUNDING);
+}
+
+/// Law: an object that casts no shadow does. Oracle: none; it is black.
+#[test]
+fn a_switch_of_shadows_that_is_ignored() {
+    let mut scene = plane(diffuse(), 80.0);
+    scene.lights.push(point_light("lamp", point(0.0, 2.0, 0.0), 1.0));
+    let cover = Disk { center: point(0.0, 1.5, 0.0), normal: Vector::Y, radius: 1.0 };
+    add(&mut scene, "cover", cover, diffuse());
+    scene.objects.last_mut().expect("it has objects").casts_shadows = false;
+    assert!(value(&ours(&scene)) > 0.0);
+    expect("shadow-switches-ignored", &scene, 0.0, 0.0);
+}
+
+/// Law: surfaces that shine are black to the camera, or in mirrors. Oracle: the lamp's radiance, and `k_r` of it.
+#[test]
+fn lamps_that_are_not_seen() {
+    let lamp = || Emissive::new(4.0, Rgb::WHITE);
+    expect("lamps-unseen", &plane(lamp(), 20.0), 0.0, 0.0);
+    let mirror = Reflective { phong: Phong::default(), kr: 0.75.into(), cr: Rgb::WHITE.into() };
+    let mut scene = plane(mirror, 60.0);
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 1 });
+    let ceiling = Plane { point: point(0.0, 100.0, 0.0), normal: -Vector::Y };
+    add(&mut scene, "ceiling", ceiling, lamp());
+    assert!((value(&ours(&scene)) - 3.0).abs() < ROUNDING);
+    expect("lamps-unseen-in-mirrors", &scene, 0.0, 0.0);
+    expect("mirror-without-kr", &scene, 4.0, ROUNDING);
 }
 
 /// Law: light of a lamp at distance 3 that falls off with 1/d², without it or with 1/d. Oracle: the distance.
@@ -143,6 +190,7 @@ fn mirrors_and_gloss() {
     scene.background = Rgb::WHITE.into();
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 1 });
     expect("mirror-with-cosine", &scene, kr * 0.5, ROUNDING);
+    expect("no-background-in-mirrors", &scene, 0.0, 0.0);
 
     // straight above, an exponent of 50: (e + 1)/2π cos^e of directions that are all above the surface
     let e = 50.0;

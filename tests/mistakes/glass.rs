@@ -69,6 +69,11 @@ fn shares_of_a_glass_plane() {
         let r0 = 0.5 / 2.5 * (0.5 / 2.5);
         let schlick = r0 + (1.0 - r0) * power(1.0 - cos_degrees(angle), 5.0);
         expect("schlick", &scene, sum(schlick, 1.0 / squared), ROUNDING);
+        let parallel = 2.0 * r - perpendicular(angle);
+        expect("fresnel-parallel-only", &scene, sum(parallel, 1.0 / squared), ROUNDING);
+        expect("fresnel-without-half", &scene, sum(2.0 * r, 1.0 / squared), ROUNDING);
+        expect("fresnel-transmits-all", &scene, r + 1.0 / squared, ROUNDING);
+        expect("glass-without-mirror", &scene, (1.0 - r) / squared, ROUNDING);
         let with_cosine = r * cos_degrees(angle) + (1.0 - r) / squared;
         expect("mirror-with-cosine", &scene, with_cosine, ROUNDING);
     }
@@ -94,6 +99,61 @@ fn total_internal_reflection() {
     expect("total-reflection-black", &glass(120.0), 0.0, 0.0);
 }
 
+/// Law: of a thin transparent plane seen from outside, each mistake changes its share or its index. Oracle: `k_r` and
+/// `k_t/η²`.
+#[test]
+fn shares_of_a_transparent_plane() {
+    let (kr, kt, squared) = (0.25, 0.75, ETA * ETA);
+    let thin = Transparent {
+        phong: Phong::default(),
+        kr: kr.into(),
+        cr: Rgb::WHITE.into(),
+        kt: kt.into(),
+        eta: ETA,
+    };
+    let scene = white_around(plane(thin, 20.0));
+    expect("kr-kt-exchanged", &scene, kt + kr / squared, ROUNDING);
+    expect("mirror-without-kr", &scene, 1.0 + kt / squared, ROUNDING);
+    expect("transmission-without-kt", &scene, kr + 1.0 / squared, ROUNDING);
+    expect("glass-without-mirror", &scene, kt / squared, ROUNDING);
+    // beyond the critical angle of the inverted index, 42°, nothing passes
+    expect("eta-inverted", &scene, kr + kt * squared, ROUNDING);
+    let steep = Scene { camera: plane(Phong::default(), 60.0).camera, ..scene };
+    expect("eta-inverted", &steep, 1.0, ROUNDING);
+}
+
+/// Law: seen from inside at 30°, where the ray leaves at 48.6°, and at 60°, where it does not, each form of the index that
+/// is not inverted has its own Fresnel share, factor and limit of total reflection. Oracle: Fresnel's laws for both angles,
+/// and the way of the ray by a disk that is white.
+#[test]
+fn forms_of_an_index_that_is_not_inverted() {
+    const NAME: &str = "eta-not-inverted";
+    let squared = ETA * ETA;
+    // the share is that of the way back
+    let outside = 180.0 / std::f64::consts::PI * {
+        let sin_t = ETA * sin_degrees(30.0);
+        atan2(sin_t, (1.0 - sin_t * sin_t).sqrt())
+    };
+    let (right, wrong) = (unpolarised(outside), unpolarised(30.0));
+    let sum = |reflected: f64, factor: f64| reflected + (1.0 - reflected) * factor;
+    let scene = glass(150.0);
+    let ours = value(&ours(&scene));
+    assert!((ours - sum(right, squared)).abs() < ROUNDING * ours);
+    expect(NAME, &scene, sum(wrong, 1.0 / squared), ROUNDING);
+    expect_form(NAME, "in refraction alone", &scene, ours, ROUNDING);
+    let form = |form: &str, expected: f64| expect_form(NAME, form, &scene, expected, ROUNDING);
+    form("but right in Fresnel's equations", sum(right, 1.0 / squared));
+    form("but right in the factor 1/η²", sum(wrong, squared));
+    form("in Fresnel's equations alone", sum(wrong, squared));
+    form("in the factor 1/η² alone", sum(right, 1.0 / squared));
+    form("but right where reflection is total", sum(wrong, 1.0 / squared));
+    let beyond = glass(120.0);
+    expect_form(NAME, "but right where reflection is total", &beyond, 1.0, ROUNDING);
+    expect_form(NAME, "in refraction alone", &beyond, 1.0, ROUNDING);
+    let wrong = unpolarised(60.0);
+    expect(NAME, &beyond, sum(wrong, 1.0 / squared), ROUNDING);
+}
+
 /// Law: with the index of the outside a ray from inside turns towards the normal: the ray that leaves at 60° comes from
 /// 35°. Oracle: Snell's law, by a disk that is white where that ray goes and black elsewhere.
 #[test]
@@ -114,6 +174,12 @@ fn direction_of_an_index_that_is_not_inverted() {
     assert_eq!(value(&ours(&scene)), 0.0);
     let transmitted = 1.0 - unpolarised(30.0);
     expect("eta-not-inverted", &scene, transmitted / (ETA * ETA), ROUNDING);
+    // weighed as a ray that leaves at 48.6°, of which the share is that of the way back
+    let sin_t = ETA * sin_degrees(30.0);
+    let outside = atan2(sin_t, (1.0 - sin_t * sin_t).sqrt()) * 180.0 / std::f64::consts::PI;
+    let transmitted = 1.0 - unpolarised(outside);
+    let form = "in refraction alone";
+    expect_form("eta-not-inverted", form, &scene, transmitted * ETA * ETA, ROUNDING);
 }
 
 /// Law: through a body of thickness 2 light is not absorbed, or as by a thickness of 1. Oracle: `e^(−σt)`.
@@ -128,4 +194,5 @@ fn absorption_of_a_body() {
     assert!((value(&ours(&scene)) - exp(-2.0 * sigma)).abs() < ROUNDING);
     expect("no-absorption", &scene, 1.0, ROUNDING);
     expect("absorption-without-distance", &scene, exp(-sigma), ROUNDING);
+    expect("absorption-twice", &scene, exp(-4.0 * sigma), ROUNDING);
 }

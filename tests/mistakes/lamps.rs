@@ -42,6 +42,11 @@ fn factors_of_a_small_lamp() {
         expect("no-lamp-distance", &scene, 25.0 * irradiance, TOLERANCE);
         expect("no-lamp-area", &scene, irradiance / (SIDE * SIDE), TOLERANCE);
         expect("lamp-of-receiver", &scene, KD * irradiance, TOLERANCE);
+        expect("lamp-cosine-twice", &scene, 0.8 * irradiance, TOLERANCE);
+        let lacking = "no-lamp-distance";
+        expect_form(lacking, "but has 1/d", &scene, 5.0 * irradiance, TOLERANCE);
+        let both = 25.0 * irradiance / 0.8;
+        expect_form(lacking, "and the cosine at the lamp", &scene, both, TOLERANCE);
     }
 }
 

@@ -49,6 +49,11 @@ fn weights_of_diffuse_paths() {
     let scene = under_a_sky(Tracer::PathTrace(Depth { max_depth: 1 }), 4096);
     expect("path-cosine-twice", &scene, KD * 2.0 / 3.0, NOISE);
     expect("path-without-density", &scene, KD * 2.0 / (3.0 * PI), NOISE);
+    expect("path-without-reflectance", &scene, 1.0, ROUNDING);
+    // 2 cosθ, of which the mean by the cosine is 4/3
+    let even = "with the density 1/2π of even directions";
+    expect_form("path-cosine-twice", even, &scene, KD * 4.0 / 3.0, NOISE);
+    expect("no-background-in-mirrors", &scene, 0.0, 0.0);
 }
 
 /// Law: a path that takes each of two lobes with the probability q, and is not divided by it, counts `Σ q ρ`. Oracle:

@@ -52,6 +52,22 @@ pub fn with(name: &str, scene: &Scene) -> Film {
     film.expect("the scene is valid").unwrap_or_else(|| panic!("{name} changes nothing"))
 }
 
+/// The picture of another form of a mistake; ours if it changes nothing.
+pub fn with_form(name: &str, form: &str, scene: &Scene) -> Film {
+    let is_it = |it: &&mistakes::Mistake| it.name == name && it.form == Some(form);
+    let mistake = mistakes::forms().into_iter().find(is_it);
+    let mistake = mistake.unwrap_or_else(|| panic!("no form {form} of {name}"));
+    let film = mistakes::replica(mistake, scene, Path::new(""), DEFAULT_SEED);
+    film.expect("the scene is valid").unwrap_or_else(|| ours(scene))
+}
+
+/// As [`expect`], of another form of a mistake.
+pub fn expect_form(name: &str, form: &str, scene: &Scene, expected: f64, tolerance: f64) {
+    let found = value(&with_form(name, form, scene));
+    let close = (found - expected).abs() <= tolerance * expected.abs();
+    assert!(close, "{name}, {form}: found {found}, expected {expected}");
+}
+
 /// The value of the only pixel.
 pub fn value(film: &Film) -> f64 {
     assert_eq!([film.width(), film.height()], [1, 1]);

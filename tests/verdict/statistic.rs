@@ -187,7 +187,7 @@ fn factors_of(
     let subject = Subject { areas: &areas, stored: FLOATS, reference: None };
     let judged = Judged::of(&theirs, subject, strictness, &mut known, |_| None);
     let evidence = Evidence::of(&judged.expect("enough"), &areas, &theirs);
-    factors(&terms(&mut world, 1..5), &evidence).expect("factors explain it")
+    factors(&terms(&mut world, 1..5), &evidence).expect("factors explain it").factors
 }
 
 /// Law: a picture that holds 1/π of the light of a lamp has this as its factor, within four standard deviations, and no
@@ -204,6 +204,19 @@ fn factors_of_terms_are_found() {
     let direct = factors.iter().find(|factor| factor.terms[0].contains(" on ")).expect("a term");
     assert_eq!(direct.meaning(), Some("1/π"), "{direct:?}");
     assert_eq!(factors.iter().filter(|factor| factor.is_off()).count(), 1, "{factors:?}");
+}
+
+/// Law: a lamp that is gone is left out, whatever its light meets, and that is all that is said. Oracle: the lamp.
+#[test]
+fn a_lamp_that_is_gone_is_left_out() {
+    const NAME: &str = "ch15/page-one";
+    let gone = scene(NAME, [48; 2], 4).lights[1].name.clone();
+    let source = format!("light of {gone}");
+    let made = |term: &TermFilm| if term.source == source { 0.0 } else { 1.0 };
+    let factors = factors_of(NAME, [48, 4], made);
+    assert_eq!(factors.len(), 1, "{factors:?}");
+    assert!(factors[0].terms[0].starts_with(&source), "{factors:?}");
+    assert_eq!(factors[0].meaning(), Some("left out"), "{factors:?}");
 }
 
 /// Law: where a program traces no ray deeper than 1, light at greater depths is named as left out, and no other is off.

@@ -1,11 +1,17 @@
-//! Mistakes of lights and of samples (Suffern, ch. 4, 14, 18): changed values of terms.
+//! Mistakes of lights and of samples (Suffern, ch. 4, 14, 18, 24): changed values of terms.
 
 use std::f64::consts::PI;
 
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::{RayKind, TermSource};
 
-use super::{Mistake, RayHeard, TermHeard};
+use super::heard::LampHeard;
+use super::{How, Mistake, RayHeard, TermHeard};
+
+const NO_DISTANCE: Mistake =
+    Mistake::term(18, "no-lamp-distance", "the light of area lights lacks 1/d²", |term| {
+        term.lamp().map_or(term.value(), |lamp| term.times(lamp.distance_squared))
+    });
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::ray(
@@ -37,13 +43,51 @@ pub(super) const ALL: &[Mistake] = &[
     ),
     Mistake::term(
         18,
+        "lamps-unseen",
+        "surfaces that shine are black where the camera sees them",
+        |term| emission(term, |kind| kind == RayKind::Camera),
+    ),
+    Mistake::term(
+        24,
+        "lamps-unseen-in-mirrors",
+        "surfaces that shine are black where reflected or refracted rays meet them",
+        |term| emission(term, |kind| kind != RayKind::Camera),
+    ),
+    Mistake::term(
+        24,
+        "no-background-in-mirrors",
+        "reflected and refracted rays that meet nothing are black instead of the background",
+        |term| match term.term.source {
+            TermSource::Background { .. } if term.ray.kind != RayKind::Camera => Rgb::BLACK,
+            _ => term.value(),
+        },
+    ),
+    Mistake::term(
+        18,
         "no-lamp-cosine",
         "the light of area lights lacks the cosine at the lamp",
         |term| term.lamp().map_or(term.value(), |lamp| term.times(1.0 / lamp.cosine)),
     ),
-    Mistake::term(18, "no-lamp-distance", "the light of area lights lacks 1/d²", |term| {
-        term.lamp().map_or(term.value(), |lamp| term.times(lamp.distance_squared))
-    }),
+    Mistake::term(
+        18,
+        "lamp-cosine-twice",
+        "the light of area lights has the cosine at the lamp twice",
+        |term| term.lamp().map_or(term.value(), |lamp| term.times(lamp.cosine)),
+    ),
+    NO_DISTANCE,
+    NO_DISTANCE.in_form(
+        "but has 1/d",
+        How::Term(|term| {
+            term.lamp().map_or(term.value(), |lamp| term.times(lamp.distance_squared.sqrt()))
+        }),
+    ),
+    NO_DISTANCE.in_form(
+        "and the cosine at the lamp",
+        How::Term(|term| {
+            let factor = |lamp: LampHeard| term.times(lamp.distance_squared / lamp.cosine);
+            term.lamp().map_or(term.value(), factor)
+        }),
+    ),
     Mistake::term(
         18,
         "lamp-of-receiver",
@@ -60,6 +104,14 @@ pub(super) const ALL: &[Mistake] = &[
         },
     ),
 ];
+
+/// The value of a term, black if it is emission that arrives along rays of this kind.
+fn emission(term: &TermHeard<'_>, is_black: impl Fn(RayKind) -> bool) -> Rgb {
+    match term.term.source {
+        TermSource::Emission { .. } if is_black(term.ray.kind) => Rgb::BLACK,
+        _ => term.value(),
+    }
+}
 
 /// The value of an ambient term times a factor.
 fn ambient(term: &TermHeard<'_>, factor: impl Fn(&TermHeard<'_>) -> f64) -> Rgb {

@@ -4,11 +4,15 @@
 //! of the tracer. Most change the values of the terms that a recorder hears ([`How::Term`], [`How::Ray`]), so that one
 //! pass with the same random numbers renders the pictures of all of them. The others change the scene
 //! ([`How::Scene`]), where needed by kinds of the harness that wrap a light, camera or material.
+//! People make one mistake in several forms ([`Mistake::form`]); and a mistake of a scene may be in one material alone
+//! ([`local`]).
 
 mod changes;
 mod films;
+mod glass_terms;
 mod heard;
 mod light_terms;
+pub mod local;
 mod page;
 mod path_terms;
 mod recorder;
@@ -42,6 +46,9 @@ pub struct Mistake {
     pub chapter: u32,
     /// How its picture is made.
     pub how: How,
+    /// In which other form people make it: a half sentence that follows the words. Only forms without one are in the
+    /// table of scenes.
+    pub form: Option<&'static str>,
 }
 
 /// How the picture of a mistake is made.
@@ -54,6 +61,8 @@ pub enum How {
     /// The scene is another; `None` if the mistake does not apply to it. The files that the scene names are in the
     /// folder.
     Scene(fn(&Scene, &Path) -> Option<Scene>),
+    /// The scene is another, and in its picture each term has another value.
+    Both(fn(&Scene, &Path) -> Option<Scene>, fn(&TermHeard<'_>) -> Rgb),
 }
 
 impl Mistake {
@@ -63,7 +72,7 @@ impl Mistake {
         words: &'static str,
         value: fn(&TermHeard<'_>) -> Rgb,
     ) -> Self {
-        Self { name, words, chapter, how: How::Term(value) }
+        Self { name, words, chapter, how: How::Term(value), form: None }
     }
 
     const fn ray(
@@ -72,7 +81,7 @@ impl Mistake {
         words: &'static str,
         arriving: fn(&RayHeard<'_>) -> Rgb,
     ) -> Self {
-        Self { name, words, chapter, how: How::Ray(arriving) }
+        Self { name, words, chapter, how: How::Ray(arriving), form: None }
     }
 
     const fn scene(
@@ -81,42 +90,60 @@ impl Mistake {
         words: &'static str,
         change: fn(&Scene, &Path) -> Option<Scene>,
     ) -> Self {
-        Self { name, words, chapter, how: How::Scene(change) }
+        Self { name, words, chapter, how: How::Scene(change), form: None }
+    }
+
+    /// The same mistake in another form.
+    const fn in_form(self, form: &'static str, how: How) -> Self {
+        Self { form: Some(form), how, ..self }
+    }
+
+    /// Completes the sentence "the picture agrees with ours if …", with its form.
+    pub fn sentence(&self) -> String {
+        match self.form {
+            Some(form) => format!("{}, {form}", self.words),
+            None => self.words.to_owned(),
+        }
     }
 
     /// Whether its picture is made of the terms of ours.
     pub fn is_reweighed(&self) -> bool {
-        !matches!(self.how, How::Scene(_))
+        matches!(self.how, How::Term(_) | How::Ray(_))
     }
 }
 
-/// Two mistakes are the same if their names are.
+/// Two mistakes are the same if their names and forms are.
 impl PartialEq for Mistake {
     fn eq(&self, other: &Self) -> bool {
-        self.name == other.name
+        (self.name, self.form) == (other.name, other.form)
     }
 }
 
 impl Eq for Mistake {}
 
-/// All mistakes, by chapter.
+/// All mistakes, by chapter, each in the form of the table.
 pub fn all() -> Vec<&'static Mistake> {
-    let terms = [surface_terms::ALL, light_terms::ALL, path_terms::ALL];
+    forms().into_iter().filter(|mistake| mistake.form.is_none()).collect()
+}
+
+/// All mistakes in all forms, by chapter.
+pub fn forms() -> Vec<&'static Mistake> {
+    let terms = [surface_terms::ALL, glass_terms::ALL, light_terms::ALL, path_terms::ALL];
     let mut all: Vec<&Mistake> = terms.into_iter().chain(changes::ALL).flatten().collect();
     all.sort_by_key(|mistake| mistake.chapter);
     all
 }
 
-/// The mistake of this name.
+/// The mistake of this name, in the form of the table.
 pub fn find(name: &str) -> Option<&'static Mistake> {
     all().into_iter().find(|mistake| mistake.name == name)
 }
 
-/// The scene with which our tracer renders the picture of a mistake; `None` if the mistake does not apply to it, or
+/// The scene of which the picture of a mistake is made; `None` if the mistake does not apply to it, or
 /// is one of terms.
 pub fn scene(mistake: &Mistake, scene: &Scene, folder: &Path) -> Option<Scene> {
     match mistake.how {
-        How::Scene(change) => change(scene, folder),
+        How::Scene(change) | How::Both(change, _) => change(scene, folder),
         How::Term(_) | How::Ray(_) => None,
     }
 }

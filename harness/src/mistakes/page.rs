@@ -2,9 +2,28 @@
 
 use std::fmt::Write;
 
+use super::local::CHANGES;
 use super::shown::{Cover, fewest_scenes, scenes_that_show};
 use super::table::{CHANGE, SAMPLES, SHARE, WIDTH};
-use super::{How, Mistake, all};
+use super::{How, Mistake, all, forms};
+
+const FORMS: &str = "
+## Other forms
+
+People make some of these mistakes in several ways. `verify` tries all of them; the table above is of the first.
+
+| mistake | the same, … |
+| --- | --- |
+";
+
+const LOCAL: &str = "
+## In one place alone
+
+If a picture differs from ours in one object alone, or in the objects of one material, `verify` also renders the scene with
+each of these changes of that material, where it has such a thing, and without the object. In scenes of several kinds of shapes
+and of several lamps it also tries that shapes of one kind cast no shadow, and that one lamp's light makes none.
+
+";
 
 /// The page, as Markdown.
 pub fn page() -> String {
@@ -12,6 +31,16 @@ pub fn page() -> String {
     let mut page = introduction(all.len());
     for mistake in &all {
         let _ = writeln!(page, "{}", row(mistake));
+    }
+    page += FORMS;
+    for mistake in forms() {
+        if let Some(form) = mistake.form {
+            let _ = writeln!(page, "| `{}` | …, {form} |", mistake.name);
+        }
+    }
+    page += LOCAL;
+    for change in CHANGES {
+        let _ = writeln!(page, "- {}", change.words);
     }
     page += "\n## Few scenes that show all mistakes of a chapter\n\n";
     page += "| chapter | scenes | mistakes that no scene shows |\n| --- | --- | --- |\n";
@@ -54,10 +83,10 @@ pass glass. A material whose diffuse part is black lacks the part of Blinn's hig
 }
 
 fn row(mistake: &Mistake) -> String {
-    let Mistake { name, words, chapter, how } = mistake;
+    let Mistake { name, words, chapter, how, .. } = mistake;
     let how = match how {
         How::Term(_) | How::Ray(_) => "terms",
-        How::Scene(_) => "scene",
+        How::Scene(_) | How::Both(..) => "scene",
     };
     let scenes = scenes_that_show(mistake);
     let best: Vec<String> = scenes

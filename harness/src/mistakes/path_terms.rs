@@ -4,7 +4,17 @@ use groundtruth::lobes::Lobe;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::TermSource;
 
-use super::{Mistake, TermHeard};
+use super::{How, Mistake, TermHeard};
+
+const COSINE_TWICE: Mistake = Mistake::term(
+    26,
+    "path-cosine-twice",
+    "diffuse paths have cosine-distributed directions and the cosine in their weight",
+    |term| match term.traced() {
+        Some(Lobe::Lambertian(_)) => term.times(cosine(term)),
+        _ => term.value(),
+    },
+);
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::term(
@@ -13,12 +23,22 @@ pub(super) const ALL: &[Mistake] = &[
         "lamps and sky count in full both where they are sampled and where a path hits them",
         light_counted_twice,
     ),
+    COSINE_TWICE,
+    COSINE_TWICE.in_form(
+        "with the density 1/2π of even directions",
+        How::Term(|term| match term.traced() {
+            Some(Lobe::Lambertian(_)) => term.times(2.0 * cosine(term)),
+            _ => term.value(),
+        }),
+    ),
     Mistake::term(
         26,
-        "path-cosine-twice",
-        "diffuse paths have cosine-distributed directions and the cosine in their weight",
-        |term| match term.traced() {
-            Some(Lobe::Lambertian(_)) => term.times(term.cosine_of_ray().map_or(1.0, f64::abs)),
+        "path-without-reflectance",
+        "light that diffuse paths collect is not multiplied by the reflectance k_d c_d",
+        |term| match term.term.source {
+            TermSource::Traced {
+                lobe: Lobe::Lambertian(_), lobe_probability, survival, ..
+            } => (1.0 / (lobe_probability * survival)) * term.arriving,
             _ => term.value(),
         },
     ),
@@ -50,6 +70,11 @@ pub(super) const ALL: &[Mistake] = &[
         },
     ),
 ];
+
+/// Of the angle of the ray along which the light arrives.
+fn cosine(term: &TermHeard<'_>) -> f64 {
+    term.cosine_of_ray().map_or(1.0, f64::abs)
+}
 
 /// Takes off the weights by which sampled lights and paths that hit them share the same light.
 fn light_counted_twice(term: &TermHeard<'_>) -> Rgb {

@@ -36,7 +36,7 @@ pub struct Reweighing<'a> {
 }
 
 impl<'a> Reweighing<'a> {
-    /// A recorder of rays in this world for these mistakes; those that change the scene change nothing here.
+    /// A recorder of rays in this world for these mistakes; those that only change the scene change nothing here.
     pub fn new(world: &'a World, mistakes: &'a [&'static Mistake]) -> Self {
         let radiance = vec![Rgb::BLACK; mistakes.len() + 1];
         Self {
@@ -102,7 +102,7 @@ impl Recorder for Reweighing<'_> {
         for (index, mistake) in (1..).zip(self.mistakes) {
             let arriving = arriving(index);
             sums[index] += match mistake.how {
-                How::Term(value) => value(&TermHeard {
+                How::Term(value) | How::Both(_, value) => value(&TermHeard {
                     world: self.world,
                     ray,
                     term: &term,
@@ -123,7 +123,7 @@ impl Recorder for Reweighing<'_> {
             let heard = RayHeard { ray: &ray, transmittance, sum: *sum, is_last_sample };
             *sum = match mistake.how {
                 How::Ray(arriving) => arriving(&heard),
-                How::Term(_) | How::Scene(_) => heard.arriving(),
+                How::Term(_) | How::Both(..) | How::Scene(_) => heard.arriving(),
             };
         }
         self.spare.extend(child.map(|(_, radiance)| radiance));

@@ -1,4 +1,4 @@
-//! The pictures of a scene with another seed: ours, and those of all mistakes.
+//! The pictures of a scene with another seed: ours, and those of mistakes.
 
 use std::path::Path;
 
@@ -7,8 +7,8 @@ use groundtruth::render;
 use groundtruth::scene::{Scene, SceneError};
 use groundtruth::world::World;
 
-use super::films::{Films, films};
-use super::{Mistake, all, scene};
+use super::films::{Films, films, reweighed};
+use super::{How, Mistake, scene};
 
 /// The picture of a mistake with a seed; `None` if the mistake does not apply to the scene. Files that the scene names
 /// are in the folder.
@@ -27,20 +27,31 @@ pub fn replica(
         return Ok(films.altered.into_iter().next().map(|(_, film)| film));
     }
     let world = scene(mistake, original, folder).map(|it| World::build_seeded(&it, folder, seed));
-    Ok(world.transpose()?.map(|world| render::render(&world)))
+    let film = |world: World| match mistake.how {
+        How::Both(..) => {
+            let films = reweighed(&world, vec![mistake]);
+            films.altered.into_iter().next().map_or(films.ours, |(_, film)| film)
+        }
+        _ => render::render(&world),
+    };
+    Ok(world.transpose()?.map(film))
 }
 
-/// The pictures of all mistakes that apply to a scene, with a seed. A mistake whose change gives no valid scene does not
-/// apply.
+/// The pictures of those of these mistakes that apply to a scene, with a seed. A mistake whose change gives no valid
+/// scene does not apply.
 ///
 /// # Errors
 /// If the scene has no world.
-pub fn replicas(original: &Scene, folder: &Path, seed: u64) -> Result<Films, SceneError> {
+pub fn replicas(
+    mistakes: &[&'static Mistake],
+    original: &Scene,
+    folder: &Path,
+    seed: u64,
+) -> Result<Films, SceneError> {
     let world = World::build_seeded(original, folder, seed)?;
-    let all = all();
-    let mut films = films(&world, &all);
+    let mut films = films(&world, mistakes);
     drop(world);
-    for mistake in all.into_iter().filter(|mistake| !mistake.is_reweighed()) {
+    for mistake in mistakes.iter().copied().filter(|mistake| !mistake.is_reweighed()) {
         match replica(mistake, original, folder, seed) {
             Ok(Some(film)) if film != films.ours => films.altered.push((mistake, film)),
             _ => films.unchanged.push(mistake),

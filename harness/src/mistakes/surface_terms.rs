@@ -1,13 +1,13 @@
-//! Mistakes of shading and of scattering at surfaces (Suffern, ch. 13–15, 24, 25, 27, 28): changed values of terms.
+//! Mistakes of shading and of scattering at opaque surfaces (Suffern, ch. 13–15, 24, 25): changed values of terms.
 
 use std::f64::consts::PI;
 
-use groundtruth::lobes::{Fresnel, Lobe, fresnel, polarised};
+use groundtruth::lobes::Lobe;
 use groundtruth::math::{Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::TermSource;
 
-use super::{Mistake, RayHeard, TermHeard};
+use super::{Mistake, TermHeard};
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::term(
@@ -16,6 +16,15 @@ pub(super) const ALL: &[Mistake] = &[
         "direct light that a Lambertian BRDF reflects lacks 1/π",
         |term| match term.direct() {
             Some((Lobe::Lambertian(_), _)) => term.times(PI),
+            _ => term.value(),
+        },
+    ),
+    Mistake::term(
+        13,
+        "lambertian-pi-twice",
+        "direct light that a Lambertian BRDF reflects has 1/π twice",
+        |term| match term.direct() {
+            Some((Lobe::Lambertian(_), _)) => term.times(1.0 / PI),
             _ => term.value(),
         },
     ),
@@ -37,6 +46,10 @@ pub(super) const ALL: &[Mistake] = &[
         "direct light has the cosine of its angle to the normal twice",
         |term| term.direct().map_or(term.value(), |(_, cos_i)| term.times(cos_i)),
     ),
+    Mistake::term(15, "no-highlight", "highlights are left out", |term| match term.direct() {
+        Some((Lobe::GlossySpecular(_), _)) => Rgb::BLACK,
+        _ => term.value(),
+    }),
     Mistake::term(
         15,
         "highlight-without-cosine",
@@ -70,6 +83,20 @@ pub(super) const ALL: &[Mistake] = &[
         },
     ),
     Mistake::term(
+        24,
+        "mirror-without-kr",
+        "light from a mirror direction is not multiplied by k_r c_r",
+        |term| match term.term.source {
+            TermSource::Traced {
+                lobe: Lobe::PerfectSpecular(_),
+                lobe_probability,
+                survival,
+                ..
+            } => (1.0 / (lobe_probability * survival)) * term.arriving,
+            _ => term.value(),
+        },
+    ),
+    Mistake::term(
         25,
         "gloss-with-cosine",
         "glossy reflection has the cosine of the ray's angle in f cos θ, but not in the density",
@@ -88,53 +115,6 @@ pub(super) const ALL: &[Mistake] = &[
             }
             _ => term.value(),
         },
-    ),
-    Mistake::term(27, "no-eta-squared", "transmitted radiance lacks 1/η²", |term| {
-        refracted(term).map_or(term.value(), |eta| term.times(eta * eta))
-    }),
-    Mistake::term(
-        27,
-        "eta-squared-inverted",
-        "transmitted radiance is multiplied by η² instead of 1/η²",
-        |term| refracted(term).map_or(term.value(), |eta| term.times((eta * eta) * (eta * eta))),
-    ),
-    Mistake::term(27, "total-reflection-black", "total internal reflection is black", |term| {
-        match term.traced() {
-            Some(Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_)) if is_total(term) => {
-                Rgb::BLACK
-            }
-            _ => term.value(),
-        }
-    }),
-    Mistake::term(
-        28,
-        "schlick",
-        "Fresnel's equations are replaced by Schlick's approximation",
-        |term| with_fresnel(term, |cos_i, eta| shares(schlick(cos_i, eta))),
-    ),
-    Mistake::term(
-        28,
-        "fresnel-swapped",
-        "the reflected and the transmitted share of Fresnel's equations are exchanged",
-        |term| {
-            with_fresnel(term, |cos_i, eta| {
-                let Fresnel { reflected, transmitted } = fresnel(cos_i, eta);
-                Fresnel { reflected: transmitted, transmitted: reflected }
-            })
-        },
-    ),
-    Mistake::term(
-        28,
-        "fresnel-perpendicular-only",
-        "only perpendicular polarisation counts in Fresnel's equations",
-        |term| with_fresnel(term, |cos_i, eta| polarised(cos_i, eta).s),
-    ),
-    Mistake::ray(28, "no-absorption", "media do not absorb light", |ray| ray.sum),
-    Mistake::ray(
-        28,
-        "absorption-without-distance",
-        "media absorb the same share of light over any distance, that of a unit length",
-        absorption_without_distance,
     ),
 ];
 
@@ -182,56 +162,5 @@ fn highlight_of_half_vector(term: &TermHeard<'_>) -> Rgb {
             Rgb::new(with_highlight(0), with_highlight(1), with_highlight(2))
         }
         _ => term.value(),
-    }
-}
-
-/// The index behind the surface over the one in front of it, of a term that was refracted.
-fn refracted(term: &TermHeard<'_>) -> Option<f64> {
-    match term.traced()? {
-        Lobe::PerfectTransmitter(_) | Lobe::FresnelTransmitter(_) => {
-            term.ray.surface.as_ref()?.eta()
-        }
-        _ => None,
-    }
-}
-
-/// Whether the term leaves a surface on which the viewer sees total internal reflection.
-fn is_total(term: &TermHeard<'_>) -> bool {
-    term.ray.surface.as_ref().is_some_and(|surface| surface.reflects_totally())
-}
-
-/// The value of a term with other shares than Fresnel's. Total internal reflection stays as it is.
-fn with_fresnel(term: &TermHeard<'_>, shares: impl Fn(f64, f64) -> Fresnel) -> Rgb {
-    let (Some(lobe), Some(surface)) = (term.traced(), &term.ray.surface) else {
-        return term.value();
-    };
-    let Some(eta) = surface.eta().filter(|_| !surface.reflects_totally()) else {
-        return term.value();
-    };
-    let cos_i = surface.cos_o().abs();
-    let (right, wrong) = (fresnel(cos_i, eta), shares(cos_i, eta));
-    match lobe {
-        Lobe::FresnelReflector(_) => term.times(wrong.reflected / right.reflected),
-        Lobe::FresnelTransmitter(_) => term.times(wrong.transmitted / right.transmitted),
-        _ => term.value(),
-    }
-}
-
-fn shares(reflected: f64) -> Fresnel {
-    Fresnel { reflected, transmitted: 1.0 - reflected }
-}
-
-/// `R₀ + (1 − R₀)(1 − cosθ)⁵` (Schlick 1994), with the angle on the side of the viewer.
-fn schlick(cos_i: f64, eta: f64) -> f64 {
-    let root = (eta - 1.0) / (eta + 1.0);
-    let r0 = root * root;
-    r0 + (1.0 - r0) * power(1.0 - cos_i.min(1.0), 5.0)
-}
-
-/// `c_f` instead of `c_f^t`.
-fn absorption_without_distance(ray: &RayHeard<'_>) -> Rgb {
-    match &ray.ray.surface {
-        Some(surface) => ray.transmittance.powc(1.0 / surface.t) * ray.sum,
-        None => ray.arriving(),
     }
 }

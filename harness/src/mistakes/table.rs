@@ -7,8 +7,8 @@ use groundtruth::gallery::Entry;
 use groundtruth::scene::{Scene, SceneError};
 use groundtruth::world::DEFAULT_SEED;
 
-use super::Mistake;
 use super::replicas::replicas;
+use super::{Mistake, all};
 
 /// The width of the measured pictures, in pixels.
 pub const WIDTH: u32 = 48;
@@ -71,7 +71,7 @@ pub fn small(entry: &Entry) -> Scene {
 /// # Errors
 /// If the scene has no world.
 pub fn shown(entry: &Entry) -> Result<Vec<(&'static Mistake, Effect)>, SceneError> {
-    let films = replicas(&small(entry), Path::new(""), DEFAULT_SEED)?;
+    let films = replicas(&all(), &small(entry), Path::new(""), DEFAULT_SEED)?;
     let effects = films.altered.iter().map(|(it, film)| (*it, Effect::of(&films.ours, film)));
     Ok(effects.filter(|(_, effect)| effect.is_shown()).collect())
 }

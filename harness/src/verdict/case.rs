@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use super::plants::brighter;
 use super::verdict::{Explanation, REGIONS, Region, Verdict};
 use super::{
-    Area, Areas, Decision, Edge, Evidence, Factor, Judged, Map, Plant, Reference, Renders,
+    Area, Areas, Decision, Edge, Evidence, Factors, Judged, Map, Plant, Reference, Renders,
     Replicas, Stored, Strictness, Subject, Suspects, factors, is_alike, is_nearer, noise, planted,
     set_apart, several, smallest_gains, terms,
 };
@@ -83,15 +83,19 @@ impl Case<'_> {
                 let is_harmless = |it: &Explanation| it.agrees && !it.is_gain;
                 if !verdict.explained.as_ref().is_some_and(is_harmless) {
                     let evidence = Evidence::of(&judged, &areas, &read(theirs, stored));
-                    let terms = terms(replicas.world, seed..seed + TERM_REPLICAS);
-                    let factors = factors(&terms, &evidence).unwrap_or_default();
-                    verdict.factors = factors.into_iter().filter(Factor::is_off).collect();
                     let mut scene = self.scene.clone();
                     scene.image.sampler = replicas.world.image.sampler.clone();
                     let (folder, is_interrupted) = (self.folder, self.is_interrupted);
                     let world = &*replicas.world;
                     let suspects = Suspects { scene: &scene, world, folder, seed, is_interrupted };
                     verdict.causes = suspects.causes(&evidence, strictness);
+                    verdict.simplify();
+                    if verdict.wants_factors() {
+                        let terms = terms(replicas.world, seed..seed + TERM_REPLICAS);
+                        let nearest = verdict.causes.nearest.as_ref().map_or(0.0, |it| it.share);
+                        let explain_more = |it: &Factors| it.share > nearest;
+                        verdict.factors = factors(&terms, &evidence).filter(explain_more);
+                    }
                 }
             }
             Decision::Agrees if !judged.is_fixed => {

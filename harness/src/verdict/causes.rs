@@ -1,36 +1,38 @@
-//! Why a picture differs: which known mistake brings it to ours.
+//! Why a picture differs: which known mistake brings it to ours, or nearest to ours.
 //!
-//! Each mistake is first rendered once, with few samples and the random numbers of ours, so that the change it makes
+//! Each mistake is first rendered twice, with few samples and the random numbers of ours, so that the change it makes
 //! has little noise. The mistakes whose changes come nearest to the picture are then rendered as often as our own
 //! pictures, and the picture is judged against these.
 
-use std::path::Path;
-
-use groundtruth::film::Film;
-use groundtruth::scene::Scene;
-use groundtruth::world::World;
 use rayon::prelude::*;
 use serde::Serialize;
 
 use super::evidence::Evidence;
+use super::place::Place;
+use super::share::Share;
+use super::suspects::{Suspect, Suspects};
 use super::{Decision, Edge, Judged, Strictness, Subject, set_apart};
-use crate::mistakes::{self, Films, Mistake};
 
 /// A mistake that explains a picture.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Cause {
-    /// Its name.
-    pub name: &'static str,
+    /// The name of the mistake; of a change in one place, the name of that which makes the same everywhere, if there is one.
+    pub name: Option<&'static str>,
     /// The picture agrees with ours if …
-    pub words: &'static str,
-    /// The chapter that has the right rule.
-    pub chapter: u32,
+    pub words: String,
+    /// The chapter that has the right rule; `None` for changes in one place.
+    pub chapter: Option<u32>,
 }
 
-impl Cause {
-    fn of(mistake: &Mistake) -> Self {
-        Self { name: mistake.name, words: mistake.words, chapter: mistake.chapter }
-    }
+/// The mistake that comes nearest to a picture.
+#[derive(Clone, Debug, Serialize)]
+pub struct Nearest {
+    /// The mistake.
+    pub cause: Cause,
+    /// The part of the squared difference that it explains, weighted by the noise.
+    pub share: f64,
+    /// The interval of that part, from 5 % to 95 %.
+    pub interval: [f64; 2],
 }
 
 /// What was found of the causes of a difference.
@@ -38,12 +40,13 @@ impl Cause {
 pub struct Causes {
     /// The mistakes that explain the picture; several if the scene cannot tell them apart.
     pub explained_by: Vec<Cause>,
+    /// If none explains it, the one that explains most of it.
+    pub nearest: Option<Nearest>,
+    /// The object or material to which the difference is confined.
+    pub place: Option<Place>,
     /// The number of mistakes that change the picture and were tried.
     pub tried: usize,
 }
-
-/// Mistakes are first rendered with at most so many samples.
-const FEW_SAMPLES: u32 = 16;
 
 /// So many of the nearest mistakes are judged.
 const JUDGED: usize = 4;
@@ -54,77 +57,82 @@ const LEFT: f64 = 0.5;
 /// Changes of two mistakes are alike if they differ by at most this part of either, squared.
 const ALIKE: f64 = 0.02;
 
-/// A scene whose mistaken pictures are rendered.
-pub struct Suspects<'a> {
-    /// The scene, at the size of the picture.
-    pub scene: &'a Scene,
-    /// Its world.
-    pub world: &'a World,
-    /// Where the files are that it names.
-    pub folder: &'a Path,
-    /// The seed of the first replica.
-    pub seed: u64,
-    /// Whether the user interrupted.
-    pub is_interrupted: &'a dyn Fn() -> bool,
-}
+/// Changes that are so alike have the same judgement.
+const EQUAL: f64 = 1e-6;
 
 /// The change that a mistake makes, over tiles.
 struct Change {
-    mistake: &'static Mistake,
+    suspect: Suspect,
     tiles: Vec<f64>,
-    /// The part of the squared difference that it leaves.
-    left: f64,
+    /// How much of the difference it explains.
+    share: Share,
 }
 
 impl Suspects<'_> {
     /// The mistakes that explain a picture.
     pub fn causes(&self, evidence: &Evidence<'_>, strictness: Strictness) -> Causes {
-        let Some(films) = self.films() else { return Causes::default() };
+        let place = Place::of(evidence, self.scene);
         let weights = evidence.weights();
-        let difference = evidence.tiles(|at| finite(evidence.theirs[at] - evidence.mean[at]));
-        let before = squared(&difference, &weights);
-        let ours = evidence.stored.values(&films.ours);
-        let change = |(mistake, film): &(&'static Mistake, Film)| {
-            let altered = evidence.stored.values(film);
-            let tiles = evidence.tiles(|at| finite(f64::from(altered[at]) - f64::from(ours[at])));
-            let rest: Vec<f64> = difference.iter().zip(&tiles).map(|(a, b)| a - b).collect();
-            Change { mistake, left: squared(&rest, &weights) / before, tiles }
-        };
-        let mut changes: Vec<Change> = films.altered.par_iter().map(change).collect();
+        let changes = self.ranked(evidence, place.as_ref(), &weights);
         let tried = changes.len();
-        changes.retain(|change| change.left <= LEFT);
-        changes.sort_by(|a, b| a.left.total_cmp(&b.left));
-        for at in 0..changes.len().min(JUDGED) {
-            if (self.is_interrupted)() {
+        let mut causes = Causes { place, tried, ..Causes::default() };
+        let is_near = |change: &&Change| change.share.interval[1] >= 1.0 - LEFT;
+        let mut judged: Vec<&Change> = Vec::new();
+        for change in changes.iter().filter(is_near) {
+            if judged.len() == JUDGED || (self.is_interrupted)() {
                 break;
             }
-            if self.explains(changes[at].mistake, evidence, strictness) {
-                let is_alike = |other: &&Change| are_alike(&changes[at], other, &weights);
-                let group = changes.iter().filter(is_alike).map(|it| Cause::of(it.mistake));
-                return Causes { explained_by: group.collect(), tried };
+            if judged.iter().any(|other| are_alike(change, other, &weights, EQUAL)) {
+                continue;
             }
+            if self.explains(&change.suspect, evidence, strictness) {
+                causes.explained_by = alike(change, &changes, &weights);
+                return causes;
+            }
+            judged.push(change);
         }
-        Causes { explained_by: Vec::new(), tried }
+        let nearest = changes.first().filter(|change| change.share.part > 0.0);
+        causes.nearest = nearest.map(|Change { suspect, share, .. }| Nearest {
+            cause: suspect.cause(),
+            share: share.part,
+            interval: share.interval,
+        });
+        causes
     }
 
-    /// The pictures of all mistakes, with few samples.
-    fn films(&self) -> Option<Films> {
-        let mut scene = self.scene.clone();
-        scene.image.samples = scene.image.samples.min(FEW_SAMPLES);
-        mistakes::replicas(&scene, self.folder, self.seed).ok()
+    /// The changes that suspects make, those that explain most first.
+    fn ranked(
+        &self,
+        evidence: &Evidence<'_>,
+        place: Option<&Place>,
+        weights: &[f64],
+    ) -> Vec<Change> {
+        let difference = evidence.tiles(|at| finite(evidence.theirs[at] - evidence.mean[at]));
+        let noise = evidence.squares_of_noise();
+        let of = |(suspect, tiles): (Suspect, Vec<Vec<f64>>)| {
+            let ends = [&tiles[0], &tiles[tiles.len() - 1]];
+            let [first, last] = ends.map(|change| apart(&difference, change));
+            let share = Share::of(&difference, [&first, &last], weights, &noise);
+            let mean = ends[0].iter().zip(ends[1]).map(|(a, b)| 0.5 * (a + b)).collect();
+            Change { suspect, tiles: mean, share }
+        };
+        let changes = self.changes(evidence, place);
+        let mut changes: Vec<Change> = changes.into_par_iter().map(of).collect();
+        changes.sort_by(|a, b| b.share.part.total_cmp(&a.share.part));
+        changes
     }
 
     /// Whether a picture agrees with those of a mistake.
     fn explains(
         &self,
-        mistake: &'static Mistake,
+        suspect: &Suspect,
         Evidence { areas, stored, theirs, .. }: &Evidence<'_>,
         strictness: Strictness,
     ) -> bool {
         let mut seed = self.seed;
         let mut replicas = || {
             seed += 1;
-            let film = mistakes::replica(mistake, self.scene, self.folder, seed).ok().flatten();
+            let film = suspect.picture(self.scene, self.folder, seed);
             film.filter(|_| !(self.is_interrupted)()).map(|film| stored.values(&film))
         };
         let mut theirs: Vec<f32> = theirs.iter().map(|value| *value as f32).collect();
@@ -140,8 +148,26 @@ impl Suspects<'_> {
     }
 }
 
+/// The causes that a scene cannot tell from this one, each mistake once.
+fn alike(change: &Change, changes: &[Change], weights: &[f64]) -> Vec<Cause> {
+    let mut group = vec![change.suspect.cause()];
+    for other in changes.iter().filter(|other| are_alike(change, other, weights, ALIKE)) {
+        let cause = other.suspect.cause();
+        let is_known = |known: &Cause| match cause.name {
+            Some(name) => known.name == Some(name),
+            None => known.words == cause.words,
+        };
+        if !group.iter().any(is_known) {
+            group.push(cause);
+        }
+    }
+    // what is the same everywhere is simpler than what is so in one place
+    group.sort_by_key(|cause| cause.chapter.is_none());
+    group
+}
+
 /// What is no number has no weight.
-fn finite(value: f64) -> f64 {
+pub(super) fn finite(value: f64) -> f64 {
     if value.is_finite() { value } else { 0.0 }
 }
 
@@ -150,7 +176,10 @@ fn squared(values: &[f64], weights: &[f64]) -> f64 {
     values.iter().zip(weights).map(|(value, weight)| weight * value * value).sum()
 }
 
-fn are_alike(a: &Change, b: &Change, weights: &[f64]) -> bool {
-    let apart: Vec<f64> = a.tiles.iter().zip(&b.tiles).map(|(a, b)| a - b).collect();
-    squared(&apart, weights) <= ALIKE * squared(&a.tiles, weights)
+fn apart(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
+fn are_alike(a: &Change, b: &Change, weights: &[f64], most: f64) -> bool {
+    squared(&apart(&a.tiles, &b.tiles), weights) <= most * squared(&a.tiles, weights)
 }

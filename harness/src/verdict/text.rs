@@ -5,7 +5,7 @@ use std::fmt;
 use groundtruth::explain::{brief, count};
 
 use super::verdict::{Explanation, Region, Verdict};
-use super::{Answer, Cause, Causes, Decision, Means};
+use super::{Answer, Cause, Causes, Decision, Factor, Factors, Means, Nearest, Place};
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -113,25 +113,39 @@ impl Verdict {
                 )?;
             }
         }
-        for factor in &self.factors {
-            let [times, error] = [factor.factor, factor.error].map(brief);
-            let meaning = factor.meaning().map_or(String::new(), |name| format!(": {name}"));
-            writeln!(
-                f,
-                "factor: {} counts {times} ± {error} of ours{meaning}",
-                factor.terms.join(" and ")
-            )?;
-        }
-        let Causes { explained_by, tried } = &self.causes;
-        for (index, Cause { words, chapter, .. }) in explained_by.iter().enumerate() {
+        self.cause(f)
+    }
+
+    /// What explains the difference, or most of it.
+    fn cause(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Causes { explained_by, nearest, place, tried } = &self.causes;
+        for (index, cause) in explained_by.iter().enumerate() {
             let or = match index {
                 0 => "cause: the picture agrees with ours if",
                 _ => "  or, which this scene cannot tell apart, if",
             };
-            writeln!(f, "{or} {words} (ch. {chapter})")?;
+            writeln!(f, "{or} {}", because(cause))?;
         }
         if explained_by.is_empty() && *tried > 0 {
             writeln!(f, "cause: none of the {tried} known mistakes that change this picture")?;
+        }
+        // they explain more than what is nearest
+        if let Some(Factors { factors, share }) = &self.factors {
+            let share = 100.0 * share;
+            writeln!(f, "factors: these explain {share:.0} % of the difference")?;
+            factors.iter().try_for_each(|factor| writeln!(f, "  {factor}"))?;
+        }
+        if let Some(Nearest { cause, share, interval }) = nearest {
+            let [share, low, high] =
+                [*share, interval[0].max(0.0), interval[1]].map(|it| 100.0 * it);
+            writeln!(
+                f,
+                "nearest: that {} explains {share:.0} % ({low:.0} … {high:.0} %) of the difference",
+                because(cause)
+            )?;
+        }
+        if let Some(place) = place {
+            write!(f, "{place}")?;
         }
         Ok(())
     }
@@ -169,6 +183,37 @@ impl fmt::Display for Region {
         let z = z.map_or(String::new(), |z| format!("{z:+.1} standard deviations, "));
         let [theirs, ours] = [*theirs, *ours].map(color);
         write!(f, "{name} in {x},{y},{w}x{h}: {z}{theirs}, ours {ours}, the worst at {wx},{wy}")
+    }
+}
+
+/// The words of a cause, and in brackets where to read more.
+fn because(Cause { name, words, chapter }: &Cause) -> String {
+    match (name, chapter) {
+        (Some(name), Some(chapter)) => format!("{words} ({name}, ch. {chapter})"),
+        _ => words.clone(),
+    }
+}
+
+impl fmt::Display for Factor {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [times, error] = [self.factor, self.error].map(brief);
+        let meaning = self.meaning().map_or(String::new(), |name| format!(": {name}"));
+        let terms = self.terms.join(" and ");
+        write!(f, "{terms} counts {times} ± {error} of ours{meaning}")
+    }
+}
+
+impl fmt::Display for Place {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let share = 100.0 * self.share;
+        let of = match &self.material {
+            Some(material) => format!(", of material {material} ({})", self.about),
+            None => String::new(),
+        };
+        writeln!(f, "only in {}{of}: {share:.0} % of the difference", self.objects.join(", "))?;
+        let Some(factors) = &self.factors else { return Ok(()) };
+        let counts: Vec<String> = factors.iter().map(Factor::to_string).collect();
+        writeln!(f, "  there {}", counts.join(", "))
     }
 }
 

@@ -6,7 +6,7 @@ use serde::Serialize;
 use crate::compare::Picture;
 
 use super::{
-    Answer, Area, Areas, Causes, Decision, Difference, Factor, Judged, Map, Means, Plant, Pool,
+    Answer, Area, Areas, Causes, Decision, Difference, Factors, Judged, Map, Means, Plant, Pool,
     Ranking, Stored, Strictness, WelchTest,
 };
 
@@ -47,8 +47,8 @@ pub struct Verdict {
     pub regions: Vec<Region>,
     /// The change that explains the difference.
     pub explained: Option<Explanation>,
-    /// The terms of which the picture holds another multiple, if these explain it.
-    pub factors: Vec<Factor>,
+    /// The terms of which the picture holds another multiple, if these explain it and no known mistake does.
+    pub factors: Option<Factors>,
     /// The known mistakes that explain the difference.
     pub causes: Causes,
     /// Defects that would have been found or not.
@@ -140,7 +140,7 @@ impl Verdict {
             margin: None,
             regions: Vec::new(),
             explained: None,
-            factors: Vec::new(),
+            factors: None,
             causes: Causes::default(),
             plants: Vec::new(),
             gains: Vec::new(),
@@ -151,6 +151,22 @@ impl Verdict {
     /// Says also whether the means of the picture and of its objects are within a relative margin of ours.
     pub fn hold_to(&mut self, margin: f64) {
         self.margin = Some((margin, Means::within(&self.means, margin)));
+    }
+
+    /// Leaves out what says less than something else: all that comes nearest to a picture that agrees but for a harmless
+    /// change, and a harmless change that leaves a difference if a mistake explains all.
+    pub(super) fn simplify(&mut self) {
+        if self.explained.as_ref().is_some_and(|it| it.agrees) {
+            (self.causes.nearest, self.causes.place) = (None, None);
+        } else if !self.causes.explained_by.is_empty() {
+            self.explained = None;
+        }
+    }
+
+    /// Whether factors of terms may say more than what is known.
+    pub(super) fn wants_factors(&self) -> bool {
+        let agrees = self.explained.as_ref().is_some_and(|it| it.agrees);
+        !agrees && self.causes.explained_by.is_empty()
     }
 
     /// That of a picture with the bits of one of ours.
@@ -205,7 +221,7 @@ impl Verdict {
             margin: None,
             regions,
             explained: None,
-            factors: Vec::new(),
+            factors: None,
             causes: Causes::default(),
             plants: Vec::new(),
             gains: Vec::new(),

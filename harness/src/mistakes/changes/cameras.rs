@@ -24,6 +24,15 @@ pub(super) const ALL: &[Mistake] = &[
         "the picture's height is taken for as large as its width, so that all is stretched",
         no_aspect,
     ),
+    Mistake::scene(9, "no-zoom", "the zoom factor is left out", |scene, _| {
+        with_zoom(scene, |_| 1.0)
+    }),
+    Mistake::scene(
+        9,
+        "zoom-inverted",
+        "film points are multiplied by the zoom factor instead of divided by it",
+        |scene, _| with_zoom(scene, |zoom| 1.0 / zoom),
+    ),
     Mistake::scene(9, "roll-reversed", "the camera is rolled to the other side", |scene, _| {
         changed(scene, |scene| {
             scene.camera.roll = -scene.camera.roll;
@@ -47,10 +56,41 @@ pub(super) const ALL: &[Mistake] = &[
         },
     ),
     Mistake::scene(
+        10,
+        "lens-radius-doubled",
+        "the diameter of the lens is taken for its radius",
+        |scene, _| {
+            changed(scene, |scene| match &mut scene.camera.lens {
+                Kind::ThinLens(lens) => {
+                    lens.lens_radius *= 2.0;
+                    lens.lens_radius > 0.0
+                }
+                _ => false,
+            })
+        },
+    ),
+    Mistake::scene(
         11,
         "half-field-of-view",
         "half of the field of view is taken for the whole",
-        half_field_of_view,
+        |scene, _| with_field_of_view(scene, 0.5),
+    ),
+    Mistake::scene(
+        11,
+        "whole-field-of-view",
+        "the whole field of view is taken for its half",
+        |scene, _| with_field_of_view(scene, 2.0),
+    ),
+    Mistake::scene(
+        11,
+        "fisheye-without-circle",
+        "a fisheye fills its whole rectangle, not only the circle in it",
+        |scene, _| {
+            changed(scene, |scene| match &mut scene.camera.lens {
+                Kind::Fisheye(lens) => !std::mem::replace(&mut lens.rectangular, true),
+                _ => false,
+            })
+        },
     ),
     Mistake::scene(12, "eyes-exchanged", "the images of both eyes are exchanged", |scene, _| {
         changed(scene, |scene| {
@@ -63,6 +103,19 @@ pub(super) const ALL: &[Mistake] = &[
         })
     }),
 ];
+
+fn with_zoom(scene: &Scene, other: fn(f64) -> f64) -> Option<Scene> {
+    changed(scene, |scene| {
+        let zoom = match &mut scene.camera.lens {
+            Kind::Pinhole(lens) => &mut lens.zoom,
+            Kind::ThinLens(lens) => &mut lens.zoom,
+            Kind::Orthographic(lens) => &mut lens.zoom,
+            _ => return false,
+        };
+        let changed = other(*zoom);
+        std::mem::replace(zoom, changed) != changed
+    })
+}
 
 /// A camera whose film points are first scaled and then moved.
 #[derive(Debug)]
@@ -114,17 +167,17 @@ fn no_aspect(scene: &Scene, _: &Path) -> Option<Scene> {
     with_film(scene, [1.0, width / height], [0.0; 2])
 }
 
-fn half_field_of_view(scene: &Scene, _: &Path) -> Option<Scene> {
+fn with_field_of_view(scene: &Scene, factor: f64) -> Option<Scene> {
     changed(scene, |scene| {
         match &mut scene.camera.lens {
-            Kind::Fisheye(lens) => lens.fov *= 0.5,
+            Kind::Fisheye(lens) => lens.fov *= factor,
             Kind::SphericalPanorama(lens) => {
-                lens.horizontal_fov *= 0.5;
-                lens.vertical_fov *= 0.5;
+                lens.horizontal_fov *= factor;
+                lens.vertical_fov *= factor;
             }
             Kind::CylindricalPanorama(lens) => {
-                lens.horizontal_fov *= 0.5;
-                lens.vertical_fov *= 0.5;
+                lens.horizontal_fov *= factor;
+                lens.vertical_fov *= factor;
             }
             _ => return false,
         }

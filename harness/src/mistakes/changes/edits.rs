@@ -1,12 +1,32 @@
-//! Mistakes inside nested data: meshes within compounds, textures within textures. They edit the scene as the tree of
+//! Mistakes inside nested data: meshes within compounds, the shares of materials. They edit the scene as the tree of
 //! tables that its file would be.
 
 use groundtruth::scene::Scene;
-use serde_json::{Map, Value, json};
+use serde_json::{Map, Value};
 
-use crate::mistakes::Mistake;
+use crate::mistakes::{How, Mistake};
+
+const AMBIENT_OF_KD: Mistake =
+    Mistake::scene(14, "ambient-of-kd", "the ambient term has k_d instead of k_a", |scene, _| {
+        with_ambient(scene, |_, kd| kd)
+    });
 
 pub(super) const ALL: &[Mistake] = &[
+    Mistake::scene(
+        14,
+        "ambient-without-ka",
+        "the ambient term is not multiplied by k_a",
+        |scene, _| with_ambient(scene, |_, _| 1.0),
+    ),
+    AMBIENT_OF_KD,
+    AMBIENT_OF_KD
+        .in_form("times k_a", How::Scene(|scene, _| with_ambient(scene, |ka, kd| ka * kd))),
+    Mistake::scene(
+        15,
+        "highlight-of-surface-colour",
+        "highlights have the diffuse colour of the surface instead of their own",
+        |scene, _| edited(scene, "materials", &highlight_of_surface_color),
+    ),
     Mistake::scene(
         23,
         "flat-shading",
@@ -14,22 +34,22 @@ pub(super) const ALL: &[Mistake] = &[
         |scene, _| edited(scene, "objects", &flat),
     ),
     Mistake::scene(
-        29,
-        "texture-upside-down",
-        "rows of texture images are counted from the other end",
-        |scene, _| edited(scene, "materials", &upside_down),
+        27,
+        "kr-kt-exchanged",
+        "k_r and k_t of transparent surfaces are exchanged",
+        |scene, _| edited(scene, "materials", &kr_kt_exchanged),
     ),
     Mistake::scene(
-        31,
-        "one-octave-less",
-        "sums of several octaves of noise lack the last one",
-        |scene, _| edited(scene, "materials", &one_octave_less),
+        28,
+        "media-exchanged",
+        "the media inside and outside of dielectrics are exchanged",
+        |scene, _| edited(scene, "materials", &media_exchanged),
     ),
 ];
 
 /// The scene with this change of each table in its list of this name; `None` if it changes none, or if the scene cannot
 /// be written to a file.
-fn edited(
+pub(super) fn edited(
     scene: &Scene,
     list: &str,
     edit: &dyn Fn(&mut Map<String, Value>) -> bool,
@@ -43,7 +63,10 @@ fn edited(
 }
 
 /// Applies the change to a table and all tables inside it, from the outside in; not inside a table that it changed.
-fn edit_each(value: &mut Value, edit: &dyn Fn(&mut Map<String, Value>) -> bool) -> bool {
+pub(in crate::mistakes) fn edit_each(
+    value: &mut Value,
+    edit: &dyn Fn(&mut Map<String, Value>) -> bool,
+) -> bool {
     let mut is_changed = false;
     match value {
         Value::Object(table) => {
@@ -60,35 +83,45 @@ fn edit_each(value: &mut Value, edit: &dyn Fn(&mut Map<String, Value>) -> bool) 
     is_changed
 }
 
+/// The scene with another `k_a`, of `k_a` and `k_d`, where both are numbers.
+fn with_ambient(scene: &Scene, ambient: fn(f64, f64) -> f64) -> Option<Scene> {
+    edited(scene, "materials", &|table| {
+        let number = |key: &str| table.get(key).and_then(Value::as_f64);
+        let (Some(ka), Some(kd)) = (number("ka"), number("kd")) else { return false };
+        let changed = ambient(ka, kd);
+        table.insert("ka".to_owned(), changed.into());
+        changed != ka
+    })
+}
+
+fn highlight_of_surface_color(table: &mut Map<String, Value>) -> bool {
+    let (Some(cd), Some(cs)) = (table.get("cd"), table.get("cs")) else { return false };
+    let (cd, is_changed) = (cd.clone(), cd != cs);
+    table.insert("cs".to_owned(), cd);
+    is_changed
+}
+
+fn exchanged(table: &mut Map<String, Value>, [a, b]: [&str; 2]) -> bool {
+    let (Some(first), Some(second)) = (table.get(a), table.get(b)) else { return false };
+    let (first, second) = (first.clone(), second.clone());
+    let is_changed = first != second;
+    table.insert(a.to_owned(), second);
+    table.insert(b.to_owned(), first);
+    is_changed
+}
+
+fn kr_kt_exchanged(table: &mut Map<String, Value>) -> bool {
+    exchanged(table, ["kr", "kt"])
+}
+
+fn media_exchanged(table: &mut Map<String, Value>) -> bool {
+    exchanged(table, ["inside", "outside"])
+}
+
 fn flat(table: &mut Map<String, Value>) -> bool {
     let is_smooth = table.get("smooth") == Some(&Value::Bool(true));
     if is_smooth {
         table.insert("smooth".to_owned(), Value::Bool(false));
     }
     is_smooth
-}
-
-/// Reflects an image on its object so that v becomes 1 − v.
-fn upside_down(table: &mut Map<String, Value>) -> bool {
-    let Some(image) = table.get("image").filter(|_| table.len() == 1).cloned() else {
-        return false;
-    };
-    let axis = match image.get("mapping").and_then(Value::as_str) {
-        Some("square") => "x",
-        Some("cylindrical" | "spherical" | "light_probe" | "panoramic") => "y",
-        // v is not symmetric about the origin
-        _ => return false,
-    };
-    table.remove("image");
-    let reflected = json!({ "of": { "image": image }, "transform": [{ "reflect": axis }] });
-    table.insert("texture_instance".to_owned(), reflected);
-    true
-}
-
-fn one_octave_less(table: &mut Map<String, Value>) -> bool {
-    let octaves = table.get("octaves").and_then(Value::as_u64).filter(|octaves| *octaves > 1);
-    if let Some(octaves) = octaves {
-        table.insert("octaves".to_owned(), (octaves - 1).into());
-    }
-    octaves.is_some()
 }

@@ -13,23 +13,41 @@ use groundtruth::shapes::{
 use super::changed;
 use crate::mistakes::Mistake;
 
-pub(super) const ALL: &[Mistake] = &[Mistake::scene(
-    21,
-    "normal-by-matrix",
-    "the normals of instances are transformed by the matrix instead of its inverse transpose",
-    normal_by_matrix,
-)];
+pub(super) const ALL: &[Mistake] = &[
+    Mistake::scene(
+        21,
+        "normal-by-matrix",
+        "the normals of instances are transformed by the matrix instead of its inverse transpose",
+        |scene, folder| changed_instances(scene, folder, Part::Normals),
+    ),
+    Mistake::scene(
+        30,
+        "texture-not-in-instance",
+        "the textures of instances are not transformed with them: they are those of the points in the world",
+        |scene, folder| changed_instances(scene, folder, Part::Textures),
+    ),
+];
 
-/// An instance whose shading normal is `M n'` instead of `(M⁻¹)ᵀ n'`.
-#[derive(Debug)]
-struct ByMatrix {
-    instance: Arc<dyn Shape>,
-    transform: Transform,
+/// What of an instance is wrong.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    /// The shading normal is `M n'` instead of `(M⁻¹)ᵀ n'`.
+    Normals,
+    /// The local point is that of the world.
+    Textures,
 }
 
-impl ByMatrix {
+/// An instance with a mistake.
+#[derive(Debug)]
+struct Wrong {
+    instance: Arc<dyn Shape>,
+    transform: Transform,
+    part: Part,
+}
+
+impl Wrong {
     /// `n' = Mᵀ n`, up to its length, so that `M n' = M Mᵀ n`.
-    fn wrong(&self, n: Normal) -> Normal {
+    fn normal(&self, n: Normal) -> Normal {
         let rows = self.transform.rows();
         let n = Vector::from(n).to_array();
         let column = |j: usize| (0..3).map(|i| rows[i][j] * n[i]).sum();
@@ -38,7 +56,7 @@ impl ByMatrix {
     }
 }
 
-impl Shape for ByMatrix {
+impl Shape for Wrong {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         self.instance.hit(ray, span)
     }
@@ -49,7 +67,10 @@ impl Shape for ByMatrix {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = self.instance.surface(ray, at);
-        Surface { shading: self.wrong(surface.shading), ..surface }
+        match self.part {
+            Part::Normals => Surface { shading: self.normal(surface.shading), ..surface },
+            Part::Textures => Surface { local: surface.point, ..surface },
+        }
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
@@ -93,26 +114,26 @@ impl Shape for ByMatrix {
     }
 }
 
-/// The shape with the mistake, if it is an instance; so are the instances in it.
-fn changed_shape(instance: &Instance, context: &mut Context) -> Option<Kind> {
+/// The shape with the mistake, if it is an instance; so are the normals of the instances in it.
+fn changed_shape(instance: &Instance, context: &mut Context, part: Part) -> Option<Kind> {
     let transform = Transform::from_steps(&instance.transform).ok()?;
     let of = match &*instance.of {
-        Kind::Instance(inner) => changed_shape(inner, context)?,
+        Kind::Instance(inner) if part == Part::Normals => changed_shape(inner, context, part)?,
         other => other.clone(),
     };
     let copy = Kind::from(Instance { of: Box::new(of), ..instance.clone() });
     let instance = copy.build(context).ok()?;
-    Some(Kind::Custom(Custom(Arc::new(ByMatrix { instance, transform }))))
+    Some(Kind::Custom(Custom(Arc::new(Wrong { instance, transform, part }))))
 }
 
 /// Instances whose parts name materials of their own, and those within compounds, stay as they are.
-fn normal_by_matrix(scene: &Scene, folder: &Path) -> Option<Scene> {
+fn changed_instances(scene: &Scene, folder: &Path, part: Part) -> Option<Scene> {
     let mut context = Context::new(Resources::new(folder), scene.accel);
     changed(scene, |scene| {
         let mut any = false;
         for object in &mut scene.objects {
             let Kind::Instance(instance) = &object.shape else { continue };
-            if let Some(shape) = changed_shape(instance, &mut context) {
+            if let Some(shape) = changed_shape(instance, &mut context, part) {
                 object.shape = shape;
                 any = true;
             }

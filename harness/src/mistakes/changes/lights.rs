@@ -7,7 +7,8 @@ use std::sync::Arc;
 
 use groundtruth::kinds::Custom;
 use groundtruth::lights::{
-    AmbientOccluder, Context, Kind, Light, LightContext, LightSample, Segment, Target, Unlit,
+    AmbientOccluder, Context, Directional, Kind, Light, LightContext, LightSample, Segment, Target,
+    Unlit,
 };
 use groundtruth::math::{Frame, maps};
 use groundtruth::scene::Scene;
@@ -34,6 +35,30 @@ pub(super) const ALL: &[Mistake] = &[
         "lit-from-behind",
         "light without shadows that comes from behind a surface counts as light from the front",
         lit_from_behind,
+    ),
+    Mistake::scene(
+        14,
+        "sun-reversed",
+        "directional light comes from the other side",
+        |scene, _| with_sun(scene, |sun| sun.direction = -sun.direction),
+    ),
+    Mistake::scene(
+        14,
+        "sun-not-normalised",
+        "the direction of directional light is not normalised, so that its length is a factor",
+        |scene, _| with_sun(scene, |sun| sun.ls *= sun.direction.length()),
+    ),
+    Mistake::scene(
+        14,
+        "spot-whole-angle",
+        "the angles from a spotlight's axis are taken for those across its whole cone",
+        spot_whole_angle,
+    ),
+    Mistake::scene(
+        16,
+        "shadow-switches-ignored",
+        "objects and materials that are said to cast no shadows do",
+        shadow_switches_ignored,
     ),
     Mistake::scene(16, "no-shadows", "objects cast no shadows", no_shadows),
     Mistake::scene(
@@ -69,6 +94,42 @@ fn with_exponent(scene: &Scene, exponent: f64) -> Option<Scene> {
             any |= *attenuation > exponent;
             *attenuation = attenuation.min(exponent);
         }
+        any
+    })
+}
+
+fn with_sun(scene: &Scene, change: fn(&mut Directional)) -> Option<Scene> {
+    changed(scene, |scene| {
+        let mut any = false;
+        for light in scene.lights.iter_mut().filter(|light| light.enabled) {
+            if let Kind::Directional(sun) = &mut light.source {
+                change(sun);
+                any = true;
+            }
+        }
+        any
+    })
+}
+
+fn spot_whole_angle(scene: &Scene, _: &Path) -> Option<Scene> {
+    changed(scene, |scene| {
+        let mut any = false;
+        for light in &mut scene.lights {
+            if let Kind::Spot(spot) = &mut light.source {
+                (spot.inner, spot.outer) = (0.5 * spot.inner, 0.5 * spot.outer);
+                any = true;
+            }
+        }
+        any
+    })
+}
+
+fn shadow_switches_ignored(scene: &Scene, _: &Path) -> Option<Scene> {
+    changed(scene, |scene| {
+        let materials = scene.materials.iter_mut().map(|it| &mut it.casts_shadows);
+        let objects = scene.objects.iter_mut().map(|it| &mut it.casts_shadows);
+        let mut any = false;
+        materials.chain(objects).for_each(|casts| any |= !std::mem::replace(casts, true));
         any
     })
 }

@@ -3,18 +3,28 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use groundtruth::bumps::{self, Bump};
 use groundtruth::kinds::{Custom, Resources};
 use groundtruth::lobes::Lobe;
 use groundtruth::materials::{
     Boundary, Emission, Kind, Material, Reflectance, Response, TexturedField,
 };
-use groundtruth::math::Point;
+use groundtruth::math::{Normal, Point, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::textures::{self, Paint, Texel, Texture, TexturePoint};
 
 use super::{changed, has_tree_of_rays};
-use crate::mistakes::Mistake;
+use crate::mistakes::glass_terms::{both_right, factor_right, fresnel_right, total_right};
+use crate::mistakes::{How, Mistake};
+
+/// In refraction, in Fresnel's equations and in the factor 1/η².
+pub(in crate::mistakes) const NOT_INVERTED: Mistake = Mistake::scene(
+    27,
+    "eta-not-inverted",
+    "the index of refraction is not inverted for rays inside",
+    not_inverted,
+);
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::scene(
@@ -29,17 +39,30 @@ pub(super) const ALL: &[Mistake] = &[
         "transparent objects cast no shadow",
         glass_casts_no_shadow,
     ),
+    NOT_INVERTED,
+    NOT_INVERTED.in_form("in refraction alone", How::Both(not_inverted, both_right)),
+    NOT_INVERTED
+        .in_form("but right in Fresnel's equations", How::Both(not_inverted, fresnel_right)),
+    NOT_INVERTED.in_form("but right in the factor 1/η²", How::Both(not_inverted, factor_right)),
+    NOT_INVERTED
+        .in_form("but right where reflection is total", How::Both(not_inverted, total_right)),
     Mistake::scene(
         27,
-        "eta-not-inverted",
-        "the index of refraction is not inverted for rays inside",
-        |scene, folder| with_response(scene, folder, eta_not_inverted),
+        "eta-inverted",
+        "the index of refraction is inverted on both sides of a surface",
+        |scene, folder| with_response(scene, folder, eta_inverted),
     ),
     Mistake::scene(
         27,
         "total-reflection-kr",
         "total internal reflection is weighted by k_r instead of 1",
         |scene, folder| with_response(scene, folder, total_reflection_kr),
+    ),
+    Mistake::scene(
+        31,
+        "bump-reversed",
+        "bumps turn normals to the other side, so that hills are dents",
+        bump_reversed,
     ),
     Mistake::scene(
         30,
@@ -131,6 +154,10 @@ fn with_response(scene: &Scene, folder: &Path, respond: Respond) -> Option<Scene
     })
 }
 
+fn not_inverted(scene: &Scene, folder: &Path) -> Option<Scene> {
+    with_response(scene, folder, eta_not_inverted)
+}
+
 /// The lobes invert the index for rays inside; an index inverted before is then the one of rays from outside.
 fn eta_not_inverted(
     material: &dyn Material,
@@ -139,9 +166,24 @@ fn eta_not_inverted(
     response: &mut Response,
 ) {
     material.respond(at, cos_o.abs(), response);
-    if cos_o >= 0.0 {
-        return;
+    if cos_o < 0.0 {
+        invert(response);
     }
+}
+
+/// The weights of a mirror are those of a viewer on the other side, for whom reflection is total where the index says so.
+fn eta_inverted(
+    material: &dyn Material,
+    at: &TexturePoint<'_>,
+    cos_o: f64,
+    response: &mut Response,
+) {
+    material.respond(at, -cos_o, response);
+    invert(response);
+}
+
+/// Inverts the indices of all lobes.
+fn invert(response: &mut Response) {
     for (lobe, _) in &mut response.lobes {
         match lobe {
             Lobe::PerfectTransmitter(lobe) => lobe.eta = 1.0 / lobe.eta,
@@ -160,6 +202,30 @@ fn total_reflection_kr(
     response: &mut Response,
 ) {
     material.respond(at, 1.0_f64.copysign(cos_o), response);
+}
+
+/// A bump that turns normals to the other side.
+#[derive(Debug)]
+struct Reversed(Arc<dyn Bump>);
+
+impl Bump for Reversed {
+    fn perturbed(&self, at: &TexturePoint<'_>, n: Normal) -> Vector {
+        let perturbed = self.0.perturbed(at, n);
+        (2.0 * n.dot(perturbed)) * n - perturbed
+    }
+}
+
+fn bump_reversed(scene: &Scene, folder: &Path) -> Option<Scene> {
+    let mut resources = Resources::new(folder);
+    changed(scene, |scene| {
+        let mut any = false;
+        for bump in scene.materials.iter_mut().filter_map(|material| material.bump.as_mut()) {
+            let Ok(built) = bump.build(&mut resources) else { continue };
+            *bump = bumps::Kind::Custom(Custom(Arc::new(Reversed(built))));
+            any = true;
+        }
+        any
+    })
 }
 
 /// The borders of our cells are above the multiples of the size by this share of it.

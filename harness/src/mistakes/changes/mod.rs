@@ -1,18 +1,21 @@
 //! Mistakes that are a change of the scene.
 
 mod cameras;
-mod edits;
+pub(super) mod edits;
 mod instances;
 mod lamps;
 mod lights;
 mod materials;
 mod skies;
+pub(super) mod textures;
 
 use groundtruth::scene::{Scene, Tracer};
 
 use super::Mistake;
 
-pub(super) const ALL: [&[Mistake]; 8] = [
+pub(super) use materials::NOT_INVERTED;
+
+pub(super) const ALL: [&[Mistake]; 9] = [
     &[
         Mistake::scene(24, "one-bounce-less", "rays are traced to one depth less", |scene, _| {
             deeper_by(scene, -1)
@@ -28,6 +31,7 @@ pub(super) const ALL: [&[Mistake]; 8] = [
     lights::ALL,
     materials::ALL,
     skies::ALL,
+    textures::ALL,
 ];
 
 /// A copy with this change, which returns whether it changed something.
