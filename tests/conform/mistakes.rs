@@ -12,11 +12,12 @@ mod shapes;
 #[path = "mistakes/surfaces.rs"]
 mod surfaces;
 
+use harness::conform::family::{Asking, Judge};
 use harness::conform::mistakes::{self as m, Mistake, Name};
-use harness::conform::{Judgement, Profile, Status, Wrong};
+use harness::conform::{Judgement, Ours, Profile, Status, Wrong, ours};
 use serde_json::{Value, json};
 
-use super::altered::{Altered, at, card, data, length, swap, vector};
+use super::altered::{Altered, at, card, data, families, length, swap, vector};
 
 /// A mistake of a program.
 struct Planted {
@@ -50,8 +51,8 @@ fn numbers(question: &Value) -> usize {
 }
 
 /// Law: each planted mistake is judged wrong in its families, its first failure shrinks to a question of at most 12
-/// numbers other than 0 and ±1 that still fails, and the mistake is named in each of them. Oracle: the mistake, made on
-/// purpose in our own answers.
+/// numbers other than 0 and ±1 that still fails and asks for all that was asked for, the right answer to that question
+/// passes its rule, and the mistake is named in each of them. Oracle: the mistake, made on purpose in our own answers.
 fn found(planted: &[Planted]) {
     let mut problems = Vec::new();
     for &Planted { what, wrong, alter, name } in planted {
@@ -71,6 +72,9 @@ fn found(planted: &[Planted]) {
             if size > 12 {
                 problem(format!("{size} numbers in {}", failure.question));
             }
+            if !passes_when_right(&row.name, &failure.question) {
+                problem(format!("the right answer does not pass {}", failure.question));
+            }
             names.extend(row.names.iter().map(|name| (row.name.clone(), name.clone())));
         }
         let shown: Vec<String> = names.iter().map(|(_, it)| it.to_string()).collect();
@@ -87,6 +91,29 @@ fn found(planted: &[Planted]) {
         }
     }
     assert!(problems.is_empty(), "{}", problems.join("\n"));
+}
+
+/// Whether our answer to a question is right by the judge of its family.
+fn passes_when_right(family: &str, question: &Value) -> bool {
+    let family = families(&[family]).into_iter().find(|it| it.name == family).expect("it is one");
+    let found = match family.judge {
+        Judge::Answer(judge) => {
+            ours(question).map(|answer| judge(question, &answer, Profile::Careful)).ok()
+        }
+        Judge::Law(law) => law(&mut Asking::new(&mut Ours), question, Profile::Careful).ok(),
+    };
+    found.is_some_and(|judgement| judgement.is_right())
+}
+
+/// Law: a question made smaller still asks for what its rule needs. Oracle: an adapter that answers the albedo of a
+/// lobe alone, met in the field, whose question lost its `u`.
+#[test]
+fn what_is_asked_for_is_asked_for_still() {
+    let mut subject = Altered(|_, a| json!({"albedo": a["albedo"]}));
+    let card = card(&mut subject, &["lobe.lambertian.sample"], Profile::Careful, 24);
+    let failure = card.rows[0].failure.as_ref().expect("it fails");
+    assert!(failure.question["lobe"]["u"].is_array(), "{}", failure.question);
+    assert!(passes_when_right("lobe.lambertian.sample", &failure.question));
 }
 
 /// `a`, `b` and `c` of a sphere's equation `a t² + 2 b t + c = 0`.
@@ -158,13 +185,13 @@ fn two_mistakes_in_one_family_are_both_named() {
         names.iter().find_map(count).unwrap_or_else(|| panic!("{} not in {names:?}", wanted.name))
     };
     let ((first, of), (second, _)) = (explained(&m::TIMES_TWO), explained(&m::SWAP_YZ));
-    assert!(first >= of / 4 && second >= of / 4, "{first} and {second} of {of}");
+    assert!(first >= of / 3 && second >= of / 3, "{first} and {second} of {of}");
     assert_eq!(first + second, of);
     assert_eq!(names.len(), 2, "{names:?}");
     assert!(names[0].to_string().contains(&format!("explains {} of {of}", first.max(second))));
 }
 
-/// Law: a mistake is named if it is the only one, or explains at least a quarter of the answers and two. Oracle: answers
+/// Law: a mistake is named if it is the only one, or explains at least a third of the answers and two. Oracle: answers
 /// with clues of known numbers.
 #[test]
 fn few_answers_name_nothing() {
@@ -185,8 +212,9 @@ fn few_answers_name_nothing() {
     assert_eq!(named([1, 0, 0]), [1], "the only one");
     assert!(named([1, 1, 0]).is_empty(), "one each");
     assert_eq!(named([7, 1, 0]), [7]);
-    assert_eq!(named([2, 4, 2]), [4, 2, 2]);
-    assert_eq!(named([6, 20, 6]), [20], "6 of 32 are less than a quarter");
+    assert_eq!(named([4, 4, 4]), [4, 4, 4]);
+    assert_eq!(named([10, 20, 2]), [20], "10 of 32 are less than a third");
+    assert_eq!(named([11, 20, 1]), [20, 11]);
 }
 
 /// Law: what explains all answers is named alone, without a count and without the sign or factor that it implies.
@@ -206,25 +234,113 @@ fn a_specific_name_replaces_the_sign() {
     assert!(!name.contains("explains"), "{name}");
 }
 
-/// Law: rounding has no name. Oracle: the textbook's `(−b ∓ √(b² − 4ac)) / 2a` for far and tiny spheres, which is
-/// wrong and nothing else.
+/// Law: the textbook's `(−b ∓ √(b² − 4ac)) / 2a` is known by its own errors, in double and in single precision. Oracle:
+/// the formula, for far and tiny spheres, which is wrong and nothing else.
 #[test]
-fn rounding_is_not_named() {
-    let mut subject = Altered(|q, mut a| {
-        let [a2, b, c] = quadratic(q);
-        let root = (4.0 * b * b - 4.0 * a2 * c).sqrt();
-        let ts = [(-2.0 * b - root) / (2.0 * a2), (-2.0 * b + root) / (2.0 * a2)];
-        let least = data(q)["span"][0].as_f64().unwrap_or(0.0);
-        if let Some(t) = ts.into_iter().find(|t| *t > least) {
-            at(&mut a, "/t", |_| t);
+fn cancellation_is_named() {
+    let textbook: [fn(&Value, Value) -> Value; 2] = [
+        |q, mut a| {
+            let [a2, b, c] = quadratic(q);
+            let root = (4.0 * b * b - 4.0 * a2 * c).sqrt();
+            let ts = [(-2.0 * b - root) / (2.0 * a2), (-2.0 * b + root) / (2.0 * a2)];
+            let least = data(q)["span"][0].as_f64().unwrap_or(0.0);
+            if let Some(t) = ts.into_iter().find(|t| *t > least) {
+                at(&mut a, "/t", |_| t);
+            }
+            a
+        },
+        |q, mut a| {
+            let sphere = &data(q)["shape"]["sphere"];
+            let single = |v: &Value| vector(v).map(|x| x as f32);
+            let [o, d] = ["origin", "direction"].map(|it| single(&data(q)["ray"][it]));
+            let center = single(&sphere["center"]);
+            let radius = sphere["radius"].as_f64().unwrap_or(1.0) as f32;
+            let f: [f32; 3] = std::array::from_fn(|i| o[i] - center[i]);
+            let dot = |x: [f32; 3], y: [f32; 3]| x[0] * y[0] + x[1] * y[1] + x[2] * y[2];
+            let (a2, b, c) = (dot(d, d), 2.0 * dot(f, d), dot(f, f) - radius * radius);
+            let t = (-b - (b * b - 4.0 * a2 * c).sqrt()) / (2.0 * a2);
+            if t > 0.0 {
+                at(&mut a, "/t", |_| f64::from(t));
+            }
+            a
+        },
+    ];
+    for subject in textbook {
+        let words = ["intersect.sphere.far_origin", "intersect.sphere.tiny_shape"];
+        let card = card(&mut Altered(subject), &words, Profile::Careful, 40);
+        for row in &card.rows {
+            assert!(row.count(Status::Wrong) > 10, "the textbook's formula loses digits: {card}");
+            let [Name::Known { mistake, .. }] = &row.names[..] else {
+                panic!("{}: {:?}", row.name, row.names)
+            };
+            assert_eq!(*mistake, &m::CANCELLATION, "{}", row.name);
+        }
+    }
+}
+
+/// Law: the same wrong answer to every question of a kind is named as such, and only then. Oracle: shadow rays that
+/// never hit, as where a kind has no `shadow_hit`, and those that miss a half.
+#[test]
+fn shadow_rays_that_never_hit_are_named() {
+    let name = |alter: fn(&Value, Value) -> Value| {
+        let words = ["occluded.torus.segment"];
+        let card = card(&mut Altered(alter), &words, Profile::Book, 32);
+        card.rows[0].names.iter().map(ToString::to_string).collect::<String>()
+    };
+    let never = name(|_, _| json!(false));
+    assert!(never.contains("shadow_hit for this kind"), "{never}");
+    let half = name(|q, a| {
+        let x = data(q)["segment"]["from"][0].as_f64();
+        if x > Some(0.0) { json!(false) } else { a }
+    });
+    assert!(half.starts_with("hits are missed"), "{half}");
+}
+
+/// Law: the normal of an open or part cylinder or of a thick ring may be turned to the viewer by the book, which the card
+/// says; with care it is wrong, and the card says that the book does it, too. Of other shapes it is wrong by both.
+/// Oracle: our normals, turned.
+#[test]
+fn conventions_of_the_book_pass_by_the_book() {
+    let turned: fn(&Value, Value) -> Value = |_, mut a| {
+        if a["front"] == json!(false) {
+            at(&mut a, "/normal", |x| -x);
+            a["front"] = json!(true);
         }
         a
-    });
-    let card = card(&mut subject, &["intersect.sphere"], Profile::Careful, 40);
-    let wrong = card.count(Status::Wrong);
-    assert!(wrong > 0, "the textbook's formula loses digits");
-    for row in &card.rows {
-        assert!(row.names.is_empty(), "{}: {:?}", row.name, row.names);
+    };
+    let of = |kind: &str, profile: Profile| {
+        card(&mut Altered(turned), &[&format!("intersect.{kind}.around")], profile, 48)
+    };
+    for kind in ["open_cylinder", "part_cylinder", "thick_ring"] {
+        let by_the_book = of(kind, Profile::Book);
+        assert!(!by_the_book.is_failed(), "{by_the_book}");
+        assert!(by_the_book.to_string().contains("by a convention of the book"), "{by_the_book}");
+        let with_care = of(kind, Profile::Careful).to_string();
+        assert!(with_care.contains("the book does this, too (docs/book-card.md"), "{with_care}");
+        assert!(with_care.contains("the book turns it to the viewer, too"), "{with_care}");
+    }
+    for kind in ["cone", "solid_cylinder"] {
+        assert!(of(kind, Profile::Book).is_failed(), "{kind}");
+    }
+}
+
+/// Law: a box turned by 30° whose normal goes by the inverse is wrong, and so named. Oracle: the answer of a student's
+/// program.
+#[test]
+fn normals_by_the_inverse_are_named() {
+    let family = families(&["intersect.instance.ordinary"]).pop().expect("it is one");
+    let Judge::Answer(judge) = family.judge else { panic!("it has answers") };
+    let question = json!({"intersect": {
+        "shape": {"box": {"min": [-1, -1, -1], "max": [1, 1, 1]}}, "transform": [{"rotate_z": 30}],
+        "ray": {"origin": [5, 0.1, 0.2], "direction": [-1, 0, 0]},
+    }});
+    let mut theirs = ours(&question).expect("a hit");
+    theirs["normal"] = json!([0.866_025_403_784_438_7, -0.5, 0.0]);
+    match judge(&question, &theirs, Profile::Book) {
+        Judgement::Wrong(wrong) => {
+            assert!(wrong.clues.contains(&&m::NORMAL_BY_INVERSE), "{wrong:?}")
+        }
+        other => panic!("{other:?}"),
     }
 }
 

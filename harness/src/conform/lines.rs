@@ -1,9 +1,13 @@
 //! The lines of a program: a question with its id, and a reply with the question's.
+//!
+//! JSON has no NaN and no infinity, but most languages print them: `NaN`, `-nan`, `-nan(ind)`, `Infinity`, `1e999`. A
+//! line with them is read all the same: a number that is none is a wrong answer, not a broken line.
 
 use std::collections::BTreeMap;
 
 use serde_json::Value;
 
+use super::judgement::not_finite;
 use super::subject::{Fault, Reply};
 use groundtruth::printable;
 
@@ -28,9 +32,7 @@ pub fn read(line: &[u8]) -> Result<(u64, Reply), Fault> {
         printable::text(&text)
     };
     let garbled = |problem: &str| Err(Fault::Garbled(format!("{problem}: {}", shown())));
-    let Ok(reply) = serde_json::from_slice::<BTreeMap<String, Value>>(line) else {
-        return garbled("not a JSON object");
-    };
+    let Some(reply) = object(line) else { return garbled("not a JSON object") };
     let id = match reply.get("id") {
         Some(Value::Number(id)) => match id.as_u64().or_else(|| whole(id.as_f64()?)) {
             Some(id) => id,
@@ -50,7 +52,108 @@ pub fn read(line: &[u8]) -> Result<(u64, Reply), Fault> {
     }
 }
 
+/// The fields of a line, which may have numbers that JSON does not have.
+fn object(line: &[u8]) -> Option<BTreeMap<String, Value>> {
+    serde_json::from_slice(line)
+        .ok()
+        .or_else(|| serde_json::from_str(&quoted(std::str::from_utf8(line).ok()?)).ok())
+}
+
+/// The line with numbers that are not finite in quotes, as the probe writes them: `"nan"`, `"inf"`, `"-inf"`.
+fn quoted(line: &str) -> String {
+    let mut text = String::with_capacity(line.len() + 16);
+    let mut rest = line;
+    while let Some(first) = rest.chars().next() {
+        let length = match first {
+            '"' => string_length(rest),
+            _ if is_of_word(first) => rest.find(|c| !is_of_word(c)).unwrap_or(rest.len()),
+            _ => first.len_utf8(),
+        };
+        let (word, after) = rest.split_at(length);
+        match special(word) {
+            Some(x) if x.is_nan() => text.push_str("\"nan\""),
+            Some(x) => text.push_str(if x > 0.0 { "\"inf\"" } else { "\"-inf\"" }),
+            None => text.push_str(word),
+        }
+        rest = after;
+    }
+    text
+}
+
+/// The length of the string that the text begins with, quotes included.
+fn string_length(text: &str) -> usize {
+    let mut is_escaped = false;
+    for (at, c) in text.char_indices().skip(1) {
+        match c {
+            '"' if !is_escaped => return at + 1,
+            c => is_escaped = c == '\\' && !is_escaped,
+        }
+    }
+    text.len()
+}
+
+/// Whether a character belongs to a number or the name of one.
+fn is_of_word(c: char) -> bool {
+    c.is_ascii_alphanumeric() || "+-.#()_".contains(c)
+}
+
+/// The value of a word that is a number, but not a finite one: a name, or more than a double can hold.
+fn special(word: &str) -> Option<f64> {
+    let is_number = word.starts_with(|c: char| c == '-' || c.is_ascii_digit());
+    let too_large = || is_number.then(|| word.parse::<f64>().ok()).flatten();
+    not_finite(word).or_else(too_large).filter(|x| !x.is_finite())
+}
+
 /// `7.0` is the id 7: some languages have no integers.
 fn whole(id: f64) -> Option<u64> {
     (id >= 0.0 && id.fract() == 0.0 && id < 1e15).then_some(id as u64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    fn answer(text: &str) -> Value {
+        match read(format!("{{\"id\": 3, \"answer\": {text}}}").as_bytes()) {
+            Ok((3, Reply::Answer(answer))) => answer,
+            other => panic!("{text}: {other:?}"),
+        }
+    }
+
+    /// Law: what C, C++, Python, Java, Go, Lua, Fortran and old Visual C++ print for NaN and infinity is read as such.
+    /// Oracle: the list of words, from their manuals.
+    #[test]
+    fn numbers_that_are_not_finite_are_read_as_languages_print_them() {
+        for nan in [
+            "NaN",
+            "nan",
+            "-nan",
+            "-NaN",
+            "nan(ind)",
+            "-nan(ind)",
+            "nan(snan)",
+            "-1.#IND",
+            "1.#QNAN",
+        ] {
+            assert_eq!(answer(&format!("[1.5,{nan} ,2]")), json!([1.5, "nan", 2]), "{nan}");
+        }
+        for inf in ["Infinity", "inf", "+Inf", "INF", "1e999", "1.#INF"] {
+            assert_eq!(answer(&format!("{{\"t\":{inf}}}")), json!({"t": "inf"}), "{inf}");
+        }
+        for inf in ["-Infinity", "-inf", "-1e999", "-1.#INF"] {
+            assert_eq!(answer(inf), json!("-inf"), "{inf}");
+        }
+    }
+
+    /// Law: text stays as it is, and what is no number stays no JSON. Oracle: lines by hand.
+    #[test]
+    fn words_in_strings_and_other_words_are_left_alone() {
+        assert_eq!(answer("[NaN, \"a \\\"nan, NaN\"]"), json!(["nan", "a \"nan, NaN"]));
+        for text in ["None", "NaNa", "1.5.2", "nan(", "undefined", "[1,,2]", "0x1p3", "infinitely"]
+        {
+            let line = format!("{{\"id\": 3, \"answer\": {text}}}");
+            assert!(matches!(read(line.as_bytes()), Err(Fault::Garbled(_))), "{text}");
+        }
+    }
 }

@@ -5,6 +5,8 @@
 
 use std::f64::consts::PI;
 
+use serde_json::Value;
+
 use super::judgement::Wrong;
 
 /// A mistake.
@@ -46,12 +48,28 @@ mistakes! {
     NORMAL_UNTRANSFORMED: "the normal is left in object space", "ch. 21: normals go by the inverse transpose";
     INSIDE_MISSED: "hits from inside are missed", "ch. 3: if the near root is behind, test the far root", "ch28/glass-sphere";
     ONE_SIDED: "back sides are missed", "ch. 3, 19: flat shapes are hit from both sides";
+    TO_VIEWER_BY_THE_BOOK: "the normal is turned to the viewer, and the book does this, too", "docs/book-card.md, \"Conventions\"";
+    NORMAL_BY_INVERSE: "the normal is transformed by the inverse, not its transpose", "ch. 21: normals go by the inverse transpose", "ch21/ellipsoid";
+    NORMAL_BY_TRANSPOSE: "the normal is transformed by the transpose, not that of the inverse", "ch. 21: normals go by the inverse transpose", "ch21/ellipsoid";
+    CANCELLATION: "digits are lost in b² − 4ac", "docs/book-card.md: ch. 3 subtracts nearly equal numbers if the ray starts far away";
+    T_NOT_SET: "t is never set", "ch. 3: hit() has to write tmin where it returns true";
+    ALWAYS_NULL: "nothing is ever hit", "ch. 3: hit() returns false for every ray";
+    NO_SHADOW_HIT: "shadow rays never hit it: is there a shadow_hit for this kind?", "ch. 16: the one of GeometricObject returns false", "ch16/shadows";
+    ALWAYS_BLOCKED: "shadow rays always hit it", "ch. 16: shadow_hit returns true only where t lies before the light", "ch16/shadows";
+    CONE_NORMAL_SQUARE: "the cone's normal is right for h = r² only", "ch. 19: the gradient is (h² x / r², h − y, h² z / r²)";
+    CONE_NORMAL_EQUAL: "the cone's normal is right for h = r only", "ch. 19: the gradient is (h² x / r², h − y, h² z / r²)";
     CENTER_FORGOTTEN: "the centre is left out of the normal", "ch. 3: normal = (o − c + t d) / r", "ch03/three-objects";
     NEAREST_ONLY: "the nearest hit alone", "docs/probe.md: `all` asks for every root";
     SPAN_IGNORED: "the span is ignored", "docs/probe.md: hits count if min < t < max";
     OCCLUDER_BEYOND: "occluders beyond the end count", "ch. 16: shadow rays end at the light", "ch16/shadows";
     MISSED: "hits are missed", "ch. 3, 19: is a bound, a border or ε too strict?";
     // numbers
+    ZERO: "0: the value is left out", "is a term missing, or a variable never set?";
+    BLACK: "black: the light is left out", "is a term missing, or a variable never set?";
+    ALWAYS: "the same value every time", "is a variable never set?";
+    DIVIDED_BY_ZERO_ANGLE: "0/0 in the middle of the picture", "ch. 11: where r = 0 there is no angle, and the direction is −w";
+    DIVIDED_BY_ZERO_AXIS: "0/0 on the axis of the mapping", "ch. 29: where d = 0, u = v = 1/2";
+    NAN_AS_INTEGER: "NaN, from 0/0 on the axis of a light probe, cast to an integer: the first pixel", "ch. 29: where d = 0, u = v = 1/2";
     TIMES_PI: "π times too large", "ch. 13: a Lambertian BRDF is ρ/π", "ch14/set";
     OVER_PI: "π times too small", "ch. 13, 14: π is left out, or divided out twice", "ch14/set";
     TIMES_TWO: "twice as large", "a factor 2";
@@ -73,6 +91,13 @@ mistakes! {
     FLIP_X: "the first component has the wrong sign", "ch. 2: axes are right-handed";
     FLIP_Y: "the second component has the wrong sign", "ch. 3: rows of pixels count from the bottom in the book, from the top in files";
     FLIP_Z: "the third component has the wrong sign", "ch. 2: axes are right-handed";
+    SWAP_RG: "red and green are exchanged", "colours are (r, g, b)";
+    SWAP_GB: "green and blue are exchanged", "colours are (r, g, b)";
+    SWAP_RB: "red and blue are exchanged", "colours are (r, g, b); some image files are (b, g, r)";
+    ONLY_RED: "the red channel for all three", "colours are multiplied channel by channel";
+    NO_RED: "red is left out", "all three channels count";
+    NO_GREEN: "green is left out", "all three channels count";
+    NO_BLUE: "blue is left out", "all three channels count";
     MIRROR_U: "1 − u for u", "ch. 29: φ goes from +z to +x";
     MIRROR_V: "1 − v for v", "ch. 29: v goes up, rows of files go down", "ch29/earth";
     TRANSPOSED: "rows for columns", "ch. 20: points are columns";
@@ -85,6 +110,8 @@ mistakes! {
     ONLY_S: "light polarised across the plane of incidence alone", "ch. 28: the mean of both polarisations";
     MEAN_OF_AMPLITUDES: "the mean of the amplitudes, not of their squares", "ch. 28: kr = (r∥² + r⊥²) / 2";
     REFLECTED_INSTEAD: "the reflected direction for the refracted one", "ch. 27: t leaves behind the surface";
+    ETA_MULTIPLIED: "−η ωo for −ωo/η in the refracted direction", "ch. 27: t = −ωo/η − (cosθt − cosθi/η) n", "ch27/common-set";
+    INDEX_ZERO: "the index is 0, or never set: everything is reflected", "ch. 27: the constructor sets η", "ch28/glass-sphere";
     ONLY_P: "light polarised in the plane of incidence alone", "ch. 28: the mean of both polarisations";
     SCHLICK: "Schlick's approximation", "ch. 28: Fresnel's equations";
     SWAPPED_DIRECTIONS: "wi and wo exchanged", "ch. 13: wo points to the viewer, wi to the light";
@@ -95,16 +122,20 @@ mistakes! {
     NO_FALL_OFF: "distance attenuation is left out", "ch. 14: radiance over dⁿ";
     TIMES_DISTANCE: "the direction is not made unit", "ch. 14: wi is unit";
     DISTANCE_SQUARED: "the square of the distance", "a root is left out";
+    SUN_NOT_NORMALISED: "the sun's direction is not normalised", "ch. 14: l is unit";
     // cameras
+    WHOLE_ANGLE: "the whole angle of view for half of it", "ch. 11: ψ_max is half of the field of view";
+    QUARTER_ANGLE: "half of the angle of view is halved again", "ch. 11: ψ_max is half of the field of view";
+    TURNED_BY_HALF: "the picture is turned by 180°", "ch. 9: u = up × w, v = w × u";
     CORNERS: "the corner of the pixel for its middle", "ch. 3: x = s (c − hres/2 + 0.5)", "ch03/three-objects";
     UPSIDE_DOWN: "rows from the bottom", "docs/probe.md: row 0 is at the top";
-    MIRRORED: "columns from the right", "ch. 9: u = up × w";
+    MIRRORED: "the picture is mirrored: columns from the right", "ch. 9: u = up × w, not w × up";
     INTEGER_HALF: "half of an odd number of pixels is rounded down", "ch. 3: hres / 2 is a real number";
     AXES_SWAPPED: "u and v are exchanged", "ch. 9: u points right, v up";
     PLACE_DOWN: "the place in the pixel counts from the top", "docs/probe.md: `place` starts at the lower left corner";
     NO_PIXEL_SIZE: "the pixel size is left out", "ch. 3: x = s (c − hres/2 + 0.5)";
     NO_ROLL: "the roll angle is left out", "ch. 9";
-    ROLL_REVERSED: "the camera rolls the other way", "ch. 9: a positive roll turns the camera counterclockwise";
+    ROLL_REVERSED: "the camera rolls in the opposite sense", "ch. 9: a positive roll turns the camera counterclockwise";
     ZOOM_INVERTED: "the zoom is upside down", "ch. 9: the pixel size is divided by the zoom";
     NO_ZOOM: "the zoom is left out", "ch. 9: the pixel size is divided by the zoom";
     BACKWARDS: "the camera looks along +w", "ch. 9: the camera looks along −w";
@@ -155,15 +186,10 @@ pub fn same(theirs: &[f64], alternative: &[f64]) -> bool {
 /// The mistakes that turn the right numbers into theirs: factors, signs, exchanged components.
 pub fn clues(theirs: &[f64], right: &[f64]) -> Vec<&'static Mistake> {
     let mut clues = Vec::new();
-    if theirs.len() != right.len() {
-        return clues;
-    }
-    let mut candidate = |mistake: &'static Mistake, alternative: &[f64]| {
-        // an alternative that is right explains nothing
-        if same(theirs, alternative) && !same(right, alternative) {
-            clues.push(mistake);
-        }
+    let mut candidate = |mistake, alternative: &[f64]| {
+        clues.extend(matched(mistake, alternative, theirs, right));
     };
+    candidate(&ZERO, &vec![0.0; right.len()]);
     for (mistake, factor) in &FACTORS {
         let scaled: Vec<f64> = right.iter().map(|x| factor * x).collect();
         candidate(mistake, &scaled);
@@ -189,10 +215,49 @@ pub fn clues(theirs: &[f64], right: &[f64]) -> Vec<&'static Mistake> {
             candidate(&FLIP_X, &[-x, y, z]);
             candidate(&FLIP_Y, &[x, -y, z]);
             candidate(&FLIP_Z, &[x, y, -z]);
+            let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+            if (length(right) - 1.0).abs() < CLOSE && theirs.len() == 3 {
+                let scaled = [x, y, z].map(|x| length(theirs) * x);
+                candidate(&NOT_NORMALISED_LENGTH, &scaled);
+            }
         }
         _ => {}
     }
     clues
+}
+
+/// The same for a colour, whose components are channels and not axes.
+pub fn clues_of_color(theirs: &[f64], right: &[f64]) -> Vec<&'static Mistake> {
+    let mut clues = Vec::new();
+    let mut candidate = |mistake, alternative: &[f64]| {
+        clues.extend(matched(mistake, alternative, theirs, right));
+    };
+    let [r, g, b] = *right else { return clues };
+    candidate(&BLACK, &[0.0; 3]);
+    for (mistake, factor) in &FACTORS {
+        candidate(mistake, &[r, g, b].map(|x| factor * x));
+    }
+    candidate(&SWAP_RG, &[g, r, b]);
+    candidate(&SWAP_GB, &[r, b, g]);
+    candidate(&SWAP_RB, &[b, g, r]);
+    candidate(&ONLY_RED, &[r, r, r]);
+    candidate(&NO_RED, &[0.0, g, b]);
+    candidate(&NO_GREEN, &[r, 0.0, b]);
+    candidate(&NO_BLUE, &[r, g, 0.0]);
+    candidate(&SQUARED, &[r * r, g * g, b * b]);
+    candidate(&ROOT, &[r, g, b].map(|x| x.abs().sqrt()));
+    candidate(&COMPLEMENT, &[1.0 - r, 1.0 - g, 1.0 - b]);
+    clues
+}
+
+/// The mistake, if it gives theirs; an alternative that is right explains nothing.
+fn matched(
+    mistake: &'static Mistake,
+    alternative: &[f64],
+    theirs: &[f64],
+    right: &[f64],
+) -> Option<&'static Mistake> {
+    (same(theirs, alternative) && !same(right, alternative)).then_some(mistake)
 }
 
 /// The one factor between theirs and the right numbers, if there is one.
@@ -203,7 +268,8 @@ pub fn ratio(theirs: &[f64], right: &[f64]) -> Option<f64> {
     let at = largest(right)?;
     let ratio = theirs.get(at)? / right[at];
     let scaled: Vec<f64> = right.iter().map(|x| ratio * x).collect();
-    (ratio.is_finite() && same(theirs, &scaled)).then_some(ratio)
+    // 0 is no factor: something is left out
+    (ratio.is_finite() && ratio != 0.0 && same(theirs, &scaled)).then_some(ratio)
 }
 
 /// What explains wrong answers of a family.
@@ -222,14 +288,16 @@ pub enum Name {
     Factor(f64),
 }
 
-/// The least share of the wrong answers that a further name has to explain, as a divisor.
-const SHARE: usize = 4;
+/// The least share of the wrong answers that a name has to explain, as a divisor.
+const SHARE: usize = 3;
+/// Names for the same wrong answers: more would only say that one cannot tell.
+const MOST_ALIKE: usize = 2;
 /// A factor this close to 1 is an error of rounding or of a constant, and is not named.
 const NEAR_ONE: f64 = 1e-4;
 
 /// The names of a family's wrong answers: in each step the mistake that explains most of those not yet explained,
-/// until none explains a quarter of all. Mistakes that explain the same answers are all named, but factors and
-/// signs only where nothing more specific does. Of a single answer, known mistakes only: one ratio says nothing.
+/// until none explains a third of all. Of mistakes that explain the same answers, the most specific are named, at most
+/// two. Of a single answer, known mistakes only: one ratio says nothing.
 pub fn names(wrong: &[Wrong]) -> Vec<Name> {
     let mut open: Vec<usize> = (0..wrong.len()).collect();
     let mut names = Vec::new();
@@ -247,13 +315,43 @@ pub fn names(wrong: &[Wrong]) -> Vec<Name> {
             Name::Known { mistake, explains, of: wrong.len() }
         }));
     }
+    let is_vague = |name: &Name| matches!(name, Name::Known { mistake, .. } if tier(mistake) == LEAST_SPECIFIC);
+    if names.iter().all(is_vague) && has_one_value(wrong) {
+        names = vec![Name::Known { mistake: &ALWAYS, explains: wrong.len(), of: wrong.len() }];
+    }
     if names.is_empty() {
         names.extend(common_factor(wrong).map(Name::Factor));
     }
     names
 }
 
-/// The mistake that explains most of these answers, and those that explain the same ones.
+/// The name of a family whose answers are all this one, if its wrong answers have no better name.
+pub fn always(question: &str, answer: &Value, names: &[Name], wrong: &[Wrong]) -> Option<Name> {
+    let is_vague = |name: &Name| match name {
+        Name::Known { mistake, .. } => tier(mistake) == LEAST_SPECIFIC,
+        Name::Factor(_) => false,
+    };
+    let mistake = match (question, answer) {
+        ("occluded", Value::Bool(false)) => &NO_SHADOW_HIT,
+        ("occluded", Value::Bool(true)) => &ALWAYS_BLOCKED,
+        ("intersect", Value::Null) => &ALWAYS_NULL,
+        _ => return None,
+    };
+    let is_named = wrong.len() >= 2 && names.iter().all(is_vague);
+    is_named.then_some(Name::Known { mistake, explains: wrong.len(), of: wrong.len() })
+}
+
+/// Whether all answers are the same numbers, though others are right.
+fn has_one_value(wrong: &[Wrong]) -> bool {
+    let [first, second, third, others @ ..] = wrong else { return false };
+    let rights: std::collections::BTreeSet<&str> =
+        wrong.iter().map(|one| one.expected.as_str()).collect();
+    let is_same = |other: &Wrong| other.theirs == first.theirs && other.symptom == first.symptom;
+    let is_zero = first.theirs.iter().all(|x| *x == 0.0);
+    !is_zero && rights.len() >= 3 && [second, third].into_iter().chain(others).all(is_same)
+}
+
+/// The mistake that explains most of these answers, and those that explain the same ones and are as specific.
 fn most_explaining(wrong: &[Wrong], open: &[usize]) -> Vec<&'static Mistake> {
     let explained = |mistake: &Mistake| -> Vec<usize> {
         open.iter().copied().filter(|index| wrong[*index].clues.contains(&mistake)).collect()
@@ -265,18 +363,49 @@ fn most_explaining(wrong: &[Wrong], open: &[usize]) -> Vec<&'static Mistake> {
         }
     }
     // stable: of equals, the order in which the judges found them
-    candidates.sort_by_key(|(mistake, all)| (std::cmp::Reverse(all.len()), is_generic(mistake)));
+    candidates.sort_by_key(|(mistake, all)| (std::cmp::Reverse(all.len()), tier(mistake)));
     let Some((first, most)) = candidates.first().cloned() else { return Vec::new() };
     let is_equal = |(mistake, all): &(&'static Mistake, Vec<usize>)| {
-        *all == most && (is_generic(first) || !is_generic(mistake))
+        *all == most && tier(mistake) == tier(first)
     };
-    candidates.into_iter().filter(is_equal).map(|(mistake, _)| mistake).collect()
+    let equal = candidates.into_iter().filter(is_equal).map(|(mistake, _)| mistake);
+    equal.take(MOST_ALIKE).collect()
 }
 
-/// Whether a mistake says how the numbers differ, but not what was done.
-fn is_generic(mistake: &Mistake) -> bool {
-    let generic = [&SQUARED, &ROOT, &INVERSE, &COMPLEMENT, &MISSED];
-    generic.contains(&mistake) || FACTORS.iter().any(|(factor, _)| *factor == mistake)
+/// The tier of what says least.
+const LEAST_SPECIFIC: u8 = 2;
+
+/// How specific a mistake is: 0 says what was done, 1 how components differ, 2 how numbers differ.
+fn tier(mistake: &Mistake) -> u8 {
+    let components = [
+        &SWAP_XY,
+        &SWAP_YZ,
+        &SWAP_XZ,
+        &FLIP_X,
+        &FLIP_Y,
+        &FLIP_Z,
+        &SWAP_RG,
+        &SWAP_GB,
+        &SWAP_RB,
+        &ONLY_RED,
+        &NO_RED,
+        &NO_GREEN,
+        &NO_BLUE,
+        &MIRROR_U,
+        &MIRROR_V,
+        &BLACK,
+        &ZERO,
+        &NEGATED,
+        &NOT_NORMALISED_LENGTH,
+    ];
+    let numbers = [&SQUARED, &ROOT, &INVERSE, &COMPLEMENT, &MISSED];
+    if components.contains(&mistake) {
+        1
+    } else if numbers.contains(&mistake) || FACTORS.iter().any(|(factor, _)| *factor == mistake) {
+        LEAST_SPECIFIC
+    } else {
+        0
+    }
 }
 
 /// The one factor by which all answers are off.
@@ -296,7 +425,12 @@ impl std::fmt::Display for Name {
                 write!(f, ")")?;
                 if explains < of { write!(f, ", explains {explains} of {of}") } else { Ok(()) }
             }
-            Self::Factor(factor) => write!(f, "theirs = ours × {factor:.6}, every time"),
+            Self::Factor(factor) => write!(f, "theirs = ours × {}, every time", digits(*factor)),
         }
     }
+}
+
+/// A number with six digits.
+fn digits(x: f64) -> String {
+    if (1e-4..1e6).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.5e}") }
 }

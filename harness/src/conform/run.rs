@@ -10,7 +10,7 @@ use serde_json::Value;
 use super::card::{Card, Failure, Row, Status};
 use super::family::{Asking, Family, Judge, Stop};
 use super::judgement::{Judgement, Profile, Wrong};
-use super::mistakes::names;
+use super::mistakes::{Mistake, always, names};
 use super::program::{MOST_FAULTS, WINDOW};
 use super::shrink;
 use super::subject::{Fault, Reply, Subject};
@@ -125,7 +125,19 @@ struct Asked<'a> {
     wrong: Vec<Wrong>,
     /// The first wrong case.
     first: Option<(Value, Wrong)>,
+    /// Its answer to every question until now, if they are one.
+    said: Said,
     is_done: bool,
+}
+
+/// What the answers of a family have in common.
+enum Said {
+    /// There are none yet.
+    Nothing,
+    /// All are this one.
+    Always(Value),
+    /// They differ.
+    Different,
 }
 
 impl<'a> Asked<'a> {
@@ -134,7 +146,8 @@ impl<'a> Asked<'a> {
         let cases = (family.cases)(options.seed, count);
         let row = Row::new(&family.name, &family.about, family.chapter);
         let is_done = cases.is_empty();
-        Self { family, cases, row, wrong: Vec::new(), first: None, is_done }
+        let said = Said::Nothing;
+        Self { family, cases, row, wrong: Vec::new(), first: None, said, is_done }
     }
 
     /// Asks some of its cases; while nothing is supported, few of them.
@@ -162,7 +175,10 @@ impl<'a> Asked<'a> {
                     .collect();
                 for ((question, reply), judged) in cases.iter().zip(&replies).zip(judged) {
                     let got = match reply {
-                        Reply::Answer(answer) => answer.to_string(),
+                        Reply::Answer(answer) => {
+                            self.said.and(answer);
+                            answer.to_string()
+                        }
                         _ => String::new(),
                     };
                     self.count(question, judged, || vec![(question.clone(), got)]);
@@ -200,6 +216,9 @@ impl<'a> Asked<'a> {
         self.row.counts[status as usize] += 1;
         self.row.fair += u64::from(judged.is_fair);
         self.row.worst = self.row.worst.max(judged.error);
+        if let Some(mistake) = judged.convention {
+            self.row.count_convention(mistake);
+        }
         if let Some(text) = judged.text {
             let message = (status, text, question.clone());
             if self.row.messages.iter().all(|(other, ..)| *other != status) {
@@ -221,6 +240,11 @@ impl<'a> Asked<'a> {
     fn finish(&mut self, subject: &mut dyn Subject, options: &Options) {
         self.is_done = true;
         self.row.names = names(&self.wrong);
+        if let Said::Always(answer) = &self.said
+            && let Some(name) = always(self.family.question(), answer, &self.row.names, &self.wrong)
+        {
+            self.row.names = vec![name];
+        }
         let Some((question, wrong)) = self.first.take() else { return };
         let asked = std::mem::take(&mut self.row.asked);
         let first = Failure { question, wrong, asked };
@@ -240,7 +264,20 @@ struct Judged {
     /// Wrong, but no failure in single precision.
     is_fair: bool,
     wrong: Option<Box<Wrong>>,
+    /// Of the book, by which it is right.
+    convention: Option<&'static Mistake>,
     text: Option<String>,
+}
+
+impl Said {
+    /// With one more answer.
+    fn and(&mut self, answer: &Value) {
+        match self {
+            Self::Nothing => *self = Self::Always(answer.clone()),
+            Self::Always(before) if before != answer => *self = Self::Different,
+            _ => {}
+        }
+    }
 }
 
 impl Judged {
@@ -271,9 +308,19 @@ impl Judged {
     }
 
     fn from(found: Result<Judgement, Stop>) -> Self {
-        let plain = |status, text| Self { status, error: 0.0, is_fair: false, wrong: None, text };
+        let plain = |status, text| Self {
+            status,
+            error: 0.0,
+            is_fair: false,
+            wrong: None,
+            convention: None,
+            text,
+        };
         match found {
             Ok(Judgement::Right(error)) => Self { error, ..plain(Some(Status::Pass), None) },
+            Ok(Judgement::ByTheBook(mistake)) => {
+                Self { convention: Some(mistake), ..plain(Some(Status::Pass), None) }
+            }
             Ok(Judgement::Undecided) => plain(Some(Status::Undecided), None),
             Ok(Judgement::Wrong(wrong)) => {
                 Self { wrong: Some(wrong), ..plain(Some(Status::Wrong), None) }
@@ -293,7 +340,7 @@ impl Judged {
     }
 }
 
-/// Whether it is right, or not judged.
+/// Whether it is right, or not judged; a convention of the book is no matter of precision.
 fn is_no_failure(judgement: &Judgement) -> bool {
-    !matches!(judgement, Judgement::Wrong(_))
+    matches!(judgement, Judgement::Right(_) | Judgement::Undecided)
 }

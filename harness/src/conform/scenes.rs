@@ -66,7 +66,7 @@ pub fn families() -> Vec<Family> {
 
 const HITS: Rules = Rules {
     needed: &["object", "t"],
-    free: &["error", "path", "shading_normal", "point"],
+    free: &["error", "path", "shading_normal"],
     questions: &[],
     answers: &[],
 };

@@ -1,9 +1,13 @@
 //! The smallest question that fails in the same way.
 //!
 //! A fixed list of changes of the JSON value: instances are unwrapped, fields and list items dropped, directions turned
-//! to axes, numbers set to 0, 1, −1, whole numbers, fewer decimals. A change is kept if the answer is still wrong in the
-//! same respect, and by at least a quarter of the first error: else a gross mistake turns into something that looks
-//! like a tolerance.
+//! to axes, numbers set to 0, 1, −1, whole numbers, fewer decimals. A change is kept if
+//!
+//! - what is asked for is asked for still, unit vectors are unit, and points lie on what they are points of;
+//! - the answer is wrong in the same respect, by at least a quarter of the first error, and by the profile *book* if the
+//!   first is: else a gross mistake turns into something that looks like a tolerance, or as if rounding decided;
+//! - one of the mistakes that explain the first answer explains this one;
+//! - our own answer is right by the same rule, so that the question can be answered.
 
 use std::time::{Duration, Instant};
 
@@ -12,7 +16,7 @@ use serde_json::{Value, json};
 use super::card::Failure;
 use super::family::{Asking, Judge};
 use super::judgement::{Judgement, Profile, Wrong, triple};
-use super::subject::{Reply, Subject, ours};
+use super::subject::{Ours, Reply, Subject, ours};
 
 /// Questions for one failure.
 const MOST_QUESTIONS: usize = 500;
@@ -29,8 +33,7 @@ pub fn smaller(
     profile: Profile,
 ) -> Failure {
     let begun = Instant::now();
-    let least = SHARE * first.wrong.error;
-    let symptom = first.wrong.symptom.clone();
+    let bounds = Bounds::of(subject, judge, &first, profile);
     let mut best = first;
     let mut asked = 0;
     let mut changed = true;
@@ -40,15 +43,18 @@ pub fn smaller(
             if asked >= MOST_QUESTIONS || begun.elapsed() > MOST_TIME {
                 return best;
             }
-            let is_question = keeps_units(&candidate) && ours(&candidate).is_ok();
-            if candidate == best.question || !is_question {
+            if candidate == best.question
+                || !bounds.is_met_by(&candidate)
+                || ours(&candidate).is_err()
+            {
                 continue;
             }
             asked += 1;
             let found = fails(subject, judge, &candidate, profile);
-            let Some(failure) = found else { continue };
-            let is_same = failure.wrong.symptom == symptom && failure.wrong.error >= least;
-            if is_same {
+            let Some(failure) = found.filter(|it| bounds.has_same_cause(it)) else { continue };
+            if bounds.is_as_clear(subject, judge, &failure)
+                && is_right_of_ours(judge, &failure, profile)
+            {
                 best = failure;
                 changed = true;
                 break;
@@ -56,6 +62,92 @@ pub fn smaller(
         }
     }
     best
+}
+
+/// What a smaller question has to keep of the first.
+struct Bounds {
+    question: Value,
+    wrong: Wrong,
+    /// Whether the first answer is wrong by the profile *book*, too.
+    is_clear: bool,
+}
+
+impl Bounds {
+    fn of(subject: &mut dyn Subject, judge: Judge, first: &Failure, profile: Profile) -> Self {
+        let is_clear = profile == Profile::Book
+            || fails(subject, judge, &first.question, Profile::Book).is_some();
+        Self { question: first.question.clone(), wrong: first.wrong.clone(), is_clear }
+    }
+
+    /// Whether a question keeps what is asked for, and what has to be unit or on a surface.
+    fn is_met_by(&self, candidate: &Value) -> bool {
+        let [first, other] = [&self.question, candidate].map(data_of);
+        let (Some(first), Some(other)) = (first, other) else { return false };
+        let is_asked = |field: &&&str| first.get(**field).is_some();
+        KEPT.iter().filter(is_asked).all(|field| {
+            let (before, after) = (&first[*field], &other[*field]);
+            let surfaces = SURFACES.iter().filter(|is_on| triple(before).is_some_and(|p| is_on(p)));
+            !after.is_null()
+                && match triple(after) {
+                    Some(after) => surfaces.into_iter().all(|is_on| is_on(after)),
+                    None => triple(before).is_none(),
+                }
+        })
+    }
+
+    /// Whether it fails in the same respect, by as much, and for a reason that the first may have.
+    fn has_same_cause(&self, failure: &Failure) -> bool {
+        let (first, wrong) = (&self.wrong, &failure.wrong);
+        let is_alike =
+            first.clues.is_empty() || first.clues.iter().any(|clue| wrong.clues.contains(clue));
+        is_alike && wrong.symptom == first.symptom && wrong.error >= SHARE * first.error
+    }
+
+    /// Whether it is wrong by the profile *book*, if the first is.
+    fn is_as_clear(&self, subject: &mut dyn Subject, judge: Judge, failure: &Failure) -> bool {
+        let mut by_the_book = || fails(subject, judge, &failure.question, Profile::Book);
+        !self.is_clear || by_the_book().is_some_and(|it| it.wrong.symptom == self.wrong.symptom)
+    }
+}
+
+/// Fields of a question that say what is asked for, or that its rule needs.
+const KEPT: [&str; 16] = [
+    "u", "wi", "wo", "n", "normal", "all", "eye", "draw", "sets", "uv", "ray", "cell", "point",
+    "leave", "segment", "lamp",
+];
+
+/// A set of points.
+type Surface = fn([f64; 3]) -> bool;
+
+/// What a point may lie on, and has to stay on: other programs may rely on it. The unit sphere and its upper half, the
+/// cylinder of radius 1, the plane y = 0, the cube, and all but the origin.
+const SURFACES: [Surface; 7] = [
+    |[x, y, z]| (x * x + y * y + z * z - 1.0).abs() < 1e-14,
+    |[x, y, z]| (x * x + z * z - 1.0).abs() < 1e-14 && y.abs() <= 1.0,
+    |[_, y, _]| y == 0.0,
+    |[_, y, _]| y >= 0.0,
+    |[_, _, z]| z >= 0.0,
+    |[x, y, z]| x.abs().max(y.abs()).max(z.abs()) <= 1.0,
+    |point| point != [0.0; 3],
+];
+
+/// The data of a question.
+fn data_of(question: &Value) -> Option<&Value> {
+    question.as_object()?.values().next()
+}
+
+/// Whether our own answer to the question is right by the judge that called theirs wrong.
+fn is_right_of_ours(judge: Judge, failure: &Failure, profile: Profile) -> bool {
+    let question = &failure.question;
+    match judge {
+        Judge::Answer(judge) => {
+            ours(question).is_ok_and(|answer| judge(question, &answer, profile).is_right())
+        }
+        Judge::Law(law) => {
+            let found = law(&mut Asking::new(&mut Ours), question, profile);
+            found.is_ok_and(|judgement| judgement.is_right())
+        }
+    }
 }
 
 /// The failure of a question, if it fails.
@@ -85,16 +177,6 @@ fn fails(
             Some(failure(wrong, asked))
         }
     }
-}
-
-/// Whether directions that have to be unit are: another program may rely on it.
-fn keeps_units(question: &Value) -> bool {
-    let data = question.as_object().and_then(|object| object.values().next());
-    let is_unit = |field: &str| {
-        let vector = data.and_then(|data| triple(&data[field]));
-        vector.is_none_or(|[x, y, z]| (x * x + y * y + z * z - 1.0).abs() < 1e-14)
-    };
-    ["wo", "wi", "n"].into_iter().all(is_unit)
 }
 
 /// Simpler questions, the simplest first.

@@ -6,7 +6,7 @@
 
 use serde_json::Value;
 
-use super::judgement::{Judgement, Profile, Wrong, first_wrong, number};
+use super::judgement::{Judgement, Profile, Wrong, first_wrong, nan_in, number, numbers};
 use super::mistakes::{self, Mistake, clues, same};
 use super::subject::ours;
 use groundtruth::math::UNIT_ROUNDOFF;
@@ -16,7 +16,8 @@ pub type AsQuestion = (&'static Mistake, fn(&mut Value) -> Option<()>);
 /// A mistake that is another value of a field: from question, field name and our answer.
 pub type AsAnswer = (&'static Mistake, fn(&Value, &str, &Value) -> Option<Vec<f64>>);
 
-/// How answers of one question are compared.
+/// How answers of one question are compared. Fields that ours do not have are not judged; a list has as many items as
+/// ours.
 #[derive(Clone, Copy)]
 pub struct Rules {
     /// Fields of an answer of which at least these must be there; others are judged if they are.
@@ -36,12 +37,80 @@ const JUMP: f64 = 1e-3;
 /// Below this size, errors are absolute: values are shares of 1, and colours.
 const UNIT: f64 = 1.0;
 
-/// A number, a list of numbers, or something else, at a path of an answer.
+/// A part of an answer that is judged.
 #[derive(Clone, Debug)]
 struct Leaf {
+    /// The path with dots, as `sample.wi`.
     field: String,
-    value: Option<Vec<f64>>,
-    other: Value,
+    right: Part,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Part {
+    Number(f64),
+    Numbers(Vec<f64>),
+    /// The number of items of a list, which are parts of their own.
+    Items(usize),
+    Other(Value),
+}
+
+impl Part {
+    /// The numbers of a number or of a list of them.
+    fn numbers(&self) -> Option<&[f64]> {
+        match self {
+            Self::Number(x) => Some(std::slice::from_ref(x)),
+            Self::Numbers(all) => Some(all),
+            _ => None,
+        }
+    }
+}
+
+impl Leaf {
+    /// What stands in another answer in its place.
+    fn of<'a>(&self, answer: &'a Value) -> Option<&'a Value> {
+        let step = |value: &'a Value, key: &str| match value {
+            Value::Array(items) => items.get(key.parse::<usize>().ok()?),
+            other => other.get(key),
+        };
+        let mut path = self.field.split('.').filter(|key| !key.is_empty());
+        path.try_fold(answer, step)
+    }
+
+    /// Whether its place is in something that is not there: `null` or a missing item, and not an object without the field.
+    fn is_of_nothing(&self, answer: &Value) -> bool {
+        let mut value = Some(answer);
+        for key in self.field.split('.') {
+            match value {
+                Some(Value::Null) => return true,
+                Some(it @ Value::Object(_)) => value = it.get(key),
+                Some(Value::Array(items)) => {
+                    match key.parse().ok().and_then(|at: usize| items.get(at)) {
+                        // of a shorter list: its length is judged
+                        None => return true,
+                        item => value = item,
+                    }
+                }
+                _ => return false,
+            }
+        }
+        false
+    }
+
+    /// Its name in messages.
+    fn name(&self) -> &str {
+        if self.field.is_empty() { "value" } else { &self.field }
+    }
+
+    /// What is right, for messages.
+    fn shown(&self) -> String {
+        let value = match &self.right {
+            Part::Number(x) => format!("{x:?}"),
+            Part::Numbers(all) => format!("{all:?}"),
+            Part::Items(n) => format!("a list of {n}"),
+            Part::Other(value) => value.to_string(),
+        };
+        if self.field.is_empty() { value } else { format!("{} = {value}", self.field) }
+    }
 }
 
 /// The leaves of an answer that are judged: lists of numbers are one.
@@ -56,118 +125,179 @@ fn leaves(answer: &Value, rules: &Rules) -> Vec<Leaf> {
 fn collect(value: &Value, field: &str, all: &mut Vec<Leaf>) {
     let inside =
         |key: &str| if field.is_empty() { key.to_owned() } else { format!("{field}.{key}") };
-    let leaf =
-        |value: Option<Vec<f64>>, other: Value| Leaf { field: field.to_owned(), value, other };
+    let leaf = |right: Part| Leaf { field: field.to_owned(), right };
     match value {
         Value::Object(fields) => {
             fields.iter().for_each(|(key, value)| collect(value, &inside(key), all));
         }
-        Value::Array(items) => match items.iter().map(number).collect::<Option<Vec<f64>>>() {
-            Some(numbers) if !numbers.is_empty() => all.push(leaf(Some(numbers), Value::Null)),
-            Some(_) => all.push(leaf(None, value.clone())),
-            None => {
+        Value::Array(items) => match numbers(value) {
+            Some(numbers) if !numbers.is_empty() => all.push(leaf(Part::Numbers(numbers))),
+            _ => {
+                all.push(leaf(Part::Items(items.len())));
                 let items = items.iter().enumerate();
                 items.for_each(|(i, item)| collect(item, &inside(&i.to_string()), all));
             }
         },
         other => match number(other) {
-            Some(x) => all.push(leaf(Some(vec![x]), Value::Null)),
-            None => all.push(leaf(None, other.clone())),
+            Some(x) => all.push(leaf(Part::Number(x))),
+            None => all.push(leaf(Part::Other(other.clone()))),
         },
     }
 }
 
+/// A judgement, and whether it holds however much the right answer depends on rounding: another type of JSON, a field
+/// that is left out, a number that is none.
+type Found = (Judgement, bool);
+
 /// Judges by our own answer.
 pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) -> Judgement {
     let Ok(right) = ours(question) else { return Judgement::Undecided };
-    let theirs = leaves(theirs, rules);
     let ours = leaves(&right, rules);
-    let check = |(leaf, cond): (&Leaf, f64)| match theirs.iter().find(|it| it.field == leaf.field) {
+    let check = |(leaf, cond): (&Leaf, f64)| match leaf.of(theirs) {
         Some(their) => judge_leaf(question, &right, leaf, their, cond, profile, rules),
-        None => missing(leaf, &theirs, rules),
+        None => missing(leaf, &right, theirs, rules),
     };
     // what is right for a condition of 1 needs no other: measuring it takes a call for each number
-    if let found @ Judgement::Right(_) = first_wrong(ours.iter().map(|leaf| check((leaf, 0.0)))) {
+    let found: Vec<Found> = ours.iter().map(|leaf| check((leaf, 0.0))).collect();
+    let is_certain = |(judgement, certain): &&Found| *certain && !judgement.is_right();
+    if let Some((wrong, _)) = found.iter().find(is_certain) {
+        return wrong.clone();
+    }
+    if let found @ Judgement::Right(_) = first_wrong(found.into_iter().map(|(it, _)| it)) {
         return found;
     }
     let Some(conditions) = conditions(question, &right, profile, rules) else {
         return Judgement::Undecided;
     };
-    first_wrong(ours.iter().zip(conditions).map(check))
+    first_wrong(ours.iter().zip(conditions).map(|leaf| check(leaf).0))
 }
 
-/// Fields that are not needed may be left out; of what is needed, something may be there in its place.
-fn missing(leaf: &Leaf, theirs: &[Leaf], rules: &Rules) -> Judgement {
+/// A field that is not needed may be left out, but not replaced by something else.
+fn missing(leaf: &Leaf, right: &Value, theirs: &Value, rules: &Rules) -> Found {
     let first = leaf.field.split('.').next().unwrap_or_default();
-    let is_needed =
-        leaf.field.is_empty() || rules.needed.contains(&first) || rules.needed.is_empty();
-    let expected = shown(leaf);
-    match is_needed {
-        false => Judgement::Right(0.0),
-        // null, or nothing at all
-        true if theirs.iter().all(|leaf| leaf.other.is_null() && leaf.value.is_none()) => {
-            Judgement::wrong("null", f64::INFINITY, expected)
-        }
-        true => {
-            let what = if leaf.field.is_empty() { "value" } else { &leaf.field };
-            Judgement::wrong(&format!("{what} is missing"), f64::INFINITY, expected)
-        }
+    let is_needed = rules.needed.is_empty() || rules.needed.contains(&first);
+    if right.is_object() && !is_needed && (theirs.is_object() && theirs.get(first).is_none()) {
+        return (Judgement::Right(0.0), true);
     }
-}
-
-fn shown(leaf: &Leaf) -> String {
-    let value = match &leaf.value {
-        Some(numbers) if numbers.len() == 1 => format!("{:?}", numbers[0]),
-        Some(numbers) => format!("{numbers:?}"),
-        None => leaf.other.to_string(),
+    let (symptom, certain) = match theirs {
+        Value::Null => ("null".to_owned(), false),
+        _ => (format!("{} is missing", leaf.name()), !leaf.is_of_nothing(theirs)),
     };
-    if leaf.field.is_empty() { value } else { format!("{} = {value}", leaf.field) }
+    (Judgement::wrong(&symptom, f64::INFINITY, leaf.shown()), certain)
 }
 
 fn judge_leaf(
     question: &Value,
     answer: &Value,
-    right: &Leaf,
-    their: &Leaf,
+    leaf: &Leaf,
+    their: &Value,
     cond: f64,
     profile: Profile,
     rules: &Rules,
-) -> Judgement {
-    let symptom = if right.field.is_empty() { "value" } else { &right.field };
-    let (Some(theirs), Some(numbers)) = (&their.value, &right.value) else {
-        let is_same = their.value.is_none() && right.value.is_none() && their.other == right.other;
-        return match is_same {
-            true => Judgement::Right(0.0),
-            false => Judgement::wrong(symptom, f64::INFINITY, shown(right)),
-        };
+) -> Found {
+    let wrong = |symptom: String| Judgement::wrong(&symptom, f64::INFINITY, leaf.shown());
+    let of_other_type = || (wrong(leaf.name().to_owned()), !their.is_null());
+    let right = match &leaf.right {
+        Part::Number(_) | Part::Numbers(_) => leaf.right.numbers().unwrap_or_default(),
+        Part::Items(n) => {
+            return match their.as_array() {
+                Some(items) if items.len() == *n => (Judgement::Right(0.0), true),
+                Some(items) => (wrong(format!("{}: {} items", leaf.name(), items.len())), false),
+                None => of_other_type(),
+            };
+        }
+        Part::Other(value) if value == their => return (Judgement::Right(0.0), true),
+        Part::Other(value) => {
+            let is_other = std::mem::discriminant(value) != std::mem::discriminant(their);
+            return (wrong(leaf.name().to_owned()), is_other && !value.is_null());
+        }
     };
-    let size = largest(numbers).max(UNIT);
-    let error = distance(theirs, numbers) / (UNIT_ROUNDOFF * cond.max(size));
-    if error <= profile.allowed() {
-        return Judgement::Right(error);
+    if right.iter().any(|x| x.is_nan()) {
+        return (Judgement::Undecided, false);
     }
-    let mut found = clues(theirs, numbers);
+    let is_list = matches!(leaf.right, Part::Numbers(_));
+    if nan_in(their) && is_list == their.is_array() {
+        let causes = causes_of_nan(question, leaf, answer, rules);
+        return (wrong(format!("{} is not a number", leaf.name())).with(causes), true);
+    }
+    let theirs = if is_list { numbers(their) } else { number(their).map(|x| vec![x]) };
+    let Some(theirs) = theirs else { return of_other_type() };
+    let size = largest(right).max(UNIT);
+    let error = distance(&theirs, right) / (UNIT_ROUNDOFF * cond.max(size));
+    if error <= profile.allowed() {
+        return (Judgement::Right(error), false);
+    }
+    let is_too_large =
+        theirs.iter().zip(right).any(|(their, right)| their.is_infinite() && right.is_finite());
+    let symptom = match (theirs.len() == right.len(), is_too_large) {
+        (false, _) => format!("{}: {} numbers", leaf.name(), theirs.len()),
+        (true, true) => format!("{} is infinite", leaf.name()),
+        (true, false) => leaf.name().to_owned(),
+    };
+    let wrong = Wrong {
+        symptom,
+        error,
+        expected: leaf.shown(),
+        clues: explained(question, leaf, answer, (&theirs, right), rules),
+        ratio: mistakes::ratio(&theirs, right),
+        theirs,
+    };
+    (Judgement::Wrong(Box::new(wrong)), false)
+}
+
+/// The mistakes that give just these numbers.
+fn explained(
+    question: &Value,
+    leaf: &Leaf,
+    answer: &Value,
+    (theirs, right): (&[f64], &[f64]),
+    rules: &Rules,
+) -> Vec<&'static Mistake> {
+    let mut found = match is_color(question, &leaf.field) {
+        true => mistakes::clues_of_color(theirs, right),
+        false => clues(theirs, right),
+    };
     for (mistake, change) in rules.questions {
         let mut changed = question.clone();
         if change(&mut changed).is_none() {
             continue;
         }
         let Ok(other) = ours(&changed) else { continue };
-        let other = leaves(&other, rules).into_iter().find(|leaf| leaf.field == right.field);
-        let Some(other) = other.and_then(|leaf| leaf.value) else { continue };
-        if same(theirs, &other) && !same(numbers, &other) {
+        let other = leaves(&other, rules).into_iter().find(|it| it.field == leaf.field);
+        let Some(other) = other else { continue };
+        let Some(other) = other.right.numbers() else { continue };
+        if same(theirs, other) && !same(right, other) {
             found.push(mistake);
         }
     }
     for (mistake, alternative) in rules.answers {
-        let Some(other) = alternative(question, &right.field, answer) else { continue };
-        if same(theirs, &other) && !same(numbers, &other) {
+        let Some(other) = alternative(question, &leaf.field, answer) else { continue };
+        if same(theirs, &other) && !same(right, &other) {
             found.push(mistake);
         }
     }
-    let ratio = mistakes::ratio(theirs, numbers);
-    let (symptom, expected) = (symptom.to_owned(), shown(right));
-    Judgement::Wrong(Box::new(Wrong { symptom, error, expected, clues: found, ratio }))
+    found
+}
+
+/// The mistakes whose value is no number here, such as 0/0.
+fn causes_of_nan(
+    question: &Value,
+    leaf: &Leaf,
+    answer: &Value,
+    rules: &Rules,
+) -> Vec<&'static Mistake> {
+    let is_cause = |(mistake, alternative): &AsAnswer| {
+        let other = alternative(question, &leaf.field, answer)?;
+        other.iter().any(|x| x.is_nan()).then_some(*mistake)
+    };
+    rules.answers.iter().filter_map(is_cause).collect()
+}
+
+/// Whether the three numbers of a field are red, green and blue.
+fn is_color(question: &Value, field: &str) -> bool {
+    const COLORS: [&str; 7] = ["radiance", "mean", "f", "albedo", "weight", "ambient", "blocked"];
+    question.get("texture").is_some()
+        || field.rsplit('.').next().is_some_and(|last| COLORS.contains(&last))
 }
 
 fn largest(numbers: &[f64]) -> f64 {
@@ -203,7 +333,10 @@ fn conditions(
             return None;
         }
         for ((a, b), condition) in right.iter().zip(&other).zip(&mut conditions) {
-            match (&a.value, &b.value) {
+            if a.field != b.field {
+                return None;
+            }
+            match (a.right.numbers(), b.right.numbers()) {
                 (Some(a), Some(b)) => {
                     let change = distance(a, b);
                     // a jump does not shrink with the move
@@ -212,7 +345,7 @@ fn conditions(
                     }
                     *condition += change / step;
                 }
-                _ if a.other != b.other || a.value.is_some() != b.value.is_some() => return None,
+                _ if a.right != b.right => return None,
                 _ => {}
             }
         }

@@ -36,6 +36,55 @@ pub fn planted_here() -> Vec<Planted> {
             at(&mut a, "/radiance", |x| x / PI);
             a
         }),
+        planted(
+            "a sun that is not unit",
+            &["light.directional"],
+            Some(&m::SUN_NOT_NORMALISED),
+            |q, mut a| {
+                a["direction"] = data(q)["light"]["directional"]["direction"].clone();
+                a
+            },
+        ),
+        planted(
+            "the whole angle of a fisheye",
+            &["camera_ray.fisheye.values"],
+            Some(&m::WHOLE_ANGLE),
+            |q, mut a| {
+                let mut axis = q.clone();
+                axis["camera_ray"]["image"] = json!({"width": 1, "height": 1});
+                axis["camera_ray"]["pixel"] = json!([0, 0]);
+                axis["camera_ray"]["place"] = json!([0.5, 0.5]);
+                let axis = vector(&ours(&axis).unwrap_or_default()["direction"]);
+                let d = vector(&a["direction"]);
+                // the direction mirrored: twice the angle from the axis
+                let cosine: f64 = (0..3).map(|i| axis[i] * d[i]).sum();
+                if !a["direction"].is_null() {
+                    a["direction"] = json!([0, 1, 2].map(|i| 2.0 * cosine * d[i] - axis[i]));
+                }
+                a
+            },
+        ),
+        planted(
+            "0/0 in the middle of a fisheye",
+            &["camera_ray.fisheye.middle"],
+            Some(&m::DIVIDED_BY_ZERO_ANGLE),
+            |_, mut a| {
+                if a["film"] == json!([0.0, 0.0]) {
+                    a["direction"] = json!(["nan", "nan", "nan"]);
+                }
+                a
+            },
+        ),
+        planted("a picture turned by 180°", PINHOLE, Some(&m::TURNED_BY_HALF), |q, _| {
+            instead(q, |data| {
+                for (axis, side) in ["width", "height"].into_iter().enumerate() {
+                    let length = data["image"][side].as_u64().unwrap_or(1);
+                    let pixel = data["pixel"][axis].as_u64().unwrap_or(0);
+                    data["pixel"][axis] = json!(length - 1 - pixel);
+                    at(data, &format!("/place/{axis}"), |u| 1.0 - u);
+                }
+            })
+        }),
         planted("corners of pixels", PINHOLE, Some(&m::CORNERS), |q, _| moved_half(q)),
         planted("rows from the bottom", PINHOLE, Some(&m::UPSIDE_DOWN), |q, _| {
             instead(q, |data| {

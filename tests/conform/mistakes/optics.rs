@@ -7,7 +7,7 @@ use harness::conform::mistakes as m;
 use harness::conform::ours;
 use serde_json::json;
 
-use super::super::altered::{at, data, each, instead, only, vector};
+use super::super::altered::{at, data, each, instead, only, swap, vector};
 use super::{Planted, planted};
 
 /// All of them.
@@ -68,6 +68,42 @@ pub fn planted_here() -> Vec<Planted> {
                 a
             },
         ),
+        planted(
+            "η ωo for ωo/η",
+            &["fresnel.directions"],
+            Some(&m::ETA_MULTIPLIED),
+            |q, mut a| {
+                let (wo, eta) = (vector(&data(q)["wo"]), data(q)["eta"].as_f64().unwrap_or(1.0));
+                let right = vector(&a["refracted"]);
+                if !a["refracted"].is_null() {
+                    a["refracted"] = json!([0, 1, 2].map(|i| right[i] + wo[i] / eta - eta * wo[i]));
+                }
+                a
+            },
+        ),
+        planted(
+            "an index of 0",
+            &["fresnel.cosine"],
+            Some(&m::INDEX_ZERO),
+            |_, _| json!({"reflected": 1.0, "transmitted": 0.0}),
+        ),
+        planted(
+            "a transmitter without an index",
+            &["lobe.perfect_transmitter.values"],
+            Some(&m::INDEX_ZERO),
+            |_, mut a| {
+                a["sample"] = json!(null);
+                a
+            },
+        ),
+        planted("colours the other way round", DIFFUSE, Some(&m::SWAP_RB), |_, mut a| {
+            a.pointer_mut("/f").into_iter().for_each(|f| swap(f, 0, 2));
+            a
+        }),
+        planted("a lobe that is black", DIFFUSE, Some(&m::BLACK), |_, mut a| {
+            at(&mut a, "/f", |_| 0.0);
+            a
+        }),
         planted("the mean of amplitudes", FRESNEL, Some(&m::MEAN_OF_AMPLITUDES), |_, a| {
             let [s, p] = ["r_s", "r_p"].map(|it| a[it].as_f64().unwrap_or(0.0).sqrt());
             json!({"reflected": (s + p) / 2.0})

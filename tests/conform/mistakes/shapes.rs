@@ -95,6 +95,59 @@ pub fn planted_here() -> Vec<Planted> {
             Some(&m::NORMAL_UNTRANSFORMED),
             |q, a| by_matrix(q, a, false),
         ),
+        planted(
+            "normal by the inverse",
+            &["intersect.instance.ordinary"],
+            Some(&m::NORMAL_BY_INVERSE),
+            by_inverse,
+        ),
+        planted(
+            "unit direction assumed inside an instance",
+            &["intersect.instance.ordinary"],
+            Some(&m::UNIT_ASSUMED),
+            |q, mut a| {
+                // the ray of each instance is made unit, and its t is that of the innermost
+                let mut kind = data(q)["shape"].clone();
+                let mut direction = vector(&data(q)["ray"]["direction"]);
+                while let Some(instance) = kind.get("instance").cloned() {
+                    let steps = json!({"transform": {"steps": instance["transform"]}});
+                    let inverse = ours(&steps).unwrap_or_default()["inverse"].clone();
+                    let row = |i: usize| [0, 1, 2].map(|j| inverse[i][j].as_f64().unwrap_or(0.0));
+                    direction = [0, 1, 2]
+                        .map(|i| row(i).iter().zip(&direction).map(|(m, d)| m * d).sum::<f64>());
+                    kind = instance["of"].clone();
+                }
+                at(&mut a, "/t", |t| t * length(&json!(direction)));
+                a
+            },
+        ),
+        planted(
+            "t is never set",
+            &["intersect.torus.ordinary"],
+            Some(&m::T_NOT_SET),
+            |_, mut a| {
+                at(&mut a, "/t", |_| 1e10);
+                a
+            },
+        ),
+        planted(
+            "a cone's normal for h = r² only",
+            &["intersect.cone.ordinary"],
+            Some(&m::CONE_NORMAL_SQUARE),
+            |q, mut a| {
+                let cone = &data(q)["shape"]["cone"];
+                let [h, r] = ["height", "radius"].map(|name| cone[name].as_f64().unwrap_or(1.0));
+                let k = h * h / (r * r);
+                // (k x, h − y, k z) is right; h for k is theirs
+                let right = vector(&a["normal"]);
+                let theirs = [h / k * right[0], right[1], h / k * right[2]];
+                let long = length(&json!(theirs));
+                if !a.is_null() {
+                    a["normal"] = json!(theirs.map(|x| x / long));
+                }
+                a
+            },
+        ),
         planted("disk without a rim", &["intersect.disk.ordinary"], None, |q, _| {
             instead(q, |data| data["shape"]["disk"]["radius"] = json!(1e6))
         }),
@@ -222,7 +275,7 @@ pub fn planted_here() -> Vec<Planted> {
                 if a["front"] == json!(false) { json!(null) } else { a }
             },
         ),
-        planted("nothing is hit", &["intersect.sphere.around"], Some(&m::MISSED), |_, _| {
+        planted("nothing is hit", &["intersect.sphere.around"], Some(&m::ALWAYS_NULL), |_, _| {
             json!(null)
         }),
         planted(
@@ -348,5 +401,31 @@ fn by_matrix(question: &Value, mut answer: Value, transformed: bool) -> Value {
     if !answer.is_null() {
         answer["normal"] = json!(normal);
     }
+    answer
+}
+
+/// The normal by the inverses of the transformations, from the inside out.
+fn by_inverse(question: &Value, mut answer: Value) -> Value {
+    if answer.is_null() {
+        return answer;
+    }
+    let mut kind = data(question)["shape"].clone();
+    let mut maps = Vec::new();
+    while let Some(instance) = kind.get("instance").cloned() {
+        let steps = json!({"transform": {"steps": instance["transform"]}});
+        maps.push(ours(&steps).unwrap_or_default());
+        kind = instance["of"].clone();
+    }
+    let entry = |map: &Value, i: usize, j: usize| map[i][j].as_f64().unwrap_or(0.0);
+    let mut n = vector(&answer["normal"]);
+    for map in &maps {
+        // g ∝ Mᵀ n
+        n = [0, 1, 2].map(|i| (0..3).map(|j| entry(&map["matrix"], j, i) * n[j]).sum());
+    }
+    for map in maps.iter().rev() {
+        n = [0, 1, 2].map(|i| (0..3).map(|j| entry(&map["inverse"], i, j) * n[j]).sum());
+    }
+    let long = length(&json!(n));
+    answer["normal"] = json!(n.map(|x| x / long));
     answer
 }

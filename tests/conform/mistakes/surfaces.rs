@@ -38,6 +38,38 @@ pub fn planted_here() -> Vec<Planted> {
                 }
             },
         ),
+        planted(
+            "truncated in the plane",
+            &["texture.plane_checker.values"],
+            Some(&m::TRUNCATED_FLOOR),
+            |q, a| {
+                let checker = &data(q)["texture"]["plane_checker"];
+                let size = checker["size"].as_f64().unwrap_or(1.0);
+                let [x, _, z] = vector(&data(q)["point"]).map(|x| x / size);
+                let width = checker["outline_width"].as_f64().unwrap_or(0.0) / size;
+                if [x, z].iter().any(|x| (x - x.round()).abs() < 0.5 * width) {
+                    return a;
+                }
+                let is_even = (x.trunc() + z.trunc()).rem_euclid(2.0) == 0.0;
+                let color = &checker[if is_even { "color1" } else { "color2" }];
+                match color.as_f64() {
+                    Some(grey) => json!([grey, grey, grey]),
+                    None => color.clone(),
+                }
+            },
+        ),
+        planted(
+            "0/0 on the axis of a light probe",
+            &["mapping.light_probe.axis"],
+            Some(&m::DIVIDED_BY_ZERO_AXIS),
+            |q, mut a| {
+                let [x, y, _] = vector(&data(q)["point"]);
+                if x == 0.0 && y == 0.0 {
+                    a = json!(["nan", "nan"]);
+                }
+                a
+            },
+        ),
         planted("checker without its size", &["texture.checker3d"], None, |q, _| {
             instead(q, |data| only(&mut data["texture"])["size"] = json!(1.0))
         }),

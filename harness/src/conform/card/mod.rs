@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use serde_json::{Value, json};
 
 use super::judgement::{Profile, Wrong};
-use super::mistakes::Name;
+use super::mistakes::{Mistake, Name};
 
 pub use junit::junit;
 pub use page::page;
@@ -87,6 +87,8 @@ pub struct Row {
     pub failure: Option<Failure>,
     /// What all wrong answers have in common.
     pub names: Vec<Name>,
+    /// Conventions of the book that its answers follow and ours do not, each with the number of answers: they pass.
+    pub conventions: Vec<(&'static Mistake, u64)>,
     /// For each other status, the first text and its question.
     pub messages: Vec<(Status, String, Value)>,
     /// What was asked for the first failure.
@@ -104,8 +106,16 @@ impl Row {
             worst: 0.0,
             failure: None,
             names: Vec::new(),
+            conventions: Vec::new(),
             messages: Vec::new(),
             asked: Vec::new(),
+        }
+    }
+
+    pub(super) fn count_convention(&mut self, mistake: &'static Mistake) {
+        match self.conventions.iter_mut().find(|(known, _)| *known == mistake) {
+            Some((_, count)) => *count += 1,
+            None => self.conventions.push((mistake, 1)),
         }
     }
 
@@ -190,6 +200,9 @@ impl Card {
                 "family": row.name, "chapter": row.chapter, "about": row.about, "counts": counts,
                 "fair": row.fair, "worst": row.worst, "failure": failure,
                 "names": row.names.iter().map(ToString::to_string).collect::<Vec<_>>(),
+                "conventions": row.conventions.iter().map(|(it, count)| {
+                    json!({"name": it.name, "place": it.place, "count": count})
+                }).collect::<Vec<_>>(),
                 "messages": messages.collect::<Vec<_>>(),
             })
         };

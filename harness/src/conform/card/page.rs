@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::text::failed;
+use super::text::{conventions, failed};
 use super::{Card, Row, Status};
 use crate::html::escaped;
 
@@ -48,6 +48,11 @@ pub fn page(card: &Card, command: &str) -> String {
             let _ =
                 writeln!(html, "<p>For <code>groundtruth probe</code>:</p>\n<pre>{lines}</pre>");
         }
+    }
+    let by_the_book: String = card.rows.iter().map(conventions).collect();
+    if !by_the_book.is_empty() {
+        let lines = escaped(&by_the_book);
+        let _ = writeln!(html, "<h2>Conventions of the book</h2>\n<pre>{lines}</pre>");
     }
     html + "</html>\n"
 }

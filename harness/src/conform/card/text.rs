@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use super::super::mistakes::Mistake;
 use super::{Card, Row, Status};
 use groundtruth::printable;
 
@@ -66,7 +67,21 @@ pub(super) fn failed(row: &Row) -> String {
 /// The sum of all chapters, and what failed.
 pub fn rest(card: &Card) -> String {
     let all: Vec<&Row> = card.rows.iter().collect();
-    line("all", &all) + &card.rows.iter().map(failed).collect::<String>()
+    line("all", &all)
+        + &card.rows.iter().map(failed).collect::<String>()
+        + &card.rows.iter().map(conventions).collect::<String>()
+}
+
+/// What a family's answers do as the book does and we do not: they pass by the profile *book*.
+pub(super) fn conventions(row: &Row) -> String {
+    let shown = |(mistake, count): &(&Mistake, u64)| {
+        let (name, total) = (&row.name, row.total());
+        format!(
+            "{name}: {count} of {total} by a convention of the book: {} ({})\n",
+            mistake.name, mistake.place
+        )
+    };
+    row.conventions.iter().map(shown).collect()
 }
 
 impl fmt::Display for Card {

@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::super::judgement::{Judgement, Profile, Wrong, first_wrong, number, triple};
+use super::super::judgement::{Judgement, Profile, Wrong, first_wrong, nan_in, number, triple};
 use super::super::mistakes::{self, Mistake, clues};
 use super::names;
 use super::question::Question;
@@ -20,10 +20,10 @@ pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile) -> Jud
     let right = !exact.roots.is_empty();
     match answer.as_bool() {
         Some(theirs) if theirs == right => Judgement::Right(0.0),
-        Some(false) => Judgement::wrong("missed", f64::INFINITY, "true"),
+        Some(false) => Judgement::wrong("missed", f64::INFINITY, "true").with([&mistakes::MISSED]),
         Some(true) => {
             let judgement = Judgement::wrong("no hit is there", f64::INFINITY, "false");
-            with(judgement, names::of_occlusion(&question))
+            judgement.with(names::of_occlusion(&question))
         }
         None => Judgement::wrong("no truth value", f64::INFINITY, right.to_string()),
     }
@@ -39,7 +39,11 @@ pub fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     let theirs: Vec<&Value> = match answer {
         Value::Null => Vec::new(),
         Value::Array(hits) if parsed.all => hits.iter().collect(),
-        hit => vec![hit],
+        hit @ Value::Object(_) if !parsed.all => vec![hit],
+        _ => {
+            let expected = if parsed.all { "a list of hits" } else { "a hit, or null" };
+            return Judgement::wrong("other JSON", f64::INFINITY, expected);
+        }
     };
     let right =
         if parsed.all { &exact.roots[..] } else { &exact.roots[..exact.roots.len().min(1)] };
@@ -64,21 +68,16 @@ fn miscounted(question: &Question, theirs: &[&Value], right: &[Root]) -> Judgeme
         _ => "too many hits",
     };
     let found = names::of_count(question, theirs, right);
-    with(Judgement::wrong(symptom, f64::INFINITY, expected), found)
-}
-
-/// The same judgement with these clues.
-fn with(mut judgement: Judgement, clues: Vec<&'static Mistake>) -> Judgement {
-    if let Judgement::Wrong(wrong) = &mut judgement {
-        wrong.clues = clues;
-    }
-    judgement
+    Judgement::wrong(symptom, f64::INFINITY, expected).with(found)
 }
 
 fn judge_hit(question: &Question, hit: &Value, root: &Root, profile: Profile) -> Judgement {
     let t = match hit.get("t").map(number) {
-        Some(Some(t)) => t,
-        _ => return Judgement::wrong("t is missing", f64::INFINITY, format!("t = {:?}", root.t)),
+        Some(Some(t)) if !t.is_nan() => t,
+        given => {
+            let symptom = if given.is_some() { "t is not a number" } else { "t is missing" };
+            return Judgement::wrong(symptom, f64::INFINITY, format!("t = {:?}", root.t));
+        }
     };
     let t_error = backward_error::t_error(root, t);
     if t_error.is_nan() || t_error > profile.allowed() {
@@ -91,6 +90,15 @@ fn judge_hit(question: &Question, hit: &Value, root: &Root, profile: Profile) ->
     first_wrong([Judgement::Right(t_error), normal, judge_front(question, hit, root), point])
 }
 
+/// A normal, point or the like that is there, but not three numbers.
+fn not_three(name: &str, given: &Value, expected: String) -> Judgement {
+    let symptom = match nan_in(given) {
+        true => format!("{name} is not a number"),
+        false => format!("{name} is missing"),
+    };
+    Judgement::wrong(&symptom, f64::INFINITY, expected)
+}
+
 /// Wrong numbers: what differs, by how much, and their numbers with the right ones.
 fn wrong(
     (symptom, error): (&str, f64),
@@ -100,41 +108,77 @@ fn wrong(
 ) -> Judgement {
     let ratio = mistakes::ratio(theirs, right);
     let symptom = symptom.to_owned();
-    Judgement::Wrong(Box::new(Wrong { symptom, error, expected, clues, ratio }))
+    Judgement::Wrong(Box::new(Wrong {
+        symptom,
+        error,
+        expected,
+        clues,
+        ratio,
+        theirs: theirs.to_vec(),
+    }))
+}
+
+/// Three numbers, none of them NaN.
+fn three(value: &Value) -> Option<[f64; 3]> {
+    triple(value).filter(|three| three.iter().all(|x| !x.is_nan()))
 }
 
 fn judge_normal(question: &Question, hit: &Value, root: &Root, profile: Profile) -> Judgement {
     let right = root.normal;
     let expected = format!("normal {right:?}");
-    let Some(normal) = triple(&hit["normal"]) else {
-        return Judgement::wrong("normal is missing", f64::INFINITY, expected);
+    let Some(normal) = three(&hit["normal"]) else {
+        return not_three("normal", &hit["normal"], expected);
     };
+    let length = Vector::from(normal).length();
+    let is_unit = |allowed: f64| (length - 1.0).abs() <= allowed.max(4.0) * UNIT_ROUNDOFF;
+    let off = (length - 1.0).abs() / UNIT_ROUNDOFF;
+    let not_unit = |expected: String| {
+        let clues = vec![&mistakes::NOT_NORMALISED_LENGTH];
+        wrong(("normal is not unit", off), expected, clues, (&normal, &right))
+    };
+    let Some((error, allowed)) = normal_error(question, root, normal, profile) else {
+        // at an edge, either face's normal is right
+        return match is_unit(Profile::Book.allowed()) {
+            true => Judgement::Right(0.0),
+            false => not_unit("a unit normal".to_owned()),
+        };
+    };
+    if error <= allowed {
+        return if is_unit(allowed) { Judgement::Right(error) } else { not_unit(expected) };
+    }
+    let is_turned =
+        names::is_turned_by_the_book(&question.shape) && names::is_turned(question, normal, root);
+    let turned_back =
+        is_turned.then(|| normal_error(question, root, normal.map(|x| -x), profile)).flatten();
+    if profile == Profile::Book && turned_back.is_some_and(|(error, allowed)| error <= allowed) {
+        return Judgement::ByTheBook(&mistakes::TO_VIEWER_BY_THE_BOOK);
+    }
+    let expected = match is_turned {
+        true => expected + "; the book turns it to the viewer, too",
+        false => expected,
+    };
+    let clues = names::of_normal(question, normal, root);
+    wrong(("normal", error), expected, clues, (&normal, &right))
+}
+
+/// The error of a normal in u·cond, and the error allowed; `None` at an edge.
+fn normal_error(
+    question: &Question,
+    root: &Root,
+    normal: [f64; 3],
+    profile: Profile,
+) -> Option<(f64, f64)> {
     let condition = question.shape.condition();
     let direction = Vector::from(question.ray.direction);
-    let Some((error, allowed)) = backward_error::normal_error(root, normal, direction, condition)
-    else {
-        return Judgement::Right(0.0); // at an edge, either face's normal is right
-    };
+    let (error, allowed) = backward_error::normal_error(root, normal, direction, condition)?;
     if root.face_margin <= profile.margin() * condition {
-        return Judgement::Right(0.0);
+        return None;
     }
-    let (error, allowed) = match condition_of_edges(&question.shape) {
+    Some(match condition_of_edges(&question.shape) {
         Some(cond) => (error / cond, profile.allowed()),
         None if profile == Profile::Book => (error, profile.allowed()),
         None => (error, allowed),
-    };
-    let length = Vector::from(normal).length();
-    let is_unit = (length - 1.0).abs() <= allowed.max(4.0) * UNIT_ROUNDOFF;
-    if error <= allowed && !is_unit {
-        let clues = vec![&mistakes::NOT_NORMALISED_LENGTH];
-        let off = (length - 1.0).abs() / UNIT_ROUNDOFF;
-        return wrong(("normal is not unit", off), expected, clues, (&normal, &right));
-    }
-    if error <= allowed {
-        return Judgement::Right(error);
-    }
-    let found = names::of_normal(question, normal, root);
-    wrong(("normal", error), expected, found, (&normal, &right))
+    })
 }
 
 /// How much the normal `a × b / |a × b|` of a shape given by the edges `a` and `b` from the corner `v` depends on
@@ -162,10 +206,13 @@ fn condition_of_edges(shape: &Shape) -> Option<f64> {
 
 fn judge_front(question: &Question, hit: &Value, root: &Root) -> Judgement {
     let Some(front) = hit.get("front") else { return Judgement::Right(0.0) };
-    let right = names::dot(root.normal, question.ray.direction) < 0.0;
-    match front.as_bool() == Some(right) {
-        true => Judgement::Right(0.0),
-        false => Judgement::wrong("front", f64::INFINITY, format!("front: {right}")),
+    let faces = |normal: [f64; 3]| names::dot(normal, question.ray.direction) < 0.0;
+    let right = faces(root.normal);
+    // at an edge their normal may be that of the other face; turned to the viewer, it always faces the ray
+    let theirs = triple(&hit["normal"]).map_or(right, faces);
+    match front.as_bool() {
+        Some(front) if front == right || front == theirs => Judgement::Right(0.0),
+        _ => Judgement::wrong("front", f64::INFINITY, format!("front: {right}")),
     }
 }
 
@@ -175,9 +222,7 @@ fn judge_point(question: &Question, hit: &Value, root: &Root, profile: Profile) 
     let oracle::Ray { origin, direction } = question.ray;
     let right: [f64; 3] = std::array::from_fn(|i| origin[i] + root.t * direction[i]);
     let expected = format!("point {right:?}");
-    let Some(point) = triple(point) else {
-        return Judgement::wrong("point", f64::INFINITY, expected);
-    };
+    let Some(point) = three(point) else { return not_three("point", point, expected) };
     let length = |v: [f64; 3]| Vector::from(v).length();
     let off = length(std::array::from_fn(|i| point[i] - right[i]));
     let moved = root.squeeze * root.cond.max(root.t.abs()) * length(direction);

@@ -1,7 +1,9 @@
 //! Rays and shapes, judged by exact answers (`oracle`).
 
 mod cases;
+mod formulas;
 mod judge;
+mod local;
 mod names;
 mod question;
 

@@ -4,10 +4,11 @@ use serde_json::{Value, json};
 
 use super::super::mistakes::{self as m, Mistake, clues, same};
 use super::super::subject::ours;
+use super::formulas;
+use super::local::Local;
 use super::question::Question;
-use groundtruth::math::{Transform, Vector};
-use groundtruth::shapes;
-use oracle::{Root, Shape};
+use groundtruth::math::{Normal, Transform, Vector};
+use oracle::{Root, Shape, Solid};
 
 type Clues = Vec<&'static Mistake>;
 
@@ -36,8 +37,17 @@ pub fn of_count(question: &Question, theirs: &[&Value], right: &[Root]) -> Clues
     {
         found.push(&m::UNIT_ASSUMED);
     }
+    if Local::of(question).is_some_and(|local| {
+        formulas::is_count_of_cancellation(&local, question.span, &theirs, right.len())
+    }) {
+        found.push(&m::CANCELLATION);
+    }
     found
 }
+
+/// Where a distance starts that is never set: at 0, or at what programs take for the farthest.
+const NOT_SET: [f64; 12] =
+    [0.0, 1e6, 1e7, 1e8, 1e9, 1e10, 1e20, 1e30, 1e38, 1e300, f64::MAX, f64::INFINITY];
 
 /// What explains the distance of a hit.
 pub fn of_t(question: &Question, t: f64, root: &Root) -> Clues {
@@ -45,8 +55,19 @@ pub fn of_t(question: &Question, t: f64, root: &Root) -> Clues {
     let line = roots_of_line(question);
     let is = |other: f64| same(&[t], &[other]) && !same(&[root.t], &[other]);
     let length = Vector::from(question.ray.direction).length();
-    if is(root.t * length) || without_square_of_direction(question).flatten().is_some_and(is) {
+    let local = Local::of(question);
+    // an instance's ray has another length inside
+    let inside = local.as_ref().map_or(length, |local| local.ray.direction.length());
+    let is_unit_assumed =
+        [length, inside, inside / length].map(|by| is(root.t * by)).contains(&true);
+    if is_unit_assumed || without_square_of_direction(question).flatten().is_some_and(is) {
         found.push(&m::UNIT_ASSUMED);
+    }
+    if local.is_some_and(|local| formulas::is_cancellation(&local, t, root)) {
+        found.push(&m::CANCELLATION);
+    }
+    if NOT_SET.contains(&t.abs()) {
+        found.push(&m::T_NOT_SET);
     }
     if line.iter().any(|other| *other > root.t && is(*other)) {
         found.push(&m::FAR_ROOT);
@@ -62,8 +83,9 @@ pub fn of_t(question: &Question, t: f64, root: &Root) -> Clues {
 pub fn of_normal(question: &Question, normal: [f64; 3], root: &Root) -> Clues {
     let right = root.normal;
     let mut found = clues(&normal, &right);
-    if same(&normal, &right.map(|x| -x)) && dot(right, question.ray.direction) > 0.0 {
-        found.push(&m::TO_VIEWER);
+    if is_turned(question, normal, root) {
+        let by_the_book = is_turned_by_the_book(&question.shape);
+        found.push(if by_the_book { &m::TO_VIEWER_BY_THE_BOOK } else { &m::TO_VIEWER });
     }
     let oracle::Ray { origin, direction } = question.ray;
     let point = std::array::from_fn(|i| origin[i] + root.t * direction[i]);
@@ -74,8 +96,32 @@ pub fn of_normal(question: &Question, normal: [f64; 3], root: &Root) -> Clues {
     {
         found.push(&m::CENTER_FORGOTTEN);
     }
-    found.extend(by_transform(question, normal, right));
+    if let Some(local) = Local::of(question) {
+        found.extend(by_transform(&local, normal, root));
+        match formulas::cone_normal(&local, root, Vector::from(normal)) {
+            Some(true) => found.push(&m::CONE_NORMAL_SQUARE),
+            Some(false) => found.push(&m::CONE_NORMAL_EQUAL),
+            None => {}
+        }
+    }
     found
+}
+
+/// Whether a normal is the right one turned to the viewer.
+pub fn is_turned(question: &Question, normal: [f64; 3], root: &Root) -> bool {
+    let right = root.normal;
+    same(&normal, &right.map(|x| -x)) && dot(right, question.ray.direction) > 0.0
+}
+
+/// Whether the book turns normals of this shape to the viewer: open and part cylinders, and the ring that is made of
+/// them (Suffern, ch. 19, and its sample code).
+pub fn is_turned_by_the_book(shape: &Shape) -> bool {
+    match shape {
+        Shape::OpenCylinder { .. } | Shape::PartCylinder { .. } => true,
+        Shape::Solid(solid) => matches!(solid, Solid::ThickRing { .. }),
+        Shape::Instance { of, .. } => is_turned_by_the_book(of),
+        _ => false,
+    }
 }
 
 /// What explains an occluder where none is between the ends.
@@ -120,13 +166,14 @@ fn ignores_span(question: &Question, theirs: &[f64], line: &[f64]) -> bool {
 }
 
 /// Their `t` where a sphere's equation is `t² + 2 b t + c = 0`, without `d·d`: `None` for other shapes, and no hit
-/// where it has no root in the span.
+/// where it has no root in the span. The ray is that in the sphere's coordinates, if it is in an instance.
 ///
 /// Source: Suffern, ch. 3, with `b = (o − c)·d` and `c = |o − c|² − r²`.
 fn without_square_of_direction(question: &Question) -> Option<Option<f64>> {
-    let Shape::Sphere { center, radius } = question.shape else { return None };
-    let [o, d, center] = [question.ray.origin, question.ray.direction, center].map(Vector::from);
-    let from_center = o - center;
+    let local = Local::of(question)?;
+    let Shape::Sphere { center, radius } = *local.shape else { return None };
+    let d = local.ray.direction;
+    let from_center = local.ray.origin.to_vector() - Vector::from(center);
     let (b, c) = (from_center.dot(d), from_center.length_squared() - radius * radius);
     let root = (b * b - c).sqrt(); // NaN without a root, which no span contains
     let [min, max] = question.span;
@@ -155,24 +202,23 @@ fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
     Vector::from(v).unit().map(|n| n.to_array())
 }
 
-/// How a normal of an instance can be transformed wrongly. With `n ∝ A⁻ᵀ g`, the gradient is `g ∝ Aᵀ n`.
-fn by_transform(question: &Question, normal: [f64; 3], right: [f64; 3]) -> Clues {
-    let shapes::Kind::Instance(instance) = &question.kind else { return Vec::new() };
-    let Ok(transform) = Transform::from_steps(&instance.transform) else { return Vec::new() };
-    let rows = transform.rows();
-    let linear = |v: [f64; 3], transposed: bool| -> [f64; 3] {
-        let entry = |i: usize, j: usize| if transposed { rows[j][i] } else { rows[i][j] };
-        std::array::from_fn(|i| (0..3).map(|j| entry(i, j) * v[j]).sum())
+/// How a normal of an instance can be transformed wrongly.
+fn by_transform(local: &Local<'_>, normal: [f64; 3], root: &Root) -> Clues {
+    if local.transforms.is_empty() {
+        return Vec::new();
+    }
+    let Some(inner) = local.normal(root) else { return Vec::new() };
+    let ways: [(&'static Mistake, fn(&Transform, Vector) -> Vector); 4] = [
+        (&m::NORMAL_BY_INVERSE, |transform, n| transform.inverse().vector(n)),
+        (&m::NORMAL_BY_MATRIX, Transform::vector),
+        (&m::NORMAL_UNTRANSFORMED, |_, n| n),
+        (&m::NORMAL_BY_TRANSPOSE, |transform, n| {
+            Normal::new(n).map_or(n, |n| transform.inverse().covector(n))
+        }),
+    ];
+    let is = |by: fn(&Transform, Vector) -> Vector| {
+        let other = local.out(inner, by).map(Vector::to_array);
+        other.is_some_and(|other| same(&normal, &other) && !same(&root.normal, &other))
     };
-    let Some(local) = unit(linear(right, true)) else { return Vec::new() };
-    let Some(by_matrix) = unit(linear(local, false)) else { return Vec::new() };
-    let is = |other: [f64; 3]| same(&normal, &other) && !same(&right, &other);
-    let mut found = Vec::new();
-    if is(by_matrix) {
-        found.push(&m::NORMAL_BY_MATRIX);
-    }
-    if is(local) {
-        found.push(&m::NORMAL_UNTRANSFORMED);
-    }
-    found
+    ways.into_iter().filter(|(_, by)| is(*by)).map(|(mistake, _)| mistake).collect()
 }

@@ -7,6 +7,7 @@ use serde_json::{Value, json};
 
 use super::super::family::Asking;
 use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::subject::ours;
 use super::{Found, LEVEL, TESTS, color, missing, relative, within};
 use crate::verify::Draw;
 use crate::verify::chi_square::independence;
@@ -43,7 +44,7 @@ pub fn sample_agrees(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Fo
     let answer = ask.ask(case)?;
     let Some(sample) = answer.get("sample") else { return missing("sample") };
     if sample.is_null() {
-        return Ok(Judgement::Undecided); // another map may lead below the horizon
+        return never_samples(ask, case);
     }
     let Some(wi) = triple(&sample["wi"]) else { return missing("sample.wi") };
     let length = Vector::from(wi).length();
@@ -79,6 +80,27 @@ pub fn sample_agrees(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Fo
     Ok(within(profile, "sample.weight", off, || {
         format!("sample.weight = {weight:?}, f |cos θ| / pdf at wi")
     }))
+}
+
+/// A sample that is none: another map may lead below the horizon. But if ours are some, so are some of theirs.
+fn never_samples(ask: &mut Asking<'_>, case: &Value) -> Found {
+    const SIDE: usize = 4;
+    let others = (0..SIDE * SIDE).map(|i| {
+        let mut other = case.clone();
+        let share = |at: usize| (at as f64 + 0.5) / SIDE as f64;
+        other["lobe"]["u"] = json!([share(i % SIDE), share(i / SIDE)]);
+        other
+    });
+    let others: Vec<Value> = others.collect();
+    let is_none = |answer: &Value| answer["sample"].is_null();
+    let ours_are_none = others.iter().filter_map(|it| ours(it).ok()).all(|it| is_none(&it));
+    let theirs = ask.ask_all(&others)?;
+    // sixteen answers are not shown
+    ask.asked.truncate(3);
+    match theirs.iter().all(is_none) && !ours_are_none {
+        true => missing("sample"),
+        false => Ok(Judgement::Undecided),
+    }
 }
 
 fn exponent(case: &Value) -> f64 {

@@ -40,7 +40,7 @@ pub fn direction_length(ask: &mut Asking<'_>, case: &Value, profile: Profile) ->
 
 /// Law: along a line, a closed body is entered and left in turn (Suffern, ch. 3, 19). Where two parts of a body meet,
 /// both may be hit in the same point. The case is an `intersect` with `all`; the law asks it for the whole line.
-pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
     /// Hits of two parts at their seam are nearer to each other than any two walls of a case.
     const SAME_HIT: f64 = 1e-9;
     let mut line = case.clone();
@@ -56,7 +56,7 @@ pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found 
     let mut enters: Vec<bool> = Vec::new();
     let mut before = f64::NEG_INFINITY;
     for hit in hits {
-        let Some(t) = number(&hit["t"]) else { return missing("t") };
+        let Some(t) = number(&hit["t"]).filter(|t| !t.is_nan()) else { return missing("t") };
         let Some(normal) = triple(&hit["normal"]) else { return missing("normal") };
         let cosine =
             Vector::from(normal).dot(Vector::from(direction)) / Vector::from(direction).length();
@@ -71,13 +71,39 @@ pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found 
     }
     let in_turn = enters.windows(2).all(|pair| pair[0] != pair[1]);
     let is_whole = enters.len().is_multiple_of(2) && enters.first() != Some(&false);
+    // where it is left, the book turns the normals of some walls to the viewer
+    let is_ring = case["intersect"]["shape"].get("thick_ring").is_some();
+    let is_turned = enters.iter().enumerate().all(|(i, enters)| *enters || i % 2 == 1);
     Ok(match in_turn && is_whole {
         true => Judgement::Right(0.0),
+        false if profile == Profile::Book && is_ring && is_turned => {
+            Judgement::ByTheBook(&mistakes::TO_VIEWER_BY_THE_BOOK)
+        }
         false => {
             let text = "as many normals against the ray as along it, in turn";
             Judgement::wrong("sides", f64::INFINITY, text)
         }
     })
+}
+
+/// A sample that is none: another map may lead to the back of the lamp. But if ours are some, so are some of theirs.
+fn never_lights(ask: &mut Asking<'_>, case: &Value) -> Found {
+    const SIDE: usize = 4;
+    let share = |at: usize| (at as f64 + 0.5) / SIDE as f64;
+    let other = |i: usize| {
+        let mut other = case.clone();
+        other["light"]["u"] = json!([[share(i % SIDE), share(i / SIDE)]]);
+        other
+    };
+    let others: Vec<Value> = (0..SIDE * SIDE).map(other).collect();
+    let ours_are_none = others.iter().filter_map(|it| ours(it).ok()).all(|it| it.is_null());
+    let theirs = ask.ask_all(&others)?;
+    // sixteen answers are not shown
+    ask.asked.truncate(3);
+    match theirs.iter().all(Value::is_null) && !ours_are_none {
+        true => missing("sample"),
+        false => Ok(Judgement::Undecided),
+    }
 }
 
 /// Law: a sampled light is seen where the sample says: the direction is unit, the distance positive, and the pdf a
@@ -86,7 +112,7 @@ pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found 
 pub fn light_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
     let sample = ask.ask(case)?;
     if sample.is_null() {
-        return Ok(Judgement::Undecided); // another map may lead to the back of the lamp
+        return never_lights(ask, case);
     }
     let Some(direction) = triple(&sample["direction"]) else { return missing("direction") };
     let off = (Vector::from(direction).length() - 1.0).abs();

@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use super::super::family::Asking;
 use super::super::judgement::{Judgement, Profile, numbers, triple};
+use super::super::subject::ours;
 use super::{Found, missing, relative, within};
 
 /// Law: a point on a camera's ray is seen where the ray starts (Suffern, ch. 9 to 11). The case is a `camera_ray`.
@@ -11,7 +12,8 @@ pub fn there_and_back(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
     let ray = ask.ask(case)?;
     let (Some(origin), Some(direction)) = (triple(&ray["origin"]), triple(&ray["direction"]))
     else {
-        return Ok(Judgement::Undecided);
+        let is_seen = ours(case).is_ok_and(|ray| !ray["direction"].is_null());
+        return if is_seen { missing("direction") } else { Ok(Judgement::Undecided) };
     };
     let asked = &case["camera_ray"];
     let point: [f64; 3] = std::array::from_fn(|i| origin[i] + 5.0 * direction[i]);

@@ -120,6 +120,27 @@ const COLUMNS_FROM_RIGHT: Change = |question| {
     Some(())
 };
 
+/// The whole film, with the point of the lens; a roll may be applied before it.
+const MIRRORED_LENS: Change = |question| {
+    change(data(question)?, "/lens/0", |x| -x)?;
+    MIRRORED(question)
+};
+
+const MIRRORED_ROLL: Change = |question| {
+    ROLL_REVERSED(question)?;
+    change(data(question)?, "/lens/0", |x| -x);
+    MIRRORED(question)
+};
+
+/// The picture turned by 180°, the point of the lens with it.
+const TURNED_BY_HALF: Change = |question| {
+    for axis in ["/lens/0", "/lens/1"] {
+        change(data(question)?, axis, |x| -x);
+    }
+    MIRRORED(question)?;
+    UPSIDE_DOWN(question)
+};
+
 const UPSIDE_DOWN: Change = |question| {
     change(data(question)?, "/place/1", |v| 1.0 - v);
     ROWS_FROM_BELOW(question)
@@ -185,6 +206,9 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::UPSIDE_DOWN, ROWS_FROM_BELOW),
             (&m::MIRRORED, MIRRORED),
             (&m::MIRRORED, COLUMNS_FROM_RIGHT),
+            (&m::MIRRORED, MIRRORED_LENS),
+            (&m::MIRRORED, MIRRORED_ROLL),
+            (&m::TURNED_BY_HALF, TURNED_BY_HALF),
             (&m::AXES_SWAPPED, AXES_SWAPPED),
             (&m::CORNERS, CORNERS),
             (&m::INTEGER_HALF, INTEGER_HALF),
@@ -197,6 +221,13 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::ZOOM_INVERTED, ZOOM_INVERTED),
         ],
         answers: &[
+            (&m::WHOLE_ANGLE, |question, field, right| with_angle(question, field, right, 2.0)),
+            (&m::QUARTER_ANGLE, |question, field, right| with_angle(question, field, right, 0.5)),
+            (&m::DIVIDED_BY_ZERO_ANGLE, |question, field, right| {
+                question["camera_ray"]["camera"]["lens"].get("fisheye")?;
+                let is_middle = numbers(&right["film"])?.iter().all(|x| *x == 0.0);
+                (field == "direction" && is_middle).then(|| vec![f64::NAN; 3])
+            }),
             (&m::BACKWARDS, |_, field, right| {
                 let backwards = triple(&right["direction"])?.map(|x| -x).to_vec();
                 (field == "direction").then_some(backwards)
@@ -212,6 +243,23 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
         ],
     };
     values::judge(question, answer, profile, &RULES)
+}
+
+/// The direction of a fisheye whose angle from the axis is `factor` times the right one.
+fn with_angle(question: &Value, field: &str, right: &Value, factor: f64) -> Option<Vec<f64>> {
+    let asked = &question["camera_ray"];
+    asked["camera"]["lens"].get("fisheye")?;
+    let mut axis = question.clone();
+    let middle =
+        json!({"camera": asked["camera"], "image": {"width": 1, "height": 1}, "pixel": [0, 0]});
+    axis["camera_ray"] = middle;
+    let axis = Vector::from(triple(&ours(&axis).ok()?["direction"])?);
+    let direction = Vector::from(triple(&right["direction"])?);
+    let ahead = direction.dot(axis);
+    let across = (direction - ahead * axis).unit()?;
+    let angle = factor * groundtruth::math::atan2(direction.dot(across), ahead);
+    let turned = groundtruth::math::cos(angle) * axis + groundtruth::math::sin(angle) * across;
+    (field == "direction").then(|| turned.to_array().to_vec())
 }
 
 fn project(question: &Value, answer: &Value, profile: Profile) -> Judgement {
@@ -236,6 +284,12 @@ fn project(question: &Value, answer: &Value, profile: Profile) -> Judgement {
                 let [x, y] = numbers(&right["image"])?.try_into().ok()?;
                 let width = question["project"]["image"]["width"].as_f64()?;
                 (field == "image").then(|| vec![width - x, y])
+            }),
+            (&m::TURNED_BY_HALF, |question, field, right| {
+                let [x, y] = numbers(&right["image"])?.try_into().ok()?;
+                let [width, height] =
+                    ["width", "height"].map(|it| question["project"]["image"][it].as_f64());
+                (field == "image").then(|| Some(vec![width? - x, height? - y]))?
             }),
             (&m::CORNERS, |_, field, right| {
                 let moved = numbers(&right["image"])?.into_iter().map(|x| x - 0.5).collect();

@@ -75,9 +75,43 @@ fn fresnel(question: &Value, answer: &Value, profile: Profile) -> Judgement {
                 let (wo, n) = (wo?, n?);
                 (field == "refracted").then(|| (2.0 * n.dot(wo) * n - wo).to_array().to_vec())
             }),
+            (&m::ETA_MULTIPLIED, |question, field, _| {
+                let asked = &question["fresnel"];
+                let [wo, n] = ["wo", "n"].map(|it| triple(&asked[it]).map(Vector::from));
+                let multiplied = eta_multiplied(wo?, n?, asked["eta"].as_f64()?, false)?;
+                (field == "refracted").then_some(multiplied)
+            }),
+            (&m::ETA_MULTIPLIED, |question, field, _| {
+                let asked = &question["fresnel"];
+                let [wo, n] = ["wo", "n"].map(|it| triple(&asked[it]).map(Vector::from));
+                let multiplied = eta_multiplied(wo?, n?, asked["eta"].as_f64()?, true)?;
+                (field == "refracted").then_some(multiplied)
+            }),
+            (&m::INDEX_ZERO, |_, field, _| match field {
+                "reflected" => Some(vec![1.0]),
+                "transmitted" => Some(vec![0.0]),
+                _ => None,
+            }),
         ],
     };
     values::judge(question, answer, profile, &RULES)
+}
+
+/// `−η ωo − (cosθt − cosθi/η) n`, with both terms as the book has them but for the first factor, or with `η cosθi` in
+/// the second one, too.
+fn eta_multiplied(wo: Vector, n: Vector, eta: f64, is_both: bool) -> Option<Vec<f64>> {
+    let cosine = n.dot(wo);
+    let square = 1.0 - (1.0 - cosine * cosine) / (eta * eta);
+    let second = if is_both { cosine * eta } else { cosine / eta };
+    let refracted = -eta * wo - (square.sqrt() - second) * n;
+    (square >= 0.0).then(|| refracted.to_array().to_vec())
+}
+
+fn lobe_eta_multiplied(question: &Value, field: &str, is_both: bool) -> Option<Vec<f64>> {
+    let asked = &question["lobe"];
+    let lobe = asked["lobe"].as_object()?.values().next()?;
+    let wo = Vector::from(triple(&asked["wo"])?);
+    (field == "sample.wi").then(|| eta_multiplied(wo, Vector::Z, lobe["eta"].as_f64()?, is_both))?
 }
 
 /// What one polarisation has in place of the mean.
@@ -129,14 +163,25 @@ fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
         answers: &[
             (&m::WITH_COS, |question, field, right| by_cosine(question, field, right, 1.0)),
             (&m::WITHOUT_COS, |question, field, right| by_cosine(question, field, right, -1.0)),
+            (&m::ETA_MULTIPLIED, |question, field, _| lobe_eta_multiplied(question, field, false)),
+            (&m::ETA_MULTIPLIED, |question, field, _| lobe_eta_multiplied(question, field, true)),
             (&m::NO_ETA_SQUARED, |question, field, right| by_eta(question, field, right, 2.0)),
             (&m::ETA_SQUARED_TWICE, |question, field, right| by_eta(question, field, right, -2.0)),
         ],
     };
+    if question["lobe"]["lobe"].to_string().contains("\"eta\"")
+        && answer.get("sample").is_some_and(Value::is_null)
+    {
+        // a sample that is none: total reflection where there is none, as with an index of 0
+        return values::judge(question, answer, profile, &RULES).with([&m::INDEX_ZERO]);
+    }
     // only mirrors and refractions are asked for a sample here
     let is_specular = question["lobe"].get("u").is_some();
     let mut answer = answer.clone();
-    if is_specular && let Some(pdf) = answer.pointer_mut("/sample/pdf") {
+    if is_specular
+        && let Some(pdf) = answer.pointer_mut("/sample/pdf")
+        && number(pdf).is_some_and(|pdf| pdf >= 0.0)
+    {
         // mirrors have no density: some programs say 1, some 0, ours that it is infinite
         *pdf = json!("inf");
     }

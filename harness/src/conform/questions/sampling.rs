@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::super::family::{Family, Judge};
-use super::super::judgement::{Judgement, Profile};
+use super::super::judgement::{Judgement, Profile, number};
 use super::super::mistakes as m;
 use super::super::subject::ours;
 use super::super::values::{self, Rules};
@@ -45,23 +45,26 @@ pub fn families() -> Vec<Family> {
 /// Sets are compared as sets: the order of points is a program's own.
 fn samples(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     let Ok(right) = ours(question) else { return Judgement::Undecided };
-    let (theirs, right) = (sorted(answer), sorted(&right));
+    let Some(right) = sorted(&right) else { return Judgement::Undecided };
+    let wrong =
+        |symptom: &str, expected: String| Judgement::wrong(symptom, f64::INFINITY, expected);
+    let Some(theirs) = sorted(answer) else {
+        return wrong("no list of one set", "[[[x, y], …]], one set of points".to_owned());
+    };
     if theirs.len() != right.len() {
-        let expected = format!("{} points", right.len());
-        return Judgement::wrong("number of points", f64::INFINITY, expected);
+        return wrong("number of points", format!("{} points", right.len()));
+    }
+    if theirs.iter().flatten().any(|x| x.is_nan()) {
+        return wrong("a point is not a number", format!("{right:?}"));
     }
     let error = farthest(&theirs, &right) / UNIT_ROUNDOFF;
     if error <= profile.allowed() {
         return Judgement::Right(error);
     }
-    let mut judgement = Judgement::wrong("points", error, format!("{right:?}"));
     let swapped = sorted_points(right.iter().map(|&[x, y]| [y, x]).collect());
-    if let Judgement::Wrong(wrong) = &mut judgement
-        && farthest(&theirs, &swapped) <= 1e-6
-    {
-        wrong.clues.push(&m::SWAP_U);
-    }
-    judgement
+    let is_swapped = farthest(&theirs, &swapped) <= 1e-6;
+    let judgement = Judgement::wrong("points", error, format!("{right:?}"));
+    judgement.with(is_swapped.then_some(&m::SWAP_U))
 }
 
 /// The largest difference of a coordinate; infinite if one is no number.
@@ -71,17 +74,23 @@ fn farthest(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
     all.fold(0.0, |most: f64, x| if x.is_nan() { f64::INFINITY } else { most.max(x) })
 }
 
-/// The points of the first set, by x and y.
-fn sorted(answer: &Value) -> Vec<[f64; 2]> {
-    let first = answer.get(0).and_then(Value::as_array).into_iter().flatten();
-    let point = |point: &Value| Some([point.get(0)?.as_f64()?, point.get(1)?.as_f64()?]);
-    sorted_points(first.map(|it| point(it).unwrap_or([f64::NAN; 2])).collect())
+/// The points of the only set, by x and y; a `null` among the numbers is how JavaScript writes NaN. `None` for anything
+/// else.
+fn sorted(answer: &Value) -> Option<Vec<[f64; 2]>> {
+    let [set] = &answer.as_array()?[..] else { return None };
+    let coordinate = |x: &Value| if x.is_null() { Some(f64::NAN) } else { number(x) };
+    let point = |point: &Value| {
+        let numbers: Option<Vec<f64>> = point.as_array()?.iter().map(coordinate).collect();
+        numbers?.try_into().ok()
+    };
+    let points: Option<Vec<[f64; 2]>> = set.as_array()?.iter().map(point).collect();
+    points.map(sorted_points)
 }
 
 fn sorted_points(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     // single precision must not change the order
-    let key = |[x, y]: &[f64; 2]| ((x * 1e5).round(), (y * 1e5).round());
-    points.sort_by(|a, b| key(a).partial_cmp(&key(b)).unwrap_or(std::cmp::Ordering::Equal));
+    let key = |x: f64| (x * 1e5).round();
+    points.sort_by(|[x, y], [u, v]| key(*x).total_cmp(&key(*u)).then(key(*y).total_cmp(&key(*v))));
     points
 }
 

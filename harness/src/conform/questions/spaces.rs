@@ -135,12 +135,22 @@ fn transform(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             }),
         ],
     };
-    values::judge(question, answer, profile, &RULES)
+    // the last row of a matrix says nothing, and may be there
+    let mut answer = answer.clone();
+    for matrix in ["matrix", "inverse"] {
+        if let Some(rows) = answer.get_mut(matrix).and_then(Value::as_array_mut)
+            && let [_, _, _, last] = &rows[..]
+            && super::super::judgement::numbers(last).is_some_and(|row| row == [0.0, 0.0, 0.0, 1.0])
+        {
+            rows.pop();
+        }
+    }
+    values::judge(question, &answer, profile, &RULES)
 }
 
 fn grid(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
-        needed: &["resolution"],
+        needed: &["resolution", "visited"],
         free: &[],
         questions: &[(&m::NO_MULTIPLIER, |question| {
             let data = data(question)?;
@@ -153,5 +163,9 @@ fn grid(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (field == "resolution").then(|| less.into_iter().map(|n| n - 1.0).collect())
         })],
     };
-    values::judge(question, answer, profile, &RULES)
+    // the objects of the cells that are passed may be left out: of all of them
+    const CELLS: Rules = Rules { free: &["objects"], ..RULES };
+    let cells = answer["visited"].as_array().into_iter().flatten();
+    let has_objects = cells.into_iter().any(|cell| cell.get("objects").is_some());
+    values::judge(question, answer, profile, if has_objects { &RULES } else { &CELLS })
 }

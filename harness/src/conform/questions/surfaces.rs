@@ -6,7 +6,7 @@ use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile, number, numbers, triple};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
-use super::{any, change, data, direction, family, kinds, only, swap, vector};
+use super::{any, change, data, direction, family, kinds, only, remove, swap, vector};
 use crate::verify::Draw;
 use groundtruth::math::{Vector, power};
 use groundtruth::textures::Mapping;
@@ -43,7 +43,8 @@ pub fn families() -> Vec<Family> {
                 !OF_NOISE.iter().any(|noise| data.to_string().contains(&format!("\"{noise}\"")))
             })
             .collect();
-        if specimens.is_empty() {
+        // a wireframe is drawn on the triangles of a mesh, and the question has none: its colour is always one
+        if specimens.is_empty() || tag == "wireframe" {
             continue;
         }
         let name = format!("texture.{tag}.values");
@@ -123,6 +124,10 @@ fn light(question: &Value, answer: &Value, profile: Profile) -> Judgement {
                 let scaled = triple(&right["direction"])?.map(|x| distance * x);
                 (field == "direction").then(|| scaled.to_vec())
             }),
+            (&m::SUN_NOT_NORMALISED, |question, field, _| {
+                let sun = triple(&question["light"]["light"]["directional"]["direction"])?;
+                (field == "direction").then(|| sun.to_vec())
+            }),
             (&m::DISTANCE_SQUARED, |_, field, right| {
                 let distance = number(&right["distance"])?;
                 (field == "distance").then(|| vec![distance * distance])
@@ -154,13 +159,14 @@ fn texture(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::NO_SIZE, |question| {
                 change(only(&mut data(question)?["texture"])?, "/size", |_| 1.0)
             }),
-            (&m::TRUNCATED_FLOOR, |question| {
-                // up to 0, a truncated number is one more: the cube beside it
-                let size = only(&mut data(question)?["texture"])?["size"].as_f64()?;
-                for axis in ["/point/0", "/point/1", "/point/2"] {
-                    change(data(question)?, axis, |x| if x <= 0.0 { x + size } else { x })?;
-                }
-                Some(())
+            (&m::NAN_AS_INTEGER, |question| {
+                let data = data(question)?;
+                let mapping = &data["texture"]["image"]["mapping"];
+                let is_probe = mapping == "light_probe" || mapping == "panoramic";
+                let [x, y, _] = triple(&data["point"])?;
+                remove(data.pointer_mut("/texture/image")?, "mapping")?;
+                data["uv"] = json!([0.0, 0.0]);
+                (is_probe && x == 0.0 && y == 0.0).then_some(())
             }),
             (&m::SWAP_U, |question| swap(data(question)?, "/uv/0", "/uv/1")),
             (&m::MIRROR_U, |question| change(data(question)?, "/uv/0", |u| 1.0 - u)),
@@ -170,9 +176,66 @@ fn texture(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::FLIP_Y, |question| change(data(question)?, "/point/1", |x| -x)),
             (&m::FLIP_Z, |question| change(data(question)?, "/point/2", |x| -x)),
         ],
-        answers: &[],
+        answers: &[(&m::TRUNCATED_FLOOR, |question, _, _| {
+            let asked = &question["texture"];
+            truncated(&asked["texture"], triple(&asked["point"])?)
+        })],
     };
     values::judge(question, answer, profile, &RULES)
+}
+
+/// The colour of a checker whose cells are numbered by truncation, which is one more than rounding down for negative
+/// numbers; `None` on lines, and for other textures.
+fn truncated(texture: &Value, point: [f64; 3]) -> Option<Vec<f64>> {
+    if let Some(grey) = number(texture) {
+        return Some(vec![grey; 3]);
+    }
+    let Some((tag, data)) = texture.as_object().and_then(|it| it.iter().next()) else {
+        return numbers(texture);
+    };
+    let field = |name: &str, other: f64| data.get(name).map_or(Some(other), Value::as_f64);
+    let [x, y, z] = point;
+    // the cell along each axis, not rounded yet
+    let cells = match &**tag {
+        "checker3d" => {
+            let size = field("size", 1.0)?;
+            point.map(|x| x / size - 0.000_187_453_738).to_vec()
+        }
+        "plane_checker" => {
+            let size = field("size", 1.0)?;
+            vec![x / size, z / size]
+        }
+        "rectangle_checker" | "cylinder_checker" => {
+            let unit = field("unit", 1.0)?;
+            let share = |x: f64| 0.5 * x / unit + 0.5;
+            let (columns, rows) = (field("num_horizontal", 20.0)?, field("num_vertical", 10.0)?);
+            match &**tag {
+                "rectangle_checker" => vec![columns * share(x), rows * share(z)],
+                _ => {
+                    let turn = groundtruth::math::atan2(x, z) / std::f64::consts::TAU;
+                    vec![columns * turn.rem_euclid(1.0), rows * share(y)]
+                }
+            }
+        }
+        _ => return None,
+    };
+    let widths = [
+        field("outline_width", 0.0)? / field("size", 1.0)?,
+        line(data, "vertical"),
+        line(data, "horizontal"),
+    ];
+    let widest = widths.into_iter().fold(0.0, f64::max);
+    let is_on_line = |x: &f64| (x - x.round()).abs() < 0.5 * widest;
+    if cells.iter().any(is_on_line) {
+        return None;
+    }
+    let is_even = cells.iter().map(|x| x.trunc()).sum::<f64>().rem_euclid(2.0) == 0.0;
+    truncated(&data[if is_even { "color1" } else { "color2" }], point)
+}
+
+/// The width of a checker's lines, as a share of a cell.
+fn line(data: &Value, name: &str) -> f64 {
+    data["lines"][name].as_f64().unwrap_or(0.0)
 }
 
 fn mapping(question: &Value, answer: &Value, profile: Profile) -> Judgement {
@@ -185,7 +248,10 @@ fn mapping(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::FLIP_X, |question| change(data(question)?, "/point/0", |x| -x)),
             (&m::FLIP_Z, |question| change(data(question)?, "/point/2", |x| -x)),
         ],
-        answers: &[],
+        answers: &[(&m::DIVIDED_BY_ZERO_AXIS, |question, _, _| {
+            let [x, y, _] = triple(&question["mapping"]["point"])?;
+            (x == 0.0 && y == 0.0).then(|| vec![f64::NAN; 2])
+        })],
     };
     values::judge(question, answer, profile, &RULES)
 }
