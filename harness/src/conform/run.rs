@@ -160,7 +160,10 @@ impl<'a> Asked<'a> {
                     .zip(&replies)
                     .map(|(question, reply)| Judged::of(question, reply, judge, profile))
                     .collect();
-                for ((question, reply), judged) in cases.iter().zip(&replies).zip(judged) {
+                for ((question, reply), mut judged) in cases.iter().zip(&replies).zip(judged) {
+                    if let Reply::Answer(answer) = reply {
+                        judged.name(self.family, &[(question.clone(), answer.clone())]);
+                    }
                     let got = match reply {
                         Reply::Answer(answer) => answer.to_string(),
                         _ => String::new(),
@@ -173,6 +176,7 @@ impl<'a> Asked<'a> {
                     let mut asking = Asking::new(subject);
                     let mut judged = Judged::from(law(&mut asking, case, profile));
                     let asked = asking.asked;
+                    judged.name(self.family, &asked);
                     if judged.is_wrong_with_care(profile) {
                         let again = law(&mut Asking::new(subject), case, Profile::Book);
                         judged.is_fair = again.is_ok_and(|it| is_no_failure(&it));
@@ -224,7 +228,8 @@ impl<'a> Asked<'a> {
         let Some((question, wrong)) = self.first.take() else { return };
         let asked = std::mem::take(&mut self.row.asked);
         let first = Failure { question, wrong, asked };
-        let failure = match options.shrink && !options.interrupted.load(Ordering::Relaxed) {
+        let is_shrunk = options.shrink && self.family.is_shrunk;
+        let failure = match is_shrunk && !options.interrupted.load(Ordering::Relaxed) {
             true => shrink::smaller(subject, self.family.judge, first, options.profile),
             false => first,
         };
@@ -263,6 +268,15 @@ impl Judged {
             judged.is_fair = is_no_failure(&judge(question, answer, Profile::Book));
         }
         judged
+    }
+
+    /// Adds the mistakes that the family's namer finds in a wrong case.
+    fn name(&mut self, family: &Family, asked: &[(Value, Value)]) {
+        if let (Some(wrong), Some(namer)) = (&mut self.wrong, family.namer) {
+            let new: Vec<_> =
+                namer(asked).into_iter().filter(|it| !wrong.clues.contains(it)).collect();
+            wrong.clues.extend(new);
+        }
     }
 
     /// Whether it is wrong, and may be right by the other profile.
