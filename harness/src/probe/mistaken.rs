@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::radiance::{Looks, Radiance, standard_error};
 use super::source::Built;
-use crate::mistakes::{self, Mistake, Reweighing};
+use crate::mistakes::{Mistake, Reweighing, pixel, scene as with_mistake};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayBudget;
 use groundtruth::world::World;
@@ -24,24 +24,24 @@ pub struct Mistaken {
     pub standard_error: [f64; 3],
 }
 
-/// The answers of programs with each of the known mistakes that apply to the scene; none for what is no valid
+/// The answers of programs with each of these mistakes that applies to the scene; none for what is no valid
 /// `radiance`.
-pub fn mistaken(question: &Value) -> Vec<Mistaken> {
+pub fn mistaken(question: &Value, mistakes: &[&'static Mistake]) -> Vec<Mistaken> {
     let asked = Radiance::deserialize(&question["radiance"]).ok();
-    asked.and_then(|asked| of(&asked)).unwrap_or_default()
+    asked.and_then(|asked| of(&asked, mistakes)).unwrap_or_default()
 }
 
 /// Rays of all samples of one mistake; a question that our own answer fits into has far fewer.
 const MOST_RAYS: u64 = 1 << 24;
 
-fn of(asked: &Radiance) -> Option<Vec<Mistaken>> {
+fn of(asked: &Radiance, mistakes: &[&'static Mistake]) -> Option<Vec<Mistaken>> {
     let looks = asked.looks().ok()?;
     let Built { scene, world, .. } = asked.built(asked.seed()).ok()?;
     let (reweighed, changed): (Vec<&Mistake>, Vec<&Mistake>) =
-        mistakes::all().into_iter().partition(|mistake| mistake.is_reweighed());
+        mistakes.iter().copied().partition(|mistake| mistake.is_reweighed());
     let mut all = heard(asked, world, &looks, &reweighed);
     for mistake in changed {
-        let other = mistakes::scene(mistake, &scene, Path::new(""));
+        let other = with_mistake(mistake, &scene, Path::new(""));
         let Some(mut world) =
             other.and_then(|it| World::build_seeded(&it, Path::new(""), asked.seed()).ok())
         else {
@@ -65,12 +65,15 @@ fn heard(
     looks: &Looks,
     mistakes: &[&'static Mistake],
 ) -> Vec<Mistaken> {
+    if mistakes.is_empty() {
+        return Vec::new();
+    }
     let mut values = vec![Vec::new(); mistakes.len()];
     for seed in asked.seeds() {
         world.reseed(seed);
         let mut recorder = Reweighing::new(&world, mistakes);
         let means = match looks {
-            Looks::AtPixel(at) => mistakes::pixel(&world, &mut recorder, *at),
+            Looks::AtPixel(at) => pixel(&world, &mut recorder, *at),
             Looks::Along(ray) => {
                 let count = world.samples_per_pixel();
                 let samples: Vec<Vec<Rgb>> = (0..count)

@@ -35,8 +35,13 @@ pub fn families() -> Vec<Family> {
     let radiance = |(name, chapter, material): Material| {
         let case = move |draw: &mut Draw| question(draw, material);
         let about = format!("materials/{name}");
-        let mut family =
-            family(&format!("radiance.{name}.values"), &about, chapter, Judge::Answer(radiance::judge), case);
+        let mut family = family(
+            &format!("radiance.{name}.values"),
+            &about,
+            chapter,
+            Judge::Answer(radiance::judge),
+            case,
+        );
         family.share = 0.5;
         family.namer = Some(radiance::name);
         family

@@ -10,7 +10,7 @@ use super::super::subject::ours;
 /// The seeds for which a question is asked.
 pub const SEEDS: u64 = 16;
 /// The seeds of our own answers.
-const OUR_SEEDS: u64 = 64;
+const OUR_SEEDS: u64 = 32;
 /// Ours are other seeds than theirs: a program with our random numbers is held against others, too.
 const OURS_FROM: u64 = 1 << 32;
 
@@ -137,7 +137,9 @@ pub fn mean_agrees(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
     let Some((ours, distance)) = last else { return Ok(Judgement::Undecided) };
     let off = match ours.is_exact() {
         true => "without noise".to_owned(),
-        false => format!("± {:.2e}; theirs is {distance:.1} standard errors away", largest(ours.error)),
+        false => {
+            format!("± {:.2e}; theirs is {distance:.1} standard errors away", largest(ours.error))
+        }
     };
     let expected = format!("mean = {:?} {off}", ours.mean);
     Ok(Judgement::wrong("mean", f64::INFINITY, expected))

@@ -91,11 +91,13 @@ fn rectangle(draw: &mut Draw) -> Value {
 fn stretched(draw: &mut Draw) -> Value {
     let (of, down) = match draw.below(3) {
         0 => {
-            let square = json!({"corner": [-0.5, 0.0, -0.5], "a": [1.0, 0.0, 0.0], "b": [0.0, 0.0, 1.0]});
+            let square =
+                json!({"corner": [-0.5, 0.0, -0.5], "a": [1.0, 0.0, 0.0], "b": [0.0, 0.0, 1.0]});
             (json!({"rectangle": square}), json!({"rotate_x": 15.0}))
         }
         1 => {
-            let disk = json!({"center": [0.0, 0.0, 0.0], "normal": [0.0, -1.0, 0.0], "radius": 0.5});
+            let disk =
+                json!({"center": [0.0, 0.0, 0.0], "normal": [0.0, -1.0, 0.0], "radius": 0.5});
             (json!({"disk": disk}), json!({"rotate_z": 20.0}))
         }
         _ => (stage::sphere([0.0; 3], 0.5), json!({"rotate_z": 30.0})),
@@ -223,7 +225,8 @@ fn gloss(draw: &mut Draw, with_ground: bool) -> Value {
     if with_ground {
         objects.push(object("floor", "stone", stage::ground()));
         let at = within(draw, [-2.0, 3.0, 0.0], [2.0, 5.0, 4.0]);
-        let source = json!({"point": {"ls": between(draw, 10.0, 40.0), "location": at, "attenuation": 2.0}});
+        let source =
+            json!({"point": {"ls": between(draw, 10.0, 40.0), "location": at, "attenuation": 2.0}});
         lights.push(light("lamp", source));
     }
     let mut scene = stage::scene(whitted(2), lights, materials, objects);
@@ -236,7 +239,8 @@ fn gloss(draw: &mut Draw, with_ground: bool) -> Value {
 
 /// A pixel over the edges of two bright rectangles, one of them far from the focal plane if there is a lens.
 fn edges(draw: &mut Draw, with_lens: bool) -> Value {
-    let glow = |draw: &mut Draw| json!({"emissive": {"ls": between(draw, 1.0, 4.0), "ce": color(draw)}});
+    let glow =
+        |draw: &mut Draw| json!({"emissive": {"ls": between(draw, 1.0, 4.0), "ce": color(draw)}});
     let materials = vec![material("near", glow(draw)), material("far", glow(draw))];
     let edge = |x: f64, y: f64, z: f64| json!({"rectangle": {"corner": [x, y, z], "a": [9.0, 0.0, 0.0], "b": [0.0, 9.0, 0.0]}});
     let near = [between(draw, -0.3, 0.3), between(draw, -0.3, 0.3)];

@@ -61,7 +61,8 @@ fn lamp(draw: &mut Draw, name: &str, exponent: f64) -> (Value, [f64; 3]) {
     let at = within(draw, [-5.0, -1.0, -3.0], [5.0, 7.0, 6.0]);
     let near = if exponent > 0.0 { 4.0_f64.powf(exponent) } else { 1.0 };
     let ls = between(draw, near, 4.0 * near);
-    let source = json!({"point": {"ls": ls, "color": color(draw), "location": at, "attenuation": exponent}});
+    let source =
+        json!({"point": {"ls": ls, "color": color(draw), "location": at, "attenuation": exponent}});
     (light(name, source), at)
 }
 

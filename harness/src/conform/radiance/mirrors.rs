@@ -17,7 +17,8 @@ pub const ALL: &[Exact] = &[
 
 fn lights(draw: &mut Draw) -> Vec<Value> {
     let at = within(draw, [-3.0, 4.0, -1.0], [3.0, 7.0, 5.0]);
-    let lamp = json!({"point": {"ls": between(draw, 2.0, 4.0), "color": color(draw), "location": at}});
+    let lamp =
+        json!({"point": {"ls": between(draw, 2.0, 4.0), "color": color(draw), "location": at}});
     vec![light("lamp", lamp), light("sky", json!({"ambient": {"ls": share(draw)}}))]
 }
 
@@ -28,7 +29,8 @@ fn with_sky(draw: &mut Draw, mut scene: Value) -> Value {
 
 /// A coloured mirror over a shiny base, beside a box, over a ground, under a sky.
 fn ball(draw: &mut Draw) -> Value {
-    let mirror = json!({"reflective": {"phong": phong(draw), "kr": share(draw), "cr": color(draw)}});
+    let mirror =
+        json!({"reflective": {"phong": phong(draw), "kr": share(draw), "cr": color(draw)}});
     let materials = vec![
         material("mirror", mirror),
         material("chalk", matte(draw)),

@@ -26,14 +26,7 @@ use stage::Exact;
 
 /// All families: those without random numbers, and those that are judged by their mean.
 pub fn families() -> Vec<Family> {
-    let exact = [
-        lights::ALL,
-        surfaces::ALL,
-        textures::ALL,
-        mirrors::ALL,
-        glass::ALL,
-        pixels::ALL,
-    ];
+    let exact = [lights::ALL, surfaces::ALL, textures::ALL, mirrors::ALL, glass::ALL, pixels::ALL];
     let exact = exact.into_iter().flatten();
     let exact = exact.map(|one| family(one, "values", 0.25, Judge::Answer(judge)));
     let means = [lamps::ALL, paths::ALL].into_iter().flatten();
@@ -49,11 +42,7 @@ fn family((name, chapter, case): &Exact, kind: &str, share: f64, judge: Judge) -
     let about = format!("scenes/{}", name.split('.').next().unwrap_or(name));
     let named = format!("radiance.{name}.{kind}");
     let namer: super::family::Namer = naming::name;
-    Family {
-        share,
-        namer: Some(namer),
-        ..questions::family(&named, &about, chapter, judge, *case)
-    }
+    Family { share, namer: Some(namer), ..questions::family(&named, &about, chapter, judge, *case) }
 }
 
 /// Judges by our own answer.

@@ -32,18 +32,19 @@ const SAME: [(&str, &Mistake); 6] = [
 ];
 
 /// The catalogue, as mistakes of conform.
-static CATALOGUE: LazyLock<Vec<(&'static mistakes::Mistake, &'static Mistake)>> = LazyLock::new(|| {
-    let known = |mistake: &'static mistakes::Mistake| {
-        let same = SAME.iter().find(|(name, _)| *name == mistake.name).map(|(_, same)| *same);
-        let place = || format!("ch. {}, {} in docs/mistakes.md", mistake.chapter, mistake.name);
-        let scene = mistakes::scenes_that_show(mistake).first().map(|best| best.scene);
-        let new = || -> &'static Mistake {
-            Box::leak(Box::new(Mistake { name: mistake.words, place: place().leak(), scene }))
+static CATALOGUE: LazyLock<Vec<(&'static mistakes::Mistake, &'static Mistake)>> =
+    LazyLock::new(|| {
+        let known = |mistake: &'static mistakes::Mistake| {
+            let same = SAME.iter().find(|(name, _)| *name == mistake.name).map(|(_, same)| *same);
+            let place = || format!("ch. {}, {} in docs/mistakes.md", mistake.chapter, mistake.name);
+            let scene = mistakes::scenes_that_show(mistake).first().map(|best| best.scene);
+            let new = || -> &'static Mistake {
+                Box::leak(Box::new(Mistake { name: mistake.words, place: place().leak(), scene }))
+            };
+            (mistake, same.unwrap_or_else(new))
         };
-        (mistake, same.unwrap_or_else(new))
-    };
-    mistakes::all().into_iter().map(known).collect()
-});
+        mistakes::all().into_iter().map(known).collect()
+    });
 
 /// Factors of all light.
 const FACTORS: [(&Mistake, f64); 4] = [
@@ -99,24 +100,22 @@ fn fitting(question: &Value, theirs: &Estimate, right: &Estimate) -> Vec<&'stati
         first["radiance"]["samples"] = json!(FIRST_SAMPLES);
     }
     let again = first != *question;
-    let catalogue = |question: &Value| -> Vec<(&'static Mistake, Estimate)> {
-        let count = right.count;
-        let estimate = |one: crate::probe::mistaken::Mistaken| {
-            let (_, known) = CATALOGUE.iter().find(|(mistake, _)| *mistake == one.mistake)?;
-            let estimate = Estimate { mean: one.mean, error: one.standard_error, count };
-            Some((*known, estimate))
-        };
-        mistaken(question).into_iter().filter_map(estimate).collect()
+    let fits = |question: &Value, among: &[&'static mistakes::Mistake]| {
+        let mut fits = mistaken(question, among);
+        fits.retain(|one| {
+            let (mean, error) = (one.mean, one.standard_error);
+            explains(&Estimate { mean, error, ..*right }, theirs, right)
+        });
+        fits.into_iter().map(|one| one.mistake).collect::<Vec<_>>()
     };
-    let fits = |all: Vec<(&'static Mistake, Estimate)>| -> Vec<&'static Mistake> {
-        let fits = all.into_iter().filter(|(_, other)| explains(other, theirs, right));
-        fits.map(|(mistake, _)| mistake).collect()
-    };
-    let mut found = fits(catalogue(&first));
-    if again && !found.is_empty() {
-        let confirmed = fits(catalogue(question));
-        found.retain(|mistake| confirmed.contains(mistake));
+    let mut by_terms = fits(&first, &mistakes::all());
+    if again {
+        by_terms = fits(question, &by_terms);
     }
+    let known = |mistake: &&'static mistakes::Mistake| {
+        CATALOGUE.iter().find(|(known, _)| known == mistake).map(|(_, name)| *name)
+    };
+    let mut found: Vec<&'static Mistake> = by_terms.iter().filter_map(known).collect();
     for change in changes::all() {
         let changed = |question: &Value| {
             let mut other = question.clone();

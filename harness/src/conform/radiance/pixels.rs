@@ -48,8 +48,7 @@ fn pixel(draw: &mut Draw, change: fn(&mut Draw, &mut Value)) -> Value {
     let source = json!({"point": {
         "ls": between(draw, 10.0, 30.0), "color": color(draw), "location": lamp, "attenuation": 2.0,
     }});
-    let lights =
-        vec![light("lamp", source), light("sky", json!({"ambient": {"ls": share(draw)}}))];
+    let lights = vec![light("lamp", source), light("sky", json!({"ambient": {"ls": share(draw)}}))];
     let materials = vec![material("chalk", matte(draw)), material("stone", matte(draw))];
     let objects = vec![
         object("ball", "chalk", stage::sphere([0.5, 1.0, 0.0], 1.0)),

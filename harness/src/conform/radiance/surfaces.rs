@@ -27,14 +27,17 @@ pub const ALL: &[Exact] = &[
         let mut mesh = mesh(draw);
         mesh["smooth"] = json!(true);
         let normals = (0..6).map(|_| stage::within(draw, [-0.4; 3], [0.4; 3]));
-        let normals: Vec<[f64; 3]> =
-            normals.zip(CORNERS).map(|(by, at)| std::array::from_fn(|i| 2.0 * at[i] + by[i])).collect();
+        let normals: Vec<[f64; 3]> = normals
+            .zip(CORNERS)
+            .map(|(by, at)| std::array::from_fn(|i| 2.0 * at[i] + by[i]))
+            .collect();
         mesh["normals"] = json!(normals);
         shown(draw, json!({"mesh": mesh}))
     }),
     ("mesh.tessellated", "ch23", |draw| {
         let (horizontal, vertical) = (3 + draw.below(5), 2 + draw.below(4));
-        let sphere = json!({"horizontal": horizontal, "vertical": vertical, "radius": 1.2, "smooth": true});
+        let sphere =
+            json!({"horizontal": horizontal, "vertical": vertical, "radius": 1.2, "smooth": true});
         let moved = json!({"of": {"tessellated_sphere": sphere}, "transform": [{"translate": [0.0, 1.25, 0.0]}]});
         shown(draw, json!({"instance": moved}))
     }),
@@ -52,7 +55,10 @@ pub const ALL: &[Exact] = &[
 fn on_stage(draw: &mut Draw, surface: Value, shape: Value, from: [f64; 3]) -> Value {
     let at = within(draw, [-4.0, -0.5, -4.0], [4.0, 6.0, 4.0]);
     let lights = vec![
-        light("lamp", json!({"point": {"ls": between(draw, 2.0, 4.0), "color": color(draw), "location": at}})),
+        light(
+            "lamp",
+            json!({"point": {"ls": between(draw, 2.0, 4.0), "color": color(draw), "location": at}}),
+        ),
         light("sky", json!({"ambient": {"ls": share(draw), "color": color(draw)}})),
     ];
     let materials = vec![surface, material("stone", matte(draw))];
@@ -77,12 +83,16 @@ fn around(draw: &mut Draw) -> [f64; 3] {
 fn open(draw: &mut Draw, two_sided: bool) -> Value {
     let kinds = if two_sided { 4 } else { 3 };
     let shape = match draw.below(kinds) {
-        0 => json!({"rectangle": {"corner": [-1.0, 0.25, -0.5], "a": [2.0, 0.0, 0.0], "b": [0.0, 1.5, 0.75]}}),
+        0 => {
+            json!({"rectangle": {"corner": [-1.0, 0.25, -0.5], "a": [2.0, 0.0, 0.0], "b": [0.0, 1.5, 0.75]}})
+        }
         1 => {
             let normal = within(draw, [-1.0, -1.0, 0.25], [1.0, 1.0, 1.0]);
             json!({"disk": {"center": [0.0, 1.25, 0.0], "normal": normal, "radius": 1.0}})
         }
-        2 => json!({"triangle": {"vertices": [[-1.25, 0.25, 0.5], [1.5, 0.25, -0.25], [0.0, 2.25, 0.0]]}}),
+        2 => {
+            json!({"triangle": {"vertices": [[-1.25, 0.25, 0.5], [1.5, 0.25, -0.25], [0.0, 2.25, 0.0]]}})
+        }
         _ => json!({"open_cylinder": {"y0": 0.25, "y1": 1.75, "radius": 1.0}}),
     };
     let mut surface = material("surface", json!({"phong": phong(draw)}));
@@ -95,7 +105,9 @@ fn open(draw: &mut Draw, two_sided: bool) -> Value {
 fn emissive(draw: &mut Draw) -> Value {
     let shape = match draw.below(3) {
         0 => stage::sphere([0.0, 1.0, 0.0], 1.0),
-        1 => json!({"rectangle": {"corner": [-1.0, 0.25, 0.0], "a": [2.0, 0.0, 0.0], "b": [0.0, 1.75, 0.0]}}),
+        1 => {
+            json!({"rectangle": {"corner": [-1.0, 0.25, 0.0], "a": [2.0, 0.0, 0.0], "b": [0.0, 1.75, 0.0]}})
+        }
         _ => json!({"disk": {"center": [0.0, 1.0, 0.0], "normal": [0.0, 0.6, 0.8], "radius": 1.0}}),
     };
     let recipe = json!({"emissive": {"ls": between(draw, 1.0, 4.0), "ce": color(draw)}});
@@ -108,7 +120,8 @@ fn emissive(draw: &mut Draw) -> Value {
 /// Rays that often go by.
 fn background(draw: &mut Draw) -> Value {
     let surface = material("surface", matte(draw));
-    let mut question = on_stage(draw, surface, stage::sphere([0.0, 1.0, 0.0], 1.0), [0.0, 2.0, 6.0]);
+    let mut question =
+        on_stage(draw, surface, stage::sphere([0.0, 1.0, 0.0], 1.0), [0.0, 2.0, 6.0]);
     let aim = within(draw, [-3.0, 1.0, -1.0], [3.0, 4.0, 1.0]);
     question["radiance"]["ray"] = ray([0.0, 1.0, 6.0], aim);
     question
@@ -142,7 +155,14 @@ fn mesh(draw: &mut Draw) -> Value {
     };
     let vertices: Vec<[f64; 3]> = CORNERS.into_iter().map(|at| vertex(at, draw)).collect();
     let triangles = json!([
-        [2, 4, 0], [2, 0, 5], [2, 5, 1], [2, 1, 4], [3, 0, 4], [3, 5, 0], [3, 1, 5], [3, 4, 1],
+        [2, 4, 0],
+        [2, 0, 5],
+        [2, 5, 1],
+        [2, 1, 4],
+        [3, 0, 4],
+        [3, 5, 0],
+        [3, 1, 5],
+        [3, 4, 1],
     ]);
     json!({"vertices": vertices, "triangles": triangles})
 }
@@ -206,7 +226,8 @@ fn bumped(draw: &mut Draw, kinds: &[Steps]) -> Value {
         "axis": draw.pick(&["x", "y", "z"]), "from": 0.0, "to": to, "colors": [0.0, 1.0], "wrap": "mirror",
     }});
     let mut surface = material("surface", json!({"phong": phong(draw)}));
-    surface["bump"] = json!({"height": {"texture": ramp, "height": between(draw, 0.05, 0.15), "step": 1e-4}});
+    surface["bump"] =
+        json!({"height": {"texture": ramp, "height": between(draw, 0.05, 0.15), "step": 1e-4}});
     let (of, transform) = (stage::sphere([0.0; 3], 1.0), steps(draw, kinds));
     let shape = json!({"instance": {"of": of, "transform": transform}});
     let from = stage::before(draw);

@@ -76,7 +76,8 @@ fn lights(draw: &mut Draw) -> Vec<Value> {
 fn ball(draw: &mut Draw, recipe: Value, moves: bool) -> Value {
     let scale = within(draw, [0.5; 3], [1.4; 3]);
     let turn = between(draw, 20.0, 160.0);
-    let transform = json!([{"scale": scale}, {"rotate_z": turn}, {"translate": [0.125, 1.25, -0.25]}]);
+    let transform =
+        json!([{"scale": scale}, {"rotate_z": turn}, {"translate": [0.125, 1.25, -0.25]}]);
     let mut instance = json!({"of": stage::sphere([0.0; 3], 1.0), "transform": transform});
     if !moves {
         instance["transform_texture"] = json!(false);

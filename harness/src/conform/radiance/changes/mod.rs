@@ -19,7 +19,9 @@ pub struct Change {
 
 /// All of them.
 pub fn all() -> impl Iterator<Item = &'static Change> {
-    [lights::KNOWN, lights::ALL, surfaces::ALL, surfaces::KNOWN, views::ALL, views::KNOWN].into_iter().flatten()
+    [lights::KNOWN, lights::ALL, surfaces::ALL, surfaces::KNOWN, views::ALL, views::KNOWN]
+        .into_iter()
+        .flatten()
 }
 
 /// A list of changes: words, place in the book, change.
@@ -42,11 +44,7 @@ fn any(changed: impl Iterator<Item = ()>) -> Option<()> {
 }
 
 /// Changes each item of a list of the scene.
-fn items(
-    data: &mut Value,
-    list: &str,
-    change: impl Fn(&mut Fields) -> Option<()>,
-) -> Option<()> {
+fn items(data: &mut Value, list: &str, change: impl Fn(&mut Fields) -> Option<()>) -> Option<()> {
     let items = data.get_mut("scene")?.get_mut(list)?.as_array_mut()?;
     any(items.iter_mut().filter_map(|item| change(item.as_object_mut()?)))
 }
@@ -96,11 +94,12 @@ fn tables(
         change: &dyn Fn(&mut Fields) -> Option<()>,
     ) -> Option<()> {
         match value {
-            Value::Object(fields) => any(fields.iter_mut().filter_map(|(key, value)| {
-                match value.as_object_mut().filter(|_| key == name) {
-                    Some(table) => change(table).or_else(|| inside(value, name, change)),
-                    None => inside(value, name, change),
-                }
+            Value::Object(fields) => any(fields.iter_mut().filter_map(|(key, value)| match value
+                .as_object_mut()
+                .filter(|_| key == name)
+            {
+                Some(table) => change(table).or_else(|| inside(value, name, change)),
+                None => inside(value, name, change),
             })),
             Value::Array(items) => {
                 any(items.iter_mut().filter_map(|item| inside(item, name, change)))

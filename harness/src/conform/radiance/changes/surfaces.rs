@@ -137,21 +137,32 @@ pub(super) const ALL: &[Change] = changes! {
 
 /// Mistakes that conform has known before.
 pub(super) const KNOWN: &[Change] = &[
-    Change { mistake: &m::SWAPPED_COLORS, apply: |data| {
-        textures(data, |texture| exchanged(texture, "color1", "color2"))
-    } },
-    Change { mistake: &m::NO_SIZE, apply: |data| textures(data, |texture| instead(texture, "size", json!(1.0))) },
-    Change { mistake: &m::ETA_INVERTED, apply: |data| recipes(data, |kind, fields| match kind {
-        "transparent" => number(fields, "eta", |eta| 1.0 / eta),
-        "dielectric" => {
-            let of = |side: Option<&Value>| side.and_then(|it| it["eta"].as_f64()).unwrap_or(1.0);
-            let (inside, outside) = (of(fields.get("inside")), of(fields.get("outside")));
-            set(fields.get_mut("inside")?.as_object_mut()?, "eta", json!(outside))?;
-            let side = fields.entry("outside").or_insert_with(|| json!({}));
-            set(side.as_object_mut()?, "eta", json!(inside))
-        }
-        _ => None,
-    }) },
+    Change {
+        mistake: &m::SWAPPED_COLORS,
+        apply: |data| textures(data, |texture| exchanged(texture, "color1", "color2")),
+    },
+    Change {
+        mistake: &m::NO_SIZE,
+        apply: |data| textures(data, |texture| instead(texture, "size", json!(1.0))),
+    },
+    Change {
+        mistake: &m::ETA_INVERTED,
+        apply: |data| {
+            recipes(data, |kind, fields| match kind {
+                "transparent" => number(fields, "eta", |eta| 1.0 / eta),
+                "dielectric" => {
+                    let of = |side: Option<&Value>| {
+                        side.and_then(|it| it["eta"].as_f64()).unwrap_or(1.0)
+                    };
+                    let (inside, outside) = (of(fields.get("inside")), of(fields.get("outside")));
+                    set(fields.get_mut("inside")?.as_object_mut()?, "eta", json!(outside))?;
+                    let side = fields.entry("outside").or_insert_with(|| json!({}));
+                    set(side.as_object_mut()?, "eta", json!(inside))
+                }
+                _ => None,
+            })
+        },
+    },
 ];
 
 fn of_kinds(

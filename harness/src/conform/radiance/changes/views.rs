@@ -35,7 +35,10 @@ pub(super) const ALL: &[Change] = changes! {
 pub(super) const KNOWN: &[Change] = &[
     Change { mistake: &m::NO_PIXEL_SIZE, apply: |data| without(image(data)?, "pixel_size") },
     Change { mistake: &m::NO_ZOOM, apply: |data| without(lens(data)?, "zoom") },
-    Change { mistake: &m::ZOOM_INVERTED, apply: |data| number(lens(data)?, "zoom", |zoom| 1.0 / zoom) },
+    Change {
+        mistake: &m::ZOOM_INVERTED,
+        apply: |data| number(lens(data)?, "zoom", |zoom| 1.0 / zoom),
+    },
     Change { mistake: &m::NO_ROLL, apply: |data| without(camera(data)?, "roll") },
     Change { mistake: &m::UPSIDE_DOWN, apply: |data| from_other_end(data, 1, "height") },
     Change { mistake: &m::MIRRORED, apply: |data| from_other_end(data, 0, "width") },
