@@ -3,6 +3,7 @@
 use serde_json::Value;
 
 use super::judgement::{Judgement, Profile};
+use super::mistakes::Mistake;
 use super::subject::{Fault, Reply, Subject};
 
 /// Questions of one kind about one thing, of one difficulty.
@@ -21,7 +22,14 @@ pub struct Family {
     pub cases: Box<dyn Fn(u64, usize) -> Vec<Value> + Send + Sync>,
     /// Who judges a case.
     pub judge: Judge,
+    /// Where known mistakes are looked for that the judge does not know.
+    pub namer: Option<Namer>,
+    /// Whether a failure is made smaller.
+    pub is_shrunk: bool,
 }
+
+/// From what was asked for a wrong case, and what came, to the mistakes that explain it.
+pub type Namer = fn(&[(Value, Value)]) -> Vec<&'static Mistake>;
 
 /// Who judges a case.
 #[derive(Clone, Copy)]

@@ -17,6 +17,7 @@ mod lines;
 pub mod mistakes;
 mod program;
 mod questions;
+mod radiance;
 mod run;
 mod scenes;
 mod shrink;

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
 
 use rayon::prelude::*;
 use serde_json::Value;
@@ -37,6 +38,9 @@ const FIRST_ROUND: usize = 2;
 const FEW: usize = 8;
 /// Faults after which all families of a question are not asked any more.
 const MOST_FAULTS_OF_QUESTION: u64 = 6;
+/// Time for making the failures of all families smaller; those after it are shown as they were asked. A mistake that many
+/// scenes show needs no small question in each.
+const MOST_SHRINKING: Duration = Duration::from_secs(60);
 /// Wrong answers of a family that are kept, to find what they have in common.
 const KEPT: usize = 64;
 
@@ -67,6 +71,7 @@ pub fn run(
     let later = (FIRST_ROUND..most).step_by(WINDOW);
     let rounds: Vec<[usize; 2]> =
         std::iter::once([0, FIRST_ROUND]).chain(later.map(|from| [from, from + WINDOW])).collect();
+    let mut shrinking = Duration::ZERO;
     for [from, to] in rounds {
         for asked in &mut asked {
             if options.interrupted.load(Ordering::Relaxed) {
@@ -80,13 +85,13 @@ pub fn run(
             asked.ask(subject, from, to, options.profile);
             *of_question += asked.row.faults() - before;
             if asked.is_done {
-                asked.finish(subject, options);
+                asked.finish(subject, options, &mut shrinking);
                 watch(&asked.row);
             }
         }
     }
     for asked in asked.iter_mut().filter(|asked| !asked.is_done) {
-        asked.finish(subject, options);
+        asked.finish(subject, options, &mut shrinking);
         watch(&asked.row);
     }
     let rows = asked.into_iter().map(|asked| asked.row).collect();
@@ -173,7 +178,10 @@ impl<'a> Asked<'a> {
                     .zip(&replies)
                     .map(|(question, reply)| Judged::of(question, reply, judge, profile))
                     .collect();
-                for ((question, reply), judged) in cases.iter().zip(&replies).zip(judged) {
+                for ((question, reply), mut judged) in cases.iter().zip(&replies).zip(judged) {
+                    if let Reply::Answer(answer) = reply {
+                        judged.name(self.family, &[(question.clone(), answer.clone())]);
+                    }
                     let got = match reply {
                         Reply::Answer(answer) => {
                             self.said.and(answer);
@@ -189,6 +197,7 @@ impl<'a> Asked<'a> {
                     let mut asking = Asking::new(subject);
                     let mut judged = Judged::from(law(&mut asking, case, profile));
                     let asked = asking.asked;
+                    judged.name(self.family, &asked);
                     if judged.is_wrong_with_care(profile) {
                         let again = law(&mut Asking::new(subject), case, Profile::Book);
                         judged.is_fair = again.is_ok_and(|it| is_no_failure(&it));
@@ -237,7 +246,7 @@ impl<'a> Asked<'a> {
     }
 
     /// Names what is wrong, and makes the first failure smaller.
-    fn finish(&mut self, subject: &mut dyn Subject, options: &Options) {
+    fn finish(&mut self, subject: &mut dyn Subject, options: &Options, spent: &mut Duration) {
         self.is_done = true;
         self.row.names = names(&self.wrong);
         if let Said::Always(answer) = &self.said
@@ -248,10 +257,13 @@ impl<'a> Asked<'a> {
         let Some((question, wrong)) = self.first.take() else { return };
         let asked = std::mem::take(&mut self.row.asked);
         let first = Failure { question, wrong, asked };
-        let failure = match options.shrink && !options.interrupted.load(Ordering::Relaxed) {
+        let is_shrunk = options.shrink && self.family.is_shrunk && *spent < MOST_SHRINKING;
+        let begun = Instant::now();
+        let failure = match is_shrunk && !options.interrupted.load(Ordering::Relaxed) {
             true => shrink::smaller(subject, self.family.judge, first, options.profile),
             false => first,
         };
+        *spent += begun.elapsed();
         self.row.failure = Some(failure);
     }
 }
@@ -300,6 +312,15 @@ impl Judged {
             judged.is_fair = is_no_failure(&judge(question, answer, Profile::Book));
         }
         judged
+    }
+
+    /// Adds the mistakes that the family's namer finds in a wrong case.
+    fn name(&mut self, family: &Family, asked: &[(Value, Value)]) {
+        if let (Some(wrong), Some(namer)) = (&mut self.wrong, family.namer) {
+            let new: Vec<_> =
+                namer(asked).into_iter().filter(|it| !wrong.clues.contains(it)).collect();
+            wrong.clues.extend(new);
+        }
     }
 
     /// Whether it is wrong, and may be right by the other profile.

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 use super::family::{Family, Judge};
 use super::judgement::{Judgement, Profile, number, triple};
 use super::questions;
+use super::radiance;
 use super::subject::ours;
 use super::values::{self, Rules};
 use groundtruth::math::Vector;
@@ -27,6 +28,8 @@ pub fn families() -> Vec<Family> {
                 share: 0.5,
                 cases: Box::new(changed),
                 judge,
+                namer: Some(radiance::name),
+                is_shrunk: true,
             });
         };
         let name = format!("trace.{material}.rays");

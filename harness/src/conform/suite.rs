@@ -5,7 +5,7 @@ use serde_json::{Value, json};
 use super::family::{Asking, Family, Judge, Stop};
 use super::judgement::{Judgement, Profile};
 use super::questions::{self, OF_NOISE, kinds, outside, ray_question, square, vector};
-use super::{intersections, laws, scenes};
+use super::{intersections, laws, radiance, scenes};
 use crate::verify::Draw;
 use groundtruth::lobes::{Claims, Lobe};
 use groundtruth::{cameras, samplers, textures};
@@ -18,6 +18,7 @@ pub fn all() -> Vec<Family> {
     let mut all = intersections::families();
     all.extend(questions::families());
     all.extend(scenes::families());
+    all.extend(radiance::families());
     all.extend(of_laws());
     all.sort_by_key(|family| family.chapter);
     all

@@ -76,7 +76,8 @@ fn row_of_pixels(
     columns.map(|column| [column, row]).map(|at| (at, pixel(world, &mut recorder, at))).collect()
 }
 
-fn pixel(world: &World, recorder: &mut Reweighing<'_>, at: [u32; 2]) -> Vec<Rgb> {
+/// The exposed value of a pixel, without a mistake and with each of the recorder's.
+pub(crate) fn pixel(world: &World, recorder: &mut Reweighing<'_>, at: [u32; 2]) -> Vec<Rgb> {
     let count = world.samples_per_pixel();
     let samples: Vec<Vec<Rgb>> = (0..count)
         .map(|index| {

@@ -26,6 +26,7 @@ use std::path::Path;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 
+pub(crate) use films::pixel;
 pub use films::{Films, films};
 pub use heard::{RayHeard, SurfaceHeard, TermHeard};
 pub use page::page;

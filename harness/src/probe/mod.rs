@@ -29,6 +29,7 @@ mod transform;
 // shared by the questions
 mod limits;
 mod lines;
+pub mod mistaken;
 mod numbers;
 mod source;
 

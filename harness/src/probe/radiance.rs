@@ -54,7 +54,7 @@ impl super::Question for Radiance {
             let problem = format!("found {replicas}, but 1 to {MAX_REPLICAS} fit");
             return Err(Invalid::field("replicas", problem));
         }
-        let seed = self.seed.unwrap_or(DEFAULT_SEED);
+        let seed = self.seed();
         let (mut world, most) = self.world(seed, &looks, f64::from(replicas))?;
         let mut budget = RayBudget::up_to(most);
         let mut values = Vec::with_capacity(replicas as usize);
@@ -77,7 +77,7 @@ impl super::Question for Radiance {
 }
 
 /// What is asked for.
-enum Looks {
+pub(super) enum Looks {
     AtPixel([u32; 2]),
     Along(Ray),
 }
@@ -93,7 +93,7 @@ impl Looks {
     }
 
     /// The value of a pixel, or the mean of as many samples along a ray.
-    fn value(&self, world: &World, budget: &mut RayBudget) -> Rgb {
+    pub(super) fn value(&self, world: &World, budget: &mut RayBudget) -> Rgb {
         let samples = (0..world.samples_per_pixel()).map(|i| self.sample(world, i, budget));
         match self {
             Self::AtPixel(_) => render::expose(world, samples),
@@ -103,7 +103,18 @@ impl Looks {
 }
 
 impl Radiance {
-    fn looks(&self) -> Result<Looks, Invalid> {
+    /// The seed of the first replica.
+    pub(super) fn seed(&self) -> u64 {
+        self.seed.unwrap_or(DEFAULT_SEED)
+    }
+
+    /// The seeds of the replicas.
+    pub(super) fn seeds(&self) -> impl Iterator<Item = u64> {
+        let (first, count) = (self.seed(), self.replicas.unwrap_or(REPLICAS).min(MAX_REPLICAS));
+        (0..count).map(move |i| first.wrapping_add(u64::from(i)))
+    }
+
+    pub(super) fn looks(&self) -> Result<Looks, Invalid> {
         match (self.pixel, self.ray) {
             (Some(pixel), None) => Ok(Looks::AtPixel(pixel)),
             (None, Some(_)) if self.size.is_some() => {
@@ -114,11 +125,11 @@ impl Radiance {
         }
     }
 
-    /// The world, and the number of rays at which tracing must end.
-    fn world(&self, seed: u64, looks: &Looks, replicas: f64) -> Result<(World, u64), Invalid> {
+    /// The scene with what the question changes of it, and its world.
+    pub(super) fn built(&self, seed: u64) -> Result<Built, Invalid> {
         let tracer = self.tracer.as_deref().map(str::parse).transpose();
         let tracer = tracer.map_err(|problem| Invalid::field("tracer", problem))?;
-        let built = self.scene.built(seed, |scene| {
+        self.scene.built(seed, |scene| {
             if let Some([width, height]) = self.size {
                 let pixels = u64::from(width) * u64::from(height);
                 if !(1..=MAX_PIXELS).contains(&pixels) {
@@ -133,8 +144,12 @@ impl Radiance {
             }
             let changed = scene.tracer.change(tracer, self.max_depth);
             changed.map_err(|problem| Invalid::field("max_depth", problem))
-        })?;
-        let Built { scene, world, primitives } = built;
+        })
+    }
+
+    /// The world, and the number of rays at which tracing must end.
+    fn world(&self, seed: u64, looks: &Looks, replicas: f64) -> Result<(World, u64), Invalid> {
+        let Built { scene, world, primitives } = self.built(seed)?;
         if let Looks::AtPixel(pixel) = looks {
             camera_ray::inside(*pixel, world.picture_size())?;
         }
@@ -148,7 +163,7 @@ impl Radiance {
 }
 
 /// `√(Σ(xᵢ − x̄)² / (n (n − 1)))` of `n` independent values.
-fn standard_error(mean: Rgb, values: &[Rgb]) -> Rgb {
+pub(super) fn standard_error(mean: Rgb, values: &[Rgb]) -> Rgb {
     let n = values.len() as f64;
     let squares = values.iter().map(|&value| {
         let difference = value + (-1.0) * mean;

@@ -30,6 +30,8 @@ pub fn families() -> Vec<Family> {
                 share: 1.0,
                 cases,
                 judge,
+                namer: None,
+                is_shrunk: true,
             });
         };
         for family in Hard::ALL {

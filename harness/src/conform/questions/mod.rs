@@ -49,6 +49,8 @@ pub fn family(
         share: 1.0,
         cases: Box::new(cases),
         judge,
+        namer: None,
+        is_shrunk: true,
     }
 }
 
@@ -72,7 +74,7 @@ fn any<'a>(draw: &mut Draw, of: &'a [Value]) -> &'a Value {
 }
 
 /// A number with few digits, so that it can be read.
-fn round(x: f64) -> f64 {
+pub fn round(x: f64) -> f64 {
     (x * 1024.0).round() / 1024.0
 }
 

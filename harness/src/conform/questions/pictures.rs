@@ -3,10 +3,8 @@
 use serde_json::{Value, json};
 
 use super::super::family::{Family, Judge};
-use super::super::judgement::{Judgement, Profile};
-use super::super::mistakes as m;
-use super::super::values::{self, Rules};
-use super::{data, family, round, vector};
+use super::super::radiance;
+use super::{family, round, vector};
 use crate::verify::Draw;
 
 /// A material's tag, its chapter, and a case of it.
@@ -37,9 +35,15 @@ pub fn families() -> Vec<Family> {
     let radiance = |(name, chapter, material): Material| {
         let case = move |draw: &mut Draw| question(draw, material);
         let about = format!("materials/{name}");
-        let mut family =
-            family(&format!("radiance.{name}.values"), &about, chapter, Judge::Answer(judge), case);
+        let mut family = family(
+            &format!("radiance.{name}.values"),
+            &about,
+            chapter,
+            Judge::Answer(radiance::judge),
+            case,
+        );
         family.share = 0.5;
+        family.namer = Some(radiance::name);
         family
     };
     materials.into_iter().map(radiance).collect()
@@ -95,29 +99,4 @@ fn above(draw: &mut Draw) -> Value {
     let mut at = vector(draw, 4.0);
     at[1] = json!(round(draw.between(4.0, 8.0)));
     at
-}
-
-fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    const RULES: Rules = Rules {
-        needed: &["mean"],
-        free: &["standard_error", "replicas", "samples"],
-        questions: &[
-            (&m::NO_AMBIENT, |question| without_light(question, "ambient")),
-            (&m::IN_BLACK_SHADOW, |question| without_light(question, "point")),
-            (&m::NO_SHADOWS, |question| {
-                for light in data(question)?["scene"]["lights"].as_array_mut()? {
-                    light["shadows"] = json!(false);
-                }
-                Some(())
-            }),
-        ],
-        answers: &[],
-    };
-    values::judge(question, answer, profile, &RULES)
-}
-
-fn without_light(question: &mut Value, kind: &str) -> Option<()> {
-    let lights = data(question)?["scene"]["lights"].as_array_mut()?;
-    lights.retain(|light| light["source"].get(kind).is_none());
-    Some(())
 }

@@ -1,0 +1,138 @@
+//! Mistakes of lights and shadows (Suffern, ch. 14 to 18).
+
+use serde_json::{Value, json};
+
+use super::super::super::mistakes as m;
+use super::{Change, Mistake, bases, changes, instead, items, lights, number, set, without};
+
+pub(super) const ALL: &[Change] = changes! {
+    "only the first lamp counts", "ch. 14: the sum over all lights" => |data| retain(data, |i, _| i == 0);
+    "only the last lamp counts", "ch. 14: the sum over all lights" => |data| retain(data, |i, n| i + 1 == n);
+    "ambient light is reflected by kd instead of ka", "ch. 14: ka cd L_a" => |data| bases(data, |base| {
+        let kd = base.get("kd").cloned()?;
+        set(base, "ka", kd)
+    });
+    "the light of lamps is reflected by ka instead of kd", "ch. 14: kd cd / π" => |data| bases(data, |base| {
+        let ka = base.get("ka").cloned()?;
+        set(base, "kd", ka)
+    });
+    "kd is left out", "ch. 14: kd cd / π" => |data| bases(data, |base| instead(base, "kd", json!(1.0)));
+    "ka is left out", "ch. 14: ka cd L_a" => |data| bases(data, |base| instead(base, "ka", json!(1.0)));
+    "the colour of ambient light is left out", "ch. 14: ls · color" => |data| lights(data, |kind, light| {
+        if is_ambient(kind) { without(light, "color") } else { None }
+    });
+    "the colour of lamps is left out", "ch. 14: ls · color" => |data| lights(data, |kind, light| {
+        if is_ambient(kind) { None } else { without(light, "color") }
+    });
+    "the factor ls of lights is left out", "ch. 14: ls · color" => |data| {
+        lights(data, |_, light| without(light, "ls"))
+    };
+    "the direction of a directional light is taken for the way of its light", "ch. 14: it points to the light" => |data| {
+        lights(data, |kind, light| if kind == "spot" { None } else { number(light, "direction", |x| -x) })
+    };
+    "the direction of a directional light is not made unit", "ch. 14" => |data| lights(data, |kind, light| {
+        if kind != "directional" {
+            return None;
+        }
+        let direction: Vec<f64> = light.get("direction")?.as_array()?.iter().filter_map(Value::as_f64).collect();
+        let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
+        number(light, "ls", |ls| length * ls)
+    });
+    "light falls off with 1/d² where it should not", "ch. 14: the exponent of the distance, 0 if left out" => |data| {
+        lights(data, |kind, light| {
+            let is_even = kind == "point" && light.get("attenuation").is_none_or(|k| k.as_f64() == Some(0.0));
+            if is_even { set(light, "attenuation", json!(2.0)) } else { None }
+        })
+    };
+    "light falls off with the square of the distance, whatever the exponent", "ch. 14: 1/dᵏ" => |data| {
+        lights(data, |_, light| instead(light, "attenuation", json!(2.0)))
+    };
+    "the exponent of the distance is twice as large", "ch. 14: 1/dᵏ, where d is no square" => |data| {
+        lights(data, |_, light| number(light, "attenuation", |k| 2.0 * k))
+    };
+    "the angles of a spot are taken for whole angles", "docs/scene.md: they are measured from its axis" => |data| {
+        lights(data, |_, light| {
+            number(light, "inner", |x| 0.5 * x)?;
+            number(light, "outer", |x| 0.5 * x)
+        })
+    };
+    "a spot shines in all directions", "docs/scene.md: none from `outer` on" => |data| lights(data, |_, light| {
+        instead(light, "inner", json!(180.0))?;
+        set(light, "outer", json!(180.0))
+    });
+    "a spot has a sharp edge", "docs/scene.md: a smooth step from `inner` to `outer`" => |data| lights(data, |_, light| {
+        let outer = light.get("outer")?.clone();
+        set(light, "inner", outer)
+    });
+    "the switch `shadows` of lights is ignored", "ch. 16" => |data| items(data, "lights", |light| without(light, "shadows"));
+    "the switch `casts_shadows` of objects is ignored", "ch. 16" => |data| {
+        items(data, "objects", |object| without(object, "casts_shadows"))
+    };
+    "the switch `casts_shadows` of materials is ignored", "ch. 16" => |data| {
+        items(data, "materials", |material| without(material, "casts_shadows"))
+    };
+    "no object casts a shadow if one of them casts none", "ch. 16: the switch is the occluder's" => |data| {
+        let is_off = |item: &Value| item["casts_shadows"] == json!(false);
+        let any = data["scene"]["objects"].as_array()?.iter().any(is_off);
+        if any { items(data, "objects", |object| set(object, "casts_shadows", json!(false))) } else { None }
+    };
+    "what is switched off counts", "docs/scene.md: `enabled`" => |data| {
+        let objects = items(data, "objects", |object| without(object, "enabled"));
+        items(data, "lights", |light| without(light, "enabled")).or(objects)
+    };
+    "parts of a compound have the material of the whole", "ch. 19: the nearest part's material" => |data| {
+        super::tables(data, "objects", "compound", &|compound| {
+            let parts = compound.get_mut("parts")?.as_array_mut()?;
+            super::any(parts.iter_mut().filter_map(|part| without(part.as_object_mut()?, "material")))
+        })
+    };
+    "occlusion is left out", "ch. 17: one shadow ray for each sample" => |data| lights(data, |kind, light| {
+        if kind != "ambient_occluder" {
+            return None;
+        }
+        let _ = light.remove("occluded_color");
+        set(light, "min_amount", json!(1.0))
+    });
+    "objects count as occluders however far away", "docs/scene.md: `max_distance`" => |data| {
+        lights(data, |_, light| without(light, "max_distance"))
+    };
+    "the colour of occluded light is left out", "ch. 17" => |data| lights(data, |_, light| without(light, "occluded_color"));
+    "the sky lights nothing", "ch. 18: environment lights" => |data| {
+        let lights = data.get_mut("scene")?.get_mut("lights")?.as_array_mut()?;
+        let before = lights.len();
+        lights.retain(|light| light["source"].get("environment").is_none());
+        (lights.len() < before).then_some(())
+    };
+    "jitter is left out", "ch. 18: another place for each sample" => |data| lights(data, |_, light| instead(light, "jitter", json!(0.0)));
+    "jitter is half as large", "ch. 18: r (2ξ − 1) along each axis" => |data| lights(data, |_, light| number(light, "jitter", |r| 0.5 * r));
+    "ls of lamps is left out", "ch. 18: ls · ce" => |data| {
+        super::recipes(data, |kind, fields| if kind == "emissive" { without(fields, "ls") } else { None })
+    };
+    "the colour of lamps that are seen is left out", "ch. 18: ls · ce" => |data| super::recipes(data, |_, fields| without(fields, "ce"));
+};
+
+/// A mistake that conform has known before.
+pub(super) const KNOWN: &[Change] =
+    &[Change { mistake: &m::IN_BLACK_SHADOW, apply: |data| retain(data, |_, _| false) }];
+
+fn is_ambient(kind: &str) -> bool {
+    ["ambient", "ambient_occluder"].contains(&kind)
+}
+
+/// Keeps some of the lights that are not ambient, by index and number.
+fn retain(data: &mut Value, keep: fn(usize, usize) -> bool) -> Option<()> {
+    let lights = data.get_mut("scene")?.get_mut("lights")?.as_array_mut()?;
+    let ambient = |light: &Value| {
+        ["ambient", "ambient_occluder"].iter().any(|kind| light["source"].get(kind).is_some())
+    };
+    let (before, count) = (lights.len(), lights.iter().filter(|light| !ambient(light)).count());
+    let mut index = 0;
+    lights.retain(|light| {
+        if ambient(light) {
+            return true;
+        }
+        index += 1;
+        keep(index - 1, count)
+    });
+    (lights.len() < before).then_some(())
+}
