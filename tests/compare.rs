@@ -371,7 +371,7 @@ fn the_exit_status_answers() {
     let (found, _) = status(&["dim.exr", "film.exr", "-o", "diff.html"]);
     let html = std::fs::read_to_string(folder.path().join("diff.html")).expect("the page");
     assert_eq!((found, html.matches("data:image/png;base64,iVBOR").count() >= 7), (Some(1), true));
-    assert!(html.contains("B is A divided by 1/2"), "the page says why");
+    assert!(html.contains("film.exr is dim.exr divided by 1/2"), "the page says why");
     for link in ["http:", "https:", "href=", "url(", "<script", "<link"] {
         assert!(!html.contains(link), "the page needs {link}");
     }
@@ -390,7 +390,7 @@ fn the_exit_status_answers() {
     let shifted = folder.path().join("shifted.exr");
     film::write(&film_through(&world(name), [0.0, 0.0]), &tone, &shifted).expect("written");
     let (found, text) = status(&["shifted.exr", name, "-o", "shifted.html"]);
-    let expected = "explained: A is half a pixel too far right and half a pixel too far up";
+    let expected = "explained: yours is half a pixel too far right and half a pixel too far up";
     assert!(found == Some(1) && text.contains(expected), "{text}");
     let html = std::fs::read_to_string(folder.path().join("shifted.html")).expect("the page");
     let commands: Vec<&str> =
@@ -403,5 +403,38 @@ fn the_exit_status_answers() {
     }
     let (_, json) = status(&["dim.exr", "film.exr", "--json"]);
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
-    assert_eq!(json["explained_by"][0]["what"], "B is A divided by 1/2");
+    assert_eq!(json["explained_by"][0]["what"], "film.exr is dim.exr divided by 1/2");
+}
+
+/// Law: in whichever order they are given, a difference is yours − ours, and one of files is the second − the first; for a
+/// scene with noise the last line is the command that judges it. Oracle: a picture half as bright.
+#[test]
+fn signs_have_one_direction() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (film, scene) = (rendered("ch24/hall-of-mirrors", 1), "ch24/hall-of-mirrors");
+    let mut dim = Film::new(film.width(), film.height());
+    for y in 0..film.height() {
+        for x in 0..film.width() {
+            dim.set([x, y], 0.5 * film.get([x, y]));
+        }
+    }
+    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+    for (film, name) in [(&dim, "dim.pfm"), (&film, "whole.pfm")] {
+        film::write(film, &tone, &folder.path().join(name)).expect("written");
+    }
+    let compare = |both: [&str; 2]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_groundtruth"));
+        let output = command.arg("compare").args(both).current_dir(folder.path()).output();
+        String::from_utf8(output.expect("it runs").stdout).expect("UTF-8")
+    };
+    let text = compare(["dim.pfm", scene]);
+    assert_eq!(text, compare([scene, "dim.pfm"]));
+    let red = text.lines().find(|line| line.starts_with("mean red: yours ")).expect("the mean");
+    let percent: f64 =
+        red.rsplit_once('−').expect("darker").1.trim_end_matches(" %").parse().expect("a number");
+    assert!((percent - 50.0).abs() < 5.0 && red.contains(", ours "), "{red}");
+    let last = text.lines().last().expect("lines");
+    assert!(last.ends_with("groundtruth verify ch24/hall-of-mirrors dim.pfm"), "{last}");
+    assert!(compare(["whole.pfm", "dim.pfm"]).contains(", −50.000 %"));
+    assert!(compare(["dim.pfm", "whole.pfm"]).contains(", +100.000 %"));
 }

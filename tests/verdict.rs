@@ -17,6 +17,8 @@ mod power;
 #[path = "same_text.rs"]
 #[allow(dead_code)] // others compare texts
 mod same_text;
+#[path = "verdict/sampling.rs"]
+mod sampling;
 #[path = "verdict/shared.rs"]
 mod shared;
 #[path = "verdict/statistic.rs"]

@@ -13,6 +13,7 @@ pub mod export;
 pub mod framing;
 mod html;
 pub mod mistakes;
+mod percent;
 mod pixel;
 pub mod probe;
 mod provenance;

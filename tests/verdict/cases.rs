@@ -7,7 +7,7 @@ use groundtruth::math::{Pcg32, power};
 use groundtruth::scene::Scene;
 use harness::compare::{Picture, Transfer};
 use harness::verdict::{
-    Answer, Areas, Case, Decision, Edge, Means, Strictness, Subject, Verdict, noise,
+    Answer, Areas, Case, Decision, Edge, Means, Relative, Strictness, Subject, Verdict, noise,
 };
 
 use super::pictures::{films, scene, world};
@@ -55,7 +55,7 @@ fn interrupted(
     }
 }
 
-const STRICTNESS: Strictness = Strictness { level: 0.05, first: 8 };
+pub const STRICTNESS: Strictness = Strictness { level: 0.05, first: 8 };
 
 /// A scene with noise, soft shadows and edges.
 fn noisy() -> Scene {
@@ -276,6 +276,7 @@ fn a_margin_has_three_answers() {
         theirs: [1.0; 3],
         relative,
         half,
+        channels: [Relative::default(); 3],
     };
     let within = area(Some(-0.004), 0.005);
     for (other, expected) in [

@@ -177,3 +177,37 @@ fn the_document_shows_what_is_printed() {
     assert_eq!(count, 4, "two pictures, each rendered and judged");
     hold(&file, &true_text, Printed::Rounded);
 }
+
+/// Law: files with the same values are no pictures of two seeds: both are named, with status 2. Oracle: copies, one of them
+/// in another format.
+#[test]
+fn equal_files_are_named() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let film = picture(4, 501);
+    let [first, other] = [&film, &picture(4, 502)].map(|film| film.clone());
+    let files = [(&first, "a.pfm"), (&other, "b.pfm"), (&first, "c.pfm")]
+        .map(|(film, name)| written(film, folder.path(), name));
+    let (status, text) = verify(&[SCENE, &files[0], &files[1], &files[2]]);
+    assert_eq!(status, 2, "{text}");
+    assert!(text.contains("a.pfm") && text.contains("c.pfm") && !text.contains("b.pfm"), "{text}");
+}
+
+/// Law: the arguments that a verdict names make ours alike, so that a correct picture agrees. Oracle: the sampler of the
+/// picture.
+#[test]
+fn the_named_sampler_makes_ours_alike() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let regular = groundtruth::samplers::Regular {}.into();
+    let regular = super::pictures::with_sampler(scene("ch14/set", [24, 24], 4), regular);
+    let film = films(&mut world(&regular, 1), std::iter::once(1)).remove(0);
+    let file = written(&film, folder.path(), "regular.pfm");
+    let given = ["ch14/set", &*file, "--their-samples", "4"];
+    let (status, text) = verify(&given);
+    assert_eq!(status, 1, "{text}");
+    assert!(text.contains("`--their-sampler regular` makes ours alike; it agrees"), "{text}");
+    let (status, text) = verify(&[&given[..], &["--their-sampler", "regular"]].concat());
+    assert_eq!(status, 0, "{text}");
+    let (status, text) = verify(&[&given[..], &["--their-sampler", "even"]].concat());
+    assert_eq!(status, 2);
+    assert!(text.contains("regular") && text.contains("n_rooks"), "{text}");
+}

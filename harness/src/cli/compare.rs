@@ -5,19 +5,21 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use groundtruth::gallery;
+use groundtruth::printable;
 use groundtruth::render;
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
 use harness::compare::{self, Comparison, Picture, Transfer};
 
-use super::{Exit, Outcome, output};
+use super::{Exit, Outcome, announce, output};
 
 #[derive(Args)]
 pub struct Compare {
     /// A picture file (PNG, JPEG, PPM, HDR, EXR or PFM; - is the standard input), a gallery name, or a
     /// scene file; a scene is rendered at the size of the other side
     a: String,
-    /// The same
+    /// The same. Differences are B − A; if one side is a picture and the other a scene, they are yours − ours, in either
+    /// order
     b: String,
     /// How PNG, JPEG and PPM files encode radiance: srgb, linear, or gamma=2.2. If left out, what a PNG file says of
     /// itself (gAMA, sRGB), else srgb
@@ -56,8 +58,13 @@ enum Side {
 }
 
 impl Compare {
-    pub fn run(self) -> Outcome {
+    pub fn run(mut self) -> Outcome {
         output::once([&self.a, &self.b].map(Path::new), "input")?;
+        let is_ours_last = is_scene(&self.b) && !is_scene(&self.a);
+        if is_ours_last {
+            // the first is what the other is held against
+            std::mem::swap(&mut self.a, &mut self.b);
+        }
         let sides = [self.side(&self.a)?, self.side(&self.b)?];
         let size = sides.iter().find_map(|side| match side {
             Side::Picture(picture) => Some(picture.size),
@@ -72,6 +79,7 @@ impl Compare {
                 }
                 Side::Scene(scene, source) => {
                     let world = world_of(*scene, source, name, size)?;
+                    announce::long_rendering(&world, &printable::text(name), 1);
                     pictures.push(Picture::of_film(&render::render(&world)));
                     *built = Some(world);
                 }
@@ -80,14 +88,16 @@ impl Compare {
         let size = |world: &World| [world.image.width, world.image.height];
         let ours = [&*self.a, &*self.b].into_iter().zip(&worlds);
         let ours = ours.filter_map(|(name, world)| Some((name, size(world.as_ref()?)))).next();
-        let mut comparison = Comparison::of(&pictures[0], &pictures[1], self.tolerance)?;
+        let names = self.names();
+        let names = [&*names[0], &*names[1]];
+        let both = [&pictures[0], &pictures[1]];
+        let mut comparison = Comparison::named(names, both, self.tolerance)?;
         if !comparison.is_same() {
             self.ask_scenes(&mut comparison, &pictures, worlds);
         }
         if let Some(file) = &self.output {
             let commands = |pixel| ours.map_or(Vec::new(), |ours| self.commands(ours, pixel));
-            let (names, both) = ([&*self.a, &*self.b], [&pictures[0], &pictures[1]]);
-            let html = compare::page(&comparison, names, both, &commands);
+            let html = compare::page(&comparison, [&*self.a, &*self.b], both, &commands);
             output::write(file, html.as_bytes())?;
         }
         let say = |text: &str| output::say(text, self.output.as_deref());
@@ -107,12 +117,21 @@ impl Compare {
     ) {
         for (index, world) in worlds.into_iter().enumerate() {
             let Some(mut world) = world else { continue };
-            let [ours, theirs] = if index == 0 { [&self.a, "B"] } else { [&self.b, "A"] };
+            let ours = if index == 0 { &self.a } else { &self.b };
+            let theirs = &comparison.names[1 - index];
             if comparison.explained_by.is_empty() {
                 let found = compare::half_pixel_shifts(&mut world, &pictures[1 - index], theirs);
                 comparison.explained_by = found;
             }
             comparison.notes.extend(compare::noise_note(&mut world, comparison, ours));
+        }
+    }
+
+    /// What the sides are called: `ours` and `yours`, if one is a scene, else as they were given.
+    fn names(&self) -> [String; 2] {
+        match [&self.a, &self.b].map(|name| is_scene(name)) {
+            [true, false] => ["ours", "yours"].map(str::to_owned),
+            _ => [&self.a, &self.b].map(|name| printable::text(name).to_string()),
         }
     }
 
@@ -141,13 +160,24 @@ impl Compare {
     /// The command that shows a scene and the picture of the other side in the window.
     fn window(&self, scene: &str) -> Option<String> {
         let file = if self.a == scene { &self.b } else { &self.a };
-        let encoding = match self.encoding {
+        let encoding = self.curve();
+        (!is_scene(file)).then(|| format!("inspector {scene} --compare {file}{encoding}"))
+    }
+
+    /// The argument that says how the picture encodes radiance, if it was given.
+    fn curve(&self) -> String {
+        match self.encoding {
             None => String::new(),
             Some(Transfer::Srgb) => " --encoding srgb".to_owned(),
             Some(Transfer::Linear) => " --encoding linear".to_owned(),
             Some(Transfer::Gamma(gamma)) => format!(" --encoding gamma={gamma}"),
-        };
-        (!is_scene(file)).then(|| format!("inspector {scene} --compare {file}{encoding}"))
+        }
+    }
+
+    /// The command that judges the picture of the other side, if it is one.
+    fn judging(&self, scene: &str) -> Option<String> {
+        let is_picture = !is_scene(&self.b);
+        is_picture.then(|| format!("groundtruth verify {scene} {}{}", self.b, self.curve()))
     }
 
     /// The commands for the worst pixel of each region.
@@ -156,7 +186,14 @@ impl Compare {
         let explain = |region: &compare::Region| self.commands(ours, region.worst).swap_remove(0);
         let commands: Vec<String> = comparison.listed().map(explain).collect();
         let window = self.window(ours.0).map(|window| format!("to look: {window}\n"));
-        format!("why ours is so:\n  {}\n{}", commands.join("\n  "), window.unwrap_or_default())
+        let judge = self.judging(ours.0).filter(|_| !comparison.notes.is_empty());
+        let judge = judge.map(|judge| format!("whether it is noise: {judge}\n"));
+        format!(
+            "why ours is so:\n  {}\n{}{}",
+            commands.join("\n  "),
+            window.unwrap_or_default(),
+            judge.unwrap_or_default()
+        )
     }
 }
 

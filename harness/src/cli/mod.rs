@@ -3,6 +3,7 @@
 //! Exit status 0 means yes, 1 means the answer is no, 2 means an error, and 130 means that the user
 //! interrupted the command.
 
+mod announce;
 mod bounds;
 mod columns;
 mod compare;

@@ -9,6 +9,7 @@ use clap::{Args, Parser};
 use groundtruth::film::{self, Provenance};
 use groundtruth::gallery;
 use groundtruth::render::Crop;
+use groundtruth::samplers;
 use groundtruth::scene::{self, Scene, SceneError, Source, Tracer};
 use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES, World};
 use harness::compare;
@@ -66,7 +67,7 @@ impl SceneArguments {
         Ok((scene, world))
     }
 
-    /// The scene with these settings at the size of another picture, and with its samples if they are known.
+    /// The scene with these settings at the size of another picture, and with its samples and sampler if they are known.
     ///
     /// # Errors
     /// As `load`, or if the picture has another shape.
@@ -74,6 +75,7 @@ impl SceneArguments {
         &self,
         size: [u32; 2],
         samples: Option<u32>,
+        sampler: Option<&samplers::Kind>,
     ) -> Result<(Scene, World), Box<dyn Error>> {
         if self.size.is_some() {
             return Err("--size: the size is that of the picture; leave it out".into());
@@ -91,6 +93,9 @@ impl SceneArguments {
         }
         if let Some(samples) = samples.or(self.samples) {
             scene.image.samples = samples;
+        }
+        if let Some(sampler) = sampler {
+            scene.image.sampler = Some(sampler.clone());
         }
         let changed = scene.tracer.change(self.tracer, self.max_depth);
         changed.map_err(|problem| format!("--max-depth: {problem}"))?;
@@ -189,6 +194,15 @@ impl SceneArguments {
         let (scene, source) = scene::open(path)?;
         Ok((scene, Some(source)))
     }
+}
+
+/// Parses the name of a sampler, as in scene files.
+pub fn sampler(text: &str) -> Result<samplers::Kind, String> {
+    let mut named =
+        samplers::named().into_iter().map(|(name, kind)| (name.replace(' ', "_"), kind));
+    let names: Vec<&str> = samplers::Kind::ENTRIES.iter().map(|entry| entry.module).collect();
+    let found = named.find(|(name, _)| name == text).map(|(_, kind)| kind);
+    found.ok_or_else(|| format!("it is one of {}", names.join(", ")))
 }
 
 /// Parses a number of samples per pixel.

@@ -7,7 +7,9 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::Args;
+use groundtruth::printable;
 use groundtruth::render::Canvas;
+use groundtruth::samplers;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use harness::compare::{Picture, Transfer};
@@ -21,7 +23,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::numbers::whole;
 use super::scene::SceneArguments;
 use super::witness::{Asked, By, Witnessed};
-use super::{Exit, Outcome, mistakes, output, replicas};
+use super::{Exit, Outcome, announce, mistakes, output, replicas};
 
 #[derive(Args)]
 pub struct Verify {
@@ -47,6 +49,11 @@ pub struct Verify {
     /// The samples per pixel of their picture: ours take as many
     #[arg(long, value_name = "N", value_parser = super::scene::samples(), conflicts_with = "samples")]
     their_samples: Option<u32>,
+    /// How the samples of their picture are spread, if they are alike in all pixels or ours are to be like them: regular
+    /// (one sample: the centre of the pixel), hammersley, random, jittered, n_rooks, multi_jittered,
+    /// correlated_multi_jittered or sobol. Ours are spread so, on lenses and lamps too
+    #[arg(long, value_name = "SAMPLER", value_parser = super::scene::sampler, conflicts_with = "by")]
+    their_sampler: Option<samplers::Kind>,
     /// The pictures of ours that are rendered at first; more follow while theirs is among the farthest out
     #[arg(long, value_name = "R", default_value_t = 8, value_parser = whole::<u32>(3..=u32::MAX.into()))]
     replicas: u32,
@@ -117,6 +124,7 @@ impl Verify {
         if let Some(problem) = verdict::refusal_of_seed(seed) {
             return Err(problem.into());
         }
+        announce::long_rendering(&world, &printable::text(arguments.name()), self.replicas);
         let mut watch = Watch::new(strictness.most())?;
         let (interrupted, bar) = (Arc::clone(&watch.interrupted), watch.bar.clone());
         let mut case = Case {
@@ -203,7 +211,11 @@ impl Verify {
     /// The pictures that were given, and the scene at their size.
     fn given(&self, arguments: &SceneArguments) -> Result<Witnessed, Box<dyn Error>> {
         let pictures = self.pictures()?;
-        let (scene, world) = arguments.load_fitted(pictures[0].size, self.their_samples)?;
+        let (scene, world) = arguments.load_fitted(
+            pictures[0].size,
+            self.their_samples,
+            self.their_sampler.as_ref(),
+        )?;
         let (words, explained_with) = (String::new(), String::new());
         Ok(Witnessed { scene, world, pictures, words, explained_with })
     }
@@ -231,6 +243,15 @@ impl Verify {
                 return Err(format!(
                     "{name} has {width} × {height} pixels, {} has {w} × {h}; all pictures must have one size",
                     self.images[0].display()
+                )
+                .into());
+            }
+            let is_equal = |other: &Picture| other.values == picture.values;
+            if let Some(equal) = pictures.iter().position(is_equal) {
+                return Err(format!(
+                    "{name} has the same values as {}; several pictures are of one program with other seeds: leave one \
+                     out, or render it with another seed",
+                    self.images[equal].display()
                 )
                 .into());
             }

@@ -23,16 +23,15 @@ const PIXELS: usize = 1 << 16;
 type Changed<'a> = (&'a Decoded<'a>, Change);
 
 /// The changes that leave little of the difference of two pictures, the best first. The first one is only
-/// decoded in other ways; all others are of the second.
-pub fn explaining(a: &Decoded<'_>, b: &Decoded<'_>) -> Vec<Hypothesis> {
-    let names = ["A", "B"];
+/// decoded in other ways; all others are of the second. They have these names.
+pub fn explaining(names: [&str; 2], a: &Decoded<'_>, b: &Decoded<'_>) -> Vec<Hypothesis> {
     let of_b = changes_that_explain(a, b, 0.0)
         .into_iter()
         .map(|(change, left)| Hypothesis { what: change.words(names, b.picture.transfer), left });
     let pixels = evenly_spread(a.picture.size, PIXELS);
     let before = distance(&pixels, (a, Change::Same), (b, Change::Same));
     let of_a = decodings(a).into_iter().map(|change| Hypothesis {
-        what: change.words(["B", "A"], a.picture.transfer),
+        what: change.words([names[1], names[0]], a.picture.transfer),
         left: distance(&pixels, (a, change), (b, Change::Same)) / before,
     });
     let mut found: Vec<Hypothesis> = of_b.chain(of_a).filter(|it| it.left <= EXPLAINED).collect();

@@ -38,9 +38,12 @@ pub struct Unusual {
     pub negative: u64,
 }
 
-/// How two pictures of one size compare. `a` is what `b` is held against.
+/// How two pictures of one size compare. `a` is what `b` is held against: differences are `b − a`, and percentages are of
+/// `a`. In lists of two, `a` is the first.
 #[derive(Clone, Debug, Serialize)]
 pub struct Comparison {
+    /// What the pictures are called: `ours` and `yours`, if one is that of a scene.
+    pub names: [String; 2],
     /// Columns and rows.
     pub size: [u32; 2],
     /// The relative difference up to which channels are equal.
@@ -75,6 +78,18 @@ impl Comparison {
     /// # Errors
     /// If their sizes differ.
     pub fn of(a: &Picture, b: &Picture, tolerance: f64) -> Result<Self, SizesDiffer> {
+        Self::named(["A", "B"], [a, b], tolerance)
+    }
+
+    /// The same of pictures with these names.
+    ///
+    /// # Errors
+    /// As [`Comparison::of`].
+    pub fn named(
+        names: [&str; 2],
+        [a, b]: [&Picture; 2],
+        tolerance: f64,
+    ) -> Result<Self, SizesDiffer> {
         if a.size != b.size {
             return Err(SizesDiffer(a.size, b.size));
         }
@@ -87,7 +102,10 @@ impl Comparison {
         let differing = differs.iter().filter(|differs| **differs).count() as u64;
         let (means, root_mean_square) = statistics(a, b);
         let (regions, worst) = regions::largest_and_worst(a, b, &differs);
+        let explained_by =
+            if differing > 0 { hypotheses::explaining(names, a, b) } else { Vec::new() };
         Ok(Self {
+            names: names.map(str::to_owned),
             size: a.picture.size,
             tolerance,
             unusual: [unusual(a.picture), unusual(b.picture)],
@@ -96,7 +114,7 @@ impl Comparison {
             differing,
             regions,
             worst,
-            explained_by: if differing > 0 { hypotheses::explaining(a, b) } else { Vec::new() },
+            explained_by,
             notes: Vec::new(),
         })
     }

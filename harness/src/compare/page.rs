@@ -11,7 +11,7 @@ body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 80em; 
 pre { overflow-x: auto; }
 ";
 
-/// The page of a comparison of pictures with these names; `commands` explain a pixel.
+/// The page of a comparison of the pictures of these files or scenes; `commands` explain a pixel.
 pub fn page(
     comparison: &Comparison,
     names: [&str; 2],
@@ -20,7 +20,8 @@ pub fn page(
 ) -> String {
     let [name_a, name_b] = names.map(escaped);
     let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
-    let (names, shown) = (["A", "B"], pictures.map(Picture::radiance));
+    let [a, b] = &comparison.names;
+    let (names, shown) = ([&**a, &**b], pictures.map(Picture::radiance));
     let pair = Pair { names, pictures, shown, tone, comparison, commands };
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{name_a} and {name_b}</title>\n\

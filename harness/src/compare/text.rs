@@ -3,14 +3,14 @@
 use std::fmt;
 
 use super::{Comparison, Region, Unusual};
+use crate::percent;
 use groundtruth::explain::{brief, count};
 
 impl fmt::Display for Comparison {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [width, height] = self.size;
         writeln!(f, "size: {width} × {height}")?;
-        for (name, Unusual { nan, infinite, negative }) in ["A", "B"].into_iter().zip(self.unusual)
-        {
+        for (name, Unusual { nan, infinite, negative }) in self.names.iter().zip(self.unusual) {
             if nan + infinite + negative > 0 {
                 writeln!(f, "{name}: {nan} NaN, {infinite} infinite, {negative} negative values")?;
             }
@@ -19,9 +19,10 @@ impl fmt::Display for Comparison {
             let [a, b] = self.means.map(|mean| mean[channel]);
             let percent = match a {
                 0.0 => String::new(),
-                a => format!(", {:+.3} %", 100.0 * (b - a) / a),
+                a => format!(", {}", percent::signed((b - a) / a, 3)),
             };
-            writeln!(f, "mean {name}: {} and {}{percent}", brief(a), brief(b))?;
+            let [name_a, name_b] = &self.names;
+            writeln!(f, "mean {name}: {name_b} {}, {name_a} {}{percent}", brief(b), brief(a))?;
         }
         writeln!(f, "root mean square of the differences: {}", brief(self.root_mean_square))?;
         if self.is_same() {
@@ -31,7 +32,11 @@ impl fmt::Display for Comparison {
         writeln!(f, "pixels that differ: {} ({share:.3} %)", self.differing)?;
         if let Some(Region { worst: [x, y], values: [a, b], difference, .. }) = &self.worst {
             let difference = brief(*difference);
-            writeln!(f, "largest difference: {difference} at ({x}, {y}): {a:?} and {b:?}")?;
+            let [name_a, name_b] = &self.names;
+            writeln!(
+                f,
+                "largest difference: {difference} at ({x}, {y}): {name_b} {b:?}, {name_a} {a:?}"
+            )?;
         }
         writeln!(f, "largest regions:")?;
         for Region { pixels, bounds: [x, y, w, h], worst, .. } in self.listed() {

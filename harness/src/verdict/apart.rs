@@ -1,6 +1,7 @@
 //! Pixels in which all our replicas agree, and another correct picture need not: on an edge, a rounding error decides;
 //! and samples that differ may have the same mean in each of our stratified sets.
 
+use groundtruth::film::Film;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace;
@@ -14,28 +15,28 @@ use super::stored::Stored;
 pub struct Edge {
     /// So far our rays are moved, in pixels.
     pub width: f64,
-    /// Whether the picture must have a value between those of the moved rays. Else it is enough that these differ, as they
-    /// do on an edge alone, where rays move by little.
-    pub is_between: bool,
 }
 
 impl Edge {
     /// Of double precision.
-    pub const DOUBLE: Self = Self { width: 1e-6, is_between: false };
+    pub const DOUBLE: Self = Self { width: 1e-6 };
     /// Of single precision: hits are wrong by about 1e-7 of their coordinates, and shadow rays start off the surface by
     /// 1e-4 of them.
-    pub const SINGLE: Self = Self { width: 0.03, is_between: true };
+    pub const SINGLE: Self = Self { width: 0.03 };
 }
 
-/// Where all replicas agree against a picture and need not, the picture gets our value. Returns the number of such
-/// pixels.
+/// Where all replicas agree against a picture and need not, `theirs` gets our value, so that it does not count. Returns
+/// these pixels: those in which pictures of ours could have the picture's value,
+/// - because each ray is moved by the rounding of a renderer, or
+/// - because the samples of the pixel have other weights: in each of our stratified sets they have the same mean, in
+///   others any mean from the least to the largest of them.
 pub fn set_apart(
     theirs: &mut [f32],
     world: &World,
     known: &[Vec<f32>],
     stored: Stored,
     edge: Edge,
-) -> usize {
+) -> Vec<usize> {
     let width = world.picture_size()[0] as usize;
     let ours = &known[0];
     let is_same = |x: f32, y: f32| {
@@ -51,80 +52,78 @@ pub fn set_apart(
         .into_par_iter()
         .filter(|pixel| {
             let at = [pixel % width, pixel / width].map(|x| x as u32);
-            is_edge(world, at, (&theirs[3 * pixel..][..3], stored), edge)
-                || !is_fixed && samples_differ(world, at, stored)
+            let theirs = &theirs[3 * pixel..][..3];
+            let is_taken = |range: Range| range.takes(theirs, world, stored);
+            is_taken(Range::of_moved(world, at, edge))
+                || !is_fixed && is_taken(Range::of_samples(world, at))
         })
         .collect();
     for pixel in &apart {
         theirs[3 * pixel..3 * pixel + 3].copy_from_slice(&ours[3 * pixel..3 * pixel + 3]);
     }
-    apart.len()
+    apart
 }
 
-/// Whether the samples of a pixel have different colours.
-fn samples_differ(world: &World, pixel: [u32; 2], stored: Stored) -> bool {
-    let mut samples = (0..world.samples_per_pixel())
-        .map(|index| render::sample(world, pixel, index, &mut ()).to_array());
-    let first = samples.next().unwrap_or_default();
-    samples.any(|sample| {
-        sample.into_iter().zip(first).any(|(x, y)| (x - y).abs() > stored.tolerance(y))
-    })
-}
+/// The least and the largest colour that a pixel of ours can have, channel by channel, before exposure.
+struct Range([Rgb; 2]);
 
-/// Whether the stored colour of a pixel changes when its rays move, so that it may be `theirs`: on which side of an edge
-/// such a pixel falls, a renderer's rounding decides.
-fn is_edge(world: &World, pixel: [u32; 2], (theirs, stored): (&[f32], Stored), edge: Edge) -> bool {
-    const AROUND: [[f64; 2]; 8] = [
-        [-1.0, -1.0],
-        [1.0, -1.0],
-        [-1.0, 1.0],
-        [1.0, 1.0],
-        [0.0, 1.0],
-        [0.0, -1.0],
-        [1.0, 0.0],
-        [-1.0, 0.0],
-    ];
-    let value = |color: Rgb| {
-        let mut film = groundtruth::film::Film::new(1, 1);
-        film.set([0, 0], color);
-        stored.values(&film)
-    };
-    let here = value(moved(world, pixel, [0.0, 0.0]));
-    let differs = |there: &Vec<f32>| {
-        here.iter().zip(there).any(|(x, y)| {
-            let [x, y] = [*x, *y].map(f64::from);
-            (x - y).abs() > stored.tolerance(x)
-        })
-    };
-    let mut around = AROUND
-        .iter()
-        .map(|direction| value(moved(world, pixel, direction.map(|along| along * edge.width))));
-    if !edge.is_between {
-        return around.any(|there| differs(&there));
+impl Range {
+    /// If each ray through the pixel is moved by itself, by the width of an edge in one of eight directions or not at
+    /// all: on which side of an edge it falls, a renderer's rounding decides.
+    fn of_moved(world: &World, pixel: [u32; 2], edge: Edge) -> Self {
+        let steps = [-1.0, 0.0, 1.0].into_iter().flat_map(|x| [-1.0, 0.0, 1.0].map(|y| [x, y]));
+        let moved: Vec<[f64; 2]> = steps.map(|step| step.map(|x| x * edge.width)).collect();
+        let of_sample =
+            |index| Self::around(moved.iter().map(|by| sample_moved(world, pixel, index, *by)));
+        let each: Vec<Self> = (0..world.samples_per_pixel()).map(of_sample).collect();
+        Self([0, 1].map(|end| render::mean(each.iter().map(|range| range.0[end]))))
     }
-    let all: Vec<Vec<f32>> = around.chain([here.clone()]).collect();
-    theirs.iter().enumerate().all(|(channel, theirs)| {
-        let values = || all.iter().map(|it| f64::from(it[channel]));
-        let (low, high) = (values().fold(f64::MAX, f64::min), values().fold(f64::MIN, f64::max));
-        let theirs = f64::from(*theirs);
-        low - stored.tolerance(low) <= theirs && theirs <= high + stored.tolerance(high)
-    })
+
+    /// If its samples have any weights.
+    fn of_samples(world: &World, pixel: [u32; 2]) -> Self {
+        let samples = 0..world.samples_per_pixel();
+        Self::around(samples.map(|index| sample_moved(world, pixel, index, [0.0; 2])))
+    }
+
+    fn around(colors: impl Iterator<Item = Rgb>) -> Self {
+        let (mut least, mut largest) = ([f64::INFINITY; 3], [f64::NEG_INFINITY; 3]);
+        for color in colors {
+            for (channel, value) in color.to_array().into_iter().enumerate() {
+                least[channel] = least[channel].min(value);
+                largest[channel] = largest[channel].max(value);
+            }
+        }
+        Self([least, largest].map(|[r, g, b]| Rgb::new(r, g, b)))
+    }
+
+    /// Whether all stored values of a pixel lie within, but for rounding.
+    fn takes(&self, theirs: &[f32], world: &World, stored: Stored) -> bool {
+        let [least, largest] = self.0.map(|color| {
+            let mut film = Film::new(1, 1);
+            film.set([0, 0], render::expose(world, std::iter::once(color)));
+            stored.values(&film)
+        });
+        theirs.iter().enumerate().all(|(channel, theirs)| {
+            // a rule for colours beyond 1 may exchange the two
+            let ends = [least[channel], largest[channel]].map(f64::from);
+            let (low, high) = (ends[0].min(ends[1]), ends[0].max(ends[1]));
+            let theirs = f64::from(*theirs);
+            low - stored.tolerance(low) <= theirs && theirs <= high + stored.tolerance(high)
+        })
+    }
 }
 
-/// The pixel, with film points moved by so many pixels.
-fn moved(world: &World, pixel: [u32; 2], [dx, dy]: [f64; 2]) -> Rgb {
+/// The radiance of a sample of a pixel, with its film point moved by so many pixels.
+fn sample_moved(world: &World, pixel: [u32; 2], index: u32, [dx, dy]: [f64; 2]) -> Rgb {
     let size = world.image.pixel_size;
-    let samples = (0..world.samples_per_pixel()).map(|index| {
-        let Some((eye, _)) = world.view.eye_of_column(pixel[0], world.image.width) else {
-            return Rgb::BLACK;
-        };
-        let Some(sample) = render::camera_sample(world, pixel, index) else { return Rgb::BLACK };
-        let film = [sample.film[0] + dx * size, sample.film[1] + dy * size];
-        let draws = world.draws(sample.pixel, index);
-        match eye.ray(film, sample.lens.unwrap_or_default()) {
-            Some(ray) => sample.weight * trace::radiance(world, &ray, draws, &mut ()),
-            None => Rgb::BLACK,
-        }
-    });
-    render::expose(world, samples)
+    let Some((eye, _)) = world.view.eye_of_column(pixel[0], world.image.width) else {
+        return Rgb::BLACK;
+    };
+    let Some(sample) = render::camera_sample(world, pixel, index) else { return Rgb::BLACK };
+    let film = [sample.film[0] + dx * size, sample.film[1] + dy * size];
+    let draws = world.draws(sample.pixel, index);
+    match eye.ray(film, sample.lens.unwrap_or_default()) {
+        Some(ray) => sample.weight * trace::radiance(world, &ray, draws, &mut ()),
+        None => Rgb::BLACK,
+    }
 }

@@ -9,7 +9,8 @@ use groundtruth::world::World;
 use rayon::prelude::*;
 
 use super::plants::brighter;
-use super::verdict::{Explanation, REGIONS, Region, Verdict};
+use super::sampling::Sampling;
+use super::verdict::{Explanation, REGIONS, Region, Shown, Verdict};
 use super::{
     Area, Areas, Decision, Edge, Evidence, Factors, Judged, Map, Plant, Reference, Renders,
     Replicas, Stored, Strictness, Subject, Suspects, factors, is_alike, is_nearer, noise, planted,
@@ -55,6 +56,10 @@ const SEEN: u32 = 100;
 /// A plant makes the picture at least this many times as bright.
 const LEAST_GAIN: f64 = 1.0001;
 
+/// Pictures with samples alike in all pixels are tried if ours with such are at most so far from theirs, as a part of the
+/// distance of our usual ones: a wrong picture is nearer to some of them by chance.
+const ALIKE: f64 = 0.9;
+
 /// Terms are the mean of so many replicas.
 const TERM_REPLICAS: u64 = 4;
 
@@ -71,15 +76,19 @@ impl Case<'_> {
         let independent = judge.match_noise(theirs, &mut replicas);
         let mut known = Vec::new();
         let (stored, judged, apart) = judge.judged(theirs, &mut replicas, &mut known)?;
+        let values = read(theirs, stored);
         if let Some(equal) = equal_to(&replicas.films, theirs, stored) {
             return Some(Verdict::equal(stored, seed + equal as u64, &judged, &areas));
         }
-        let mut verdict = Verdict::of(stored, &judged, &areas, strictness, apart);
+        let shown = Shown { values: &values, apart: &apart };
+        let mut verdict = Verdict::of(stored, &judged, &areas, strictness, shown);
         verdict.independent = independent;
         match judged.decision {
             Decision::Differs => {
-                verdict.regions = regions(&judged, &areas);
-                verdict.explained = judge.explained(theirs, &mut replicas, &known, stored);
+                verdict.regions = regions(&judged, &areas, &values);
+                verdict.explained = judge
+                    .alike_in_all_pixels(theirs, &mut replicas, stored)
+                    .or_else(|| judge.explained(theirs, &mut replicas, &known, stored));
                 let is_harmless = |it: &Explanation| it.agrees && !it.is_gain;
                 if !verdict.explained.as_ref().is_some_and(is_harmless) {
                     let evidence = Evidence::of(&judged, &areas, &read(theirs, stored));
@@ -203,14 +212,13 @@ impl Judge<'_> {
         noise(&read(theirs, stored), subject, &known)
     }
 
-    /// The most likely way in which the values are stored, the judgement, and the number of pixels that were set
-    /// apart. `known` becomes our replicas, stored alike.
+    /// The most likely way in which the values are stored, the judgement, and the pixels that were set apart. `known` becomes our replicas, stored alike.
     fn judged(
         &self,
         theirs: &Picture,
         replicas: &mut Replicas<'_, '_>,
         known: &mut Vec<Vec<f32>>,
-    ) -> Option<(Stored, Judged, usize)> {
+    ) -> Option<(Stored, Judged, Vec<usize>)> {
         if replicas.films.len() < 3 {
             return None;
         }
@@ -267,6 +275,47 @@ impl Judge<'_> {
         let (what, agrees) =
             (half_pixel_words(direction, "theirs"), self.agrees(&as_theirs, replicas));
         Some(Explanation { what, agrees, is_gain: false })
+    }
+
+    /// The samples that are alike in all pixels with which ours are nearest to the picture, if it agrees with these.
+    fn alike_in_all_pixels(
+        &self,
+        theirs: &Picture,
+        replicas: &mut Replicas<'_, '_>,
+        stored: Stored,
+    ) -> Option<Explanation> {
+        let values = read(theirs, stored);
+        let apart = |film: &Film| -> f64 {
+            let pairs = stored.values(film).into_iter().zip(&values);
+            pairs.map(|(x, y)| f64::from((x - y).abs())).filter(|apart| apart.is_finite()).sum()
+        };
+        let (image, films, next) =
+            (replicas.world.image.clone(), replicas.films.clone(), replicas.next);
+        let own = replicas.world.samples_per_pixel();
+        let farthest = ALIKE * apart(films.first()?);
+        let mut nearest: Option<(f64, Sampling)> = None;
+        for candidate in Sampling::candidates(own) {
+            if candidate.is_that_of(replicas) {
+                continue;
+            }
+            let Some(film) = candidate.film(replicas) else { break };
+            let distance = apart(&film);
+            if distance < nearest.as_ref().map_or(farthest, |nearest| nearest.0) {
+                nearest = Some((distance, candidate));
+            }
+        }
+        let agrees = |candidate: &Sampling| {
+            candidate.film(replicas).is_some_and(|_| {
+                replicas.fill(self.strictness.first);
+                self.agrees(theirs, replicas)
+            })
+        };
+        let found = nearest.map(|(_, candidate)| candidate).filter(agrees);
+        replicas.world.image = image;
+        (replicas.films, replicas.next) = (films, next);
+        replicas.world.reseed(next - 1);
+        let what = found?.words(own);
+        Some(Explanation { what, agrees: true, is_gain: false })
     }
 
     fn agrees(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> bool {
@@ -348,14 +397,14 @@ fn transfer_of(stored: Stored, theirs: &Picture) -> Transfer {
 }
 
 /// Where the picture differs, the farthest out first; no two regions share a pixel.
-fn regions(judged: &Judged, areas: &Areas) -> Vec<Region> {
+fn regions(judged: &Judged, areas: &Areas, shown: &[f32]) -> Vec<Region> {
     let theirs = judged.pool.count() - 1;
     let map = Map::of(&judged.pool, areas, theirs, judged.ranking.noise[theirs]);
     let mut taken = vec![false; areas.object_of.len()];
     let mut regions = Vec::new();
     let alone: Vec<usize> = map.alone().collect();
     if judged.is_fixed && !alone.is_empty() {
-        regions.push(Region::of_pixels(&judged.pool, areas, &alone));
+        regions.push(Region::of_pixels(&judged.pool, areas, &alone, shown));
     }
     for difference in judged.ranking.differences(&judged.pool, areas, theirs) {
         let pixels = areas.pixels(difference.area);
@@ -363,10 +412,10 @@ fn regions(judged: &Judged, areas: &Areas) -> Vec<Region> {
             continue;
         }
         pixels.iter().for_each(|pixel| taken[*pixel] = true);
-        regions.push(Region::of_area(&judged.pool, areas, &map, difference));
+        regions.push(Region::of_area(&judged.pool, areas, &map, (difference, shown)));
     }
     if regions.is_empty() && !alone.is_empty() {
-        regions.push(Region::of_pixels(&judged.pool, areas, &alone));
+        regions.push(Region::of_pixels(&judged.pool, areas, &alone, shown));
     }
     regions
 }

@@ -21,6 +21,17 @@ pub struct Means {
     pub relative: Option<f64>,
     /// The half of the interval of `relative` that noise leaves.
     pub half: f64,
+    /// The same of red, green and blue.
+    pub channels: [Relative; 3],
+}
+
+/// The mean of a channel relative to ours.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Relative {
+    /// Relative to ours, less 1; `None` if ours is black.
+    pub relative: Option<f64>,
+    /// The half of the interval that noise leaves.
+    pub half: f64,
 }
 
 /// Whether the means are within a margin.
@@ -36,9 +47,10 @@ pub enum Answer {
 }
 
 impl Means {
-    /// Of the whole picture and of each object, the last picture of a pool against the others. All intervals together
+    /// Of the whole picture and of each object, `shown`, which is the last picture of a pool as it is in its file,
+    /// against the others. All intervals together
     /// hold with this confidence, if its noise is `noise` times that of the others.
-    pub fn of(pool: &Pool, areas: &Areas, noise: f64, confidence: f64) -> Vec<Self> {
+    pub fn of(pool: &Pool, shown: &[f32], areas: &Areas, noise: f64, confidence: f64) -> Vec<Self> {
         let whole = Area::Tile { corner: [0, 0], side: areas.size[0].max(areas.size[1]) };
         let objects = (0..areas.objects.len())
             .map(|object| (Area::Object(object), areas.objects[object].0.to_string()));
@@ -46,7 +58,7 @@ impl Means {
             std::iter::once((whole, "the picture".to_owned())).chain(objects).collect();
         let each = 1.0 - (1.0 - confidence) / all.len() as f64;
         all.into_iter()
-            .map(|(area, name)| mean(pool, &areas.pixels(area), name, noise, each))
+            .map(|(area, name)| mean((pool, shown), &areas.pixels(area), name, noise, each))
             .collect()
     }
 
@@ -67,7 +79,24 @@ impl Means {
     }
 }
 
-fn mean(pool: &Pool, pixels: &[usize], name: String, noise: f64, confidence: f64) -> Means {
+impl Means {
+    /// Whether one percentage is not enough: channels differ from each other beyond their intervals, and by more than
+    /// two decimals of a percentage show.
+    pub fn is_coloured(&self) -> bool {
+        let known = || self.channels.iter().filter_map(|it| Some((it.relative?, it.half)));
+        known().any(|(x, half)| {
+            known().any(|(y, other)| (x - y).abs() > (half + other).max(1e-4) + 1e-3 * x.abs())
+        })
+    }
+}
+
+fn mean(
+    (pool, shown): (&Pool, &[f32]),
+    pixels: &[usize],
+    name: String,
+    noise: f64,
+    confidence: f64,
+) -> Means {
     let theirs = pool.count() - 1;
     let of_values = |value: &dyn Fn(usize) -> f64| {
         let mut sums = [0.0; 3];
@@ -83,17 +112,20 @@ fn mean(pool: &Pool, pixels: &[usize], name: String, noise: f64, confidence: f64
     let ours: Vec<[f64; 3]> = (0..theirs).map(of).collect();
     let n = ours.len() as f64;
     let mean = [0, 1, 2].map(|channel| ours.iter().map(|mean| mean[channel]).sum::<f64>() / n);
-    let total = |mean: &[f64; 3]| mean.iter().sum::<f64>() / 3.0;
-    let middle = total(&mean);
-    let squares: f64 = ours.iter().map(|it| (total(it) - middle) * (total(it) - middle)).sum();
-    let mean = pool.reference().map_or(mean, |mean| of_values(&|at| mean.values[at]));
-    let level = total(&mean);
-    // of a picture with their noise, and of the mean of ours
-    let deviation = (squares / (n - 1.0) * (noise * noise + pool.variance_of_mean())).sqrt();
+    let known = pool.reference().map_or(mean, |mean| of_values(&|at| mean.values[at]));
+    let shown = of_values(&|at| f64::from(shown[at]));
     let student = StudentsT::new(0.0, 1.0, n - 1.0).expect("there are at least two");
-    let theirs = of(theirs);
-    let relative = (level != 0.0).then(|| total(&theirs) / level - 1.0);
-    let half = student.inverse_cdf(0.5 + 0.5 * confidence) * deviation / level.abs();
-    let half = if deviation == 0.0 { 0.0 } else { half };
-    Means { name, pixels: pixels.len(), ours: mean, theirs, relative, half }
+    let quantile = student.inverse_cdf(0.5 + 0.5 * confidence);
+    let relative = |part: &dyn Fn(&[f64; 3]) -> f64| {
+        let (middle, level) = (part(&mean), part(&known));
+        let squares: f64 = ours.iter().map(|it| (part(it) - middle) * (part(it) - middle)).sum();
+        // of a picture with their noise, and of the mean of ours
+        let deviation = (squares / (n - 1.0) * (noise * noise + pool.variance_of_mean())).sqrt();
+        let half = if deviation == 0.0 { 0.0 } else { quantile * deviation / level.abs() };
+        Relative { relative: (level != 0.0).then(|| part(&shown) / level - 1.0), half }
+    };
+    let Relative { relative: of_all, half } = relative(&|mean| mean.iter().sum::<f64>() / 3.0);
+    let channels = [0, 1, 2].map(|channel| relative(&|mean| mean[channel]));
+    let pixels = pixels.len();
+    Means { name, pixels, ours: known, theirs: shown, relative: of_all, half, channels }
 }

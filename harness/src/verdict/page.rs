@@ -5,7 +5,8 @@ use std::fmt::Write;
 use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
 use groundtruth::rgb::Rgb;
 
-use super::verdict::{Region, Verdict};
+use super::text;
+use super::verdict::{Pictures, Region, Verdict};
 use crate::compare::pair::{self, Pair};
 use crate::compare::{Comparison, Picture};
 use crate::html::escaped;
@@ -18,6 +19,7 @@ th, td { text-align: right; padding: 0.1em 0.8em; border-bottom: 1px solid #ddd;
 th:first-child, td:first-child { text-align: left; }
 .map { position: relative; width: max-content; }
 .map img { width: 40em; border: 1px solid #999; }
+.map svg { position: absolute; top: 0; left: 0; width: 100%; height: 100%; }
 .map i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
 ";
 
@@ -34,7 +36,8 @@ pub fn page(verdict: &Verdict, name: &str, words: &str) -> String {
         escaped(words)
     );
     html += &views([&verdict.shown.ours, &verdict.shown.theirs]);
-    html += &map(verdict, &verdict.shown.z, verdict.shown.ours.size);
+    html += &apart(&verdict.shown);
+    html += &map(verdict);
     html += &table(verdict);
     html + "</html>\n"
 }
@@ -50,6 +53,35 @@ fn views(pictures: [&Picture; 2]) -> String {
     Pair { names, pictures, shown, tone, comparison: &comparison, commands }.views()
 }
 
+/// Their picture with hatching over the pixels that are set apart, if there are any.
+fn apart(shown: &Pictures) -> String {
+    if shown.apart.is_empty() {
+        return String::new();
+    }
+    let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
+    format!(
+        "<h3>Set apart</h3>\n<p>Theirs. Hatched pixels do not count: all of ours agree there, and a correct picture may \
+         have this value.</p>\n<div class=\"map\"><img alt=\"theirs, hatched where it is set apart\" src=\"{}\">{}</div>\n",
+        data_uri(&shown.theirs.radiance(), &tone),
+        hatching(&shown.apart, shown.theirs.size)
+    )
+}
+
+/// Diagonal lines over these pixels, to be laid over a picture of this size.
+fn hatching(pixels: &[usize], [width, height]: [u32; 2]) -> String {
+    let line =
+        |pixel: &usize| format!("M{} {}l1 1", pixel % width as usize, pixel / width as usize);
+    let lines: String = pixels.iter().map(line).collect();
+    // light and dark, so that one shows on any picture
+    let strokes = [("#fff", 0.4), ("#06f", 0.2)].map(|(color, thickness)| {
+        format!("<path d=\"{lines}\" stroke=\"{color}\" stroke-width=\"{thickness}\"/>")
+    });
+    format!(
+        "<svg viewBox=\"0 0 {width} {height}\" preserveAspectRatio=\"none\">{}</svg>",
+        strokes.concat()
+    )
+}
+
 /// The map of z in values for display: 0.5 where z is 0, brighter where theirs is larger, 0 and 1 from six standard
 /// deviations on.
 pub fn map_film(z: &[f64], [width, height]: [u32; 2]) -> Film {
@@ -62,15 +94,16 @@ pub fn map_film(z: &[f64], [width, height]: [u32; 2]) -> Film {
 }
 
 /// The map of z, with the regions framed.
-fn map(verdict: &Verdict, z: &[f64], [width, height]: [u32; 2]) -> String {
-    let film = map_film(z, [width, height]);
+fn map(verdict: &Verdict) -> String {
+    let (size, apart) = (verdict.shown.theirs.size, &verdict.shown.apart);
+    let film = map_film(&verdict.shown.z, size);
     let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-    let frames: String =
-        verdict.regions.iter().map(|region| frame(region, [width, height])).collect();
+    let frames: String = verdict.regions.iter().map(|region| frame(region, size)).collect();
+    let hatching = if apart.is_empty() { String::new() } else { hatching(apart, size) };
     format!(
         "<h3>Map of z</h3>\n<p>The difference of each pixel in standard deviations: grey is 0, white and black are \
-         ±{FARTHEST} and more, brighter where theirs is larger. Regions are framed.</p>\n\
-         <div class=\"map\"><img alt=\"map of z\" src=\"{}\">{frames}</div>\n",
+         ±{FARTHEST} and more, brighter where theirs is larger. Regions are framed; what is set apart is hatched.</p>\n\
+         <div class=\"map\"><img alt=\"map of z\" src=\"{}\">{hatching}{frames}</div>\n",
         data_uri(&film, &plain)
     )
 }
@@ -92,9 +125,10 @@ fn table(verdict: &Verdict) -> String {
     let mut html = "<h3>Means</h3>\n<table>\n<tr><th>area<th>pixels<th>ours<th>theirs<th>relative difference</tr>\n".to_owned();
     for means in &verdict.means {
         let mean = |color: [f64; 3]| color.map(groundtruth::explain::brief).join(", ");
-        let relative = means.relative.map_or("ours is black".to_owned(), |relative| {
-            format!("{:+.2} % ± {:.2} %", 100.0 * relative, 100.0 * means.half)
-        });
+        let relative = match text::apart(means) {
+            none if none.is_empty() => "ours is black".to_owned(),
+            relative => relative,
+        };
         let _ = writeln!(
             html,
             "<tr><td>{}<td>{}<td>{}<td>{}<td>{relative}</tr>",

@@ -5,7 +5,10 @@ use std::fmt;
 use groundtruth::explain::{brief, count};
 
 use super::verdict::{Explanation, Region, Verdict};
-use super::{Answer, Cause, Causes, Decision, Factor, Factors, Means, Nearest, Place};
+use super::{
+    Answer, Cause, Causes, Decision, Factor, Factors, Means, Nearest, Place, Relative,
+};
+use crate::percent;
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -15,7 +18,7 @@ impl fmt::Display for Verdict {
         }
         if let Some(whole) = self.means.first() {
             let [theirs, ours] = [whole.theirs, whole.ours].map(color);
-            writeln!(f, "mean: {theirs}, ours {ours}{}", apart(whole))?;
+            writeln!(f, "mean: {theirs}, ours {ours}{}", and_apart(whole))?;
         }
         if !self.fixed {
             writeln!(f, "noise: {:.2} of that of our pictures{}", self.noise, self.about_noise())?;
@@ -92,11 +95,11 @@ impl Verdict {
                 "cannot tell: the noise is too large; take more samples, or several pictures"
             }
         };
-        writeln!(f, "margin of {}: {words}", percent(margin))?;
+        writeln!(f, "margin of {}: {words}", percent::short(margin))?;
         let beyond =
             |it: &&Means| it.relative.is_some_and(|relative| relative.abs() + it.half > margin);
         for means in self.means.iter().filter(beyond) {
-            writeln!(f, "  {}{}", means.name, apart(means))?;
+            writeln!(f, "  {}{}", means.name, and_apart(means))?;
         }
         Ok(())
     }
@@ -167,7 +170,7 @@ impl Verdict {
             }
         }
         let gain = |(side, gain): &(usize, Option<f64>)| {
-            Some(format!("{side}×{side}: {}", percent((*gain)?)))
+            Some(format!("{side}×{side}: {}", percent::short((*gain)?)))
         };
         let gains: Vec<String> = self.gains.iter().filter_map(gain).collect();
         if !gains.is_empty() {
@@ -217,19 +220,25 @@ impl fmt::Display for Place {
     }
 }
 
-fn percent(part: f64) -> String {
-    match 100.0 * part {
-        large if large >= 10.0 => format!("{large:.0} %"),
-        small => format!("{small:.2} %"),
+/// Relative differences and their intervals: one, or one of each channel if they differ.
+pub fn apart(means: &Means) -> String {
+    let words = |relative: f64, half: f64| {
+        format!("{} ± {}", percent::signed(relative, 2), percent::percent(half, 2))
+    };
+    if !means.is_coloured() {
+        return means.relative.map_or(String::new(), |relative| words(relative, means.half));
     }
+    let of = |Relative { relative, half }: Relative| {
+        relative.map_or("ours is black".to_owned(), |relative| words(relative, half))
+    };
+    let [red, green, blue] = means.channels.map(of);
+    format!("red {red}, green {green}, blue {blue}")
 }
 
-/// A relative difference and its interval.
-fn apart(Means { relative, half, .. }: &Means) -> String {
-    relative.map_or(String::new(), |relative| {
-        let sign = if relative < 0.0 { "−" } else { "+" };
-        format!(", {sign}{:.2} % ± {:.2} %", 100.0 * relative.abs(), 100.0 * half)
-    })
+/// The same after a comma, if there is anything to say.
+fn and_apart(means: &Means) -> String {
+    let words = apart(means);
+    if words.is_empty() { words } else { format!(", {words}") }
 }
 
 fn color(channels: [f64; 3]) -> String {

@@ -60,26 +60,37 @@ pub struct Verdict {
     pub shown: Pictures,
 }
 
+/// A picture as it is in its file, and the pixels that do not count.
+#[derive(Clone, Copy, Debug)]
+pub struct Shown<'a> {
+    /// Three values a pixel.
+    pub values: &'a [f32],
+    /// The pixels that are set apart: in the pool they have our values.
+    pub apart: &'a [usize],
+}
+
 /// What a verdict is about, for the eye.
 #[derive(Clone, Debug)]
 pub struct Pictures {
     /// The mean of ours.
     pub ours: Picture,
-    /// Theirs.
+    /// Theirs, as it is in the file.
     pub theirs: Picture,
+    /// The pixels of theirs that are set apart, row by row.
+    pub apart: Vec<usize>,
     /// For each pixel, the largest difference of a channel, in standard deviations.
     pub z: Vec<f64>,
 }
 
 impl Pictures {
-    fn of(pool: &Pool, areas: &Areas, noise: f64) -> Self {
+    fn of(pool: &Pool, areas: &Areas, noise: f64, shown: Shown<'_>) -> Self {
         let (theirs, size) = (pool.count() - 1, areas.size.map(|side| side as u32));
         let mean: Vec<f32> = (0..pool.picture(theirs).len())
             .map(|at| pool.mean_of_others(theirs, at) as f32)
             .collect();
-        let [ours, shown] =
-            [&mean, pool.picture(theirs)].map(|values| Picture::of_radiance(values, size));
-        Self { ours, theirs: shown, z: Map::of(pool, areas, theirs, noise).pixels() }
+        let (z, apart) = (Map::of(pool, areas, theirs, noise).pixels(), shown.apart.to_vec());
+        let [ours, theirs] = [&*mean, shown.values].map(|it| Picture::of_radiance(it, size));
+        Self { ours, theirs, apart, z }
     }
 }
 
@@ -118,7 +129,7 @@ impl Verdict {
         judged: &Judged,
         areas: &Areas,
         strictness: Strictness,
-        set_apart: usize,
+        shown: Shown<'_>,
     ) -> Self {
         let theirs = judged.pool.count() - 1;
         let noise = judged.ranking.noise[theirs];
@@ -127,7 +138,7 @@ impl Verdict {
             assumed: stored.to_string(),
             pictures: 1,
             equal_to_seed: None,
-            means: Means::of(&judged.pool, areas, noise, 1.0 - strictness.level),
+            means: Means::of(&judged.pool, shown.values, areas, noise, 1.0 - strictness.level),
             noise,
             coarse: judged.is_coarse,
             independent: false,
@@ -136,7 +147,7 @@ impl Verdict {
             reference: judged.pool.reference().map(|mean| mean.pictures as u64),
             level: strictness.level,
             fixed: judged.is_fixed,
-            set_apart,
+            set_apart: shown.apart.len(),
             margin: None,
             regions: Vec::new(),
             explained: None,
@@ -144,7 +155,7 @@ impl Verdict {
             causes: Causes::default(),
             plants: Vec::new(),
             gains: Vec::new(),
-            shown: Pictures::of(&judged.pool, areas, noise),
+            shown: Pictures::of(&judged.pool, areas, noise, shown),
         }
     }
 
@@ -172,7 +183,9 @@ impl Verdict {
     /// That of a picture with the bits of one of ours.
     pub fn equal(stored: Stored, seed: u64, judged: &Judged, areas: &Areas) -> Self {
         let strictness = Strictness { level: 0.01, first: judged.pool.count() };
-        let verdict = Self::of(stored, judged, areas, strictness, 0);
+        let pool = &judged.pool;
+        let shown = Shown { values: pool.picture(pool.count() - 1), apart: &[] };
+        let verdict = Self::of(stored, judged, areas, strictness, shown);
         Self { decision: Decision::Agrees, equal_to_seed: Some(seed), ..verdict }
     }
 }
@@ -193,6 +206,7 @@ impl Verdict {
         let with_mean = pictures[..ours].iter().cloned().chain([mean.collect()]).collect();
         let pool = Pool::new(areas.size, stored, with_mean);
         let noise = Ranking::of(&pool, areas, 0).noise[ours];
+        let shown = Shown { values: pool.picture(ours), apart: &[] };
         let is_off = |test: &&WelchTest| test.probability <= strictness.level;
         let mut regions: Vec<Region> = Vec::new();
         let mut taken = vec![false; areas.object_of.len()];
@@ -200,7 +214,7 @@ impl Verdict {
             let pixels = areas.pixels(test.area);
             if regions.len() < REGIONS && !pixels.iter().any(|pixel| taken[*pixel]) {
                 pixels.iter().for_each(|pixel| taken[*pixel] = true);
-                regions.push(Region::of_pixels(&pool, areas, &pixels));
+                regions.push(Region::of_pixels(&pool, areas, &pixels, shown.values));
             }
         }
         Self {
@@ -208,7 +222,7 @@ impl Verdict {
             assumed: stored.to_string(),
             pictures: theirs,
             equal_to_seed: None,
-            means: Means::of(&pool, areas, noise, 1.0 - strictness.level),
+            means: Means::of(&pool, shown.values, areas, noise, 1.0 - strictness.level),
             noise,
             coarse: false,
             independent: false,
@@ -225,7 +239,7 @@ impl Verdict {
             causes: Causes::default(),
             plants: Vec::new(),
             gains: Vec::new(),
-            shown: Pictures::of(&pool, areas, noise),
+            shown: Pictures::of(&pool, areas, noise, shown),
         }
     }
 }
@@ -234,8 +248,13 @@ impl Verdict {
 pub(super) const REGIONS: usize = 8;
 
 impl Region {
-    /// An area, with its pixel that is farthest out.
-    pub fn of_area(pool: &Pool, areas: &Areas, map: &Map, difference: Difference) -> Self {
+    /// An area, with its pixel that is farthest out; `shown` is the picture as it is in the file.
+    pub fn of_area(
+        pool: &Pool,
+        areas: &Areas,
+        map: &Map,
+        (difference, shown): (Difference, &[f32]),
+    ) -> Self {
         let pixels = areas.pixels(difference.area);
         let z = map.pixels();
         let worst = pixels.iter().max_by(|a, b| z[**a].abs().total_cmp(&z[**b].abs()));
@@ -244,11 +263,11 @@ impl Region {
             Area::Tile { .. } => shown_by(areas, &pixels),
         };
         let worst = *worst.expect("an area has pixels");
-        Self { z: Some(difference.z), ..Self::new(pool, areas, &pixels, name, worst) }
+        Self { z: Some(difference.z), ..Self::new(pool, &pixels, name, worst, shown) }
     }
 
-    /// Pixels in which all our pictures agree against it.
-    pub fn of_pixels(pool: &Pool, areas: &Areas, pixels: &[usize]) -> Self {
+    /// Pixels in which all our pictures agree against it; `shown` is the picture as it is in the file.
+    pub fn of_pixels(pool: &Pool, areas: &Areas, pixels: &[usize], shown: &[f32]) -> Self {
         let theirs = pool.count() - 1;
         let apart = |pixel: usize| {
             let values = (3 * pixel..3 * pixel + 3)
@@ -258,16 +277,16 @@ impl Region {
         let worst = pixels.iter().max_by(|a, b| apart(**a).total_cmp(&apart(**b)));
         let worst = *worst.expect("there are pixels");
         let name = format!("{} of {}", count(pixels.len(), "pixel"), shown_by(areas, pixels));
-        Self::new(pool, areas, pixels, name, worst)
+        Self::new(pool, pixels, name, worst, shown)
     }
 
-    fn new(pool: &Pool, areas: &Areas, pixels: &[usize], name: String, worst: usize) -> Self {
-        let (theirs, width, count) = (pool.count() - 1, areas.size[0], pixels.len() as f64);
+    fn new(pool: &Pool, pixels: &[usize], name: String, worst: usize, shown: &[f32]) -> Self {
+        let (theirs, width, count) = (pool.count() - 1, pool.size[0], pixels.len() as f64);
         let mean = |value: &dyn Fn(usize) -> f64, channel: usize| {
             pixels.iter().map(|pixel| value(3 * pixel + channel)).sum::<f64>() / count
         };
         let of_ours = |at| pool.mean_of_others(theirs, at);
-        let of_theirs = |at: usize| f64::from(pool.picture(theirs)[at]);
+        let of_theirs = |at: usize| f64::from(shown[at]);
         let along = |of: fn(usize, usize) -> usize| {
             let all = || pixels.iter().map(|pixel| of(*pixel, width));
             let [least, most] =

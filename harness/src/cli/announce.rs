@@ -1,0 +1,74 @@
+//! What is said before our picture is rendered for long.
+
+use std::time::Instant;
+
+use groundtruth::render;
+use groundtruth::world::World;
+
+/// Renderings that are shorter, in seconds, are not announced.
+const LONG: f64 = 5.0;
+
+/// At most so many pixels are rendered to estimate the time.
+const PIXELS: u32 = 64;
+
+/// At most about so long, in seconds, is estimated.
+const PATIENCE: f64 = 0.2;
+
+/// Says that so many pictures of a scene are rendered at the size of another picture, and how long it takes, if that is
+/// long.
+pub fn long_rendering(world: &World, scene: &str, pictures: u32) {
+    let seconds = f64::from(pictures) * seconds(world);
+    let [width, height] = world.picture_size();
+    for note in words(scene, pictures, [width, height], seconds) {
+        eprintln!("note: {note}");
+    }
+}
+
+fn words(scene: &str, pictures: u32, [width, height]: [u32; 2], seconds: f64) -> Option<String> {
+    let times = if pictures == 1 { String::new() } else { format!("{pictures} times ") };
+    let about = match seconds {
+        few if few < 90.0 => format!("{few:.0} s"),
+        many if many < 5400.0 => format!("{:.0} min", many / 60.0),
+        most => format!("{:.0} h", most / 3600.0),
+    };
+    (seconds >= LONG).then(|| {
+        format!("{scene} is rendered {times}at the size of the picture, {width} × {height}: about {about}")
+    })
+}
+
+/// How long the world's picture takes on all threads, in seconds: from evenly spread pixels.
+fn seconds(world: &World) -> f64 {
+    let [width, height] = world.picture_size().map(u64::from);
+    let (count, start) = (width * height, Instant::now());
+    let step = count.div_ceil(PIXELS.into()) | 1;
+    let mut rendered = 0.0;
+    for at in (0..count).step_by(step as usize) {
+        render::pixel(world, [(at % width) as u32, (at / width) as u32]);
+        rendered += 1.0;
+        if start.elapsed().as_secs_f64() > PATIENCE {
+            break;
+        }
+    }
+    start.elapsed().as_secs_f64() / rendered * count as f64 / rayon::current_num_threads() as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::words;
+
+    /// Law: only long renderings are announced, with their size and time in a fitting unit. Oracle: written by hand.
+    #[test]
+    fn long_renderings_are_announced() {
+        assert_eq!(words("a", 1, [3, 2], 4.9), None);
+        let said = |pictures, seconds| words("a", pictures, [1, 100_000], seconds).expect("long");
+        assert_eq!(
+            said(1, 40.2),
+            "a is rendered at the size of the picture, 1 × 100000: about 40 s"
+        );
+        assert!(
+            said(8, 300.0)
+                .ends_with("rendered 8 times at the size of the picture, 1 × 100000: about 5 min")
+        );
+        assert!(said(1, 7200.0).ends_with("about 2 h"));
+    }
+}

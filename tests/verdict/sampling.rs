@@ -1,0 +1,126 @@
+//! Pictures whose samples are alike in all pixels, and what is shown of pixels that are set apart.
+
+use groundtruth::cameras::{Pinhole, Viewpoint};
+use groundtruth::film::Film;
+use groundtruth::lights::Directional;
+use groundtruth::materials::Matte;
+use groundtruth::math::{Point, Vector};
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers::{self, Regular};
+use groundtruth::scene::{Image, Light, Material, Object, Scene};
+use groundtruth::shapes::{Plane, Sphere};
+use harness::compare::Picture;
+use harness::verdict::{self, Decision};
+
+use super::cases::{STRICTNESS, verdict};
+use super::pictures::{films, scene, with_sampler, world};
+
+const SIDE: u32 = 15;
+
+/// The row that the horizon halves.
+const HORIZON: u32 = 7;
+
+/// A matte ball on a matte ground before a black sky; half of each pixel of the middle row is ground.
+fn horizon(samples: u32) -> Scene {
+    let lens = Pinhole { distance: 15.0, zoom: 1.0 };
+    let eye = Viewpoint::new(Point::new(0.0, 0.0, 10.0), Point::ORIGIN, lens);
+    let mut scene = Scene::new("a horizon", Image::new(SIDE, SIDE), eye);
+    scene.image.samples = samples;
+    let matte = Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::WHITE.into() };
+    scene.materials.push(Material::new("matte", matte));
+    let ball = Sphere { center: Point::ORIGIN, radius: 1.5, inward: false };
+    let ground = Plane { point: Point::new(0.0, -1.5, 0.0), normal: Vector::new(0.0, 1.0, 0.0) };
+    scene.objects.push(Object::new("ball", "matte", ball));
+    scene.objects.push(Object::new("ground", "matte", ground));
+    let direction = Vector::new(1.0, 1.0, 2.0);
+    scene.lights.push(Light::new("sun", Directional { ls: 3.0, color: Rgb::WHITE, direction }));
+    scene
+}
+
+fn theirs(scene: &Scene) -> Film {
+    films(&mut world(scene, 1), std::iter::once(500)).remove(0)
+}
+
+fn judged(scene: &Scene, theirs: &Film) -> verdict::Verdict {
+    verdict(scene, &[Picture::of_film(theirs)], STRICTNESS)
+}
+
+/// Law: a pixel that all of ours halve may have any other share of its samples' colours: it is set apart, and the pictures,
+/// means and page show it as it is in the file; a value beyond its samples' counts. Oracle: the value that was written.
+#[test]
+fn theirs_is_shown_as_it_is_in_the_file() {
+    let (scene, at) = (horizon(16), [1, HORIZON]);
+    let with = |factor: f64| {
+        let mut film = theirs(&scene);
+        film.set(at, factor * film.get(at));
+        film
+    };
+    let (index, film) = ((HORIZON * SIDE + at[0]) as usize, with(1.5));
+    let possible = judged(&scene, &film);
+    assert!(!possible.fixed, "the ball's edge has noise");
+    assert_eq!((possible.set_apart, &*possible.shown.apart), (1, &[index][..]), "{possible}");
+    assert_eq!(possible.shown.theirs.values, Picture::of_film(&film).values);
+    let red = film.pixels().iter().map(|it| it.to_array()[0]).sum::<f64>() / f64::from(SIDE * SIDE);
+    assert!((possible.means[0].theirs[0] - red).abs() < 1e-6, "{possible}");
+    let page = verdict::page(&possible, "a picture", "");
+    assert!(page.contains("<h3>Set apart</h3>") && page.contains("M1 7l1 1"), "hatched");
+    let impossible = judged(&scene, &with(2.5));
+    assert_eq!(impossible.set_apart, 0, "{impossible}");
+    assert!(!verdict::page(&impossible, "a picture", "").contains("<svg"));
+}
+
+/// Law: a correct picture with regular samples, or one at the centre of each pixel, is explained with the arguments that
+/// make ours alike, and agrees with these; a wrong one is not explained so. Oracle: the sampler that it was rendered with.
+#[test]
+fn samples_alike_in_all_pixels_are_recognised() {
+    let regular = || samplers::Kind::from(Regular {});
+    let glass = scene("ch28/glass-sphere", [24; 2], 4);
+    for (ours, samples, arguments) in [
+        (horizon(4), 4, "`--their-sampler regular`"),
+        (horizon(4), 1, "`--their-samples 1 --their-sampler regular`"),
+        (horizon(16), 9, "`--their-samples 9 --their-sampler regular`"),
+        (glass, 4, "`--their-sampler regular`"),
+    ] {
+        let mut alike = with_sampler(ours.clone(), regular());
+        alike.image.samples = samples;
+        let film = theirs(&alike);
+        let verdict = judged(&ours, &film);
+        let what = verdict.explained.as_ref().map(|it| (it.what.contains(arguments), it.agrees));
+        assert_eq!((verdict.decision, what), (Decision::Differs, Some((true, true))), "{verdict}");
+        assert_eq!(judged(&alike, &film).decision, Decision::Agrees);
+        let mut brighter = Film::new(film.width(), film.height());
+        for (index, color) in (0..).zip(film.pixels()) {
+            brighter.set([index % film.width(), index / film.width()], 1.05 * *color);
+        }
+        let wrong = judged(&ours, &brighter).explained;
+        assert!(!wrong.is_some_and(|it| it.what.contains("--their-sampler")));
+    }
+}
+
+/// Law: if channels differ by other parts, each is said; if by the same, one percentage is. Oracle: the factors.
+#[test]
+fn each_channel_has_its_percentage() {
+    let scene = horizon(4);
+    let with = |factors: [f64; 3]| {
+        let mut film = theirs(&scene);
+        for index in 0..SIDE * SIDE {
+            let at = [index % SIDE, index / SIDE];
+            let [r, g, b] = film.get(at).to_array();
+            film.set(at, Rgb::new(factors[0] * r, factors[1] * g, factors[2] * b));
+        }
+        judged(&scene, &film)
+    };
+    let coloured = with([0.6, 1.3, 1.3]);
+    for ((means, factor), name) in
+        coloured.means[0].channels.iter().zip([0.6, 1.3, 1.3]).zip(["red −4", "green +", "blue +"])
+    {
+        let relative = means.relative.expect("ours is not black");
+        assert!((relative + 1.0 - factor).abs() <= means.half + 1e-3, "{relative}");
+        assert!(coloured.to_string().contains(name), "{coloured}");
+    }
+    let json = serde_json::to_value(&coloured).expect("JSON");
+    assert!(json["means"][0]["channels"][2]["relative"].as_f64() > Some(0.2), "{json}");
+    assert!(!with([1.2; 3]).to_string().contains("green +"));
+    let huge = with([1e38; 3]).to_string();
+    assert!(huge.lines().all(|line| line.len() < 400) && huge.contains("e40 %"), "{huge}");
+}
