@@ -198,7 +198,7 @@ fn equal_files_are_named() {
 fn the_named_sampler_makes_ours_alike() {
     let folder = tempfile::tempdir().expect("a folder");
     let regular = groundtruth::samplers::Regular {}.into();
-    let regular = super::pictures::with_sampler(scene("ch14/set", [24, 24], 4), regular);
+    let regular = super::pictures::with_sampler(scene("ch14/set", [24, 16], 4), regular);
     let film = films(&mut world(&regular, 1), std::iter::once(1)).remove(0);
     let file = written(&film, folder.path(), "regular.pfm");
     let given = ["ch14/set", &*file, "--their-samples", "4"];

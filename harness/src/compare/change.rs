@@ -130,5 +130,9 @@ fn named(factor: f64) -> String {
     use std::f64::consts::PI;
     let known = [(PI, "π"), (1.0 / PI, "1/π"), (0.5, "1/2"), (2.0, "2"), (4.0 * PI, "4π")];
     let name = known.iter().find(|(value, _)| (value / factor - 1.0).abs() < 0.01);
-    name.map_or_else(|| format!("{factor:.4}"), |(_, name)| (*name).to_owned())
+    let number = || match factor.abs() {
+        usual if (1e-3..1e4).contains(&usual) => format!("{factor:.4}"),
+        _ => format!("{factor:.2e}"),
+    };
+    name.map_or_else(number, |(_, name)| (*name).to_owned())
 }
