@@ -187,3 +187,24 @@ fn nothing_is_left_running() {
         assert!(!is_running, "{pid} is running");
     }
 }
+
+/// Law: a program that prints NaN or an infinity as its language does is wrong where it prints it, and is not ended: each
+/// case is judged. Oracle: our probe, with `t` replaced in its lines.
+#[test]
+fn numbers_that_are_not_finite_are_wrong_answers() {
+    for word in ["NaN", "-nan", "-nan(ind)", "Infinity", "1e999", "null"] {
+        let script = format!("$P | sed -u -E 's/\"t\":[-+0-9.e]+/\"t\":{word}/'");
+        let output = conform(&script, &["intersect.sphere.ordinary", "--json"]);
+        let counts = counts(&output);
+        assert!(counts["wrong"] > 10, "{word}: {counts:?}");
+        assert_eq!(counts["garbled"] + counts["died"] + counts["hung"], 0, "{word}: {counts:?}");
+    }
+}
+
+/// Law: an infinity that is right is right as `Infinity`, too. Oracle: the distance of a sun.
+#[test]
+fn a_right_infinity_may_be_printed_without_quotes() {
+    let script = "$P | sed -u 's/\"inf\"/Infinity/'";
+    let output = conform(script, &["light.directional", "--json"]);
+    assert_eq!(output.status.code(), Some(0), "{:?}", counts(&output));
+}
