@@ -14,6 +14,8 @@ mod harmless;
 mod mistakes;
 #[path = "conform/processes.rs"]
 mod processes;
+#[path = "conform/radiance.rs"]
+mod radiance;
 #[path = "conform/scenes.rs"]
 mod scenes;
 #[path = "conform/statuses.rs"]
