@@ -14,6 +14,8 @@ mod harmless;
 mod mistakes;
 #[path = "conform/processes.rs"]
 mod processes;
+#[path = "conform/runs.rs"]
+mod runs;
 #[path = "conform/scenes.rs"]
 mod scenes;
 #[path = "conform/statuses.rs"]

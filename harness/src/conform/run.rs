@@ -9,6 +9,7 @@ use serde_json::Value;
 
 use super::card::{Card, Failure, Row, Status};
 use super::family::{Asking, Family, Judge, Stop};
+use super::guarded::guarded;
 use super::judgement::{Judgement, Profile, Wrong};
 use super::mistakes::names;
 use super::program::{MOST_FAULTS, WINDOW};
@@ -34,9 +35,11 @@ pub struct Options {
 const FIRST_ROUND: usize = 2;
 /// Unsupported cases after which a family is left alone. Not two: a program may lack a field of half of the cases, as a
 /// camera's roll.
-const FEW: usize = 8;
+pub(super) const FEW: usize = 8;
 /// Faults after which all families of a question are not asked any more.
 const MOST_FAULTS_OF_QUESTION: u64 = 6;
+/// Bytes of the answers to a question above which it is not made smaller.
+const LONG: usize = 1 << 16;
 /// Wrong answers of a family that are kept, to find what they have in common.
 const KEPT: usize = 64;
 
@@ -94,7 +97,7 @@ pub fn run(
     Ok(Card { profile: options.profile, seed: options.seed, rows, is_whole })
 }
 
-/// Asks one question of each name.
+/// Asks one question of each name, until there is a reply that can be read: a program may hang at one of them.
 fn easy_questions(
     subject: &mut dyn Subject,
     families: &[&Family],
@@ -132,7 +135,7 @@ impl<'a> Asked<'a> {
     fn new(family: &'a Family, options: &Options) -> Self {
         let count = ((options.cases as f64 * family.share).ceil() as usize).max(1);
         let cases = (family.cases)(options.seed, count);
-        let row = Row::new(&family.name, &family.about, family.chapter);
+        let row = Row::new(&family.name, &family.about, family.chapter, cases.len() as u64);
         let is_done = cases.is_empty();
         Self { family, cases, row, wrong: Vec::new(), first: None, is_done }
     }
@@ -161,21 +164,24 @@ impl<'a> Asked<'a> {
                     .map(|(question, reply)| Judged::of(question, reply, judge, profile))
                     .collect();
                 for ((question, reply), judged) in cases.iter().zip(&replies).zip(judged) {
-                    let got = match reply {
+                    let got = || match reply {
                         Reply::Answer(answer) => answer.to_string(),
                         _ => String::new(),
                     };
-                    self.count(question, judged, || vec![(question.clone(), got)]);
+                    self.count(question, judged, || vec![(question.clone(), got())]);
                 }
             }
             Judge::Law(law) => {
                 for case in &cases {
                     let mut asking = Asking::new(subject);
-                    let mut judged = Judged::from(law(&mut asking, case, profile));
+                    let found = guarded(|| law(&mut asking, case, profile));
+                    let mut judged =
+                        Judged::from(found.unwrap_or_else(|text| Err(Stop::Ours(text))));
                     let asked = asking.asked;
                     if judged.is_wrong_with_care(profile) {
-                        let again = law(&mut Asking::new(subject), case, Profile::Book);
-                        judged.is_fair = again.is_ok_and(|it| is_no_failure(&it));
+                        let again = guarded(|| law(&mut Asking::new(subject), case, Profile::Book));
+                        judged.is_fair =
+                            again.is_ok_and(|it| it.is_ok_and(|it| is_no_failure(&it)));
                     }
                     let texts = || asked.into_iter().map(|(q, a)| (q, a.to_string())).collect();
                     self.count(case, judged, texts);
@@ -198,6 +204,7 @@ impl<'a> Asked<'a> {
     ) {
         let Some(status) = judged.status else { return };
         self.row.counts[status as usize] += 1;
+        self.row.ours += u64::from(judged.is_ours);
         self.row.fair += u64::from(judged.is_fair);
         self.row.worst = self.row.worst.max(judged.error);
         if let Some(text) = judged.text {
@@ -220,12 +227,20 @@ impl<'a> Asked<'a> {
     /// Names what is wrong, and makes the first failure smaller.
     fn finish(&mut self, subject: &mut dyn Subject, options: &Options) {
         self.is_done = true;
-        self.row.names = names(&self.wrong);
+        self.row.names = guarded(|| names(&self.wrong)).unwrap_or_default();
         let Some((question, wrong)) = self.first.take() else { return };
         let asked = std::mem::take(&mut self.row.asked);
         let first = Failure { question, wrong, asked };
-        let failure = match options.shrink && !options.interrupted.load(Ordering::Relaxed) {
-            true => shrink::smaller(subject, self.family.judge, first, options.profile),
+        // each simpler question has as long an answer, which has to be read and judged
+        let is_short = first.asked.iter().map(|(_, got)| got.len()).sum::<usize>() <= LONG;
+        let is_interrupted = options.interrupted.load(Ordering::Relaxed);
+        let failure = match options.shrink && is_short && !is_interrupted {
+            true => {
+                let as_it_was = first.clone();
+                let judge = self.family.judge;
+                guarded(|| shrink::smaller(subject, judge, first, options.profile))
+                    .unwrap_or(as_it_was)
+            }
             false => first,
         };
         self.row.failure = Some(failure);
@@ -239,6 +254,8 @@ struct Judged {
     error: f64,
     /// Wrong, but no failure in single precision.
     is_fair: bool,
+    /// Not judged: the judge failed.
+    is_ours: bool,
     wrong: Option<Box<Wrong>>,
     text: Option<String>,
 }
@@ -251,7 +268,9 @@ impl Judged {
         profile: Profile,
     ) -> Self {
         let mut judged = match reply {
-            Reply::Answer(answer) => Self::from(Ok(judge(question, answer, profile))),
+            Reply::Answer(answer) => {
+                Self::from(guarded(|| judge(question, answer, profile)).map_err(Stop::Ours))
+            }
             Reply::Refused(text) => Self::from(Err(Stop::Refused(text.clone()))),
             Reply::Unsupported(text) => Self::from(Err(Stop::Unsupported(text.clone()))),
             Reply::Fault(fault) => Self::from(Err(Stop::Fault(fault.clone()))),
@@ -260,7 +279,8 @@ impl Judged {
         if let Reply::Answer(answer) = reply
             && judged.is_wrong_with_care(profile)
         {
-            judged.is_fair = is_no_failure(&judge(question, answer, Profile::Book));
+            let again = guarded(|| judge(question, answer, Profile::Book));
+            judged.is_fair = again.is_ok_and(|it| is_no_failure(&it));
         }
         judged
     }
@@ -271,7 +291,10 @@ impl Judged {
     }
 
     fn from(found: Result<Judgement, Stop>) -> Self {
-        let plain = |status, text| Self { status, error: 0.0, is_fair: false, wrong: None, text };
+        let plain = |status, text| {
+            let (is_fair, is_ours) = (false, false);
+            Self { status, error: 0.0, is_fair, is_ours, wrong: None, text }
+        };
         match found {
             Ok(Judgement::Right(error)) => Self { error, ..plain(Some(Status::Pass), None) },
             Ok(Judgement::Undecided) => plain(Some(Status::Undecided), None),
@@ -289,6 +312,10 @@ impl Judged {
                 plain(Some(status), Some(fault.text().to_owned()))
             }
             Err(Stop::NotAsked) => plain(None, None),
+            Err(Stop::Ours(text)) => {
+                let text = format!("not judged, by a fault of ours; please report it: {text}");
+                Self { is_ours: true, ..plain(Some(Status::Undecided), Some(text)) }
+            }
         }
     }
 }
