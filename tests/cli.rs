@@ -72,6 +72,10 @@ const ERRORS: &[(&[&str], &str)] = &[
         "error: no.toml: cannot be read: No such file or directory (os error 2)",
     ),
     (
+        &["goldens", "accept", "none.toml", "--because", "seen"],
+        "error: none.toml: cannot be read: No such file or directory (os error 2)",
+    ),
+    (
         &["compare", "-", "-"],
         "error: -: the standard input is one file; name another in place of one -",
     ),

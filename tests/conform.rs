@@ -16,6 +16,8 @@ mod mistakes;
 mod processes;
 #[path = "conform/radiance.rs"]
 mod radiance;
+#[path = "conform/runs.rs"]
+mod runs;
 #[path = "conform/scenes.rs"]
 mod scenes;
 #[path = "conform/statuses.rs"]

@@ -163,6 +163,7 @@ fn an_adapter_to_fill_in_runs_and_supports_nothing() {
         ("python", Language::Python, "init.py"),
         ("cpp", Language::Cpp, "init.cpp"),
         ("rust", Language::Rust, "init.rs"),
+        ("java", Language::Java, "init.java"),
     ] {
         let output = groundtruth(&root(), &["conform", "--init", name]);
         assert_eq!(output.status.code(), Some(0));
@@ -176,6 +177,45 @@ fn an_adapter_to_fill_in_runs_and_supports_nothing() {
     let folder = tempfile::tempdir().expect("a folder");
     if let Some(executable) = compiled("init.cpp", folder.path()) {
         assert_all_unsupported(&mut program(&[&executable]));
+    }
+    if has_all(&["javac", "java"]) {
+        let classes = java_classes("init.java", "MyTracer", folder.path());
+        assert_all_unsupported(&mut program(&["java", "-cp", &classes, "MyTracer"]));
+    }
+}
+
+/// Whether all of these programs are there.
+fn has_all(programs: &[&str]) -> bool {
+    programs.iter().all(|program| has(program))
+}
+
+/// The folder of the classes of a Java file, which is compiled under the name of its class.
+fn java_classes(file: &str, class: &str, folder: &Path) -> String {
+    let source = folder.join(class).with_extension("java");
+    fs::copy(example(file), &source).expect("it is copied");
+    let flags = ["-encoding", "UTF-8", "--release", "11", "-Xlint:all,-options", "-Werror", "-d"];
+    let output = Command::new("javac").args(flags).arg(folder).arg(&source).output();
+    let output = output.expect("it runs");
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    folder.to_string_lossy().into_owned()
+}
+
+/// Law: the adapters in C++ compile behind a header that brings all names of the standard library, as the book's do.
+/// Oracle: the compiler.
+#[test]
+fn adapters_in_cpp_compile_behind_a_header_of_the_book() {
+    if !has("g++") {
+        return;
+    }
+    let header = "#include <algorithm>\n#include <list>\n#include <map>\nusing namespace std;\n\
+                  struct Json; struct Reader; int hits; double text, object; void reply();\n";
+    let folder = tempfile::tempdir().expect("a folder");
+    for file in ["init.cpp", "adapter.cpp"] {
+        let path = folder.path().join(file);
+        fs::write(&path, header.to_owned() + &text_of(example(file))).expect("it is written");
+        let flags = ["-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"];
+        let output = Command::new("g++").args(flags).arg(&path).output().expect("it runs");
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
     }
 }
 

@@ -20,6 +20,9 @@
 #include <string>
 #include <vector>
 
+// Names of its own: yours, and those of headers with `using namespace std;`, stay apart.
+namespace conform {
+
 struct Unsupported : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
@@ -186,7 +189,9 @@ std::string reply(const std::string& line) {
     }
 }
 
+}  // namespace conform
+
 int main() {
     // endl flushes: a pipe keeps lines back. Print nothing else here: messages belong to std::cerr
-    for (std::string line; std::getline(std::cin, line);) std::cout << reply(line) << std::endl;
+    for (std::string line; std::getline(std::cin, line);) std::cout << conform::reply(line) << std::endl;
 }

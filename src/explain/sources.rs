@@ -3,7 +3,6 @@
 //! The light of a sample is divided in two ways: by where light enters a path, and by how it leaves the
 //! first hit towards the camera. Both times the parts add up to the sample.
 
-use std::cmp::Ordering;
 use std::sync::Arc;
 
 use serde::Serialize;
@@ -102,7 +101,11 @@ fn explain(world: &World, samples: &[Sums]) -> Vec<SourceExplanation> {
         }
     });
     let mut explained: Vec<_> = explained.collect();
-    explained.sort_by(|a, b| b.size().partial_cmp(&a.size()).unwrap_or(Ordering::Equal));
+    explained.sort_by(|a, b| {
+        let ([a, of_a], [b, of_b]) = (a.size(), b.size());
+        // an order of all numbers: a source of NaN is the first
+        b.total_cmp(&a).then(of_b.total_cmp(&of_a))
+    });
     explained
 }
 
@@ -115,9 +118,10 @@ pub(super) fn deviation(values: &[Rgb]) -> Option<Rgb> {
 
 impl SourceExplanation {
     /// The order of the list: the standard deviation, then the mean, averaged over the channels.
-    fn size(&self) -> (f64, f64) {
+    fn size(&self) -> [f64; 2] {
         let deviation = self.standard_deviation.unwrap_or(Rgb::BLACK);
-        (deviation.average(), self.mean.average())
+        [deviation.average(), self.mean.average()]
+            .map(|x| if x.is_nan() { f64::NAN } else { x + 0.0 })
     }
 }
 

@@ -112,9 +112,18 @@ fn a_fresh_seed_is_printed_and_another_each_time() {
     assert_ne!(seed(), seed());
 }
 
-/// Law: an interrupted run prints what it has, with status 130. Oracle: a signal to a slow program's judge.
+/// Law: a run that is interrupted, or ended as `timeout` does, prints what it has, with status 130. Oracle: a signal to
+/// a slow program's judge.
 #[test]
 fn an_interrupted_run_prints_what_it_has() {
+    std::thread::scope(|scope| {
+        for signal in ["-INT", "-TERM"] {
+            scope.spawn(move || prints_what_it_has(signal));
+        }
+    });
+}
+
+fn prints_what_it_has(signal: &str) {
     let mut run = Command::new(GROUNDTRUTH)
         .args([
             "conform",
@@ -130,7 +139,7 @@ fn an_interrupted_run_prints_what_it_has() {
         .spawn()
         .expect("it starts");
     std::thread::sleep(std::time::Duration::from_millis(1500));
-    let kill = Command::new("kill").args(["-INT", &run.id().to_string()]).status().expect("kill");
+    let kill = Command::new("kill").args([signal, &run.id().to_string()]).status().expect("kill");
     assert!(kill.success());
     let mut text = String::new();
     std::io::Read::read_to_string(&mut run.stdout.take().expect("piped"), &mut text).expect("text");
@@ -141,7 +150,9 @@ fn an_interrupted_run_prints_what_it_has() {
 
 #[test]
 fn each_language_has_an_adapter_to_start_from() {
-    for (language, has) in [("python", "import json"), ("cpp", "int main"), ("rust", "fn main")] {
+    for (language, has) in
+        [("python", "import json"), ("cpp", "int main"), ("rust", "fn main"), ("java", "void main")]
+    {
         let output = run(&["--init", language]);
         assert_eq!(output.status.code(), Some(0), "{}", errors(&output));
         assert!(String::from_utf8_lossy(&output.stdout).contains(has), "{language}");

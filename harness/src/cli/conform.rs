@@ -3,7 +3,6 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
@@ -13,12 +12,13 @@ use harness::conform::{self, Card, Limits, Options, Profile, Program, Row, card}
 use indicatif::{ProgressBar, ProgressStyle};
 
 use super::numbers::whole;
-use super::{Exit, Outcome, output, print};
+use super::{Exit, Outcome, interrupt, output, print};
 
 #[derive(Args)]
 pub struct Conform {
-    /// What to ask: chapters (ch19), things (shapes/torus), questions (intersect) or the beginnings of
-    /// families' names (intersect.torus); everything, if left out
+    /// What to ask: chapters (ch19), things (shapes/torus), questions (intersect), or other beginnings of things
+    /// and of families' names that end before /, . or _ (intersect.torus, light.area for light.area_sphere.sample);
+    /// everything, if left out
     what: Vec<String>,
     /// How exact answers have to be
     #[arg(long, value_enum, default_value_t = Exact::Careful)]
@@ -102,9 +102,7 @@ impl Conform {
         output::once(self.files(), "output")?;
         self.files().try_for_each(output::writable)?;
         let known = self.known.as_deref().map(conform::Known::read).transpose()?;
-        let interrupted = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&interrupted);
-        ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
+        let interrupted = interrupt::flag()?;
         let profile = match self.profile {
             Exact::Careful => Profile::Careful,
             Exact::Book => Profile::Book,
@@ -147,13 +145,14 @@ impl Conform {
         match self.json {
             true => self.say(&(serde_json::to_string_pretty(&card.json())? + "\n"))?,
             false => {
-                self.say(&(chapters.unfinished(&card) + &card::rest(&card) + &self.verdict(&card)))?
+                let verdict = card::verdict(&card, self.fresh);
+                self.say(&(chapters.unfinished(&card) + &card::rest(&card) + &verdict))?
             }
         };
         if !card.is_whole {
             return Ok(Exit::Interrupted);
         }
-        if card.rows.iter().all(Row::is_unsupported) {
+        if card.is_not_judged() || card.rows.iter().all(Row::is_unsupported) {
             return Ok(Exit::Unanswered);
         }
         let failed = match known {
@@ -188,31 +187,6 @@ impl Conform {
         write(&self.junit, &|| card::junit(card, &command))?;
         write(&self.write_known, &|| conform::Known::of(card).to_string())?;
         Ok(())
-    }
-
-    /// The last line.
-    fn verdict(&self, card: &Card) -> String {
-        let count = |is: fn(&Row) -> bool| card.rows.iter().filter(|row| is(row)).count();
-        let (wrong, asked) = (count(Row::is_failed), count(|row| row.total() > 0));
-        let unsupported = count(Row::is_unsupported);
-        let (judged, seed) = (asked - unsupported, card.seed);
-        let rest = match unsupported {
-            0 => String::new(),
-            n => format!("; {n} are unsupported"),
-        };
-        match (card.is_whole, wrong, self.fresh) {
-            (false, ..) => "interrupted: this is what was asked until then\n".to_owned(),
-            _ if judged == 0 => format!("nothing to judge: all {asked} families are unsupported\n"),
-            (_, 0, true) => {
-                format!(
-                    "validated: none of {judged} families failed, with the fresh seed {seed}{rest}\n"
-                )
-            }
-            (_, 0, false) => format!(
-                "none of {judged} families failed{rest}; to validate, use --fresh: the default cases can be learnt\n"
-            ),
-            (_, wrong, _) => format!("{wrong} of {judged} families failed (seed {seed}){rest}\n"),
-        }
     }
 }
 

@@ -2,8 +2,7 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 
 use clap::{Args, Subcommand};
 use groundtruth::similar;
@@ -12,10 +11,10 @@ use harness::verify::golden::{self, Finding, GoldenSettings, Goldens as Folder, 
 use harness::verify::review;
 
 use super::list::is_in;
-use super::output;
 use super::part::PartOf;
 use super::scene::{Size, samples};
 use super::{Exit, Outcome, print};
+use super::{interrupt, output};
 
 #[derive(Args)]
 pub struct Goldens {
@@ -195,9 +194,7 @@ impl Accept {
             if Folder::is_none(folder) { Folder::none(folder) } else { open(folder)? };
         // an interrupt stops the command while pictures are rendered, but not while they are
         // written
-        let interrupted = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&interrupted);
-        ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
+        let interrupted = interrupt::flag()?;
 
         let settings = GoldenSettings {
             size: self.size.map(|size| [size.width, size.height]),

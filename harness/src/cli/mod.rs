@@ -12,6 +12,7 @@ mod describe;
 mod explain;
 mod export;
 mod goldens;
+mod interrupt;
 mod kinds;
 mod list;
 mod merge;

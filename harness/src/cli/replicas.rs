@@ -2,7 +2,6 @@
 
 use std::error::Error;
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
@@ -12,11 +11,10 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use harness::sums::{self, Header, Part, Seeds, Sums};
 use indicatif::{ProgressBar, ProgressStyle};
-use signal_hook::consts::{SIGINT, SIGTERM};
 
 use super::part::PartOf;
 use super::scene::SceneArguments;
-use super::{Exit, Outcome};
+use super::{Exit, Outcome, interrupt};
 
 /// A part that is under way is written this often, for machines that lose their power.
 const SAVED_EVERY: Duration = Duration::from_secs(60);
@@ -35,10 +33,7 @@ pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, output: &
     let mut sums = begun.asked(wanted, arguments.arguments());
     let missing = asked.without(&sums.header().seeds);
     let progress = Progress::new(asked.count(), sums.header().seeds.count());
-    let signal = Arc::new(AtomicBool::new(false));
-    for number in [SIGINT, SIGTERM] {
-        signal_hook::flag::register(number, Arc::clone(&signal))?;
-    }
+    let signal = interrupt::flag()?;
     let mut saved = Instant::now();
     let mut is_interrupted = false;
     for seed in missing.iter() {

@@ -23,7 +23,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use super::numbers::whole;
 use super::scene::SceneArguments;
 use super::witness::{Asked, By, Witnessed};
-use super::{Exit, Outcome, announce, mistakes, output, replicas};
+use super::{Exit, Outcome, announce, interrupt, mistakes, output, replicas};
 
 #[derive(Args)]
 pub struct Verify {
@@ -301,9 +301,7 @@ struct Watch {
 
 impl Watch {
     fn new(most: usize) -> Result<Self, Box<dyn Error>> {
-        let interrupted = Arc::new(AtomicBool::new(false));
-        let flag = Arc::clone(&interrupted);
-        ctrlc::set_handler(move || flag.store(true, Ordering::Relaxed))?;
+        let interrupted = interrupt::flag()?;
         let bar = ProgressBar::new(most as u64);
         let style = "{spinner} {pos} of at most {len} pictures of ours  {elapsed} elapsed{msg}";
         bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));

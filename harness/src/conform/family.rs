@@ -41,13 +41,15 @@ pub enum Judge {
 }
 
 impl Family {
-    /// Whether a word of the command line selects it: a chapter (`ch19`), a thing (`shapes/torus`), a question
-    /// (`intersect`), or the beginning of a name up to a dot.
+    /// Whether a word of the command line selects it: a chapter (`ch19`), a thing (`shapes/torus`), or the beginning
+    /// of a thing or of a name that ends where a word ends: before `/`, `.` or `_`. So `intersect`, `light.area` (as in
+    /// `light.area_sphere.sample`), `shapes/solid`; but not `intersect.tor`.
     pub fn is_selected_by(&self, word: &str) -> bool {
-        let begins = |name: &str, by: char| {
-            name.strip_prefix(word).is_some_and(|rest| rest.is_empty() || rest.starts_with(by))
+        let begins = |name: &str| {
+            name.strip_prefix(word)
+                .is_some_and(|rest| rest.is_empty() || rest.starts_with(['/', '.', '_']))
         };
-        self.chapter == word || begins(&self.about, '/') || begins(&self.name, '.')
+        self.chapter == word || (!word.is_empty() && (begins(&self.about) || begins(&self.name)))
     }
 
     /// The question's name, as `intersect`.
@@ -67,6 +69,8 @@ pub enum Stop {
     Fault(Fault),
     /// Nothing came, because it was not asked any more.
     NotAsked,
+    /// The judge itself failed: a fault of ours.
+    Ours(String),
 }
 
 /// A law's way to ask: remembers what was asked, so that a broken law can be shown.

@@ -9,6 +9,8 @@ pub enum Language {
     Cpp,
     /// Rust, with serde_json.
     Rust,
+    /// Java 11, the standard library alone.
+    Java,
 }
 
 impl Language {
@@ -18,6 +20,7 @@ impl Language {
             Self::Python => include_str!("../../../examples/conform/init.py"),
             Self::Cpp => include_str!("../../../examples/conform/init.cpp"),
             Self::Rust => include_str!("../../../examples/conform/init.rs"),
+            Self::Java => include_str!("../../../examples/conform/init.java"),
         }
     }
 }

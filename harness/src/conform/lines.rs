@@ -32,7 +32,7 @@ pub fn read(line: &[u8]) -> Result<(u64, Reply), Fault> {
         printable::text(&text)
     };
     let garbled = |problem: &str| Err(Fault::Garbled(format!("{problem}: {}", shown())));
-    let Some(reply) = object(line) else { return garbled("not a JSON object") };
+    let Some(mut reply) = object(line) else { return garbled("not a JSON object") };
     let id = match reply.get("id") {
         Some(Value::Number(id)) => match id.as_u64().or_else(|| whole(id.as_f64()?)) {
             Some(id) => id,
@@ -45,7 +45,7 @@ pub fn read(line: &[u8]) -> Result<(u64, Reply), Fault> {
     let kinds = ["answer", "error", "unsupported"];
     let found: Vec<&str> = kinds.into_iter().filter(|kind| reply.contains_key(*kind)).collect();
     match found[..] {
-        ["answer"] => Ok((id, Reply::Answer(reply["answer"].clone()))),
+        ["answer"] => Ok((id, Reply::Answer(reply.remove("answer").unwrap_or_default()))),
         ["error"] => Ok((id, Reply::Refused(text(&reply["error"])))),
         ["unsupported"] => Ok((id, Reply::Unsupported(text(&reply["unsupported"])))),
         _ => garbled("needs one of `answer`, `error`, `unsupported`"),

@@ -8,6 +8,7 @@ pub mod card;
 mod chapters;
 mod exact;
 pub mod family;
+mod guarded;
 mod intersections;
 mod judgement;
 mod known;

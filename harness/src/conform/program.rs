@@ -35,7 +35,8 @@ const FAREWELL: Duration = Duration::from_millis(500);
 pub struct Limits {
     /// For an answer.
     pub answer: Duration,
-    /// For the first answer after a start.
+    /// For the first answer after a start. Spent once only while nothing at all was answered: a program that has used
+    /// it up in vain then gets as long as for an answer.
     pub start: Duration,
 }
 
@@ -49,6 +50,8 @@ pub struct Program {
     /// A question that it has answered: the first after a restart, so that the time of the start is told from that
     /// of an answer.
     answered: Option<Value>,
+    /// Whether the time of a start has passed without an answer.
+    has_waited: bool,
     log: Arc<Mutex<Vec<u8>>>,
 }
 
@@ -64,8 +67,17 @@ struct Running {
 impl Program {
     /// The program with its arguments; it is started at the first question.
     pub fn new(command: Vec<String>, limits: Limits, interrupted: Arc<AtomicBool>) -> Self {
-        let log = Arc::default();
-        Self { command, limits, interrupted, running: None, next_id: 1, answered: None, log }
+        let (answered, log) = (None, Arc::default());
+        Self {
+            command,
+            limits,
+            interrupted,
+            running: None,
+            next_id: 1,
+            answered,
+            has_waited: false,
+            log,
+        }
     }
 
     /// The beginning of what it wrote to its standard error.
@@ -132,14 +144,18 @@ impl Program {
         let _ = running.questions.as_ref().expect("open while it runs").send(text);
         let mut open = questions.len();
         while open > 0 {
-            let limit = match running.has_answered {
+            let is_in_vain = self.has_waited && self.answered.is_none();
+            let limit = match running.has_answered || is_in_vain {
                 true => self.limits.answer,
                 false => self.limits.start,
             };
             let got = match running.next_line(limit, &self.interrupted) {
                 Ok(Some(line)) => read(&line),
                 Ok(None) => return Ok(replies.into_iter().map(or_not_asked).collect()),
-                Err(fault) => return Err((fault, replies)),
+                Err(fault) => {
+                    self.has_waited |= matches!(fault, Fault::Hung(_)) && !running.has_answered;
+                    return Err((fault, replies));
+                }
             };
             let (id, reply) = got.map_err(|fault| (fault, replies.clone()))?;
             let slot = id.checked_sub(first).and_then(|at| replies.get_mut(at as usize));

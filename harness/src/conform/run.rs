@@ -10,6 +10,7 @@ use serde_json::Value;
 
 use super::card::{Card, Failure, Row, Status};
 use super::family::{Asking, Family, Judge, Stop};
+use super::guarded::guarded;
 use super::judgement::{Judgement, Profile, Wrong};
 use super::mistakes::{Mistake, always, names};
 use super::program::{MOST_FAULTS, WINDOW};
@@ -35,12 +36,14 @@ pub struct Options {
 const FIRST_ROUND: usize = 2;
 /// Unsupported cases after which a family is left alone. Not two: a program may lack a field of half of the cases, as a
 /// camera's roll.
-const FEW: usize = 8;
+pub(super) const FEW: usize = 8;
 /// Faults after which all families of a question are not asked any more.
 const MOST_FAULTS_OF_QUESTION: u64 = 6;
 /// Time for making the failures of all families smaller; those after it are shown as they were asked. A mistake that many
 /// scenes show needs no small question in each.
 const MOST_SHRINKING: Duration = Duration::from_secs(60);
+/// Bytes of the answers to a question above which it is not made smaller.
+const LONG: usize = 1 << 16;
 /// Wrong answers of a family that are kept, to find what they have in common.
 const KEPT: usize = 64;
 
@@ -99,7 +102,7 @@ pub fn run(
     Ok(Card { profile: options.profile, seed: options.seed, rows, is_whole })
 }
 
-/// Asks one question of each name.
+/// Asks one question of each name, until there is a reply that can be read: a program may hang at one of them.
 fn easy_questions(
     subject: &mut dyn Subject,
     families: &[&Family],
@@ -149,7 +152,7 @@ impl<'a> Asked<'a> {
     fn new(family: &'a Family, options: &Options) -> Self {
         let count = ((options.cases as f64 * family.share).ceil() as usize).max(1);
         let cases = (family.cases)(options.seed, count);
-        let row = Row::new(&family.name, &family.about, family.chapter);
+        let row = Row::new(&family.name, &family.about, family.chapter, cases.len() as u64);
         let is_done = cases.is_empty();
         let said = Said::Nothing;
         Self { family, cases, row, wrong: Vec::new(), first: None, said, is_done }
@@ -181,26 +184,27 @@ impl<'a> Asked<'a> {
                 for ((question, reply), mut judged) in cases.iter().zip(&replies).zip(judged) {
                     if let Reply::Answer(answer) = reply {
                         judged.name(self.family, &[(question.clone(), answer.clone())]);
+                        self.said.and(answer);
                     }
-                    let got = match reply {
-                        Reply::Answer(answer) => {
-                            self.said.and(answer);
-                            answer.to_string()
-                        }
+                    let got = || match reply {
+                        Reply::Answer(answer) => answer.to_string(),
                         _ => String::new(),
                     };
-                    self.count(question, judged, || vec![(question.clone(), got)]);
+                    self.count(question, judged, || vec![(question.clone(), got())]);
                 }
             }
             Judge::Law(law) => {
                 for case in &cases {
                     let mut asking = Asking::new(subject);
-                    let mut judged = Judged::from(law(&mut asking, case, profile));
+                    let found = guarded(|| law(&mut asking, case, profile));
+                    let mut judged =
+                        Judged::from(found.unwrap_or_else(|text| Err(Stop::Ours(text))));
                     let asked = asking.asked;
                     judged.name(self.family, &asked);
                     if judged.is_wrong_with_care(profile) {
-                        let again = law(&mut Asking::new(subject), case, Profile::Book);
-                        judged.is_fair = again.is_ok_and(|it| is_no_failure(&it));
+                        let again = guarded(|| law(&mut Asking::new(subject), case, Profile::Book));
+                        judged.is_fair =
+                            again.is_ok_and(|it| it.is_ok_and(|it| is_no_failure(&it)));
                     }
                     let texts = || asked.into_iter().map(|(q, a)| (q, a.to_string())).collect();
                     self.count(case, judged, texts);
@@ -223,6 +227,7 @@ impl<'a> Asked<'a> {
     ) {
         let Some(status) = judged.status else { return };
         self.row.counts[status as usize] += 1;
+        self.row.ours += u64::from(judged.is_ours);
         self.row.fair += u64::from(judged.is_fair);
         self.row.worst = self.row.worst.max(judged.error);
         if let Some(mistake) = judged.convention {
@@ -248,7 +253,7 @@ impl<'a> Asked<'a> {
     /// Names what is wrong, and makes the first failure smaller.
     fn finish(&mut self, subject: &mut dyn Subject, options: &Options, spent: &mut Duration) {
         self.is_done = true;
-        self.row.names = names(&self.wrong);
+        self.row.names = guarded(|| names(&self.wrong)).unwrap_or_default();
         if let Said::Always(answer) = &self.said
             && let Some(name) = always(self.family.question(), answer, &self.row.names, &self.wrong)
         {
@@ -257,10 +262,17 @@ impl<'a> Asked<'a> {
         let Some((question, wrong)) = self.first.take() else { return };
         let asked = std::mem::take(&mut self.row.asked);
         let first = Failure { question, wrong, asked };
+        // each simpler question has as long an answer, which has to be read and judged
+        let is_short = first.asked.iter().map(|(_, got)| got.len()).sum::<usize>() <= LONG;
         let is_shrunk = options.shrink && self.family.is_shrunk && *spent < MOST_SHRINKING;
         let begun = Instant::now();
-        let failure = match is_shrunk && !options.interrupted.load(Ordering::Relaxed) {
-            true => shrink::smaller(subject, self.family.judge, first, options.profile),
+        let failure = match is_shrunk && is_short && !options.interrupted.load(Ordering::Relaxed) {
+            true => {
+                let as_it_was = first.clone();
+                let judge = self.family.judge;
+                guarded(|| shrink::smaller(subject, judge, first, options.profile))
+                    .unwrap_or(as_it_was)
+            }
             false => first,
         };
         *spent += begun.elapsed();
@@ -275,6 +287,8 @@ struct Judged {
     error: f64,
     /// Wrong, but no failure in single precision.
     is_fair: bool,
+    /// Not judged: the judge failed.
+    is_ours: bool,
     wrong: Option<Box<Wrong>>,
     /// Of the book, by which it is right.
     convention: Option<&'static Mistake>,
@@ -300,7 +314,9 @@ impl Judged {
         profile: Profile,
     ) -> Self {
         let mut judged = match reply {
-            Reply::Answer(answer) => Self::from(Ok(judge(question, answer, profile))),
+            Reply::Answer(answer) => {
+                Self::from(guarded(|| judge(question, answer, profile)).map_err(Stop::Ours))
+            }
             Reply::Refused(text) => Self::from(Err(Stop::Refused(text.clone()))),
             Reply::Unsupported(text) => Self::from(Err(Stop::Unsupported(text.clone()))),
             Reply::Fault(fault) => Self::from(Err(Stop::Fault(fault.clone()))),
@@ -309,7 +325,8 @@ impl Judged {
         if let Reply::Answer(answer) = reply
             && judged.is_wrong_with_care(profile)
         {
-            judged.is_fair = is_no_failure(&judge(question, answer, Profile::Book));
+            let again = guarded(|| judge(question, answer, Profile::Book));
+            judged.is_fair = again.is_ok_and(|it| is_no_failure(&it));
         }
         judged
     }
@@ -333,6 +350,7 @@ impl Judged {
             status,
             error: 0.0,
             is_fair: false,
+            is_ours: false,
             wrong: None,
             convention: None,
             text,
@@ -357,6 +375,10 @@ impl Judged {
                 plain(Some(status), Some(fault.text().to_owned()))
             }
             Err(Stop::NotAsked) => plain(None, None),
+            Err(Stop::Ours(text)) => {
+                let text = format!("not judged, by a fault of ours; please report it: {text}");
+                Self { is_ours: true, ..plain(Some(Status::Undecided), Some(text)) }
+            }
         }
     }
 }

@@ -35,7 +35,7 @@ pub enum GoldenError {
     #[error(transparent)]
     Image(#[from] ImageError),
     /// A scene cannot be read or built.
-    #[error("{name}: {source}")]
+    #[error("{}{source}", unless_placed(name, source))]
     Scene {
         /// Its name.
         name: String,
@@ -58,4 +58,14 @@ pub enum GoldenError {
     /// A golden is accepted without a reason.
     #[error("a golden is accepted with a reason: --because \"what it was checked against\"")]
     NoReason,
+}
+
+/// The golden's name before the error of its scene, unless that names its file itself.
+fn unless_placed(name: &str, error: &SceneError) -> String {
+    let has_file = match error {
+        SceneError::Unreadable { .. } => true,
+        SceneError::Invalid { location, .. } => !location.is_unknown(),
+        _ => false,
+    };
+    if has_file { String::new() } else { format!("{name}: ") }
 }

@@ -5,7 +5,7 @@ use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use super::text::failed;
 use super::{Card, Row};
 
-/// JUnit's XML: wrong and refused answers are failures, faults are errors, what is not supported is skipped.
+/// JUnit's XML: wrong and refused answers are failures, faults (of the program, or of a judge) are errors, what is not supported is skipped.
 pub fn junit(card: &Card, command: &str) -> String {
     let mut report = Report::new(format!("groundtruth conform -- {command}"));
     for (chapter, rows) in card.chapters() {
@@ -17,7 +17,7 @@ pub fn junit(card: &Card, command: &str) -> String {
 }
 
 fn case(row: &Row) -> TestCase {
-    let status = if row.faults() > 0 {
+    let status = if row.faults() > 0 || row.ours > 0 {
         TestCaseStatus::non_success(NonSuccessKind::Error)
     } else if row.is_failed() {
         TestCaseStatus::non_success(NonSuccessKind::Failure)

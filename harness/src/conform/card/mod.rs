@@ -13,7 +13,7 @@ use super::mistakes::{Mistake, Name};
 
 pub use junit::junit;
 pub use page::page;
-pub use text::{head, line, rest};
+pub use text::{head, line, rest, verdict};
 
 /// What became of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -77,8 +77,12 @@ pub struct Row {
     pub about: String,
     /// As `ch19`.
     pub chapter: &'static str,
+    /// How many cases it has; fewer were asked if it was left alone, or the run interrupted.
+    pub cases: u64,
     /// Cases of each status, in the order of [`Status::ALL`].
     pub counts: [u64; 8],
+    /// Of the undecided ones, those whose judge failed: faults of ours.
+    pub ours: u64,
     /// Of the wrong ones, those that are no failures by the profile *book*.
     pub fair: u64,
     /// The largest error of a right answer, in u·cond.
@@ -96,12 +100,14 @@ pub struct Row {
 }
 
 impl Row {
-    pub(super) fn new(name: &str, about: &str, chapter: &'static str) -> Self {
+    pub(super) fn new(name: &str, about: &str, chapter: &'static str, cases: u64) -> Self {
         Self {
             name: name.to_owned(),
             about: about.to_owned(),
             chapter,
+            cases,
             counts: [0; 8],
+            ours: 0,
             fair: 0,
             worst: 0.0,
             failure: None,
@@ -124,7 +130,7 @@ impl Row {
         self.counts[status as usize]
     }
 
-    /// All cases.
+    /// All cases that were asked.
     pub fn total(&self) -> u64 {
         self.counts.iter().sum()
     }
@@ -132,6 +138,11 @@ impl Row {
     /// Cases without a reply that can be read.
     pub fn faults(&self) -> u64 {
         [Status::Hung, Status::Died, Status::Garbled].map(|status| self.count(status)).iter().sum()
+    }
+
+    /// Cases that were not asked any more.
+    pub fn not_asked(&self) -> u64 {
+        self.cases - self.total()
     }
 
     /// Whether every question was unsupported.
@@ -169,6 +180,11 @@ impl Card {
         self.rows.iter().any(Row::is_failed)
     }
 
+    /// Whether a judge failed: then a case was not judged, by a fault of ours.
+    pub fn is_not_judged(&self) -> bool {
+        self.rows.iter().any(|row| row.ours > 0)
+    }
+
     /// The rows of each chapter.
     pub fn chapters(&self) -> BTreeMap<&'static str, Vec<&Row>> {
         let mut chapters: BTreeMap<&'static str, Vec<&Row>> = BTreeMap::new();
@@ -198,6 +214,7 @@ impl Card {
             });
             json!({
                 "family": row.name, "chapter": row.chapter, "about": row.about, "counts": counts,
+                "cases": row.cases, "not_asked": row.not_asked(), "judge_failed": row.ours,
                 "fair": row.fair, "worst": row.worst, "failure": failure,
                 "names": row.names.iter().map(ToString::to_string).collect::<Vec<_>>(),
                 "conventions": row.conventions.iter().map(|(it, count)| {

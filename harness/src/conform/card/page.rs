@@ -27,7 +27,8 @@ pub fn page(card: &Card, command: &str) -> String {
         card.seed,
         if card.is_whole { "" } else { "; interrupted" },
     );
-    let failures: Vec<&Row> = card.rows.iter().filter(|row| row.is_failed()).collect();
+    let is_shown = |row: &&Row| row.is_failed() || row.ours > 0;
+    let failures: Vec<&Row> = card.rows.iter().filter(is_shown).collect();
     html.push_str("<h2>Families</h2>\n");
     for (chapter, rows) in card.chapters() {
         let _ = writeln!(html, "<h3>{chapter}</h3>");

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::super::mistakes::Mistake;
+use super::super::run::FEW;
 use super::{Card, Row, Status};
 use groundtruth::printable;
 
@@ -54,11 +55,20 @@ pub(super) fn failed(row: &Row) -> String {
         if *status == Status::Unsupported {
             continue;
         }
-        let (count, message) = (row.count(*status), printable::text(message));
+        let count = if *status == Status::Undecided { row.ours } else { row.count(*status) };
+        let message = printable::text(message);
         text += &format!(
             "{}: {count} {}: {message}\n  asked     {question}\n",
             row.name,
             status.name()
+        );
+    }
+    if row.faults() > 0 && row.not_asked() > 0 {
+        text += &format!(
+            "{}: {} of {} cases were not asked after these faults\n",
+            row.name,
+            row.not_asked(),
+            row.cases
         );
     }
     text
@@ -82,6 +92,63 @@ pub(super) fn conventions(row: &Row) -> String {
         )
     };
     row.conventions.iter().map(shown).collect()
+}
+
+/// The last line: how many families failed, of those that were judged; and which were not, and why.
+pub fn verdict(card: &Card, is_fresh: bool) -> String {
+    if !card.is_whole {
+        return "interrupted: this is what was asked until then\n".to_owned();
+    }
+    let count = |is: &dyn Fn(&Row) -> bool| card.rows.iter().filter(|row| is(row)).count();
+    let asked = count(&|row| row.total() > 0);
+    let unsupported = count(&Row::is_unsupported);
+    let (judged, seed, failed) = (asked - unsupported, card.seed, count(&Row::is_failed));
+    let rest = left_alone(card, unsupported);
+    let verdict = match (failed, is_fresh) {
+        _ if judged == 0 => format!("nothing to judge: all {asked} families are unsupported"),
+        (0, true) => {
+            format!("validated: none of {judged} families failed, with the fresh seed {seed}{rest}")
+        }
+        (0, false) => format!(
+            "none of {judged} families failed{rest}; to validate, use --fresh: the default cases can be learnt"
+        ),
+        (failed, _) => format!("{failed} of {judged} families failed (seed {seed}){rest}"),
+    };
+    let wrong = card.count(Status::Wrong);
+    let fair: u64 = card.rows.iter().map(|row| row.fair).sum();
+    let advice = match 2 * fair > wrong {
+        true => format!(
+            "; {fair} of {wrong} wrong answers are fair in single precision: for such a program, use --profile book"
+        ),
+        false => String::new(),
+    };
+    format!("{verdict}{advice}\n")
+}
+
+/// The families that were not judged, or not to their end.
+fn left_alone(card: &Card, unsupported: usize) -> String {
+    let count = |is: &dyn Fn(&Row) -> bool| card.rows.iter().filter(|row| is(row)).count();
+    let mut text = match unsupported {
+        0 => String::new(),
+        1 => "; 1 other is unsupported".to_owned(),
+        n => format!("; {n} others are unsupported"),
+    };
+    match count(&|row| row.is_unsupported() && row.not_asked() > 0) {
+        0 => {}
+        n if n == unsupported => text += &format!(", left alone after {FEW} cases"),
+        n => text += &format!(", {n} of them left alone after {FEW} cases"),
+    }
+    match count(&|row| row.not_asked() > 0 && !row.is_unsupported()) {
+        0 => {}
+        1 => text += "; 1 was left alone after faults",
+        n => text += &format!("; {n} were left alone after faults"),
+    }
+    match card.rows.iter().map(|row| row.ours).sum::<u64>() {
+        0 => {}
+        1 => text += "; 1 case was not judged, by a fault of ours",
+        n => text += &format!("; {n} cases were not judged, by a fault of ours"),
+    }
+    text
 }
 
 impl fmt::Display for Card {

@@ -72,6 +72,10 @@ pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
     let side = 20;
     let of_pixel: Vec<Value> = (0..n).map(|index| at(3, 5, index)).collect();
     let of_pixels: Vec<Value> = (0..PIXELS).map(|i| at(i % side, i / side, 0)).collect();
+    // one answer tells whether hundreds are worth asking for
+    if numbers(&ask.ask(&of_pixel[0])?).is_none_or(|point| point.len() != 2) {
+        return missing("point");
+    }
     let set = ask.ask_all(&of_pixel)?;
     let first = ask.ask_all(&of_pixels)?;
     // hundreds of answers are not shown
@@ -117,7 +121,7 @@ pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
 /// share a set may begin with the same point, which counts once: only different points are independent.
 fn unevenness(points: &[Vec<f64>], level: f64) -> Option<String> {
     let mut different = points.to_vec();
-    different.sort_by(|a, b| a.partial_cmp(b).unwrap_or(Ordering::Equal));
+    different.sort_by(|a, b| in_order(a, b));
     different.dedup();
     let n = different.len();
     if n < FEWEST as usize {
@@ -134,6 +138,12 @@ fn unevenness(points: &[Vec<f64>], level: f64) -> Option<String> {
     let p = goodness_of_fit(&counts, &expected);
     let text = format!("first draws of {PIXELS} pixels all over the square: χ² has p = {p:.1e}");
     (p <= level).then_some(text)
+}
+
+/// By the first number that differs: an order of all numbers, NaN too.
+fn in_order(a: &[f64], b: &[f64]) -> Ordering {
+    let first = a.iter().zip(b).map(|(a, b)| a.total_cmp(b)).find(|order| order.is_ne());
+    first.unwrap_or(a.len().cmp(&b.len()))
 }
 
 /// Law: the points of each set are in the unit square, are as many as were asked for, and are stratified as the

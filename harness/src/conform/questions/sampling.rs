@@ -89,8 +89,12 @@ fn sorted(answer: &Value) -> Option<Vec<[f64; 2]>> {
 
 fn sorted_points(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     // single precision must not change the order
-    let key = |x: f64| (x * 1e5).round();
-    points.sort_by(|[x, y], [u, v]| key(*x).total_cmp(&key(*u)).then(key(*y).total_cmp(&key(*v))));
+    let key = |point: &[f64; 2]| point.map(|x| (x * 1e5).round() + 0.0); // no −0
+    points.sort_by(|a, b| {
+        let ([ax, ay], [bx, by]) = (key(a), key(b));
+        // an order of all numbers, NaN too
+        ax.total_cmp(&bx).then(ay.total_cmp(&by))
+    });
     points
 }
 

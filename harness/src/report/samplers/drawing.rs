@@ -97,7 +97,10 @@ fn pick(integrand: &IntegrandData) -> String {
         let of_kind = |s: &&SamplerData| FIXED.contains(&&*s.sampler) == fixed;
         let all = integrand.samplers.iter().filter(of_kind);
         let mut known: Vec<&SamplerData> = all.filter(|s| needs(s).is_some()).collect();
-        known.sort_by(|a, b| needs(a).partial_cmp(&needs(b)).expect("numbers of samples"));
+        known.sort_by(|a, b| {
+            let [a, b] = [a, b].map(|s| s.samples_for_one_percent.unwrap_or(f64::INFINITY));
+            a.total_cmp(&b)
+        });
         known
     };
     let known = by_need(false);
