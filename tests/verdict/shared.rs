@@ -7,7 +7,8 @@ use groundtruth::samplers;
 use groundtruth::world::World;
 use harness::compare::Transfer;
 use harness::verdict::{
-    Areas, Bright, Edge, Judged, Stored, Strictness, Subject, is_alike, is_nearer, noise, set_apart,
+    Areas, Bright, Edge, Judged, Quantiser, Stored, Strictness, Subject, is_alike, is_nearer,
+    noise, set_apart,
 };
 
 pub const LEVEL: f64 = 0.01;
@@ -19,7 +20,7 @@ pub const FLOATS: Stored = Stored::Floats { bits: 24 };
 pub const BYTES: Stored = Stored::Integers {
     step: 1.0 / 255.0,
     transfer: Transfer::Srgb,
-    truncated: false,
+    quantiser: Quantiser::Rounded,
     bright: Bright::Clamped,
 };
 

@@ -4,7 +4,7 @@ use std::fmt;
 
 use groundtruth::explain::{brief, count};
 
-use super::verdict::{Explanation, Region, Verdict};
+use super::verdict::{DecidedBy, Explanation, Region, Verdict};
 use super::{Answer, Cause, Causes, Decision, Means};
 
 impl fmt::Display for Verdict {
@@ -33,6 +33,9 @@ impl fmt::Display for Verdict {
                 "set apart: {pixels}, where all of ours agree and a correct picture need not"
             )?;
         }
+        if let Some(negative) = &self.negative {
+            writeln!(f, "{negative}")?;
+        }
         writeln!(f, "{}", self.decision_in_words())?;
         self.margin(f)?;
         self.explanation(f)?;
@@ -55,6 +58,19 @@ impl Verdict {
         let Self { as_far, replicas, pictures, .. } = self;
         if let Some(seed) = self.equal_to_seed {
             return format!("agrees: it is our picture with --seed {seed}, bit for bit");
+        }
+        match &self.decided_by {
+            Some(DecidedBy::Mean(name)) => {
+                let means = self.means.iter().find(|means| means.name == *name).map(apart);
+                return format!(
+                    "differs: the mean of {name} is outside its interval{}",
+                    means.unwrap_or_default()
+                );
+            }
+            Some(DecidedBy::Negative) => {
+                return "differs: radiance is never negative, and that of theirs is".to_owned();
+            }
+            None => {}
         }
         match (self.decision, self.fixed, *pictures > 1) {
             (Decision::Agrees, true, _) => {
@@ -93,9 +109,7 @@ impl Verdict {
             }
         };
         writeln!(f, "margin of {}: {words}", percent(margin))?;
-        let beyond =
-            |it: &&Means| it.relative.is_some_and(|relative| relative.abs() + it.half > margin);
-        for means in self.means.iter().filter(beyond) {
+        for means in self.means.iter().filter(|it| it.is_beyond(margin)) {
             writeln!(f, "  {}{}", means.name, apart(means))?;
         }
         Ok(())
