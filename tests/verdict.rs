@@ -14,6 +14,8 @@ mod edges;
 mod pictures;
 #[path = "verdict/power.rs"]
 mod power;
+#[path = "verdict/rounding.rs"]
+mod rounding;
 #[path = "same_text.rs"]
 #[allow(dead_code)] // others compare texts
 mod same_text;
@@ -23,3 +25,5 @@ mod sampling;
 mod shared;
 #[path = "verdict/statistic.rs"]
 mod statistic;
+#[path = "verdict/writers.rs"]
+mod writers;

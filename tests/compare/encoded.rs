@@ -108,3 +108,49 @@ fn other_primaries_are_noted() {
         assert_eq!(notes.iter().filter(|note| note.contains("cHRM")).count(), count, "{notes:?}");
     }
 }
+
+/// Law: a gamma that no display has is refused, by the chunk's name and its value, unless the user says how the values are
+/// encoded; so is one that the user says. Oracle: the chunk that was written.
+#[test]
+fn gammas_that_no_display_has_are_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (power, gamma) in [(1_u32, "100000"), (9_999, "10.001"), (1_000_010, "0.099999")] {
+        let path = file(folder.path(), srgb, &[chunk("gAMA", &power.to_be_bytes())]);
+        let error = Picture::read(&path, None).expect_err("no display has it").to_string();
+        assert!(error.contains(&format!("its chunk gAMA says gamma {gamma}")), "{error}");
+        assert!(Picture::read(&path, Some(Transfer::Srgb)).is_ok());
+    }
+    for power in [10_000_u32, 1_000_000] {
+        let path = file(folder.path(), srgb, &[chunk("gAMA", &power.to_be_bytes())]);
+        assert!(Picture::read(&path, None).is_ok(), "{power}");
+    }
+    for said in ["gamma=100000", "gamma=0.05", "gamma=0", "gamma=-2", "gamma=nan", "gamma=inf"] {
+        let error = said.parse::<Transfer>().expect_err("no display has it");
+        assert!(error.contains("from 0.1 to 10"), "{error}");
+    }
+    assert_eq!("gamma=2.2".parse(), Ok(Transfer::Gamma(2.2)));
+}
+
+/// Law: an integer stands for the radiance that any usual program stores so: the picture equals its radiance, whichever took
+/// the integers. Oracle: their arithmetic.
+#[test]
+fn integers_stand_for_what_any_program_stores_so() {
+    let ours = radiance();
+    let quantisers: [fn(f64) -> f64; 5] = [
+        |v| (255.0 * v + 0.5).floor(),
+        |v| (255.0 * v).floor(),
+        |v| (255.99 * v).floor(),
+        |v| (255.999 * v).floor(),
+        |v| (256.0 * v).floor().min(255.0),
+    ];
+    for (number, integer) in quantisers.into_iter().enumerate() {
+        let of = |color: &Rgb| color.to_array().map(|v| (integer(gamma(v)) / 255.0) as f32);
+        let theirs = Picture {
+            values: ours.pixels().iter().map(of).collect(),
+            transfer: Transfer::Gamma(2.2),
+            step: Some(1.0 / 255.0),
+            ..Picture::of_film(&ours)
+        };
+        assert!(compared(&Picture::of_film(&ours), &theirs).is_same(), "quantiser {number}");
+    }
+}

@@ -38,7 +38,7 @@ fn brighter_patch(film: &Film, seed: u64) -> Film {
 }
 
 /// The film of a scene whose film points lie half a pixel to the right of, and below, the centres.
-fn half_a_pixel_off(name: &str, [side, samples]: [u32; 2], seed: u64) -> Film {
+pub fn half_a_pixel_off(name: &str, [side, samples]: [u32; 2], seed: u64) -> Film {
     let mut world = world(&scene(name, [side; 2], samples), seed);
     let [x, y] = compare::shift(&mut world, [1, 1]);
     let canvas = render::Canvas::cropped(render::Crop { x, y, width: side, height: side });

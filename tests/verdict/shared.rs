@@ -1,13 +1,14 @@
 //! Many judgements with one pool of replicas.
 
 use super::pictures::{films, scene, with_sampler, world};
-use groundtruth::film::Film;
+use groundtruth::film::{Film, OutOfGamut};
 use groundtruth::math::Pcg32;
 use groundtruth::samplers;
 use groundtruth::world::World;
-use harness::compare::Transfer;
+use harness::compare::{Picture, Transfer};
 use harness::verdict::{
-    Areas, Bright, Edge, Judged, Stored, Strictness, Subject, is_alike, is_nearer, noise, set_apart,
+    Areas, Bright, Decision, Edge, Judged, Quantiser, Stored, Strictness, Subject, Verdict,
+    is_alike, is_nearer, noise, plausible, set_apart,
 };
 
 pub const LEVEL: f64 = 0.01;
@@ -19,7 +20,7 @@ pub const FLOATS: Stored = Stored::Floats { bits: 24 };
 pub const BYTES: Stored = Stored::Integers {
     step: 1.0 / 255.0,
     transfer: Transfer::Srgb,
-    truncated: false,
+    quantiser: Quantiser::Rounded,
     bright: Bright::Clamped,
 };
 
@@ -57,11 +58,38 @@ impl Shared {
         order
     }
 
+    /// Whether a picture in integers differs, its way of storing unknown: in the first way with which it does not, as `Case`
+    /// tries them. The scene's picture has gamma 1 and divides by the largest channel.
+    pub fn differs(&self, world: &World, theirs: &Picture, seed: u64) -> bool {
+        let first: Vec<Film> = self.order(seed)[..STRICTNESS.first]
+            .iter()
+            .map(|index| self.films[*index].clone())
+            .collect();
+        let candidates = Stored::candidates(theirs, None, (1.0, OutOfGamut::MaxToOne));
+        plausible(&candidates, theirs, &first).into_iter().all(|stored| {
+            let values = theirs.values.iter().flatten().map(|it| stored.read(*it)).collect();
+            let (judged, apart) = self.held(world, values, stored, seed);
+            let slack = stored.slack(&first[0]);
+            let verdict = Verdict::of(&judged, &self.areas, STRICTNESS, apart, &slack);
+            verdict.decision == Decision::Differs
+        })
+    }
+
     /// The verdict on a picture, with replicas in an order that follows from a seed.
     pub fn judged(&self, world: &World, theirs: &Film, stored: Stored, seed: u64) -> Judged {
+        self.held(world, stored.values(theirs), stored, seed).0
+    }
+
+    /// The same for stored values, and the number of pixels that are set apart.
+    fn held(
+        &self,
+        world: &World,
+        mut theirs: Vec<f32>,
+        stored: Stored,
+        seed: u64,
+    ) -> (Judged, usize) {
         let order = self.order(seed);
         let subject = Subject { areas: &self.areas, stored, reference: None };
-        let mut theirs = stored.values(theirs);
         let first = |films: &[Film]| -> Vec<Vec<f32>> {
             order[..STRICTNESS.first].iter().map(|index| stored.values(&films[*index])).collect()
         };
@@ -75,7 +103,8 @@ impl Shared {
         }
         let mut known = first(films);
         let mut next = order[STRICTNESS.first..].iter().map(|index| stored.values(&films[*index]));
-        set_apart(&mut theirs, world, &known, stored, Edge::DOUBLE);
-        Judged::of(&theirs, subject, STRICTNESS, &mut known, |_| next.next()).expect("enough")
+        let apart = set_apart(&mut theirs, world, &known, stored, Edge::DOUBLE);
+        let judged = Judged::of(&theirs, subject, STRICTNESS, &mut known, |_| next.next());
+        (judged.expect("enough"), apart)
     }
 }

@@ -4,8 +4,8 @@ use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::Pcg32;
 use harness::compare::{Picture, Transfer};
 use harness::verdict::{
-    Area, Areas, Bright, Evidence, Factor, Judged, Level, Map, Mean, Pool, Ranking, Stored,
-    Strictness, Subject, TermFilm, factors, terms,
+    Area, Areas, Bright, Evidence, Factor, Judged, Level, Map, Mean, Pool, Quantiser, Ranking,
+    Stored, Strictness, Subject, TermFilm, factors, terms,
 };
 use harness::verify::chi_square;
 
@@ -124,7 +124,8 @@ fn values_are_stored_as_files_store_them() {
         let transfer = Transfer::Gamma(gamma);
         let read = Picture::read(&file, Some(transfer)).expect("a picture");
         let bright = Bright::Mapped(out_of_gamut);
-        let stored = Stored::Integers { step: 1.0 / 255.0, transfer, truncated: false, bright };
+        let stored =
+            Stored::Integers { step: 1.0 / 255.0, transfer, quantiser: Quantiser::Rounded, bright };
         let expected: Vec<f32> =
             read.values.as_flattened().iter().map(|value| stored.read(*value)).collect();
         assert_eq!(stored.values(&film), expected);

@@ -19,7 +19,7 @@ const PATIENCE: f64 = 0.2;
 pub fn long_rendering(world: &World, scene: &str, pictures: u32) {
     let seconds = f64::from(pictures) * seconds(world);
     let [width, height] = world.picture_size();
-    for note in words(scene, pictures, [width, height], seconds) {
+    if let Some(note) = words(scene, pictures, [width, height], seconds) {
         eprintln!("note: {note}");
     }
 }

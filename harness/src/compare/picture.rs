@@ -1,5 +1,6 @@
 //! A picture to be compared: its stored values, and what they mean.
 
+use std::ops::RangeInclusive;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -70,11 +71,18 @@ impl FromStr for Transfer {
         match (text, gamma) {
             ("srgb", _) => Ok(Self::Srgb),
             ("linear", _) => Ok(Self::Linear),
-            (_, Some(gamma)) if gamma.is_finite() && gamma > 0.0 => Ok(Self::Gamma(gamma)),
+            (_, Some(gamma)) if GAMMAS.contains(&gamma) => Ok(Self::Gamma(gamma)),
+            (_, Some(gamma)) => Err(format!("no display has gamma {gamma}; write one {ALLOWED}")),
             _ => Err("write srgb, linear or gamma=2.2".to_owned()),
         }
     }
 }
+
+/// The gammas that a display may have; those of the files of real programs lie far inside.
+const GAMMAS: RangeInclusive<f64> = 0.1..=10.0;
+
+/// They in words.
+const ALLOWED: &str = "from 0.1 to 10";
 
 /// A picture, row by row from the top left.
 #[derive(Clone, Debug)]
@@ -120,9 +128,18 @@ impl Picture {
     /// the file says, else by the curve of sRGB.
     ///
     /// # Errors
-    /// If it is no picture, or damaged.
+    /// If it is no picture, or damaged, or says a gamma that no display has and the user says nothing.
     pub fn read(path: &Path, said: Option<Transfer>) -> Result<Self, ImageFileError> {
         let stored = images::read_stored(path, MAX_PIXELS)?;
+        if let (Some(Curve::Gamma(gamma)), None) = (stored.curve, said)
+            && !GAMMAS.contains(&gamma)
+        {
+            let problem = format!(
+                "its chunk gAMA says gamma {gamma}, which no display has: it is {ALLOWED}; --encoding says how its \
+                 values are encoded"
+            );
+            return Err(ImageFileError { path: path.to_owned(), problem, field: "encoding" });
+        }
         let texels = stored.texels;
         let (size, values) = ([texels.width(), texels.height()], texels.colors().to_vec());
         let (mut notes, transparent) = (texels.notes().to_vec(), texels.transparent());
@@ -193,11 +210,24 @@ impl<'a> Decoded<'a> {
         let radiance = |value: f64| picture.transfer.decoded((value * step).max(0.0));
         let entry = |integer: u32| {
             let value = f64::from(integer);
+            // int(256 v) is value + 1 from value/256 on, and int(255.99 v) hardly later
+            let least = (value - 0.5).min(value * f64::from(largest) / f64::from(largest + 1));
             // what is brighter is clamped to the largest
             let most = if integer < largest { radiance(value + 1.0) } else { f64::INFINITY };
-            [radiance(value - 0.5), radiance(value), most]
+            [radiance(least), radiance(value), most]
         };
         Self { picture, table: (0..=largest).map(entry).collect() }
+    }
+
+    /// As [`Decoded::new`], with the radiance of each stored value as one reads it who knows more of how
+    /// they were stored.
+    pub fn read_by(picture: &'a Picture, radiance: impl Fn(f32) -> f64) -> Self {
+        let mut decoded = Self::new(picture);
+        let step = picture.step.unwrap_or(1.0);
+        for (integer, entry) in decoded.table.iter_mut().enumerate() {
+            entry[1] = radiance((integer as f64 * step) as f32);
+        }
+        decoded
     }
 
     /// The entry of a stored value.

@@ -6,7 +6,6 @@ use groundtruth::film::{Film, OutOfGamut};
 use groundtruth::samplers;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use rayon::prelude::*;
 
 use super::plants::brighter;
 use super::sampling::Sampling;
@@ -14,7 +13,7 @@ use super::verdict::{Explanation, REGIONS, Region, Shown, Verdict};
 use super::{
     Area, Areas, Decision, Edge, Evidence, Factors, Judged, Map, Plant, Reference, Renders,
     Replicas, Stored, Strictness, Subject, Suspects, factors, is_alike, is_nearer, noise, planted,
-    set_apart, several, smallest_gains, terms,
+    plausible, set_apart, several, smallest_gains, terms,
 };
 use crate::compare::{
     Change, Decoded, Picture, Transfer, changes_that_explain, distance_of, half_pixel_directions,
@@ -74,18 +73,18 @@ impl Case<'_> {
         let (so_far, reference, edge) = (self.so_far, self.reference, self.edge);
         let judge = Judge { areas: &areas, strictness, transfer, tone, so_far, reference, edge };
         let independent = judge.match_noise(theirs, &mut replicas);
-        let mut known = Vec::new();
-        let (stored, judged, apart) = judge.judged(theirs, &mut replicas, &mut known)?;
-        let values = read(theirs, stored);
+        let Attempt { judged, mut verdict, known } = judge.judged(theirs, &mut replicas)?;
+        let stored = judged.pool.stored;
         if let Some(equal) = equal_to(&replicas.films, theirs, stored) {
-            return Some(Verdict::equal(stored, seed + equal as u64, &judged, &areas));
+            return Some(verdict.equal(seed + equal as u64));
         }
-        let shown = Shown { values: &values, apart: &apart };
-        let mut verdict = Verdict::of(stored, &judged, &areas, strictness, shown);
         verdict.independent = independent;
-        match judged.decision {
+        match verdict.decision {
             Decision::Differs => {
-                verdict.regions = regions(&judged, &areas, &values);
+                if verdict.decided_by.is_none() {
+                    let shown = verdict.shown.theirs.values.as_flattened();
+                    verdict.regions = regions(&judged, &areas, shown);
+                }
                 verdict.explained = judge
                     .alike_in_all_pixels(theirs, &mut replicas, stored)
                     .or_else(|| judge.explained(theirs, &mut replicas, &known, stored));
@@ -155,20 +154,45 @@ impl Case<'_> {
             return self.verdict_on_each(theirs, renders);
         }
         let candidates = Stored::candidates(&theirs[0], transfer, tone);
-        let stored = likeliest(&candidates, &theirs[0], &replicas.films);
-        let mut pictures: Vec<Vec<f32>> =
-            replicas.films.iter().map(|film| stored.values(film)).collect();
-        let ours = pictures.len();
-        pictures.extend(theirs.iter().map(|picture| read(picture, stored)));
-        let tests = several(&pictures[ours..], &pictures[..ours], &areas);
-        Some(Verdict::of_several((stored, &areas, strictness), &pictures, ours, &tests))
+        let films = &replicas.films;
+        let verdict = |stored: Stored| {
+            let mut pictures: Vec<Vec<f32>> =
+                films.iter().map(|film| stored.values(film)).collect();
+            let ours = pictures.len();
+            pictures.extend(theirs.iter().map(|picture| read(picture, stored)));
+            let tests = several(&pictures[ours..], &pictures[..ours], &areas);
+            let (subject, slack) = ((stored, &areas, strictness), stored.slack(&films[0]));
+            Verdict::of_several(subject, (&pictures, ours), theirs, &tests, &slack)
+        };
+        let ways = plausible(&candidates, &theirs[0], films);
+        better(ways.into_iter().map(verdict), |verdict| verdict.decision)
     }
+}
+
+/// The first that does not differ; else the first.
+fn better<T>(all: impl Iterator<Item = T>, decision: impl Fn(&T) -> Decision) -> Option<T> {
+    let mut first = None;
+    for one in all {
+        if decision(&one) != Decision::Differs {
+            return Some(one);
+        }
+        first.get_or_insert(one);
+    }
+    first
 }
 
 /// The seed, counted from the first, of a replica that has the same bits.
 fn equal_to(films: &[Film], theirs: &Picture, stored: Stored) -> Option<usize> {
     let theirs = read(theirs, stored);
     films.iter().position(|film| stored.values(film) == theirs)
+}
+
+/// A picture judged, its values stored in one of the ways that are possible.
+struct Attempt {
+    judged: Judged,
+    verdict: Verdict,
+    /// Our replicas, stored alike.
+    known: Vec<Vec<f32>>,
 }
 
 /// How pictures are judged.
@@ -206,36 +230,58 @@ impl Judge<'_> {
 
     fn noise(&self, theirs: &Picture, films: &[Film]) -> f64 {
         let candidates = Stored::candidates(theirs, self.transfer, self.tone);
-        let stored = likeliest(&candidates, theirs, films);
+        let stored = plausible(&candidates, theirs, films)[0];
         let known: Vec<Vec<f32>> = films.iter().map(|film| stored.values(film)).collect();
         let subject = Subject { areas: self.areas, stored, reference: None };
         noise(&read(theirs, stored), subject, &known)
     }
 
-    /// The most likely way in which the values are stored, the judgement, and the pixels that were set apart. `known` becomes our replicas, stored alike.
-    fn judged(
-        &self,
-        theirs: &Picture,
-        replicas: &mut Replicas<'_, '_>,
-        known: &mut Vec<Vec<f32>>,
-    ) -> Option<(Stored, Judged, Vec<usize>)> {
+    /// The picture judged, stored in the likeliest way; if it differs so, in the other ways that its values leave open.
+    fn judged(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> Option<Attempt> {
         if replicas.films.len() < 3 {
             return None;
         }
         let candidates = Stored::candidates(theirs, self.transfer, self.tone);
-        let stored = likeliest(&candidates, theirs, &replicas.films);
-        *known = replicas.films.iter().map(|film| stored.values(film)).collect();
+        let ways = plausible(&candidates, theirs, &replicas.films);
+        let is_last = |way: usize| way + 1 == ways.len();
+        let attempts = ways
+            .iter()
+            .enumerate()
+            .map_while(|(way, stored)| self.judged_as(theirs, *stored, replicas, !is_last(way)));
+        better(attempts, |attempt| attempt.verdict.decision)
+    }
+
+    /// The picture judged, stored in one way; `keeps` our films for the next.
+    fn judged_as(
+        &self,
+        theirs: &Picture,
+        stored: Stored,
+        replicas: &mut Replicas<'_, '_>,
+        keeps: bool,
+    ) -> Option<Attempt> {
+        let mut known: Vec<Vec<f32>> =
+            replicas.films.iter().map(|film| stored.values(film)).collect();
+        let slack = stored.slack(&replicas.films[0]);
         let mut values = read(theirs, stored);
         // it is no mean of pictures whose film points are off
         let reference = self.reference.filter(|_| replicas.direction == [0, 0]);
-        let apart = set_apart(&mut values, replicas.world, known, stored, self.edge);
+        let apart = set_apart(&mut values, replicas.world, &known, stored, self.edge);
         let next = |so_far: Option<&Judged>| {
             so_far.into_iter().for_each(self.so_far);
-            replicas.render().map(|film| stored.values(&film))
+            let film = replicas.render()?;
+            let values = stored.values(&film);
+            if keeps {
+                replicas.films.push(film);
+            }
+            Some(values)
         };
         let subject = Subject { areas: self.areas, stored, reference };
-        let judged = Judged::of(&values, subject, self.strictness, known, next)?;
-        Some((stored, judged, apart))
+        let judged = Judged::of(&values, subject, self.strictness, &mut known, next)?;
+        let as_read = read(theirs, stored);
+        let shown = Shown { values: &as_read, apart: &apart };
+        let mut verdict = Verdict::of(&judged, self.areas, self.strictness, shown, &slack);
+        verdict.weigh_negative(std::slice::from_ref(theirs), &judged.pool, self.areas);
+        Some(Attempt { judged, verdict, known })
     }
 
     /// The most harmless change that explains the difference, and whether the picture agrees after it.
@@ -252,7 +298,7 @@ impl Judge<'_> {
         let [ours, alike_decoded] = [&mean, &alike].map(Decoded::new);
         let noise = distance_of(&ours, &alike_decoded);
         let as_theirs = Picture { transfer: transfer_of(stored, theirs), ..theirs.clone() };
-        let theirs_decoded = Decoded::new(&as_theirs);
+        let theirs_decoded = Decoded::read_by(&as_theirs, |value| f64::from(stored.read(value)));
         let names = ["ours", "theirs"];
         let found = changes_that_explain(&ours, &theirs_decoded, noise).into_iter().next();
         if let Some((change, _)) = found {
@@ -319,8 +365,8 @@ impl Judge<'_> {
     }
 
     fn agrees(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> bool {
-        let judged = self.judged(theirs, replicas, &mut Vec::new());
-        judged.is_some_and(|(_, judged, _)| judged.decision == Decision::Agrees)
+        let attempt = self.judged(theirs, replicas);
+        attempt.is_some_and(|attempt| attempt.verdict.decision == Decision::Agrees)
     }
 
     /// Whether defects in our first replica are found.
@@ -361,22 +407,6 @@ impl Judge<'_> {
         }
         plants
     }
-}
-
-/// The way of storing with which our replicas are nearest to the picture on average; of equal ones the first.
-fn likeliest(candidates: &[Stored], theirs: &Picture, films: &[Film]) -> Stored {
-    let distance = |stored: &Stored| {
-        let all: Vec<Vec<f32>> = films.par_iter().map(|film| stored.values(film)).collect();
-        let mean = mean_of(&all);
-        let pairs = mean.iter().zip(read(theirs, *stored)).filter(|(_, theirs)| theirs.is_finite());
-        pairs.map(|(x, y)| (x - f64::from(y)).abs()).sum::<f64>() / mean.iter().sum::<f64>()
-    };
-    if let [only] = candidates {
-        return *only;
-    }
-    let distances: Vec<(f64, &Stored)> = candidates.iter().map(|it| (distance(it), it)).collect();
-    let nearest = distances.iter().min_by(|a, b| a.0.total_cmp(&b.0));
-    *nearest.expect("there are candidates").1
 }
 
 fn mean_of(all: &[Vec<f32>]) -> Vec<f64> {

@@ -5,6 +5,7 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::areas::{Area, Areas};
 use super::pool::Pool;
+use crate::verify::means::difference;
 
 /// The mean of an area in a picture, and that of the others.
 #[derive(Clone, Debug, Serialize)]
@@ -34,6 +35,9 @@ pub struct Relative {
     pub half: f64,
 }
 
+/// The errors of values that are rounded by themselves are at most so many standard deviations, all together.
+const DEVIATIONS: f64 = 3.0;
+
 /// Whether the means are within a margin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -47,19 +51,106 @@ pub enum Answer {
 }
 
 impl Means {
-    /// Of the whole picture and of each object, `shown`, which is the last picture of a pool as it is in its file,
-    /// against the others. All intervals together
-    /// hold with this confidence, if its noise is `noise` times that of the others.
-    pub fn of(pool: &Pool, shown: &[f32], areas: &Areas, noise: f64, confidence: f64) -> Vec<Self> {
+    /// Of the whole picture and of each object, `shown`, which is the last picture of a pool as it is in its file, against
+    /// the others. All intervals together hold with this confidence, if its noise is `noise` times that of the others, and
+    /// each value may be so far off by rounding ([`super::Stored::slack`]).
+    pub fn of(
+        (pool, shown): (&Pool, &[f32]),
+        areas: &Areas,
+        (noise, slack): (f64, &[f64]),
+        confidence: f64,
+    ) -> Vec<Self> {
+        let all = Self::areas(areas);
+        let each = 1.0 - (1.0 - confidence) / all.len() as f64;
+        let of = |(area, name)| {
+            let pixels = areas.pixels(area);
+            let means = mean((pool, shown), &pixels, name, noise, each);
+            means.with_rounding((pool, shown), &pixels, slack)
+        };
+        all.into_iter().map(of).collect()
+    }
+
+    /// The same, of several pictures of each side by Welch's interval: nothing is assumed of their noise. The pool has so
+    /// many of ours, and the mean of theirs.
+    pub fn of_several(
+        [theirs, ours]: [&[Vec<f32>]; 2],
+        (pool, slack): (&Pool, &[f64]),
+        areas: &Areas,
+        confidence: f64,
+    ) -> Vec<Self> {
+        let all = Self::areas(areas);
+        let each = 1.0 - (1.0 - confidence) / all.len() as f64;
+        let of = |(area, name)| {
+            let pixels = areas.pixels(area);
+            let total = |picture: &Vec<f32>| {
+                let values = pixels.iter().flat_map(|pixel| &picture[3 * pixel..3 * pixel + 3]);
+                values.map(|value| f64::from(*value)).sum::<f64>() / (3 * pixels.len()) as f64
+            };
+            let [a, b] = [theirs, ours].map(|all| all.iter().map(total).collect::<Vec<f64>>());
+            let shown = pool.picture(pool.count() - 1);
+            let means = mean((pool, shown), &pixels, name, 1.0, each);
+            let level = means.level();
+            let half = match difference(&a, &b, each) {
+                Some([_, low, high]) if level != 0.0 => 0.5 * (high - low) / level.abs(),
+                _ => 0.0,
+            };
+            Self { half, ..means }.with_rounding((pool, shown), &pixels, slack)
+        };
+        all.into_iter().map(of).collect()
+    }
+
+    /// The whole picture and its objects, with their names.
+    fn areas(areas: &Areas) -> Vec<(Area, String)> {
         let whole = Area::Tile { corner: [0, 0], side: areas.size[0].max(areas.size[1]) };
         let objects = (0..areas.objects.len())
             .map(|object| (Area::Object(object), areas.objects[object].0.to_string()));
-        let all: Vec<(Area, String)> =
-            std::iter::once((whole, "the picture".to_owned())).chain(objects).collect();
-        let each = 1.0 - (1.0 - confidence) / all.len() as f64;
-        all.into_iter()
-            .map(|(area, name)| mean((pool, shown), &areas.pixels(area), name, noise, each))
-            .collect()
+        std::iter::once((whole, "the picture".to_owned())).chain(objects).collect()
+    }
+
+    /// Whether the mean lies outside its interval.
+    pub fn is_outside(&self) -> bool {
+        self.relative.is_some_and(|relative| relative.abs() > self.half)
+    }
+
+    /// Whether it may be beyond a relative margin.
+    pub fn is_beyond(&self, margin: f64) -> bool {
+        self.relative.is_some_and(|relative| relative.abs() + self.half > margin)
+    }
+
+    /// The mean of ours over all channels.
+    fn level(&self) -> f64 {
+        self.ours.iter().sum::<f64>() / 3.0
+    }
+
+    /// With intervals that contain what rounding may do, to all values alike and to each by itself, and what the pixels that
+    /// are set apart add: in the pool they have our values.
+    fn with_rounding(
+        mut self,
+        (pool, shown): (&Pool, &[f32]),
+        pixels: &[usize],
+        slack: &[f64],
+    ) -> Self {
+        let (theirs, ours) = (pool.count() - 1, self.ours);
+        let (mut alike, mut squares) = ([0.0; 3], [0.0; 3]);
+        for (channel, pixel) in
+            [0, 1, 2].into_iter().flat_map(|it| pixels.iter().map(move |pixel| (it, pixel)))
+        {
+            let at = 3 * pixel + channel;
+            let apart = f64::from((shown[at] - pool.picture(theirs)[at]).abs());
+            alike[channel] += slack[at] + if apart.is_finite() { apart } else { 0.0 };
+            squares[channel] += pool.stored.rounding(pool.mean_of_others(theirs, at)).powi(2);
+        }
+        let widened = |half: f64, alike: f64, squares: f64, level: f64| match level {
+            0.0 => half,
+            level => half + (alike + DEVIATIONS * squares.sqrt()) / level.abs(),
+        };
+        for (channel, it) in self.channels.iter_mut().enumerate() {
+            let level = ours[channel] * pixels.len() as f64;
+            it.half = widened(it.half, alike[channel], squares[channel], level);
+        }
+        let level = ours.iter().sum::<f64>() * pixels.len() as f64;
+        self.half = widened(self.half, alike.iter().sum(), squares.iter().sum(), level);
+        self
     }
 
     /// Whether the intervals lie within a relative margin.

@@ -148,9 +148,11 @@ fn agreement(pictures: &[Vec<f32>], index: usize, stored: Stored) -> Agreement {
     }
     // one of the first three has the value of nearly all, if nearly all have one
     let [a, b, c] = [0, 1, 2].map(|i| f64::from(pictures[i][index]));
-    let is_same = |x: f64, y: f64| (x - y).abs() <= stored.tolerance(x);
-    let common = if is_same(a, b) || is_same(a, c) { a } else { b };
-    let mut others = (0..).zip(values()).filter(|(_, value)| !is_same(common, *value));
+    let of_a = stored.tolerance(a);
+    let is_a = (a - b).abs() <= of_a || (a - c).abs() <= of_a;
+    let (common, tolerance) = if is_a { (a, of_a) } else { (b, stored.tolerance(b)) };
+    let is_same = |value: f64| (common - value).abs() <= tolerance;
+    let mut others = (0..).zip(values()).filter(|(_, value)| !is_same(*value));
     match (others.next(), others.next()) {
         (None, _) => Agreement::All,
         (Some((only, _)), None) => Agreement::AllBut(only),

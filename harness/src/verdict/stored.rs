@@ -5,6 +5,7 @@ use std::fmt;
 use groundtruth::film::{Film, OutOfGamut, Tone};
 use groundtruth::rgb::Rgb;
 
+use super::quantiser::Quantiser;
 use crate::compare::{Picture, Transfer};
 
 /// How values are stored.
@@ -16,8 +17,8 @@ pub enum Stored {
         step: f64,
         /// How they encode radiance.
         transfer: Transfer,
-        /// Whether the largest integer not above the value was taken, instead of the nearest.
-        truncated: bool,
+        /// Which integer was taken.
+        quantiser: Quantiser,
         /// What became of colours beyond 1.
         bright: Bright,
     },
@@ -42,6 +43,9 @@ pub enum Bright {
 /// Relative differences up to this are rounding of the renderers, in floating-point pictures.
 const ROUNDING: f64 = 1e-5;
 
+/// The part of an interval by which the mean of values may be off: thresholds of others lie a little beside ours.
+const UNKNOWN: f64 = 0.1;
+
 impl Stored {
     /// The ways in which the values of a picture may be stored, the likeliest first. Display values say little of
     /// themselves: `transfer` is what the user or the file says of them, `gamma` what the scene's picture has.
@@ -58,15 +62,20 @@ impl Stored {
             }];
         };
         let mut transfers = vec![Transfer::Gamma(gamma), Transfer::Srgb, Transfer::Linear];
-        transfers.extend([1.8, 2.2].map(Transfer::Gamma));
+        transfers.extend([1.8, 2.0, 2.2, 2.4].map(Transfer::Gamma));
         if let Some(transfer) = transfer {
             transfers = vec![transfer];
         }
-        let mut all = Vec::new();
+        let mut bright = vec![Bright::Mapped(rule), Bright::Clamped];
+        bright.extend([OutOfGamut::MaxToOne, OutOfGamut::ClampToColor].map(Bright::Mapped));
+        let mut all: Vec<Self> = Vec::new();
         for transfer in transfers {
-            for bright in [Bright::Mapped(rule), Bright::Clamped] {
-                for truncated in [false, true] {
-                    all.push(Self::Integers { step, transfer, truncated, bright });
+            for bright in &bright {
+                for quantiser in Quantiser::ALL {
+                    let stored = Self::Integers { step, transfer, quantiser, bright: *bright };
+                    if !all.contains(&stored) {
+                        all.push(stored);
+                    }
                 }
             }
         }
@@ -87,28 +96,46 @@ impl Stored {
                 let unit = unit_of(values);
                 values.map(|value| ((value.max(0.0) / unit).floor() * unit) as f32)
             }
-            Self::Integers { step, transfer, truncated, bright } => {
-                let color = match bright {
-                    Bright::Clamped => color,
-                    Bright::Mapped(out_of_gamut) => {
-                        Tone { exposure: 1.0, gamma: 1.0, out_of_gamut }.map(color)
-                    }
-                };
-                color.to_array().map(|radiance| {
-                    let value = transfer.encoded(radiance.clamp(0.0, 1.0)) / step;
-                    let integer = if truncated { value.floor() } else { value.round() };
-                    self.read((integer * step) as f32)
-                })
+            Self::Integers { .. } => {
+                let integers = self.integers(color).unwrap_or_default();
+                integers.map(|integer| self.of_integer(integer) as f32)
             }
         }
+    }
+
+    /// The integers of a colour; `None` if values are stored as other numbers.
+    pub fn integers(self, color: Rgb) -> Option<[f64; 3]> {
+        let Self::Integers { step, transfer, quantiser, bright } = self else { return None };
+        let color = match bright {
+            Bright::Clamped => color,
+            Bright::Mapped(out_of_gamut) => {
+                Tone { exposure: 1.0, gamma: 1.0, out_of_gamut }.map(color)
+            }
+        };
+        let largest = 1.0 / step;
+        let integer =
+            |radiance: f64| quantiser.integer(transfer.encoded(radiance.clamp(0.0, 1.0)), largest);
+        Some(color.to_array().map(integer))
     }
 
     /// The radiance of a stored value.
     pub fn read(self, value: f32) -> f32 {
         match self {
-            Self::Integers { transfer, .. } => transfer.decoded(f64::from(value)) as f32,
+            Self::Integers { step, .. } => {
+                let exact = f64::from(value) / step;
+                let integer = exact.round();
+                // values of a changed picture lie between integers
+                let is_integer = (exact - integer).abs() < 0.01;
+                self.of_integer(if is_integer { integer } else { exact }) as f32
+            }
             Self::Floats { .. } | Self::SharedExponent => value,
         }
+    }
+
+    /// The radiance of a stored integer: the middle, by its display value, of all that is stored so.
+    fn of_integer(self, integer: f64) -> f64 {
+        let Self::Integers { step, transfer, quantiser, .. } = self else { return integer };
+        transfer.decoded(quantiser.middle(integer, 1.0 / step))
     }
 
     /// The largest radiance that can be stored.
@@ -128,16 +155,44 @@ impl Stored {
     /// How far two values may be apart that stand for the same radiance.
     pub fn tolerance(self, value: f64) -> f64 {
         // a renderer's own rounding may take a value over the border of its interval
-        1.001 * self.interval(value) + ROUNDING * value.abs()
+        1.001 * self.to_next(value) + ROUNDING * value.abs()
+    }
+
+    /// How far the mean over some values of ours may be from that of a correct picture, because of rounding alone: for each
+    /// value of a picture of ours, the distance of the values between which its renderer's rounding decides, and the part of
+    /// an interval by which an unknown way of rounding may be off.
+    pub fn slack(self, film: &Film) -> Vec<f64> {
+        let moved = |color: &Rgb, by: f64| self.color((1.0 + by * ROUNDING) * *color);
+        let of_color = |color: &Rgb| {
+            let [low, high] = [-1.0, 1.0].map(|by| moved(color, by));
+            [0, 1, 2].map(|channel| {
+                let [low, high] = [low, high].map(|color| f64::from(color[channel]));
+                high - low + UNKNOWN * self.interval(low)
+            })
+        };
+        film.pixels().iter().flat_map(of_color).collect()
+    }
+
+    /// The distance of a value from the farther of its neighbours that can be stored.
+    fn to_next(self, value: f64) -> f64 {
+        let Self::Integers { step, transfer, quantiser, .. } = self else {
+            return self.interval(value);
+        };
+        let largest = 1.0 / step;
+        let integer = quantiser.integer(transfer.encoded(value.clamp(0.0, 1.0)), largest);
+        let [below, here, above] = [integer - 1.0, integer, integer + 1.0]
+            .map(|integer| self.of_integer(integer.clamp(0.0, largest.round())));
+        (above - here).max(here - below)
     }
 
     /// The length of the interval of radiance that is stored as one value.
     fn interval(self, value: f64) -> f64 {
         match self {
-            Self::Integers { step, transfer, .. } => {
+            Self::Integers { step, transfer, quantiser, .. } => {
                 let middle = transfer.encoded(value.clamp(0.0, 1.0));
+                let half = 0.5 / quantiser.scale(1.0 / step);
                 let [low, high] =
-                    [-0.5, 0.5].map(|half| transfer.decoded((middle + half * step).max(0.0)));
+                    [-half, half].map(|half| transfer.decoded((middle + half).max(0.0)));
                 high - low
             }
             Self::Floats { bits: 24 } => ROUNDING * value.abs(),
@@ -154,9 +209,8 @@ impl fmt::Display for Stored {
             Self::Floats { bits: 24 } => f.write_str("radiance, in single precision"),
             Self::Floats { .. } => f.write_str("radiance, in half precision"),
             Self::SharedExponent => f.write_str("radiance, with a shared exponent"),
-            Self::Integers { step, transfer, truncated, bright } => {
-                let bits = if *step > 1.0 / 256.0 { 8 } else { 16 };
-                let rounding = if *truncated { "truncated" } else { "rounded" };
+            Self::Integers { step, transfer, quantiser, bright } => {
+                let rounding = quantiser.words(1.0 / step);
                 let bright = match bright {
                     Bright::Clamped => "channels above 1 clamped",
                     Bright::Mapped(OutOfGamut::MaxToOne) => {
@@ -164,7 +218,7 @@ impl fmt::Display for Stored {
                     }
                     Bright::Mapped(OutOfGamut::ClampToColor) => "colours above 1 shown as red",
                 };
-                write!(f, "{transfer}, {rounding} to {bits} bits, {bright}")
+                write!(f, "{transfer}, {rounding}, {bright}")
             }
         }
     }

@@ -4,10 +4,8 @@ use std::fmt;
 
 use groundtruth::explain::{brief, count};
 
-use super::verdict::{Explanation, Region, Verdict};
-use super::{
-    Answer, Cause, Causes, Decision, Factor, Factors, Means, Nearest, Place, Relative,
-};
+use super::verdict::{DecidedBy, Explanation, Region, Verdict};
+use super::{Answer, Cause, Causes, Decision, Factor, Factors, Means, Nearest, Place, Relative};
 use crate::percent;
 
 impl fmt::Display for Verdict {
@@ -36,6 +34,9 @@ impl fmt::Display for Verdict {
                 "set apart: {pixels}, where all of ours agree and a correct picture need not"
             )?;
         }
+        if let Some(negative) = &self.negative {
+            writeln!(f, "{negative}")?;
+        }
         writeln!(f, "{}", self.decision_in_words())?;
         self.margin(f)?;
         self.explanation(f)?;
@@ -58,6 +59,19 @@ impl Verdict {
         let Self { as_far, replicas, pictures, .. } = self;
         if let Some(seed) = self.equal_to_seed {
             return format!("agrees: it is our picture with --seed {seed}, bit for bit");
+        }
+        match &self.decided_by {
+            Some(DecidedBy::Mean(name)) => {
+                let means = self.means.iter().find(|means| means.name == *name).map(apart);
+                return format!(
+                    "differs: the mean of {name} is outside its interval{}",
+                    means.unwrap_or_default()
+                );
+            }
+            Some(DecidedBy::Negative) => {
+                return "differs: radiance is never negative, and that of theirs is".to_owned();
+            }
+            None => {}
         }
         match (self.decision, self.fixed, *pictures > 1) {
             (Decision::Agrees, true, _) => {
@@ -96,9 +110,7 @@ impl Verdict {
             }
         };
         writeln!(f, "margin of {}: {words}", percent::short(margin))?;
-        let beyond =
-            |it: &&Means| it.relative.is_some_and(|relative| relative.abs() + it.half > margin);
-        for means in self.means.iter().filter(beyond) {
+        for means in self.means.iter().filter(|it| it.is_beyond(margin)) {
             writeln!(f, "  {}{}", means.name, and_apart(means))?;
         }
         Ok(())

@@ -6,8 +6,8 @@ use serde::Serialize;
 use crate::compare::Picture;
 
 use super::{
-    Answer, Area, Areas, Causes, Decision, Difference, Factors, Judged, Map, Means, Plant, Pool,
-    Ranking, Stored, Strictness, WelchTest,
+    Answer, Area, Areas, Causes, Decision, Difference, Factors, Judged, Map, Means, Negative,
+    Plant, Pool, Ranking, Stored, Strictness, WelchTest,
 };
 
 /// What is said of a picture.
@@ -15,6 +15,10 @@ use super::{
 pub struct Verdict {
     /// `agrees`, `differs` or `undecided`.
     pub decision: Decision,
+    /// What decided, if it was nothing else that `differs`.
+    pub decided_by: Option<DecidedBy>,
+    /// The negative values of theirs.
+    pub negative: Option<Negative>,
     /// What was assumed of how the picture stores its values.
     pub assumed: String,
     /// The number of pictures that were judged.
@@ -67,6 +71,16 @@ pub struct Shown<'a> {
     pub values: &'a [f32],
     /// The pixels that are set apart: in the pool they have our values.
     pub apart: &'a [usize],
+}
+
+/// What alone decided that a picture differs.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum DecidedBy {
+    /// The mean of this area, outside the interval that noise and rounding leave.
+    Mean(String),
+    /// A negative value.
+    Negative,
 }
 
 /// What a verdict is about, for the eye.
@@ -123,22 +137,29 @@ pub struct Region {
 }
 
 impl Verdict {
-    /// That of a judgement.
+    /// That of a judgement; `slack` is that of our values ([`Stored::slack`]).
     pub fn of(
-        stored: Stored,
         judged: &Judged,
         areas: &Areas,
         strictness: Strictness,
         shown: Shown<'_>,
+        slack: &[f64],
     ) -> Self {
         let theirs = judged.pool.count() - 1;
         let noise = judged.ranking.noise[theirs];
-        Self {
+        let verdict = Self {
             decision: judged.decision,
-            assumed: stored.to_string(),
+            decided_by: None,
+            negative: None,
+            assumed: judged.pool.stored.to_string(),
             pictures: 1,
             equal_to_seed: None,
-            means: Means::of(&judged.pool, shown.values, areas, noise, 1.0 - strictness.level),
+            means: Means::of(
+                (&judged.pool, shown.values),
+                areas,
+                (noise, slack),
+                1.0 - strictness.level,
+            ),
             noise,
             coarse: judged.is_coarse,
             independent: false,
@@ -156,12 +177,18 @@ impl Verdict {
             plants: Vec::new(),
             gains: Vec::new(),
             shown: Pictures::of(&judged.pool, areas, noise, shown),
-        }
+        };
+        verdict.weighed(&judged.pool, areas)
     }
 
     /// Says also whether the means of the picture and of its objects are within a relative margin of ours.
     pub fn hold_to(&mut self, margin: f64) {
         self.margin = Some((margin, Means::within(&self.means, margin)));
+        let printed = self.means.iter().filter(|it| it.is_beyond(margin));
+        let outside = printed.filter(|it| it.is_outside()).map(|it| it.name.clone()).next();
+        if let Some(name) = outside.filter(|_| self.decision == Decision::Agrees) {
+            self.decide(DecidedBy::Mean(name));
+        }
     }
 
     /// Leaves out what says less than something else: all that comes nearest to a picture that agrees but for a harmless
@@ -180,13 +207,44 @@ impl Verdict {
         !agrees && self.causes.explained_by.is_empty()
     }
 
-    /// That of a picture with the bits of one of ours.
-    pub fn equal(stored: Stored, seed: u64, judged: &Judged, areas: &Areas) -> Self {
-        let strictness = Strictness { level: 0.01, first: judged.pool.count() };
-        let pool = &judged.pool;
-        let shown = Shown { values: pool.picture(pool.count() - 1), apart: &[] };
-        let verdict = Self::of(stored, judged, areas, strictness, shown);
-        Self { decision: Decision::Agrees, equal_to_seed: Some(seed), ..verdict }
+    /// That of a picture with the bits of our picture of this seed.
+    #[must_use]
+    pub fn equal(self, seed: u64) -> Self {
+        let (decision, equal_to_seed) = (Decision::Agrees, Some(seed));
+        Self { decision, equal_to_seed, decided_by: None, regions: Vec::new(), ..self }
+    }
+
+    fn decide(&mut self, by: DecidedBy) {
+        (self.decision, self.decided_by) = (Decision::Differs, Some(by));
+    }
+
+    /// With its means weighed: no picture agrees while a mean lies outside its interval. Where there is noise, that is
+    /// the mean of the whole picture, so that the intervals of many objects add no false alarms.
+    fn weighed(mut self, pool: &Pool, areas: &Areas) -> Self {
+        let count = if self.fixed { self.means.len() } else { 1 };
+        let outside = self.means[..count].iter().position(Means::is_outside);
+        if let Some(outside) = outside.filter(|_| self.decision == Decision::Agrees) {
+            self.decide(DecidedBy::Mean(self.means[outside].name.clone()));
+            let whole = || (0..areas.object_of.len()).collect();
+            let object = |object| areas.pixels(Area::Object(object));
+            let pixels = outside.checked_sub(1).map_or_else(whole, object);
+            let shown = self.shown.theirs.values.as_flattened();
+            self.regions.push(Region::of_pixels(pool, areas, &pixels, shown));
+        }
+        self
+    }
+
+    /// With the negative values of theirs weighed: radiance is never negative.
+    pub fn weigh_negative(&mut self, theirs: &[Picture], pool: &Pool, areas: &Areas) {
+        let mean = self.means.first().map_or(0.0, |whole| whole.ours.iter().sum::<f64>() / 3.0);
+        self.negative = Negative::of(theirs, mean);
+        let Some(Negative { counts: true, at: [x, y], .. }) = self.negative else { return };
+        if self.decision != Decision::Differs {
+            self.decide(DecidedBy::Negative);
+            let pixel = y * areas.size[0] + x;
+            let shown = self.shown.theirs.values.as_flattened();
+            self.regions.push(Region::of_pixels(pool, areas, &[pixel], shown));
+        }
     }
 }
 
@@ -194,9 +252,10 @@ impl Verdict {
     /// That of several pictures by Welch's tests; `pictures` are so many of ours, and then theirs.
     pub fn of_several(
         (stored, areas, strictness): (Stored, &Areas, Strictness),
-        pictures: &[Vec<f32>],
-        ours: usize,
+        (pictures, ours): (&[Vec<f32>], usize),
+        theirs_as_read: &[Picture],
         tests: &[WelchTest],
+        slack: &[f64],
     ) -> Self {
         let theirs = pictures.len() - ours;
         let mean = (0..pictures[0].len()).map(|at| {
@@ -217,12 +276,16 @@ impl Verdict {
                 regions.push(Region::of_pixels(&pool, areas, &pixels, shown.values));
             }
         }
-        Self {
+        let both = [&pictures[ours..], &pictures[..ours]];
+        let confidence = 1.0 - strictness.level;
+        let verdict = Self {
             decision: if regions.is_empty() { Decision::Agrees } else { Decision::Differs },
+            decided_by: None,
+            negative: None,
             assumed: stored.to_string(),
             pictures: theirs,
             equal_to_seed: None,
-            means: Means::of(&pool, shown.values, areas, noise, 1.0 - strictness.level),
+            means: Means::of_several(both, (&pool, slack), areas, confidence),
             noise,
             coarse: false,
             independent: false,
@@ -240,7 +303,10 @@ impl Verdict {
             plants: Vec::new(),
             gains: Vec::new(),
             shown: Pictures::of(&pool, areas, noise, shown),
-        }
+        };
+        let mut verdict = verdict.weighed(&pool, areas);
+        verdict.weigh_negative(theirs_as_read, &pool, areas);
+        verdict
     }
 }
 

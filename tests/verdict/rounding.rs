@@ -1,0 +1,187 @@
+//! Correct pictures that rounding or chance sets apart from all of ours.
+
+use groundtruth::cameras::{Pinhole, Viewpoint};
+use groundtruth::film::Film;
+use groundtruth::lights::Directional;
+use groundtruth::materials::Matte;
+use groundtruth::math::{Pcg32, Point, Vector};
+use groundtruth::rgb::Rgb;
+use groundtruth::samplers;
+use groundtruth::scene::{Image, Light, Material, Object, Scene};
+use groundtruth::shapes::Rectangle;
+use harness::compare::{Picture, Transfer};
+use harness::verdict::{
+    Areas, Bright, Decision, Edge, Judged, Quantiser, Stored, Strictness, Subject, set_apart,
+};
+
+use super::cases::verdict;
+use super::pictures::{films, scene, with_sampler, world};
+use super::shared::FLOATS;
+
+const SIDE: u32 = 16;
+
+/// A bright rectangle before black, without shading: its left edge crosses column 4 at four fifths of a pixel, its right
+/// one column 8 in the middle.
+fn strip(sampler: samplers::Kind) -> Scene {
+    let lens = Pinhole { distance: 16.0, zoom: 1.0 };
+    let eye = Viewpoint::new(Point::new(0.0, 0.0, 10.0), Point::ORIGIN, lens);
+    let mut image = Image::new(SIDE, SIDE);
+    image.samples = 4;
+    let mut scene = Scene::new("a strip", image, eye);
+    let matte = Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::WHITE.into() };
+    scene.materials.push(Material::new("matte", matte));
+    // a pixel is 10/16 units wide there
+    let [left, right] = [-3.2, 0.5].map(|film| film * 10.0 / 16.0);
+    let strip = Rectangle {
+        corner: Point::new(left, -20.0, 0.0),
+        a: Vector::new(right - left, 0.0, 0.0),
+        b: Vector::new(0.0, 40.0, 0.0),
+    };
+    scene.objects.push(Object::new("strip", "matte", strip));
+    let direction = Vector::new(0.0, 0.0, 1.0);
+    scene.lights.push(Light::new("sun", Directional { ls: 3.0, color: Rgb::WHITE, direction }));
+    with_sampler(scene, sampler)
+}
+
+/// Law: where samples differ and each of our stratified sets has the same mean, a picture with independent samples is set
+/// apart and not called wrong; where they do not differ, a gain is. Oracle: an edge in the middle of a pixel halves each of
+/// our sets of two by two.
+#[test]
+fn pixels_with_one_mean_in_all_of_our_sets_are_set_apart() {
+    let mut ours = world(&strip(samplers::Jittered {}.into()), 1);
+    let known: Vec<Vec<f32>> = films(&mut ours, 1..9).iter().map(|it| FLOATS.values(it)).collect();
+    let at = |x: u32, y: u32| 3 * (y * SIDE + x) as usize;
+    let is_same = |a: f32, b: f32| f64::from((a - b).abs()) <= FLOATS.tolerance(f64::from(b));
+    let column = |values: &[f32], x| {
+        (0..SIDE).filter(|y| !is_same(values[at(x, *y)], known[0][at(x, *y)])).count()
+    };
+    assert!(known.iter().all(|values| column(values, 8) == 0), "ours have one mean there");
+    assert!(known.iter().any(|values| column(values, 4) > 0), "there is noise");
+    let random = strip(samplers::Random {}.into());
+    for film in films(&mut world(&random, 1), 50..60) {
+        let mut theirs = FLOATS.values(&film);
+        assert!(column(&theirs, 8) > 0, "theirs has others");
+        (0..3).for_each(|channel| theirs[at(6, 3) + channel] *= 1.01);
+        set_apart(&mut theirs, &ours, &known, FLOATS, Edge::DOUBLE);
+        assert_eq!((column(&theirs, 8), column(&theirs, 6)), (0, 1));
+    }
+}
+
+/// Law: of correct pictures in 8 bits whose noise is a tenth of a step, or nearly half of one, few are called wrong, dark
+/// or bright. Oracle: the binomial distribution: of 240 at level 5 %, more than 24 have a probability below 5e-4.
+#[test]
+fn noise_below_a_step_is_no_difference() {
+    const STRICTNESS: Strictness = Strictness { level: 0.05, first: 8 };
+    const SIZE: usize = 12;
+    let areas = Areas::tiles([SIZE; 2]);
+    let random = &mut Pcg32::new(5, 7);
+    let (mut alarms, mut lines) = (0, Vec::new());
+    for (noise, brightest) in [(0.1, 6.0), (0.1, 250.0), (0.4, 6.0), (0.4, 250.0)] {
+        let stored = Stored::Integers {
+            step: 1.0 / 255.0,
+            transfer: Transfer::Gamma(2.2),
+            quantiser: Quantiser::Rounded,
+            bright: Bright::Clamped,
+        };
+        let mut picture = || -> Vec<f32> {
+            let of = |at: usize| {
+                let unit = (0..12).map(|_| random.uniform()).sum::<f64>() - 6.0;
+                let slope = brightest * (at / 3) as f64 / (SIZE * SIZE) as f64;
+                ((slope + noise * unit).round().max(0.0) / 255.0) as f32
+            };
+            (0..3 * SIZE * SIZE).map(of).map(|value| stored.read(value)).collect()
+        };
+        let before = alarms;
+        for _ in 0..60 {
+            let theirs = picture();
+            let subject = Subject { areas: &areas, stored, reference: None };
+            let judged =
+                Judged::of(&theirs, subject, STRICTNESS, &mut Vec::new(), |_| Some(picture()));
+            alarms += u32::from(judged.expect("enough").decision == Decision::Differs);
+        }
+        lines.push(format!("{noise}, {brightest}: {}", alarms - before));
+    }
+    assert!(alarms <= 24, "{alarms} of 240: {lines:?}");
+}
+
+/// A scene without noise, its picture, and the verdict at level 5 %.
+fn without_noise() -> (Scene, Film) {
+    let scene = scene("ch14/set", [32; 2], 1);
+    let film = films(&mut world(&scene, 1), std::iter::once(9)).remove(0);
+    (scene, film)
+}
+
+/// Law: a negative value is counted, located, and decides, if it is more than rounding. Oracle: the values that were planted.
+#[test]
+fn negative_values_decide() {
+    let (scene, film) = without_noise();
+    let strictness = Strictness { level: 0.05, first: 8 };
+    let of = |value: f32| {
+        let mut theirs = Picture::of_film(&film);
+        let at = (0..theirs.values.len()).find(|at| theirs.values[*at][1] == 0.0).unwrap_or(70);
+        theirs.values[at][1] = value;
+        (at, verdict(&scene, &[theirs], strictness))
+    };
+    let (at, wrong) = of(-1.0);
+    assert_eq!(wrong.decision, Decision::Differs, "{wrong}");
+    let negative = wrong.negative.expect("one");
+    assert_eq!((negative.values, negative.lowest), (1, -1.0));
+    assert_eq!(negative.at, [at % 32, at / 32]);
+    assert!(
+        wrong.to_string().contains(&format!(
+            "negative: 1 value, the lowest -1 at {},{}",
+            at % 32,
+            at / 32
+        )),
+        "{wrong}"
+    );
+    let mut noisy = super::pictures::scene("ch18/rectangle", [32; 2], 4);
+    noisy.image.samples = 4;
+    let film = films(&mut world(&noisy, 1), std::iter::once(900)).remove(0);
+    let mut theirs = Picture::of_film(&film);
+    theirs.values[33][2] = -1.0;
+    for pictures in [vec![theirs.clone()], vec![theirs; 3]] {
+        let verdict = verdict(&noisy, &pictures, strictness);
+        assert_eq!(verdict.decision, Decision::Differs, "{verdict}");
+        assert_eq!(verdict.negative.map(|it| (it.lowest, it.at)), Some((-1.0, [1, 1])));
+    }
+}
+
+/// Law: no verdict agrees while a mean in it lies outside its interval, in scenes with noise and without, in 8 bits and in
+/// radiance, of one picture and of several. Oracle: the intervals that are printed.
+#[test]
+fn no_verdict_agrees_with_a_mean_outside_its_interval() {
+    let noisy = scene("ch18/rectangle", [24; 2], 4);
+    let (still, _) = without_noise();
+    let strictness = Strictness { level: 0.05, first: 8 };
+    let mut outside = 0;
+    for scene in [noisy, still] {
+        let films = films(&mut world(&scene, 1), 700..703);
+        for gain in [0.96, 0.99, 1.0, 1.01, 1.04] {
+            let picture = |film: &Film, bits: bool| {
+                let mut picture = Picture::of_film(film);
+                for value in picture.values.as_flattened_mut() {
+                    let gained = gain * f64::from(*value);
+                    let byte = (255.0 * gained.clamp(0.0, 1.0).sqrt()).round() / 255.0;
+                    *value = if bits { byte } else { gained } as f32;
+                }
+                Picture { step: bits.then_some(1.0 / 255.0), ..picture }
+            };
+            for bits in [false, true] {
+                let all: Vec<Picture> = films.iter().map(|film| picture(film, bits)).collect();
+                for theirs in [&all[..1], &all[..]] {
+                    let mut verdict = verdict(&scene, theirs, strictness);
+                    verdict.hold_to(0.001);
+                    let is_outside = verdict.means[0].is_outside();
+                    outside += u32::from(is_outside);
+                    let agrees = verdict.decision == Decision::Agrees;
+                    assert!(
+                        verdict.equal_to_seed.is_some() || !(agrees && is_outside),
+                        "{verdict}"
+                    );
+                }
+            }
+        }
+    }
+    assert!(outside > 8, "{outside}");
+}

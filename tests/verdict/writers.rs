@@ -1,0 +1,147 @@
+//! Ways in which programs store 8 bits, written as a student writes them.
+
+use groundtruth::film::Film;
+use groundtruth::math::power;
+use harness::compare::Picture;
+
+use super::pictures::{films, scene, world};
+use super::power::half_a_pixel_off;
+use super::shared::Shared;
+
+/// A step of a writer, with its name.
+type Step<A, B> = (&'static str, fn(A) -> B);
+
+/// From a display value to a byte; the last ones cap what is beyond 255.
+const QUANTISERS: [Step<f64, f64>; 5] = [
+    ("round(255 v)", |v| (255.0 * v + 0.5).floor()),
+    ("int(255 v)", |v| (255.0 * v).floor()),
+    ("int(255.99 v)", |v| (255.99 * v).floor()),
+    ("int(255.999 v)", |v| (255.999 * v).floor()),
+    ("int(256 v), capped", |v| (256.0 * v).floor().min(255.0)),
+];
+
+fn srgb(v: f64) -> f64 {
+    if v < 0.0031308 { 12.92 * v } else { 1.055 * power(v, 1.0 / 2.4) - 0.055 }
+}
+
+const CURVES: [Step<f64, f64>; 6] = [
+    ("v", |v| v),
+    ("v^(1/1.8)", |v| power(v, 1.0 / 1.8)),
+    ("v^(1/2)", f64::sqrt),
+    ("v^(1/2.2)", |v| power(v, 1.0 / 2.2)),
+    ("v^(1/2.4)", |v| power(v, 1.0 / 2.4)),
+    ("sRGB", srgb),
+];
+
+fn largest([r, g, b]: [f64; 3]) -> f64 {
+    r.max(g).max(b)
+}
+
+const GAMUTS: [Step<[f64; 3], [f64; 3]>; 3] = [
+    ("clamped", |c| c.map(|v| v.clamp(0.0, 1.0))),
+    ("by the largest", |c| if largest(c) > 1.0 { c.map(|v| v / largest(c)) } else { c }),
+    ("red", |c| if largest(c) > 1.0 { [1.0, 0.0, 0.0] } else { c }),
+];
+
+/// A writer: gamut, curve and quantiser.
+type Writer = [usize; 3];
+
+/// Twenty: each quantiser with 2.2 and 1 and two other curves; clamping is the most usual.
+fn writers() -> Vec<Writer> {
+    let of = |quantiser: usize| {
+        let other = [1, 2, 4, 5, 1][quantiser];
+        [[0, 3], [quantiser % 3, 0], [1, 5], [2, other]].map(|[g, c]| [g, c, quantiser])
+    };
+    (0..QUANTISERS.len()).flat_map(of).collect()
+}
+
+fn name([gamut, curve, quantiser]: Writer) -> String {
+    format!("{}, {}, {}", GAMUTS[gamut].0, CURVES[curve].0, QUANTISERS[quantiser].0)
+}
+
+/// The picture that a writer makes of a film.
+fn written(film: &Film, [gamut, curve, quantiser]: Writer) -> Picture {
+    let byte = |v: f64| (QUANTISERS[quantiser].1(CURVES[curve].1(v)) / 255.0) as f32;
+    let pixel = |color: [f64; 3]| GAMUTS[gamut].1(color).map(byte);
+    let values = film.pixels().iter().map(|color| pixel(color.to_array())).collect();
+    Picture { values, step: Some(1.0 / 255.0), ..Picture::of_film(film) }
+}
+
+/// Scenes with noise and without, dark and bright.
+const SCENES: [&str; 12] = [
+    "ch28/glass-sphere",
+    "ch14/set",
+    "ch18/rectangle",
+    "ch26/cornell-box",
+    "ch18/environment",
+    "ch25/sphere",
+    "ch10/near-focus",
+    "ch17/sphere",
+    "ch05/lamp",
+    "ch25/glossy-hall",
+    "ch26/dome",
+    "ch24/hall-of-mirrors",
+];
+
+/// The numbers of correct pictures, and of those that are called wrong.
+fn alarms(scenes: &[&str], side: u32, seeds: u64) -> [u64; 2] {
+    let (mut count, mut alarms) = (0, 0);
+    for scene_name in scenes {
+        let mut ours = world(&scene(scene_name, [side; 2], 4), 1);
+        let shared = Shared::usual(scene_name, [side, 4, 107]);
+        for (seed, film) in (0..).zip(films(&mut ours, 50_000..50_000 + seeds)) {
+            for writer in writers() {
+                count += 1;
+                if shared.differs(&ours, &written(&film, writer), seed) {
+                    println!("{scene_name}, {}, seed {seed}: differs", name(writer));
+                    alarms += 1;
+                }
+            }
+        }
+    }
+    println!("{alarms} false alarms of {count}");
+    [count, alarms]
+}
+
+/// Law: correct pictures agree, whichever of twenty programs wrote them. Oracle: the binomial distribution at the level: of
+/// 60, which are of three seeds of our films, more than 4 have a probability below 4e-4.
+#[test]
+fn pictures_agree_whoever_wrote_them() {
+    let [count, alarms] = ["ch28/glass-sphere", "ch14/set", "ch18/rectangle"]
+        .map(|name| alarms(&[name], 24, 1))
+        .into_iter()
+        .fold([0, 0], |sum, it| [sum[0] + it[0], sum[1] + it[1]]);
+    assert!(alarms <= 4, "{alarms} of {count}");
+}
+
+/// Law: the same for twelve scenes and three seeds. Oracle: the binomial distribution: of 720, more than 16 have a
+/// probability below 2e-3 at the level.
+#[test]
+#[ignore = "cost: cargo test --release --test verdict writers -- --ignored --nocapture"]
+fn pictures_of_twelve_scenes_agree_whoever_wrote_them() {
+    let [count, alarms] = alarms(&SCENES, 48, 3);
+    assert!(alarms <= 16, "{alarms} of {count}");
+}
+
+/// Law: in a scene without noise, a gain of 1 % and half a pixel are found whichever program wrote the picture. Oracle: the
+/// defect that was planted.
+#[test]
+fn defects_are_found_whoever_wrote_the_picture() {
+    let (name_of_scene, side) = ("ch14/set", 32);
+    let mut ours = world(&scene(name_of_scene, [side; 2], 1), 1);
+    let shared = Shared::usual(name_of_scene, [side, 1, 8]);
+    let film = films(&mut ours, std::iter::once(50_000)).remove(0);
+    let mut brighter = film.clone();
+    for y in 0..side {
+        for x in 0..side {
+            brighter.set([x, y], 1.01 * film.get([x, y]));
+        }
+    }
+    let shifted = half_a_pixel_off(name_of_scene, [side, 1], 50_000);
+    for writer in writers() {
+        for (what, theirs) in [("1 %", &brighter), ("half a pixel", &shifted)] {
+            let differs = shared.differs(&ours, &written(theirs, writer), 1);
+            assert!(differs, "{what} is not found: {}", name(writer));
+        }
+    }
+}
