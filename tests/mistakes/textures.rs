@@ -31,7 +31,7 @@ fn moved(film: &Film, from: impl Fn([u32; 2]) -> [u32; 2]) -> Film {
     moved
 }
 
-/// Law: an image on a square, with u along z and v along x, is mirrored, upside down, transposed or turned with its texture
+/// Law: an image on a square, with u along z and v along x, is mirrored, upside down or turned with its texture
 /// coordinates. Oracle: the pixels of our picture in another order.
 #[test]
 fn images_in_other_orders() {
@@ -39,10 +39,9 @@ fn images_in_other_orders() {
     let scene = floor(Image::of_drawn(drawn, Some(Mapping::Square)));
     let ours = ours(&scene);
     let last = SIDE - 1;
-    let orders: [(&str, fn([u32; 2], u32) -> [u32; 2]); 3] = [
+    let orders: [(&str, fn([u32; 2], u32) -> [u32; 2]); 2] = [
         ("texture-mirrored", |[x, y], last| [x, last - y]),
         ("texture-upside-down", |[x, y], last| [last - x, y]),
-        ("texture-transposed", |[x, y], _| [y, x]),
     ];
     for (name, order) in orders {
         let expected = moved(&ours, |at| order(at, last));

@@ -92,7 +92,7 @@ const LEFT: f64 = 0.2;
 const MOST: usize = 4;
 
 /// Few factors are enough if they explain this part of what all explain.
-const ENOUGH: f64 = 0.98;
+const ENOUGH: f64 = 0.999;
 
 /// A column of the fit: names of terms that cannot be told apart, and their tiles.
 type Column = (Vec<String>, Vec<f64>);

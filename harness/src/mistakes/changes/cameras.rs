@@ -24,15 +24,6 @@ pub(super) const ALL: &[Mistake] = &[
         "the picture's height is taken for as large as its width, so that all is stretched",
         no_aspect,
     ),
-    Mistake::scene(9, "no-zoom", "the zoom factor is left out", |scene, _| {
-        with_zoom(scene, |_| 1.0)
-    }),
-    Mistake::scene(
-        9,
-        "zoom-inverted",
-        "film points are multiplied by the zoom factor instead of divided by it",
-        |scene, _| with_zoom(scene, |zoom| 1.0 / zoom),
-    ),
     Mistake::scene(9, "roll-reversed", "the camera is rolled to the other side", |scene, _| {
         changed(scene, |scene| {
             scene.camera.roll = -scene.camera.roll;
@@ -103,19 +94,6 @@ pub(super) const ALL: &[Mistake] = &[
         })
     }),
 ];
-
-fn with_zoom(scene: &Scene, other: fn(f64) -> f64) -> Option<Scene> {
-    changed(scene, |scene| {
-        let zoom = match &mut scene.camera.lens {
-            Kind::Pinhole(lens) => &mut lens.zoom,
-            Kind::ThinLens(lens) => &mut lens.zoom,
-            Kind::Orthographic(lens) => &mut lens.zoom,
-            _ => return false,
-        };
-        let changed = other(*zoom);
-        std::mem::replace(zoom, changed) != changed
-    })
-}
 
 /// A camera whose film points are first scaled and then moved.
 #[derive(Debug)]

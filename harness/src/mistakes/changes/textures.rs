@@ -35,7 +35,6 @@ macro_rules! texture_mistakes {
 texture_mistakes! {
     29 "texture-upside-down" upside_down: "rows of texture images are counted from the other end";
     29 "texture-mirrored" mirrored: "columns of texture images are counted from the other end";
-    29 "texture-transposed" transposed: "u and v of texture images on rectangles are exchanged";
     29 "texture-turned" turned: "texture images are turned by 90° about the y axis of their objects";
     29 "texture-nearest" nearest: "texture images have the nearest texel instead of bilinear interpolation";
     29 "texture-bilinear" bilinear: "texture images have bilinear interpolation instead of the nearest texel";
@@ -88,15 +87,6 @@ fn mirrored(table: &mut Map<String, Value>) -> bool {
     let axes = image(table).and_then(|image| axes(image).or_else(|| hemisphere(image)));
     let Some([axis, _]) = axes else { return false };
     transformed(table, json!([{ "reflect": axis }]));
-    true
-}
-
-fn transposed(table: &mut Map<String, Value>) -> bool {
-    if image(table).and_then(|image| image.get("mapping")) != Some(&json!("square")) {
-        return false;
-    }
-    // (x, z) becomes (z, −x), and that (z, x)
-    transformed(table, json!([{ "rotate_y": 90.0 }, { "reflect": "z" }]));
     true
 }
 
