@@ -144,11 +144,11 @@ pub fn look_at(draw: &mut Draw, lamp: [f64; 3]) -> [f64; 3] {
     let around = |draw: &mut Draw, at: [f64; 3], half: f64| {
         within(draw, at.map(|x| x - half), at.map(|x| x + half))
     };
-    match draw.below(5) {
+    match draw.below(8) {
         0 => around(draw, BALL, 0.6),
         1 => around(draw, BOX, 0.5),
         2 => within(draw, [-3.0, 0.0, -2.0], [3.0, 0.0, 2.0]),
-        3 => shadow(around(draw, BALL, 0.4), lamp),
+        3..=5 => shadow(around(draw, BALL, 0.4), lamp),
         _ => shadow(around(draw, BOX, 0.4), lamp),
     }
 }

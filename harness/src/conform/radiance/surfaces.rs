@@ -53,7 +53,11 @@ pub const ALL: &[Exact] = &[
 
 /// A surface in the middle of the stage, over a matte ground, in the light of one lamp from anywhere.
 fn on_stage(draw: &mut Draw, surface: Value, shape: Value, from: [f64; 3]) -> Value {
-    let at = within(draw, [-4.0, -0.5, -4.0], [4.0, 6.0, 4.0]);
+    // half of them from the front, so that what is seen is lit
+    let at = match draw.coin() {
+        true => within(draw, [-3.0, 2.0, 2.0], [3.0, 6.0, 6.0]),
+        false => within(draw, [-4.0, -0.5, -4.0], [4.0, 6.0, 4.0]),
+    };
     let lights = vec![
         light(
             "lamp",
