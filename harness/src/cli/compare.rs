@@ -5,10 +5,12 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use groundtruth::gallery;
+use groundtruth::printable;
 use groundtruth::render;
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
 use harness::compare::{self, Comparison, Picture, Transfer};
+use harness::shell::quoted;
 
 use super::{Exit, Outcome, output};
 
@@ -57,7 +59,9 @@ enum Side {
 
 impl Compare {
     pub fn run(self) -> Outcome {
-        output::once([&self.a, &self.b].map(Path::new), "input")?;
+        let inputs = [&self.a, &self.b].map(Path::new);
+        output::once(inputs, "input")?;
+        output::apart(self.output.as_deref(), inputs)?;
         let sides = [self.side(&self.a)?, self.side(&self.b)?];
         let size = sides.iter().find_map(|side| match side {
             Side::Picture(picture) => Some(picture.size),
@@ -67,7 +71,10 @@ impl Compare {
         for ((side, name), built) in sides.into_iter().zip([&self.a, &self.b]).zip(&mut worlds) {
             match side {
                 Side::Picture(picture) => {
-                    picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
+                    picture
+                        .notes
+                        .iter()
+                        .for_each(|note| eprintln!("note: {}: {note}", printable::name(name)));
                     pictures.push(picture);
                 }
                 Side::Scene(scene, source) => {
@@ -133,7 +140,8 @@ impl Compare {
 
     /// The commands that explain a pixel of a scene whose image (of a stereo pair: each eye's) has this size.
     fn commands(&self, (scene, [width, height]): Ours<'_>, [x, y]: [u32; 2]) -> Vec<String> {
-        let explain = format!("groundtruth explain {scene} {x},{y} --size {width}x{height}");
+        let explain =
+            format!("groundtruth explain {} {x},{y} --size {width}x{height}", quoted(scene));
         let inspect = self.window(scene).map(|window| format!("{window} --pixel {x},{y}"));
         std::iter::once(explain).chain(inspect).collect()
     }
@@ -147,7 +155,8 @@ impl Compare {
             Some(Transfer::Linear) => " --encoding linear".to_owned(),
             Some(Transfer::Gamma(gamma)) => format!(" --encoding gamma={gamma}"),
         };
-        (!is_scene(file)).then(|| format!("inspector {scene} --compare {file}{encoding}"))
+        (!is_scene(file))
+            .then(|| format!("inspector {} --compare {}{encoding}", quoted(scene), quoted(file)))
     }
 
     /// The commands for the worst pixel of each region.
@@ -171,7 +180,8 @@ fn world_of(
         let [w, h] = [scene.image.width, scene.image.height];
         if !compare::fit(&mut scene, size)? {
             eprintln!(
-                "note: {name} has the shape of {w} × {h}; as with `render --size`, its width is kept"
+                "note: {} has the shape of {w} × {h}; as with `render --size`, its width is kept",
+                printable::name(name)
             );
         }
     }

@@ -4,6 +4,7 @@
 //! interrupted the command.
 
 mod bounds;
+mod claim;
 mod columns;
 mod compare;
 mod conform;
