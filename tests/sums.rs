@@ -1,5 +1,7 @@
 //! Exact sums of replicas: numbers, parts, and the commands `render --replicas` and `merge`.
 
+#[path = "sums/borders.rs"]
+mod borders;
 #[path = "sums/commands.rs"]
 mod commands;
 #[path = "sums/damage.rs"]

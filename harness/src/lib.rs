@@ -19,10 +19,11 @@ pub mod probe;
 mod provenance;
 pub mod reference;
 pub mod report;
-mod shell;
+pub mod shell;
 pub mod sums;
 pub mod verdict;
 pub mod verify;
+mod xml;
 
 pub use pixel::parse_pixel;
 pub use provenance::provenance;

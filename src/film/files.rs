@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use exr::prelude::{Image as ExrImage, ReadChannels, ReadLayers, SpecificChannels, WritableImage};
 
 use super::replace::{replace, replaceable};
-use super::{Film, Provenance, Tone};
+use super::{Film, Provenance, Tone, provenance};
 use crate::rgb::Rgb;
 
 /// A picture file that cannot be written or read.
@@ -84,7 +84,7 @@ pub fn encode(
 ) -> std::io::Result<Vec<u8>> {
     let bytes = encoded(film, tone, format)?;
     Ok(match format {
-        Format::Png => made.in_png(&bytes, tone.gamma),
+        Format::Png => made.in_png(&bytes),
         Format::Exr => made.in_exr(&bytes).expect("an EXR file of one part"),
         Format::Ppm | Format::Pfm => bytes,
     })
@@ -92,7 +92,7 @@ pub fn encode(
 
 fn encoded(film: &Film, tone: &Tone, format: Format) -> std::io::Result<Vec<u8>> {
     match format {
-        Format::Png => png(film, tone),
+        Format::Png => Ok(provenance::with_gamma(&png(film, tone)?, tone.gamma)),
         Format::Ppm => Ok(ppm(film, tone)),
         Format::Exr => exr(film),
         Format::Pfm => Ok(pfm(film)),
@@ -100,7 +100,7 @@ fn encoded(film: &Film, tone: &Tone, format: Format) -> std::io::Result<Vec<u8>>
 }
 
 /// Writes a picture: `.png` and `.ppm` as shown by `tone`, `.exr` and `.pfm` as linear radiance in
-/// single precision, without a word about how it was made. It is written to a temporary file in the same folder and then
+/// single precision, without a word about how it was made but the gamma of a PNG file. It is written to a temporary file in the same folder and then
 /// renamed, so never partly.
 ///
 /// # Errors

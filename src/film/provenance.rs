@@ -43,6 +43,22 @@ pub struct Replicas {
     pub seeds: String,
 }
 
+/// Bytes of a PNG file's signature, and of the header with its length, kind and checksum.
+const HEADER: usize = 8 + 25;
+/// Bytes of the chunk of the gamma, with its length, kind and checksum.
+const GAMMA: usize = 16;
+
+/// A PNG file with the gamma of its values, after its header.
+pub(super) fn with_gamma(png: &[u8], gamma: f64) -> Vec<u8> {
+    let (header, rest) = png.split_at(HEADER);
+    let mut bytes = header.to_vec();
+    // the power of radiance, in units of 1/100000
+    let power = (1e5 / gamma).round().clamp(1.0, f64::from(u32::MAX >> 1)) as u32;
+    chunk(&mut bytes, b"gAMA", &power.to_be_bytes());
+    bytes.extend(rest);
+    bytes
+}
+
 impl Provenance {
     /// The version of this program.
     pub const VERSION: &'static str = env!("CARGO_PKG_VERSION");
@@ -69,15 +85,10 @@ impl Provenance {
         entries
     }
 
-    /// A PNG file with the gamma of its values and the entries as texts, after its header.
-    pub(super) fn in_png(&self, png: &[u8], gamma: f64) -> Vec<u8> {
-        /// The signature, and the header with its length, kind and checksum.
-        const HEADER: usize = 8 + 25;
-        let (header, rest) = png.split_at(HEADER);
+    /// A PNG file of [`with_gamma`] with the entries as texts, after its gamma.
+    pub(super) fn in_png(&self, png: &[u8]) -> Vec<u8> {
+        let (header, rest) = png.split_at(HEADER + GAMMA);
         let mut bytes = header.to_vec();
-        // the power of radiance, in units of 1/100000
-        let power = (1e5 / gamma).round().clamp(1.0, f64::from(u32::MAX >> 1)) as u32;
-        chunk(&mut bytes, b"gAMA", &power.to_be_bytes());
         for (name, text) in self.entries() {
             // keyword; not compressed; no language; no translated keyword
             match text.is_ascii() {

@@ -1,6 +1,6 @@
 //! Output files: replaced whole or not at all, through symbolic links, with the mode they had.
 
-use std::io::{Error, Result, Write};
+use std::io::{Error, ErrorKind, Result, Write};
 use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
@@ -12,7 +12,8 @@ pub const TEMPORARY: &str = ".groundtruth-";
 /// Replaces a file by `bytes`, completely or not at all.
 ///
 /// A symbolic link stays, and what it points to is replaced. An existing file keeps its mode; a new
-/// one gets that of the umask. What is neither file nor folder, such as a pipe, is written to.
+/// one gets that of the umask. The bytes are on the disk before the file has its name. A device is written to; a named
+/// pipe is refused, as nobody may ever read from it.
 ///
 /// # Errors
 /// The file cannot be written; nothing was left behind.
@@ -39,7 +40,7 @@ pub fn replace_all(files: &[(&Path, &[u8])]) -> std::result::Result<(), (usize, 
 #[derive(Debug)]
 struct Staged {
     target: PathBuf,
-    /// `None` if the target was written to already: a pipe or a device.
+    /// `None` if the target was written to already: a device.
     temporary: Option<NamedTempFile>,
 }
 
@@ -51,6 +52,7 @@ impl Staged {
     fn new(path: &Path, bytes: &[u8]) -> Result<Self> {
         let target = target_of(path)?;
         let old = std::fs::metadata(&target).ok();
+        old.as_ref().map_or(Ok(()), not_a_pipe)?;
         if old.as_ref().is_some_and(|old| !old.is_file() && !old.is_dir()) {
             std::fs::OpenOptions::new().write(true).open(&target)?.write_all(bytes)?;
             return Ok(Self { target, temporary: None });
@@ -58,6 +60,7 @@ impl Staged {
         let mut temporary = temporary_beside(&target)?;
         // not through the temporary file, whose errors name it
         temporary.as_file_mut().write_all(bytes)?;
+        flush(temporary.as_file())?;
         if let Some(old) = old {
             temporary.as_file().set_permissions(old.permissions())?;
         }
@@ -82,9 +85,31 @@ pub fn replaceable(path: &Path) -> Result<()> {
     let target = target_of(path)?;
     match std::fs::metadata(&target) {
         Ok(old) if old.is_dir() => Err(Error::other("it is a folder")),
+        Ok(old) if not_a_pipe(&old).is_err() => not_a_pipe(&old),
         Ok(old) if !old.is_file() => std::fs::OpenOptions::new().write(true).open(target).map(drop),
         _ => temporary_beside(&target).map(drop),
     }
+}
+
+/// Brings what was written to the disk: a file that is renamed before may be empty after a loss of power.
+fn flush(file: &std::fs::File) -> Result<()> {
+    match file.sync_data() {
+        // a file system that keeps nothing
+        Err(e) if matches!(e.kind(), ErrorKind::InvalidInput | ErrorKind::Unsupported) => Ok(()),
+        other => other,
+    }
+}
+
+/// Fails for a named pipe: to open it waits for a reader, for ever if there is none.
+fn not_a_pipe(file: &std::fs::Metadata) -> Result<()> {
+    #[cfg(unix)]
+    if std::os::unix::fs::FileTypeExt::is_fifo(&file.file_type()) {
+        return Err(Error::other(
+            "it is a named pipe; write to the standard output (-), or to a file",
+        ));
+    }
+    let _ = file;
+    Ok(())
 }
 
 /// The folder that a file stands in: `.` for a bare file name.
@@ -259,5 +284,19 @@ mod tests {
         replaceable(null).expect("everyone can write there");
         replace(null, b"gone").expect("everyone can write there");
         assert!(!std::fs::metadata(null).expect("it is there").is_file());
+    }
+
+    /// Law: a named pipe that nobody reads is refused at once, before and after there is something to write. Oracle: a
+    /// pipe of `mkfifo`; the test would wait for ever.
+    #[test]
+    fn a_named_pipe_is_refused_and_not_waited_for() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let pipe = folder.path().join("pipe.sums");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status().expect("it starts");
+        assert!(made.success());
+        for refused in [replaceable(&pipe), replace(&pipe, b"x")] {
+            assert!(refused.expect_err("nobody reads").to_string().contains("named pipe"));
+        }
+        assert!(!std::fs::metadata(&pipe).expect("it stays").is_file());
     }
 }

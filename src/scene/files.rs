@@ -22,6 +22,26 @@ impl Scene {
         // by way of text: to read tables directly, each kind would be compiled a second time
         file::parse(data.to_string(), folder).map(|(scene, _)| scene)
     }
+
+    /// The names of files in the scene, as they stand in it; none if it has custom kinds, which no file can hold.
+    pub fn files(&self) -> Vec<String> {
+        let mut names = Vec::new();
+        if let Ok(data) = file::table(self) {
+            names_inside(&Value::Table(data), &mut names);
+        }
+        names
+    }
+}
+
+fn names_inside(value: &Value, names: &mut Vec<String>) {
+    match value {
+        Value::Table(table) => table.iter().for_each(|(key, value)| match value {
+            Value::String(name) if key == "file" => names.push(name.clone()),
+            value => names_inside(value, names),
+        }),
+        Value::Array(all) => all.iter().for_each(|value| names_inside(value, names)),
+        _ => {}
+    }
 }
 
 fn join_files(data: &mut Table, folder: &Path) -> Result<(), Invalid> {

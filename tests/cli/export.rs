@@ -114,3 +114,45 @@ fn an_exported_mesh_is_found_through_symbolic_links() {
     assert!(picture(folder.path(), "short/second.toml") == expected);
     assert!(picture(folder.path(), "deep/er/second.toml") == expected);
 }
+
+/// Law: no output is written over a file that the scene is read from, in any format and by any path, also with
+/// --replace, and not by a picture. Oracle: the bytes of both files.
+#[test]
+fn no_file_of_the_scene_is_written_over() {
+    let folder = folder();
+    let at = folder.path().join("scenes");
+    let files = ["meshes/knot.ply", "first.toml"].map(|name| at.join(name));
+    let read = || files.each_ref().map(|file| fs::read(file).expect("there"));
+    let before = read();
+    for format in ["toml", "pov", "pbrt", "mitsuba"] {
+        let without = ["--without", "ambient"];
+        for output in ["meshes/knot.ply", "../scenes/meshes/knot.ply", "first.toml"] {
+            let line = ["export", "first.toml", "--format", format, "--replace", "-o", output];
+            let run = run_in(&at, &[&line[..], &without].concat());
+            assert_eq!(run.status, Some(2), "{format} {output}: {}", run.stdout);
+            assert_eq!(read(), before, "{format} {output}");
+        }
+    }
+    let run = run_in(&at, &["export", "first.toml", "--replace", "-o", "meshes/knot.ply"]);
+    assert!(run.stderr.contains("is read by this command, and would be lost"), "{}", run.stderr);
+    let picture = ["render", "first.toml", "--format", "ppm", "-o", "meshes/knot.ply"];
+    assert_eq!(run_in(&at, &picture).status, Some(2));
+    assert_eq!(read(), before);
+}
+
+/// Law: an export to Mitsuba whose file's name and description hold markup is well formed: the mesh is named with its
+/// references, and no two hyphens stand in the comment. Oracle: the text that XML asks for.
+#[test]
+fn markup_in_names_and_descriptions_is_escaped() {
+    let folder = folder();
+    let at = folder.path().join("scenes");
+    fs::write(at.join("second.toml"), format!("about = \"a --- b\"\n{SCENE}")).expect("written");
+    let line = ["export", "second.toml", "--format", "mitsuba", "--without", "ambient"];
+    let run = run_in(&at, &[&line[..], &["-o", "a&b.xml"]].concat());
+    assert_eq!(run.status, Some(0), "{}", run.stderr);
+    let text = fs::read_to_string(at.join("a&b.xml")).expect("written");
+    let comment = text.split_once("<!--").and_then(|(_, rest)| rest.split_once("-->"));
+    let (comment, rest) = comment.expect("a comment");
+    assert!(comment.contains("a - - - b") && !comment.contains("--"), "{comment}");
+    assert!(rest.contains("value=\"a&amp;b") && !rest.contains("a&b"), "{rest}");
+}

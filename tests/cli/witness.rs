@@ -114,3 +114,23 @@ fn an_export_to_pbrt_lists_why_or_is_written() {
     let text = std::fs::read_to_string(folder.path().join("scene.pbrt")).expect("it is written");
     assert!(text.contains("Film \"rgb\" \"integer xresolution\" [ 40 ]"), "{text}");
 }
+
+/// Law: a renderer that does not end is ended at the time limit, with status 2 and what it said last. Oracle: a script
+/// that sleeps.
+#[cfg(unix)]
+#[test]
+fn a_renderer_that_does_not_end_is_ended() {
+    use std::os::unix::fs::PermissionsExt;
+    let folder = tempfile::tempdir().expect("a folder");
+    let script = folder.path().join("povray");
+    std::fs::write(&script, "#!/bin/sh\necho tracing row 3 >&2\nexec sleep 100\n").expect("written");
+    let all = std::fs::Permissions::from_mode(0o755);
+    std::fs::set_permissions(&script, all).expect("mine");
+    let sphere = ["verify", "ch03/single-sphere", "--by", "pov", "--size", "8x8"];
+    let limited = [&sphere[..], &["--program", "./povray", "--time-limit", "1"]].concat();
+    let run = run_in(folder.path(), &limited);
+    assert_eq!(run.status, Some(2), "{}", run.stderr);
+    for said in ["tracing row 3", "--time-limit"] {
+        assert!(run.stderr.contains(said), "{}", run.stderr);
+    }
+}

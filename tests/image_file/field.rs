@@ -135,3 +135,17 @@ fn pfm_files_load() {
         (2..file.len()).for_each(|length| drop(refusal(&file[..length])));
     }
 }
+
+/// Law: the raster of a PFM file begins one byte after its scale, also if that raster's first byte is white space, or all
+/// bytes of its first sample are. Oracle: the sample's bits.
+#[test]
+fn a_first_sample_of_white_space_belongs_to_the_raster() {
+    for space in *b" \n\t\r\x0b\x0c" {
+        for first in [[space, 0, 0, 0x3f], [space, 0, 0x80, 0x3f], [space; 4]] {
+            let rest = 0.5_f32.to_le_bytes();
+            let file = [&b"PF\n1 1\n-1.0\n"[..], &first, &rest, &rest].concat();
+            let expected = [f64::from(f32::from_le_bytes(first)), 0.5, 0.5];
+            assert_eq!(linear(&file), [expected], "{first:?}");
+        }
+    }
+}

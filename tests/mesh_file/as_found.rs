@@ -95,6 +95,44 @@ fn strips_are_the_triangles_that_they_spell_out() {
     }
 }
 
+/// Law: a strip starts anew after −1 in each signed type, and after 4294967295, which is −1 in 32 bits without a sign, in
+/// every encoding; so the last strip may end in one. Oracle: the triangles of two strips, counted by hand.
+#[test]
+fn strips_start_anew_after_the_last_index_of_each_type() {
+    type Write = fn(&mut Writer, i32) -> &mut Writer;
+    let types: [(&str, Write); 4] = [
+        ("char", |to, index| to.i8(index as i8)),
+        ("short", |to, index| to.i16(index as i16)),
+        ("int", |to, index| to.i32(index)),
+        ("uint", |to, index| to.u32(index as u32)),
+    ];
+    for ((name, write), encoding) in
+        types.into_iter().flat_map(|it| ENCODINGS.map(|encoding| (it, encoding)))
+    {
+        for list in [&[0, 1, 2, 3, -1, 4, 2, 1][..], &[0, 1, 2, 3, -1, 4, 2, 1, -1]] {
+            let mut file = Writer::new(encoding);
+            file.header(&[
+                "element vertex 5",
+                "property char x",
+                "property char y",
+                "property char z",
+                "element tristrips 1",
+                &format!("property list int {name} vertex_indices"),
+            ]);
+            for [x, y] in [[0, 0], [1, 0], [0, 1], [1, 1], [2, 3]] {
+                file.i8(x).i8(y).i8(0).end();
+            }
+            file.i32(list.len() as i32);
+            for &index in list {
+                write(&mut file, index);
+            }
+            file.end();
+            let mesh = parse_ply(&file.bytes).unwrap_or_else(|e| panic!("{name}: {e}"));
+            assert_eq!(mesh.triangles, [[0, 1, 2], [2, 1, 3], [4, 2, 1]], "{name}");
+        }
+    }
+}
+
 /// Law: texture coordinates of corners are those of the same mesh as OBJ, and positions stay shared for
 /// smoothing. Oracle: the OBJ file, whose corners have an index of their own.
 #[test]

@@ -10,6 +10,7 @@ use groundtruth::render;
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
 use harness::compare::{self, Comparison, Picture, Transfer};
+use harness::shell::quoted;
 
 use super::{Exit, Outcome, announce, output};
 
@@ -59,7 +60,9 @@ enum Side {
 
 impl Compare {
     pub fn run(mut self) -> Outcome {
-        output::once([&self.a, &self.b].map(Path::new), "input")?;
+        let inputs = [&self.a, &self.b].map(Path::new);
+        output::once(inputs, "input")?;
+        output::apart(self.output.as_deref(), inputs)?;
         let is_ours_last = is_scene(&self.b) && !is_scene(&self.a);
         if is_ours_last {
             // the first is what the other is held against
@@ -74,7 +77,10 @@ impl Compare {
         for ((side, name), built) in sides.into_iter().zip([&self.a, &self.b]).zip(&mut worlds) {
             match side {
                 Side::Picture(picture) => {
-                    picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
+                    picture
+                        .notes
+                        .iter()
+                        .for_each(|note| eprintln!("note: {}: {note}", printable::name(name)));
                     pictures.push(picture);
                 }
                 Side::Scene(scene, source) => {
@@ -152,7 +158,8 @@ impl Compare {
 
     /// The commands that explain a pixel of a scene whose image (of a stereo pair: each eye's) has this size.
     fn commands(&self, (scene, [width, height]): Ours<'_>, [x, y]: [u32; 2]) -> Vec<String> {
-        let explain = format!("groundtruth explain {scene} {x},{y} --size {width}x{height}");
+        let explain =
+            format!("groundtruth explain {} {x},{y} --size {width}x{height}", quoted(scene));
         let inspect = self.window(scene).map(|window| format!("{window} --pixel {x},{y}"));
         std::iter::once(explain).chain(inspect).collect()
     }
@@ -161,7 +168,8 @@ impl Compare {
     fn window(&self, scene: &str) -> Option<String> {
         let file = if self.a == scene { &self.b } else { &self.a };
         let encoding = self.curve();
-        (!is_scene(file)).then(|| format!("inspector {scene} --compare {file}{encoding}"))
+        let (scene, picture) = (quoted(scene), quoted(file));
+        (!is_scene(file)).then(|| format!("inspector {scene} --compare {picture}{encoding}"))
     }
 
     /// The argument that says how the picture encodes radiance, if it was given.
@@ -177,7 +185,10 @@ impl Compare {
     /// The command that judges the picture of the other side, if it is one.
     fn judging(&self, scene: &str) -> Option<String> {
         let is_picture = !is_scene(&self.b);
-        is_picture.then(|| format!("groundtruth verify {scene} {}{}", self.b, self.curve()))
+        is_picture.then(|| {
+            let (scene, picture) = (quoted(scene), quoted(&self.b));
+            format!("groundtruth verify {scene} {picture}{}", self.curve())
+        })
     }
 
     /// The commands for the worst pixel of each region.
@@ -208,7 +219,8 @@ fn world_of(
         let [w, h] = [scene.image.width, scene.image.height];
         if !compare::fit(&mut scene, size)? {
             eprintln!(
-                "note: {name} has the shape of {w} × {h}; as with `render --size`, its width is kept"
+                "note: {} has the shape of {w} × {h}; as with `render --size`, its width is kept",
+                printable::name(name)
             );
         }
     }

@@ -64,17 +64,20 @@ impl Export {
             return Err("a scene file keeps no seed; give --seed where it is rendered".into());
         }
         let (mut scene, _) = self.scene.load()?;
+        let inputs = self.scene.files_of(&scene);
         self.without.iter().for_each(|term| term.remove(&mut scene));
         if let Some(target) = self.format.target() {
             let folder = self.scene.folder().unwrap_or(Path::new(""));
             let said = witness::said(target, (self.scene.name(), &self.stem()), &scene, folder);
-            return said.map_or(Ok(Exit::Unanswered), |said| self.write_all(&said));
+            return said.map_or(Ok(Exit::Unanswered), |said| self.write_all(&said, &inputs));
         }
         if let Some(folder) = self.scene.folder() {
             let folder = self.relative_to_output(folder)?;
             scene = scene.files_from(&folder)?;
         }
-        self.write(&scene::to_toml(&scene)?)
+        let text = scene::to_toml(&scene)?;
+        output::apart(self.file(), inputs.iter().map(PathBuf::as_path))?;
+        self.write(&text)
     }
 
     /// How the names of files beside the output begin.
@@ -84,7 +87,7 @@ impl Export {
     }
 
     /// Writes a scene in the language of another renderer, and the files beside it.
-    fn write_all(&self, said: &Said) -> Outcome {
+    fn write_all(&self, said: &Said, inputs: &[PathBuf]) -> Outcome {
         let [text, further @ ..] = &said.scenes[..] else { return Ok(Exit::Yes) };
         if !(further.is_empty() && said.files.is_empty()) && self.file().is_none() {
             let problem = "this scene becomes several files; write it to one with -o, and the others go beside it";
@@ -99,8 +102,9 @@ impl Export {
         let files = files.into_iter().map(|(name, bytes)| (folder.join(name), bytes));
         let files: Vec<(PathBuf, &[u8])> = files.collect();
         // all or none
-        let outputs = files.iter().map(|(output, _)| &**output).chain(self.file());
-        outputs.into_iter().try_for_each(|output| self.check(output))?;
+        let outputs = || files.iter().map(|(output, _)| &**output).chain(self.file());
+        output::apart(outputs(), inputs.iter().map(PathBuf::as_path))?;
+        outputs().try_for_each(|output| self.check(output))?;
         files.iter().try_for_each(|(output, bytes)| self.write_to(output, bytes))?;
         self.write(text)
     }

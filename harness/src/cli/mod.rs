@@ -5,6 +5,7 @@
 
 mod announce;
 mod bounds;
+mod claim;
 mod columns;
 mod compare;
 mod conform;

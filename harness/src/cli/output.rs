@@ -2,9 +2,10 @@
 
 use std::error::Error;
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use groundtruth::film::{self, Format};
+use groundtruth::printable;
 use groundtruth::scene::STANDARD_INPUT;
 
 /// Whether a path means the standard output.
@@ -49,6 +50,36 @@ pub fn once<'a>(
                 .into())
         }
     }
+}
+
+/// Fails if two outputs are one file, or an output is one of the files that are read.
+pub fn apart<'a>(
+    outputs: impl IntoIterator<Item = &'a Path>,
+    inputs: impl IntoIterator<Item = &'a Path>,
+) -> Result<(), Box<dyn Error>> {
+    let whole = |path: &Path| whole(path).unwrap_or_else(|| path.to_owned());
+    let inputs: Vec<PathBuf> =
+        inputs.into_iter().filter(|it| !is_standard(it)).map(whole).collect();
+    let mut before: Vec<PathBuf> = Vec::new();
+    for output in outputs.into_iter().filter(|output| !is_standard(output)) {
+        let (file, name) = (whole(output), printable::name(&output.display().to_string()));
+        if inputs.contains(&file) {
+            let problem = "is read by this command, and would be lost; write to another file";
+            return Err(format!("{name}: {problem}").into());
+        }
+        if before.contains(&file) {
+            let problem = "is named for two outputs, of which one would be lost; name two files";
+            return Err(format!("{name}: {problem}").into());
+        }
+        before.push(file);
+    }
+    Ok(())
+}
+
+/// The path of a file without links, `.` and `..`; the file need not exist, its folder must.
+fn whole(path: &Path) -> Option<PathBuf> {
+    let made = || Some(film::folder_of(path).canonicalize().ok()?.join(path.file_name()?));
+    path.canonicalize().ok().or_else(made)
 }
 
 /// Prints what a command says; to the standard error if its page goes to the standard output.

@@ -96,6 +96,8 @@ impl Render {
             _ => vec![self.output.clone()],
         };
         let format = output::format(&self.output, self.format)?;
+        let inputs = self.scene.files_of(&scene);
+        output::apart(files.iter().map(PathBuf::as_path), inputs.iter().map(PathBuf::as_path))?;
         files.iter().try_for_each(|file| output::writable(file))?;
         let canvas = Arc::new(match self.crop {
             Some(crop) => Canvas::cropped(crop.inside(&world)?),
@@ -154,7 +156,8 @@ impl Render {
             made.part = part;
             output::write(file, &film::encode(film, &tone, format, &made)?)?;
         }
-        let paths: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+        let paths = files.iter().map(|file| printable::name(&file.display().to_string()));
+        let paths: Vec<String> = paths.collect();
         let (paths, loaded, rendered) =
             (paths.join(", "), loaded.as_secs_f64(), rendered.as_secs_f64());
         eprintln!("{paths}: loaded in {loaded:.2} s, rendered in {rendered:.2} s");

@@ -12,6 +12,7 @@ use groundtruth::world::World;
 use harness::sums::{self, Header, Part, Seeds, Sums};
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::claim::Claim;
 use super::part::PartOf;
 use super::scene::SceneArguments;
 use super::{Exit, Outcome, interrupt};
@@ -25,6 +26,7 @@ pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, output: &
     let wanted = PartOf::default().seeds(arguments.seed(), replicas)?;
     film::replaceable(output)
         .map_err(|e| format!("{}: cannot be written: {e}", output.display()))?;
+    let _claim = Claim::of(output)?;
     let (header, mut world) = open(arguments)?;
     let begun = match output.exists() {
         true => begun(output, &header, &asked)?,

@@ -2,7 +2,7 @@
 
 use std::error::Error;
 use std::fmt;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
 use clap::{Args, Parser};
@@ -117,6 +117,13 @@ impl SceneArguments {
             Some(_) => None,
             None => Some(film::folder_of(Path::new(&self.scene))),
         }
+    }
+
+    /// The files that a scene of these arguments is read from: its own and those that it names.
+    pub fn files_of(&self, scene: &Scene) -> Vec<PathBuf> {
+        let Some(folder) = self.folder() else { return Vec::new() };
+        let named = scene.files().into_iter().map(|name| folder.join(name));
+        named.chain([PathBuf::from(&self.scene)]).collect()
     }
 
     /// How a picture of this scene, as [`Self::load`] gave it, is made.

@@ -14,6 +14,7 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use harness::compare::{Picture, Transfer};
 use harness::export::Term;
+use harness::shell::quoted;
 use harness::sums::Part;
 use harness::verdict::{
     self, Answer, Case, Decision, Judged, Reference, Region, Strictness, Verdict,
@@ -41,6 +42,9 @@ pub struct Verify {
     /// The program of that renderer; by default it is looked for on the path. For Mitsuba: a Python that has it
     #[arg(long, value_name = "FILE", requires = "by")]
     program: Option<PathBuf>,
+    /// The seconds that one picture of that renderer may take
+    #[arg(long, value_name = "SECONDS", default_value_t = 3600, requires = "by", value_parser = whole::<u32>(1..=31_536_000))]
+    time_limit: u32,
     /// Terms that both sides leave out, with commas: phong (the highlights), ambient, absorption (of media), scaling
     /// (the 1/η² of refracted radiance), smooth (interpolated normals), or unshadowed (light that passes through objects:
     /// they block it)
@@ -110,7 +114,9 @@ impl Verify {
         let rendered = match self.by {
             Some(by) => {
                 let (program, without) = (self.program.clone(), &self.without);
-                Asked { by, program, without, samples: self.their_samples }.render(arguments)?
+                let limit = Duration::from_secs(self.time_limit.into());
+                let samples = self.their_samples;
+                Asked { by, program, without, samples, limit }.render(arguments)?
             }
             None => Some(self.given(arguments)?),
         };
@@ -229,11 +235,13 @@ impl Verify {
     /// The pictures, all of one size and without values that are no numbers.
     fn pictures(&self) -> Result<Vec<Picture>, Box<dyn Error>> {
         let scene = self.scene.as_ref().map(|scene| Path::new(scene.name()));
-        output::once(self.images.iter().map(PathBuf::as_path).chain(scene), "input")?;
+        let inputs = || self.images.iter().map(PathBuf::as_path).chain(scene);
+        output::once(inputs(), "input")?;
+        output::apart(self.output.as_deref(), inputs().chain(self.reference.as_deref()))?;
         let mut pictures: Vec<Picture> = Vec::new();
         for file in &self.images {
             let picture = Picture::read(file, self.encoding)?;
-            let name = file.display();
+            let name = printable::name(&file.display().to_string());
             picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
             if let Some(problem) = verdict::refusal(&picture) {
                 return Err(format!("{name}: {problem}").into());
@@ -264,6 +272,7 @@ impl Verify {
 /// What a picture that agrees does not say, and the commands that explain the worst pixels of one that differs.
 fn advice(scene: &str, verdict: &Verdict, arguments: &str) -> String {
     let hidden = harness::mistakes::not_shown_by(scene).unwrap_or_default();
+    let scene = quoted(scene);
     if verdict.decision == Decision::Agrees && !hidden.is_empty() {
         return format!(
             "this scene cannot show {} of the {} known mistakes: `groundtruth mistakes {scene}` names them, and scenes that \

@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use clap::ValueEnum;
 use groundtruth::filters;
@@ -32,6 +33,8 @@ pub struct Asked<'a> {
     pub without: &'a [Term],
     /// The samples per pixel of scenes with random numbers.
     pub samples: Option<u32>,
+    /// The time that a run of the program may take.
+    pub limit: Duration,
 }
 
 /// A scene, as both sides render it, and the pictures of the other side.
@@ -94,14 +97,19 @@ impl Program {
         }
     }
 
-    fn render(&self, said: &Said, size: [u32; 2]) -> Result<Picture, Box<dyn Error>> {
+    fn render(
+        &self,
+        said: &Said,
+        size: [u32; 2],
+        limit: Duration,
+    ) -> Result<Picture, Box<dyn Error>> {
         let folder = tempfile::tempdir()?;
         Ok(match self {
             Self::Pov(it) => Picture::read(
-                &it.render(&said.scenes.concat(), size, folder.path())?,
+                &it.render(&said.scenes.concat(), size, folder.path(), limit)?,
                 Some(Transfer::Linear),
             )?,
-            Self::Mitsuba(it) => it.render(said, folder.path())?,
+            Self::Mitsuba(it) => it.render(said, folder.path(), limit)?,
         })
     }
 }
@@ -135,7 +143,7 @@ impl Asked<'_> {
         let Some(text) = said(&scene) else { return Ok(None) };
         let (world, size) = (build(&scene)?, [scene.image.width, scene.image.height]);
         scene.image.samples = world.samples_per_pixel();
-        let mut picture = program.render(&text, size)?;
+        let mut picture = program.render(&text, size, self.limit)?;
         let [width, height] = size;
         let rays = if is_noiseless {
             picture = picture.in_16_bits();

@@ -10,6 +10,7 @@ pub mod mitsuba;
 mod parts;
 pub mod pbrt;
 pub mod pov;
+mod running;
 mod target;
 mod without;
 
@@ -58,15 +59,6 @@ pub(crate) fn item(list: &str, index: usize, name: &str) -> String {
 pub(crate) fn number(number: f64) -> String {
     let is_short = number == 0.0 || (1e-6..1e15).contains(&number.abs());
     if is_short { format!("{number}") } else { format!("{number:e}") }
-}
-
-/// The last lines of the messages of a program that failed.
-pub(crate) fn last_lines(messages: &[u8]) -> String {
-    /// So many are quoted.
-    const QUOTED: usize = 12;
-    let messages = String::from_utf8_lossy(messages).into_owned();
-    let lines: Vec<&str> = messages.lines().filter(|line| !line.trim().is_empty()).collect();
-    lines[lines.len().saturating_sub(QUOTED)..].join("\n  ")
 }
 
 /// A program of this name: `given`, or the first of the folders in `PATH` that has it.

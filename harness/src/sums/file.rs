@@ -28,6 +28,8 @@ const ENTRY: usize = 24;
 const DIGEST: usize = 16;
 /// The largest header; one of a single range has about 300 bytes.
 const LARGEST_HEADER: u64 = 1 << 20;
+/// The most entries of the list of values that are not finite that are kept in memory: 400 MB.
+const MOST_ENTRIES: u64 = 1 << 24;
 /// Channels of a block, which is read at a time and has a digest of its own.
 const BLOCK: usize = 1 << 12;
 
@@ -80,6 +82,12 @@ impl Part {
             let problem = "sums are read in blocks by all cores: write the standard input to a file, and name that";
             return Err(system(path, std::io::Error::other(problem)));
         }
+        // to open a pipe waits for a writer
+        let kind = std::fs::metadata(path).map_err(|source| system(path, source))?;
+        if !kind.is_file() {
+            let problem = "it is no file: sums are read in blocks by all cores; name a file";
+            return Err(system(path, std::io::Error::other(problem)));
+        }
         let file = File::open(path).map_err(|source| system(path, source))?;
         let length = file.metadata().map_err(|source| system(path, source))?.len();
         let mut bytes = Vec::new();
@@ -93,6 +101,11 @@ impl Part {
         let [width, height] = header.size;
         if u64::from(width) * u64::from(height) > MAX_PIXELS {
             return Err(damaged(format!("{width}x{height} pixels are too many")));
+        }
+        let count = header.not_finite;
+        if count > MOST_ENTRIES {
+            let problem = format!("{count} values are not finite; {MOST_ENTRIES} can be merged");
+            return Err(damaged(problem));
         }
         let start = bytes.len() as u64;
         let whole = header

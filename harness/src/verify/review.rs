@@ -11,6 +11,7 @@ use crate::compare::{Comparison, Picture};
 use crate::html::escaped;
 use crate::shell;
 use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
+use groundtruth::printable;
 
 const STYLE: &str = "\
 body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 80em; padding: 0 1em; }
@@ -71,7 +72,7 @@ pub fn words(status: &Status) -> &'static str {
 pub fn accept_command(finding: &Finding) -> String {
     match finding.status {
         Status::NoScene => {
-            format!("remove {} from the manifest, and its pictures", finding.name)
+            format!("remove {} from the manifest, and its pictures", printable::name(&finding.name))
         }
         _ => {
             let (name, folder) = (shell::quoted(&finding.name), folder_option(&finding.folder));

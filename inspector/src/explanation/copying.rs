@@ -2,6 +2,7 @@
 
 use eframe::egui::{Context, Id, Ui};
 use groundtruth::scene;
+use harness::shell::quoted;
 
 use crate::picture::worker::Rendering;
 
@@ -9,13 +10,13 @@ use crate::picture::worker::Rendering;
 pub fn explain_command(rendering: &Rendering, [x, y]: [u32; 2], sample: u32) -> String {
     let image = &rendering.scene.image;
     let (width, height, samples) = (image.width, image.height, image.samples);
-    let (name, seed) = (rendering.source.name(), rendering.world.seed);
+    let (name, seed) = (quoted(&rendering.source.name()), rendering.world.seed);
     let mut tracer = rendering.scene.tracer;
     let depth = tracer.max_depth().map_or(String::new(), |depth| format!(" --max-depth {depth}"));
     let tracer = format!("--tracer {}{depth}", tracer.name());
     let changed = if is_changed(rendering) { "  # the window shows a changed scene" } else { "" };
     format!(
-        "groundtruth explain {name:?} {x} {y} --size {width}x{height} --samples {samples} \
+        "groundtruth explain {name} {x} {y} --size {width}x{height} --samples {samples} \
          {tracer} --seed {seed} --sample {sample}{changed}"
     )
 }

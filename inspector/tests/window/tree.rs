@@ -110,7 +110,7 @@ fn what_is_copied_reproduces_the_pixel() {
     let command = copied(&mut window, "The command for a terminal");
     assert_eq!(
         command,
-        "groundtruth explain \"ch28/glass-sphere\" 17 19 --size 48x48 --samples 4 --tracer whitted --max-depth 5 --seed 1 --sample 0"
+        "groundtruth explain ch28/glass-sphere 17 19 --size 48x48 --samples 4 --tracer whitted --max-depth 5 --seed 1 --sample 0"
     );
     let line = copied(&mut window, "The probe's line");
     let answer = harness::probe::answer(&line);

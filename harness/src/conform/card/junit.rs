@@ -4,12 +4,13 @@ use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 
 use super::text::failed;
 use super::{Card, Row};
+use crate::xml::held;
 
 /// JUnit's XML: wrong and refused answers are failures, faults (of the program, or of a judge) are errors, what is not supported is skipped.
 pub fn junit(card: &Card, command: &str) -> String {
-    let mut report = Report::new(format!("groundtruth conform -- {command}"));
+    let mut report = Report::new(held(&format!("groundtruth conform -- {command}")));
     for (chapter, rows) in card.chapters() {
-        let mut suite = TestSuite::new(chapter);
+        let mut suite = TestSuite::new(held(&chapter.to_string()));
         suite.add_test_cases(rows.into_iter().map(case));
         report.add_test_suite(suite);
     }
@@ -26,8 +27,8 @@ fn case(row: &Row) -> TestCase {
     } else {
         TestCaseStatus::success()
     };
-    let mut case = TestCase::new(row.name.as_str(), status);
-    let text = failed(row);
+    let mut case = TestCase::new(held(&row.name), status);
+    let text = held(&failed(row));
     if !text.is_empty() {
         case.status.set_message(text.lines().next().unwrap_or_default());
         case.status.set_description(text);

@@ -27,9 +27,10 @@ pub use render::Program;
 
 use super::leaves::Leaves;
 use super::{Said, Target, Unsayable};
+use crate::xml::comment;
 use materials::Look;
 use passes::Pass;
-use text::{boolean, comment, integer, plugin};
+use text::{boolean, integer, plugin};
 
 /// A scene being written.
 struct Writer<'a> {

@@ -2,9 +2,11 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::time::Duration;
 
 use crate::compare::{Picture, Transfer};
-use crate::export::{Said, last_lines, program};
+use crate::export::running::{last_lines, run};
+use crate::export::{Said, program};
 
 /// What renders the scenes.
 const SCRIPT: &str = include_str!("render.py");
@@ -41,8 +43,8 @@ impl Program {
     /// Renders a scene in a folder, and adds its pictures.
     ///
     /// # Errors
-    /// It cannot be started, or fails.
-    pub fn render(&self, said: &Said, folder: &Path) -> Result<Picture, String> {
+    /// It cannot be started, takes longer than the limit, or fails.
+    pub fn render(&self, said: &Said, folder: &Path, limit: Duration) -> Result<Picture, String> {
         let problem = |what: &str| format!("{}: {what}", self.file.display());
         let write = |name: &str, bytes: &[u8]| {
             std::fs::write(folder.join(name), bytes).map_err(|e| problem(&e.to_string()))
@@ -50,15 +52,15 @@ impl Program {
         write("render.py", SCRIPT.as_bytes())?;
         said.files.iter().try_for_each(|(name, bytes)| write(name, bytes))?;
         let mut command = Command::new(&self.file);
-        command.current_dir(folder).stdin(Stdio::null()).arg("render.py");
+        command.current_dir(folder).arg("render.py");
         for (index, text) in said.scenes.iter().enumerate() {
             let name = format!("scene-{index}.xml");
             write(&name, text.as_bytes())?;
             command.args([name, format!("scene-{index}.exr")]);
         }
-        let run = command.output().map_err(|e| problem(&format!("cannot be started: {e}")))?;
+        let run = run(&mut command, limit).map_err(|e| problem(&e))?;
         if !run.status.success() {
-            let last = last_lines(&run.stderr);
+            let last = last_lines(&run.messages);
             return Err(problem(&format!("no picture ({}):\n  {last}", run.status)));
         }
         let mut sum: Option<Picture> = None;

@@ -4,6 +4,7 @@ use groundtruth::math::{Point, Vector};
 use groundtruth::rgb::Rgb;
 
 use crate::export::number;
+use crate::xml;
 
 /// An element of a plugin, such as a shape or an emitter, around others.
 pub fn plugin(element: &str, kind: &str, inner: &[String]) -> String {
@@ -26,6 +27,7 @@ pub fn integer(name: &str, value: u32) -> String {
 
 /// A named word.
 pub fn word(name: &str, value: &str) -> String {
+    let value = xml::attribute(value);
     format!("<string name=\"{name}\" value=\"{value}\"/>")
 }
 
@@ -69,11 +71,6 @@ pub fn rows(axes: [Vector; 3], origin: Point) -> [[f64; 4]; 3] {
 
 fn list(numbers: &[f64]) -> String {
     numbers.iter().map(|it| number(*it)).collect::<Vec<_>>().join(" ")
-}
-
-/// Text that may stand in a comment, which ends with two hyphens.
-pub fn comment(text: &str) -> String {
-    format!("<!-- {} -->", text.replace("--", "- -").replace(['<', '>'], " "))
 }
 
 /// A named map of texture coordinates, by the two rows of its matrix.

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::time::Duration;
 
-use crate::export::last_lines;
+use crate::export::running::{last_lines, run};
 
 /// The program.
 #[derive(Clone, Debug)]
@@ -34,20 +35,26 @@ impl Program {
     /// of 16 bits (`+FN16`).
     ///
     /// # Errors
-    /// It cannot be started, or fails.
-    pub fn render(&self, text: &str, size: [u32; 2], folder: &Path) -> Result<PathBuf, String> {
+    /// It cannot be started, takes longer than the limit, or fails.
+    pub fn render(
+        &self,
+        text: &str,
+        size: [u32; 2],
+        folder: &Path,
+        limit: Duration,
+    ) -> Result<PathBuf, String> {
         let problem = |what: &str| format!("{}: {what}", self.file.display());
         std::fs::write(folder.join("scene.pov"), text).map_err(|e| problem(&e.to_string()))?;
         let [width, height] = size;
         let mut command = Command::new(&self.file);
-        command.current_dir(folder).stdin(Stdio::null());
+        command.current_dir(folder);
         command.args(["+Iscene.pov", "+Oscene.png", "-A", "-D", "+FN16", "File_Gamma=1.0"]);
         command.args([format!("+W{width}"), format!("+H{height}")]);
-        let run = command.output().map_err(|e| problem(&format!("cannot be started: {e}")))?;
+        let run = run(&mut command, limit).map_err(|e| problem(&e))?;
         let picture = folder.join("scene.png");
         if run.status.success() && picture.is_file() {
             return Ok(picture);
         }
-        Err(problem(&format!("no picture ({}):\n  {}", run.status, last_lines(&run.stderr))))
+        Err(problem(&format!("no picture ({}):\n  {}", run.status, last_lines(&run.messages))))
     }
 }
