@@ -233,30 +233,5 @@ fn of_noise() -> Vec<Family> {
         family.share = 0.25;
         all.push(family);
     }
-    for (tag, lamp) in [
-        (
-            "rectangle",
-            json!({"rectangle": {"corner": [-1, 4, -1], "a": [2, 0, 0], "b": [0, 0, 2]}}),
-        ),
-        ("disk", json!({"disk": {"center": [0, 4, 0], "normal": [0, -1, 0], "radius": 1.5}})),
-        ("sphere", json!({"sphere": {"center": [0, 4, 0], "radius": 1}})),
-    ] {
-        let case = move |draw: &mut Draw| {
-            let from =
-                json!([draw.between(-2.0, 2.0), draw.between(-1.0, 1.0), draw.between(-2.0, 2.0)]);
-            json!({"light": {
-                "light": {"area": {"object": "lamp"}},
-                "lamp": {"shape": lamp, "material": {"emissive": {"ls": 4}}, "two_sided": true},
-                "from": from, "normal": [0, 1, 0], "u": [square(draw)],
-            }})
-        };
-        all.push(law(
-            &format!("light.area_{tag}.sample"),
-            "lights/area",
-            "ch18",
-            laws::light_sample,
-            case,
-        ));
-    }
     all
 }

@@ -12,7 +12,7 @@ use serde_json::Value;
 use super::family::{Family, Judge};
 use crate::verify::backward_error;
 use cases::{all_roots, around, changed, nearest, occlusion};
-use judge::{judge, judge_occluded};
+pub use judge::{judge, judge_occluded};
 use oracle::hard::{self, Family as Hard};
 
 /// The families of every kind of shape.

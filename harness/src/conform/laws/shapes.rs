@@ -1,11 +1,10 @@
-//! Laws of shapes, and of lamps that are shapes.
+//! Laws of shapes.
 
 use serde_json::{Value, json};
 
 use super::super::family::Asking;
 use super::super::judgement::{Judgement, Profile, number, triple};
 use super::super::mistakes;
-use super::super::subject::ours;
 use super::{Found, missing, within};
 use groundtruth::math::Vector;
 
@@ -84,58 +83,4 @@ pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> 
             Judgement::wrong("sides", f64::INFINITY, text)
         }
     })
-}
-
-/// A sample that is none: another map may lead to the back of the lamp. But if ours are some, so are some of theirs.
-fn never_lights(ask: &mut Asking<'_>, case: &Value) -> Found {
-    const SIDE: usize = 4;
-    let share = |at: usize| (at as f64 + 0.5) / SIDE as f64;
-    let other = |i: usize| {
-        let mut other = case.clone();
-        other["light"]["u"] = json!([[share(i % SIDE), share(i / SIDE)]]);
-        other
-    };
-    let others: Vec<Value> = (0..SIDE * SIDE).map(other).collect();
-    let ours_are_none = others.iter().filter_map(|it| ours(it).ok()).all(|it| it.is_null());
-    let theirs = ask.ask_all(&others)?;
-    // sixteen answers are not shown
-    ask.asked.truncate(3);
-    match theirs.iter().all(Value::is_null) && !ours_are_none {
-        true => missing("sample"),
-        false => Ok(Judgement::Undecided),
-    }
-}
-
-/// Law: a sampled light is seen where the sample says: the direction is unit, the distance positive, and the pdf a
-/// positive number, that of the solid angle of a small lamp within a factor. The case is a `light` with a `lamp`
-/// that is a disk, a rectangle or a sphere, or an environment.
-pub fn light_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
-    let sample = ask.ask(case)?;
-    if sample.is_null() {
-        return never_lights(ask, case);
-    }
-    let Some(direction) = triple(&sample["direction"]) else { return missing("direction") };
-    let off = (Vector::from(direction).length() - 1.0).abs();
-    if let wrong @ Judgement::Wrong(_) =
-        within(profile, "direction is not unit", off, || "a unit direction".to_owned())
-    {
-        return Ok(wrong);
-    }
-    let asked = &case["light"];
-    let (Some(shape), Some(distance)) = (asked["lamp"].get("shape"), number(&sample["distance"]))
-    else {
-        return Ok(Judgement::Right(0.0));
-    };
-    let ray = json!({"origin": asked["from"], "direction": direction});
-    let hit = ours(&json!({"intersect": {"shape": shape, "ray": ray}}));
-    let Ok(hit) = hit else { return Ok(Judgement::Undecided) };
-    let Some(t) = number(&hit["t"]) else {
-        // rounding moves a point of the rim off the lamp; a direction to elsewhere misses from nearby, too
-        return Ok(Judgement::Undecided);
-    };
-    // the sample moves its end off the lamp by a few roundings of coordinates
-    let off = (t - distance).abs() / (t + 10.0) / 4096.0;
-    Ok(within(profile, "distance", off, || {
-        format!("distance = {t:?}, to the lamp along the direction")
-    }))
 }

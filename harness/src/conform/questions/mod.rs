@@ -1,6 +1,8 @@
 //! Questions whose answers are held against our own: one file for each chapter's subject.
 
 mod cameras;
+mod instances;
+mod lamps;
 mod optics;
 mod pictures;
 mod sampling;
@@ -23,6 +25,8 @@ use groundtruth::kinds::Entry;
 pub fn families() -> Vec<Family> {
     let all = [
         optics::families(),
+        lamps::families(),
+        instances::families(),
         surfaces::families(),
         cameras::families(),
         sampling::families(),
