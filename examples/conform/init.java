@@ -3,7 +3,8 @@
 // Build: javac MyTracer.java   (Java 11 or later; this file as MyTracer.java, beside your own classes)
 // Run:   groundtruth conform -- java MyTracer
 //
-// docs/probe.md describes the questions, docs/conform.md the run, and examples/conform/adapter.java is one filled in.
+// docs/probe.md describes the questions, docs/conform.md the run; examples/conform/adapter.cpp and adapter.py are
+// filled in.
 // What you do not have is unsupported: throw Unsupported, also for one shape among others. A function that is filled
 // in begins, for example, with
 //     double[] origin = q.get("ray").get("origin").reals();

@@ -1,4 +1,4 @@
-//! Importance sampling of a sky by image: directions in proportion to its radiance.
+//! Importance sampling of a sky by image: texels in proportion to their radiance.
 
 use std::sync::Arc;
 
@@ -6,9 +6,9 @@ use super::ImageSky;
 use crate::math::{ONE_MINUS, Vector};
 
 /// A density of directions. The probability of a texel is proportional to its largest radiance times its
-/// solid angle, and the density is constant over the texel. It is positive wherever the sky shines, so
-/// that no light is missed (Pharr, Jakob, Humphreys, *Physically Based Rendering*, on infinite area
-/// lights).
+/// solid angle; within the texel, all points of the image are equally likely. The density is positive
+/// wherever the sky shines, so that no light is missed (Pharr, Jakob, Humphreys, *Physically Based
+/// Rendering*, on infinite area lights).
 #[derive(Debug)]
 pub struct Directions {
     sky: Arc<ImageSky>,

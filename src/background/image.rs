@@ -16,7 +16,7 @@ use crate::rgb::Rgb;
 use crate::textures::{Filtering, Mapping, Rule, Sampling};
 
 /// An image seen in every direction, infinitely far away. An environment light makes it shine: that
-/// draws directions in proportion to the radiance.
+/// draws texels in proportion to their radiance, and within a texel all points alike.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "SkyByImage", example = example())]

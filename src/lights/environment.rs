@@ -14,9 +14,9 @@ use crate::math::{Frame, maps};
 use crate::rgb::Rgb;
 
 /// The light of the scene's `background`, from all sides: directions are drawn by the cosine for a
-/// colour, in proportion to the radiance for an image. It has no radiance of its own, so that the
-/// sky is written once. Switched off, the sky is still seen. (The book's light has a material, and a huge
-/// sphere of it is the sky.)
+/// colour, for an image texels in proportion to their radiance and within a texel all points alike.
+/// It has no radiance of its own, so that the sky is written once. Switched off, the sky is still
+/// seen. (The book's light has a material, and a huge sphere of it is the sky.)
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Environment {}
