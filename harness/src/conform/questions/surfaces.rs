@@ -33,7 +33,16 @@ pub fn families() -> Vec<Family> {
             continue;
         }
         let name = format!("light.{tag}.values");
-        let case = move |draw: &mut Draw| json!({"light": {"light": any(draw, &specimens), "from": vector(draw, 4.0)}});
+        let case = move |draw: &mut Draw| {
+            let (mut light, from) = (any(draw, &specimens).clone(), vector(draw, 4.0));
+            // what does not depend on the point has to depend on the light
+            let radiance = super::round(draw.between(0.25, 4.0));
+            only(&mut light).and_then(|light| change(light, "/ls", |_| radiance));
+            if let Some(direction) = light.pointer_mut("/directional/direction") {
+                *direction = vector(draw, 4.0);
+            }
+            json!({"light": {"light": light, "from": from}})
+        };
         all.push(family(&name, &format!("lights/{tag}"), chapter, Judge::Answer(light), case));
     }
     for (tag, chapter, specimens) in kinds(textures::Kind::ENTRIES) {
@@ -49,8 +58,12 @@ pub fn families() -> Vec<Family> {
         }
         let name = format!("texture.{tag}.values");
         let case = move |draw: &mut Draw| {
-            let texture = any(draw, &specimens).clone();
-            let mut question = json!({"texture": texture, "point": vector(draw, 2.0)});
+            let mut texture = any(draw, &specimens).clone();
+            let point = vector(draw, 2.0);
+            if let Some(color) = texture.pointer_mut("/constant/color") {
+                *color = json!([0, 1, 2].map(|_| super::round(draw.between(0.0, 1.0))));
+            }
+            let mut question = json!({"texture": texture, "point": point});
             if question["texture"].get("image").is_some_and(|image| image.get("mapping").is_none())
             {
                 question["uv"] = super::square(draw);
