@@ -123,7 +123,8 @@ fn a_renderer_that_does_not_end_is_ended() {
     use std::os::unix::fs::PermissionsExt;
     let folder = tempfile::tempdir().expect("a folder");
     let script = folder.path().join("povray");
-    std::fs::write(&script, "#!/bin/sh\necho tracing row 3 >&2\nexec sleep 100\n").expect("written");
+    std::fs::write(&script, "#!/bin/sh\necho tracing row 3 >&2\nexec sleep 100\n")
+        .expect("written");
     let all = std::fs::Permissions::from_mode(0o755);
     std::fs::set_permissions(&script, all).expect("mine");
     let sphere = ["verify", "ch03/single-sphere", "--by", "pov", "--size", "8x8"];

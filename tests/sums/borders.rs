@@ -98,8 +98,11 @@ fn the_list_of_values_that_are_not_finite_is_in_the_digest() {
     sums.add(&film, 3).expect("it fits");
     sums.write(&file).expect("written");
     let whole = Part::open(&file).and_then(|part| part.read()).expect("whole");
-    let found: Vec<[u64; 2]> =
-        whole.not_finite().iter().map(|NotFinite { seed, channel, .. }| [*seed, *channel]).collect();
+    let found: Vec<[u64; 2]> = whole
+        .not_finite()
+        .iter()
+        .map(|NotFinite { seed, channel, .. }| [*seed, *channel])
+        .collect();
     assert_eq!(found, [[3, 3], [3, 5]]);
     let good = fs::read(&file).expect("there");
     let end = good.len() - 16;

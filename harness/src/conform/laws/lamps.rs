@@ -56,7 +56,8 @@ impl Lamp {
         }
         let form = match tag.as_str() {
             "rectangle" => {
-                let (p, [a, b]) = (point(&data["corner"])?, [triple(&data["a"])?, triple(&data["b"])?]);
+                let (p, [a, b]) =
+                    (point(&data["corner"])?, [triple(&data["a"])?, triple(&data["b"])?]);
                 let [a, b] = [a, b].map(Vector::from);
                 Form::Flat(vec![[p, p + a, p + a + b], [p, p + a + b, p + b]])
             }
@@ -119,13 +120,19 @@ impl Lamp {
     /// The area.
     pub fn area(&self) -> f64 {
         match &self.form {
-            Form::Flat(_) => self.triangles().iter().map(|[p, q, r]| 0.5 * (*q - *p).cross(*r - *p).length()).sum(),
+            Form::Flat(_) => self
+                .triangles()
+                .iter()
+                .map(|[p, q, r]| 0.5 * (*q - *p).cross(*r - *p).length())
+                .sum(),
             Form::Disk { normal, radius, .. } => {
                 let frame = Frame::around(*normal);
                 let [a, b] = [frame.u, frame.v].map(|axis| self.place.vector(axis));
                 PI * radius * radius * a.cross(b).length()
             }
-            Form::Ball { radius, .. } => 4.0 * PI * self.outer_radius(*radius) * self.outer_radius(*radius),
+            Form::Ball { radius, .. } => {
+                4.0 * PI * self.outer_radius(*radius) * self.outer_radius(*radius)
+            }
         }
     }
 
@@ -174,16 +181,24 @@ impl Lamp {
             }
             Form::Disk { center, radius, .. } => {
                 let (to, (_, n)) = (self.place.point(*center) - from, self.plane()?);
-                let is_on_axis = self.place.is_similarity() && n.dot(to.unit()?).abs() > 1.0 - 1e-12;
+                let is_on_axis =
+                    self.place.is_similarity() && n.dot(to.unit()?).abs() > 1.0 - 1e-12;
                 let r = self.outer_radius(*radius);
-                is_on_axis.then(|| round(to / to.length(), r / (to.length_squared() + r * r).sqrt()))
+                is_on_axis
+                    .then(|| round(to / to.length(), r / (to.length_squared() + r * r).sqrt()))
             }
         }
     }
 
     /// Where a ray from outside in a unit direction meets it nearest to this distance; points less than a share
     /// `slack` of its size beyond its border count.
-    pub fn meeting(&self, from: Point, direction: Vector, distance: f64, slack: f64) -> Option<Meeting> {
+    pub fn meeting(
+        &self,
+        from: Point,
+        direction: Vector,
+        distance: f64,
+        slack: f64,
+    ) -> Option<Meeting> {
         let of = |t: f64, normal: Normal| Meeting {
             t,
             cosine: -normal.dot(direction),

@@ -99,7 +99,8 @@ pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
     // roundings of the direction over the cosine; those of angles over a small solid angle
     let off = (pdf - density).abs() / density / (64.0 / cosine + 64.0 * density);
     let right = || format!("pdf = {density:?}, per steradian");
-    let mut judgement = within(profile, "pdf", if off.is_nan() { f64::INFINITY } else { off }, right);
+    let mut judgement =
+        within(profile, "pdf", if off.is_nan() { f64::INFINITY } else { off }, right);
     if let Judgement::Wrong(wrong) = &mut judgement {
         wrong.ratio = Some(pdf / density);
         return Ok(judgement);
@@ -314,7 +315,13 @@ pub fn jittered_moments(ask: &mut Asking<'_>, case: &Value, profile: Profile) ->
         _ => return Ok(Judgement::Undecided),
     };
     const NAMES: [&str; 7] = [
-        "mean of x", "mean of y", "mean of z", "mean of x²", "mean of y²", "mean of z²", "mean of the radiance",
+        "mean of x",
+        "mean of y",
+        "mean of z",
+        "mean of x²",
+        "mean of y²",
+        "mean of z²",
+        "mean of the radiance",
     ];
     for (i, name) in NAMES.into_iter().enumerate() {
         let of = |all: &[[f64; 7]]| all.iter().map(|it| it[i]).collect::<Vec<f64>>();

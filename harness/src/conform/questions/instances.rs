@@ -17,7 +17,10 @@ const ALONE: [(&str, fn(&mut Draw) -> Value); 10] = [
         let factor = round(draw.between(0.25, 3.0));
         json!({"scale": [factor, factor, factor]})
     }),
-    ("scale", |draw| json!({"scale": (std::array::from_fn::<f64, 3, _>(|_| round(draw.between(0.25, 3.0))))})),
+    (
+        "scale",
+        |draw| json!({"scale": (std::array::from_fn::<f64, 3, _>(|_| round(draw.between(0.25, 3.0))))}),
+    ),
     ("rotate_x", |draw| json!({"rotate_x": angle(draw)})),
     ("rotate_y", |draw| json!({"rotate_y": angle(draw)})),
     ("rotate_z", |draw| json!({"rotate_z": angle(draw)})),
@@ -26,7 +29,10 @@ const ALONE: [(&str, fn(&mut Draw) -> Value); 10] = [
         json!({"rotate_about": {"point": point, "direction": direction, "degrees": angle(draw)}})
     }),
     ("reflect", |draw| json!({"reflect": draw.pick(&["x", "y", "z"])})),
-    ("shear", |draw| json!({"shear": (std::array::from_fn::<f64, 6, _>(|_| round(draw.between(-0.4, 0.4))))})),
+    (
+        "shear",
+        |draw| json!({"shear": (std::array::from_fn::<f64, 6, _>(|_| round(draw.between(-0.4, 0.4))))}),
+    ),
     ("matrix", |draw| {
         let mut entry = |on_axis: bool| match on_axis {
             true => round(draw.between(0.5, 2.0)),
@@ -98,7 +104,9 @@ fn of_steps(
 /// A ray from outside to a point of the body's middle, both moved with it: so it hits.
 fn question(draw: &mut Draw, body: &str, steps: &[Value]) -> Value {
     let shape = match body {
-        "sphere" => json!({"sphere": {"center": vector(draw, 0.5), "radius": round(draw.between(0.75, 1.5))}}),
+        "sphere" => {
+            json!({"sphere": {"center": vector(draw, 0.5), "radius": round(draw.between(0.75, 1.5))}})
+        }
         _ => json!({"box": {
             "min": (std::array::from_fn::<f64, 3, _>(|_| round(draw.between(-1.5, -0.75)))),
             "max": (std::array::from_fn::<f64, 3, _>(|_| round(draw.between(0.75, 1.5)))),

@@ -25,7 +25,12 @@ pub fn families() -> Vec<Family> {
             let case = move |draw: &mut Draw| lamp(draw, tag, &[], sampling);
             all.push(of_lamp(&format!("{tag}.{sampling}"), case));
             let case = move |draw: &mut Draw| near(draw, tag, sampling);
-            all.push(mean(&format!("light.area.{tag}.{sampling}_mean"), "lights/area", "ch18", case));
+            all.push(mean(
+                &format!("light.area.{tag}.{sampling}_mean"),
+                "lights/area",
+                "ch18",
+                case,
+            ));
         }
     }
     for tag in ["rectangle", "disk"] {
@@ -80,7 +85,9 @@ fn shape(draw: &mut Draw, tag: &str) -> Value {
     let mut size = || round(draw.between(0.5, 1.5));
     let [a, b] = [size(), size()];
     match tag {
-        "rectangle" => json!({"rectangle": {"corner": [-a, 0, -b], "a": [2.0 * a, 0, 0], "b": [0, 0, 2.0 * b]}}),
+        "rectangle" => {
+            json!({"rectangle": {"corner": [-a, 0, -b], "a": [2.0 * a, 0, 0], "b": [0, 0, 2.0 * b]}})
+        }
         "disk" => json!({"disk": {"center": [0, 0, 0], "normal": [0, -1, 0], "radius": a}}),
         "sphere" => json!({"sphere": {"center": [0, 0, 0], "radius": a}}),
         "triangle" => json!({"triangle": {"vertices": [[-a, 0, 0], [a, 0, b], [b, 0, -a]]}}),
@@ -123,8 +130,10 @@ fn sides(draw: &mut Draw, tag: &str) -> Value {
 /// A lamp of two colours.
 fn textured(draw: &mut Draw) -> Value {
     let mut question = lamp(draw, "rectangle", &[], "area");
-    let [a, b] = [0; 2].map(|_| std::array::from_fn::<f64, 3, _>(|_| round(draw.between(0.0, 1.0))));
-    let checker = json!({"checker3d": {"size": round(draw.between(0.2, 0.8)), "color1": a, "color2": b}});
+    let [a, b] =
+        [0; 2].map(|_| std::array::from_fn::<f64, 3, _>(|_| round(draw.between(0.0, 1.0))));
+    let checker =
+        json!({"checker3d": {"size": round(draw.between(0.2, 0.8)), "color1": a, "color2": b}});
     let light = &mut question["light"];
     light["lamp"]["material"]["emissive"]["ce"] = checker;
     light["lamp"]["two_sided"] = json!(true);
@@ -153,7 +162,9 @@ fn of_skies() -> Vec<Family> {
         let normal = draw.direction().to_array();
         json!({"light": {"light": light, "from": vector(draw, 3.0), "normal": normal, "u": [square(draw)]}})
     };
-    let color = |draw: &mut Draw| json!((std::array::from_fn::<f64, 3, _>(|_| round(draw.between(0.25, 2.0)))));
+    let color = |draw: &mut Draw| {
+        json!((std::array::from_fn::<f64, 3, _>(|_| round(draw.between(0.25, 2.0)))))
+    };
     let sky = move |draw: &mut Draw| {
         let mut question = anywhere(draw, json!({"environment": {}}));
         question["light"]["background"] = color(draw);
@@ -176,7 +187,13 @@ fn of_skies() -> Vec<Family> {
     };
     let sample = Judge::Law(laws::sky_sample);
     let occluders = "lights/ambient_occluder";
-    let mut drawn = family("light.ambient_occluder.cosine", occluders, "ch17", Judge::Law(laws::cosine_drawn), occluder);
+    let mut drawn = family(
+        "light.ambient_occluder.cosine",
+        occluders,
+        "ch17",
+        Judge::Law(laws::cosine_drawn),
+        occluder,
+    );
     drawn.share = FEW;
     vec![
         family("light.environment.values", "lights/environment", "ch18", sample, sky),
