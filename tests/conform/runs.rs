@@ -49,6 +49,8 @@ fn fragile(name: &str, judge: Judge) -> Family {
         share: 1.0,
         cases: Box::new(|_, n| (0..n).map(|i| json!({"number": {"is": i}})).collect()),
         judge,
+        namer: None,
+        is_shrunk: true,
     }
 }
 

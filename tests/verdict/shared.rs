@@ -7,7 +7,7 @@ use groundtruth::samplers;
 use groundtruth::world::World;
 use harness::compare::{Picture, Transfer};
 use harness::verdict::{
-    Areas, Bright, Decision, Edge, Judged, Quantiser, Stored, Strictness, Subject, Verdict,
+    Areas, Bright, Decision, Edge, Judged, Quantiser, Shown, Stored, Strictness, Subject, Verdict,
     is_alike, is_nearer, noise, plausible, set_apart,
 };
 
@@ -67,10 +67,12 @@ impl Shared {
             .collect();
         let candidates = Stored::candidates(theirs, None, (1.0, OutOfGamut::MaxToOne));
         plausible(&candidates, theirs, &first).into_iter().all(|stored| {
-            let values = theirs.values.iter().flatten().map(|it| stored.read(*it)).collect();
-            let (judged, apart) = self.held(world, values, stored, seed);
-            let slack = stored.slack(&first[0]);
-            let verdict = Verdict::of(&judged, &self.areas, STRICTNESS, apart, &slack);
+            let values: Vec<f32> =
+                theirs.values.iter().flatten().map(|it| stored.read(*it)).collect();
+            let (judged, apart) = self.held(world, values.clone(), stored, seed);
+            let (slack, shown) =
+                (stored.slack(&first[0]), Shown { values: &values, apart: &apart });
+            let verdict = Verdict::of(&judged, &self.areas, STRICTNESS, shown, &slack);
             verdict.decision == Decision::Differs
         })
     }
@@ -80,14 +82,14 @@ impl Shared {
         self.held(world, stored.values(theirs), stored, seed).0
     }
 
-    /// The same for stored values, and the number of pixels that are set apart.
+    /// The same for stored values, and the pixels that are set apart.
     fn held(
         &self,
         world: &World,
         mut theirs: Vec<f32>,
         stored: Stored,
         seed: u64,
-    ) -> (Judged, usize) {
+    ) -> (Judged, Vec<usize>) {
         let order = self.order(seed);
         let subject = Subject { areas: &self.areas, stored, reference: None };
         let first = |films: &[Film]| -> Vec<Vec<f32>> {
