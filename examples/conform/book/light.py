@@ -154,28 +154,40 @@ def light(q):
 
 
 def area_light(q):
-    """A point of the lamp, equally likely everywhere (ch. 18); the back of the lamp is dark."""
-    point, normal = sample(q["lamp"]["shape"], q["u"][0])
+    """A point of the lamp, equally likely everywhere (ch. 18); the back of the lamp is dark. The book's pdf 1/A counts areas
+    of the lamp and comes with G = cos θ / d²: over G it is the pdf of the direction."""
+    if q["light"]["area"].get("sampling") != "area":
+        raise Unsupported("the book samples lamps by area")
+    if q["lamp"].get("two_sided"):
+        raise Unsupported("the book's lamps shine from one side")
+    point, normal, area = sample(q["lamp"]["shape"], q["u"][0])
     to_light = sub(point, q["from"])
     wi = unit(to_light)
     if -dot(normal, wi) <= 0:
         return None
     emissive = q["lamp"]["material"]["emissive"]
+    if isinstance(emissive.get("ce"), dict):
+        raise Unsupported("textured emission")
     radiance = times(emissive.get("ls", 1), emissive.get("ce", [1, 1, 1]))
-    return {"direction": wi, "distance": root(dot(to_light, to_light)), "radiance": radiance}
+    g = -dot(normal, wi) / dot(to_light, to_light)
+    distance = root(dot(to_light, to_light))
+    return {"direction": wi, "distance": distance, "radiance": radiance, "pdf": 1 / area / g}
 
 
 def sample(shape, u):
+    """A point of the shape, the normal there, and the area."""
     (kind, s), = shape.items()
     if kind == "rectangle":
         point = add(add(s["corner"], times(u[0], s["a"])), times(u[1], s["b"]))
-        return point, unit(cross(s["a"], s["b"]))
+        across = cross(s["a"], s["b"])
+        return point, unit(across), root(dot(across, across))
     if kind == "disk":
         w = unit(s["normal"])
         across = unit(cross([0.0034, 1, 0.0071], w))
         x, y = to_disk(u)
-        return add(s["center"], times(s["radius"], in_frame([x, y, 0], across, cross(w, across), w))), w
+        point = add(s["center"], times(s["radius"], in_frame([x, y, 0], across, cross(w, across), w)))
+        return point, w, math.pi * s["radius"] ** 2
     if kind == "sphere":
         normal = to_sphere(u)
-        return along(s["center"], s["radius"], normal), normal
+        return along(s["center"], s["radius"], normal), normal, 4 * math.pi * s["radius"] ** 2
     raise Unsupported(f"a lamp that is a {kind}")

@@ -28,6 +28,9 @@ pub struct Place {
 /// A difference is in one place if at least this part of its squares is.
 const MOST: f64 = 0.9;
 
+/// And only there if at least this part is: what is left may be noise.
+const ALL: f64 = 0.98;
+
 /// Other objects have at least this part of the pixels: else that says nothing.
 const OTHERS: f64 = 0.05;
 
@@ -58,6 +61,11 @@ impl Part {
 type Parts = Vec<Vec<[Part; 3]>>;
 
 impl Place {
+    /// "only" or "mostly".
+    pub(super) fn how_much(&self) -> &'static str {
+        if self.share >= ALL { "only" } else { "mostly" }
+    }
+
     /// Where a difference from our pictures of a scene is; `None` if it is in several places.
     pub fn of(evidence: &Evidence<'_>, scene: &Scene) -> Option<Self> {
         let areas = evidence.areas;

@@ -225,7 +225,8 @@ impl fmt::Display for Place {
             Some(material) => format!(", of material {material} ({})", self.about),
             None => String::new(),
         };
-        writeln!(f, "only in {}{of}: {share:.0} % of the difference", self.objects.join(", "))?;
+        let (how_much, objects) = (self.how_much(), self.objects.join(", "));
+        writeln!(f, "{how_much} in {objects}{of}: {share:.0} % of the difference")?;
         let Some(factors) = &self.factors else { return Ok(()) };
         let counts: Vec<String> = factors.iter().map(Factor::to_string).collect();
         writeln!(f, "  there {}", counts.join(", "))

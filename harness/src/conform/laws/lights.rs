@@ -65,10 +65,10 @@ pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
     if sample.is_null() {
         // another map may lead to the far side of a ball
         let may_be = !lamp.is_flat() && by_area;
-        return match may_be {
-            true => Ok(Judgement::Undecided),
-            false => Ok(Judgement::wrong("null", f64::INFINITY, "a sample: the lamp shines here")),
-        };
+        if may_be && lights_for_some(ask, case)? {
+            return Ok(Judgement::Undecided);
+        }
+        return Ok(Judgement::wrong("null", f64::INFINITY, "a sample: the lamp shines here"));
     }
     let direction = match unit(&sample, profile) {
         Ok(direction) => direction,
@@ -106,6 +106,11 @@ pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
         return Ok(judgement);
     }
     Ok(lamp_radiance(asked, &sample, &meeting.local.to_array(), profile))
+}
+
+/// Whether there is a sample for some of all `u`.
+fn lights_for_some(ask: &mut Asking<'_>, case: &Value) -> Result<bool, super::Stop> {
+    Ok(!over_grid(ask, case)?.iter().all(Value::is_null))
 }
 
 /// Whether the radiance is `ls · ce` where the lamp was met.
