@@ -272,7 +272,7 @@ fn is_read(family: &str, field: &str) -> bool {
     let last = family.rsplit('.').next().unwrap_or_default();
     match last {
         "direction_length" => field == "t",
-        "sides" => ["t", "normal"].contains(&field),
+        "sides" => family.starts_with("intersect.") && ["t", "normal"].contains(&field),
         "reciprocity" => field == "f",
         "energy" => field == "albedo",
         "there_and_back" => field == "image" && family.starts_with("camera_ray."),

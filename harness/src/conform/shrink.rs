@@ -86,7 +86,7 @@ impl Bounds {
         let is_asked = |field: &&&str| first.get(**field).is_some();
         KEPT.iter().filter(is_asked).all(|field| {
             let (before, after) = (&first[*field], &other[*field]);
-            let surfaces = SURFACES.iter().filter(|is_on| triple(before).is_some_and(|p| is_on(p)));
+            let surfaces = SURFACES.iter().filter(|is_on| triple(before).is_some_and(is_on));
             !after.is_null()
                 && match triple(after) {
                     Some(after) => surfaces.into_iter().all(|is_on| is_on(after)),

@@ -138,7 +138,8 @@ impl Means {
             let at = 3 * pixel + channel;
             let apart = f64::from((shown[at] - pool.picture(theirs)[at]).abs());
             alike[channel] += slack[at] + if apart.is_finite() { apart } else { 0.0 };
-            squares[channel] += pool.stored.rounding(pool.mean_of_others(theirs, at)).powi(2);
+            let rounding = pool.stored.rounding(pool.mean_of_others(theirs, at));
+            squares[channel] += rounding * rounding;
         }
         let widened = |half: f64, alike: f64, squares: f64, level: f64| match level {
             0.0 => half,

@@ -10,7 +10,7 @@ use crate::xml::held;
 pub fn junit(card: &Card, command: &str) -> String {
     let mut report = Report::new(held(&format!("groundtruth conform -- {command}")));
     for (chapter, rows) in card.chapters() {
-        let mut suite = TestSuite::new(held(&chapter.to_string()));
+        let mut suite = TestSuite::new(held(chapter));
         suite.add_test_cases(rows.into_iter().map(case));
         report.add_test_suite(suite);
     }

@@ -202,13 +202,16 @@ fn unit(v: [f64; 3]) -> Option<[f64; 3]> {
     Vector::from(v).unit().map(|n| n.to_array())
 }
 
+/// A mistake, and what it makes of a normal.
+type Way = (&'static Mistake, fn(&Transform, Vector) -> Vector);
+
 /// How a normal of an instance can be transformed wrongly.
 fn by_transform(local: &Local<'_>, normal: [f64; 3], root: &Root) -> Clues {
     if local.transforms.is_empty() {
         return Vec::new();
     }
     let Some(inner) = local.normal(root) else { return Vec::new() };
-    let ways: [(&'static Mistake, fn(&Transform, Vector) -> Vector); 4] = [
+    let ways: [Way; 4] = [
         (&m::NORMAL_BY_INVERSE, |transform, n| transform.inverse().vector(n)),
         (&m::NORMAL_BY_MATRIX, Transform::vector),
         (&m::NORMAL_UNTRANSFORMED, |_, n| n),

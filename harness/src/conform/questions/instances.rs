@@ -10,8 +10,11 @@ use super::{family, round, vector};
 use crate::verify::Draw;
 use groundtruth::math::Vector;
 
+/// A name, and a case.
+type Alone = (&'static str, fn(&mut Draw) -> Value);
+
 /// Each transformation by name.
-const ALONE: [(&str, fn(&mut Draw) -> Value); 10] = [
+const ALONE: [Alone; 10] = [
     ("translate", |draw| json!({"translate": vector(draw, 4.0)})),
     ("scale_evenly", |draw| {
         let factor = round(draw.between(0.25, 3.0));

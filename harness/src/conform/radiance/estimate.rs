@@ -35,13 +35,17 @@ pub struct Estimate {
     pub count: u64,
 }
 
+fn square(x: f64) -> f64 {
+    x * x
+}
+
 impl Estimate {
     /// Of these estimates.
     pub fn of(values: &[[f64; 3]]) -> Self {
         let n = values.len() as f64;
         let mean = std::array::from_fn(|i| values.iter().map(|value| value[i]).sum::<f64>() / n);
         let error = std::array::from_fn(|i| {
-            let squares = values.iter().map(|value| (value[i] - mean[i]).powi(2));
+            let squares = values.iter().map(|value| square(value[i] - mean[i]));
             (squares.sum::<f64>() / (n * (n - 1.0).max(1.0))).sqrt()
         });
         // the mean of equal numbers is this number, without rounding
@@ -72,9 +76,9 @@ impl Estimate {
         let count = if theirs.is_exact() { 1 } else { theirs.count } as f64;
         let size = self.mean.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         let channel = |i: usize| {
-            let one = self.error[i].powi(2) * self.count as f64;
-            let error = theirs.error[i].powi(2).max(one / count);
-            let all = (error + self.error[i].powi(2)).sqrt() + rounding * size;
+            let one = square(self.error[i]) * self.count as f64;
+            let error = square(theirs.error[i]).max(one / count);
+            let all = (error + square(self.error[i])).sqrt() + rounding * size;
             let off = (theirs.mean[i] - self.mean[i]).abs();
             if off == 0.0 { 0.0 } else { off / all }
         };

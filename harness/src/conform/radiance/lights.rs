@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use super::stage::{self, Exact, between, color, light, share, still_life, within};
 use crate::verify::Draw;
+use groundtruth::math::power;
 
 pub const ALL: &[Exact] = &[
     ("lights.directional", "ch14", |draw| {
@@ -59,7 +60,7 @@ fn sun(draw: &mut Draw) -> (Value, [f64; 3]) {
 /// A point light from anywhere, mostly from above.
 fn lamp(draw: &mut Draw, name: &str, exponent: f64) -> (Value, [f64; 3]) {
     let at = within(draw, [-5.0, -1.0, -3.0], [5.0, 7.0, 6.0]);
-    let near = if exponent > 0.0 { 4.0_f64.powf(exponent) } else { 1.0 };
+    let near = if exponent > 0.0 { power(4.0, exponent) } else { 1.0 };
     let ls = between(draw, near, 4.0 * near);
     let source =
         json!({"point": {"ls": ls, "color": color(draw), "location": at, "attenuation": exponent}});
