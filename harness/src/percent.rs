@@ -24,6 +24,8 @@ pub fn short(part: f64) -> String {
 
 #[cfg(test)]
 mod tests {
+    use groundtruth::math::power;
+
     use super::{percent, short, signed};
 
     /// Law: a percentage has few characters whatever the number is, its sign, and its value to three digits. Oracle:
@@ -35,7 +37,7 @@ mod tests {
         assert_eq!([short(0.0657), short(0.16)], ["6.57 %", "16 %"]);
         assert_eq!(signed(3.456e38, 2), "+3.46e40 %");
         for exponent in -300..300 {
-            let part = 1.234 * 10.0_f64.powi(exponent);
+            let part = 1.234 * power(10.0, f64::from(exponent));
             let text = signed(-part, 3);
             assert!(text.chars().count() <= 12, "{text}");
             let read: f64 = text[3..].trim_end_matches(" %").parse().expect("a number");

@@ -87,8 +87,11 @@ fn is_law_of_one_answer(name: &str) -> bool {
         .contains(&last)
 }
 
+/// A name, and what it makes of a part of an answer.
+type Change = (&'static str, fn(&Value) -> Value);
+
 /// What is put in the place of a part of a right answer.
-const CHANGES: [(&str, fn(&Value) -> Value); 6] = [
+const CHANGES: [Change; 6] = [
     ("another value", |value| match value {
         Value::Number(x) => json!(x.as_f64().map_or(0.0, |x| 1.5 * x + 0.25)),
         Value::Bool(is) => json!(!is),

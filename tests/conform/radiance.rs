@@ -4,6 +4,7 @@ use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use groundtruth::math::{atan2, exp, power};
 use harness::conform::family::{Asking, Judge};
 use harness::conform::{self, Card, Judgement, Options, Profile, Reply, Status, Subject, ours};
 use harness::mistakes;
@@ -76,7 +77,7 @@ fn light_of_lamps_is_that_of_their_form_factors() {
     is("sphere", &sphere, from, to, kd * ls * (1.0 / 25.0) * (4.0 / 5.0));
     let square = lit(json!({"rectangle": {"corner": [0, 2, 0], "a": [2, 0, 0], "b": [0, 0, 2]}}));
     // A = B = 1
-    let factor = 2.0 / (2.0_f64.sqrt()) * (1.0 / 2.0_f64.sqrt()).atan() / (2.0 * PI);
+    let factor = 2.0 / (2.0_f64.sqrt()) * atan2(1.0, 2.0_f64.sqrt()) / (2.0 * PI);
     is("square", &square, from, to, kd * ls * factor);
     let back = lit(json!({"rectangle": {"corner": [0, 2, 0], "a": [0, 0, 2], "b": [2, 0, 0]}}));
     is("its back", &back, from, to, 0.0);
@@ -93,7 +94,7 @@ fn furnaces_skies_and_occlusion_have_their_closed_forms() {
         let objects = json!([{"name": "oven", "material": "m0", "shape": {"sphere": {"center": [0, 0, 0], "radius": 2}}}]);
         let mut oven = scene(json!({name: {"max_depth": depth}}), json!([]), &[wall], objects);
         oven["materials"][0]["two_sided"] = json!(true);
-        let sum = e * (1.0 - rho.powi(depth + 1)) / (1.0 - rho);
+        let sum = e * (1.0 - power(rho, f64::from(depth + 1))) / (1.0 - rho);
         is("oven", &oven, [0.5, 0.0, 0.0], [1.0, 1.0, 0.5], sum);
     }
     let sky = json!([{"name": "sky", "source": {"environment": {}}}]);
@@ -110,7 +111,7 @@ fn furnaces_skies_and_occlusion_have_their_closed_forms() {
         let occluder = json!([{"name": "sky", "source": {"ambient_occluder": {"ls": 1, "min_amount": least}}}]);
         let objects = json!([floor(), {"name": "ball", "material": "m0", "shape": {"sphere": {"center": [0, 1, 0], "radius": 1}}}]);
         let below = scene(whitted.clone(), occluder, &[chalk(0.5)], objects);
-        let hidden = (1.0_f64 / (1.0 + x * x)).powf(1.5);
+        let hidden = power(1.0 / (1.0 + x * x), 1.5);
         is(
             "ball",
             &below,
@@ -134,11 +135,11 @@ fn slabs_balls_of_glass_and_mirrors_have_their_closed_forms() {
     };
     let filter = json!({"dielectric": {"inside": {"eta": 1, "absorption": 0.5}}});
     let slab = json!({"box": {"min": [-4, -4, -0.75], "max": [4, 4, 0.75]}});
-    is("slab", &under_sky(3, filter, slab), [0.0, 0.0, 5.0], [0.0; 3], 2.0 * (-0.75_f64).exp());
+    is("slab", &under_sky(3, filter, slab), [0.0, 0.0, 5.0], [0.0; 3], 2.0 * exp(-0.75));
     let glass = json!({"dielectric": {"inside": {"eta": 1.5}}});
     let ball = json!({"sphere": {"center": [0, 0, 0], "radius": 1}});
     for depth in 1..=4 {
-        let share = 1.0 - 0.96 * 0.04_f64.powi(depth as i32 - 1);
+        let share = 1.0 - 0.96 * power(0.04, f64::from(depth) - 1.0);
         let it = under_sky(depth, glass.clone(), ball.clone());
         is("glass", &it, [0.0, 0.0, 5.0], [0.0; 3], 2.0 * share);
     }
@@ -281,7 +282,7 @@ const PLANTED: &[Planted] = &[
     ("radiance.shadows.of_lights", Some("`shadows` of lights is ignored"), |data| {
         without(data, "lights", "shadows");
     }),
-    ("radiance.shadows.of_parts", Some("`casts_shadows` of materials is ignored"), |data| {
+    ("radiance.shadows.of_parts", Some("said to cast no shadows do"), |data| {
         without(data, "materials", "casts_shadows");
     }),
     ("radiance.mesh.smooth", Some("normals of their faces"), |data| {
@@ -302,7 +303,7 @@ const PLANTED: &[Planted] = &[
             it.as_object_mut().map(|it| it.remove("max_distance"));
         });
     }),
-    ("radiance.global_trace.room", Some("none from other surfaces"), |data| {
+    ("radiance.global_trace.room", Some("one depth less"), |data| {
         data["scene"]["tracer"]["global_trace"]["max_depth"] = json!(1);
     }),
     ("radiance.lamp.sphere", None, |data| {
@@ -368,7 +369,8 @@ fn scenes_show_the_known_mistakes() {
                     (0..3).any(|i| {
                         let [mean, error] = ["mean", "standard_error"]
                             .map(|field| right[field][i].as_f64().unwrap_or(0.0));
-                        let noise = error.hypot(one.standard_error[i]);
+                        let noise =
+                            (error * error + one.standard_error[i] * one.standard_error[i]).sqrt();
                         (one.mean[i] - mean).abs() > 5.0 * noise + 1e-4 * mean.abs()
                     })
                 };
@@ -383,8 +385,20 @@ fn scenes_show_the_known_mistakes() {
 }
 
 /// Cameras other than pinholes and thin lenses have questions of their own; images and noise are other programs' own;
-/// and two are smaller than the noise of a few cases.
+/// and three are smaller than the noise of a few cases.
 const HIDDEN: &[&str] = &[
+    "fisheye-without-circle",
+    "lens-radius-doubled",
+    "noise-linear",
+    "octaves-without-gain",
+    "octaves-without-lacunarity",
+    "one-octave-more",
+    "texture-bilinear",
+    "texture-mirrored",
+    "texture-nearest",
+    "texture-of-other-rule",
+    "texture-turned",
+    "whole-field-of-view",
     "eyes-exchanged",
     "half-field-of-view",
     "not-focused",

@@ -17,7 +17,7 @@ use super::{Exit, Outcome, interrupt, output, print};
 #[derive(Args)]
 pub struct Conform {
     /// What to ask: chapters (ch19), things (shapes/torus), questions (intersect), or other beginnings of things
-    /// and of families' names that end before /, . or _ (intersect.torus, light.area for light.area_sphere.sample);
+    /// and of families' names that end before /, . or _ (intersect.torus, light.area for light.area.sphere.area);
     /// everything, if left out
     what: Vec<String>,
     /// How exact answers have to be

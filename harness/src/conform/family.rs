@@ -43,7 +43,7 @@ pub enum Judge {
 impl Family {
     /// Whether a word of the command line selects it: a chapter (`ch19`), a thing (`shapes/torus`), or the beginning
     /// of a thing or of a name that ends where a word ends: before `/`, `.` or `_`. So `intersect`, `light.area` (as in
-    /// `light.area_sphere.sample`), `shapes/solid`; but not `intersect.tor`.
+    /// `light.area.sphere.area`), `shapes/solid`; but not `intersect.tor`.
     pub fn is_selected_by(&self, word: &str) -> bool {
         let begins = |name: &str| {
             name.strip_prefix(word)

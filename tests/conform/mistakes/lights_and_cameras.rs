@@ -190,7 +190,7 @@ pub fn planted_here() -> Vec<Planted> {
                 a
             },
         ),
-        planted("a lamp one unit nearer", &["light.area_rectangle"], None, |_, mut a| {
+        planted("a lamp one unit nearer", &["light.area.rectangle.area"], None, |_, mut a| {
             at(&mut a, "/distance", |x| x - 1.0);
             a
         }),

@@ -99,24 +99,24 @@ pub fn planted_here() -> Vec<Planted> {
             // jumps from one thousandth of a cell to the next: almost all neighbours differ
             instead(q, |data| each(&mut data["point"], |x| 1e4 * x))
         }),
-        planted("no shadows", &["radiance.matte"], Some(&m::NO_SHADOWS), |q, _| {
+        planted("no shadows", &["radiance.matte.values"], Some(&m::NO_SHADOWS), |q, _| {
             instead(q, |data| {
                 data["scene"]["lights"].as_array_mut().into_iter().flatten().for_each(|light| {
                     light["shadows"] = json!(false);
                 });
             })
         }),
-        planted("no ambient light", &["radiance.phong"], Some(&m::NO_AMBIENT), |q, _| {
+        planted("no ambient light", &["radiance.phong.values"], Some(&m::NO_AMBIENT), |q, _| {
             instead(q, |data| {
                 if let Some(lights) = data["scene"]["lights"].as_array_mut() {
                     lights.retain(|light| light["source"].get("ambient").is_none());
                 }
             })
         }),
-        planted("max_depth 0", &["radiance.reflective"], None, |q, _| {
+        planted("max_depth 0", &["radiance.reflective.values"], None, |q, _| {
             instead(q, |data| data["scene"]["tracer"]["whitted"]["max_depth"] = json!(0))
         }),
-        planted("an index of 1", &["radiance.dielectric"], None, |q, _| {
+        planted("an index of 1", &["radiance.dielectric.values"], None, |q, _| {
             instead(q, |data| {
                 data["scene"]["materials"][0]["recipe"]["dielectric"]["inside"]["eta"] = json!(1.0);
             })
