@@ -75,7 +75,7 @@ impl Judgement {
         self
     }
 
-    /// Whether it is neither wrong nor undecided.
+    /// Whether the answer is right, or by a convention of the book.
     pub fn is_right(&self) -> bool {
         matches!(self, Self::Right(_) | Self::ByTheBook(_))
     }

@@ -14,6 +14,15 @@ pub fn planted_here() -> Vec<Planted> {
     const POINT: &[&str] = &["light.point"];
     const PINHOLE: &[&str] = &["camera_ray.pinhole.values", "camera_ray.orthographic.values"];
     const ROLLED: &[&str] = &["camera_ray.pinhole.values", "project.orthographic"];
+    const LAMPS: &[&str] =
+        &["light.area.rectangle.area", "light.area.disk.area", "light.area.mesh.area_mean"];
+    const SAMPLED: &[&str] = &[
+        "light.area.rectangle.solid_angle",
+        "light.area.sphere.area",
+        "light.area.disk.stretched",
+        "light.environment.values",
+        "light.ambient_occluder.values",
+    ];
     const ZOOMED: &[&str] = &["camera_ray.orthographic.values", "project.pinhole"];
     vec![
         planted("away from the light", POINT, Some(&m::FROM_LIGHT), |_, mut a| {
@@ -190,11 +199,44 @@ pub fn planted_here() -> Vec<Planted> {
                 a
             },
         ),
+        planted("pdf × 7", SAMPLED, None, |_, mut a| {
+            at(&mut a, "/pdf", |x| 7.0 * x);
+            a
+        }),
+        planted("the cosine left out of the pdf of a lamp", LAMPS, None, |q, mut a| {
+            let cosine = cosine_at_lamp(q, &a);
+            at(&mut a, "/pdf", |x| cosine * x);
+            a
+        }),
+        planted("the square of the distance left out of the pdf", LAMPS, None, |_, mut a| {
+            let distance = a["distance"].as_f64().unwrap_or(1.0);
+            at(&mut a, "/pdf", |x| x / (distance * distance));
+            a
+        }),
+        planted("lamps of half the radiance", LAMPS, None, |_, mut a| {
+            at(&mut a, "/radiance", |x| 0.5 * x);
+            a
+        }),
+        planted(
+            "one-sided lamps that shine from both sides",
+            &["light.area.rectangle.sides", "light.area.disk.sides"],
+            None,
+            |q, _| instead(q, |data| data["lamp"]["two_sided"] = json!(true)),
+        ),
         planted("a lamp one unit nearer", &["light.area.rectangle.area"], None, |_, mut a| {
             at(&mut a, "/distance", |x| x - 1.0);
             a
         }),
     ]
+}
+
+/// The cosine between the normal of a lamp where a sample meets it and the way back.
+fn cosine_at_lamp(question: &Value, sample: &Value) -> f64 {
+    let (shape, from) = (&data(question)["lamp"]["shape"], &data(question)["from"]);
+    let ray = json!({"origin": from, "direction": sample["direction"]});
+    let hit = ours(&json!({"intersect": {"shape": shape, "ray": ray}})).unwrap_or_default();
+    let [n, w] = [&hit["normal"], &sample["direction"]].map(vector);
+    (0..3).map(|i| n[i] * w[i]).sum::<f64>().abs()
 }
 
 /// The ray of the film point half a pixel down and to the left: that of a picture with one column and one row more.

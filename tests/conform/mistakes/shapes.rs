@@ -97,7 +97,11 @@ pub fn planted_here() -> Vec<Planted> {
         ),
         planted(
             "normal by the inverse",
-            &["intersect.instance.ordinary"],
+            &[
+                "intersect.instance.ordinary",
+                "intersect.transformed.rotate_x.box",
+                "intersect.transformed.scale_rotate.sphere",
+            ],
             Some(&m::NORMAL_BY_INVERSE),
             by_inverse,
         ),
@@ -411,6 +415,9 @@ fn by_inverse(question: &Value, mut answer: Value) -> Value {
     }
     let mut kind = data(question)["shape"].clone();
     let mut maps = Vec::new();
+    if let Some(steps) = data(question).get("transform") {
+        maps.push(ours(&json!({"transform": {"steps": steps}})).unwrap_or_default());
+    }
     while let Some(instance) = kind.get("instance").cloned() {
         let steps = json!({"transform": {"steps": instance["transform"]}});
         maps.push(ours(&steps).unwrap_or_default());

@@ -40,7 +40,6 @@ fn by_formulas(local: &Local<'_>) -> Vec<Vec<f64>> {
 macro_rules! roots {
     ($name:ident, $real:ty) => {
         /// By the printed formula, and by the one with half of b.
-        #[allow(clippy::cast_possible_truncation, trivial_numeric_casts)]
         fn $name(
             o: [f64; 3],
             d: [f64; 3],
