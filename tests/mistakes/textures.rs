@@ -31,6 +31,9 @@ fn moved(film: &Film, from: impl Fn([u32; 2]) -> [u32; 2]) -> Film {
     moved
 }
 
+/// A name, and where a pixel of a picture of this side is taken from.
+type Order = (&'static str, fn([u32; 2], u32) -> [u32; 2]);
+
 /// Law: an image on a square, with u along z and v along x, is mirrored, upside down or turned with its texture
 /// coordinates. Oracle: the pixels of our picture in another order.
 #[test]
@@ -39,7 +42,7 @@ fn images_in_other_orders() {
     let scene = floor(Image::of_drawn(drawn, Some(Mapping::Square)));
     let ours = ours(&scene);
     let last = SIDE - 1;
-    let orders: [(&str, fn([u32; 2], u32) -> [u32; 2]); 2] = [
+    let orders: [Order; 2] = [
         ("texture-mirrored", |[x, y], last| [x, last - y]),
         ("texture-upside-down", |[x, y], last| [last - x, y]),
     ];
