@@ -223,7 +223,7 @@ pub fn planted_here() -> Vec<Planted> {
             None,
             |q, _| instead(q, |data| data["lamp"]["two_sided"] = json!(true)),
         ),
-        planted("a lamp one unit nearer", &["light.area.rectangle.area"], None, |_, mut a| {
+        planted("a lamp one unit nearer", &["light.area.rectangle.turned"], None, |_, mut a| {
             at(&mut a, "/distance", |x| x - 1.0);
             a
         }),

@@ -42,7 +42,7 @@ fn unit(sample: &Value, profile: Profile) -> Result<Vector, Judgement> {
 /// Law: a sample of a lamp lies on it, at its distance; the pdf is `d²/(A cos θ)` where the lamp is sampled by area,
 /// and one over its solid angle where it is sampled by that; the radiance is that of its material there; and there is
 /// a sample from the side that shines, none from the other (Suffern, ch. 18). The case is a `light` with a `lamp` that
-/// [`Lamp`] knows, seen from outside.
+/// `Lamp` knows, seen from outside.
 pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
     let asked = &case["light"];
     let (Some(lamp), Some((from, _))) = (Lamp::of(&asked["lamp"]["shape"]), place(case)) else {
