@@ -203,12 +203,12 @@ fn typed_letters_are_text() {
     assert_eq!((shows(&window), window.state().selection.pixel), (Shows::Theirs, Some(RIGHT)));
 }
 
-/// Law: a PNG is decoded by the curve of sRGB, unless the command line names another. Oracle: a grey of the standard
-/// (IEC 61966-2-1).
+/// Law: a file that says nothing of its curve is decoded by that of sRGB, unless the command line names another. Oracle: a
+/// grey of the standard (IEC 61966-2-1), in a PPM file, which cannot say it.
 #[test]
 fn bytes_are_decoded_as_srgb() {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("grey.png");
+    let path = folder.path().join("grey.ppm");
     let mut grey = Film::new(1, 1);
     grey.set([0, 0], Rgb::grey(188.0 / 255.0));
     film::write(&grey, &PLAIN, &path).expect("written");

@@ -20,7 +20,7 @@ pub fn planted_here() -> Vec<Planted> {
         "light.area.rectangle.solid_angle",
         "light.area.sphere.area",
         "light.area.disk.stretched",
-        "light.environment.values",
+        "light.environment.mean",
         "light.ambient_occluder.values",
     ];
     const ZOOMED: &[&str] = &["camera_ray.orthographic.values", "project.pinhole"];
