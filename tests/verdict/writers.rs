@@ -3,6 +3,7 @@
 use groundtruth::film::Film;
 use groundtruth::math::power;
 use harness::compare::Picture;
+use harness::verdict::Quantiser;
 
 use super::pictures::{films, scene, world};
 use super::power::half_a_pixel_off;
@@ -101,6 +102,28 @@ fn alarms(scenes: &[&str], side: u32, seeds: u64) -> [u64; 2] {
     }
     println!("{alarms} false alarms of {count}");
     [count, alarms]
+}
+
+/// Law: the integers that are assumed of a writer are those that it writes, and each stands for the middle of the values
+/// that become it. Oracle: a writer's own line, over a fine grid of values.
+#[test]
+fn an_integer_stands_for_the_middle_of_its_values() {
+    const VALUES: usize = 1 << 20;
+    for ((name, writer), assumed) in QUANTISERS.iter().zip(Quantiser::ALL) {
+        let (mut sums, mut counts) = ([0.0; 256], [0.0; 256]);
+        for v in (0..VALUES).map(|i| (i as f64 + 0.5) / VALUES as f64) {
+            let integer = writer(v);
+            assert_eq!(assumed.integer(v, 255.0), integer, "{name} of {v}");
+            sums[integer as usize] += v;
+            counts[integer as usize] += 1.0;
+        }
+        // black and white stand for what is clamped, too
+        for integer in 1..255 {
+            let off = sums[integer] / counts[integer] - assumed.middle(integer as f64, 255.0);
+            // the ends of an interval may lie anywhere between two values of the grid
+            assert!(off.abs() <= 1.0 / VALUES as f64, "{name}: {integer} is off by {off:e}");
+        }
+    }
 }
 
 /// Law: correct pictures agree, whichever of twenty programs wrote them. Oracle: the binomial distribution at the level: of
