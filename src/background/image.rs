@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::images::{Drawn, Encoding, Picture, Texels};
 use crate::invalid::{Invalid, finite, strength};
-use crate::kinds::{self, Resources};
+use crate::kinds::{self, ImageSource, Resources};
 use crate::math::{Point, Step, Transform, Vector, atan2, cos, sin};
 use crate::rgb::Rgb;
 use crate::textures::{Filtering, Mapping, Rule, Sampling};
@@ -21,12 +21,17 @@ use crate::textures::{Filtering, Mapping, Rule, Sampling};
 #[serde(deny_unknown_fields)]
 #[schemars(rename = "SkyByImage", example = example())]
 pub struct Image {
-    /// The file, relative to the scene file: PNG, JPEG, PPM, HDR, EXR or PFM. Either this, or `drawn`.
+    /// The file, relative to the scene file: PNG, JPEG, PPM, HDR, EXR or PFM. Either this, or
+    /// `drawn`, or `texels`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
     /// In place of a file: an image drawn by a formula.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drawn: Option<Drawn>,
+    /// In place of a file: its colours, linear, row by row from the top down, as `[[[1, 0, 0], [0, 0, 1]], [[0, 1, 0],
+    /// 1]]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub texels: Option<Vec<Vec<Rgb>>>,
     /// Where in the image a direction is found.
     #[serde(default)]
     pub mapping: Dome,
@@ -97,6 +102,7 @@ impl Image {
         Self {
             file: None,
             drawn: None,
+            texels: None,
             mapping,
             filtering,
             encoding: None,
@@ -111,8 +117,13 @@ impl Image {
     /// # Errors
     /// [`Invalid`] names the field that does not fit.
     pub(super) fn build(&self, resources: &mut Resources) -> Result<ImageSky, Invalid> {
-        let (file, layer) = (self.file.as_deref(), self.layer.as_deref());
-        let texels = resources.texels(file, self.drawn, self.encoding, layer)?;
+        let texels = resources.texels(&ImageSource {
+            file: self.file.as_deref(),
+            drawn: self.drawn,
+            texels: self.texels.as_deref(),
+            encoding: self.encoding,
+            layer: self.layer.as_deref(),
+        })?;
         let degrees = finite("rotate_y", self.rotate_y)?;
         let turn = Transform::from_steps(&[Step::RotateY(degrees)]).expect("a turn has an inverse");
         let (filtering, wraps) = (self.filtering, Mapping::from(self.mapping).wraps());

@@ -1,8 +1,9 @@
-//! Images for textures and environment lights: from files, or drawn by a formula (Suffern, ch. 29).
+//! Images for textures and environment lights: from files, drawn by a formula, or listed (Suffern, ch. 29).
 
 mod drawn;
 mod file;
 
+use crate::invalid::Invalid;
 use crate::rgb::Rgb;
 
 pub use drawn::{Drawn, Picture};
@@ -71,4 +72,26 @@ impl Texels {
         let index = from_top as usize * self.width as usize + column as usize;
         Rgb::from(self.colors[index].map(f64::from))
     }
+}
+
+/// The image of these rows of linear colours, from the top down.
+///
+/// # Errors
+/// [`Invalid`] if there are none, if the rows differ in length, or if a colour is negative or not finite.
+pub(crate) fn listed(rows: &[Vec<Rgb>]) -> Result<Texels, Invalid> {
+    let width = rows.first().map_or(0, Vec::len);
+    if width == 0 {
+        return Err(Invalid::new("found no colours; an image has at least one texel"));
+    }
+    for (i, row) in rows.iter().enumerate() {
+        if row.len() != width {
+            let problem = format!("found {} colours, but the first row has {width}", row.len());
+            return Err(Invalid::new(problem).inside(i));
+        }
+        for (j, color) in row.iter().enumerate() {
+            color.checked("").map_err(|e| Invalid { path: vec![i.into(), j.into()], ..e })?;
+        }
+    }
+    let colors = rows.iter().flatten().map(|color| color.to_array().map(|x| x as f32)).collect();
+    Ok(Texels::new(width as u32, rows.len() as u32, colors))
 }

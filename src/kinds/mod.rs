@@ -15,7 +15,7 @@ use serde::Serialize;
 
 use crate::invalid::Invalid;
 
-pub use resources::Resources;
+pub use resources::{ImageSource, Resources};
 
 /// Plain data that describes one thing of a kind.
 pub trait Specification: Sized {

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use crate::images::{self, Drawn, Encoding, Texels};
 use crate::invalid::{BACKSLASH, Invalid};
 use crate::mesh_file::{self, MeshData};
+use crate::rgb::Rgb;
 
 /// The most bytes in the mesh files of one scene: more would take gigabytes, because they are read whole.
 const MAX_BYTES: u64 = mesh_file::MAX_BYTES;
@@ -25,6 +26,21 @@ pub struct Resources {
     /// The number of images that use the surface's own texture coordinates.
     uses_of_uv: u32,
     notes: Vec<String>,
+}
+
+/// Where an image comes from, as a scene says it: exactly one of the first three.
+#[derive(Clone, Copy, Debug)]
+pub struct ImageSource<'a> {
+    /// A file, relative to the scene's folder.
+    pub file: Option<&'a Path>,
+    /// A formula.
+    pub drawn: Option<Drawn>,
+    /// Rows of linear colours, from the top down.
+    pub texels: Option<&'a [Vec<Rgb>]>,
+    /// Of a file: what its numbers mean.
+    pub encoding: Option<Encoding>,
+    /// Of a file: which of its layers.
+    pub layer: Option<&'a str>,
 }
 
 impl Resources {
@@ -76,32 +92,34 @@ impl Resources {
         self.uses_of_uv += 1;
     }
 
-    /// The texels of an image: of a file, or drawn.
+    /// The texels of an image: of a file, drawn, or listed.
     ///
     /// # Errors
-    /// [`Invalid`] names the field, also if there are both or none.
-    pub fn texels(
-        &mut self,
-        file: Option<&Path>,
-        drawn: Option<Drawn>,
-        encoding: Option<Encoding>,
-        layer: Option<&str>,
-    ) -> Result<Arc<Texels>, Invalid> {
-        match (file, drawn) {
-            (Some(file), None) => self.image(file, encoding, layer),
-            (None, Some(_)) if layer.is_some() => {
-                let problem = "a drawn image has no layers; leave it out";
-                Err(Invalid::field("layer", problem))
+    /// [`Invalid`] names the field, also if there are two or none.
+    pub fn texels(&mut self, image: &ImageSource<'_>) -> Result<Arc<Texels>, Invalid> {
+        let ImageSource { file, drawn, texels, encoding, layer } = *image;
+        if file.is_none() {
+            for (field, said) in [("layer", layer.is_some()), ("encoding", encoding.is_some())] {
+                if said && (drawn.is_some() || texels.is_some()) {
+                    return Err(Invalid::field(field, "only a file has one; leave it out"));
+                }
             }
-            (None, Some(_)) if encoding.is_some() => {
-                let problem = "a drawn image is linear; the encoding of a file alone can be said";
-                Err(Invalid::field("encoding", problem))
+        }
+        match (file, drawn, texels) {
+            (Some(file), None, None) => self.image(file, encoding, layer),
+            (None, Some(drawn), None) => self.drawn(drawn).map_err(|e| e.inside("drawn")),
+            (None, None, Some(rows)) => {
+                let listed = images::listed(rows).map_err(|e| e.inside("texels"))?;
+                self.texels += u64::from(listed.width()) * u64::from(listed.height());
+                Ok(Arc::new(listed))
             }
-            (None, Some(drawn)) => self.drawn(drawn).map_err(|e| e.inside("drawn")),
-            (Some(_), Some(_)) => {
-                Err(Invalid::field("drawn", "there is a `file` too; leave out one of them"))
+            (None, None, None) => Err(Invalid::new("needs one of `file`, `drawn` and `texels`")),
+            (Some(_), ..) | (_, Some(_), _) => {
+                let second = if drawn.is_some() && file.is_some() { "drawn" } else { "texels" };
+                let first = if file.is_some() { "file" } else { "drawn" };
+                let problem = format!("there is a `{first}` too; leave out one of them");
+                Err(Invalid::field(second, problem))
             }
-            (None, None) => Err(Invalid::new("neither `file` nor `drawn`; an image needs one")),
         }
     }
 

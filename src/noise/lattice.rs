@@ -29,6 +29,15 @@ impl Lattice {
         Self { permutation, values, vectors }
     }
 
+    /// These tables; `None` if one has not 256 entries.
+    pub fn of_tables(permutation: &[u8], values: &[f64], vectors: &[Vector]) -> Option<Self> {
+        Some(Self {
+            permutation: permutation.try_into().ok()?,
+            values: values.try_into().ok()?,
+            vectors: vectors.try_into().ok()?,
+        })
+    }
+
     /// The permutation of 0 … 255.
     pub fn permutation(&self) -> &[u8; TABLE_SIZE] {
         &self.permutation

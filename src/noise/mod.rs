@@ -143,6 +143,12 @@ impl LatticeNoise {
         &self.lattice
     }
 
+    /// The same noise over other values at the lattice points.
+    #[must_use]
+    pub fn with_lattice(self, lattice: Lattice) -> Self {
+        Self { lattice, ..self }
+    }
+
     /// One octave, from −1 to 1.
     pub fn value(&self, p: Point) -> f64 {
         match self.interpolation {

@@ -10,7 +10,7 @@ use super::sampling::Sampling;
 use super::{Filtering, Mapping, Rule, Texel, Texture, TexturePoint, Wrap};
 use crate::images::{Drawn, Encoding, Texels};
 use crate::invalid::{Invalid, length};
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, ImageSource, Resources, Specification};
 use crate::math::Point;
 use crate::rgb::Rgb;
 
@@ -20,12 +20,16 @@ use crate::rgb::Rgb;
 #[serde(deny_unknown_fields)]
 pub struct Image {
     /// The file, relative to the scene file: PNG, JPEG, PPM, HDR, EXR or PFM. An alpha channel is ignored.
-    /// Either this, or `drawn`.
+    /// Either this, or `drawn`, or `texels`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
     /// Instead of a file: an image drawn by a formula.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drawn: Option<Drawn>,
+    /// In place of a file: its colours, linear, row by row from the top down, as `[[[1, 0, 0], [0, 0, 1]], [[0, 1, 0],
+    /// 1]]`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub texels: Option<Vec<Vec<Rgb>>>,
     /// How the image is mapped to the surface; if left out, by the texture coordinates of the
     /// surface, which meshes may have.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -66,10 +70,16 @@ impl Image {
         Self { drawn: Some(drawn), ..Self::empty(mapping) }
     }
 
+    /// The image of these rows, with this mapping or with the surface's texture coordinates.
+    pub fn of_texels(texels: Vec<Vec<Rgb>>, mapping: Option<Mapping>) -> Self {
+        Self { texels: Some(texels), ..Self::empty(mapping) }
+    }
+
     fn empty(mapping: Option<Mapping>) -> Self {
         Self {
             file: None,
             drawn: None,
+            texels: None,
             mapping,
             unit: 1.0,
             filtering: Filtering::Nearest,
@@ -95,8 +105,13 @@ impl Specification for Image {
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        let (file, layer) = (self.file.as_deref(), self.layer.as_deref());
-        let texels = resources.texels(file, self.drawn, self.encoding, layer)?;
+        let texels = resources.texels(&ImageSource {
+            file: self.file.as_deref(),
+            drawn: self.drawn,
+            texels: self.texels.as_deref(),
+            encoding: self.encoding,
+            layer: self.layer.as_deref(),
+        })?;
         if self.mapping.is_none() {
             resources.use_uv();
         }
@@ -125,7 +140,9 @@ impl Specification for Image {
             ..nearest(Some(Mapping::Square))
         };
         let of_mesh = nearest(None);
-        vec![nearest(Some(Mapping::Spherical)), bilinear, of_mesh]
+        let rows = [[Rgb::WHITE, Rgb::BLACK], [Rgb::BLACK, Rgb::new(0.5, 0.25, 1.0)]];
+        let listed = Self::of_texels(rows.map(Vec::from).into(), Some(Mapping::LightProbe));
+        vec![nearest(Some(Mapping::Spherical)), bilinear, of_mesh, listed]
     }
 }
 

@@ -149,6 +149,19 @@ mistakes! {
     TURNED_BACKWARDS: "rotations turn the other way", "ch. 20: counterclockwise, seen against the axis";
     SWAPPED_COLORS: "the two colours are exchanged", "ch. 30: color1 where the sum of the three floors is even", "ch30/solid-checkers";
     TRUNCATED_FLOOR: "numbers are truncated instead of rounded down", "ch. 30: ⌊−0.3⌋ = −1", "ch30/solid-checkers";
+    IMAGE_UPSIDE_DOWN: "the image stands on its head", "ch. 29: row 0 of a texture is at the bottom, row 0 of a file at the top", "ch29/earth";
+    IMAGE_MIRRORED: "the image is mirrored", "ch. 29: u goes to the right";
+    NEAREST_FOR_BILINEAR: "the nearest texel, without interpolation", "ch. 29: filtering";
+    BOOK_RULE: "n for n − 1 of the columns and rows, or the other way round", "docs/book-card.md: ch. 29, texels";
+    WRAPS_CLAMPED: "coordinates outside 0 … 1 are clamped", "ch. 29: wraps";
+    WRAPS_REPEATED: "the image always repeats", "ch. 29: wraps";
+    WRAPS_SWAPPED: "the wraps of u and v are exchanged", "ch. 29: wraps";
+    NO_UNIT: "the unit of the mapping is left out", "ch. 29: generic objects have radius 1";
+    // meshes
+    FLAT_FOR_SMOOTH: "the normal of the face, not interpolated", "ch. 23: n = (1 − β − γ) n0 + β n1 + γ n2", "ch23/smooth-sphere";
+    NO_VERTEX_NORMALS: "the normals of the vertices are left out", "ch. 23";
+    REVERSED_FORGOTTEN: "reverse_normals is left out", "ch. 23: reverse_normal";
+    MESH_SCALE: "the scale of the mesh is left out", "docs/scene.md: scale";
     NO_SIZE: "the size is left out", "ch. 30: coordinates over the size";
     ONE_CELL_LESS: "one cell less along each axis", "ch. 22: n = ⌊m w / s⌋ + 1";
     NO_MULTIPLIER: "the multiplier is left out", "ch. 22: m = 2";

@@ -4,14 +4,15 @@ use serde_json::{Value, json};
 
 use super::family::{Asking, Family, Judge, Stop};
 use super::judgement::{Judgement, Profile};
-use super::questions::{self, OF_NOISE, kinds, outside, ray_question, square, vector};
+use super::questions::{self, kinds, outside, ray_question, square, vector};
 use super::{intersections, laws, radiance, scenes};
 use crate::verify::Draw;
 use groundtruth::lobes::{Claims, Lobe};
-use groundtruth::{cameras, samplers, textures};
+use groundtruth::{cameras, samplers};
 use oracle::hard;
 
-type Law = fn(&mut Asking<'_>, &Value, Profile) -> Result<Judgement, Stop>;
+/// A law as a family has it.
+pub type Law = fn(&mut Asking<'_>, &Value, Profile) -> Result<Judgement, Stop>;
 
 /// Every family, by chapter.
 pub fn all() -> Vec<Family> {
@@ -42,7 +43,6 @@ fn of_laws() -> Vec<Family> {
     all.extend(of_shapes());
     all.extend(of_cameras());
     all.extend(of_samples());
-    all.extend(of_noise());
     all.push(law("fresnel.shares", "optics/fresnel", "ch28", laws::shares_add_up, |draw| {
         let eta = draw.between(0.4, 2.5);
         json!({"fresnel": {"eta": eta, "cos_i": draw.between(0.0, 1.0)}})
@@ -207,31 +207,5 @@ fn of_samples() -> Vec<Family> {
         let shear = json!({"shear": (0..6).map(|_| draw.between(-0.3, 0.3)).collect::<Vec<_>>()});
         json!({"transform": {"steps": [scale, turn, {"translate": vector(draw, 4.0)}, shear]}})
     }));
-    all
-}
-
-fn of_noise() -> Vec<Family> {
-    let noise = |draw: &mut Draw| {
-        let octaves = 1 + draw.below(6);
-        json!({"noise": {"noise": {"octaves": octaves}, "point": vector(draw, 20.0)}})
-    };
-    let mut all = vec![
-        law("noise.lattice.smooth", "noise/lattice", "ch31", laws::noise_is_smooth, noise),
-        law("noise.lattice.repeats", "noise/lattice", "ch31", laws::repeats, noise),
-    ];
-    for (tag, chapter, specimens) in kinds(textures::Kind::ENTRIES) {
-        // random colours are those of objects, not of points
-        if !OF_NOISE.contains(&&*tag) || tag == "random_colors" {
-            continue;
-        }
-        let case = move |draw: &mut Draw| {
-            let texture = specimens[draw.below(specimens.len())].clone();
-            json!({"texture": {"texture": texture, "point": vector(draw, 4.0)}})
-        };
-        let name = format!("texture.{tag}.repeats");
-        let mut family = law(&name, &format!("textures/{tag}"), chapter, laws::repeats, case);
-        family.share = 0.25;
-        all.push(family);
-    }
     all
 }

@@ -16,11 +16,23 @@ pub fn families() -> Vec<Family> {
     let mut all = Vec::new();
     for (tag, chapter, specimens) in kinds(cameras::Kind::ENTRIES) {
         let about = format!("cameras/{tag}");
-        let [for_rays, for_middles, for_points] = [(); 3].map(|()| specimens.clone());
+        let mut zoomed = specimens.clone();
+        zoomed.retain(|lens| lens[&tag].get("zoom").is_some());
+        let for_points = specimens.clone();
+        let plain = specimens.into_iter().map(without_zoom).collect::<Vec<_>>();
+        let [for_rays, for_middles, for_rolls] = [(); 3].map(|()| plain.clone());
+        let rolled = move |draw: &mut Draw| {
+            let mut question = ray_question(draw, &for_rolls);
+            question["camera_ray"]["camera"]["roll"] = json!(round(draw.between(-90.0, 90.0)));
+            question
+        };
         let middles = move |draw: &mut Draw| middle_question(draw, &for_middles);
         let rays = move |draw: &mut Draw| ray_question(draw, &for_rays);
         let points = move |draw: &mut Draw| {
             let mut question = ray_question(draw, &for_points)["camera_ray"].take();
+            if draw.coin() {
+                question["camera"]["roll"] = json!(round(draw.between(-90.0, 90.0)));
+            }
             // through the centre of the lens
             question.as_object_mut().map(|fields| fields.remove("lens"));
             // on the ray of a pixel; some behind the camera, some beside
@@ -39,6 +51,11 @@ pub fn families() -> Vec<Family> {
         let point = Judge::Answer(project);
         all.push(family(&format!("camera_ray.{tag}.values"), &about, chapter, ray, rays));
         all.push(family(&format!("camera_ray.{tag}.middle"), &about, chapter, ray, middles));
+        all.push(family(&format!("camera_ray.{tag}.roll"), &about, chapter, ray, rolled));
+        if !zoomed.is_empty() {
+            let case = move |draw: &mut Draw| zoom_question(draw, &zoomed);
+            all.push(family(&format!("camera_ray.{tag}.zoom"), &about, chapter, ray, case));
+        }
         all.push(family(&format!("project.{tag}.values"), &about, chapter, point, points));
     }
     let pinhole = [json!({"pinhole": {"distance": 4.0}})];
@@ -75,15 +92,27 @@ pub fn ray_question(draw: &mut Draw, lenses: &[Value]) -> Value {
         "pixel": pixel,
     });
     if draw.coin() {
-        question["camera"]["roll"] = json!(round(draw.between(-90.0, 90.0)));
-    }
-    if draw.coin() {
         question["place"] = json!([round(draw.between(0.0, 1.0)), round(draw.between(0.0, 1.0))]);
     }
     if question["camera"]["lens"].get("thin_lens").is_some() {
         question["lens"] = json!([round(draw.between(-0.7, 0.7)), round(draw.between(-0.7, 0.7))]);
     }
     json!({"camera_ray": question})
+}
+
+/// What a lens may leave out is asked in families of its own: a program that does not have it has the rest.
+fn without_zoom(mut lens: Value) -> Value {
+    only(&mut lens).and_then(|lens| remove(lens, "zoom"));
+    lens
+}
+
+/// A ray through a lens of any zoom.
+fn zoom_question(draw: &mut Draw, lenses: &[Value]) -> Value {
+    let mut question = ray_question(draw, lenses);
+    let lens = &mut question["camera_ray"]["camera"]["lens"];
+    let zoom = draw.pick(&[0.25, 0.5, 1.5, 2.0, 4.0]);
+    only(lens).and_then(|lens| change(lens, "/zoom", |_| zoom));
+    question
 }
 
 /// The ray through the middle of a picture with odd sides, where polar coordinates have no angle.
@@ -234,7 +263,8 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             }),
             (&m::NOT_NORMALISED_LENGTH, |question, field, right| {
                 let lens = &question["camera_ray"]["camera"]["lens"]["pinhole"];
-                let (distance, zoom) = (lens["distance"].as_f64()?, lens["zoom"].as_f64()?);
+                let (distance, zoom) =
+                    (lens["distance"].as_f64()?, lens["zoom"].as_f64().unwrap_or(1.0));
                 let [x, y] = numbers(&right["film"])?.try_into().ok()?;
                 let length = Vector::new(x / zoom, y / zoom, distance).length();
                 let scaled = triple(&right["direction"])?.map(|x| length * x).to_vec();

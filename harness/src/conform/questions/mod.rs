@@ -1,8 +1,11 @@
 //! Questions whose answers are held against our own: one file for each chapter's subject.
 
 mod cameras;
+mod images;
 mod instances;
 mod lamps;
+mod meshes;
+mod noise;
 mod optics;
 mod pictures;
 mod sampling;
@@ -10,9 +13,10 @@ mod spaces;
 mod surfaces;
 
 pub use cameras::ray_question;
+pub use images::texels;
+pub use meshes::{CORNERS, FACES};
 pub use optics::outside;
 pub use pictures::families as pictures;
-pub use surfaces::OF_NOISE;
 
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -28,6 +32,9 @@ pub fn families() -> Vec<Family> {
         lamps::families(),
         instances::families(),
         surfaces::families(),
+        images::families(),
+        meshes::families(),
+        noise::families(),
         cameras::families(),
         sampling::families(),
         spaces::families(),

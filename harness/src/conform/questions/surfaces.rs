@@ -6,25 +6,12 @@ use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile, number, numbers, triple};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
+use super::noise::OF_NOISE;
 use super::{any, change, data, direction, family, kinds, only, remove, swap, vector};
 use crate::verify::Draw;
 use groundtruth::math::{Vector, power};
 use groundtruth::textures::Mapping;
 use groundtruth::{lights, textures};
-
-/// Textures that are made of noise or random numbers depend on our own tables: laws judge them.
-pub const OF_NOISE: [&str; 10] = [
-    "fbm",
-    "turbulence",
-    "wrapped_fbm",
-    "two_colors",
-    "three_colors",
-    "ramp_fbm",
-    "wrapped_ramp",
-    "wood",
-    "random_colors",
-    "stripes",
-];
 
 pub fn families() -> Vec<Family> {
     let mut all = Vec::new();
@@ -52,8 +39,9 @@ pub fn families() -> Vec<Family> {
                 !OF_NOISE.iter().any(|noise| data.to_string().contains(&format!("\"{noise}\"")))
             })
             .collect();
-        // a wireframe is drawn on the triangles of a mesh, and the question has none: its colour is always one
-        if specimens.is_empty() || tag == "wireframe" {
+        // a wireframe is drawn on the triangles of a mesh, and the question has none: its colour is always one;
+        // images have families of their own
+        if specimens.is_empty() || tag == "wireframe" || tag == "image" {
             continue;
         }
         let name = format!("texture.{tag}.values");
@@ -63,12 +51,7 @@ pub fn families() -> Vec<Family> {
             if let Some(color) = texture.pointer_mut("/constant/color") {
                 *color = json!([0, 1, 2].map(|_| super::round(draw.between(0.0, 1.0))));
             }
-            let mut question = json!({"texture": texture, "point": point});
-            if question["texture"].get("image").is_some_and(|image| image.get("mapping").is_none())
-            {
-                question["uv"] = super::square(draw);
-            }
-            json!({"texture": question})
+            json!({"texture": {"texture": texture, "point": point}})
         };
         all.push(family(&name, &format!("textures/{tag}"), chapter, Judge::Answer(texture), case));
     }
@@ -104,7 +87,7 @@ pub fn families() -> Vec<Family> {
 }
 
 /// A point of the generic object of a mapping.
-fn on(mapping: Mapping, draw: &mut Draw) -> Value {
+pub fn on(mapping: Mapping, draw: &mut Draw) -> Value {
     match mapping {
         Mapping::Square => json!([draw.between(-0.99, 0.99), 0.0, draw.between(-0.99, 0.99)]),
         Mapping::Cylindrical => {

@@ -3,6 +3,7 @@
 
 use serde_json::{Value, json};
 
+use super::super::judgement::triple;
 use super::stage::{
     self, Exact, between, color, light, material, matte, mean_along, object, phong, ray, share,
     whitted, within,
@@ -73,6 +74,8 @@ pub const ALL: &[Exact] = &[
     ("gloss.ground", "ch25", |draw| gloss(draw, true)),
     ("pixel.box", "ch04", |draw| edges(draw, false)),
     ("pixel.thin_lens", "ch10", |draw| edges(draw, true)),
+    ("pixel.lens_and_lamp", "ch18", |draw| through_lens(draw, penumbra)),
+    ("pixel.lens_and_sky", "ch18", |draw| through_lens(draw, |draw| under_sky(draw, true))),
 ];
 
 /// The middle of a lamp.
@@ -266,4 +269,23 @@ fn edges(draw: &mut Draw, with_lens: bool) -> Value {
     json!({"radiance": {
         "scene": scene, "pixel": pixel, "samples": stage::SAMPLES, "seed": seed, "replicas": 1,
     }})
+}
+
+/// What a lens of some size sees there, in a pixel of some size: a sample draws for all three, and each number once.
+fn through_lens(draw: &mut Draw, of: fn(&mut Draw) -> Value) -> Value {
+    let mut question = of(draw);
+    let data = &mut question["radiance"];
+    let ray = data["ray"].take();
+    let [eye, towards] = ["origin", "direction"].map(|it| triple(&ray[it]).unwrap_or_default());
+    let look_at: [f64; 3] = std::array::from_fn(|i| eye[i] + towards[i]);
+    let lens = json!({"thin_lens": {
+        "distance": 1.0, "focal_distance": between(draw, 1.0, 4.0), "lens_radius": between(draw, 0.2, 0.4),
+    }});
+    data["scene"]["camera"] = json!({"eye": eye, "look_at": look_at, "lens": lens});
+    data["scene"]["image"] = json!({"width": 1, "height": 1, "pixel_size": 0.6});
+    if let Some(data) = data.as_object_mut() {
+        data.remove("ray");
+        data.insert("pixel".to_owned(), json!([0, 0]));
+    }
+    question
 }

@@ -4,6 +4,7 @@
 mod changes;
 mod estimate;
 mod glass;
+mod images;
 mod lamps;
 mod lights;
 mod mirrors;
@@ -26,10 +27,18 @@ use stage::Exact;
 
 /// All families: those without random numbers, and those that are judged by their mean.
 pub fn families() -> Vec<Family> {
-    let exact = [lights::ALL, surfaces::ALL, textures::ALL, mirrors::ALL, glass::ALL, pixels::ALL];
+    let exact = [
+        lights::ALL,
+        surfaces::ALL,
+        textures::ALL,
+        images::ALL,
+        mirrors::ALL,
+        glass::ALL,
+        pixels::ALL,
+    ];
     let exact = exact.into_iter().flatten();
     let exact = exact.map(|one| family(one, "values", 0.25, Judge::Answer(judge)));
-    let means = [lamps::ALL, paths::ALL].into_iter().flatten();
+    let means = [lamps::ALL, images::MEANS, paths::ALL].into_iter().flatten();
     let means = means.map(|one| Family {
         // making one smaller would take thousands of samples for each step; their scenes are small
         is_shrunk: false,

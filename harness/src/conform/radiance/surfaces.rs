@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 
+use super::super::questions::{CORNERS, FACES};
 use super::stage::{
     self, Exact, along, between, color, light, material, matte, object, phong, ray, share, whitted,
     within,
@@ -140,16 +141,6 @@ fn highlight(draw: &mut Draw) -> Value {
     on_stage(draw, surface, stage::sphere([0.0, 1.0, 0.0], 1.0), from)
 }
 
-/// The corners of an octahedron.
-const CORNERS: [[f64; 3]; 6] = [
-    [1.0, 0.0, 0.0],
-    [-1.0, 0.0, 0.0],
-    [0.0, 1.0, 0.0],
-    [0.0, -1.0, 0.0],
-    [0.0, 0.0, 1.0],
-    [0.0, 0.0, -1.0],
-];
-
 /// A dented octahedron.
 fn mesh(draw: &mut Draw) -> Value {
     let vertex = |at: [f64; 3], draw: &mut Draw| {
@@ -158,17 +149,7 @@ fn mesh(draw: &mut Draw) -> Value {
         std::array::from_fn::<f64, 3, _>(|i| middle[i] + at[i] + by[i])
     };
     let vertices: Vec<[f64; 3]> = CORNERS.into_iter().map(|at| vertex(at, draw)).collect();
-    let triangles = json!([
-        [2, 4, 0],
-        [2, 0, 5],
-        [2, 5, 1],
-        [2, 1, 4],
-        [3, 0, 4],
-        [3, 5, 0],
-        [3, 1, 5],
-        [3, 4, 1],
-    ]);
-    json!({"vertices": vertices, "triangles": triangles})
+    json!({"vertices": vertices, "triangles": FACES})
 }
 
 /// A shiny body.

@@ -1,0 +1,325 @@
+//! What follows from a program's own noise (Suffern, ch. 31): between the points of the lattice, its values there; its
+//! sums, single octaves; and what textures and bumps make of it. So nobody's random numbers have to be ours.
+
+use serde_json::{Value, json};
+
+use super::super::family::{Asking, Stop};
+use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::subject::ours;
+use super::{Found, color, missing, relative, within};
+use groundtruth::math::{Normal, Vector, floor, sin};
+
+/// Rounding of some dozens of terms.
+const TERMS: f64 = 32.0;
+
+/// Law: the noise at a point is interpolated between its values at the corners of the cell: of 8 linearly, of 64 by
+/// Catmull and Rom's splines, limited to −1 … 1. The case is a `noise`.
+pub fn interpolates(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+    let Some(point) = triple(&case["noise"]["point"]) else { return Ok(Judgement::Undecided) };
+    let is_linear = case["noise"]["noise"]["interpolation"] == "linear";
+    let weights = |x: f64| if is_linear { linear(x) } else { splines(x) };
+    let [x, y, z] = point.map(weights);
+    let mut knots = Vec::new();
+    for (i, wx) in &x {
+        for (j, wy) in &y {
+            knots.extend(z.iter().map(|(k, wz)| ([*i, *j, *k], wx * wy * wz)));
+        }
+    }
+    let at = |knot: [f64; 3]| {
+        let mut question = case.clone();
+        question["noise"]["point"] = json!(knot);
+        question
+    };
+    let mut questions = vec![case.clone()];
+    questions.extend(knots.iter().map(|(knot, _)| at(*knot)));
+    let answers = ask.ask_all(&questions)?;
+    ask.asked.truncate(1);
+    let weighted = |of: fn(&Value) -> Option<[f64; 3]>| -> Option<[f64; 3]> {
+        let mut sum = [0.0; 3];
+        for ((_, weight), answer) in knots.iter().zip(&answers[1..]) {
+            let value = of(answer)?;
+            (0..3).for_each(|i| sum[i] += weight * value[i]);
+        }
+        Some(sum.map(|x| x.clamp(-1.0, 1.0)))
+    };
+    let value: fn(&Value) -> Option<[f64; 3]> =
+        |answer| Some([number(&answer["value"])?, 0.0, 0.0]);
+    let vector: fn(&Value) -> Option<[f64; 3]> = |answer| triple(&answer["vector"]);
+    for (name, of) in [("value", value), ("vector", vector)] {
+        let (Some(right), Some(theirs)) = (weighted(of), of(&answers[0])) else {
+            // vectors are for bumps alone
+            if name == "value" {
+                return missing("value");
+            }
+            continue;
+        };
+        let size = if name == "value" { right[..1].to_vec() } else { right.to_vec() };
+        let off = (0..3).map(|i| (theirs[i] - right[i]).abs()).fold(0.0, f64::max);
+        let judged = within(profile, name, off / TERMS, || {
+            format!("{name} = {size:?}, interpolated between {} of its own", knots.len())
+        });
+        if !judged.is_right() {
+            return Ok(judged);
+        }
+    }
+    Ok(Judgement::Right(0.0))
+}
+
+/// The two points of the lattice around a coordinate, with their weights.
+fn linear(x: f64) -> Vec<(f64, f64)> {
+    let (low, f) = (floor(x), x - floor(x));
+    vec![(low, 1.0 - f), (low + 1.0, f)]
+}
+
+/// The four points around it, with the weights of Catmull and Rom.
+fn splines(x: f64) -> Vec<(f64, f64)> {
+    let (low, f) = (floor(x), x - floor(x));
+    let (f2, f3) = (f * f, f * f * f);
+    let weights = [
+        0.5 * (-f + 2.0 * f2 - f3),
+        0.5 * (2.0 - 5.0 * f2 + 3.0 * f3),
+        0.5 * (f + 4.0 * f2 - 3.0 * f3),
+        0.5 * (f3 - f2),
+    ];
+    let knots = [low - 1.0, low, low + 1.0, low + 2.0];
+    knots.into_iter().zip(weights).collect()
+}
+
+/// Law: the values at the points of the lattice change along each axis, and differ if coordinates are exchanged; the
+/// lattice repeats after 256 cells. The case is a `noise`.
+pub fn knots_differ(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+    const STEPS: usize = 12;
+    let Some(point) = triple(&case["noise"]["point"]) else { return Ok(Judgement::Undecided) };
+    let from = point.map(floor);
+    let at = |knot: [f64; 3]| {
+        let mut question = case.clone();
+        question["noise"]["point"] = json!(knot);
+        question
+    };
+    let mut questions = Vec::new();
+    for axis in 0..3 {
+        questions.extend((0..STEPS).map(|i| {
+            let mut knot = from;
+            knot[axis] += i as f64;
+            at(knot)
+        }));
+    }
+    // the same three coordinates in the six orders
+    let [a, b, c] = [from[0], from[0] + 3.0, from[0] + 7.0];
+    let orders = [[a, b, c], [b, a, c], [a, c, b], [c, b, a], [b, c, a], [c, a, b]];
+    questions.extend(orders.map(at));
+    questions.push(at([from[0] + 256.0, from[1] - 256.0, from[2] + 512.0]));
+    let answers = ask.ask_all(&questions)?;
+    ask.asked.truncate(2);
+    let values: Option<Vec<f64>> = answers.iter().map(|answer| number(&answer["value"])).collect();
+    let Some(values) = values else { return missing("value") };
+    let is_one = |values: &[f64]| values.iter().all(|x| *x == values[0]);
+    let wrong = |symptom: String, expected: &str| {
+        Ok(Judgement::wrong(&symptom, f64::INFINITY, expected.to_owned()))
+    };
+    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
+        if is_one(&values[axis * STEPS..(axis + 1) * STEPS]) {
+            return wrong(
+                format!("constant along {name}"),
+                "other values at other points of the lattice",
+            );
+        }
+    }
+    if is_one(&values[3 * STEPS..3 * STEPS + 6]) {
+        return wrong(
+            "the order of coordinates is nothing".to_owned(),
+            "PERM(ix + PERM(iy + PERM(iz)))",
+        );
+    }
+    if values[3 * STEPS + 6] != values[0] {
+        return wrong("not repeated".to_owned(), "the same value 256 cells further");
+    }
+    Ok(Judgement::Right(0.0))
+}
+
+/// Law: sums of octaves, from single octaves: `Σ gʲ noise(lʲ p)`, with g = 1/2 and l = 2 but for fBm, scaled from their
+/// bounds to 0 … 1. The case is a `noise`.
+pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+    let noise = &case["noise"]["noise"];
+    let Some(point) = triple(&case["noise"]["point"]) else { return Ok(Judgement::Undecided) };
+    let octaves = noise["octaves"].as_u64().unwrap_or(1) as i32;
+    let field = |name: &str, other: f64| noise[name].as_f64().unwrap_or(other);
+    let (gain, lacunarity) = (field("gain", 0.5), field("lacunarity", 2.0));
+    let single = |frequency: f64| {
+        let mut question = case.clone();
+        question["noise"]["noise"]["octaves"] = json!(1);
+        question["noise"]["point"] = json!(point.map(|x| frequency * x));
+        question
+    };
+    let power = |base: f64, j: i32| (0..j).fold(1.0, |product, _| product * base);
+    let mut questions = vec![case.clone()];
+    for base in [2.0, lacunarity] {
+        questions.extend((0..octaves).map(|j| single(power(base, j))));
+    }
+    let answers = ask.ask_all(&questions)?;
+    ask.asked.truncate(1);
+    let values: Option<Vec<f64>> =
+        answers[1..].iter().map(|answer| number(&answer["value"])).collect();
+    let Some(values) = values else { return missing("value") };
+    let (halves, others) = values.split_at(octaves as usize);
+    let sum = |gain: f64, values: &[f64]| -> f64 {
+        (0..octaves).zip(values).map(|(j, value)| power(gain, j) * value).sum()
+    };
+    let bound = |gain: f64| sum(gain, &vec![1.0; octaves as usize]);
+    let absolute: Vec<f64> = halves.iter().map(|x| x.abs()).collect();
+    let shifted = |sum: f64, bound: f64| (sum + bound) / (2.0 * bound);
+    let expected = [
+        ("fractal_sum", shifted(sum(0.5, halves), bound(0.5))),
+        ("turbulence", sum(0.5, &absolute) / bound(0.5)),
+        ("fbm", shifted(sum(gain, others), bound(gain))),
+    ];
+    for (name, right) in expected {
+        let Some(theirs) = number(&answers[0][name]) else { continue };
+        let judged = within(profile, name, (theirs - right).abs() / TERMS, || {
+            format!("{name} = {right:?}, of {octaves} octaves of its own")
+        });
+        if !judged.is_right() {
+            return Ok(judged);
+        }
+    }
+    let vectors: Option<Vec<[f64; 3]>> =
+        answers[1 + octaves as usize..].iter().map(|answer| triple(&answer["vector"])).collect();
+    if let (Some(vectors), Some(theirs)) = (vectors, triple(&answers[0]["vector_fbm"])) {
+        let along = |i: usize| sum(gain, &vectors.iter().map(|v| v[i]).collect::<Vec<_>>());
+        let right: [f64; 3] = std::array::from_fn(along);
+        let off = (0..3).map(|i| (theirs[i] - right[i]).abs()).fold(0.0, f64::max);
+        let judged = within(profile, "vector_fbm", off / (TERMS * bound(gain)), || {
+            format!("vector_fbm = {right:?}, of {octaves} octaves of its own")
+        });
+        if !judged.is_right() {
+            return Ok(judged);
+        }
+    }
+    Ok(Judgement::Right(0.0))
+}
+
+/// A noise texture's noise at a point of its `texture` question, as this program answers it.
+fn noise_of(ask: &mut Asking<'_>, fields: &Value, point: [f64; 3]) -> Result<Value, Stop> {
+    let size = fields["size"].as_f64().unwrap_or(1.0);
+    let noise = fields.get("noise").cloned().unwrap_or_else(|| json!({}));
+    ask.ask(&json!({"noise": {"noise": noise, "point": point.map(|x| x / size)}}))
+}
+
+/// Law: what a texture of noise makes of the noise at the point, as this program answers it itself. The case is a
+/// `texture` whose colours are plain.
+pub fn texture_of_noise(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+    let asked = &case["texture"];
+    let kind = asked["texture"].as_object().and_then(|it| it.iter().next());
+    let (Some((tag, fields)), Some(point)) = (kind, triple(&asked["point"])) else {
+        return Ok(Judgement::Undecided);
+    };
+    let theirs = ask.ask(case)?;
+    let noise = noise_of(ask, fields, point)?;
+    let sum = if tag == "turbulence" { "turbulence" } else { "fbm" };
+    let Some(value) = number(&noise[sum]) else { return missing(sum) };
+    let Some(right) = painted(tag, fields, point, value) else { return Ok(Judgement::Undecided) };
+    if color(&theirs).is_none() {
+        return missing("colour");
+    }
+    // noise is rounded; it is multiplied by numbers of about 10
+    Ok(within(profile, "colour", relative(&theirs, &json!(right)) / (10.0 * TERMS), || {
+        format!("{right:?} for the {sum} {value:?} of its own")
+    }))
+}
+
+/// The colour of a noise texture; `None` next to a jump, or if it is another texture.
+fn painted(tag: &str, fields: &Value, point: [f64; 3], noise: f64) -> Option<[f64; 3]> {
+    /// Distance from a jump.
+    const NEAR: f64 = 1e-3;
+    let field = |name: &str, other: f64| fields[name].as_f64().unwrap_or(other);
+    let (min, max) = (field("min", 0.0), field("max", 1.0));
+    let bright = |x: f64, color: [f64; 3]| color.map(|c| (min + (max - min) * x) * c);
+    let plain = |name: &str| match &fields[name] {
+        Value::Null => Some([1.0; 3]),
+        Value::Number(grey) => Some([grey.as_f64()?; 3]),
+        other => triple(other),
+    };
+    let expansion = field("expansion", if tag == "three_colors" { 3.0 } else { 2.0 });
+    let expanded = expansion * noise;
+    let wrapped = expanded - floor(expanded);
+    let is_near = |x: f64, jump: f64| (x - jump).abs() < NEAR;
+    let jumps = is_near(wrapped, 0.0) || is_near(wrapped, 1.0);
+    match tag {
+        "fbm" => {
+            let level = min + (max - min) * noise;
+            if is_near(level, 0.0) || is_near(level, 1.0) {
+                return None;
+            }
+            let is_red = !(0.0..=1.0).contains(&level);
+            if is_red { Some([1.0, 0.0, 0.0]) } else { Some(bright(noise, plain("color")?)) }
+        }
+        "turbulence" => Some(bright(noise, plain("color")?)),
+        "wrapped_fbm" => (!jumps).then(|| Some(bright(wrapped, plain("color")?)))?,
+        "two_colors" => {
+            let name = if expanded < 1.0 { "color1" } else { "color2" };
+            (!jumps).then(|| Some(bright(wrapped, plain(name)?)))?
+        }
+        "three_colors" => {
+            let thresholds = fields["thresholds"].as_array()?;
+            let [a, b] = [thresholds.first()?.as_f64()?, thresholds.get(1)?.as_f64()?];
+            let name = match expanded {
+                x if x < a => "color1",
+                x if x < b => "color2",
+                _ => "color3",
+            };
+            let jumps = jumps || is_near(expanded, a) || is_near(expanded, b);
+            (!jumps).then(|| Some(bright(wrapped, plain(name)?)))?
+        }
+        "wrapped_ramp" => (!jumps).then(|| in_ramp(&fields["ramp"], wrapped))?,
+        "ramp_fbm" => {
+            let y = point[1] / field("size", 1.0) + field("perturbation", 3.0) * noise;
+            in_ramp(&fields["ramp"], (1.0 + sin(y)) / 2.0)
+        }
+        _ => None,
+    }
+}
+
+/// The colour of a table of one column for each colour; `None` next to a border.
+fn in_ramp(table: &Value, x: f64) -> Option<[f64; 3]> {
+    const NEAR: f64 = 1e-3;
+    let colors = table["colors"].as_array()?;
+    let place = x * colors.len() as f64;
+    if (place - place.round()).abs() < NEAR
+        && place.round() < colors.len() as f64
+        && place.round() > 0.0
+    {
+        return None;
+    }
+    triple(&colors[(place as usize).min(colors.len() - 1)])
+}
+
+/// Law: a bump of noise adds `a · fBm(p)` to the normal, as this program answers it itself: a floor shines as one that
+/// is tilted. The case is the `radiance` of a point of the plane `y = 0`, whose only light is far away.
+pub fn bump_adds_noise(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+    let bump = case["radiance"]["scene"]["materials"][0]["bump"]["noise"].clone();
+    let ray = &case["radiance"]["ray"];
+    let [origin, direction] = ["origin", "direction"].map(|it| triple(&ray[it]));
+    let (Some(origin), Some(direction)) = (origin, direction) else {
+        return Ok(Judgement::Undecided);
+    };
+    let t = -origin[1] / direction[1];
+    let hit: [f64; 3] = [origin[0] + t * direction[0], 0.0, origin[2] + t * direction[2]];
+    let theirs = ask.ask(case)?;
+    let noise = noise_of(ask, &bump, hit)?;
+    let Some(by) = triple(&noise["vector_fbm"]) else { return missing("vector_fbm") };
+    let amount = bump["perturbation"].as_f64().unwrap_or(0.0);
+    let normal = Normal::Y + amount * Vector::from(by);
+    let mut tilted = case.clone();
+    let scene = &mut tilted["radiance"]["scene"];
+    scene["materials"][0].as_object_mut().map(|fields| fields.remove("bump"));
+    scene["objects"][0]["shape"] = json!({"plane": {"point": hit, "normal": normal.to_array()}});
+    let Some(right) = ours(&tilted).ok().and_then(|answer| triple(&answer["mean"])) else {
+        return Ok(Judgement::Undecided);
+    };
+    let Some(mean) = color(&theirs["mean"]) else { return missing("mean") };
+    // the point of the hit is rounded before its noise is asked: slopes of some dozens
+    let allowance = 100.0 * TERMS;
+    Ok(within(profile, "mean", relative(&json!(mean), &json!(right)) / allowance, || {
+        format!("mean = {right:?} for the vector_fbm {by:?} of its own")
+    }))
+}
