@@ -143,7 +143,12 @@ const NOT_JUDGED: [&str; 9] = [
 ];
 
 /// Fields that may be left out, and are judged where they are there.
-const OPTIONAL: [&str; 16] = [
+const OPTIONAL: [&str; 21] = [
+    "vector",
+    "fractal_sum",
+    "turbulence",
+    "fbm",
+    "vector_fbm",
     "point",
     "front",
     "film",

@@ -159,14 +159,14 @@ fn each_language_has_an_adapter_to_start_from() {
     }
 }
 
-/// A program without a roll angle, whose cameras look backwards.
-struct WithoutRoll;
+/// A program that looks through middles of pixels alone, and whose cameras look backwards.
+struct MiddlesOnly;
 
-impl Subject for WithoutRoll {
+impl Subject for MiddlesOnly {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let reply = |question: &Value| {
-            if !question["camera_ray"]["camera"]["roll"].is_null() {
-                return Reply::Unsupported("roll".to_owned());
+            if !question["camera_ray"]["place"].is_null() {
+                return Reply::Unsupported("place".to_owned());
             }
             let mut answer = ours(question).expect("an answer");
             each(&mut answer["direction"], |x| -x);
@@ -180,9 +180,9 @@ impl Subject for WithoutRoll {
 /// mistake.
 #[test]
 fn a_family_is_not_given_up_for_its_first_two_cases() {
-    let card = card_with(&mut WithoutRoll, &["camera_ray.pinhole.values"], Profile::Book, 2, false);
-    assert!(card.rows[0].is_unsupported(), "the first two cases have a roll: {card}");
+    let card = card_with(&mut MiddlesOnly, &["camera_ray.pinhole.values"], Profile::Book, 2, false);
+    assert!(card.rows[0].is_unsupported(), "the first two cases have a place: {card}");
     let card =
-        card_with(&mut WithoutRoll, &["camera_ray.pinhole.values"], Profile::Book, 48, false);
+        card_with(&mut MiddlesOnly, &["camera_ray.pinhole.values"], Profile::Book, 48, false);
     assert!(card.count(Status::Wrong) > 10, "{card}");
 }

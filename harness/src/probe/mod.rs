@@ -32,6 +32,7 @@ mod lines;
 pub mod mistaken;
 mod numbers;
 mod source;
+mod tables;
 
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -42,6 +43,7 @@ use groundtruth::printable;
 
 pub use limits::{LONGEST_LINE, MAX_POINTS, MAX_TRIANGLES, MAX_WORK};
 pub use lines::serve;
+use tables::Tables;
 
 /// A question that a line can ask.
 trait Question {
@@ -174,9 +176,15 @@ fn reply(line: &str) -> Result<String, String> {
     if line.len() > LONGEST_LINE {
         return Err(refuse(None, &too_long()));
     }
-    let Line { id, asked } =
-        serde_json::from_str(line).map_err(|e| refuse(id_of(line).as_ref(), &located(&e)))?;
+    let Line { id, asked } = read(line).map_err(|e| refuse(id_of(line).as_ref(), &located(&e)))?;
     asked.answer(id.as_ref()).map_err(|invalid| refuse(id.as_ref(), &invalid.to_string()))
+}
+
+fn read(line: &str) -> Result<Line, serde_json::Error> {
+    let mut json = serde_json::Deserializer::from_str(line);
+    let read = Line::deserialize(Tables(&mut json))?;
+    json.end()?;
+    Ok(read)
 }
 
 fn too_long() -> String {

@@ -13,7 +13,7 @@ use super::{Planted, planted};
 pub fn planted_here() -> Vec<Planted> {
     const POINT: &[&str] = &["light.point"];
     const PINHOLE: &[&str] = &["camera_ray.pinhole.values", "camera_ray.orthographic.values"];
-    const ROLLED: &[&str] = &["camera_ray.pinhole.values", "project.orthographic"];
+    const ROLLED: &[&str] = &["camera_ray.pinhole.roll", "project.orthographic"];
     const LAMPS: &[&str] =
         &["light.area.rectangle.area", "light.area.disk.area", "light.area.mesh.area_mean"];
     const SAMPLED: &[&str] = &[
@@ -23,7 +23,7 @@ pub fn planted_here() -> Vec<Planted> {
         "light.environment.mean",
         "light.ambient_occluder.values",
     ];
-    const ZOOMED: &[&str] = &["camera_ray.orthographic.values", "project.pinhole"];
+    const ZOOMED: &[&str] = &["camera_ray.orthographic.zoom", "project.pinhole"];
     vec![
         planted("away from the light", POINT, Some(&m::FROM_LIGHT), |_, mut a| {
             at(&mut a, "/direction", |x| -x);
@@ -169,7 +169,7 @@ pub fn planted_here() -> Vec<Planted> {
         planted("no pixel size", PINHOLE, Some(&m::NO_PIXEL_SIZE), |q, _| {
             instead(q, |data| data["image"]["pixel_size"] = json!(1.0))
         }),
-        planted("no roll", PINHOLE, Some(&m::NO_ROLL), |q, _| {
+        planted("no roll", ROLLED, Some(&m::NO_ROLL), |q, _| {
             instead(q, |data| data["camera"]["roll"] = json!(0.0))
         }),
         planted(

@@ -42,6 +42,10 @@ pub fn interpolates(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Fou
         }
         Some(sum.map(|x| x.clamp(-1.0, 1.0)))
     };
+    if answers[1..].iter().all(|answer| answer == &answers[1]) {
+        let text = "other values at other points of the lattice";
+        return Ok(Judgement::wrong("always the same", f64::INFINITY, text));
+    }
     let value: fn(&Value) -> Option<[f64; 3]> =
         |answer| Some([number(&answer["value"])?, 0.0, 0.0]);
     let vector: fn(&Value) -> Option<[f64; 3]> = |answer| triple(&answer["vector"]);
