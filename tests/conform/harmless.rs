@@ -58,9 +58,9 @@ fn single_precision_is_counted_as_fair() {
         all_numbers(&mut a, &|x| json!(f64::from(x as f32)));
         a
     });
-    let ordinary = card(&mut single, &SOME, Profile::Book, 48);
+    let ordinary = card(&mut single, &SOME, Profile::Book, 24);
     let is_ordinary = |name: &str| ordinary.rows.iter().any(|row| row.name == name);
-    let card = card(&mut single, &SOME, Profile::Careful, 48);
+    let card = card(&mut single, &SOME, Profile::Careful, 24);
     let rows = card.rows.iter().filter(|row| is_ordinary(&row.name));
     let wrong: Vec<_> = rows.filter(|row| row.count(Status::Wrong) > 0).collect();
     assert!(wrong.iter().any(|row| row.name.ends_with(".there_and_back")), "no law is broken");

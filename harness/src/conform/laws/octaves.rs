@@ -58,7 +58,7 @@ pub fn interpolates(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Fou
             continue;
         };
         let size = if name == "value" { right[..1].to_vec() } else { right.to_vec() };
-        let off = (0..3).map(|i| (theirs[i] - right[i]).abs()).fold(0.0, f64::max);
+        let off = farthest(theirs, right);
         let judged = within(profile, name, off / TERMS, || {
             format!("{name} = {size:?}, interpolated between {} of its own", knots.len())
         });
@@ -67,6 +67,13 @@ pub fn interpolates(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Fou
         }
     }
     Ok(Judgement::Right(0.0))
+}
+
+/// The largest difference; NaN if there is one.
+fn farthest(a: [f64; 3], b: [f64; 3]) -> f64 {
+    (0..3)
+        .map(|i| (a[i] - b[i]).abs())
+        .fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
 }
 
 /// The two points of the lattice around a coordinate, with their weights.
@@ -178,7 +185,8 @@ pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
         ("fbm", shifted(sum(gain, others), bound(gain))),
     ];
     for (name, right) in expected {
-        let Some(theirs) = number(&answers[0][name]) else { continue };
+        let Some(theirs) = answers[0].get(name) else { continue };
+        let theirs = number(theirs).unwrap_or(f64::NAN);
         let judged = within(profile, name, (theirs - right).abs() / TERMS, || {
             format!("{name} = {right:?}, of {octaves} octaves of its own")
         });
@@ -188,10 +196,11 @@ pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
     }
     let vectors: Option<Vec<[f64; 3]>> =
         answers[1 + octaves as usize..].iter().map(|answer| triple(&answer["vector"])).collect();
-    if let (Some(vectors), Some(theirs)) = (vectors, triple(&answers[0]["vector_fbm"])) {
+    if let (Some(vectors), Some(theirs)) = (vectors, answers[0].get("vector_fbm")) {
+        let theirs = triple(theirs).unwrap_or([f64::NAN; 3]);
         let along = |i: usize| sum(gain, &vectors.iter().map(|v| v[i]).collect::<Vec<_>>());
         let right: [f64; 3] = std::array::from_fn(along);
-        let off = (0..3).map(|i| (theirs[i] - right[i]).abs()).fold(0.0, f64::max);
+        let off = farthest(theirs, right);
         let judged = within(profile, "vector_fbm", off / (TERMS * bound(gain)), || {
             format!("vector_fbm = {right:?}, of {octaves} octaves of its own")
         });
