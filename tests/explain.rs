@@ -107,13 +107,14 @@ fn what_is_folded_is_counted() {
         (0..rays.len()).collect::<Vec<_>>()
     );
     for min_share in [0.0, 0.001, 0.01, 0.1] {
-        let (mut shown, mut hidden) = (Vec::new(), 0);
+        let (mut shown, mut hidden, mut folding) = (Vec::new(), 0, Vec::new());
         for row in Outline::folding_below(min_share).rows(&root) {
             match row {
                 Row::Ray { ray, .. } => shown.push(ray.number),
                 Row::Local { .. } => {}
                 Row::Folded { parent, rays: count, share, .. } => {
                     hidden += count;
+                    folding.push(parent);
                     let small: Vec<_> =
                         rays[parent].children.iter().filter(|c| c.share < min_share).collect();
                     assert_eq!(count, small.iter().map(|child| all(child).len()).sum::<usize>());
@@ -123,6 +124,12 @@ fn what_is_folded_is_counted() {
             }
         }
         assert_eq!(shown.len() + hidden, rays.len(), "{min_share}");
+        // folding a single ray saves no line
+        for number in &shown {
+            let weak = rays[*number].children.iter().filter(|child| child.share < min_share);
+            let weak: usize = weak.map(|child| all(child).len()).sum();
+            assert_eq!(folding.contains(number), weak > 1, "{weak} weak rays below ray {number}");
+        }
         assert_eq!(hidden == 0, min_share == 0.0);
         let large = rays.iter().filter(|ray| ray.share >= min_share);
         assert!(large.map(|ray| ray.number).all(|number| shown.contains(&number)));

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::images::decode_layer;
 use groundtruth::rgb::Rgb;
 use harness::compare::Picture;
 
@@ -86,6 +87,38 @@ fn alpha_below_1_is_counted() {
     }
     let plain = decode(&exr("no-alpha", 2, 2, |_, _| Rgb::WHITE), None, MAX).expect("right");
     assert_eq!(plain.transparent(), 0);
+}
+
+/// Law: of a file of two views, which are parts with the attribute `view` (OpenEXR, "Multi-view images"), the one that is
+/// named is read; without a name, the file is refused with the names. Oracle: the colours, written by the `exr` crate.
+#[test]
+fn a_view_is_chosen_by_its_name() {
+    use ::exr::prelude::*;
+    let grey_of = |view: &str| if view == "left" { 0.25_f32 } else { 0.75 };
+    let part = |view: &'static str| {
+        let attributes = LayerAttributes {
+            view_name: Some(view.into()),
+            ..LayerAttributes::named(format!("of-{view}").as_str())
+        };
+        let channels = SpecificChannels::rgb(move |_| (grey_of(view), 0.5_f32, 1.0_f32));
+        Layer::new((2, 1), attributes, ::exr::image::Encoding::FAST_LOSSLESS, channels)
+    };
+    let mut file = std::io::Cursor::new(Vec::new());
+    let image = Image::empty(ImageAttributes::new(IntegerBounds::from_dimensions((2, 1))));
+    image
+        .with_layer(part("left"))
+        .with_layer(part("right"))
+        .write()
+        .to_buffered(&mut file)
+        .expect("memory can be written to");
+    let bytes = file.into_inner();
+    for view in ["left", "right"] {
+        let texels = decode_layer(&bytes, None, Some(view), MAX).expect("it is there");
+        assert_eq!(texels.colors(), [[grey_of(view), 0.5, 1.0]; 2], "{view}");
+    }
+    let refused = refusal(&bytes);
+    assert!(["left", "right"].iter().all(|view| refused.contains(view)), "{refused}");
+    assert!(decode_layer(&bytes, None, Some("middle"), MAX).is_err());
 }
 
 fn attribute(name: &str, kind: &str, value: &[u8]) -> Vec<u8> {

@@ -18,30 +18,74 @@ fn bytes_of(bits: &str) -> Vec<u8> {
     bytes.flat_map(|byte| if byte == 0xff { vec![byte, 0] } else { vec![byte] }).collect()
 }
 
-/// A grey image of 8 × 8 texels of this value. The mean of a block is 1/8 of its DC coefficient, here
-/// quantised by 8, and 128 is added to it.
-fn grey_block(value: u8) -> Vec<u8> {
-    let mean = i32::from(value) - 128;
-    let category = 32 - mean.unsigned_abs().leading_zeros();
-    let bits = if mean < 0 { mean + (1 << category) - 1 } else { mean };
+/// The code of a block whose mean is so much more than that of the block before it. The mean is 1/8 of the DC
+/// coefficient, here quantised by 8.
+fn block(more: i32) -> String {
+    let category = 32 - more.unsigned_abs().leading_zeros();
+    let bits = if more < 0 { more + (1 << category) - 1 } else { more };
     let bits = match category {
         0 => String::new(),
         category => format!("{bits:0width$b}", width = category as usize),
     };
+    format!("{category:04b}{bits}{END_OF_BLOCK}")
+}
+
+/// A grey image of blocks of 8 × 8 texels beside each other; with restart markers between them, or without.
+fn grey_blocks(values: &[u8], restarts: bool) -> Vec<u8> {
+    // 128 is added to each
+    let means: Vec<i32> = values.iter().map(|value| i32::from(*value) - 128).collect();
+    let scan: Vec<u8> = match restarts {
+        // each begins anew, after the markers 0xffd0 … 0xffd7 in turn
+        true => {
+            let blocks = means.iter().enumerate();
+            let marked = |(i, mean): (usize, &i32)| {
+                let marker = [0xff, 0xd0 + ((i + 7) % 8) as u8];
+                [if i == 0 { &[][..] } else { &marker }, &bytes_of(&block(*mean))].concat()
+            };
+            blocks.flat_map(marked).collect()
+        }
+        false => {
+            let before = [0].into_iter().chain(means.iter().copied());
+            bytes_of(
+                &means
+                    .iter()
+                    .zip(before)
+                    .map(|(mean, before)| block(mean - before))
+                    .collect::<String>(),
+            )
+        }
+    };
     // nine codes of four bits for the categories 0 … 8, of which none is all ones
     let dc = [&[0x00, 0, 0, 0, 9][..], &[0; 12], &[0, 1, 2, 3, 4, 5, 6, 7, 8]].concat();
     let ac = [&[0x10, 1][..], &[0; 15], &[0]].concat();
+    let width = u16::try_from(8 * values.len()).expect("it is narrow").to_be_bytes();
     [
         vec![0xff, 0xd8],
         segment(0xdb, &[&[0][..], &[8; 64]].concat()),
-        segment(0xc0, &[8, 0, 8, 0, 8, 1, 1, 0x11, 0]),
+        segment(0xc0, &[&[8, 0, 8][..], &width, &[1, 1, 0x11, 0]].concat()),
         segment(0xc4, &dc),
         segment(0xc4, &ac),
+        if restarts { segment(0xdd, &[0, 1]) } else { Vec::new() },
         segment(0xda, &[1, 1, 0, 0, 63, 0]),
-        bytes_of(&format!("{category:04b}{bits}{END_OF_BLOCK}")),
+        scan,
         vec![0xff, 0xd9],
     ]
     .concat()
+}
+
+fn grey_block(value: u8) -> Vec<u8> {
+    grey_blocks(&[value], false)
+}
+
+/// Law: blocks behind restart markers (ITU-T T.81, F.1.1.5) have the greys that they have without them. Oracle: the
+/// greys, in more blocks than there are markers.
+#[test]
+fn restart_markers_change_nothing() {
+    let values: Vec<u8> = (0..20).map(|i| (37 * i % 256) as u8).collect();
+    let row: Vec<_> = values.iter().flat_map(|value| [grey(u32::from(*value), 255); 8]).collect();
+    for restarts in [false, true] {
+        assert_eq!(linear(&grey_blocks(&values, restarts)), row.repeat(8), "restarts: {restarts}");
+    }
 }
 
 /// Law: a block of one grey has it in every texel, for each of the 256. Oracle: the standard's mean of a
