@@ -16,12 +16,28 @@ const COSINE_TWICE: Mistake = Mistake::term(
     },
 );
 
+const COUNTED_TWICE: Mistake = Mistake::term(
+    26,
+    "light-counted-twice",
+    "lamps and sky count in full both where they are sampled and where a path hits them",
+    light_counted_twice,
+);
+
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::term(
-        26,
-        "light-counted-twice",
-        "lamps and sky count in full both where they are sampled and where a path hits them",
-        light_counted_twice,
+    COUNTED_TWICE,
+    COUNTED_TWICE.in_form(
+        "in full where they are sampled alone",
+        How::Term(|term| match term.term.source {
+            TermSource::Direct { .. } => light_counted_twice(term),
+            _ => term.value(),
+        }),
+    ),
+    COUNTED_TWICE.in_form(
+        "in full where a path hits them alone",
+        How::Term(|term| match term.term.source {
+            TermSource::Direct { .. } => term.value(),
+            _ => light_counted_twice(term),
+        }),
     ),
     COSINE_TWICE,
     COSINE_TWICE.in_form(

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 
 use super::super::family::Asking;
 use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::mistakes;
 use super::super::subject::ours;
 use super::lamps::Lamp;
 use super::{Found, color, missing, within};
@@ -59,7 +60,8 @@ pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
         let text = "null: this side of the lamp is dark";
         return Ok(match sample.is_null() {
             true => Judgement::Right(0.0),
-            false => Judgement::wrong("light from the dark side", f64::INFINITY, text),
+            false => Judgement::wrong("light from the dark side", f64::INFINITY, text)
+                .with([&mistakes::DARK_SIDE]),
         });
     }
     if sample.is_null() {

@@ -5,6 +5,7 @@ use serde_json::{Value, json};
 
 use super::super::family::{Asking, Stop};
 use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::mistakes::{self as m, Mistake};
 use super::super::subject::ours;
 use super::{Found, color, missing, relative, within};
 use groundtruth::math::{Normal, Vector, floor, sin};
@@ -179,19 +180,50 @@ pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
     let bound = |gain: f64| sum(gain, &vec![1.0; octaves as usize]);
     let absolute: Vec<f64> = halves.iter().map(|x| x.abs()).collect();
     let shifted = |sum: f64, bound: f64| (sum + bound) / (2.0 * bound);
-    let expected = [
-        ("fractal_sum", shifted(sum(0.5, halves), bound(0.5))),
-        ("turbulence", sum(0.5, &absolute) / bound(0.5)),
-        ("fbm", shifted(sum(gain, others), bound(gain))),
+    let bare = sum(0.5, halves);
+    let of_fbm = sum(gain, others);
+    // the right sum, and what mistakes make of it
+    let expected: [(&str, f64, &[(&'static Mistake, f64)]); 3] = [
+        (
+            "fractal_sum",
+            shifted(bare, bound(0.5)),
+            &[
+                (&m::SUM_NOT_SCALED, bare),
+                (&m::SCALED_BY_MAX, (bare + bound(0.5)) / bound(0.5)),
+                (&m::ONE_OCTAVE, shifted(halves[0], 1.0)),
+            ],
+        ),
+        (
+            "turbulence",
+            sum(0.5, &absolute) / bound(0.5),
+            &[
+                (&m::NO_ABSOLUTE, bare / bound(0.5)),
+                (&m::NO_ABSOLUTE, shifted(bare, bound(0.5))),
+                (&m::SUM_NOT_SCALED, sum(0.5, &absolute)),
+            ],
+        ),
+        (
+            "fbm",
+            shifted(of_fbm, bound(gain)),
+            &[
+                (&m::NO_GAIN, shifted(sum(0.5, others), bound(0.5))),
+                (&m::NO_GAIN, shifted(sum(0.5, others), bound(gain))),
+                (&m::NO_LACUNARITY, shifted(sum(gain, halves), bound(gain))),
+                (&m::SUM_NOT_SCALED, of_fbm),
+                (&m::SCALED_BY_MAX, (of_fbm + bound(gain)) / bound(gain)),
+                (&m::ONE_OCTAVE, shifted(others[0], 1.0)),
+            ],
+        ),
     ];
-    for (name, right) in expected {
+    for (name, right, others) in expected {
         let Some(theirs) = answers[0].get(name) else { continue };
         let theirs = number(theirs).unwrap_or(f64::NAN);
         let judged = within(profile, name, (theirs - right).abs() / TERMS, || {
             format!("{name} = {right:?}, of {octaves} octaves of its own")
         });
         if !judged.is_right() {
-            return Ok(judged);
+            let gives = others.iter().filter(|(_, other)| m::same(&[theirs], &[*other]));
+            return Ok(judged.with(gives.map(|(mistake, _)| *mistake)));
         }
     }
     let vectors: Option<Vec<[f64; 3]>> =
@@ -235,9 +267,31 @@ pub fn texture_of_noise(ask: &mut Asking<'_>, case: &Value, profile: Profile) ->
         return missing("colour");
     }
     // noise is rounded; it is multiplied by numbers of about 10
-    Ok(within(profile, "colour", relative(&theirs, &json!(right)) / (10.0 * TERMS), || {
-        format!("{right:?} for the {sum} {value:?} of its own")
-    }))
+    let judged =
+        within(profile, "colour", relative(&theirs, &json!(right)) / (10.0 * TERMS), || {
+            format!("{right:?} for the {sum} {value:?} of its own")
+        });
+    let gives = |(_, changed, noise): &(&'static Mistake, Value, f64)| {
+        let other = painted(tag, changed, point, *noise);
+        other.is_some_and(|other| color(&theirs).is_some_and(|theirs| m::same(&theirs, &other)))
+    };
+    let named = mistaken_fields(fields, value).into_iter().filter(gives);
+    Ok(judged.with(named.map(|(mistake, ..)| mistake)))
+}
+
+/// Mistakes that are other fields of a texture, or another noise.
+fn mistaken_fields(fields: &Value, noise: f64) -> Vec<(&'static Mistake, Value, f64)> {
+    let with = |all: &[(&str, f64)]| {
+        let mut changed = fields.clone();
+        all.iter().for_each(|(name, value)| changed[*name] = json!(value));
+        changed
+    };
+    vec![
+        (&m::NO_EXPANSION, with(&[("expansion", 1.0)]), noise),
+        (&m::NO_PERTURBATION, with(&[("perturbation", 1.0)]), noise),
+        (&m::NO_RANGE, with(&[("min", 0.0), ("max", 1.0)]), noise),
+        (&m::NO_NOISE, fields.clone(), 0.0),
+    ]
 }
 
 /// The colour of a noise texture; `None` next to a jump, or if it is another texture.
@@ -321,18 +375,28 @@ pub fn bump_adds_noise(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> 
     let noise = noise_of(ask, &bump, hit)?;
     let Some(by) = triple(&noise["vector_fbm"]) else { return missing("vector_fbm") };
     let amount = bump["perturbation"].as_f64().unwrap_or(0.0);
-    let normal = Normal::Y + amount * Vector::from(by);
-    let mut tilted = case.clone();
-    let scene = &mut tilted["radiance"]["scene"];
-    scene["materials"][0].as_object_mut().map(|fields| fields.remove("bump"));
-    scene["objects"][0]["shape"] = json!({"plane": {"point": hit, "normal": normal.to_array()}});
-    let Some(right) = ours(&tilted).ok().and_then(|answer| triple(&answer["mean"])) else {
-        return Ok(Judgement::Undecided);
+    let tilted_by = |amount: f64| {
+        let normal = Normal::Y + amount * Vector::from(by);
+        let mut tilted = case.clone();
+        let scene = &mut tilted["radiance"]["scene"];
+        scene["materials"][0].as_object_mut().map(|fields| fields.remove("bump"));
+        scene["objects"][0]["shape"] =
+            json!({"plane": {"point": hit, "normal": normal.to_array()}});
+        ours(&tilted).ok().and_then(|answer| triple(&answer["mean"]))
     };
+    let Some(right) = tilted_by(amount) else { return Ok(Judgement::Undecided) };
     let Some(mean) = color(&theirs["mean"]) else { return missing("mean") };
     // the point of the hit is rounded before its noise is asked: slopes of some dozens
     let allowance = 100.0 * TERMS;
-    Ok(within(profile, "mean", relative(&json!(mean), &json!(right)) / allowance, || {
+    let judged = within(profile, "mean", relative(&json!(mean), &json!(right)) / allowance, || {
         format!("mean = {right:?} for the vector_fbm {by:?} of its own")
-    }))
+    });
+    let others = [(&m::NO_NOISE, 0.0), (&m::NO_PERTURBATION, 1.0), (&m::NOISE_SUBTRACTED, -amount)];
+    let gives = |(_, amount): &(&'static Mistake, f64)| {
+        tilted_by(*amount).is_some_and(|other| m::same(&mean, &other))
+    };
+    match judged.is_right() {
+        true => Ok(judged),
+        false => Ok(judged.with(others.into_iter().filter(gives).map(|(mistake, _)| mistake))),
+    }
 }

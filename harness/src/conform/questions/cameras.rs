@@ -248,6 +248,11 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::DEGREES, ROLL_IN_RADIANS),
             (&m::NO_ZOOM, NO_ZOOM),
             (&m::ZOOM_INVERTED, ZOOM_INVERTED),
+            (&m::LENS_UNSCALED, |question| {
+                let lens = data(question)?.pointer_mut("/camera/lens/thin_lens")?;
+                lens["focal_distance"] = lens["distance"].clone();
+                Some(())
+            }),
         ],
         answers: &[
             (&m::WHOLE_ANGLE, |question, field, right| with_angle(question, field, right, 2.0)),

@@ -110,6 +110,22 @@ fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
                 image["rule"] = json!(if image["rule"] == "book" { "even" } else { "book" });
                 Some(())
             }),
+            (&m::NO_HALF_TEXEL, |question| {
+                let image = image(question)?;
+                let rows = image["texels"].as_array()?;
+                let counts = [rows[0].as_array()?.len(), rows.len()].map(|n| n as f64);
+                any_of(image, "filtering", "bilinear")?;
+                let data = data(question)?;
+                change(data, "/uv/0", |u| u + 0.5 / counts[0])?;
+                change(data, "/uv/1", |v| v + 0.5 / counts[1])
+            }),
+            (&m::MIRROR_REPEATS, |question| {
+                let image = image(question)?;
+                let mirrored: Vec<&str> =
+                    ["wrap_u", "wrap_v"].into_iter().filter(|it| image[*it] == "mirror").collect();
+                mirrored.iter().for_each(|field| image[*field] = json!("repeat"));
+                (!mirrored.is_empty()).then_some(())
+            }),
             (&m::WRAPS_CLAMPED, |question| wraps(question, "clamp")),
             (&m::WRAPS_REPEATED, |question| wraps(question, "repeat")),
             (&m::WRAPS_SWAPPED, |question| swap(image(question)?, "/wrap_u", "/wrap_v")),
@@ -127,6 +143,10 @@ fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
 
 fn image(question: &mut Value) -> Option<&mut Value> {
     question.pointer_mut("/texture/texture/image")
+}
+
+fn any_of(image: &Value, field: &str, word: &str) -> Option<()> {
+    (image[field] == word).then_some(())
 }
 
 fn of_rows(question: &mut Value, change: impl Fn(&mut Vec<Value>)) -> Option<()> {

@@ -87,6 +87,12 @@ fn fresnel(question: &Value, answer: &Value, profile: Profile) -> Judgement {
                 let multiplied = eta_multiplied(wo?, n?, asked["eta"].as_f64()?, true)?;
                 (field == "refracted").then_some(multiplied)
             }),
+            (&m::REFRACTED_SIGN, |question, field, _| {
+                let asked = &question["fresnel"];
+                let [wo, n] = ["wo", "n"].map(|it| triple(&asked[it]).map(Vector::from));
+                let refracted = wrong_sign(wo?, n?, asked["eta"].as_f64()?)?;
+                (field == "refracted").then_some(refracted)
+            }),
             (&m::INDEX_ZERO, |_, field, _| match field {
                 "reflected" => Some(vec![1.0]),
                 "transmitted" => Some(vec![0.0]),
@@ -104,6 +110,14 @@ fn eta_multiplied(wo: Vector, n: Vector, eta: f64, is_both: bool) -> Option<Vec<
     let square = 1.0 - (1.0 - cosine * cosine) / (eta * eta);
     let second = if is_both { cosine * eta } else { cosine / eta };
     let refracted = -eta * wo - (square.sqrt() - second) * n;
+    (square >= 0.0).then(|| refracted.to_array().to_vec())
+}
+
+/// `−ωo/η − (cosθt + cosθi/η) n`.
+fn wrong_sign(wo: Vector, n: Vector, eta: f64) -> Option<Vec<f64>> {
+    let cosine = n.dot(wo);
+    let square = 1.0 - (1.0 - cosine * cosine) / (eta * eta);
+    let refracted = -(1.0 / eta) * wo - (square.sqrt() + cosine / eta) * n;
     (square >= 0.0).then(|| refracted.to_array().to_vec())
 }
 
@@ -167,6 +181,25 @@ fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::ETA_MULTIPLIED, |question, field, _| lobe_eta_multiplied(question, field, true)),
             (&m::NO_ETA_SQUARED, |question, field, right| by_eta(question, field, right, 2.0)),
             (&m::ETA_SQUARED_TWICE, |question, field, right| by_eta(question, field, right, -2.0)),
+            (&m::ETA_ONCE, |question, field, right| by_eta(question, field, right, 1.0)),
+            (&m::REFRACTED_SIGN, |question, field, _| {
+                let asked = &question["lobe"];
+                let eta = asked["lobe"].as_object()?.values().next()?["eta"].as_f64()?;
+                let wo = Vector::from(triple(&asked["wo"])?);
+                let (n, eta) =
+                    if wo.z() < 0.0 { (-Vector::Z, 1.0 / eta) } else { (Vector::Z, eta) };
+                (field == "sample.wi").then(|| wrong_sign(wo, n, eta))?
+            }),
+            (&m::EXPONENT_FOR_DENSITY, |question, field, right| {
+                let e =
+                    question["lobe"]["lobe"].as_object()?.values().next()?["exponent"].as_f64()?;
+                let factor = match field {
+                    "pdf" => e / (e + 1.0),
+                    "sample.weight" => (e + 1.0) / e,
+                    _ => return None,
+                };
+                times(factor, right, field)
+            }),
         ],
     };
     if question["lobe"]["lobe"].to_string().contains("\"eta\"")

@@ -244,10 +244,18 @@ fn mapping(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::FLIP_X, |question| change(data(question)?, "/point/0", |x| -x)),
             (&m::FLIP_Z, |question| change(data(question)?, "/point/2", |x| -x)),
         ],
-        answers: &[(&m::DIVIDED_BY_ZERO_AXIS, |question, _, _| {
-            let [x, y, _] = triple(&question["mapping"]["point"])?;
-            (x == 0.0 && y == 0.0).then(|| vec![f64::NAN; 2])
-        })],
+        answers: &[
+            (&m::DIVIDED_BY_ZERO_AXIS, |question, _, _| {
+                let [x, y, _] = triple(&question["mapping"]["point"])?;
+                (x == 0.0 && y == 0.0).then(|| vec![f64::NAN; 2])
+            }),
+            (&m::PROBE_TWICE, |question, _, right| {
+                let mapping = &question["mapping"]["mapping"];
+                let is_probe = mapping == "light_probe" || mapping == "panoramic";
+                is_probe
+                    .then(|| numbers(right)?.into_iter().map(|x| Some(2.0 * x - 0.5)).collect())?
+            }),
+        ],
     };
     values::judge(question, answer, profile, &RULES)
 }

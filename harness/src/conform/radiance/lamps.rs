@@ -220,7 +220,7 @@ fn occlusion(draw: &mut Draw, change: fn(&mut Draw, &mut Value)) -> Value {
 /// A glossy ball under a sky, which is the same in all directions; or over a lit ground.
 fn gloss(draw: &mut Draw, with_ground: bool) -> Value {
     let glossy = json!({"glossy_reflector": {
-        "phong": phong(draw), "kr": share(draw), "cr": color(draw), "exponent": draw.pick(&[4.0, 20.0, 100.0]),
+        "phong": phong(draw), "kr": share(draw), "cr": color(draw), "exponent": draw.pick(&[1.0, 4.0, 20.0, 100.0]),
     }});
     let materials = vec![material("gloss", glossy), material("stone", matte(draw))];
     let mut objects = vec![object("ball", "gloss", stage::sphere([0.0, 1.0, 0.0], 1.0))];

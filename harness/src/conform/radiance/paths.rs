@@ -17,6 +17,14 @@ pub const ALL: &[Exact] = &[
     ("global_trace.room", "ch26", |draw| room(draw, "global_trace")),
     ("global_trace.mirror", "ch26", |draw| room_with_mirror(draw, "global_trace")),
     ("path.furnace", "ch26", |draw| furnace(draw, "path")),
+    ("path.roulette", "ch26", |draw| {
+        // from the fifth bounce on, paths may end by chance
+        let mut question = furnace(draw, "path");
+        let scene = &mut question["radiance"]["scene"];
+        scene["tracer"]["path"]["max_depth"] = json!(8 + draw.below(8));
+        scene["materials"][0]["recipe"]["emissive"]["matte"]["kd"] = json!(1.0);
+        question
+    }),
     ("path.sky", "ch26", |draw| corner_under_sky(draw, "path")),
     ("path.room", "ch26", |draw| room(draw, "path")),
     ("path.mirror", "ch26", |draw| room_with_mirror(draw, "path")),

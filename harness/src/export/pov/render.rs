@@ -1,7 +1,7 @@
 //! POV-Ray itself, as a program that renders a scene.
 
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 use std::time::Duration;
 
 use crate::export::running::{last_lines, run};
@@ -23,9 +23,9 @@ impl Program {
 
     /// The version, as it says it.
     pub fn version(&self) -> Option<String> {
-        let said = Command::new(&self.file).arg("--version").stdin(Stdio::null()).output().ok()?;
-        let text = String::from_utf8_lossy(&said.stderr).into_owned()
-            + &String::from_utf8_lossy(&said.stdout);
+        const LIMIT: Duration = Duration::from_secs(10);
+        let said = run(Command::new(&self.file).arg("--version"), LIMIT).ok()?;
+        let text = String::from_utf8_lossy(&said.messages).into_owned();
         text.lines().find(|line| line.starts_with("POV-Ray")).map(|line| line.trim().to_owned())
     }
 

@@ -25,6 +25,9 @@ pub(super) const ALL: &[Change] = changes! {
     "the exponent of highlights is a whole number", "ch. 15: (r·ωo)ᵉ" => |data| {
         bases(data, |base| number(base, "exponent", |e| e.trunc()))
     };
+    "the exponent of highlights is larger by 1", "ch. 15: (r·ωo)ᵉ" => |data| {
+        bases(data, |base| number(base, "exponent", |e| e + 1.0))
+    };
     "a mirror does not reflect", "ch. 24" => |data| of_kinds(data, &["reflective", "glossy_reflector"], |fields| {
         instead(fields, "kr", json!(0.0))
     });
@@ -117,6 +120,12 @@ pub(super) const ALL: &[Change] = changes! {
     "flat meshes are smooth", "ch. 23" => |data| tables(data, "objects", "mesh", &|mesh| {
         if mesh.contains_key("smooth") { None } else { set(mesh, "smooth", json!(true)) }
     });
+    "images are interpolated where the nearest texel counts, or the other way round", "ch. 29: filtering" => |data| {
+        tables(data, "materials", "image", &|image| {
+            let is_nearest = image.get("filtering").is_none_or(|it| it == "nearest");
+            set(image, "filtering", json!(if is_nearest { "bilinear" } else { "nearest" }))
+        })
+    };
     "bumps are left out", "ch. 31" => |data| items(data, "materials", |material| without(material, "bump"));
     "bumps are dents", "ch. 31" => |data| tables(data, "materials", "height", &|bump| number(bump, "height", |x| -x));
     "textures have their first colour everywhere", "ch. 30" => |data| textures(data, |texture| {

@@ -23,6 +23,22 @@ pub(super) const ALL: &[Change] = changes! {
         set(scene(data)?, "transparency", json!({"shadows": "attenuated"}))
     };
     "the exposure time divides", "ch. 9: it is a factor" => |data| number(camera(data)?, "exposure_time", |x| 1.0 / x);
+    "a sky turns the other way", "docs/scene.md: `rotate_y`" => |data| number(sky(data)?, "rotate_y", |x| -x);
+    "a sky is not turned", "docs/scene.md: `rotate_y`" => |data| instead(sky(data)?, "rotate_y", json!(0.0));
+    "the factor ls of a sky is left out", "docs/scene.md: `ls`" => |data| instead(sky(data)?, "ls", json!(1.0));
+    "the image of a sky stands on its head", "ch. 29: v goes up" => |data| {
+        sky(data)?.get_mut("texels")?.as_array_mut()?.reverse();
+        Some(())
+    };
+    "the image of a sky is mirrored", "ch. 29: u goes from +z towards +x" => |data| {
+        let rows = sky(data)?.get_mut("texels")?.as_array_mut()?;
+        rows.iter_mut().filter_map(Value::as_array_mut).for_each(|row| row.reverse());
+        Some(())
+    };
+    "the point of the lens is not scaled by d/f", "ch. 10" => |data| {
+        let distance = lens(data)?.get("distance")?.clone();
+        instead(lens(data)?, "focal_distance", distance)
+    };
     "the lens is a point", "ch. 10" => |data| instead(lens(data)?, "lens_radius", json!(0.0));
     "the radius of the lens is taken for its diameter", "ch. 10" => |data| number(lens(data)?, "lens_radius", |r| 0.5 * r);
     "the focal distance is measured from the view plane", "ch. 10: from the lens" => |data| {
@@ -50,6 +66,10 @@ fn scene(data: &mut Value) -> Option<&mut Fields> {
 
 fn camera(data: &mut Value) -> Option<&mut Fields> {
     scene(data)?.get_mut("camera")?.as_object_mut()
+}
+
+fn sky(data: &mut Value) -> Option<&mut Fields> {
+    scene(data)?.get_mut("background")?.get_mut("image")?.as_object_mut()
 }
 
 fn image(data: &mut Value) -> Option<&mut Fields> {

@@ -3,11 +3,11 @@
 //! A judge lists, for one wrong answer, the mistakes that give exactly this answer. A family is named by the few
 //! mistakes that explain most of its wrong answers, each with how many it explains.
 
-use std::f64::consts::PI;
+mod clues;
+mod names;
 
-use serde_json::Value;
-
-use super::judgement::Wrong;
+pub use clues::{clues, clues_of_color, ratio, same};
+pub use names::{Name, always, names};
 
 /// A mistake.
 #[derive(Debug, PartialEq)]
@@ -106,6 +106,9 @@ mistakes! {
     WITHOUT_COS: "without the cosine of the incoming direction", "ch. 13, 26: the weight is f cos θ / pdf", "ch26/cornell-box";
     NO_ETA_SQUARED: "ours × η²: 1/η² is left out", "ch. 27: radiance is divided by η² when it enters", "ch28/snell-window";
     ETA_SQUARED_TWICE: "ours / η²: 1/η² twice", "ch. 27: radiance is divided by η² when it enters", "ch28/snell-window";
+    ETA_ONCE: "ours × η: 1/η for 1/η²", "ch. 27: radiance is divided by η² when it enters", "ch28/snell-window";
+    REFRACTED_SIGN: "−ωo/η − (cosθt + cosθi/η) n: a sign in the refracted direction", "ch. 27: t = −ωo/η − (cosθt − cosθi/η) n", "ch27/common-set";
+    EXPONENT_FOR_DENSITY: "e for e + 1 in the density", "ch. 7, 25: (e + 1) cosᵉθ / 2π";
     ETA_INVERTED: "η upside down", "ch. 27, 28: η = η_in / η_out, inverted when the ray is inside", "ch28/snell-window";
     ONLY_S: "light polarised across the plane of incidence alone", "ch. 28: the mean of both polarisations";
     MEAN_OF_AMPLITUDES: "the mean of the amplitudes, not of their squares", "ch. 28: kr = (r∥² + r⊥²) / 2";
@@ -153,6 +156,9 @@ mistakes! {
     IMAGE_MIRRORED: "the image is mirrored", "ch. 29: u goes to the right";
     NEAREST_FOR_BILINEAR: "the nearest texel, without interpolation", "ch. 29: filtering";
     BOOK_RULE: "n for n − 1 of the columns and rows, or the other way round", "docs/book-card.md: ch. 29, texels";
+    NO_HALF_TEXEL: "texels are at their corners, not their middles", "ch. 29: bilinear, x = n u − 1/2";
+    MIRROR_REPEATS: "a mirrored wrap repeats", "docs/scene.md: wraps";
+    PROBE_TWICE: "the angle of a light probe is taken for twice itself", "ch. 29: r = α/π";
     WRAPS_CLAMPED: "coordinates outside 0 … 1 are clamped", "ch. 29: wraps";
     WRAPS_REPEATED: "the image always repeats", "ch. 29: wraps";
     WRAPS_SWAPPED: "the wraps of u and v are exchanged", "ch. 29: wraps";
@@ -162,288 +168,25 @@ mistakes! {
     NO_VERTEX_NORMALS: "the normals of the vertices are left out", "ch. 23";
     REVERSED_FORGOTTEN: "reverse_normals is left out", "ch. 23: reverse_normal";
     MESH_SCALE: "the scale of the mesh is left out", "docs/scene.md: scale";
+    // noise
+    NO_GAIN: "the gain is 1/2, whatever it is", "ch. 31: fBm, gainʲ";
+    NO_LACUNARITY: "the lacunarity is 2, whatever it is", "ch. 31: fBm, lacunarityʲ";
+    ONE_OCTAVE: "one octave for all", "ch. 31: the sum over the octaves";
+    NO_ABSOLUTE: "turbulence without the absolute value", "ch. 31: Σ |noise(2ʲ p)| / 2ʲ";
+    SUM_NOT_SCALED: "the sum is not scaled to 0 … 1", "ch. 31: (sum − min) / (max − min)";
+    SCALED_BY_MAX: "the sum is divided by its maximum alone", "ch. 31: (sum − min) / (max − min)";
+    NO_EXPANSION: "the expansion number is left out", "ch. 31: noise = expansion · fBm";
+    NO_PERTURBATION: "the perturbation is left out", "ch. 31: a · fBm";
+    NO_NOISE: "the noise is left out", "ch. 31";
+    NO_RANGE: "min and max are left out", "ch. 31: min + (max − min) · noise";
+    NOISE_SUBTRACTED: "the noise is subtracted", "ch. 31: n + a · fBm(p)";
+    // lights and lenses
+    DARK_SIDE: "lamps shine from their dark side, too", "ch. 18: no light where n·ωi ≤ 0", "ch18/rectangle";
+    LENS_UNSCALED: "the point of the lens is not scaled by d/f", "ch. 10: p + (p − l) …, d/f of the lens point", "ch10/near-focus";
     NO_SIZE: "the size is left out", "ch. 30: coordinates over the size";
     ONE_CELL_LESS: "one cell less along each axis", "ch. 22: n = ⌊m w / s⌋ + 1";
     NO_MULTIPLIER: "the multiplier is left out", "ch. 22: m = 2";
     IN_BLACK_SHADOW: "the light is left out", "ch. 14, 16", "ch16/shadows";
     NO_SHADOWS: "shadows are left out", "ch. 16", "ch16/shadows";
     NO_AMBIENT: "ambient light is left out", "ch. 14: ka cd L_a is added once", "ch14/set";
-}
-
-/// Factors by which whole answers are off.
-static FACTORS: [(&Mistake, f64); 11] = [
-    (&TIMES_PI, PI),
-    (&OVER_PI, 1.0 / PI),
-    (&TIMES_TWO, 2.0),
-    (&HALF, 0.5),
-    (&TIMES_2PI, 2.0 * PI),
-    (&OVER_2PI, 0.5 / PI),
-    (&TIMES_4PI, 4.0 * PI),
-    (&OVER_4PI, 0.25 / PI),
-    (&DEGREES, 180.0 / PI),
-    (&RADIANS, PI / 180.0),
-    (&NEGATED, -1.0),
-];
-
-/// How closely a mistake has to explain an answer, relative to its largest number: programs in single precision
-/// make mistakes, too.
-const CLOSE: f64 = 1e-5;
-
-/// Whether the numbers are the same, as far as a mistake is to be told.
-pub fn same(theirs: &[f64], alternative: &[f64]) -> bool {
-    let largest = alternative.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
-    let close = |(a, b): (&f64, &f64)| a == b || (a - b).abs() <= CLOSE * largest;
-    theirs.len() == alternative.len() && theirs.iter().zip(alternative).all(close)
-}
-
-/// The mistakes that turn the right numbers into theirs: factors, signs, exchanged components.
-pub fn clues(theirs: &[f64], right: &[f64]) -> Vec<&'static Mistake> {
-    let mut clues = Vec::new();
-    let mut candidate = |mistake, alternative: &[f64]| {
-        clues.extend(matched(mistake, alternative, theirs, right));
-    };
-    candidate(&ZERO, &vec![0.0; right.len()]);
-    for (mistake, factor) in &FACTORS {
-        let scaled: Vec<f64> = right.iter().map(|x| factor * x).collect();
-        candidate(mistake, &scaled);
-    }
-    match *right {
-        [x] => {
-            candidate(&SQUARED, &[x * x]);
-            candidate(&ROOT, &[x.abs().sqrt()]);
-            candidate(&INVERSE, &[1.0 / x]);
-            candidate(&COMPLEMENT, &[1.0 - x]);
-        }
-        [x, y] => {
-            candidate(&SWAP_XY, &[y, x]);
-            candidate(&FLIP_X, &[-x, y]);
-            candidate(&FLIP_Y, &[x, -y]);
-            candidate(&MIRROR_U, &[1.0 - x, y]);
-            candidate(&MIRROR_V, &[x, 1.0 - y]);
-        }
-        [x, y, z] => {
-            candidate(&SWAP_XY, &[y, x, z]);
-            candidate(&SWAP_YZ, &[x, z, y]);
-            candidate(&SWAP_XZ, &[z, y, x]);
-            candidate(&FLIP_X, &[-x, y, z]);
-            candidate(&FLIP_Y, &[x, -y, z]);
-            candidate(&FLIP_Z, &[x, y, -z]);
-            let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-            if (length(right) - 1.0).abs() < CLOSE && theirs.len() == 3 {
-                let scaled = [x, y, z].map(|x| length(theirs) * x);
-                candidate(&NOT_NORMALISED_LENGTH, &scaled);
-            }
-        }
-        _ => {}
-    }
-    clues
-}
-
-/// The same for a colour, whose components are channels and not axes.
-pub fn clues_of_color(theirs: &[f64], right: &[f64]) -> Vec<&'static Mistake> {
-    let mut clues = Vec::new();
-    let mut candidate = |mistake, alternative: &[f64]| {
-        clues.extend(matched(mistake, alternative, theirs, right));
-    };
-    let [r, g, b] = *right else { return clues };
-    candidate(&BLACK, &[0.0; 3]);
-    for (mistake, factor) in &FACTORS {
-        candidate(mistake, &[r, g, b].map(|x| factor * x));
-    }
-    candidate(&SWAP_RG, &[g, r, b]);
-    candidate(&SWAP_GB, &[r, b, g]);
-    candidate(&SWAP_RB, &[b, g, r]);
-    candidate(&ONLY_RED, &[r, r, r]);
-    candidate(&NO_RED, &[0.0, g, b]);
-    candidate(&NO_GREEN, &[r, 0.0, b]);
-    candidate(&NO_BLUE, &[r, g, 0.0]);
-    candidate(&SQUARED, &[r * r, g * g, b * b]);
-    candidate(&ROOT, &[r, g, b].map(|x| x.abs().sqrt()));
-    candidate(&COMPLEMENT, &[1.0 - r, 1.0 - g, 1.0 - b]);
-    clues
-}
-
-/// The mistake, if it gives theirs; an alternative that is right explains nothing.
-fn matched(
-    mistake: &'static Mistake,
-    alternative: &[f64],
-    theirs: &[f64],
-    right: &[f64],
-) -> Option<&'static Mistake> {
-    (same(theirs, alternative) && !same(right, alternative)).then_some(mistake)
-}
-
-/// The one factor between theirs and the right numbers, if there is one.
-pub fn ratio(theirs: &[f64], right: &[f64]) -> Option<f64> {
-    let largest = |numbers: &[f64]| {
-        (0..numbers.len()).max_by(|&i, &j| numbers[i].abs().total_cmp(&numbers[j].abs()))
-    };
-    let at = largest(right)?;
-    let ratio = theirs.get(at)? / right[at];
-    let scaled: Vec<f64> = right.iter().map(|x| ratio * x).collect();
-    // 0 is no factor: something is left out
-    (ratio.is_finite() && ratio != 0.0 && same(theirs, &scaled)).then_some(ratio)
-}
-
-/// What explains wrong answers of a family.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Name {
-    /// A known mistake.
-    Known {
-        /// The mistake.
-        mistake: &'static Mistake,
-        /// How many wrong answers it explains.
-        explains: usize,
-        /// Of how many.
-        of: usize,
-    },
-    /// A constant factor that is none of the known ones.
-    Factor(f64),
-}
-
-/// The least share of the wrong answers that a name has to explain, as a divisor.
-const SHARE: usize = 3;
-/// Names for the same wrong answers: more would only say that one cannot tell.
-const MOST_ALIKE: usize = 2;
-/// A factor this close to 1 is an error of rounding or of a constant, and is not named.
-const NEAR_ONE: f64 = 1e-4;
-
-/// The names of a family's wrong answers: in each step the mistake that explains most of those not yet explained,
-/// until none explains a third of all. Of mistakes that explain the same answers, the most specific are named, at most
-/// two. Of a single answer, known mistakes only: one ratio says nothing.
-pub fn names(wrong: &[Wrong]) -> Vec<Name> {
-    let mut open: Vec<usize> = (0..wrong.len()).collect();
-    let mut names = Vec::new();
-    while !open.is_empty() {
-        let best = most_explaining(wrong, &open);
-        let Some(first) = best.first() else { break };
-        let explained = |index: &usize| wrong[*index].clues.contains(first);
-        let count = open.iter().filter(|index| explained(index)).count();
-        if count < wrong.len() && count < wrong.len().div_ceil(SHARE).max(2) {
-            break;
-        }
-        open.retain(|index| !explained(index));
-        names.extend(best.into_iter().map(|mistake| {
-            let explains = wrong.iter().filter(|one| one.clues.contains(&mistake)).count();
-            Name::Known { mistake, explains, of: wrong.len() }
-        }));
-    }
-    let is_vague = |name: &Name| matches!(name, Name::Known { mistake, .. } if tier(mistake) == LEAST_SPECIFIC);
-    if names.iter().all(is_vague) && has_one_value(wrong) {
-        names = vec![Name::Known { mistake: &ALWAYS, explains: wrong.len(), of: wrong.len() }];
-    }
-    if names.is_empty() {
-        names.extend(common_factor(wrong).map(Name::Factor));
-    }
-    names
-}
-
-/// The name of a family whose answers are all this one, if its wrong answers have no better name.
-pub fn always(question: &str, answer: &Value, names: &[Name], wrong: &[Wrong]) -> Option<Name> {
-    let is_vague = |name: &Name| match name {
-        Name::Known { mistake, .. } => tier(mistake) == LEAST_SPECIFIC,
-        Name::Factor(_) => false,
-    };
-    let mistake = match (question, answer) {
-        ("occluded", Value::Bool(false)) => &NO_SHADOW_HIT,
-        ("occluded", Value::Bool(true)) => &ALWAYS_BLOCKED,
-        ("intersect", Value::Null) => &ALWAYS_NULL,
-        _ => return None,
-    };
-    let is_named = wrong.len() >= 2 && names.iter().all(is_vague);
-    is_named.then_some(Name::Known { mistake, explains: wrong.len(), of: wrong.len() })
-}
-
-/// Whether all answers are the same numbers, though others are right.
-fn has_one_value(wrong: &[Wrong]) -> bool {
-    let [first, second, third, others @ ..] = wrong else { return false };
-    let rights: std::collections::BTreeSet<&str> =
-        wrong.iter().map(|one| one.expected.as_str()).collect();
-    let is_same = |other: &Wrong| other.theirs == first.theirs && other.symptom == first.symptom;
-    let is_zero = first.theirs.iter().all(|x| *x == 0.0);
-    !is_zero && rights.len() >= 3 && [second, third].into_iter().chain(others).all(is_same)
-}
-
-/// The mistake that explains most of these answers, and those that explain the same ones and are as specific.
-fn most_explaining(wrong: &[Wrong], open: &[usize]) -> Vec<&'static Mistake> {
-    let explained = |mistake: &Mistake| -> Vec<usize> {
-        open.iter().copied().filter(|index| wrong[*index].clues.contains(&mistake)).collect()
-    };
-    let mut candidates: Vec<(&'static Mistake, Vec<usize>)> = Vec::new();
-    for mistake in open.iter().flat_map(|index| &wrong[*index].clues) {
-        if !candidates.iter().any(|(known, _)| known == mistake) {
-            candidates.push((mistake, explained(mistake)));
-        }
-    }
-    // stable: of equals, the order in which the judges found them
-    candidates.sort_by_key(|(mistake, all)| (std::cmp::Reverse(all.len()), tier(mistake)));
-    let Some((first, most)) = candidates.first().cloned() else { return Vec::new() };
-    let is_equal = |(mistake, all): &(&'static Mistake, Vec<usize>)| {
-        *all == most && tier(mistake) == tier(first)
-    };
-    let equal = candidates.into_iter().filter(is_equal).map(|(mistake, _)| mistake);
-    equal.take(MOST_ALIKE).collect()
-}
-
-/// The tier of what says least.
-const LEAST_SPECIFIC: u8 = 2;
-
-/// How specific a mistake is: 0 says what was done, 1 how components differ, 2 how numbers differ.
-fn tier(mistake: &Mistake) -> u8 {
-    let components = [
-        &SWAP_XY,
-        &SWAP_YZ,
-        &SWAP_XZ,
-        &FLIP_X,
-        &FLIP_Y,
-        &FLIP_Z,
-        &SWAP_RG,
-        &SWAP_GB,
-        &SWAP_RB,
-        &ONLY_RED,
-        &NO_RED,
-        &NO_GREEN,
-        &NO_BLUE,
-        &MIRROR_U,
-        &MIRROR_V,
-        &BLACK,
-        &ZERO,
-        &NEGATED,
-        &NOT_NORMALISED_LENGTH,
-    ];
-    let numbers = [&SQUARED, &ROOT, &INVERSE, &COMPLEMENT, &MISSED];
-    if components.contains(&mistake) {
-        1
-    } else if numbers.contains(&mistake) || FACTORS.iter().any(|(factor, _)| *factor == mistake) {
-        LEAST_SPECIFIC
-    } else {
-        0
-    }
-}
-
-/// The one factor by which all answers are off.
-fn common_factor(wrong: &[Wrong]) -> Option<f64> {
-    let ratios = wrong.iter().map(|one| one.ratio).collect::<Option<Vec<f64>>>()?;
-    let [ratio, others @ ..] = &ratios[..] else { return None };
-    let is_common = others.len() >= 2 && others.iter().all(|other| same(&[*other], &[*ratio]));
-    (is_common && (ratio - 1.0).abs() > NEAR_ONE).then_some(*ratio)
-}
-
-impl std::fmt::Display for Name {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Known { mistake: Mistake { name, place, scene }, explains, of } => {
-                write!(f, "{name} ({place}")?;
-                scene.iter().try_for_each(|scene| write!(f, "; seen in {scene}"))?;
-                write!(f, ")")?;
-                if explains < of { write!(f, ", explains {explains} of {of}") } else { Ok(()) }
-            }
-            Self::Factor(factor) => write!(f, "theirs = ours × {}, every time", digits(*factor)),
-        }
-    }
-}
-
-/// A number with six digits.
-fn digits(x: f64) -> String {
-    if (1e-4..1e6).contains(&x.abs()) { format!("{x:.6}") } else { format!("{x:.5e}") }
 }
