@@ -149,6 +149,9 @@ pub fn knots_differ(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
     Ok(Judgement::Right(0.0))
 }
 
+/// The name of a sum, its right value, and what mistakes make of it.
+type Expected<'a> = (&'static str, f64, &'a [(&'static Mistake, f64)]);
+
 /// Law: sums of octaves, from single octaves: `Σ gʲ noise(lʲ p)`, with g = 1/2 and l = 2 but for fBm, scaled from their
 /// bounds to 0 … 1. The case is a `noise`.
 pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
@@ -182,8 +185,7 @@ pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
     let shifted = |sum: f64, bound: f64| (sum + bound) / (2.0 * bound);
     let bare = sum(0.5, halves);
     let of_fbm = sum(gain, others);
-    // the right sum, and what mistakes make of it
-    let expected: [(&str, f64, &[(&'static Mistake, f64)]); 3] = [
+    let expected: [Expected<'_>; 3] = [
         (
             "fractal_sum",
             shifted(bare, bound(0.5)),

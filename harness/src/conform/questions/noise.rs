@@ -6,6 +6,7 @@ use serde_json::{Value, json};
 use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile};
 use super::super::laws;
+use super::super::suite::Law;
 use super::super::values::{self, Rules};
 use super::{any, family, kinds, round, vector};
 use crate::verify::Draw;
@@ -26,10 +27,13 @@ pub const OF_NOISE: [&str; 10] = [
     "stripes",
 ];
 
+/// A family of the lattice: its last name, its share of the cases, its law, and a case.
+type OfLattice = (&'static str, f64, Law, fn(&mut Draw) -> Value);
+
 /// The families.
 pub fn families() -> Vec<Family> {
     let mut all = Vec::new();
-    let lattice: [(&str, f64, super::super::suite::Law, fn(&mut Draw) -> Value); 6] = [
+    let lattice: [OfLattice; 6] = [
         ("smooth", 1.0, laws::noise_is_smooth, |draw| octaves(draw, false)),
         ("repeats", 1.0, laws::repeats, |draw| octaves(draw, false)),
         // these ask up to 64 questions

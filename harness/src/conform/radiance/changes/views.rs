@@ -35,10 +35,6 @@ pub(super) const ALL: &[Change] = changes! {
         rows.iter_mut().filter_map(Value::as_array_mut).for_each(|row| row.reverse());
         Some(())
     };
-    "the point of the lens is not scaled by d/f", "ch. 10" => |data| {
-        let distance = lens(data)?.get("distance")?.clone();
-        instead(lens(data)?, "focal_distance", distance)
-    };
     "the lens is a point", "ch. 10" => |data| instead(lens(data)?, "lens_radius", json!(0.0));
     "the radius of the lens is taken for its diameter", "ch. 10" => |data| number(lens(data)?, "lens_radius", |r| 0.5 * r);
     "the focal distance is measured from the view plane", "ch. 10: from the lens" => |data| {
