@@ -116,7 +116,7 @@ fn an_exported_mesh_is_found_through_symbolic_links() {
 }
 
 /// Law: no output is written over a file that the scene is read from, in any format and by any path, also with
-/// --replace, and not by a picture. Oracle: the bytes of both files.
+/// --replace, and not by a picture or a page. Oracle: the bytes of both files.
 #[test]
 fn no_file_of_the_scene_is_written_over() {
     let folder = folder();
@@ -137,6 +137,12 @@ fn no_file_of_the_scene_is_written_over() {
     assert!(run.stderr.contains("is read by this command, and would be lost"), "{}", run.stderr);
     let picture = ["render", "first.toml", "--format", "ppm", "-o", "meshes/knot.ply"];
     assert_eq!(run_in(&at, &picture).status, Some(2));
+    good(&at, &["render", "first.toml", "-o", "a.pfm"]);
+    for command in ["verify", "compare"] {
+        let page = [command, "first.toml", "a.pfm", "-o", "meshes/knot.ply"];
+        let run = run_in(&at, &page);
+        assert_eq!(run.status, Some(2), "{command}: {}", run.stderr);
+    }
     assert_eq!(read(), before);
 }
 

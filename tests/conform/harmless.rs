@@ -180,6 +180,42 @@ fn noise_of_other_tables_is_no_mistake() {
     });
 }
 
+/// A lattice that does not repeat after 256 cells, and splines that are not limited where they overshoot 1.
+#[test]
+fn noise_without_tables_or_limits_is_no_mistake() {
+    /// Any numbers from −1 to 1, another at each point of the lattice.
+    fn at(knot: [i64; 3]) -> f64 {
+        let odd = [0x9e37_79b9_7f4a_7c15_u64, 0xc2b2_ae3d_27d4_eb4f, 0x1656_67b1_9e37_79f9];
+        let mut x =
+            (0..3).fold(1, |x: u64, i| (x ^ (x >> 31) ^ knot[i] as u64).wrapping_mul(odd[i]));
+        x ^= x >> 29;
+        (x as f64 / u64::MAX as f64).mul_add(2.0, -1.0)
+    }
+    /// The weight of a point of the lattice `x` away: lines, or the splines of Catmull and Rom.
+    fn weight(x: f64, is_linear: bool) -> f64 {
+        match (x.abs(), is_linear) {
+            (x, true) => (1.0 - x).max(0.0),
+            (x, _) if x < 1.0 => 1.0 + x * x * (1.5 * x - 2.5),
+            (x, _) if x < 2.0 => 2.0 + x * (x * (2.5 - 0.5 * x) - 4.0),
+            _ => 0.0,
+        }
+    }
+    let families = ["linear", "cubic", "knots"].map(|name| format!("noise.lattice.{name}"));
+    let families = families.each_ref().map(String::as_str);
+    passes("noise of a hash", Profile::Careful, &families, |question, _| {
+        let is_linear = question["noise"]["noise"]["interpolation"] == "linear";
+        let point = vector(&question["noise"]["point"]);
+        let cell = point.map(|x| x.floor() as i64);
+        let mut value = 0.0;
+        for step in 0..64 {
+            let knot = [0, 1, 2].map(|i| cell[i] - 1 + (step >> (2 * i)) % 4);
+            let weights = [0, 1, 2].map(|i| weight(point[i] - knot[i] as f64, is_linear));
+            value += weights.iter().product::<f64>() * at(knot);
+        }
+        json!({"value": value})
+    });
+}
+
 /// The book's pixels draw one of 83 sets, each with one order of its points (Suffern, ch. 5).
 #[test]
 fn pixels_that_share_83_sets_are_no_mistake() {

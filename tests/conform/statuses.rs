@@ -186,3 +186,20 @@ fn a_family_is_not_given_up_for_its_first_two_cases() {
         card_with(&mut MiddlesOnly, &["camera_ray.pinhole.values"], Profile::Book, 48, false);
     assert!(card.count(Status::Wrong) > 10, "{card}");
 }
+
+/// Law: whatever a program answers, the card for continuous integration is a document of XML 1.0. Oracle: the production
+/// `Char` of the specification, and a program that answers characters outside it.
+#[test]
+fn a_card_holds_no_character_that_xml_does_not() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("card \u{ffff}.xml");
+    let answer = r#"s/"answer":.*/"answer":"\xef\xbf\xbe\\u0001\\ufffe \&<]]>"}/"#;
+    let program = format!("$0 probe | sed -u '{answer}'");
+    let asked = ["conform", "intersect.sphere.ordinary", "--cases", "8", "--junit"];
+    let mut command = Command::new(GROUNDTRUTH);
+    command.args(asked).arg(&file).args(["--", "sh", "-c", &program, GROUNDTRUTH, "\u{fffe}"]);
+    assert_eq!(command.output().expect("it starts").status.code(), Some(1));
+    let card = read(&file);
+    let is_held = |c: char| matches!(u32::from(c), 9 | 10 | 13 | 0x20..=0xd7ff | 0xe000..=0xfffd | 0x1_0000..);
+    assert!(card.contains("fffe") && card.chars().all(is_held), "{card}");
+}

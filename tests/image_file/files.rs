@@ -65,4 +65,8 @@ fn written_pictures_are_read_back() {
         places.map(|[x, y]| value(x, y).to_array().map(|c| f64::from(c as f32))).collect();
     assert_eq!(written("a.pfm"), exact);
     assert_eq!(written("a.exr"), exact);
+    // the chunk gAMA (PNG, section 11.3.2) comes after the header: 100000 / 2.2
+    let png = std::fs::read(folder.path().join("a.png")).expect("written");
+    let gamma = [&4_u32.to_be_bytes()[..], b"gAMA", &45_455_u32.to_be_bytes()].concat();
+    assert_eq!(png[33..45], gamma);
 }

@@ -211,3 +211,26 @@ fn the_named_sampler_makes_ours_alike() {
     assert_eq!(status, 2);
     assert!(text.contains("regular") && text.contains("n_rooks"), "{text}");
 }
+
+/// Law: the command that `compare` prints last is run by a shell as it stands, whatever the picture is called, and runs
+/// nothing else. Oracle: `sh`, and what the name would make if it were run.
+#[test]
+#[cfg(unix)]
+fn a_printed_command_can_be_pasted() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let name = "a 'b' $(touch gone) `touch gone`; touch gone &.pfm";
+    written(&picture(4, 2), folder.path(), name);
+    let program = env!("CARGO_BIN_EXE_groundtruth");
+    let here = |mut command: Command| command.current_dir(folder.path()).output().expect("it runs");
+    let mut compare = Command::new(program);
+    compare.args(["compare", SCENE, name]);
+    let text = String::from_utf8(here(compare).stdout).expect("UTF-8");
+    let last = text.lines().last().expect("lines");
+    let (_, line) = last.split_once("groundtruth verify").expect("the command");
+    let mut shell = Command::new("sh");
+    shell.args(["-c", &format!("\"$0\" verify{line} --samples 4 --replicas 3"), program]);
+    let run = here(shell);
+    assert_eq!(run.status.code(), Some(0), "{line}: {}", String::from_utf8_lossy(&run.stderr));
+    let files = std::fs::read_dir(folder.path()).expect("it is a folder").count();
+    assert_eq!(files, 1, "{line} made another file");
+}

@@ -4,6 +4,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
+use groundtruth::film;
 use groundtruth::gallery;
 use groundtruth::printable;
 use groundtruth::render;
@@ -84,6 +85,10 @@ impl Compare {
                     pictures.push(picture);
                 }
                 Side::Scene(scene, source) => {
+                    let folder = film::folder_of(Path::new(name));
+                    let named: Vec<_> =
+                        scene.files().iter().map(|file| folder.join(file)).collect();
+                    output::apart(self.output.as_deref(), named.iter().map(|file| &**file))?;
                     let world = world_of(*scene, source, name, size)?;
                     announce::long_rendering(&world, &printable::text(name), 1);
                     pictures.push(Picture::of_film(&render::render(&world)));

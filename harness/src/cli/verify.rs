@@ -122,6 +122,8 @@ impl Verify {
         };
         let Some(witnessed) = rendered else { return Ok(Exit::Unanswered) };
         let Witnessed { scene, mut world, pictures, words: witness, explained_with } = witnessed;
+        let named = arguments.files_of(&scene);
+        output::apart(self.output.as_deref(), named.iter().map(PathBuf::as_path))?;
         let tone = (scene.image.gamma, scene.image.out_of_gamut);
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
         let reference = self.reference(arguments, (&scene, &world), &pictures)?;

@@ -29,6 +29,8 @@ pub enum Area {
     },
     /// The pixels that show an object, by its place in [`Areas::objects`].
     Object(usize),
+    /// The same, of which only the fine structure counts: how much of ours there is.
+    Structure(usize),
 }
 
 impl Areas {
@@ -103,7 +105,7 @@ impl Areas {
     pub fn pixels(&self, area: Area) -> Vec<usize> {
         let width = self.size[0];
         match area {
-            Area::Object(object) => {
+            Area::Object(object) | Area::Structure(object) => {
                 let is_it = |index: &usize| self.object_of[*index] as usize == object;
                 (0..self.object_of.len()).filter(is_it).collect()
             }

@@ -3,7 +3,7 @@
 use super::areas::{Area, Areas};
 use super::pool::Pool;
 use super::ranking::{Difference, Level};
-use super::residuals::{Residuals, around, own_variance};
+use super::residuals::{Residuals, around, neighbours, own_variance};
 
 /// Where the others hardly differ, their variance is at least this part of that around it.
 const SMALLEST_VARIANCE: f64 = 0.01;
@@ -12,6 +12,8 @@ const SMALLEST_VARIANCE: f64 = 0.01;
 pub struct Map {
     differences: [Vec<f64>; 3],
     variances: [Vec<f64>; 3],
+    /// The differences times the fine structure of the others, and the variances of these products.
+    structure: [[Vec<f64>; 2]; 3],
     /// The number of values in which all others agree against it, in each pixel.
     alone: Vec<f64>,
 }
@@ -23,7 +25,7 @@ impl Map {
         let mut alone = vec![0.0; pixels];
         // its own noise, and that of the mean of the others
         let factor = noise * noise + pool.variance_of_mean();
-        let (mut differences, mut variances) = (Vec::new(), Vec::new());
+        let (mut differences, mut variances, mut of_others) = (Vec::new(), Vec::new(), Vec::new());
         for channel in 0..3 {
             let Residuals { difference, variance, varied } =
                 Residuals::of(pool, picture, channel, &mut alone);
@@ -39,10 +41,24 @@ impl Map {
                 (0..pixels).map(|pixel| if varied[pixel] { value(pixel) } else { 0.0 });
             variances.push(with_floor.collect());
             differences.push(difference);
+            of_others.push(variance);
         }
         leave_out_bright(pool, picture, &mut differences, &mut variances);
         let three = |all: Vec<Vec<f64>>| <[Vec<f64>; 3]>::try_from(all).expect("three channels");
-        Self { differences: three(differences), variances: three(variances), alone }
+        let (differences, variances) = (three(differences), three(variances));
+        let structure = [0, 1, 2].map(|channel| {
+            let mean = (0..pixels).map(|pixel| pool.mean_of_others(picture, 3 * pixel + channel));
+            structure(&mean.collect::<Vec<f64>>(), areas.size, |pixel| {
+                let variance =
+                    if variances[channel][pixel] > 0.0 { of_others[channel][pixel] } else { 0.0 };
+                [
+                    differences[channel][pixel],
+                    pool.variance_of_mean() * variance,
+                    variances[channel][pixel],
+                ]
+            })
+        });
+        Self { differences, variances, structure, alone }
     }
 
     /// The largest difference of each level, in standard deviations.
@@ -75,6 +91,10 @@ impl Map {
                     tiles.clone()
                 }
                 Level::Objects => both(&|values| areas.by_object(values)),
+                Level::Structure => self
+                    .structure
+                    .each_ref()
+                    .map(|both| both.each_ref().map(|values| areas.by_object(values))),
                 Level::Alone | Level::AloneInside => Default::default(),
             };
             Sums { level: *level, channels }
@@ -102,6 +122,25 @@ impl Map {
     pub fn variance(&self, pixels: &[usize], channel: usize) -> f64 {
         pixels.iter().map(|pixel| self.variances[channel][*pixel]).sum()
     }
+}
+
+/// The products of a picture's differences with the fine structure of the others, which is what their mean has more than
+/// around each value; and the variances of these products. Of each pixel are given: the difference, the variance of the
+/// mean, and that of the difference.
+///
+/// The mean `m` is subtracted in the difference, and a part `1 − 1/n` of it is in the structure (`n` neighbours), so that
+/// the product of noise is `−(1 − 1/n) Var m` in the mean: this is put back.
+fn structure(mean: &[f64], size: [usize; 2], of: impl Fn(usize) -> [f64; 3]) -> [Vec<f64>; 2] {
+    let around = around(mean, size);
+    let products = (0..mean.len()).map(|pixel| {
+        let [difference, of_mean, variance] = of(pixel);
+        // values that are no numbers are left out
+        let fine = Some(mean[pixel] - around[pixel]).filter(|fine| fine.is_finite()).unwrap_or(0.0);
+        let put_back = (1.0 - 1.0 / neighbours(pixel, size)) * of_mean;
+        (fine * difference + put_back, fine * fine * variance)
+    });
+    let (products, variances) = products.unzip();
+    [products, variances]
 }
 
 /// Noise near the largest value that can be stored is cut on one side: so many standard deviations below it count.
@@ -142,6 +181,7 @@ impl Sums {
                 move |(index, (sum, variance))| {
                     let area = match self.level {
                         Level::Tiles(level) => areas.tile(level, index),
+                        Level::Structure => Area::Structure(index),
                         _ => Area::Object(index),
                     };
                     Difference { area, channel, z: sum / variance.sqrt() }

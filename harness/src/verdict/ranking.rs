@@ -32,6 +32,8 @@ pub enum Level {
     Tiles(usize),
     /// Objects.
     Objects,
+    /// The fine structure of objects: noise of any kind has none of ours, a texture of other colours has its negative.
+    Structure,
     /// The number of values in which a picture differs from what all others agree on.
     Alone,
     /// As `Alone`, but only pixels count whose neighbours differ so too: noise that is unlike that of the others
@@ -69,7 +71,7 @@ impl Ranking {
         let noise: Vec<f64> = details.iter().map(factor).collect();
         let mut levels: Vec<Level> = (from..areas.levels()).map(Level::Tiles).collect();
         let alone = if from == 0 { Level::Alone } else { Level::AloneInside };
-        levels.extend([Level::Objects, alone]);
+        levels.extend([Level::Objects, Level::Structure, alone]);
         let largest: Vec<Vec<f64>> = all
             .into_par_iter()
             .map(|picture| {

@@ -86,12 +86,22 @@ pub fn around(values: &[f64], [width, height]: [usize; 2]) -> Vec<f64> {
     averaged(&rows, height, width, [width, 1])
 }
 
+/// The number of a value's neighbours, itself among them.
+pub fn neighbours(pixel: usize, [width, height]: [usize; 2]) -> f64 {
+    (near(pixel % width, width).count() * near(pixel / width, height).count()) as f64
+}
+
+/// The places around one on a line.
+fn near(at: usize, length: usize) -> std::ops::RangeInclusive<usize> {
+    at.saturating_sub(REACH)..=(at + REACH).min(length - 1)
+}
+
 /// The mean over the neighbours along lines of this length, whose values are `step` apart and which begin `next` apart.
 fn averaged(values: &[f64], length: usize, lines: usize, [step, next]: [usize; 2]) -> Vec<f64> {
     let mut means = vec![0.0; values.len()];
     for line in 0..lines {
         for at in 0..length {
-            let near = at.saturating_sub(REACH)..=(at + REACH).min(length - 1);
+            let near = near(at, length);
             let count = near.clone().count() as f64;
             let sum: f64 = near.map(|other| values[line * next + other * step]).sum();
             means[line * next + at * step] = sum / count;

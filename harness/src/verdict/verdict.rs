@@ -326,6 +326,7 @@ impl Region {
         let worst = pixels.iter().max_by(|a, b| z[**a].abs().total_cmp(&z[**b].abs()));
         let name = match difference.area {
             Area::Object(object) => areas.objects[object].0.to_string(),
+            Area::Structure(object) => format!("the fine structure of {}", areas.objects[object].0),
             Area::Tile { .. } => shown_by(areas, &pixels),
         };
         let worst = *worst.expect("an area has pixels");

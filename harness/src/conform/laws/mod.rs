@@ -3,6 +3,7 @@
 //! The library's own kinds are held to the same laws by `cargo test`, with the subject [`Ours`](super::subject::Ours).
 
 mod lamps;
+mod lattice;
 mod lights;
 mod lobes;
 mod noise;
@@ -17,10 +18,11 @@ use super::family::Stop;
 use super::judgement::{Judgement, Profile, number, numbers, triple};
 use groundtruth::math::UNIT_ROUNDOFF;
 
+pub use lattice::{interpolates, knots_differ};
 pub use lights::{cosine_drawn, irradiance, jittered_moments, lamp_sample, sky_sample};
 pub use lobes::{density, energy, reciprocity, sample_agrees, shares_add_up};
 pub use noise::{noise_is_smooth, repeats};
-pub use octaves::{bump_adds_noise, interpolates, knots_differ, octaves_add_up, texture_of_noise};
+pub use octaves::{bump_adds_noise, octaves_add_up, texture_of_noise};
 pub use sampling::{Strata, map_and_back, strata_of, stratified, stream};
 pub use shapes::{direction_length, sides_alternate};
 pub use spaces::{inverse_is_inverse, there_and_back};

@@ -1,5 +1,5 @@
-//! What follows from a program's own noise (Suffern, ch. 31): between the points of the lattice, its values there; its
-//! sums, single octaves; and what textures and bumps make of it. So nobody's random numbers have to be ours.
+//! What follows from a program's own octaves (Suffern, ch. 31): sums, and what textures and bumps make of these. So
+//! nobody's random numbers have to be ours.
 
 use serde_json::{Value, json};
 
@@ -7,148 +7,9 @@ use super::super::family::{Asking, Stop};
 use super::super::judgement::{Judgement, Profile, number, triple};
 use super::super::mistakes::{self as m, Mistake};
 use super::super::subject::ours;
+use super::lattice::{TERMS, farthest};
 use super::{Found, color, missing, relative, within};
 use groundtruth::math::{Normal, Vector, floor, sin};
-
-/// Rounding of some dozens of terms.
-const TERMS: f64 = 32.0;
-
-/// Law: the noise at a point is interpolated between its values at the corners of the cell: of 8 linearly, of 64 by
-/// Catmull and Rom's splines. Where these overshoot −1 … 1, a program may limit them or not. The case is a `noise`.
-pub fn interpolates(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
-    let Some(point) = triple(&case["noise"]["point"]) else { return Ok(Judgement::Undecided) };
-    let is_linear = case["noise"]["noise"]["interpolation"] == "linear";
-    let weights = |x: f64| if is_linear { linear(x) } else { splines(x) };
-    let [x, y, z] = point.map(weights);
-    let mut knots = Vec::new();
-    for (i, wx) in &x {
-        for (j, wy) in &y {
-            knots.extend(z.iter().map(|(k, wz)| ([*i, *j, *k], wx * wy * wz)));
-        }
-    }
-    let at = |knot: [f64; 3]| {
-        let mut question = case.clone();
-        question["noise"]["point"] = json!(knot);
-        question
-    };
-    let mut questions = vec![case.clone()];
-    questions.extend(knots.iter().map(|(knot, _)| at(*knot)));
-    let answers = ask.ask_all(&questions)?;
-    ask.asked.truncate(1);
-    let weighted = |of: fn(&Value) -> Option<[f64; 3]>| -> Option<[f64; 3]> {
-        let mut sum = [0.0; 3];
-        for ((_, weight), answer) in knots.iter().zip(&answers[1..]) {
-            let value = of(answer)?;
-            (0..3).for_each(|i| sum[i] += weight * value[i]);
-        }
-        Some(sum)
-    };
-    if answers[1..].iter().all(|answer| answer == &answers[1]) {
-        let text = "other values at other points of the lattice";
-        return Ok(Judgement::wrong("always the same", f64::INFINITY, text));
-    }
-    let value: fn(&Value) -> Option<[f64; 3]> =
-        |answer| Some([number(&answer["value"])?, 0.0, 0.0]);
-    let vector: fn(&Value) -> Option<[f64; 3]> = |answer| triple(&answer["vector"]);
-    for (name, of) in [("value", value), ("vector", vector)] {
-        let (Some(right), Some(theirs)) = (weighted(of), of(&answers[0])) else {
-            // vectors are for bumps alone
-            if name == "value" {
-                return missing("value");
-            }
-            continue;
-        };
-        if right.iter().any(|x| x.abs() > 1.0) {
-            continue;
-        }
-        let size = if name == "value" { right[..1].to_vec() } else { right.to_vec() };
-        let off = farthest(theirs, right);
-        let judged = within(profile, name, off / TERMS, || {
-            format!("{name} = {size:?}, interpolated between {} of its own", knots.len())
-        });
-        if !judged.is_right() {
-            return Ok(judged);
-        }
-    }
-    Ok(Judgement::Right(0.0))
-}
-
-/// The largest difference; NaN if there is one.
-fn farthest(a: [f64; 3], b: [f64; 3]) -> f64 {
-    (0..3)
-        .map(|i| (a[i] - b[i]).abs())
-        .fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
-}
-
-/// The two points of the lattice around a coordinate, with their weights.
-fn linear(x: f64) -> Vec<(f64, f64)> {
-    let (low, f) = (floor(x), x - floor(x));
-    vec![(low, 1.0 - f), (low + 1.0, f)]
-}
-
-/// The four points around it, with the weights of Catmull and Rom.
-fn splines(x: f64) -> Vec<(f64, f64)> {
-    let (low, f) = (floor(x), x - floor(x));
-    let (f2, f3) = (f * f, f * f * f);
-    let weights = [
-        0.5 * (-f + 2.0 * f2 - f3),
-        0.5 * (2.0 - 5.0 * f2 + 3.0 * f3),
-        0.5 * (f + 4.0 * f2 - 3.0 * f3),
-        0.5 * (f3 - f2),
-    ];
-    let knots = [low - 1.0, low, low + 1.0, low + 2.0];
-    knots.into_iter().zip(weights).collect()
-}
-
-/// Law: the values at the points of the lattice change along each axis, and differ if coordinates are exchanged. The case
-/// is a `noise`.
-pub fn knots_differ(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
-    const STEPS: usize = 12;
-    let Some(point) = triple(&case["noise"]["point"]) else { return Ok(Judgement::Undecided) };
-    let from = point.map(floor);
-    let at = |knot: [f64; 3]| {
-        let mut question = case.clone();
-        question["noise"]["point"] = json!(knot);
-        question
-    };
-    let mut questions = Vec::new();
-    for axis in 0..3 {
-        questions.extend((0..STEPS).map(|i| {
-            let mut knot = from;
-            knot[axis] += i as f64;
-            at(knot)
-        }));
-    }
-    // the same three coordinates in the six orders
-    let [a, b, c] = [from[0], from[0] + 3.0, from[0] + 7.0];
-    let orders = [[a, b, c], [b, a, c], [a, c, b], [c, b, a], [b, c, a], [c, a, b]];
-    questions.extend(orders.map(at));
-    let answers = ask.ask_all(&questions)?;
-    ask.asked.truncate(2);
-    let values: Option<Vec<f64>> = answers.iter().map(|answer| number(&answer["value"])).collect();
-    let Some(values) = values.filter(|all| all.iter().all(|x| x.is_finite())) else {
-        return missing("value");
-    };
-    let is_one = |values: &[f64]| values.iter().all(|x| *x == values[0]);
-    let wrong = |symptom: String, expected: &str| {
-        Ok(Judgement::wrong(&symptom, f64::INFINITY, expected.to_owned()))
-    };
-    for (axis, name) in ["x", "y", "z"].into_iter().enumerate() {
-        if is_one(&values[axis * STEPS..(axis + 1) * STEPS]) {
-            return wrong(
-                format!("constant along {name}"),
-                "other values at other points of the lattice",
-            );
-        }
-    }
-    if is_one(&values[3 * STEPS..]) {
-        return wrong(
-            "the order of coordinates is nothing".to_owned(),
-            "PERM(ix + PERM(iy + PERM(iz)))",
-        );
-    }
-    Ok(Judgement::Right(0.0))
-}
 
 /// The name of a sum, its right value, and what mistakes make of it.
 type Expected<'a> = (&'static str, f64, &'a [(&'static Mistake, f64)]);

@@ -166,6 +166,7 @@ mistakes! {
     // meshes
     FLAT_FOR_SMOOTH: "the normal of the face, not interpolated", "ch. 23: n = (1 − β − γ) n0 + β n1 + γ n2", "ch23/smooth-sphere";
     NO_VERTEX_NORMALS: "the normals of the vertices are left out", "ch. 23";
+    OTHER_CORNERS: "what is interpolated belongs to other corners: β and γ are exchanged, for instance", "ch. 23: n = (1 − β − γ) n0 + β n1 + γ n2", "ch23/smooth-sphere";
     REVERSED_FORGOTTEN: "reverse_normals is left out", "ch. 23: reverse_normal";
     MESH_SCALE: "the scale of the mesh is left out", "docs/scene.md: scale";
     // noise
@@ -180,6 +181,11 @@ mistakes! {
     NO_NOISE: "the noise is left out", "ch. 31";
     NO_RANGE: "min and max are left out", "ch. 31: min + (max − min) · noise";
     NOISE_SUBTRACTED: "the noise is subtracted", "ch. 31: n + a · fBm(p)";
+    NOT_INTERPOLATED: "the value of one corner of the cell, not interpolated", "ch. 31: lerp(fx, lerp(fy, …), …)";
+    OTHER_FRACTIONS: "the fractions of two axes are exchanged in the interpolation", "ch. 31: lerp(fz, lerp(fy, lerp(fx, …)))";
+    REVERSED_FRACTIONS: "1 − f for the fraction f", "ch. 31: lerp(f, a, b) = a + f (b − a)";
+    SMOOTHED_FRACTIONS: "the fraction is smoothed: f² (3 − 2 f)", "ch. 31: linear noise has f itself";
+    OTHER_PERMUTATION: "the permutation takes the coordinates in another order", "ch. 31: PERM(ix + PERM(iy + PERM(iz)))";
     // lights and lenses
     DARK_SIDE: "lamps shine from their dark side, too", "ch. 18: no light where n·ωi ≤ 0", "ch18/rectangle";
     LENS_UNSCALED: "the point of the lens is not scaled by d/f", "ch. 10: p + (p − l) …, d/f of the lens point", "ch10/near-focus";

@@ -17,17 +17,16 @@ const FAMILIES: &[(&str, Extra)] = &[
     ("smooth", |_, mesh| mesh["smooth"] = json!(true)),
     ("normals", |draw, mesh| {
         mesh["smooth"] = json!(true);
-        let near = |at: [f64; 3], draw: &mut Draw| {
-            let by = draw.vector(0.4).to_array();
-            std::array::from_fn::<f64, 3, _>(|i| round(2.0 * at[i] + by[i]))
-        };
-        mesh["normals"] = json!(CORNERS.map(|at| near(at, draw)));
+        mesh["normals"] = json!(CORNERS.map(|at| near(draw, at.map(|x| 2.0 * x), 0.4)));
     }),
     ("uv", |draw, mesh| {
         let uv = |draw: &mut Draw| [round(draw.between(0.0, 1.0)), round(draw.between(0.0, 1.0))];
         mesh["uvs"] = json!(CORNERS.map(|_| uv(draw)));
     }),
-    ("reversed", |_, mesh| mesh["reverse_normals"] = json!(true)),
+    ("reversed", |draw, mesh| {
+        mesh["reverse_normals"] = json!(true);
+        mesh["smooth"] = json!(draw.coin());
+    }),
     ("scaled", |draw, mesh| mesh["scale"] = json!(draw.pick(&[0.5, 2.0, 3.0]))),
 ];
 
@@ -53,15 +52,40 @@ pub fn families() -> Vec<Family> {
         let name = format!("intersect.mesh.{name}");
         family(&name, "shapes/mesh", "ch23", Judge::Answer(judge), case)
     };
-    FAMILIES.iter().map(one).collect()
+    let triangle = family(
+        "intersect.triangle.normals",
+        "shapes/triangle",
+        "ch23",
+        Judge::Answer(judge),
+        smooth_triangle,
+    );
+    FAMILIES.iter().map(one).chain([triangle]).collect()
+}
+
+/// A point near another.
+fn near(draw: &mut Draw, at: [f64; 3], by: f64) -> [f64; 3] {
+    let by = draw.vector(by).to_array();
+    std::array::from_fn(|i| round(at[i] + by[i]))
+}
+
+/// A ray at a triangle with a normal at each corner.
+fn smooth_triangle(draw: &mut Draw) -> Value {
+    let corners = [CORNERS[0], CORNERS[2], CORNERS[4]];
+    let vertices = corners.map(|at| near(draw, at, 0.25));
+    let normals = corners.map(|at| near(draw, at, 0.4));
+    let [a, b] = [draw.between(0.1, 0.6), draw.between(0.1, 0.3)];
+    let aim: [f64; 3] = std::array::from_fn(|i| {
+        (1.0 - a - b) * vertices[0][i] + a * vertices[1][i] + b * vertices[2][i]
+    });
+    let origin = near(draw, [0.0; 3], 4.0);
+    let direction: [f64; 3] = std::array::from_fn(|i| round(aim[i] - origin[i]));
+    let shape = json!({"triangle": {"vertices": vertices, "normals": normals}});
+    json!({"intersect": {"shape": shape, "ray": {"origin": origin, "direction": direction}}})
 }
 
 /// A ray at a dented octahedron, whole or with some faces left out, so that it is also hit from inside.
 fn question(draw: &mut Draw, extra: Extra) -> Value {
-    let vertices = CORNERS.map(|at| {
-        let by = draw.vector(0.25).to_array();
-        std::array::from_fn::<f64, 3, _>(|i| round(at[i] + by[i]))
-    });
+    let vertices = CORNERS.map(|at| near(draw, at, 0.25));
     let left_out = draw.pick(&[0, 0, 3]);
     let mut mesh = json!({"vertices": vertices, "triangles": FACES[left_out..]});
     extra(draw, &mut mesh);
@@ -86,6 +110,11 @@ fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::NO_VERTEX_NORMALS, |question| {
                 remove(only(&mut question["intersect"]["shape"])?, "normals")
             }),
+            (&m::OTHER_CORNERS, |question| given_to(question, [0, 2, 1])),
+            (&m::OTHER_CORNERS, |question| given_to(question, [1, 2, 0])),
+            (&m::OTHER_CORNERS, |question| given_to(question, [2, 0, 1])),
+            (&m::OTHER_CORNERS, |question| given_to(question, [1, 0, 2])),
+            (&m::OTHER_CORNERS, |question| given_to(question, [2, 1, 0])),
         ],
         answers: &[
             (&m::FLAT_FOR_SMOOTH, |_, field, right| {
@@ -107,4 +136,31 @@ fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
         ],
     };
     values::judge(question, answer, profile, &RULES)
+}
+
+/// Gives the corners of each triangle what belongs to others of its corners: normals, texture coordinates.
+fn given_to(question: &mut Value, order: [usize; 3]) -> Option<()> {
+    let shape = &mut question["intersect"]["shape"];
+    if let Some(triangle) = shape.get_mut("triangle") {
+        let normals = triangle["normals"].as_array()?.clone();
+        triangle["normals"] =
+            order.iter().map(|i| normals.get(*i).cloned()).collect::<Option<_>>()?;
+        return Some(());
+    }
+    let mesh = shape.get_mut("mesh")?;
+    let triangles: Vec<[usize; 3]> = serde_json::from_value(mesh["triangles"].clone()).ok()?;
+    // no two triangles share a corner, so that each may have its own
+    let listed = |list: &Value, order: [usize; 3]| -> Option<Vec<Value>> {
+        let corners = triangles.iter().flat_map(|corners| order.map(|i| corners[i]));
+        corners.map(|corner| list.get(corner).cloned()).collect()
+    };
+    let given = ["normals", "uvs"].map(|name| (name, listed(&mesh[name], order)));
+    if given.iter().all(|(_, list)| list.is_none()) {
+        return None;
+    }
+    mesh["vertices"] = json!(listed(&mesh["vertices"], [0, 1, 2])?);
+    given.into_iter().for_each(|(name, list)| mesh[name] = json!(list));
+    mesh["triangles"] =
+        (0..triangles.len()).map(|i| json!([3 * i, 3 * i + 1, 3 * i + 2])).collect();
+    Some(())
 }

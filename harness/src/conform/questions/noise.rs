@@ -6,9 +6,10 @@ use serde_json::{Value, json};
 use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile};
 use super::super::laws;
+use super::super::mistakes as m;
 use super::super::suite::Law;
 use super::super::values::{self, Rules};
-use super::{any, family, kinds, round, vector};
+use super::{any, family, kinds, round, swap, vector};
 use crate::verify::Draw;
 use groundtruth::math::Pcg32;
 use groundtruth::textures;
@@ -228,6 +229,22 @@ fn with_tables(draw: &mut Draw) -> Value {
 }
 
 fn given(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    const RULES: Rules = Rules { needed: &["value"], free: &[], questions: &[], answers: &[] };
+    // a lattice of permuted coordinates, interpolated, is the noise of permuted coordinates
+    const RULES: Rules = Rules {
+        needed: &["value"],
+        free: &[],
+        questions: &[
+            (&m::OTHER_PERMUTATION, |question| {
+                swap(&mut question["noise"], "/point/0", "/point/1")
+            }),
+            (&m::OTHER_PERMUTATION, |question| {
+                swap(&mut question["noise"], "/point/0", "/point/2")
+            }),
+            (&m::OTHER_PERMUTATION, |question| {
+                swap(&mut question["noise"], "/point/1", "/point/2")
+            }),
+        ],
+        answers: &[],
+    };
     values::judge(question, answer, profile, &RULES)
 }

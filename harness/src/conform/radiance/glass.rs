@@ -42,6 +42,12 @@ pub const ALL: &[Exact] = &[
         let recipe = dielectric(draw, [1.2, 1.8], false);
         from_inside(draw, recipe)
     }),
+    ("dielectric.unscaled", "ch28", |draw| {
+        let recipe = dielectric(draw, [1.2, 1.8], false);
+        let mut question = from_inside(draw, recipe);
+        question["radiance"]["scene"]["transparency"] = json!({"scales_radiance": false});
+        question
+    }),
     ("dielectric.absorbing", "ch28", |draw| {
         let shape = if draw.coin() { slab() } else { stage::sphere(MIDDLE, 1.0) };
         let recipe = dielectric(draw, [1.2, 1.8], true);

@@ -22,6 +22,10 @@ pub(super) const ALL: &[Change] = changes! {
     "glass that blocks shadow rays lets them through", "ch. 27: shadows of glass are black" => |data| {
         set(scene(data)?, "transparency", json!({"shadows": "attenuated"}))
     };
+    "refracted radiance is scaled although scales_radiance is false", "docs/scene.md: [transparency]" => |data| {
+        let fields = scene(data)?.get_mut("transparency")?.as_object_mut()?;
+        instead(fields, "scales_radiance", json!(true))
+    };
     "the exposure time divides", "ch. 9: it is a factor" => |data| number(camera(data)?, "exposure_time", |x| 1.0 / x);
     "a sky turns the other way", "docs/scene.md: `rotate_y`" => |data| number(sky(data)?, "rotate_y", |x| -x);
     "a sky is not turned", "docs/scene.md: `rotate_y`" => |data| instead(sky(data)?, "rotate_y", json!(0.0));
