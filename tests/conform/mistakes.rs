@@ -17,7 +17,7 @@ use harness::conform::mistakes::{self as m, Mistake, Name};
 use harness::conform::{Judgement, Ours, Profile, Status, Wrong, ours};
 use serde_json::{Value, json};
 
-use super::altered::{Altered, at, card, data, families, length, swap, vector};
+use super::altered::{Altered, at, card, data, families, instead, length, only, swap, vector};
 
 /// A mistake of a program.
 struct Planted {
@@ -384,5 +384,28 @@ fn scenes_of_mistakes_exist() {
         if let Some(scene) = mistake.scene {
             assert!(groundtruth::gallery::find(scene).is_some(), "{scene}");
         }
+    }
+}
+
+/// Law: what is another shape is named. Oracle: the shape that was made of the one asked for.
+#[test]
+fn other_shapes_are_named() {
+    let from_x: fn(&Value, Value) -> Value = |q, _| {
+        instead(q, |data| {
+            let phi = &mut only(&mut data["shape"])["phi"];
+            let [low, high] = [0, 1].map(|i| phi[i].as_f64().unwrap_or(0.0));
+            *phi = json!([90.0 - high, 90.0 - low]);
+        })
+    };
+    let without_hole: fn(&Value, Value) -> Value =
+        |q, _| instead(q, |data| only(&mut data["shape"])["inner_radius"] = json!(0.0));
+    let cases = [
+        ("intersect.part_cylinder.within_a_turn", from_x, "azimuths are measured from +x"),
+        ("intersect.annulus.around", without_hole, "the hole is left out"),
+    ];
+    for (family, alter, name) in cases {
+        let card = card(&mut Altered(alter), &[family], Profile::Careful, 24);
+        let names: Vec<String> = card.rows[0].names.iter().map(ToString::to_string).collect();
+        assert!(names.iter().any(|it| it.starts_with(name)), "{family}: {names:?}");
     }
 }

@@ -75,6 +75,11 @@ impl Judgement {
         self
     }
 
+    /// Whether the answer is wrong.
+    pub fn is_wrong(&self) -> bool {
+        matches!(self, Self::Wrong(_))
+    }
+
     /// Whether the answer is right, or by a convention of the book.
     pub fn is_right(&self) -> bool {
         matches!(self, Self::Right(_) | Self::ByTheBook(_))

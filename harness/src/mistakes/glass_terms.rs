@@ -3,6 +3,7 @@
 use groundtruth::lobes::{Fresnel, Lobe, fresnel, polarised};
 use groundtruth::math::power;
 use groundtruth::rgb::Rgb;
+use groundtruth::trace::RayKind;
 
 use super::changes::NOT_INVERTED;
 use super::{How, Mistake, RayHeard, TermHeard};
@@ -13,6 +14,9 @@ const SCHLICK: Mistake = Mistake::term(
     "Fresnel's equations are replaced by Schlick's approximation",
     |term| with_fresnel(term, |cos_i, eta| shares(schlick(cos_i, eta))),
 );
+
+const NO_ABSORPTION: Mistake =
+    Mistake::ray(28, "no-absorption", "media do not absorb light", |ray| ray.sum);
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::term(27, "no-eta-squared", "transmitted radiance lacks 1/η²", |term| {
@@ -100,7 +104,13 @@ pub(super) const ALL: &[Mistake] = &[
         "Fresnel's equations have the index of refraction inverted",
         |term| with_fresnel(term, |cos_i, eta| fresnel(cos_i, 1.0 / eta)),
     ),
-    Mistake::ray(28, "no-absorption", "media do not absorb light", |ray| ray.sum),
+    NO_ABSORPTION,
+    NO_ABSORPTION
+        .in_form("along reflected rays", How::Ray(|ray| not_along(ray, RayKind::Reflected))),
+    NO_ABSORPTION
+        .in_form("along transmitted rays", How::Ray(|ray| not_along(ray, RayKind::Transmitted))),
+    NO_ABSORPTION
+        .in_form("along the camera's rays", How::Ray(|ray| not_along(ray, RayKind::Camera))),
     Mistake::ray(
         28,
         "absorption-without-distance",
@@ -236,6 +246,11 @@ pub(super) fn total_right(term: &TermHeard<'_>) -> Rgb {
         Some(Lobe::FresnelTransmitter(_) | Lobe::PerfectTransmitter(_)) => Rgb::BLACK,
         _ => term.value(),
     }
+}
+
+/// Without absorption along the rays of a kind.
+fn not_along(ray: &RayHeard<'_>, kind: RayKind) -> Rgb {
+    if ray.ray.kind == kind { ray.sum } else { ray.arriving() }
 }
 
 /// `c_f^(kt)` instead of `c_f^t`, for a factor `k` of the distance `t`.

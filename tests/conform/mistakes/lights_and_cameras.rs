@@ -227,6 +227,16 @@ pub fn planted_here() -> Vec<Planted> {
             at(&mut a, "/distance", |x| x - 1.0);
             a
         }),
+        planted(
+            "the radius of a lens for its diameter",
+            &["camera_ray.thin_lens.values"],
+            Some(&m::LENS_DIAMETER),
+            |q, _| {
+                instead(q, |data| {
+                    only(&mut data["camera"]["lens"])["lens_radius"] = json!(half_radius(q))
+                })
+            },
+        ),
     ]
 }
 
@@ -247,4 +257,9 @@ fn moved_half(question: &Value) -> Value {
             *value = json!(value.as_u64().unwrap_or(0) + 1);
         }
     })
+}
+
+/// Half of the radius of the lens of a question.
+fn half_radius(question: &Value) -> f64 {
+    0.5 * data(question)["camera"]["lens"]["thin_lens"]["lens_radius"].as_f64().unwrap_or(0.0)
 }

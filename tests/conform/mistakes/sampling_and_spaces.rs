@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use groundtruth::math;
 use harness::conform::mistakes as m;
 use serde_json::{Value, json};
 
@@ -156,6 +157,13 @@ pub fn planted_here() -> Vec<Planted> {
         planted("cells from far to near", &["grid.boxes.visited"], None, |_, mut a| {
             a["visited"].as_array_mut().into_iter().for_each(|cells| cells.reverse());
             a
+        }),
+        planted("e for e + 1", &["map.hemisphere.values"], Some(&m::EXPONENT_LESS), |q, _| {
+            let e = data(q)["to"]["hemisphere"]["exponent"].as_f64().unwrap_or(0.0).max(1.0);
+            let [u, v] = [0, 1].map(|i| data(q)["u"][i].as_f64().unwrap_or(0.0));
+            let (cos, phi) = (math::power(1.0 - v, 1.0 / e), 2.0 * PI * u);
+            let sin = (1.0 - cos * cos).sqrt();
+            json!([sin * math::cos(phi), sin * math::sin(phi), cos])
         }),
     ]
 }

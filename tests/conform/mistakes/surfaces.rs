@@ -1,7 +1,8 @@
 //! Mistakes in textures, mappings and the radiance of scenes.
 
 use harness::conform::mistakes as m;
-use serde_json::json;
+use harness::conform::ours;
+use serde_json::{Value, json};
 
 use super::super::altered::{at, data, each, instead, only, swap, vector};
 use super::{Planted, planted};
@@ -121,5 +122,62 @@ pub fn planted_here() -> Vec<Planted> {
                 data["scene"]["materials"][0]["recipe"]["dielectric"]["inside"]["eta"] = json!(1.0);
             })
         }),
+        planted(
+            "normals of a triangle at other corners",
+            &["intersect.triangle.normals"],
+            Some(&m::OTHER_CORNERS),
+            |q, _| instead(q, |data| swap(&mut data["shape"]["triangle"]["normals"], 1, 2)),
+        ),
+        planted(
+            "fractions of y and z exchanged",
+            &["noise.lattice.linear", "noise.lattice.cubic"],
+            Some(&m::OTHER_FRACTIONS),
+            |q, _| {
+                instead(q, |data| {
+                    let [x, y, z] = vector(&data["point"]);
+                    data["point"] =
+                        json!([x, y.floor() + z - z.floor(), z.floor() + y - y.floor()]);
+                })
+            },
+        ),
+        planted(
+            "π added to negative azimuths",
+            &["mapping.spherical.values", "mapping.cylindrical.values"],
+            Some(&m::AZIMUTH_OFF),
+            |q, mut a| {
+                if data(q)["point"][0].as_f64() < Some(0.0) {
+                    at(&mut a, "/0", |u| u - 0.5);
+                }
+                a
+            },
+        ),
+        planted(
+            "one corner of a smooth mesh",
+            &["intersect.mesh.normals"],
+            Some(&m::FIRST_CORNER),
+            |q, a| {
+                // a mesh of the triangle alone that is hit, with one normal at its corners
+                let mesh = &data(q)["shape"]["mesh"];
+                let is_hit = |corners: &Value| {
+                    let mut one = q.clone();
+                    one["intersect"]["shape"]["mesh"]["triangles"] = json!([corners]);
+                    let hit = ours(&one).unwrap_or_default();
+                    hit["t"] == a["t"] && a["t"].is_number()
+                };
+                let corners =
+                    mesh["triangles"].as_array().and_then(|all| all.iter().find(|it| is_hit(it)));
+                let Some(corners) = corners.cloned() else { return a };
+                instead(q, |data| {
+                    let mesh = &mut data["shape"]["mesh"];
+                    let first = mesh["normals"][corners[0].as_u64().unwrap_or(0) as usize].clone();
+                    mesh["normals"]
+                        .as_array_mut()
+                        .into_iter()
+                        .flatten()
+                        .for_each(|it| *it = first.clone());
+                    mesh["triangles"] = json!([corners]);
+                })
+            },
+        ),
     ]
 }

@@ -5,13 +5,19 @@ use serde_json::Value;
 use super::super::judgement::{Judgement, Profile, Wrong, first_wrong, nan_in, number, triple};
 use super::super::mistakes::{self, Mistake, clues};
 use super::names;
+use super::other_shapes::of_other_shapes;
 use super::question::Question;
 use crate::verify::backward_error;
 use groundtruth::math::{UNIT_ROUNDOFF, Vector};
 use oracle::{Root, Shape};
 
 /// Whether something is in the way.
-pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+pub fn judge_occluded(asked: &Value, answer: &Value, profile: Profile) -> Judgement {
+    let judged = occluded(asked, answer, profile);
+    if judged.is_wrong() { judged.with(of_other_shapes(asked, answer)) } else { judged }
+}
+
+fn occluded(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     let Some(question) = Question::of(question) else { return Judgement::Undecided };
     let Some(exact) = question.answer() else { return Judgement::Undecided };
     if !question.is_decided(&exact, profile) {
@@ -30,7 +36,12 @@ pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile) -> Jud
 }
 
 /// Judges hits.
-pub fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+pub fn judge(asked: &Value, answer: &Value, profile: Profile) -> Judgement {
+    let judged = hits(asked, answer, profile);
+    if judged.is_wrong() { judged.with(of_other_shapes(asked, answer)) } else { judged }
+}
+
+fn hits(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     let Some(parsed) = Question::of(question) else { return Judgement::Undecided };
     let Some(exact) = parsed.answer() else { return Judgement::Undecided };
     if !parsed.is_decided(&exact, profile) {

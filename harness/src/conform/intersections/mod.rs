@@ -5,6 +5,7 @@ mod formulas;
 mod judge;
 mod local;
 mod names;
+mod other_shapes;
 mod question;
 
 use serde_json::Value;

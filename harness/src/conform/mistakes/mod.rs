@@ -118,6 +118,7 @@ mistakes! {
     ONLY_P: "light polarised in the plane of incidence alone", "ch. 28: the mean of both polarisations";
     SCHLICK: "Schlick's approximation", "ch. 28: Fresnel's equations";
     SWAPPED_DIRECTIONS: "wi and wo exchanged", "ch. 13: wo points to the viewer, wi to the light";
+    HALF_VECTOR: "the half vector, (n·h)ᵉ, for the mirror direction", "ch. 15: (r·ωo)ᵉ";
     EXPONENT_OFF: "the exponent is larger by 1", "ch. 7: cosᵉθ has the density (e + 1) cosᵉθ / 2π";
     NO_EXPONENT: "the exponent is 1", "ch. 7, 15";
     // lights
@@ -146,7 +147,14 @@ mistakes! {
     SWAP_U: "the two numbers of u are swapped", "ch. 5 to 7: which of the two is the radius";
     COMPLEMENT_U: "1 − u for u", "ch. 7: cos θ = (1 − r₂)^(1/(e+1))";
     PLAIN_DISK: "rings of equal width for rings of equal area", "ch. 6: the concentric map";
+    ANGLES_EVEN: "θ = π u: even in the angle, not in the area", "ch. 7: cos θ = 1 − 2 r₁";
+    HALF_TURN: "half a turn for a whole one: π for 2π", "ch. 7, 29: φ = 2π u";
+    EXPONENT_LESS: "e for e + 1 in the root", "ch. 7: cos θ = (1 − r₂)^(1/(e+1))";
+    POLAR_DISK: "polar coordinates with the radius r = u", "ch. 6: the area is even in r²";
     // textures, transforms, grids
+    AZIMUTH_OFF: "to negative azimuths not 2π is added", "ch. 29: φ = tan⁻¹(x/z), + 2π where it is negative";
+    HEIGHT_FOR_ANGLE: "the height y for the polar angle", "ch. 29: v = 1 − θ/π";
+    AZIMUTH_FROM_X: "the azimuth is measured from +x", "ch. 29: from +z towards +x";
     REVERSED_STEPS: "the steps are applied last to first", "ch. 20: the last matrix of a product acts first", "ch21/ellipsoid";
     INVERSE_FOR_MATRIX: "the inverse for the matrix", "ch. 21: the ray goes by the inverse";
     TURNED_BACKWARDS: "rotations turn the other way", "ch. 20: counterclockwise, seen against the axis";
@@ -167,6 +175,10 @@ mistakes! {
     FLAT_FOR_SMOOTH: "the normal of the face, not interpolated", "ch. 23: n = (1 − β − γ) n0 + β n1 + γ n2", "ch23/smooth-sphere";
     NO_VERTEX_NORMALS: "the normals of the vertices are left out", "ch. 23";
     OTHER_CORNERS: "what is interpolated belongs to other corners: β and γ are exchanged, for instance", "ch. 23: n = (1 − β − γ) n0 + β n1 + γ n2", "ch23/smooth-sphere";
+    FIRST_CORNER: "what one corner of the triangle has, not interpolated", "ch. 23: n = (1 − β − γ) n0 + β n1 + γ n2", "ch23/smooth-sphere";
+    AREA_WEIGHTED: "the mean of the faces' normals is weighted by their areas", "docs/book-card.md: ch. 23 adds unit normals";
+    ANGLE_WEIGHTED: "the mean of the faces' normals is weighted by their angles", "docs/book-card.md: ch. 23 adds unit normals";
+    LAST_TRIANGLE: "the last triangle is left out", "ch. 23: for all triangles";
     REVERSED_FORGOTTEN: "reverse_normals is left out", "ch. 23: reverse_normal";
     MESH_SCALE: "the scale of the mesh is left out", "docs/scene.md: scale";
     // noise
@@ -188,6 +200,9 @@ mistakes! {
     OTHER_PERMUTATION: "the permutation takes the coordinates in another order", "ch. 31: PERM(ix + PERM(iy + PERM(iz)))";
     // lights and lenses
     DARK_SIDE: "lamps shine from their dark side, too", "ch. 18: no light where n·ωi ≤ 0", "ch18/rectangle";
+    LENS_POINT: "the lens is a point", "ch. 10: the ray starts at the point of the lens", "ch10/near-focus";
+    LENS_DIAMETER: "the radius of the lens is taken for its diameter", "ch. 10", "ch10/near-focus";
+    LENS_RADIUS: "the diameter of the lens is taken for its radius", "ch. 10", "ch10/near-focus";
     LENS_UNSCALED: "the point of the lens is not scaled by d/f", "ch. 10: p + (p − l) …, d/f of the lens point", "ch10/near-focus";
     NO_SIZE: "the size is left out", "ch. 30: coordinates over the size";
     ONE_CELL_LESS: "one cell less along each axis", "ch. 22: n = ⌊m w / s⌋ + 1";

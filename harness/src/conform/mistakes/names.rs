@@ -33,6 +33,18 @@ const NEAR_ONE: f64 = 1e-4;
 /// until none explains a third of all. Of mistakes that explain the same answers, the most specific are named, at most
 /// two. Of a single answer, known mistakes only: one ratio says nothing.
 pub fn names(wrong: &[Wrong]) -> Vec<Name> {
+    if let [only] = wrong
+        && !only.theirs.is_empty()
+        && only.theirs.iter().all(|x| *x == 0.0)
+    {
+        // a single black answer is that of many mistakes
+        let says = |mistake: &&Mistake| [&BLACK, &ZERO, &IN_BLACK_SHADOW].contains(mistake);
+        let left_out = only.clues.iter().copied().find(says);
+        return left_out
+            .map(|mistake| Name::Known { mistake, explains: 1, of: 1 })
+            .into_iter()
+            .collect();
+    }
     let mut open: Vec<usize> = (0..wrong.len()).collect();
     let mut names = Vec::new();
     while !open.is_empty() {

@@ -226,6 +226,12 @@ const ZOOM_INVERTED: Change =
 const NO_ZOOM: Change =
     |question| change(only(&mut data(question)?["camera"]["lens"])?, "/zoom", |_| 1.0);
 
+/// Another radius of the lens: its point is that of the unit disk, times the radius.
+fn lens_radius(question: &mut Value, by: f64) -> Option<()> {
+    let data = data(question)?;
+    ["/lens/0", "/lens/1"].into_iter().try_for_each(|at| change(data, at, |x| by * x))
+}
+
 fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
         needed: &["origin", "direction"],
@@ -248,6 +254,9 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::DEGREES, ROLL_IN_RADIANS),
             (&m::NO_ZOOM, NO_ZOOM),
             (&m::ZOOM_INVERTED, ZOOM_INVERTED),
+            (&m::LENS_POINT, |question| lens_radius(question, 0.0)),
+            (&m::LENS_DIAMETER, |question| lens_radius(question, 0.5)),
+            (&m::LENS_RADIUS, |question| lens_radius(question, 2.0)),
             (&m::LENS_UNSCALED, |question| {
                 let lens = data(question)?.pointer_mut("/camera/lens/thin_lens")?;
                 lens["focal_distance"] = lens["distance"].clone();

@@ -8,6 +8,7 @@ use super::super::mistakes as m;
 use super::super::values::{self, Rules};
 use super::{change, family, only, remove, round, vector};
 use crate::verify::Draw;
+use groundtruth::math::{Vector, atan2};
 
 /// What a family adds to a mesh of bare triangles.
 type Extra = fn(&mut Draw, &mut Value);
@@ -72,7 +73,8 @@ fn near(draw: &mut Draw, at: [f64; 3], by: f64) -> [f64; 3] {
 fn smooth_triangle(draw: &mut Draw) -> Value {
     let corners = [CORNERS[0], CORNERS[2], CORNERS[4]];
     let vertices = corners.map(|at| near(draw, at, 0.25));
-    let normals = corners.map(|at| near(draw, at, 0.4));
+    // all on the side of the triangle's own
+    let normals = corners.map(|at| near(draw, at.map(|x| x + 0.5), 0.3));
     let [a, b] = [draw.between(0.1, 0.6), draw.between(0.1, 0.3)];
     let aim: [f64; 3] = std::array::from_fn(|i| {
         (1.0 - a - b) * vertices[0][i] + a * vertices[1][i] + b * vertices[2][i]
@@ -109,6 +111,20 @@ fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             }),
             (&m::NO_VERTEX_NORMALS, |question| {
                 remove(only(&mut question["intersect"]["shape"])?, "normals")
+            }),
+            (&m::LAST_TRIANGLE, |question| {
+                let mesh = &mut question["intersect"]["shape"]["mesh"];
+                mesh["triangles"].as_array_mut()?.pop().map(drop)
+            }),
+            (&m::FIRST_CORNER, |question| given_to(question, [0, 0, 0])),
+            (&m::FIRST_CORNER, |question| given_to(question, [1, 1, 1])),
+            (&m::FIRST_CORNER, |question| given_to(question, [2, 2, 2])),
+            (&m::AREA_WEIGHTED, |question| weighted(question, |_, cross| cross)),
+            (&m::ANGLE_WEIGHTED, |question| {
+                weighted(question, |[before, after], cross| {
+                    let angle = atan2(before.cross(after).length(), before.dot(after));
+                    angle * cross.unit().unwrap_or(cross)
+                })
             }),
             (&m::OTHER_CORNERS, |question| given_to(question, [0, 2, 1])),
             (&m::OTHER_CORNERS, |question| given_to(question, [1, 2, 0])),
@@ -147,7 +163,11 @@ fn given_to(question: &mut Value, order: [usize; 3]) -> Option<()> {
             order.iter().map(|i| normals.get(*i).cloned()).collect::<Option<_>>()?;
         return Some(());
     }
-    let mesh = shape.get_mut("mesh")?;
+    let is_smooth = shape["mesh"]["smooth"] == json!(true);
+    if is_smooth && shape["mesh"].get("normals").is_none() {
+        weighted(question, |_, cross| cross.unit().unwrap_or(cross))?;
+    }
+    let mesh = question["intersect"]["shape"].get_mut("mesh")?;
     let triangles: Vec<[usize; 3]> = serde_json::from_value(mesh["triangles"].clone()).ok()?;
     // no two triangles share a corner, so that each may have its own
     let listed = |list: &Value, order: [usize; 3]| -> Option<Vec<Value>> {
@@ -159,8 +179,32 @@ fn given_to(question: &mut Value, order: [usize; 3]) -> Option<()> {
         return None;
     }
     mesh["vertices"] = json!(listed(&mesh["vertices"], [0, 1, 2])?);
-    given.into_iter().for_each(|(name, list)| mesh[name] = json!(list));
+    for (name, list) in given {
+        list.into_iter().for_each(|list| mesh[name] = json!(list));
+    }
     mesh["triangles"] =
         (0..triangles.len()).map(|i| json!([3 * i, 3 * i + 1, 3 * i + 2])).collect();
+    Some(())
+}
+
+/// Gives a smooth mesh the sums of its faces' normals at each vertex, as much of each as `share` says of its two edges at
+/// the vertex and their cross product.
+fn weighted(question: &mut Value, share: impl Fn([Vector; 2], Vector) -> Vector) -> Option<()> {
+    let mesh = question["intersect"]["shape"].get_mut("mesh")?;
+    if mesh["smooth"] != json!(true) || mesh.get("normals").is_some() {
+        return None;
+    }
+    let vertices: Vec<[f64; 3]> = serde_json::from_value(mesh["vertices"].clone()).ok()?;
+    let triangles: Vec<[usize; 3]> = serde_json::from_value(mesh["triangles"].clone()).ok()?;
+    let at = |corner: usize| vertices.get(corner).copied().map(Vector::from);
+    let mut normals = vec![Vector::new(0.0, 0.0, 0.0); vertices.len()];
+    for triangle in triangles {
+        for i in 0..3 {
+            let [here, next, last] = [0, 1, 2].map(|step| triangle[(i + step) % 3]);
+            let edges = [at(next)? - at(here)?, at(last)? - at(here)?];
+            normals[here] = normals[here] + share(edges, edges[0].cross(edges[1]));
+        }
+    }
+    mesh["normals"] = normals.iter().map(|normal| json!(normal.to_array())).collect();
     Some(())
 }

@@ -190,6 +190,15 @@ fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
                     if wo.z() < 0.0 { (-Vector::Z, 1.0 / eta) } else { (Vector::Z, eta) };
                 (field == "sample.wi").then(|| wrong_sign(wo, n, eta))?
             }),
+            (&m::HALF_VECTOR, |question, field, right| {
+                let asked = &question["lobe"];
+                let e = asked["lobe"]["glossy_specular"]["exponent"].as_f64()?;
+                let [wi, wo] = ["wi", "wo"].map(|it| triple(&asked[it]).map(Vector::from));
+                let (wi, wo) = (wi?, wo?);
+                let mirrored = (2.0 * wi.z() * wo.z() - wi.dot(wo)).max(0.0);
+                let half = (wi + wo).unit()?.z();
+                (field == "f").then(|| times(power(half / mirrored, e), right, field))?
+            }),
             (&m::EXPONENT_FOR_DENSITY, |question, field, right| {
                 let e =
                     question["lobe"]["lobe"].as_object()?.values().next()?["exponent"].as_f64()?;

@@ -112,13 +112,36 @@ fn map(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::NO_EXPONENT, |question| {
                 change(data(question)?, "/to/hemisphere/exponent", |_| 1.0)
             }),
+            (&m::EXPONENT_LESS, |question| {
+                change(data(question)?, "/to/hemisphere/exponent", |e| (e - 1.0).max(0.0))
+            }),
+            (&m::HALF_TURN, |question| {
+                let turn =
+                    if data(question)?["to"].get("sphere").is_some() { "/u/1" } else { "/u/0" };
+                change(data(question)?, turn, |u| 0.5 * u)
+            }),
+            (&m::ANGLES_EVEN, |question| {
+                let data = data(question)?;
+                data["to"].get("sphere")?;
+                change(data, "/u/0", |u| {
+                    0.5 - 0.5 * groundtruth::math::cos(std::f64::consts::PI * u)
+                })
+            }),
         ],
-        answers: &[(&m::PLAIN_DISK, |question, _, _| {
-            question["map"]["to"].get("disk")?;
-            let [u, v] = [0, 1].map(|i| question["map"]["u"][i].as_f64());
-            let (r, phi) = (u?.sqrt(), 2.0 * std::f64::consts::PI * v?);
-            Some(vec![r * groundtruth::math::cos(phi), r * groundtruth::math::sin(phi)])
-        })],
+        answers: &[
+            (&m::POLAR_DISK, |question, _, _| {
+                question["map"]["to"].get("disk")?;
+                let [u, v] = [0, 1].map(|i| question["map"]["u"][i].as_f64());
+                let (sin, cos) = groundtruth::math::sin_cos(2.0 * std::f64::consts::PI * v?);
+                Some(vec![u? * cos, u? * sin])
+            }),
+            (&m::PLAIN_DISK, |question, _, _| {
+                question["map"]["to"].get("disk")?;
+                let [u, v] = [0, 1].map(|i| question["map"]["u"][i].as_f64());
+                let (r, phi) = (u?.sqrt(), 2.0 * std::f64::consts::PI * v?);
+                Some(vec![r * groundtruth::math::cos(phi), r * groundtruth::math::sin(phi)])
+            }),
+        ],
     };
     values::judge(question, answer, profile, &RULES)
 }

@@ -243,8 +243,29 @@ fn mapping(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::SWAP_XZ, |question| swap(data(question)?, "/point/0", "/point/2")),
             (&m::FLIP_X, |question| change(data(question)?, "/point/0", |x| -x)),
             (&m::FLIP_Z, |question| change(data(question)?, "/point/2", |x| -x)),
+            (&m::AZIMUTH_FROM_X, |question| {
+                swap(data(question)?, "/point/0", "/point/2")?;
+                change(data(question)?, "/point/0", |x| -x)
+            }),
         ],
         answers: &[
+            (&m::MIRROR_U, |_, _, right| numbers(right).map(|uv| vec![1.0 - uv[0], uv[1]])),
+            (&m::MIRROR_V, |_, _, right| numbers(right).map(|uv| vec![uv[0], 1.0 - uv[1]])),
+            (&m::AZIMUTH_OFF, |question, _, right| other_azimuth(question, right, 1.0)),
+            (&m::AZIMUTH_OFF, |question, _, right| other_azimuth(question, right, 0.5)),
+            (&m::HALF_TURN, |question, _, right| {
+                is_around(question).then(|| numbers(right).map(|uv| vec![2.0 * uv[0], uv[1]]))?
+            }),
+            (&m::HEIGHT_FOR_ANGLE, |question, _, right| {
+                let mapping = &question["mapping"];
+                let [_, y, _] = triple(&mapping["point"])?;
+                let v = match mapping["mapping"].as_str()? {
+                    "spherical" => 0.5 * (y + 1.0),
+                    "hemispherical" => y,
+                    _ => return None,
+                };
+                Some(vec![numbers(right)?[0], v])
+            }),
             (&m::DIVIDED_BY_ZERO_AXIS, |question, _, _| {
                 let [x, y, _] = triple(&question["mapping"]["point"])?;
                 (x == 0.0 && y == 0.0).then(|| vec![f64::NAN; 2])
@@ -258,4 +279,17 @@ fn mapping(question: &Value, answer: &Value, profile: Profile) -> Judgement {
         ],
     };
     values::judge(question, answer, profile, &RULES)
+}
+
+/// Whether u goes around the y axis.
+fn is_around(question: &Value) -> bool {
+    let of = &question["mapping"]["mapping"];
+    ["cylindrical", "spherical", "hemispherical"].iter().any(|around| of == around)
+}
+
+/// The coordinates with so many turns less where the azimuth is negative, for x < 0.
+fn other_azimuth(question: &Value, right: &Value, less: f64) -> Option<Vec<f64>> {
+    let [x, ..] = triple(&question["mapping"]["point"])?;
+    let uv = numbers(right)?;
+    (x < 0.0 && is_around(question)).then(|| vec![uv[0] - less, uv[1]])
 }
