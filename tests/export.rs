@@ -12,18 +12,6 @@ mod mitsuba_camera;
 mod mitsuba_surfaces;
 #[path = "export/parsed.rs"]
 mod parsed;
-#[path = "export/pbrt.rs"]
-mod pbrt;
-#[path = "export/pbrt_parsed.rs"]
-mod pbrt_parsed;
-#[path = "export/pbrt_refusals.rs"]
-mod pbrt_refusals;
-#[path = "export/pbrt_scenes.rs"]
-mod pbrt_scenes;
-#[path = "export/pbrt_shapes.rs"]
-mod pbrt_shapes;
-#[path = "export/pbrt_surfaces.rs"]
-mod pbrt_surfaces;
 #[path = "export/pov.rs"]
 mod pov;
 #[path = "export/pov_camera.rs"]

@@ -124,7 +124,7 @@ fn no_file_of_the_scene_is_written_over() {
     let files = ["meshes/knot.ply", "first.toml"].map(|name| at.join(name));
     let read = || files.each_ref().map(|file| fs::read(file).expect("there"));
     let before = read();
-    for format in ["toml", "pov", "pbrt", "mitsuba"] {
+    for format in ["toml", "pov", "mitsuba"] {
         let without = ["--without", "ambient"];
         for output in ["meshes/knot.ply", "../scenes/meshes/knot.ply", "first.toml"] {
             let line = ["export", "first.toml", "--format", format, "--replace", "-o", output];

@@ -92,29 +92,6 @@ fn explanations_take_the_samples_of_the_pictures() {
     }
 }
 
-/// Law: a scene that cannot be said to pbrt is refused with the reasons, and written without those terms. Oracle: figure 14.1
-/// has ambient light and a light without shadows, and pbrt has neither.
-#[test]
-fn an_export_to_pbrt_lists_why_or_is_written() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let arguments =
-        ["export", "ch14/page-one", "--size", "40x40", "--format", "pbrt", "-o", "scene.pbrt"];
-    let run = run_in(folder.path(), &arguments);
-    assert_eq!(run.status, Some(2), "{}", run.stderr);
-    assert!(
-        run.stderr.starts_with("error: 1 thing in this scene cannot be said to pbrt:\n"),
-        "{}",
-        run.stderr
-    );
-    assert!(run.stderr.contains("source.ambient: "), "{}", run.stderr);
-    assert!(!folder.path().join("scene.pbrt").exists());
-    let run =
-        run_in(folder.path(), &[&arguments[..], &["--without", "ambient,unshadowed"]].concat());
-    assert_eq!(run.status, Some(0), "{}", run.stderr);
-    let text = std::fs::read_to_string(folder.path().join("scene.pbrt")).expect("it is written");
-    assert!(text.contains("Film \"rgb\" \"integer xresolution\" [ 40 ]"), "{text}");
-}
-
 /// Law: a renderer that does not end is ended at the time limit, with status 2 and what it said last. Oracle: a script
 /// that sleeps.
 #[cfg(unix)]

@@ -4,8 +4,7 @@ use std::fs;
 
 use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::kinds::Entry;
-use groundtruth::lights::Area;
-use groundtruth::materials::{Emissive, Matte};
+use groundtruth::materials::Matte;
 use groundtruth::math::Point;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer, Whitted};
@@ -139,88 +138,5 @@ fn the_table_of_materials_is_true() {
             scene.objects.push(Object::new("ball", "it", sphere));
             check(entry.module, target, how, &scene);
         }
-    }
-}
-
-/// A scene for pbrt: both sides of surfaces reflect, and the camera is in none of the planes of specimens.
-fn seen_from_above() -> Scene {
-    let mut scene = empty();
-    scene.camera.eye = Point::new(0.25, 3.0, 5.0);
-    scene.materials[0].two_sided = true;
-    scene.materials.push(Material::new("lamp", Emissive::new(2.0, Rgb::WHITE)));
-    let ball = shapes::Sphere { center: Point::new(0.0, 90.0, 0.0), radius: 1.0, inward: false };
-    scene.objects.push(Object::new("lamp", "lamp", ball));
-    scene
-        .lights
-        .push(Light::new("of the lamp", Area { object: "lamp".to_owned(), sampling: None }));
-    scene
-}
-
-/// Law: a shape, light or camera that the table calls sayable to pbrt is written, and any other is refused.
-#[test]
-fn the_table_of_pbrt_is_true() {
-    for entry in shapes::Kind::ENTRIES {
-        let Some(shape) = (entry.specimens)().into_iter().next() else { continue };
-        let how = Target::Pbrt.shape(&shape);
-        let mut scene = seen_from_above();
-        scene.objects.push(Object::new("it", "grey", shape));
-        check(entry.module, Target::Pbrt, how, &scene);
-    }
-    for entry in lights::Kind::ENTRIES {
-        let Some(light) = (entry.specimens)().into_iter().next() else { continue };
-        let how = Target::Pbrt.light(&light);
-        let mut scene = seen_from_above();
-        scene.lights = vec![Light::new("it", light)];
-        check(entry.module, Target::Pbrt, how, &scene);
-    }
-    for entry in cameras::Kind::ENTRIES {
-        let Some(lens) = (entry.specimens)().into_iter().next() else { continue };
-        let how = Target::Pbrt.camera(&lens);
-        let mut scene = seen_from_above();
-        scene.camera.lens = lens;
-        check(entry.module, Target::Pbrt, how, &scene);
-    }
-}
-
-/// Law: so for the materials and textures of pbrt.
-#[test]
-fn the_table_of_looks_of_pbrt_is_true() {
-    let ball = || shapes::Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
-    for entry in materials::Kind::ENTRIES {
-        let Some(mut recipe) = (entry.specimens)().into_iter().next() else { continue };
-        match &mut recipe {
-            materials::Kind::Phong(it) => it.ks = 0.0.into(),
-            materials::Kind::Reflective(it) => it.phong.ks = 0.0.into(),
-            materials::Kind::Emissive(it) => it.matte = None,
-            materials::Kind::Dielectric(it) => it.phong = materials::Phong::default(),
-            _ => {}
-        }
-        let how = Target::Pbrt.material(&recipe);
-        let mut scene = seen_from_above();
-        scene.materials.push(Material::new("it", recipe));
-        scene.objects = vec![Object::new("ball", "it", ball())];
-        scene.lights.clear();
-        check(entry.module, Target::Pbrt, how, &scene);
-    }
-    for entry in textures::Kind::ENTRIES {
-        let Some(mut texture) = plainest(entry) else { continue };
-        match &mut texture {
-            textures::Kind::PlaneChecker(it) => it.outline_width = 0.0,
-            // the specimen's has a texture in a colour
-            textures::Kind::TextureInstance(it) => {
-                let [color1, color2] = [Rgb::BLACK, Rgb::WHITE].map(Into::into);
-                let of = textures::Checker3d { size: 1.0, color1, color2 };
-                it.of = textures::Paint::Textured(Box::new(of.into()));
-            }
-            // the specimen needs a mesh with texture coordinates
-            textures::Kind::Image(_) => continue,
-            _ => {}
-        }
-        let how = Target::Pbrt.texture(&texture);
-        let mut scene = seen_from_above();
-        let cd = textures::Paint::Textured(Box::new(texture));
-        scene.materials.push(Material::new("it", Matte { ka: 0.1.into(), kd: 0.5.into(), cd }));
-        scene.objects.push(Object::new("ball", "it", ball()));
-        check(entry.module, Target::Pbrt, how, &scene);
     }
 }

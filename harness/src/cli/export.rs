@@ -17,8 +17,6 @@ enum Format {
     Toml,
     /// The scene language of POV-Ray 3.7
     Pov,
-    /// A scene file of pbrt-v4
-    Pbrt,
     /// The XML of Mitsuba 3. Meshes are files beside it, whose names begin as its own; so are further scenes
     /// (NAME-2.xml), if their pictures are to be added
     Mitsuba,
@@ -31,7 +29,6 @@ impl Format {
             Self::Toml => None,
             Self::Pov => Some(Target::Pov),
             Self::Mitsuba => Some(Target::Mitsuba),
-            Self::Pbrt => Some(Target::Pbrt),
         }
     }
 }

@@ -1,14 +1,13 @@
 //! Scenes of ours as input of other renderers: what can be said there is written, and all that cannot is listed.
 //!
 //! [`kinds()`] is the table of what each kind becomes. [`pov`] writes the scene language of POV-Ray, [`mitsuba`] the XML of
-//! Mitsuba 3, [`pbrt`] scene files of pbrt-v4.
+//! Mitsuba 3.
 
 mod exposure;
 pub mod kinds;
 pub mod leaves;
 pub mod mitsuba;
 mod parts;
-pub mod pbrt;
 pub mod pov;
 mod running;
 mod target;

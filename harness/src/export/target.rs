@@ -6,7 +6,7 @@ use groundtruth::scene::Scene;
 use groundtruth::{cameras, lights, materials, shapes, textures};
 
 use super::kinds::{self, How};
-use super::{Unsayable, mitsuba, pbrt, pov};
+use super::{Unsayable, mitsuba, pov};
 
 /// A renderer for which scenes are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,8 +15,6 @@ pub enum Target {
     Pov,
     /// Mitsuba 3.
     Mitsuba,
-    /// pbrt-v4.
-    Pbrt,
 }
 
 /// A scene in the language of another renderer.
@@ -30,14 +28,13 @@ pub struct Said {
 
 impl Target {
     /// All, in the order of the columns of the table.
-    pub const ALL: [Self; 3] = [Self::Pov, Self::Mitsuba, Self::Pbrt];
+    pub const ALL: [Self; 2] = [Self::Pov, Self::Mitsuba];
 
     /// Its name.
     pub fn name(self) -> &'static str {
         match self {
             Self::Pov => "POV-Ray",
             Self::Mitsuba => "Mitsuba",
-            Self::Pbrt => "pbrt",
         }
     }
 
@@ -57,7 +54,6 @@ impl Target {
         match self {
             Self::Pov => pov::write(name, scene, folder).map(of_text),
             Self::Mitsuba => mitsuba::write(name, stem, scene, folder),
-            Self::Pbrt => pbrt::write(name, scene, folder).map(of_text),
         }
     }
 
@@ -66,7 +62,6 @@ impl Target {
         match self {
             Self::Pov => kinds::pov_shape(kind),
             Self::Mitsuba => mitsuba::kinds::shape(kind),
-            Self::Pbrt => pbrt::kinds::shape(kind),
         }
     }
 
@@ -75,7 +70,6 @@ impl Target {
         match self {
             Self::Pov => kinds::pov_material(kind),
             Self::Mitsuba => mitsuba::kinds::material(kind),
-            Self::Pbrt => pbrt::kinds::material(kind),
         }
     }
 
@@ -84,7 +78,6 @@ impl Target {
         match self {
             Self::Pov => kinds::pov_light(kind),
             Self::Mitsuba => mitsuba::kinds::light(kind),
-            Self::Pbrt => pbrt::kinds::light(kind),
         }
     }
 
@@ -93,7 +86,6 @@ impl Target {
         match self {
             Self::Pov => kinds::pov_texture(kind),
             Self::Mitsuba => mitsuba::kinds::texture(kind),
-            Self::Pbrt => pbrt::kinds::texture(kind),
         }
     }
 
@@ -102,7 +94,6 @@ impl Target {
         match self {
             Self::Pov => kinds::pov_camera(kind),
             Self::Mitsuba => mitsuba::kinds::camera(kind),
-            Self::Pbrt => pbrt::kinds::camera(kind),
         }
     }
 }
