@@ -7,7 +7,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 # INSTA_UPDATE is insta's own
 export RENEW_TEXTS=1 INSTA_UPDATE=always
-cargo test --quiet --workspace --test explain --test probe --test verdict -- reads_as_before read_as_before the_document
+cargo test --quiet --workspace --test library --test programs --test judge -- reads_as_before read_as_before the_document
 page=$(mktemp)
 trap 'rm -f "$page"' EXIT
 cargo run --quiet -- kinds --page > "$page" && cp "$page" docs/scene.md

@@ -1,7 +1,7 @@
 //! Groundtruth: a readable ray tracer after Suffern's *Ray Tracing from the Ground Up*.
 //!
 //! A [`Scene`](scene::Scene) is plain data, from a [`gallery`] function or a TOML file. It is
-//! checked and built into a [`World`](world::World). [`render`] turns each pixel of each sample
+//! checked and built into a [`World`](world::World). [`render`] turns each sample of each pixel
 //! into a ray, [`trace`] follows it, asking [`shapes`] what it hits, [`materials`] of which
 //! [`lobes`] that is made, and [`lights`] what arrives; [`film`] keeps the result. A recorder can
 //! listen to every ray ([`trace::RayTree`]) and [`explain`] says in words why a pixel has
@@ -25,7 +25,7 @@
 //! gallery, world
 //! trace
 //! render
-//! explain, ray_budget
+//! explain
 //! ```
 
 pub mod accel;

@@ -1,26 +1,16 @@
 //! The command line: exit statuses, error texts, and that no unfinished file is left.
 
-#[path = "cli/bounds.rs"]
 mod bounds;
-#[path = "cli/explain_json.rs"]
 mod explain_json;
-#[path = "cli/export.rs"]
 mod export;
-#[path = "cli/full_disk.rs"]
 #[cfg(unix)]
 mod full_disk;
-#[path = "cli/goldens.rs"]
 mod goldens;
-#[path = "cli/interrupt.rs"]
 #[cfg(unix)]
 mod interrupt;
-#[path = "cli/list.rs"]
 mod list;
-#[path = "cli/provenance.rs"]
 mod provenance;
-#[path = "cli/stereo.rs"]
 mod stereo;
-#[path = "cli/witness.rs"]
 mod witness;
 
 use std::path::Path;

@@ -1,6 +1,5 @@
 //! Two pictures compared: what counts as a difference, which changes are named, and the exit status.
 
-#[path = "compare/encoded.rs"]
 mod encoded;
 
 use std::path::Path;

@@ -18,7 +18,6 @@ mod adapter;
 #[allow(dead_code)]
 #[path = "../examples/conform/init.rs"]
 mod init;
-#[path = "conform_adapters/programs.rs"]
 mod programs;
 
 /// What the adapters answer.

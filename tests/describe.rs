@@ -1,14 +1,9 @@
 //! Descriptions of scenes: whole, without words that the scene does not use, and true.
 
-#[path = "describe/drawings.rs"]
 mod drawings;
-#[path = "describe/formulas.rs"]
 mod formulas;
-#[path = "describe/noise.rs"]
 mod noise;
-#[path = "describe/truth.rs"]
 mod truth;
-#[path = "describe/whole.rs"]
 mod whole;
 
 use std::path::Path;

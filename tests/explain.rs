@@ -2,16 +2,9 @@
 //!
 //! The numbers are checked elsewhere (`tests/chapters`); this snapshot shows changes of the text.
 
-#[path = "explain/paths.rs"]
 mod paths;
-#[path = "same_text.rs"]
-#[allow(dead_code)] // documents are held by others
-mod same_text;
-#[path = "explain/shares.rs"]
 mod shares;
-#[path = "explain/sources.rs"]
 mod sources;
-#[path = "explain/unlit.rs"]
 mod unlit;
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
@@ -32,7 +25,8 @@ impl insta::Comparator for UpToRounding {
     fn matches(&self, reference: &insta::Snapshot, test: &insta::Snapshot) -> bool {
         let text = |snapshot: &insta::Snapshot| snapshot.as_text().map(ToString::to_string);
         let [expected, found] = [reference, test].map(|it| text(it).expect("a text"));
-        same_text::difference(&found, &expected, same_text::Printed::Rounded).is_none()
+        crate::same_text::difference(&found, &expected, crate::same_text::Printed::Rounded)
+            .is_none()
     }
 
     fn dyn_clone(&self) -> Box<dyn insta::Comparator> {
@@ -43,7 +37,7 @@ impl insta::Comparator for UpToRounding {
 /// `insta::assert_snapshot`, up to the rounding of numbers; a macro, so that the caller names the file.
 macro_rules! reads_as_before {
     ($text:expr) => {
-        insta::with_settings!({ comparator => Box::new(crate::UpToRounding) }, {
+        insta::with_settings!({ comparator => Box::new(crate::explain::UpToRounding) }, {
             insta::assert_snapshot!($text);
         })
     };

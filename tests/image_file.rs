@@ -2,21 +2,13 @@
 //!
 //! The files are made here, byte by byte, from the formats' definitions.
 
-#[path = "image_file/exr.rs"]
 mod exr;
-#[path = "image_file/field.rs"]
 mod field;
-#[path = "image_file/files.rs"]
 mod files;
-#[path = "image_file/hdr.rs"]
 mod hdr;
-#[path = "image_file/jpeg.rs"]
 mod jpeg;
-#[path = "image_file/png.rs"]
 mod png;
-#[path = "image_file/pnm.rs"]
 mod pnm;
-#[path = "image_file/scenes.rs"]
 mod scenes;
 
 use groundtruth::images::{Encoding, Texels, decode};

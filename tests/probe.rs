@@ -1,25 +1,14 @@
 //! Laws of the probe: each question against its own oracle, and the guarantees for input lines.
 
-#[path = "probe/answers.rs"]
 mod answers;
-#[path = "probe/errors.rs"]
 mod errors;
-#[path = "probe/eyes.rs"]
 mod eyes;
-#[path = "probe/grid.rs"]
 mod grid;
-#[path = "probe/inside.rs"]
 mod inside;
-#[path = "probe/lines.rs"]
 mod lines;
-#[path = "probe/lobes.rs"]
 mod lobes;
-#[path = "probe/python.rs"]
 mod python;
-#[path = "probe/radiance.rs"]
 mod radiance;
-#[path = "same_text.rs"]
-mod same_text;
 #[path = "chapters/support/cases.rs"]
 #[allow(dead_code)] // the chapters use the rest of it
 mod support;

@@ -1,18 +1,11 @@
 //! `groundtruth report`: its contents are complete and right.
 
-#[path = "report/command.rs"]
 mod command;
-#[path = "report/html.rs"]
 mod html;
-#[path = "report/light.rs"]
 mod light;
-#[path = "report/samplers.rs"]
 mod samplers;
-#[path = "report/textbook.rs"]
 mod textbook;
-#[path = "report/textures.rs"]
 mod textures;
-#[path = "report/times.rs"]
 mod times;
 
 use std::process::Command;

@@ -1,23 +1,14 @@
 //! Scene files that are wrong: each gets one error with file, line, object, field and the valid values;
 //! never a panic, a hang or gigabytes of memory.
 
-#[path = "scene_files/advice.rs"]
 mod advice;
-#[path = "scene_files/hostile_names.rs"]
 mod hostile_names;
-#[path = "scene_files/light_bounds.rs"]
 mod light_bounds;
-#[path = "scene_files/lists.rs"]
 mod lists;
-#[path = "scene_files/mesh_lists.rs"]
 mod mesh_lists;
-#[path = "scene_files/meshes.rs"]
 mod meshes;
-#[path = "scene_files/not_finite.rs"]
 mod not_finite;
-#[path = "scene_files/shape_errors.rs"]
 mod shape_errors;
-#[path = "scene_files/too_deep.rs"]
 mod too_deep;
 
 use std::path::Path;

@@ -2,9 +2,7 @@
 //!
 //! The tests read the source text: `crate::` paths outside comments, `mod` lines and lists.
 
-#[path = "structure/arrows.rs"]
 mod arrows;
-#[path = "structure/kinds.rs"]
 mod kinds;
 
 use std::collections::BTreeMap;

@@ -1,17 +1,11 @@
 //! Exact sums of replicas: numbers, parts, and the commands `render --replicas` and `merge`.
 
-#[path = "sums/borders.rs"]
 mod borders;
-#[path = "sums/commands.rs"]
 mod commands;
-#[path = "sums/damage.rs"]
 mod damage;
-#[path = "sums/interrupt.rs"]
 #[cfg(unix)]
 mod interrupt;
-#[path = "sums/pictures.rs"]
 mod pictures;
-#[path = "sums/seeds.rs"]
 mod seeds;
 
 use std::path::Path;

@@ -1,15 +1,10 @@
 //! Mistakes of the kinds that people make: each is judged wrong, in the right family, with a small question; and what
 //! can be named is named.
 
-#[path = "mistakes/lights_and_cameras.rs"]
 mod lights_and_cameras;
-#[path = "mistakes/optics.rs"]
 mod optics;
-#[path = "mistakes/sampling_and_spaces.rs"]
 mod sampling_and_spaces;
-#[path = "mistakes/shapes.rs"]
 mod shapes;
-#[path = "mistakes/surfaces.rs"]
 mod surfaces;
 
 use harness::conform::family::{Asking, Judge};

@@ -14,7 +14,7 @@ use groundtruth::shapes::{Rectangle, Sampling, Sphere};
 use groundtruth::trace::{RayKind, TermSource};
 use groundtruth::world::World;
 
-use crate::{all, nested_glass, reads_as_before};
+use super::{all, nested_glass, reads_as_before};
 
 /// The side of the lamp, and its height.
 const SIDE: f64 = 2.0;

@@ -20,7 +20,7 @@ use groundtruth::shapes::Plane;
 use groundtruth::trace::{RayCounts, TermSource};
 use groundtruth::world::{self, World};
 
-use crate::paths::room;
+use super::paths::room;
 
 /// The rounding of products of about ten factors that are multiplied in another order.
 const ROUNDING: f64 = 1e-12;

@@ -277,7 +277,7 @@ fn tracers_that_do_not_sample() {
         assert_eq!(reasons, expected, "{tracer:?}");
     }
     // the second hit of a path, inside a closed room
-    let mut room = crate::paths::room(0.5, 0.0, 1);
+    let mut room = super::paths::room(0.5, 0.0, 1);
     room.tracer = Tracer::GlobalTrace(depth(3));
     let first = ray(&room);
     let second = first.children.iter().find(|ray| ray.depth == 1 && ray.hit.is_some());

@@ -1,7 +1,7 @@
 //! Files as programs write them: what has one meaning is read, and a note says what was ignored.
 
-use crate::obj::soup;
-use crate::samples::*;
+use super::obj::soup;
+use super::samples::*;
 use groundtruth::mesh_file::{MeshData, parse_obj, parse_ply};
 
 const SQUARE: &str = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n";

@@ -1,7 +1,7 @@
 //! Damaged files: they give an error or a valid mesh, never a panic, and never take much memory.
 
-use crate::obj::soup;
-use crate::samples::*;
+use super::obj::soup;
+use super::samples::*;
 use groundtruth::mesh_file::{Encoding, MeshData, MeshFileError, parse_obj, parse_ply};
 
 /// The module's promise, in bytes of memory for each byte of the file.

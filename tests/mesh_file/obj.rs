@@ -1,6 +1,6 @@
 //! OBJ: the three indices of a corner (position, texture coordinates, normal) become one.
 
-use crate::samples::*;
+use super::samples::*;
 use groundtruth::mesh_file::{MeshData, parse_obj, parse_ply};
 
 /// Four points of a square in the plane z = 0.

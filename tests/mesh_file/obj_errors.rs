@@ -1,6 +1,6 @@
 //! Every error message for a missing or bad OBJ file, in full.
 
-use crate::samples::*;
+use super::samples::*;
 use groundtruth::mesh_file::{Encoding, parse_obj, read};
 use std::path::Path;
 

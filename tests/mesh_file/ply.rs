@@ -1,6 +1,6 @@
 //! PLY: the same mesh in three encodings.
 
-use crate::samples::*;
+use super::samples::*;
 use groundtruth::mesh_file::{Encoding, MeshData, parse_ply, write_ply};
 use proptest::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Every error message for a bad PLY body, in full.
 
-use crate::ply_header_errors::{TRIANGLE, assert_ply_error, assert_spoilt};
-use crate::samples::*;
+use super::ply_header_errors::{TRIANGLE, assert_ply_error, assert_spoilt};
+use super::samples::*;
 use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 
 #[test]

@@ -1,6 +1,6 @@
 //! Every error message for a bad PLY header, in full.
 
-use crate::samples::*;
+use super::samples::*;
 use groundtruth::mesh_file::{Encoding, parse_ply};
 
 /// A correct ASCII file of one triangle, which the tests damage.

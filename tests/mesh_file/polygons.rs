@@ -9,7 +9,7 @@ use std::collections::HashMap;
 
 use groundtruth::mesh_file::{MeshFileError, parse_obj};
 
-use crate::samples::SplitMix64;
+use super::samples::SplitMix64;
 
 type Point = [i64; 2];
 

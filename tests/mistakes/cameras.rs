@@ -13,7 +13,7 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use harness::mistakes;
 
-use crate::stage::*;
+use super::stage::*;
 
 const WIDTH: u32 = 32;
 

@@ -11,7 +11,7 @@ use groundtruth::scene::{Tracer, Whitted};
 use groundtruth::shapes::{Disk, Instance, Plane};
 use groundtruth::textures::Checker3d;
 
-use crate::stage::*;
+use super::stage::*;
 
 /// `k_d`.
 const KD: f64 = 0.5;

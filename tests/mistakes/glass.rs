@@ -6,7 +6,7 @@ use groundtruth::math::{atan2, cos, cos_degrees, exp, power, sin, sin_degrees, t
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, Tracer, Whitted};
 
-use crate::stage::*;
+use super::stage::*;
 
 const ETA: f64 = 1.5;
 

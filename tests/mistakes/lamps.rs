@@ -10,7 +10,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Rectangle, Sampling};
 
-use crate::stage::*;
+use super::stage::*;
 
 /// The side of the lamp.
 const SIDE: f64 = 0.01;

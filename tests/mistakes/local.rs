@@ -9,7 +9,7 @@ use groundtruth::textures::Checker3d;
 use groundtruth::world::World;
 use harness::mistakes::local::{self, CHANGES};
 
-use crate::stage::*;
+use super::stage::*;
 
 /// Law: a change of one material is that of all where it is the only one, and leaves others as they are. Oracle: the mistake
 /// that makes the change everywhere, and the other material.

@@ -9,7 +9,7 @@ use groundtruth::math::power;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
 
-use crate::stage::*;
+use super::stage::*;
 
 const KD: f64 = 0.5;
 /// Of means over 4096 stratified samples.

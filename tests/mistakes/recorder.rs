@@ -3,7 +3,7 @@
 use groundtruth::{render, world::World};
 use harness::mistakes::{self, Mistake};
 
-use crate::stage::{bits, small};
+use super::stage::{bits, small};
 
 /// Columns of the pictures.
 const WIDTH: u32 = 24;

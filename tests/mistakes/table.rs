@@ -139,7 +139,7 @@ fn changed_scenes_are_valid() {
     let names = ["ch11/fisheye-180", "ch14/set", "ch18/rectangle", "ch28/glass-sphere", "ch29/jar"];
     let mut count = 0;
     for name in names {
-        let scene = crate::stage::small(name, 16, 1);
+        let scene = super::stage::small(name, 16, 1);
         for mistake in mistakes::forms() {
             if let Some(changed) = mistakes::scene(mistake, &scene, Path::new("")) {
                 let world = World::build(&changed).unwrap_or_else(|e| panic!("{name}: {e}"));
@@ -156,19 +156,19 @@ fn changed_scenes_are_valid() {
 /// itself.
 #[test]
 fn a_replica_is_that_of_all_replicas() {
-    let scene = crate::stage::small("ch18/rectangle", 16, 4);
+    let scene = super::stage::small("ch18/rectangle", 16, 4);
     let all = mistakes::replicas(&mistakes::all(), &scene, Path::new(""), 7);
     let all = all.expect("the scene is valid");
     assert_eq!(all.altered.len() + all.unchanged.len(), mistakes::all().len());
     let seven = World::build_seeded(&scene, Path::new(""), 7).expect("the scene is valid");
-    assert_eq!(crate::stage::bits(&all.ours), crate::stage::bits(&render::render(&seven)));
+    assert_eq!(super::stage::bits(&all.ours), super::stage::bits(&render::render(&seven)));
     let mut kinds = BTreeSet::new();
     for (mistake, film) in &all.altered {
         let replica = |seed| mistakes::replica(mistake, &scene, Path::new(""), seed);
         let alone = replica(7).expect("the scene is valid").expect("it applies");
-        assert_eq!(crate::stage::bits(film), crate::stage::bits(&alone), "{}", mistake.name);
+        assert_eq!(super::stage::bits(film), super::stage::bits(&alone), "{}", mistake.name);
         let other = replica(DEFAULT_SEED).expect("the scene is valid").expect("it applies");
-        assert_ne!(crate::stage::bits(film), crate::stage::bits(&other), "{}", mistake.name);
+        assert_ne!(super::stage::bits(film), super::stage::bits(&other), "{}", mistake.name);
         kinds.insert(match mistake.how {
             How::Term(_) => "term",
             How::Ray(_) => "ray",

@@ -8,7 +8,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::textures::{Checker3d, Filtering, Image, Mapping, Paint};
 
-use crate::stage::*;
+use super::stage::*;
 
 /// The side of the picture in pixels.
 const SIDE: u32 = 40;

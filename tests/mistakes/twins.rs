@@ -10,7 +10,7 @@ use groundtruth::shapes::{Kind, TessellatedSphere};
 use groundtruth::{materials, textures};
 use harness::mistakes;
 
-use crate::stage::*;
+use super::stage::*;
 
 const WIDTH: u32 = 32;
 

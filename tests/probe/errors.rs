@@ -1,10 +1,7 @@
 //! Every error message of the probe.
 
-#[path = "errors/geometry.rs"]
 mod geometry;
-#[path = "errors/light.rs"]
 mod light;
-#[path = "errors/pictures.rs"]
 mod pictures;
 
 use harness::probe;

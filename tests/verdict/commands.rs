@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 
 use super::pictures::{films, scene, world};
-use super::same_text::{Printed, hold};
+use crate::same_text::{Printed, hold};
 
 const SCENE: &str = "ch18/rectangle";
 

@@ -14,8 +14,6 @@ pub enum How {
     Instance,
     /// As triangles or other parts whose union is the same surface.
     Mesh,
-    /// As the part of it that the camera sees.
-    Seen,
     /// Not at all: a scene that has it is refused.
     None,
 }
@@ -38,7 +36,6 @@ impl How {
             Self::Exact => "exact",
             Self::Instance => "instance",
             Self::Mesh => "mesh",
-            Self::Seen => "seen part",
             Self::None => "none",
         }
     }

@@ -136,6 +136,28 @@ impl Lamp {
         }
     }
 
+    /// The area in its own coordinates.
+    pub fn inner_area(&self) -> f64 {
+        match &self.form {
+            Form::Flat(triangles) => {
+                triangles.iter().map(|[p, q, r]| 0.5 * (*q - *p).cross(*r - *p).length()).sum()
+            }
+            Form::Disk { radius, .. } => PI * radius * radius,
+            Form::Ball { radius, .. } => 4.0 * PI * radius * radius,
+        }
+    }
+
+    /// The area of something round over those that other formulas give: `2πr`, `πr`, `r²` for `πr²`; `πr²`, `2πr²`,
+    /// `4πr³/3` for `4πr²`.
+    pub fn area_ratios(&self) -> impl Iterator<Item = f64> + use<> {
+        let ratios = match &self.form {
+            Form::Flat(_) => vec![0.5, 2.0],
+            Form::Disk { radius: r, .. } => vec![0.5 * r, *r, PI],
+            Form::Ball { radius, .. } => vec![4.0, 2.0, 3.0 / self.outer_radius(*radius)],
+        };
+        ratios.into_iter()
+    }
+
     /// The solid angle that it fills for a point outside; `None` for disks. Triangles by van Oosterom and Strackee
     /// (1983), balls by `2π (1 − cos θ) = 4π sin² θ/2`.
     pub fn solid_angle(&self, from: Point) -> Option<f64> {

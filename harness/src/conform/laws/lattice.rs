@@ -3,7 +3,7 @@
 
 use serde_json::{Value, json};
 
-use super::super::family::Asking;
+use super::super::family::{Asking, Stop};
 use super::super::judgement::{Judgement, Profile, number, triple};
 use super::super::mistakes::{self as m, Mistake};
 use super::{Found, missing, within};
@@ -37,15 +37,8 @@ pub fn interpolates(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Fou
     let answers = ask.ask_all(&questions)?;
     ask.asked.truncate(1);
     let weighted = |of: Numbers, fractions: [f64; 3]| -> Option<[f64; 3]> {
-        let [x, y, z] = fractions.map(weights);
-        let mut sum = [0.0; 3];
-        for (weight, answer) in
-            products(&[&x, &y, &z], |a, b, c| a * b * c).iter().zip(&answers[1..])
-        {
-            let value = of(answer)?;
-            (0..3).for_each(|i| sum[i] += weight * value[i]);
-        }
-        Some(sum)
+        let values = answers[1..].iter().map(of).collect::<Option<Vec<_>>>()?;
+        Some(interpolated(&values, fractions, weights))
     };
     if answers[1..].iter().all(|answer| answer == &answers[1]) {
         let text = "other values at other points of the lattice";
@@ -73,8 +66,12 @@ pub fn interpolates(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Fou
             let gives = |(_, other): &(&'static Mistake, [f64; 3])| {
                 weighted(of, *other).is_some_and(|other| m::same(&theirs, &other))
             };
-            let named = other_fractions(fractions).into_iter().filter(gives);
-            return Ok(judged.with(named.map(|(mistake, _)| mistake)));
+            let mut named: Vec<&Mistake> =
+                other_fractions(fractions).into_iter().filter(gives).map(|(it, _)| it).collect();
+            if is_truncated(ask, case, (first, weights), of, theirs)? {
+                named.push(&m::TRUNCATED_FLOOR);
+            }
+            return Ok(judged.with(named));
         }
     }
     Ok(Judgement::Right(0.0))
@@ -85,6 +82,47 @@ pub fn farthest(a: [f64; 3], b: [f64; 3]) -> f64 {
     (0..3)
         .map(|i| (a[i] - b[i]).abs())
         .fold(0.0, |most, x| if x > most || x.is_nan() { x } else { most })
+}
+
+/// Whether a value is that of cells that are numbered by truncation, with fractions of negative coordinates below 0 or
+/// without their sign.
+fn is_truncated(
+    ask: &mut Asking<'_>,
+    case: &Value,
+    (first, weights): (f64, fn(f64) -> Vec<f64>),
+    of: Numbers,
+    theirs: [f64; 3],
+) -> Result<bool, Stop> {
+    let Some(point) = triple(&case["noise"]["point"]) else { return Ok(false) };
+    let cell = point.map(f64::trunc);
+    let count = weights(0.0).len();
+    let steps: Vec<f64> = (0..count).map(|i| first + i as f64).collect();
+    let questions = products(&[&steps, &steps, &steps], |i, j, k| {
+        let mut question = case.clone();
+        question["noise"]["point"] = json!([cell[0] + i, cell[1] + j, cell[2] + k]);
+        question
+    });
+    let asked = ask.asked.len();
+    let answers = ask.ask_all(&questions)?;
+    ask.asked.truncate(asked);
+    let Some(values) = answers.iter().map(of).collect::<Option<Vec<_>>>() else { return Ok(false) };
+    let signed: [f64; 3] = std::array::from_fn(|i| point[i] - cell[i]);
+    let ways = [signed, signed.map(f64::abs)];
+    Ok(ways.into_iter().any(|way| m::same(&theirs, &interpolated(&values, way, weights))))
+}
+
+/// The mean of the values at the corners of a cell, with the weights of a place in it.
+fn interpolated(
+    values: &[[f64; 3]],
+    fractions: [f64; 3],
+    weights: fn(f64) -> Vec<f64>,
+) -> [f64; 3] {
+    let [x, y, z] = fractions.map(weights);
+    let mut sum = [0.0; 3];
+    for (weight, value) in products(&[&x, &y, &z], |a, b, c| a * b * c).iter().zip(values) {
+        (0..3).for_each(|i| sum[i] += weight * value[i]);
+    }
+    sum
 }
 
 /// What is made of each item of a list with each of two others, the last one running fastest.

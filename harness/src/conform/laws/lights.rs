@@ -105,7 +105,19 @@ pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
         within(profile, "pdf", if off.is_nan() { f64::INFINITY } else { off }, right);
     if let Judgement::Wrong(wrong) = &mut judgement {
         wrong.ratio = Some(pdf / density);
-        return Ok(judgement);
+        let by_area = meeting.t * meeting.t / (cosine * lamp.area());
+        let mut others = vec![
+            (&mistakes::LAMP_NO_COSINE, density * cosine),
+            (&mistakes::LAMP_NO_DISTANCE, density / (meeting.t * meeting.t)),
+            (&mistakes::LAMP_PER_AREA, 1.0 / lamp.area()),
+            (&mistakes::LAMP_NO_AREA, density * lamp.area()),
+            (&mistakes::LAMP_BY_AREA, by_area),
+            (&mistakes::LAMP_INNER_AREA, density * lamp.area() / lamp.inner_area()),
+        ];
+        others
+            .extend(lamp.area_ratios().map(|ratio| (&mistakes::LAMP_ROUND_AREA, density * ratio)));
+        others.retain(|(_, other)| mistakes::same(&[pdf], &[*other]));
+        return Ok(judgement.with(others.into_iter().map(|(mistake, _)| mistake)));
     }
     Ok(lamp_radiance(asked, &sample, &meeting.local.to_array(), profile))
 }
@@ -265,7 +277,13 @@ pub fn sky_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found
         let off = super::relative(&sample[*field], &right[*field]);
         let text = || format!("{field} = {}", right[*field]);
         if let wrong @ Judgement::Wrong(_) = within(profile, field, off, text) {
-            return Ok(wrong);
+            let ls = occluder.and_then(|it| it["ls"].as_f64()).unwrap_or(1.0);
+            let without_ls = triple(&right["blocked"]).map(|all| all.map(|x| x / ls));
+            let is_it = *field == "blocked"
+                && color(&sample["blocked"])
+                    .zip(without_ls)
+                    .is_some_and(|(theirs, without)| mistakes::same(&theirs, &without));
+            return Ok(wrong.with(is_it.then_some(&mistakes::LEAST_WITHOUT_LS)));
         }
     }
     Ok(Judgement::Right(0.0))

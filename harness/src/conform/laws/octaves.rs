@@ -30,7 +30,7 @@ pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
     };
     let power = |base: f64, j: i32| (0..j).fold(1.0, |product, _| product * base);
     let mut questions = vec![case.clone()];
-    for base in [2.0, lacunarity] {
+    for base in [2.0, lacunarity, gain] {
         questions.extend((0..octaves).map(|j| single(power(base, j))));
     }
     let answers = ask.ask_all(&questions)?;
@@ -38,15 +38,21 @@ pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
     let values: Option<Vec<f64>> =
         answers[1..].iter().map(|answer| number(&answer["value"])).collect();
     let Some(values) = values else { return missing("value") };
-    let (halves, others) = values.split_at(octaves as usize);
+    let lists: Vec<&[f64]> = values.chunks(octaves as usize).collect();
+    let [halves, others, by_gain] = lists[..] else { return missing("value") };
     let sum = |gain: f64, values: &[f64]| -> f64 {
         (0..octaves).zip(values).map(|(j, value)| power(gain, j) * value).sum()
     };
-    let bound = |gain: f64| sum(gain, &vec![1.0; octaves as usize]);
+    let ones = vec![1.0; octaves as usize];
+    let bound = |gain: f64| sum(gain, &ones);
     let absolute: Vec<f64> = halves.iter().map(|x| x.abs()).collect();
     let shifted = |sum: f64, bound: f64| (sum + bound) / (2.0 * bound);
     let bare = sum(0.5, halves);
     let of_fbm = sum(gain, others);
+    // without the last octave
+    let less = |list: &[f64], gain: f64| {
+        sum(gain, list) - power(gain, octaves - 1) * list[octaves as usize - 1]
+    };
     let expected: [Expected<'_>; 3] = [
         (
             "fractal_sum",
@@ -55,6 +61,8 @@ pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
                 (&m::SUM_NOT_SCALED, bare),
                 (&m::SCALED_BY_MAX, (bare + bound(0.5)) / bound(0.5)),
                 (&m::ONE_OCTAVE, shifted(halves[0], 1.0)),
+                (&m::OCTAVE_LESS, shifted(less(halves, 0.5), bound(0.5))),
+                (&m::OCTAVE_LESS, shifted(less(halves, 0.5), less(&ones, 0.5))),
             ],
         ),
         (
@@ -64,6 +72,8 @@ pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
                 (&m::NO_ABSOLUTE, bare / bound(0.5)),
                 (&m::NO_ABSOLUTE, shifted(bare, bound(0.5))),
                 (&m::SUM_NOT_SCALED, sum(0.5, &absolute)),
+                (&m::OCTAVE_LESS, less(&absolute, 0.5) / bound(0.5)),
+                (&m::OCTAVE_LESS, less(&absolute, 0.5) / less(&ones, 0.5)),
             ],
         ),
         (
@@ -76,6 +86,11 @@ pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
                 (&m::SUM_NOT_SCALED, of_fbm),
                 (&m::SCALED_BY_MAX, (of_fbm + bound(gain)) / bound(gain)),
                 (&m::ONE_OCTAVE, shifted(others[0], 1.0)),
+                (&m::OCTAVE_LESS, shifted(less(others, gain), bound(gain))),
+                (&m::OCTAVE_LESS, shifted(less(others, gain), less(&ones, gain))),
+                (&m::NO_EXPONENT_OF_GAIN, shifted(of_fbm, bound(0.5))),
+                (&m::GAIN_FOR_LACUNARITY, shifted(sum(lacunarity, by_gain), bound(lacunarity))),
+                (&m::GAIN_FOR_LACUNARITY, shifted(sum(lacunarity, by_gain), bound(gain))),
             ],
         ),
     ];
@@ -90,8 +105,10 @@ pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
             return Ok(judged.with(gives.map(|(mistake, _)| *mistake)));
         }
     }
-    let vectors: Option<Vec<[f64; 3]>> =
-        answers[1 + octaves as usize..].iter().map(|answer| triple(&answer["vector"])).collect();
+    let vectors: Option<Vec<[f64; 3]>> = answers[1 + octaves as usize..][..octaves as usize]
+        .iter()
+        .map(|answer| triple(&answer["vector"]))
+        .collect();
     if let (Some(vectors), Some(theirs)) = (vectors, answers[0].get("vector_fbm")) {
         let theirs = triple(theirs).unwrap_or([f64::NAN; 3]);
         let along = |i: usize| sum(gain, &vectors.iter().map(|v| v[i]).collect::<Vec<_>>());
@@ -150,7 +167,14 @@ fn mistaken_fields(fields: &Value, noise: f64) -> Vec<(&'static Mistake, Value, 
         all.iter().for_each(|(name, value)| changed[*name] = json!(value));
         changed
     };
+    let expansion = fields["expansion"].as_f64().unwrap_or(1.0);
+    let mut unexpanded = fields.clone();
+    unexpanded["thresholds"] = match fields["thresholds"].as_array() {
+        Some(all) => all.iter().map(|it| json!(expansion * it.as_f64().unwrap_or(0.0))).collect(),
+        None => Value::Null,
+    };
     vec![
+        (&m::THRESHOLDS, unexpanded, noise),
         (&m::NO_EXPANSION, with(&[("expansion", 1.0)]), noise),
         (&m::NO_PERTURBATION, with(&[("perturbation", 1.0)]), noise),
         (&m::NO_RANGE, with(&[("min", 0.0), ("max", 1.0)]), noise),
@@ -239,7 +263,7 @@ pub fn bump_adds_noise(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> 
     let noise = noise_of(ask, &bump, hit)?;
     let Some(by) = triple(&noise["vector_fbm"]) else { return missing("vector_fbm") };
     let amount = bump["perturbation"].as_f64().unwrap_or(0.0);
-    let tilted_by = |amount: f64| {
+    let tilted = |amount: f64, by: [f64; 3]| {
         let normal = Normal::Y + amount * Vector::from(by);
         let mut tilted = case.clone();
         let scene = &mut tilted["radiance"]["scene"];
@@ -248,6 +272,7 @@ pub fn bump_adds_noise(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> 
             json!({"plane": {"point": hit, "normal": normal.to_array()}});
         ours(&tilted).ok().and_then(|answer| triple(&answer["mean"]))
     };
+    let tilted_by = |amount: f64| tilted(amount, by);
     let Some(right) = tilted_by(amount) else { return Ok(Judgement::Undecided) };
     let Some(mean) = color(&theirs["mean"]) else { return missing("mean") };
     // the point of the hit is rounded before its noise is asked: slopes of some dozens
@@ -259,8 +284,16 @@ pub fn bump_adds_noise(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> 
     let gives = |(_, amount): &(&'static Mistake, f64)| {
         tilted_by(*amount).is_some_and(|other| m::same(&mean, &other))
     };
-    match judged.is_right() {
-        true => Ok(judged),
-        false => Ok(judged.with(others.into_iter().filter(gives).map(|(mistake, _)| mistake))),
+    if judged.is_right() {
+        return Ok(judged);
     }
+    let mut named: Vec<&Mistake> =
+        others.into_iter().filter(gives).map(|(mistake, _)| mistake).collect();
+    let plain = json!({"noise": bump["noise"]});
+    if let Some(by) = triple(&noise_of(ask, &plain, hit)?["vector_fbm"])
+        && tilted(amount, by).is_some_and(|other| m::same(&mean, &other))
+    {
+        named.push(&m::NO_SIZE);
+    }
+    Ok(judged.with(named))
 }

@@ -182,6 +182,10 @@ mistakes! {
     REVERSED_FORGOTTEN: "reverse_normals is left out", "ch. 23: reverse_normal";
     MESH_SCALE: "the scale of the mesh is left out", "docs/scene.md: scale";
     // noise
+    NO_EXPONENT_OF_GAIN: "the sum is scaled as for the gain 1/2", "ch. 31: fBm lies within ± (1 − gainⁿ) / (1 − gain)";
+    GAIN_FOR_LACUNARITY: "gain and lacunarity are exchanged", "ch. 31: gainʲ noise(lacunarityʲ p)";
+    OCTAVE_LESS: "the last octave is left out", "ch. 31: j from 0 to n − 1";
+    THRESHOLDS: "the thresholds are compared with the noise before it is expanded", "ch. 31: noise = expansion · fBm";
     NO_GAIN: "the gain is 1/2, whatever it is", "ch. 31: fBm, gainʲ";
     NO_LACUNARITY: "the lacunarity is 2, whatever it is", "ch. 31: fBm, lacunarityʲ";
     ONE_OCTAVE: "one octave for all", "ch. 31: the sum over the octaves";
@@ -199,6 +203,14 @@ mistakes! {
     SMOOTHED_FRACTIONS: "the fraction is smoothed: f² (3 − 2 f)", "ch. 31: linear noise has f itself";
     OTHER_PERMUTATION: "the permutation takes the coordinates in another order", "ch. 31: PERM(ix + PERM(iy + PERM(iz)))";
     // lights and lenses
+    LAMP_NO_COSINE: "the pdf lacks the cosine at the lamp", "ch. 18: d² / (A cos θ')", "ch18/rectangle";
+    LAMP_NO_DISTANCE: "the pdf lacks the square of the distance", "ch. 18: d² / (A cos θ')", "ch18/rectangle";
+    LAMP_PER_AREA: "the pdf is 1/A: that of an area, not of a solid angle", "ch. 18: d² / (A cos θ')", "ch18/rectangle";
+    LAMP_NO_AREA: "the pdf lacks the area of the lamp", "ch. 18: d² / (A cos θ')", "ch18/rectangle";
+    LAMP_INNER_AREA: "the area of the lamp is that before its transformation", "ch. 18, 21", "ch18/stretched-lamp";
+    LAMP_ROUND_AREA: "the formula of the area is that of something else", "ch. 18: π r², 4π r²", "ch18/disk";
+    LAMP_BY_AREA: "the pdf is that of points that are even in area", "docs/scene.md: `sampling`";
+    LEAST_WITHOUT_LS: "ls is left out of what is occluded", "ch. 17: min_amount · ls · color", "ch17/corner";
     DARK_SIDE: "lamps shine from their dark side, too", "ch. 18: no light where n·ωi ≤ 0", "ch18/rectangle";
     LENS_POINT: "the lens is a point", "ch. 10: the ray starts at the point of the lens", "ch10/near-focus";
     LENS_DIAMETER: "the radius of the lens is taken for its diameter", "ch. 10", "ch10/near-focus";

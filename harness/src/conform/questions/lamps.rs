@@ -93,7 +93,7 @@ fn shape(draw: &mut Draw, tag: &str) -> Value {
         "triangle" => json!({"triangle": {"vertices": [[-a, 0, 0], [a, 0, b], [b, 0, -a]]}}),
         // triangles of different areas
         _ => json!({"mesh": {
-            "vertices": [[-a, 0, -b], [a, 0, -b], [a, 0, b], [-a, 0, b], [0, 0, 3]],
+            "vertices": [[-a, 0, -b], [a, 0, -b], [a, 0, b], [-a, 0, b], [0, 0, b + 0.25]],
             "triangles": [[0, 2, 1], [0, 3, 2], [3, 4, 2]],
         }}),
     }

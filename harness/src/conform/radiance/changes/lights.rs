@@ -93,6 +93,16 @@ pub(super) const ALL: &[Change] = changes! {
         let _ = light.remove("occluded_color");
         set(light, "min_amount", json!(1.0))
     });
+    "ambient light is not reflected by the surface: without ka cd", "ch. 14, 17: ka cd L_a" => |data| {
+        let lights = data["scene"]["lights"].as_array()?;
+        if lights.iter().any(|light| is_bright(&light["source"])) {
+            return None;
+        }
+        bases(data, |base| {
+            set(base, "ka", json!(1.0))?;
+            set(base, "cd", json!([1.0, 1.0, 1.0]))
+        })
+    };
     "objects count as occluders however far away", "docs/scene.md: `max_distance`" => |data| {
         lights(data, |_, light| without(light, "max_distance"))
     };
@@ -114,6 +124,11 @@ pub(super) const ALL: &[Change] = changes! {
 /// A mistake that conform has known before.
 pub(super) const KNOWN: &[Change] =
     &[Change { mistake: &m::IN_BLACK_SHADOW, apply: |data| retain(data, |_, _| false) }];
+
+/// Whether a light is not ambient.
+fn is_bright(source: &Value) -> bool {
+    source.as_object().is_some_and(|it| !it.keys().any(|kind| is_ambient(kind)))
+}
 
 fn is_ambient(kind: &str) -> bool {
     ["ambient", "ambient_occluder"].contains(&kind)

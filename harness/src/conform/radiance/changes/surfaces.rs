@@ -127,6 +127,12 @@ pub(super) const ALL: &[Change] = changes! {
         })
     };
     "bumps are left out", "ch. 31" => |data| items(data, "materials", |material| without(material, "bump"));
+    "bumps are twice as high: the difference is divided by one step, not two", "Blinn 1978: central differences" => |data| {
+        tables(data, "materials", "height", &|bump| {
+            let height = bump.get("height").and_then(Value::as_f64).unwrap_or(1.0);
+            set(bump, "height", json!(2.0 * height))
+        })
+    };
     "bumps are dents", "ch. 31" => |data| tables(data, "materials", "height", &|bump| number(bump, "height", |x| -x));
     "textures have their first colour everywhere", "ch. 30" => |data| textures(data, |texture| {
         let first = texture.get("color1")?.clone();

@@ -1,0 +1,10 @@
+//! Laws of the library that belong to no single chapter: files that it reads, ray trees, paths of hits, regressions.
+
+mod explain;
+mod hit_path;
+mod image_file;
+mod mesh_file;
+mod regressions;
+#[allow(dead_code)] // documents are held by others
+mod same_text;
+mod scene_files;
