@@ -161,7 +161,8 @@ fn every_chapter_has_its_file_or_folder_and_every_file_is_a_module() {
     }
 }
 
-/// Law: the table of tests in CONTRIBUTING.md has every test of each package. Oracle: their `Cargo.toml`.
+/// Law: the table of tests in CONTRIBUTING.md has every test of each package, and of each its modules. Oracle: their
+/// `Cargo.toml`, and the `mod` lines of the programs.
 #[test]
 fn the_table_of_tests_is_whole() {
     let text = text_of("CONTRIBUTING.md");
@@ -172,8 +173,24 @@ fn the_table_of_tests_is_whole() {
         let row = text.lines().find(|line| line.starts_with(&format!("| `{package}` |")));
         let row = row.unwrap_or_else(|| panic!("CONTRIBUTING.md has no row for {package}"));
         let tests = manifest.split("[[test]]").skip(1).filter_map(value);
-        let listed = row.split('|').nth(2).expect("a list of tests");
-        let listed: Vec<&str> = listed.split('`').skip(1).step_by(2).collect();
+        let cell = row.split('|').nth(2).expect("a list of tests");
+        let names = |list: &str| -> Vec<String> {
+            list.split('`').skip(1).step_by(2).map(str::to_owned).collect()
+        };
+        let programs: Vec<(String, Vec<String>)> = cell
+            .split(';')
+            .map(|program| program.split_once(':').unwrap_or((program, "")))
+            .map(|(program, modules)| (names(program).swap_remove(0), names(modules)))
+            .collect();
+        let listed: Vec<String> = programs.iter().map(|(program, _)| program.clone()).collect();
         assert_eq!(listed, tests.collect::<Vec<_>>(), "CONTRIBUTING.md, tests of {package}");
+        for (program, modules) in programs.iter().filter(|(_, modules)| !modules.is_empty()) {
+            let code = text_of(&format!("tests/{program}.rs"));
+            let there =
+                code.lines().filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(';'));
+            // what the others share is no module of laws
+            let there: Vec<&str> = there.filter(|name| *name != "same_text").collect();
+            assert_eq!(modules, &there, "CONTRIBUTING.md, modules of {program}");
+        }
     }
 }

@@ -189,7 +189,7 @@ fn noise_without_tables_or_limits_is_no_mistake() {
         let mut x =
             (0..3).fold(1, |x: u64, i| (x ^ (x >> 31) ^ knot[i] as u64).wrapping_mul(odd[i]));
         x ^= x >> 29;
-        (x as f64 / u64::MAX as f64).mul_add(2.0, -1.0)
+        2.0 * (x as f64 / u64::MAX as f64) - 1.0
     }
     /// The weight of a point of the lattice `x` away: lines, or the splines of Catmull and Rom.
     fn weight(x: f64, is_linear: bool) -> f64 {

@@ -12,12 +12,7 @@ use groundtruth::math::{UNIT_ROUNDOFF, Vector};
 use oracle::{Root, Shape};
 
 /// Whether something is in the way.
-pub fn judge_occluded(asked: &Value, answer: &Value, profile: Profile) -> Judgement {
-    let judged = occluded(asked, answer, profile);
-    if judged.is_wrong() { judged.with(of_other_shapes(asked, answer)) } else { judged }
-}
-
-fn occluded(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     let Some(question) = Question::of(question) else { return Judgement::Undecided };
     let Some(exact) = question.answer() else { return Judgement::Undecided };
     if !question.is_decided(&exact, profile) {

@@ -85,8 +85,12 @@ fn number(shape: &mut Map<String, Value>, name: &str, to: impl Fn(f64) -> f64) -
     Some(())
 }
 
-/// The mistakes with which our answer is theirs; the question is an `intersect` or `occluded`.
+/// The mistakes with which our answer to an `intersect` is theirs. That nothing is hit says little: too many shapes are
+/// elsewhere.
 pub fn of_other_shapes(question: &Value, theirs: &Value) -> Vec<&'static Mistake> {
+    if theirs.is_null() || theirs.as_array().is_some_and(Vec::is_empty) {
+        return Vec::new();
+    }
     let Ok(right) = ours(question) else { return Vec::new() };
     let is_it = |(_, change): &&Other| {
         let mut other = question.clone();

@@ -202,7 +202,7 @@ fn weighted(question: &mut Value, share: impl Fn([Vector; 2], Vector) -> Vector)
         for i in 0..3 {
             let [here, next, last] = [0, 1, 2].map(|step| triangle[(i + step) % 3]);
             let edges = [at(next)? - at(here)?, at(last)? - at(here)?];
-            normals[here] = normals[here] + share(edges, edges[0].cross(edges[1]));
+            normals[here] += share(edges, edges[0].cross(edges[1]));
         }
     }
     mesh["normals"] = normals.iter().map(|normal| json!(normal.to_array())).collect();
