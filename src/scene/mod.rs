@@ -235,12 +235,6 @@ impl Object {
         let (enabled, casts_shadows, intersect, epsilon) = (true, true, None, None);
         Self { name, material, enabled, casts_shadows, intersect, epsilon, shape }
     }
-
-    /// The same object with these intersection routines.
-    #[must_use]
-    pub fn intersected(self, intersect: Intersect) -> Self {
-        Self { intersect: Some(intersect), ..self }
-    }
 }
 
 impl Scene {
