@@ -5,8 +5,8 @@ use std::error::Error;
 use std::path::Path;
 
 use groundtruth::film::{self, Tone};
-use groundtruth::gallery::parts::{add, ambient, grey, ground, matte, phong, pinhole};
-use groundtruth::gallery::parts::{point, point_light, rgb, sphere};
+use groundtruth::scene::build::{add, ambient, grey, ground, matte, phong, pinhole};
+use groundtruth::scene::build::{point, point_light, rgb, sphere};
 use groundtruth::world::World;
 use groundtruth::{explain, render};
 

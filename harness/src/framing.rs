@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use groundtruth::cameras::{Pinhole, Viewpoint};
-use groundtruth::gallery::parts::{add, ambient, directional, grey, matte, pinhole};
 use groundtruth::math::{Aabb, Point, Vector};
+use groundtruth::scene::build::{add, ambient, directional, grey, matte, pinhole};
 use groundtruth::scene::{Material, Scene, SceneError};
 use groundtruth::shapes::Mesh;
 use groundtruth::world::World;
@@ -76,7 +76,7 @@ pub fn scene_of_mesh(file: &Path) -> Result<(Scene, World), SceneError> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use groundtruth::gallery::parts::{boxed, vector};
+    use groundtruth::scene::build::{boxed, vector};
 
     /// A scene with one box, and a picture of this many pixels.
     fn scene(min: Point, max: Point, size: [u32; 2], back: Vector) -> Scene {

@@ -1,11 +1,11 @@
 //! Chapter 3: bare-bones ray tracing. There are no lights: colours are emitted radiance.
 
 use super::List;
-use super::parts::*;
 use crate::cameras::{Orthographic, Viewpoint};
 use crate::materials::Emissive;
 use crate::math::Point;
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Material, Object, Scene};
 use crate::shapes::{self, Plane};
 

@@ -1,7 +1,6 @@
 //! Chapter 4: antialiasing.
 
 use super::List;
-use super::parts::*;
 use crate::background::{Background, Pattern, Sinusoid};
 use crate::cameras::{Orthographic, Pinhole, Viewpoint};
 use crate::filters::{Box, Gaussian, Kind as Filter, Mitchell, Tent};
@@ -10,6 +9,7 @@ use crate::samplers::{
     CorrelatedMultiJittered, Hammersley, Jittered, Kind as Sampler, MultiJittered, NRooks, Random,
     Regular, Sobol,
 };
+use crate::scene::build::*;
 use crate::scene::{Image, Scene};
 
 pub const SCENES: List = &[

@@ -1,12 +1,12 @@
 //! Chapter 5: sampling techniques, shown by the soft shadow of an area light (chapter 18).
 
 use super::List;
-use super::parts::*;
 use crate::lights::Area;
 use crate::materials::{Emissive, Reflective};
 use crate::math::Vector;
 use crate::rgb::Rgb;
 use crate::samplers::{Hammersley, Kind as Sampler, NRooks, Random};
+use crate::scene::build::*;
 use crate::scene::{Light, Scene, Tracer, Whitted};
 use crate::shapes::Rectangle;
 

@@ -1,9 +1,9 @@
 //! Chapter 6: mapping samples to a disk, which chapter 10 uses for the lens.
 
 use super::List;
-use super::parts::*;
 use super::sets::city;
 use crate::cameras::{ThinLens, Viewpoint};
+use crate::scene::build::*;
 use crate::scene::{Image, Scene};
 
 pub const SCENES: List = &[("ch06/city", opener)];

@@ -1,11 +1,11 @@
 //! Chapter 8: perspective viewing.
 
 use super::List;
-use super::parts::*;
 use super::sets::{basic_objects, wireframe_box};
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::math::Point;
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Object, Scene};
 
 pub const SCENES: List = &[

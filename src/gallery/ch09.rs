@@ -1,11 +1,11 @@
 //! Chapter 9: a practical viewing system.
 
 use super::List;
-use super::parts::*;
 use super::sets::{Canyon, basic_objects, canyon};
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::math::{Point, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Scene};
 
 pub const SCENES: List = &[

@@ -1,13 +1,13 @@
 //! Chapter 10: depth of field.
 
 use super::List;
-use super::parts::*;
 use super::sets::{LENS, add_checkered_box, boxes_in_depth, daylight};
 use crate::cameras::{ThinLens, Viewpoint};
 use crate::materials::Reflective;
 use crate::math::Point;
 use crate::rgb::Rgb;
 use crate::samplers::Regular;
+use crate::scene::build::*;
 use crate::scene::{Image, Scene, Tracer, Whitted};
 
 pub const SCENES: List = &[

@@ -1,10 +1,10 @@
 //! Chapter 11: nonlinear projections.
 
 use super::List;
-use super::parts::*;
 use super::sets::{Canyon, canyon, city};
 use crate::cameras::{CylindricalPanorama, Fisheye, Kind as Lens, SphericalPanorama, Viewpoint};
 use crate::math::Point;
+use crate::scene::build::*;
 use crate::scene::{Image, Scene};
 
 pub const SCENES: List = &[

@@ -1,13 +1,13 @@
 //! Chapter 12: stereoscopy. Each picture is a pair of images for parallel viewing.
 
 use super::List;
-use super::parts::*;
 use super::sets::{LENS, boxes_in_depth, city, rings_of_columns, wireframe_box};
 use crate::cameras::{
     Fisheye, Kind as Lens, Pinhole, SphericalPanorama, Stereo, ThinLens, Viewing, Viewpoint,
 };
 use crate::math::Point;
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Scene};
 
 pub const SCENES: List = &[

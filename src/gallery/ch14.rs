@@ -1,7 +1,6 @@
 //! Chapter 14: lights and materials. Lights have no shadows yet.
 
 use super::List;
-use super::parts::*;
 use super::shaded_sets::{
     before_the_set, four_cylinders, matte_set, thirty_five_spheres, two_spheres_before_a_wall,
 };
@@ -10,6 +9,7 @@ use crate::lights::{Directional, PointLight, Spot};
 use crate::materials::Emissive;
 use crate::math::{Point, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Light, Scene};
 
 pub const SCENES: List = &[

@@ -1,13 +1,13 @@
 //! Chapter 15: specular reflection. Lights have no shadows yet.
 
 use super::List;
-use super::parts::*;
 use super::shaded_sets::{
     LIGHT_GREEN, ORANGE, YELLOW, before_the_set, four_cylinders, set_of, thirty_five_spheres,
 };
 use crate::materials::{Matte, Phong};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
+use crate::scene::build::*;
 
 pub const SCENES: List = &[
     ("ch15/page-one", || {

@@ -1,11 +1,11 @@
 //! Chapter 16: shadows.
 
 use super::List;
-use super::parts::*;
 use super::shaded_sets::{thirty_five_spheres, two_spheres_before_a_wall};
 use crate::lights::PointLight;
 use crate::math::Point;
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Intersect, Light, Material, Object, Scene};
 use crate::shapes::{Compound, Materials, Part, SolidCylinder, Triangle};
 

@@ -1,13 +1,13 @@
 //! Chapter 17: ambient occlusion.
 
 use super::List;
-use super::parts::*;
 use super::sets::city_on;
 use crate::cameras::Orthographic;
 use crate::lights::AmbientOccluder;
 use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
 use crate::samplers::{Random, Regular};
+use crate::scene::build::*;
 use crate::scene::{Light, Scene};
 use crate::shapes::{PartCylinder, Rectangle, TessellatedSphere};
 

@@ -1,11 +1,11 @@
 //! Chapter 18: area lights and the environment light.
 
 use super::List;
-use super::parts::*;
 use crate::lights::{Area, Directional, Environment, FakeSpherical, JitteredDirectional};
 use crate::materials::{Emissive, Kind as MaterialKind, Matte, Phong};
 use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Light, Scene};
 use crate::shapes::{Disk, Kind, Materials, Rectangle, SolidCylinder};
 

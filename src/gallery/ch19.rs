@@ -1,10 +1,10 @@
 //! Chapter 19: the objects of the book, and compound objects.
 
 use super::List;
-use super::parts::*;
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::math::{Point, Step};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Intersect, Material, Object, Scene};
 use crate::shapes::{
     Algebraic, Annulus, ConcaveLens, Cone, CutFace, FlatRimmedBowl, Kind, Materials, Paraboloid,
@@ -278,6 +278,6 @@ fn far_torus(about: &str) -> Scene {
     scene.lights.push(ambient(0.4));
     scene.lights.push(directional("light", vector(1.0, 2.0, 0.5), 3.0).without_shadows());
     let torus = Torus { swept_radius: 2.0, tube_radius: 0.5, inward: false };
-    super::parts::add(&mut scene, "torus", torus, matte(0.25, 0.75, rgb(1.0, 0.6, 0.2)));
+    crate::scene::build::add(&mut scene, "torus", torus, matte(0.25, 0.75, rgb(1.0, 0.6, 0.2)));
     scene
 }

@@ -2,9 +2,9 @@
 //! 30).
 
 use super::List;
-use super::parts::*;
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::math::{Point, Step, Vector};
+use crate::scene::build::*;
 use crate::scene::{Image, Scene};
 
 pub const SCENES: List = &[

@@ -1,11 +1,11 @@
 //! Chapter 21: instances.
 
 use super::List;
-use super::parts::*;
 use crate::accel::Method;
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::math::{Pcg32, Point, Step, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Scene};
 use crate::shapes::{
     Archway, BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Compound, Kind, Materials,

@@ -1,10 +1,10 @@
 //! Chapter 22: regular grids.
 
 use super::List;
-use super::parts::*;
 use crate::accel::Method;
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::math::{Point, Step, cbrt};
+use crate::scene::build::*;
 use crate::scene::{Image, Material, Scene};
 use crate::shapes::{Compound, Instance, Kind, Part, RandomSpheres};
 use crate::textures::{Paint, RandomColors};

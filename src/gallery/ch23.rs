@@ -1,11 +1,11 @@
 //! Chapter 23: triangle meshes.
 
 use super::List;
-use super::parts::*;
 use crate::accel::Method;
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::math::{Point, Step, Vector, cos_degrees, sin_degrees};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Intersect, Material, Object, Scene};
 use crate::shapes::{Compound, Kind, Lattice, Mesh, Part, TessellatedSphere};
 

@@ -1,11 +1,11 @@
 //! Chapter 24: mirror reflection: the reflective set and the hall of mirrors.
 
 use super::List;
-use super::parts::*;
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::materials::Phong;
 use crate::math::{Point, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Material, Object, Scene, Tracer, Whitted};
 use crate::shapes::{Disk, OpenCylinder, Rectangle};
 use crate::textures::{Paint, PlaneChecker};

@@ -1,11 +1,11 @@
 //! Chapter 24: mirror reflection: spheres, a cone and a cylinder.
 
 use super::List;
-use super::parts::*;
 use crate::cameras::{Orthographic, Stereo, Viewing, Viewpoint};
 use crate::materials::{Emissive, Phong, Reflective};
 use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Scene, Tracer, Whitted};
 use crate::shapes::{BeveledBox, Cone, Disk, Materials, OpenCylinder, Sphere, TessellatedSphere};
 use crate::textures::{Paint, PlaneChecker};

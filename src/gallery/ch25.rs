@@ -2,11 +2,11 @@
 
 use super::List;
 use super::ch24::hall_of_mirrors;
-use super::parts::*;
 use crate::lobes::GlossyRule;
 use crate::materials::{GlossyReflector, Kind as MaterialKind, Phong};
 use crate::math::{Point, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Scene, Tracer, Whitted};
 use crate::shapes::{Disk, Rectangle};
 

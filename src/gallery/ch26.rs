@@ -2,12 +2,12 @@
 
 use super::List;
 use super::ch18::{Part, plain, solids};
-use super::parts::*;
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::lights::Area;
 use crate::materials::{Emissive, Phong};
 use crate::math::{Point, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Depth, Image, Light, Material, Object, Scene, Tracer};
 use crate::shapes::{Kind, PartCylinder, Rectangle};
 

@@ -1,11 +1,11 @@
 //! Chapter 27: simple transparency.
 
 use super::List;
-use super::parts::*;
 use crate::cameras::{Pinhole, Viewpoint};
 use crate::materials::{Dielectric, Kind as MaterialKind, Medium, Reflective, Transparent};
 use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Light, Object, Scene, Tracer, Whitted};
 use crate::shapes::{
     BeveledBox, Disk, FlatRimmedBowl, Kind, Materials, Rectangle, SolidCylinder, TessellatedSphere,

@@ -2,13 +2,13 @@
 //! because the book's images may not be copied.
 
 use super::List;
-use super::parts::*;
 use crate::background::{self, Dome};
 use crate::cameras::{Fisheye, Pinhole, Viewpoint};
 use crate::images::{Drawn, Picture};
 use crate::lights::Environment;
 use crate::math::{Point, Step, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{self, Light, Material, Object, Scene, Tracer, Whitted};
 use crate::shapes::{BeveledCylinder, Materials, Mesh, OpenCylinder, Rectangle};
 use crate::textures::{Filtering, Image, Mapping};

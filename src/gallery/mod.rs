@@ -32,7 +32,6 @@ mod ch30;
 mod ch31;
 
 // shared by the chapters
-pub mod parts;
 mod search;
 mod sets;
 mod shaded_sets;

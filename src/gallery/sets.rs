@@ -1,11 +1,11 @@
 //! Objects that several chapters use: the objects of chapter 8, the wireframe box, the box canyon,
 //! the city, the columns of chapter 12 and the boxes of chapter 10.
 
-use super::parts::*;
 use crate::cameras::ThinLens;
 use crate::materials::Matte;
 use crate::math::{Pcg32, Point, Step, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Light, Scene};
 use crate::shapes::{self, Compound, OpenCylinder, Triangle};
 

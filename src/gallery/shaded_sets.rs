@@ -1,10 +1,10 @@
 //! Objects of the chapters on light and shading: the 35 spheres, the set of chapter 14, the four
 //! cylinders, the two spheres before a wall.
 
-use super::parts::*;
 use crate::materials::{Kind as MaterialKind, Matte};
 use crate::math::{Point, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Light, Object, Scene};
 use crate::shapes::{BeveledCylinder, Disk, Materials, OpenCylinder, Plane};
 

@@ -1,6 +1,7 @@
 //! Scenes: plain data, written by a gallery function or a TOML file, and turned into a
 //! [`World`](crate::world::World) to be rendered.
 
+pub mod build;
 mod error;
 mod file;
 mod files;

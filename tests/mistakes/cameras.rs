@@ -4,12 +4,12 @@ use std::path::Path;
 
 use groundtruth::cameras::{Fisheye, Kind, ThinLens};
 use groundtruth::film::Film;
-use groundtruth::gallery::parts::*;
 use groundtruth::materials::Emissive;
 use groundtruth::math::{cos_degrees, sin_degrees};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
+use groundtruth::scene::build::*;
 use groundtruth::world::World;
 use harness::mistakes;
 

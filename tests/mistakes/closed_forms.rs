@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use groundtruth::gallery::parts::*;
 use groundtruth::lights::{Ambient, AmbientOccluder, PointLight};
 use groundtruth::materials::{Emissive, GlossyReflector, Matte, Phong, Reflective};
 use groundtruth::math::{Step, Vector, cos_degrees, power};
 use groundtruth::rgb::Rgb;
+use groundtruth::scene::build::*;
 use groundtruth::scene::{Tracer, Whitted};
 use groundtruth::shapes::{Disk, Instance, Plane};
 use groundtruth::textures::Checker3d;

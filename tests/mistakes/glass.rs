@@ -1,9 +1,9 @@
 //! Mistakes of transparent surfaces, on a plane below and above which all is white.
 
-use groundtruth::gallery::parts::*;
 use groundtruth::materials::{Dielectric, Medium, Phong, Transparent};
 use groundtruth::math::{atan2, cos, cos_degrees, exp, power, sin, sin_degrees, to_radians};
 use groundtruth::rgb::Rgb;
+use groundtruth::scene::build::*;
 use groundtruth::scene::{Scene, Tracer, Whitted};
 
 use super::stage::*;

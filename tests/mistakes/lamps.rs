@@ -2,12 +2,12 @@
 
 use std::f64::consts::PI;
 
-use groundtruth::gallery::parts::*;
 use groundtruth::lights::Area;
 use groundtruth::materials::Emissive;
 use groundtruth::math::Vector;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
+use groundtruth::scene::build::*;
 use groundtruth::shapes::{Rectangle, Sampling};
 
 use super::stage::*;

@@ -1,10 +1,10 @@
 //! Changes in one place of a scene.
 
 use groundtruth::gallery;
-use groundtruth::gallery::parts::*;
 use groundtruth::lights::Ambient;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
+use groundtruth::scene::build::*;
 use groundtruth::textures::Checker3d;
 use groundtruth::world::World;
 use harness::mistakes::local::{self, CHANGES};

@@ -2,11 +2,11 @@
 
 use std::f64::consts::PI;
 
-use groundtruth::gallery::parts::*;
 use groundtruth::lights::Environment;
 use groundtruth::materials::Phong;
 use groundtruth::math::power;
 use groundtruth::rgb::Rgb;
+use groundtruth::scene::build::*;
 use groundtruth::scene::{Depth, Scene, Tracer};
 
 use super::stage::*;

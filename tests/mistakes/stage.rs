@@ -4,9 +4,9 @@ use std::path::Path;
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
 use groundtruth::film::Film;
-use groundtruth::gallery::parts::*;
 use groundtruth::math::{Point, Vector, cos_degrees, sin_degrees};
 use groundtruth::render;
+use groundtruth::scene::build::*;
 use groundtruth::scene::{Image, Light, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
 use groundtruth::{gallery, lights, materials};

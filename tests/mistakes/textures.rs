@@ -1,11 +1,11 @@
 //! Mistakes of textures, on a floor seen straight from above: columns run along −x, rows along −z.
 
 use groundtruth::film::Film;
-use groundtruth::gallery::parts::*;
 use groundtruth::images::{Drawn, Picture};
 use groundtruth::lights::Ambient;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
+use groundtruth::scene::build::*;
 use groundtruth::textures::{Checker3d, Filtering, Image, Mapping, Paint};
 
 use super::stage::*;

@@ -60,9 +60,11 @@ const MAY_NAME: &[(&str, &[&str])] = &[
             "materials",
             "math",
             "printable",
+            "rgb",
             "samplers",
             "shapes",
             "similar",
+            "textures",
         ],
     ),
     (

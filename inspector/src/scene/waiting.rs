@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use groundtruth::gallery::parts::{pinhole, point};
+use groundtruth::scene::build::{pinhole, point};
 use groundtruth::scene::{self, Scene};
 
 use crate::scene::source::{Loaded, Source};

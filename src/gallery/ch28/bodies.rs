@@ -1,12 +1,12 @@
 //! Bodies of one medium in air.
 
 use super::super::ch27;
-use super::super::parts::*;
 use super::{in_air, medium};
 use crate::cameras::{Orthographic, Pinhole};
 use crate::materials::{Dielectric, Emissive, Medium};
 use crate::math::Point;
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Object, Scene, Tracer, Whitted};
 use crate::shapes::{ConcaveLens, Materials, SolidCylinder};
 

@@ -1,11 +1,11 @@
 //! Boundaries between several media, and cameras in a medium other than air.
 
-use super::super::parts::*;
 use super::{dielectric, in_air, medium};
 use crate::cameras::{Fisheye, Viewpoint};
 use crate::materials::{Dielectric, Medium};
 use crate::math::{Point, Step, Vector, cos_degrees, sin_degrees};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Image, Material, Object, Scene, Tracer, Whitted};
 use crate::shapes::{
     BoundaryMaterials, FishBowl, GlassOfWater, Kind, OpenCylinder, PartSphere, Sphere,

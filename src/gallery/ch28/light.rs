@@ -1,11 +1,11 @@
 //! Caustics and shadows of transparent objects.
 
-use super::super::parts::*;
 use super::{in_air, medium};
 use crate::lights::Area;
 use crate::materials::{Dielectric, Emissive, Medium};
 use crate::math::Vector;
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Depth, Light, Scene, Tracer, Transparency, TransparentShadows, Whitted};
 use crate::shapes::{Materials, Rectangle, SolidCylinder};
 

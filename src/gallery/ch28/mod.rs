@@ -5,10 +5,10 @@ mod boundaries;
 mod light;
 
 use super::List;
-use super::parts::*;
 use crate::materials::{Dielectric, Medium};
 use crate::rgb::Rgb;
 use crate::scene::TransparentShadows::{Attenuated, Opaque};
+use crate::scene::build::*;
 
 pub const SCENES: List = &[
     ("ch28/glass-sphere", bodies::glass_sphere),

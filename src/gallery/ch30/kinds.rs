@@ -1,11 +1,11 @@
 //! One scene for each kind of texture on surfaces. Numbers are ours unless a comment names the
 //! book.
 
-use super::super::parts::*;
 use super::{lines, lit, show};
 use crate::materials::{Kind as Material, Matte, Phong, SphereMaterials};
 use crate::math::{Axis, Point, Step, Vector};
 use crate::rgb::Rgb;
+use crate::scene::build::*;
 use crate::scene::{Scene, Tracer, Whitted};
 use crate::shapes::{Cone, Disk, Kind, OpenCylinder, Rectangle, TessellatedSphere};
 use crate::textures::{

@@ -4,8 +4,8 @@ mod kinds;
 mod solids;
 
 use super::List;
-use super::parts::*;
 use crate::scene::Scene;
+use crate::scene::build::*;
 use crate::textures::{Lines, Paint};
 
 pub const SCENES: List = &[

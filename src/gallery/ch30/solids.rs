@@ -1,10 +1,10 @@
 //! Solid textures.
 
-use super::super::parts::*;
 use super::{lit, show};
 use crate::math::{Axis, Point, Step, Vector, cos, sin};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
+use crate::scene::build::*;
 use crate::shapes::{
     Compound, Kind, Materials, Mesh, PartSphere, Rectangle, SolidCone, SolidCylinder,
 };

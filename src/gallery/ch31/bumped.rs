@@ -1,11 +1,11 @@
 //! Bump mapping.
 
-use super::super::parts::*;
 use super::{WALL, lit_stage};
 use crate::bumps::{self, Height};
 use crate::math::{Point, Step};
 use crate::noise::Noise;
 use crate::scene::Scene;
+use crate::scene::build::*;
 use crate::textures::Fbm;
 
 fn bumped_sphere(about: &str, bump: impl Into<bumps::Kind>) -> Scene {

@@ -2,11 +2,11 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::super::parts::*;
 use super::{dull, sand_ramp};
 use crate::math::{Point, cos, sin};
 use crate::noise::Noise;
 use crate::scene::Scene;
+use crate::scene::build::*;
 use crate::shapes::{Compound, Mesh, Part, PartSphere};
 use crate::textures::{Paint, RampFbm, Wood};
 

@@ -1,10 +1,10 @@
 //! Ramps: marble and sandstone.
 
-use super::super::parts::*;
 use super::{WALL, blue_ramp, dull, four, lit_stage, sand_ramp, texture_stretched};
 use crate::math::Point;
 use crate::noise::Noise;
 use crate::scene::Scene;
+use crate::scene::build::*;
 use crate::textures::{ColorTable, Paint, RampFbm};
 
 fn marble(ramp: ColorTable, perturbation: f64) -> Paint {

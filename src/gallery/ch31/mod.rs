@@ -10,11 +10,11 @@ mod planes;
 mod wrapped;
 
 use super::List;
-use super::parts::*;
 use crate::math::{Point, Step, Vector};
 use crate::noise::{Interpolation, Noise};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
+use crate::scene::build::*;
 use crate::shapes::{self, Instance};
 use crate::textures::{ColorTable, Paint};
 

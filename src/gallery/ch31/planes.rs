@@ -1,10 +1,10 @@
 //! Noise on a plane in front of the camera.
 
-use super::super::parts::*;
 use super::{WALL, dull, from_the_front, lit_stage};
 use crate::math::{Point, Vector};
 use crate::noise::Noise;
 use crate::scene::Scene;
+use crate::scene::build::*;
 use crate::shapes::Plane;
 use crate::textures::{Fbm, Paint, Turbulence};
 

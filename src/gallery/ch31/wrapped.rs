@@ -1,11 +1,11 @@
 //! Wrapped noise.
 
-use super::super::parts::*;
 use super::{WALL, dull, from_the_front, lit_stage, texture_stretched};
 use crate::math::{Point, Vector};
 use crate::noise::Noise;
 use crate::rgb::Rgb;
 use crate::scene::Scene;
+use crate::scene::build::*;
 use crate::shapes::{TessellatedSphere, Torus};
 use crate::textures::{ColorTable, Paint, ThreeColors, TwoColors, WrappedFbm, WrappedRamp};
 

@@ -1,8 +1,5 @@
 //! The scenes of the page, and the tracers and samplings that are compared in each.
 
-use groundtruth::gallery::parts::{
-    add, boxed, checker3d, grey, ground, matte, pinhole, point, sphere,
-};
 use groundtruth::gallery::{self};
 use groundtruth::lights::{Area, Kind as LightKind};
 use groundtruth::lobes::GlossyRule;
@@ -10,6 +7,9 @@ use groundtruth::materials::{Dielectric, Emissive, Kind as MaterialKind, Medium}
 use groundtruth::math::{Point, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::MultiJittered;
+use groundtruth::scene::build::{
+    add, boxed, checker3d, grey, ground, matte, pinhole, point, sphere,
+};
 use groundtruth::scene::{Depth, Light, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Rectangle, Sampling};
 use groundtruth::trace::Strategy;
