@@ -11,7 +11,7 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace;
 use groundtruth::world::World;
-use harness::compare::{
+use pictures::compare::{
     Comparison, Differences, Picture, SizesDiffer, Transfer, half_pixel_shifts, noise_note,
 };
 

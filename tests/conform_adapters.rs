@@ -6,7 +6,7 @@ use std::process::{Command, Output};
 use std::time::Duration;
 use std::{env, fs};
 
-use harness::conform::{
+use conform::{
     Card, Language, Limits, Options, Profile, Program, Reply, Status, Subject, run, suite,
 };
 use serde_json::Value;

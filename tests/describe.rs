@@ -8,9 +8,9 @@ mod whole;
 
 use std::path::Path;
 
+use exchange::describe;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use harness::describe;
 
 /// A scene, built, and its description.
 struct Described {

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use groundtruth::{bumps, cameras, filters, lights, lobes, materials, samplers, shapes, textures};
-use harness::report::PAGES;
+use report::PAGES;
 
 fn root() -> &'static Path {
     Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))

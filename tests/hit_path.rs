@@ -1,5 +1,6 @@
 //! The path of a hit: the nested shapes that contain it, and the part of the innermost shape that is hit.
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::mesh_file::{self, Encoding, MeshData, write_ply};
 use groundtruth::scene::Scene;
@@ -8,7 +9,6 @@ use groundtruth::shapes::{
     PartPath, RandomSpheres, Rectangle, Sphere, TessellatedSphere, Triangle,
 };
 use groundtruth::world::World;
-use harness::verify::Draw;
 use serde_json::json;
 
 /// A few hundred rounding errors of `t` below 100, in transformations of moderate condition number.

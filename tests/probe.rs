@@ -17,7 +17,7 @@ use serde_json::Value;
 
 /// The answer to a question.
 fn ask(question: &Value) -> Value {
-    let line = harness::probe::answer(&question.to_string());
+    let line = conform::probe::answer(&question.to_string());
     let mut reply: Value = serde_json::from_str(&line).expect("answers are JSON");
     assert_eq!(reply.get("error"), None, "{question}");
     reply["answer"].take()

@@ -12,10 +12,10 @@ use std::process::Command;
 use std::sync::LazyLock;
 use std::time::{Duration, UNIX_EPOCH};
 
-use harness::report::{self, Interrupted, PAGES, Progress, Settings};
-use harness::verify::backward_error::ALLOWED;
-use harness::verify::composites;
+use exact::backward_error::ALLOWED;
+use exact::composites;
 use oracle::hard::{Family, Kind};
+use report::{self, Interrupted, PAGES, Progress, Settings};
 use serde_json::Value;
 
 /// Small, but large enough for the laws to judge.

@@ -5,6 +5,7 @@ use std::fmt::Debug;
 use std::path::Path;
 use std::process::Command;
 
+use exchange::reference;
 use groundtruth::kinds::Entry;
 use groundtruth::scene::Scene;
 use groundtruth::scene::vocabulary::Definition;
@@ -12,7 +13,6 @@ use groundtruth::textures;
 use groundtruth::{
     bumps, cameras, filters, gallery, lights, materials, samplers, scene, shapes, world,
 };
-use harness::reference;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};

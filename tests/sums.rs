@@ -14,7 +14,7 @@ use dashu_ratio::RBig;
 use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
 use groundtruth::{gallery, render, world::World};
-use harness::sums::{ChannelSums, Header, Made, Seeds, Sums, fixed};
+use pictures::sums::{ChannelSums, Header, Made, Seeds, Sums, fixed};
 use proptest::prelude::*;
 
 /// The header of an invented scene.

@@ -28,7 +28,7 @@ use crate::window::keys::{self, Shortcut};
 use crate::window::panels::{self, Action, Fields};
 use crate::window::splits::Splits;
 use crate::window::stored_settings::StoredSettings;
-use harness::parse_pixel;
+use pictures::parse_pixel;
 
 /// The whole state of the window.
 pub struct Inspector {

@@ -4,7 +4,7 @@
 //! or from the film. [`app::Inspector`] is the whole state and draws the window; everything slow
 //! runs beside it in [`picture::worker`].
 //!
-//! Pictures are compared by [`harness::compare`].
+//! Pictures are compared by [`pictures::compare`].
 //!
 //! Five folders hold the rest: [`scene`], [`picture`] and [`explanation`] for the three parts of
 //! the window, [`comparison`] for another program's picture held against ours, and [`window`] for

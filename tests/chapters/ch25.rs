@@ -11,8 +11,8 @@ use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::{Plane, Sphere, Triangle};
 use groundtruth::trace::radiance;
 use groundtruth::world::World;
-use harness::verify::means;
-use harness::verify::significance::sidak;
+use statistics::means;
+use statistics::significance::sidak;
 
 use crate::support::stage::{built, counted, deep_stage, look, put, ray, recorded, shine, stage};
 

@@ -17,8 +17,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::{Disk, Plane, Sphere};
 use groundtruth::trace::TermSource;
-use harness::verify::means;
-use harness::verify::significance::sidak;
+use statistics::means;
+use statistics::significance::sidak;
 
 use crate::support::stage::{built, counted, look, put, recorded, shine, stage};
 

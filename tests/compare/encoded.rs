@@ -5,7 +5,7 @@ use std::path::Path;
 use groundtruth::film::Film;
 use groundtruth::math::power;
 use groundtruth::rgb::Rgb;
-use harness::compare::{Picture, Transfer};
+use pictures::compare::{Picture, Transfer};
 
 use super::compared;
 

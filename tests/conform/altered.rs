@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use harness::conform::{self, Card, Options, Profile, Reply, Subject, family::Family, ours};
+use conform::{self, Card, Options, Profile, Reply, Subject, family::Family, ours};
 use serde_json::{Value, json};
 
 /// Answers as we do, then changes the answer.

@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Duration;
 
-use harness::conform::family::Judge;
-use harness::conform::{Judgement, Limits, Options, Profile, Program, Reply, Subject, run, suite};
+use conform::family::Judge;
+use conform::{Judgement, Limits, Options, Profile, Program, Reply, Subject, run, suite};
 use serde_json::Value;
 
 use super::altered::families;

@@ -2,8 +2,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use harness::conform::family::{Asking, Family, Judge};
-use harness::conform::{Judgement, Ours, Profile, Reply, Subject, ours, suite};
+use conform::family::{Asking, Family, Judge};
+use conform::{Judgement, Ours, Profile, Reply, Subject, ours, suite};
 use serde_json::{Value, json};
 
 use super::altered::{Altered, card};

@@ -1,7 +1,7 @@
 //! The oracle's shapes of questions.
 
-use harness::conform::{self, Profile, Status};
-use harness::verify::backward_error;
+use conform::{self, Profile, Status};
+use exact::backward_error;
 use oracle::hard::{Family, Kind, cases};
 
 use super::altered::card;
@@ -13,7 +13,7 @@ fn shapes_go_to_ours_and_back() {
     for kind in Kind::ALL {
         for (shape, _) in cases(kind, Family::Ordinary, 3, 5) {
             let (ours, expected) = backward_error::ours(&shape).expect("ours has this shape");
-            assert_eq!(conform::exact(&ours), Some(expected), "{kind:?}");
+            assert_eq!(exact::oracle_shape(&ours), Some(expected), "{kind:?}");
         }
     }
 }

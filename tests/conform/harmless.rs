@@ -1,6 +1,6 @@
 //! What is no mistake: other roundings, other notations, less than everything, other random numbers.
 
-use harness::conform::{Profile, Status, ours};
+use conform::{Profile, Status, ours};
 use serde_json::{Value, json};
 
 use super::altered::{Altered, card, data, each, instead, length, swap, vector};

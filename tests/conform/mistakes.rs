@@ -7,9 +7,9 @@ mod sampling_and_spaces;
 mod shapes;
 mod surfaces;
 
-use harness::conform::family::{Asking, Judge};
-use harness::conform::mistakes::{self as m, Mistake, Name};
-use harness::conform::{Judgement, Ours, Profile, Status, Wrong, ours};
+use conform::family::{Asking, Judge};
+use conform::mistakes::{self as m, Mistake, Name};
+use conform::{Judgement, Ours, Profile, Status, Wrong, ours};
 use serde_json::{Value, json};
 
 use super::altered::{Altered, at, card, data, families, instead, length, only, swap, vector};

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use conform::family::{Asking, Judge};
+use conform::probe::mistaken::mistaken;
+use conform::{self, Card, Judgement, Options, Profile, Reply, Status, Subject, ours};
 use groundtruth::math::{atan2, exp, power};
-use harness::conform::family::{Asking, Judge};
-use harness::conform::{self, Card, Judgement, Options, Profile, Reply, Status, Subject, ours};
-use harness::mistakes;
-use harness::probe::mistaken::mistaken;
+use judge::mistakes;
 use serde_json::{Value, json};
 
 use super::altered::{Altered, card_with, families, instead};
@@ -365,7 +365,7 @@ fn scenes_show_the_known_mistakes() {
                 let hidden: Vec<_> =
                     all.iter().copied().filter(|it| !shown.contains(it.name)).collect();
                 let right = ours(&question).expect("an answer");
-                let is_other = |one: &harness::probe::mistaken::Mistaken| {
+                let is_other = |one: &conform::probe::mistaken::Mistaken| {
                     (0..3).any(|i| {
                         let [mean, error] = ["mean", "standard_error"]
                             .map(|field| right[field][i].as_f64().unwrap_or(0.0));

@@ -3,11 +3,11 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use harness::conform::family::{Family, Judge};
-use harness::conform::{
+use conform::family::{Family, Judge};
+use conform::{
     self, Card, Fault, Judgement, Limits, Ours, Profile, Program, Reply, Row, Status, Subject, ours,
 };
-use harness::conform::{card as cards, suite};
+use conform::{card as cards, suite};
 use serde_json::{Value, json};
 
 use super::altered::{Altered, card, card_with, families};

@@ -1,6 +1,6 @@
 //! The first ray that differs, in the logs of programs with mistakes.
 
-use harness::conform::{Profile, ours};
+use conform::{Profile, ours};
 use serde_json::{Value, json};
 
 use super::altered::{Altered, card_with, each, instead};

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-use harness::conform::{Profile, Reply, Status, Subject, ours};
+use conform::{Profile, Reply, Status, Subject, ours};
 use serde_json::Value;
 
 use super::altered::{card_with, each};

@@ -1,6 +1,6 @@
 //! Streams of samples: mistakes that no single answer shows.
 
-use harness::conform::{Profile, Status};
+use conform::{Profile, Status};
 use serde_json::{Value, json};
 
 use super::altered::{Altered, card, data, instead};

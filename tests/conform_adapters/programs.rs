@@ -90,7 +90,7 @@ fn the_right_answers_in_the_document_of_cards_are_right() {
         let question: Value = serde_json::from_str(asked).expect("a question");
         let expected =
             line("expected").unwrap_or_else(|| panic!("{asked}: what is expected?")).trim();
-        let ours = harness::conform::ours(&question).expect("an answer");
+        let ours = conform::ours(&question).expect("an answer");
         count += 1;
         if expected == "null" {
             assert!(ours.is_null(), "{asked}: {ours}");

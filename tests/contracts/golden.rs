@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use harness::verify::golden::{Goldens, Status};
-use harness::verify::{compare, review};
+use golden::{Goldens, Status};
+use golden::{compare, review};
 use libtest_mimic::Trial;
 
 /// `ch24::golden::hall_of_mirrors`, `ch24::golden::hall_of_mirrors_normals`.

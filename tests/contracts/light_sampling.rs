@@ -5,10 +5,10 @@ use std::f64::consts::PI;
 use groundtruth::lights::{Area, Kind, LightContext, LightSample, Target};
 use groundtruth::math::{Frame, Normal, Pcg32, Point, Ray, Vector, atan2, cos, sin};
 use groundtruth::shapes::{self, Sampling};
-use harness::verify::chi_square::goodness_of_fit;
-use harness::verify::means;
-use harness::verify::significance::sidak;
 use rayon::prelude::*;
+use statistics::chi_square::goodness_of_fit;
+use statistics::means;
+use statistics::significance::sidak;
 
 use super::light::{EMITTED, Subject, is_sampled, met, subjects};
 use super::{Holds, ensure};

@@ -5,11 +5,11 @@
 
 use std::f64::consts::PI;
 
+use conform::family::Asking;
+use conform::{Judgement, Ours, Profile, laws};
 use groundtruth::lobes::Lobe;
 use groundtruth::math::{ONE_MINUS, Pcg32, Vector, cos, sin};
 use groundtruth::rgb::Rgb;
-use harness::conform::family::Asking;
-use harness::conform::{Judgement, Ours, Profile, laws};
 use libtest_mimic::Trial;
 use serde_json::{Value, json};
 

@@ -4,8 +4,8 @@ use std::f64::consts::PI;
 
 use groundtruth::lobes::Lobe;
 use groundtruth::math::{Pcg32, Vector, acos, atan2, cos, sin};
-use harness::verify::chi_square::goodness_of_fit;
-use harness::verify::significance::sidak;
+use statistics::chi_square::goodness_of_fit;
+use statistics::significance::sidak;
 
 use super::lobe::viewers;
 use super::{Holds, ensure};

@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use groundtruth::math::{Pcg32, floor};
 use groundtruth::samplers::{Kind, SETS, SampleSets, Sampler};
-use harness::verify::ks;
-use harness::verify::significance::sidak;
 use libtest_mimic::Trial;
+use statistics::ks;
+use statistics::significance::sidak;
 
 use super::sampler_draws::{
     a_draw_is_uniform_over_the_square, a_run_of_draws_uses_up_one_set, draws_are_pure,

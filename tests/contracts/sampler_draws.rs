@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 
 use groundtruth::math::{Pcg32, floor};
 use groundtruth::samplers::{Key, Kind, Purpose, SETS, SampleSets};
-use harness::verify::chi_square;
-use harness::verify::ks;
+use statistics::chi_square;
+use statistics::ks;
 
 use super::sampler::{built, each_level, is_fixed};
 use super::{Holds, ensure};

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 use std::f64::consts::{PI, TAU};
 
+use exchange::describe;
 use groundtruth::images::{Drawn, Picture};
 use groundtruth::kinds::{Resources, Specification};
 use groundtruth::math::{Normal, Point, Ray, Span, Vector, atan2, cos, power, sin};
@@ -10,7 +11,6 @@ use groundtruth::scene;
 use groundtruth::shapes::{RandomSpheres, Surface};
 use groundtruth::textures::{Image, Mapping, RandomColors, TexturePoint};
 use groundtruth::world::World;
-use harness::describe;
 
 use super::formulas::{assert_says, line_of};
 use super::truth::{V, add, dot, largest_difference, times};

@@ -1,6 +1,7 @@
 //! The printed formulas that no pixel of a simple scene shows: spot lights, other cameras, Fresnel's equations,
 //! mappings.
 
+use exchange::describe;
 use groundtruth::kinds::Specification;
 use groundtruth::lights::{self, LightContext, Spot};
 use groundtruth::lobes::fresnel;
@@ -11,7 +12,6 @@ use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::textures::Mapping;
 use groundtruth::{cameras, gallery, scene};
-use harness::describe;
 
 use super::truth::{Camera, V, add, largest_difference, times, unit};
 use super::{described, numbers};

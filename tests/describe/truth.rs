@@ -319,7 +319,7 @@ fn the_mesh_of_a_file_is_counted() {
     let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes"));
     let (scene, source) = scene::open(&folder.join("knot.toml")).expect("it is a scene");
     let world = World::of_source(&scene, &source, 1).expect("it is valid");
-    let text = harness::describe::describe("knot", &scene, &world, folder).expect("it is plain");
+    let text = exchange::describe::describe("knot", &scene, &world, folder).expect("it is plain");
     let files = prose(&text, "FILES");
     let ply = std::fs::read(folder.join("knot.ply")).expect("it is there");
     let header = String::from_utf8_lossy(&ply[..400]).into_owned();

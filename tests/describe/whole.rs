@@ -3,9 +3,9 @@
 use std::collections::BTreeSet;
 use std::sync::LazyLock;
 
+use exchange::describe;
 use groundtruth::scene::{self, Scene};
 use groundtruth::{gallery, lights, materials};
-use harness::describe;
 use rayon::prelude::*;
 use serde_json::Value;
 

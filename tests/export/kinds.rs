@@ -2,6 +2,7 @@
 
 use std::fs;
 
+use exchange::export::{How, Row, Target, kinds};
 use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::kinds::Entry;
 use groundtruth::materials::Matte;
@@ -9,7 +10,6 @@ use groundtruth::math::Point;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer, Whitted};
 use groundtruth::{cameras, lights, materials, shapes, textures};
-use harness::export::{How, Row, Target, kinds};
 
 /// Law: docs/renderers.md has a line for each kind of shape, material, light and camera, and no other.
 #[test]

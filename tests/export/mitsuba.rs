@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use exchange::export::{Term, mitsuba};
 use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::lights::{Area, Directional, PointLight};
 use groundtruth::materials::{Dielectric, Emissive, Matte, Medium, Reflective};
@@ -11,7 +12,6 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Cuboid, Disk, Instance, OpenCylinder, Plane, Rectangle, Sphere};
 use groundtruth::world::World;
-use harness::export::{Term, mitsuba};
 
 use super::xml::{self, Element, image, scenes};
 

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use exchange::export::{Term, mitsuba};
 use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::kinds::Resources;
 use groundtruth::lights::Directional;
@@ -14,7 +15,6 @@ use groundtruth::shapes::{
 };
 use groundtruth::textures::{Checker3d, PlaneChecker, TexturePoint};
 use groundtruth::world::World;
-use harness::export::{Term, mitsuba};
 
 use super::xml::{self, Element, image, said};
 

@@ -2,8 +2,8 @@
 
 use std::collections::BTreeMap;
 
+use exchange::export::pov;
 use groundtruth::scene::Scene;
-use harness::export::pov;
 
 /// A word, a number or a mark.
 #[derive(Clone, Debug, PartialEq)]

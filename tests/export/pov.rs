@@ -339,7 +339,7 @@ fn function_of(kind: &groundtruth::textures::Kind) -> String {
     scene.materials.push(Material::new("it", Matte { ka: 0.0.into(), kd: 0.5.into(), cd }));
     let sphere = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
     scene.objects.push(Object::new("ball", "it", sphere));
-    let text = harness::export::pov::write("scene", &scene, "".as_ref()).expect("it can be said");
+    let text = exchange::export::pov::write("scene", &scene, "".as_ref()).expect("it can be said");
     let start = text.find("function { ").expect("a function") + "function { ".len();
     text[start..].split(" }").next().expect("its end").to_owned()
 }

@@ -1,5 +1,6 @@
 //! POV-Ray: glass, whose interiors its rays enter and leave.
 
+use exchange::export::{Term, pov};
 use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::lights::Directional;
 use groundtruth::materials::{Dielectric, Kind, Medium, Phong, Transparent};
@@ -12,7 +13,6 @@ use groundtruth::scene::{
 use groundtruth::shapes::{self, Cuboid, Instance, SolidCylinder, Sphere};
 use groundtruth::textures::Checker3d;
 use groundtruth::world::World;
-use harness::export::{Term, pov};
 
 use super::parsed::{Parsed, Statement, said};
 use super::pov::{matte, near, near_all};

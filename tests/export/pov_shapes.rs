@@ -1,5 +1,6 @@
 //! POV-Ray: meshes, and shapes made of many.
 
+use exchange::export::pov;
 use groundtruth::cameras::{Orthographic, Pinhole, Viewpoint};
 use groundtruth::lights::Ambient;
 use groundtruth::materials::Matte;
@@ -13,7 +14,6 @@ use groundtruth::shapes::{
 };
 use groundtruth::textures::RandomColors;
 use groundtruth::world::World;
-use harness::export::pov;
 
 use super::parsed::{Statement, said};
 use super::pov::{askew, near_all, outside_is_front, vector};

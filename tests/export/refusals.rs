@@ -1,5 +1,6 @@
 //! What cannot be said is listed at once, each with its place.
 
+use exchange::export::{mitsuba, pov};
 use groundtruth::cameras::{Fisheye, Pinhole, ThinLens, Viewpoint};
 use groundtruth::kinds::Specification;
 use groundtruth::lights::{Ambient, Directional, Spot};
@@ -9,7 +10,6 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Algebraic, Compound, Lattice, Part, Sphere};
 use groundtruth::textures::Fbm;
-use harness::export::{mitsuba, pov};
 
 fn scene() -> Scene {
     let eye = Viewpoint::new(

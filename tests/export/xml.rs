@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use exchange::export::{Said, mitsuba};
 use groundtruth::scene::Scene;
-use harness::export::{Said, mitsuba};
 
 /// An element, its attributes and its children in order.
 #[derive(Clone, Debug, Default, PartialEq)]

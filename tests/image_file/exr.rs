@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::images::decode_layer;
 use groundtruth::rgb::Rgb;
-use harness::compare::Picture;
+use pictures::compare::Picture;
 
 use super::*;
 
@@ -82,7 +82,7 @@ fn alpha_below_1_is_counted() {
         let texels = decode(&std::fs::read(&path).expect("written"), None, MAX).expect("right");
         assert_eq!(texels.transparent(), count, "{name}");
         assert!(texels.colors().iter().all(|color| *color == [0.5, 0.25, 1.0]), "{name}");
-        let refused = harness::verdict::refusal(&Picture::read(&path, None).expect("a picture"));
+        let refused = judge::verdict::refusal(&Picture::read(&path, None).expect("a picture"));
         assert_eq!(refused.is_some_and(|it| it.contains("alpha is below 1")), count > 0, "{name}");
     }
     let plain = decode(&exr("no-alpha", 2, 2, |_, _| Rgb::WHITE), None, MAX).expect("right");

@@ -11,7 +11,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::scene::build::*;
 use groundtruth::world::World;
-use harness::mistakes;
+use judge::mistakes;
 
 use super::stage::*;
 

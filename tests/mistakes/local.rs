@@ -7,7 +7,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::build::*;
 use groundtruth::textures::Checker3d;
 use groundtruth::world::World;
-use harness::mistakes::local::{self, CHANGES};
+use judge::mistakes::local::{self, CHANGES};
 
 use super::stage::*;
 

@@ -1,7 +1,7 @@
 //! The recorder's sums without a mistake.
 
 use groundtruth::{render, world::World};
-use harness::mistakes::{self, Mistake};
+use judge::mistakes::{self, Mistake};
 
 use super::stage::{bits, small};
 

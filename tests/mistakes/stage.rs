@@ -10,7 +10,7 @@ use groundtruth::scene::build::*;
 use groundtruth::scene::{Image, Light, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
 use groundtruth::{gallery, lights, materials};
-use harness::mistakes;
+use judge::mistakes;
 
 /// The unit vector at this angle to the y axis, towards +x for positive angles.
 pub fn at_angle(degrees: f64) -> Vector {

@@ -7,7 +7,7 @@ use groundtruth::gallery;
 use groundtruth::math::Pcg32;
 use groundtruth::render;
 use groundtruth::world::{DEFAULT_SEED, World};
-use harness::mistakes::{self, How, Mistake, Pair, table};
+use judge::mistakes::{self, How, Mistake, Pair, table};
 
 /// Law: names are unique and of lower case with hyphens, chapters are the book's. Oracle: none.
 #[test]

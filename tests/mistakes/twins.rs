@@ -8,7 +8,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Light;
 use groundtruth::shapes::{Kind, TessellatedSphere};
 use groundtruth::{materials, textures};
-use harness::mistakes;
+use judge::mistakes;
 
 use super::stage::*;
 

@@ -4,7 +4,7 @@ mod geometry;
 mod light;
 mod pictures;
 
-use harness::probe;
+use conform::probe;
 
 /// Lines that are not valid questions, and their errors.
 const LINES: &[(&str, &str)] = &[

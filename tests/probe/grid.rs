@@ -1,7 +1,7 @@
 //! The cells of a grid, against brute force over all cells.
 
+use exact::Draw;
 use groundtruth::math::cbrt;
-use harness::verify::Draw;
 use serde_json::{Value, json};
 
 use super::{ask, numbers};

@@ -1,7 +1,7 @@
 //! What `intersect` says about the parts of a shape, and where a ray that leaves the surface starts.
 
+use exact::Draw;
 use groundtruth::math::Vector;
-use harness::verify::Draw;
 use serde_json::{Value, json};
 
 use super::{ask, numbers};

@@ -4,7 +4,7 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
-use harness::probe;
+use conform::probe;
 use proptest::prelude::*;
 use serde_json::{Value, json};
 

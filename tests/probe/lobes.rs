@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
+use exact::Draw;
 use groundtruth::math::Vector;
-use harness::verify::Draw;
 use proptest::prelude::*;
 use serde_json::json;
 

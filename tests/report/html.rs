@@ -1,6 +1,6 @@
 //! The HTML page.
 
-use harness::report::PAGES;
+use report::PAGES;
 
 use super::REPORT;
 

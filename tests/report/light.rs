@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use harness::report::{self, Progress, Settings};
+use report::{self, Progress, Settings};
 use serde_json::Value;
 
 use super::{REPORT, SMALL, list, timeless};

@@ -1,11 +1,11 @@
 //! The textbook's formulas are implemented correctly: a comparison with a misprint would be worthless.
 
+use exact::{backward_error, composites};
 use groundtruth::math::{Pcg32, Point, Ray, Span, Vector};
 use groundtruth::shapes::textbook::{EPSILON, quartic_roots};
 use groundtruth::shapes::{
     self, Annulus, Cone, Disk, PartAnnulus, PartCylinder, PartSphere, PartTorus, Shape, Torus,
 };
-use harness::verify::{backward_error, composites};
 use oracle::Answer;
 use oracle::hard::{Family, Kind, cases};
 

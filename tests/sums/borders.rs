@@ -7,7 +7,7 @@ use std::path::Path;
 
 use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
-use harness::sums::{Header, NotFinite, Part, Seeds, Sums};
+use pictures::sums::{Header, NotFinite, Part, Seeds, Sums};
 
 use super::commands::{SCENE, command, expect, parts, read};
 use super::header;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use groundtruth::film::Film;
 use groundtruth::{gallery, render, world::World};
-use harness::verify::{correlation, significance};
+use statistics::{correlation, significance};
 
 /// The probability of a false alarm of all tests together.
 const LEVEL: f64 = 1e-4;

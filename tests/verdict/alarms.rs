@@ -1,7 +1,7 @@
 //! How often correct pictures are called wrong.
 
 use groundtruth::samplers;
-use harness::verdict::{Decision, Stored};
+use judge::verdict::{Decision, Stored};
 use rayon::prelude::*;
 
 use super::pictures::{films, scene, with_sampler, world};

@@ -5,10 +5,10 @@ use std::path::Path;
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::{Pcg32, power};
 use groundtruth::scene::Scene;
-use harness::compare::{Picture, Transfer};
-use harness::verdict::{
+use judge::verdict::{
     Answer, Areas, Case, Decision, Edge, Means, Relative, Strictness, Subject, Verdict, noise,
 };
+use pictures::compare::{Picture, Transfer};
 
 use super::pictures::{films, scene, world};
 use super::shared::FLOATS;

@@ -8,9 +8,9 @@ use groundtruth::scene::Scene;
 use groundtruth::shapes::Instance;
 use groundtruth::textures::{self, Paint};
 use groundtruth::{lights, materials};
-use harness::compare::Picture;
-use harness::mistakes::{self, Pair};
-use harness::verdict::{Cause, Decision, Strictness, Verdict};
+use judge::mistakes::{self, Pair};
+use judge::verdict::{Cause, Decision, Strictness, Verdict};
+use pictures::compare::Picture;
 
 use super::cases::verdict;
 use super::pictures::{films, scene, world};

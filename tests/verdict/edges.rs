@@ -12,7 +12,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Image, Light, Material, Object, Scene};
 use groundtruth::shapes::Sphere;
 use groundtruth::world::World;
-use harness::verdict::{Edge, Stored, set_apart};
+use judge::verdict::{Edge, Stored, set_apart};
 
 /// A matte ball of this radius before a black background, 16 × 16 pixels without noise.
 fn ball(radius: f64, ls: f64) -> World {

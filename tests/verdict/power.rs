@@ -6,9 +6,9 @@ use std::sync::Arc;
 use groundtruth::film::Film;
 use groundtruth::math::hash;
 use groundtruth::render;
-use harness::compare;
-use harness::mistakes;
-use harness::verdict::{Areas, Decision};
+use judge::mistakes;
+use judge::verdict::{Areas, Decision};
+use pictures::compare;
 
 use super::pictures::{films, scene, world};
 use super::shared::{FLOATS, Shared};

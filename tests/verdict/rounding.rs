@@ -9,10 +9,10 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers;
 use groundtruth::scene::{Image, Light, Material, Object, Scene};
 use groundtruth::shapes::Rectangle;
-use harness::compare::{Picture, Transfer};
-use harness::verdict::{
+use judge::verdict::{
     Areas, Bright, Decision, Edge, Judged, Quantiser, Stored, Strictness, Subject, set_apart,
 };
+use pictures::compare::{Picture, Transfer};
 
 use super::cases::verdict;
 use super::pictures::{films, scene, with_sampler, world};

@@ -9,8 +9,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{self, Regular};
 use groundtruth::scene::{Image, Light, Material, Object, Scene};
 use groundtruth::shapes::{Plane, Sphere};
-use harness::compare::Picture;
-use harness::verdict::{self, Decision};
+use judge::verdict::{self, Decision};
+use pictures::compare::Picture;
 
 use super::cases::{STRICTNESS, verdict};
 use super::pictures::{films, scene, with_sampler, world};

@@ -5,11 +5,11 @@ use groundtruth::film::{Film, OutOfGamut};
 use groundtruth::math::Pcg32;
 use groundtruth::samplers;
 use groundtruth::world::World;
-use harness::compare::{Picture, Transfer};
-use harness::verdict::{
+use judge::verdict::{
     Areas, Bright, Decision, Edge, Judged, Quantiser, Shown, Stored, Strictness, Subject, Verdict,
     is_alike, is_nearer, noise, plausible, set_apart,
 };
+use pictures::compare::{Picture, Transfer};
 
 pub const LEVEL: f64 = 0.01;
 

@@ -2,12 +2,12 @@
 
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::Pcg32;
-use harness::compare::{Picture, Transfer};
-use harness::verdict::{
+use judge::verdict::{
     Area, Areas, Bright, Evidence, Factor, Judged, Level, Map, Mean, Pool, Quantiser, Ranking,
     Stored, Strictness, Subject, TermFilm, factors, terms,
 };
-use harness::verify::chi_square;
+use pictures::compare::{Picture, Transfer};
+use statistics::chi_square;
 
 use super::pictures::{films, scene, world};
 use super::shared::FLOATS;

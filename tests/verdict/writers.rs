@@ -2,8 +2,8 @@
 
 use groundtruth::film::Film;
 use groundtruth::math::power;
-use harness::compare::Picture;
-use harness::verdict::Quantiser;
+use judge::verdict::Quantiser;
+use pictures::compare::Picture;
 
 use super::pictures::{films, scene, world};
 use super::power::half_a_pixel_off;

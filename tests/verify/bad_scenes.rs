@@ -1,6 +1,7 @@
 //! Negative controls: known-bad variants of scenes, which a comparison of pictures must reject, and
 //! tiny differences, which it must call drift.
 
+use golden::compare::{Tolerance, Verdict, verdict};
 use groundtruth::film::Film;
 use groundtruth::gallery;
 use groundtruth::lights::Kind as LightKind;
@@ -11,7 +12,6 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::Kind as ShapeKind;
 use groundtruth::world::World;
-use harness::verify::compare::{Tolerance, Verdict, verdict};
 
 /// The tolerance for pictures of different programs: half of the smallest error made below, in few and
 /// isolated pixels.

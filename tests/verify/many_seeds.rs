@@ -6,7 +6,7 @@
 
 use super::biased_samples::{LEVEL, bent, correlated, normal, normals, paired, power_of, uneven};
 use groundtruth::math::{Pcg32, ln};
-use harness::verify::{chi_square, correlation, ks, means, significance, slope};
+use statistics::{chi_square, correlation, ks, means, significance, slope};
 
 /// The confidence of the interval of each rate, among some hundred.
 const CONFIDENCE: f64 = 0.9999;

@@ -1,6 +1,6 @@
 //! A line of the probe: any text gets one line of JSON, in bounded time and memory.
 
-use harness::probe;
+use conform::probe;
 
 /// Answers each line.
 pub fn run(data: &[u8]) {

@@ -3,7 +3,7 @@
 
 use eframe::egui::{Align, Button, Context, Layout, RichText, Ui};
 use groundtruth::explain::{brief, count};
-use harness::compare::Comparison;
+use pictures::compare::Comparison;
 
 use crate::app::Inspector;
 use crate::comparison::judgement::Asked;

@@ -13,8 +13,8 @@ use groundtruth::film::{OutOfGamut, Tone};
 use groundtruth::render::Canvas;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use harness::compare::Picture;
-use harness::verdict::{self, Case, Edge, Judged, Region, Strictness, Verdict};
+use judge::verdict::{self, Case, Edge, Judged, Region, Strictness, Verdict};
+use pictures::compare::Picture;
 
 use crate::comparison::layer::Layer;
 use crate::comparison::theirs::shown;

@@ -10,7 +10,7 @@ use eframe::egui::{
 use groundtruth::explain;
 use groundtruth::film::{Film, OutOfGamut, Tone};
 use groundtruth::rgb::Rgb;
-use harness::compare::{Comparison, Differences, Picture, Transfer};
+use pictures::compare::{Comparison, Differences, Picture, Transfer};
 
 use crate::comparison::judgement::Judgement;
 use crate::comparison::layer::Layer;

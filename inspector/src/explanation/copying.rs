@@ -2,7 +2,7 @@
 
 use eframe::egui::{Context, Id, Ui};
 use groundtruth::scene;
-use harness::shell::quoted;
+use pictures::shell::quoted;
 
 use crate::picture::worker::Rendering;
 

@@ -9,7 +9,7 @@ use groundtruth::render;
 use groundtruth::samplers::{self, Key, PathKey, Purpose, SETS};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use harness::verify::chi_square;
+use statistics::chi_square;
 
 use crate::picture::worker::Rendering;
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use eframe::egui::{Context, Event, Id, Key, Modal};
 use groundtruth::film::{self, Format};
-use harness::provenance;
+use pictures::provenance;
 
 use crate::picture::display::{Picture, tone_of};
 use crate::picture::worker::{Background, Rendering};

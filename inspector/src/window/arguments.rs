@@ -7,12 +7,12 @@ use std::sync::Arc;
 use clap::Parser;
 use groundtruth::scene::{Scene, Tracer};
 use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH};
-use harness::compare::{self, Transfer};
+use pictures::compare::{self, Transfer};
 
 use crate::comparison::theirs::Theirs;
 use crate::scene::source::{Loaded, Source};
 use crate::scene::waiting::{Broken, Waiting};
-use harness::parse_pixel;
+use pictures::parse_pixel;
 
 /// Click a pixel and read why it has its colour.
 #[derive(Clone, Debug, Parser)]

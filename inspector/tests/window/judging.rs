@@ -11,9 +11,9 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};
-use harness::compare::Picture;
-use harness::verdict::{Case, Decision, Strictness, Verdict};
 use inspector::comparison::theirs::{Shows, Theirs};
+use judge::verdict::{Case, Decision, Strictness, Verdict};
+use pictures::compare::Picture;
 
 use crate::support::*;
 
@@ -74,7 +74,7 @@ fn of_command(picture: &Picture) -> Verdict {
         tone: (scene.image.gamma, scene.image.out_of_gamut),
         seed: DEFAULT_SEED,
         reference: None,
-        edge: harness::verdict::Edge::DOUBLE,
+        edge: judge::verdict::Edge::DOUBLE,
     };
     let renders = &mut |world: &World, canvas: &render::Canvas| {
         canvas.render(world);

@@ -5,8 +5,8 @@ use eframe::egui::{
 };
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{SnapshotOptions, image_snapshot_options};
-use harness::parse_pixel;
 use inspector::picture::view::View;
+use pictures::parse_pixel;
 
 use crate::support::*;
 

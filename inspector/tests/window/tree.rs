@@ -113,7 +113,7 @@ fn what_is_copied_reproduces_the_pixel() {
         "groundtruth explain ch28/glass-sphere 17 19 --size 48x48 --samples 4 --tracer whitted --max-depth 5 --seed 1 --sample 0"
     );
     let line = copied(&mut window, "The probe's line");
-    let answer = harness::probe::answer(&line);
+    let answer = conform::probe::answer(&line);
     let answer: serde_json::Value = serde_json::from_str(&answer).expect("one line of JSON");
     let mean = answer["answer"]["mean"].as_array().expect("a colour");
     let expected = window.state().selection.explanation().expect("explained").radiance.to_array();

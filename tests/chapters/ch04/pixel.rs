@@ -12,9 +12,9 @@ use groundtruth::scene::{Material, Object, Scene};
 use groundtruth::shapes::{self, Plane};
 use groundtruth::textures::{self, Paint, Texture, TexturePoint};
 use groundtruth::trace::RayCounts;
-use harness::verify::means::one_sample;
-use harness::verify::significance::sidak;
 use proptest::prelude::*;
+use statistics::means::one_sample;
+use statistics::significance::sidak;
 
 use crate::pictures::studio::{RED, add_flat, built, from_front, pixels};
 use crate::support::{camera_ray, laws};

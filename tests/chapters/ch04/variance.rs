@@ -4,9 +4,9 @@ use std::f64::consts::PI;
 
 use groundtruth::math::{Pcg32, power};
 use groundtruth::samplers::{Key, Kind, Purpose, SETS, SampleSets};
-use harness::verify::means::one_sample;
-use harness::verify::significance::sidak;
-use harness::verify::slope::power_law;
+use statistics::means::one_sample;
+use statistics::significance::sidak;
+use statistics::slope::power_law;
 
 use super::edges::Edge;
 

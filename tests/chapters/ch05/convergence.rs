@@ -5,7 +5,7 @@ use groundtruth::samplers::{
     CorrelatedMultiJittered, Hammersley, Jittered, Key, Kind, MultiJittered, NRooks, Purpose,
     Random, SampleSets, Sobol,
 };
-use harness::verify::slope::power_law;
+use statistics::slope::power_law;
 
 use crate::support::samples::built;
 use crate::support::statistics::{most_sigmas, sigmas};

@@ -5,10 +5,10 @@
 
 use groundtruth::lobes::Branch;
 use groundtruth::samplers::{Key, Kind, PathKey, Purpose, SampleSets};
-use harness::verify::chi_square::independence;
-use harness::verify::correlation::pearson;
-use harness::verify::means;
-use harness::verify::significance::sidak;
+use statistics::chi_square::independence;
+use statistics::correlation::pearson;
+use statistics::means;
+use statistics::significance::sidak;
 
 /// The probability, over random seeds, that at least one law of this file is rejected although all hold.
 const LEVEL: f64 = 1e-3;

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{Algebraic, Context, Kind, Shape, Sphere, Surface, Term};
-use harness::verify::Draw;
 
 use super::torus::{built, torus, ts};
 use crate::support::U;

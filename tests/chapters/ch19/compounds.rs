@@ -3,12 +3,12 @@
 use crate::support::solids::built;
 use crate::support::solids::check_pieces;
 use crate::support::solids::from_axis;
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
     ConcaveLens, CutFace, FlatRimmedBowl, Materials, RoundRimmedBowl, SolidCone, SolidCylinder,
     ThickRing,
 };
-use harness::verify::Draw;
 
 /// Law and oracle: as [`check_pieces`]; the equation of a cone (Suffern, ch. 19).
 #[test]

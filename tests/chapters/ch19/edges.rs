@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{Shape, Surface};
-use harness::verify::Draw;
 
 use crate::support::bodies::built;
 use crate::support::edged::{BODIES, Edged, edged};

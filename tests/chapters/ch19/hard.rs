@@ -1,6 +1,6 @@
 //! Every shape against exact arithmetic, on hard cases.
 
-use harness::verify::Draw;
+use exact::Draw;
 use oracle::hard::Kind;
 
 use crate::support::hard_cases::{Pair, judge_all, pair, sweep};

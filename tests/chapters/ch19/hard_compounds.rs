@@ -1,6 +1,6 @@
 //! Compounds of three shapes against exact arithmetic, on hard cases.
 
-use harness::verify::composites::Kind;
+use exact::composites::Kind;
 
 use crate::support::hard_cases::sweep_many;
 

@@ -2,11 +2,11 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::math::{Normal, Point, Span};
 use groundtruth::shapes::{
     Cone, OpenCylinder, Paraboloid, PartCylinder, PartSphere, Shape, Sphere,
 };
-use harness::verify::Draw;
 
 use super::parts::{CENTER, built, part_cylinder, part_sphere, some_ray};
 

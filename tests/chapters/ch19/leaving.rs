@@ -4,9 +4,9 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::math::{Ray, Span};
 use groundtruth::shapes::{Plane, Shape};
-use harness::verify::Draw;
 
 use crate::support::U;
 use crate::support::bodies::Form;

@@ -1,5 +1,6 @@
 //! Light at the edges of closed bodies: rooms stay dark, and a furnace is seen through glass.
 
+use exact::Draw;
 use groundtruth::cameras::{Orthographic, Viewpoint};
 use groundtruth::lights::{Directional, Environment, PointLight};
 use groundtruth::materials::{self, Dielectric, Matte, Medium, Phong, Reflective};
@@ -8,7 +9,6 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer, Whitted};
 use groundtruth::trace;
 use groundtruth::world::World;
-use harness::verify::Draw;
 
 use crate::support::edged::{BODIES, Edged, edged};
 

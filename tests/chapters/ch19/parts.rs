@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::math::{
     Normal, Point, Ray, Span, Vector, acos, atan2, cos_degrees, sin_degrees, to_degrees,
 };
 use groundtruth::shapes::{
     Annulus, Context, Kind, OpenCylinder, PartAnnulus, PartCylinder, PartSphere, Shape, Sphere,
 };
-use harness::verify::Draw;
 
 pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

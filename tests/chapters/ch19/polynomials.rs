@@ -1,8 +1,8 @@
 //! Roots of polynomials of small degree, which tori and algebraic surfaces need.
 
+use exact::Draw;
 use groundtruth::math::polynomial::{real_roots, roots_between};
 use groundtruth::math::power_of_two;
-use harness::verify::Draw;
 
 use crate::support::U;
 

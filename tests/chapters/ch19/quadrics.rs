@@ -2,9 +2,9 @@
 
 use std::fs;
 
+use exact::Draw;
 use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{Annulus, Cone, Disk, Kind, Paraboloid, Surface};
-use harness::verify::Draw;
 
 use super::parts::{built, some_ray, ts};
 

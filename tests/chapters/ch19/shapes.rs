@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::math::{Normal, Point, Ray, Span, Vector, exact_cross};
 use groundtruth::shapes::{
     Candidate, Context, Cuboid, Disk, Kind, OpenCylinder, Rectangle, Shape, Sphere, Surface,
     Triangle,
 };
-use harness::verify::Draw;
 
 use crate::support::U;
 use crate::support::bodies::body;

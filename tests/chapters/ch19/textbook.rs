@@ -1,10 +1,10 @@
 //! The book's intersection routines, which a scene may choose instead of the library's.
 
+use exact::backward_error::by_the_book;
 use groundtruth::math::{Pcg32, Point, Ray, Span, Vector};
 use groundtruth::scene::{Intersect, Scene};
 use groundtruth::shapes::textbook::EPSILON;
 use groundtruth::shapes::{Context, Kind, Shape, Sphere};
-use harness::verify::backward_error::by_the_book;
 
 use crate::pictures::studio::{RED, add_flat, built, from_front, pixels, small};
 use crate::support::camera_ray;

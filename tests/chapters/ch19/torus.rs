@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, power, sin_degrees};
 use groundtruth::shapes::{Context, Kind, Shape, Surface, Torus};
-use harness::verify::Draw;
 
 use crate::support::U;
 use crate::support::bodies::random_hit;

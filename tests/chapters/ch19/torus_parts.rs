@@ -1,8 +1,8 @@
 //! Parts of a torus: ranges that cross a seam, that leave no gap, and that add up to the whole.
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use groundtruth::shapes::{Context, Kind, PartTorus};
-use harness::verify::Draw;
 
 use super::torus::{built, torus, ts};
 

@@ -1,8 +1,8 @@
 //! The transformation step that is given as a matrix.
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::shapes::{Context, Cuboid, Instance, Kind};
-use harness::verify::Draw;
 use proptest::prelude::*;
 
 use super::{linear, product, size, steps, transform};

@@ -2,12 +2,12 @@
 
 use std::f64::consts::PI;
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Step, Vector};
 use groundtruth::shapes::{
     BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Context, Instance, Kind, Materials,
     Shape, Sphere,
 };
-use harness::verify::Draw;
 
 use super::bevels::{Case, KINDS};
 use crate::support::solids::{built, check_pieces, line};

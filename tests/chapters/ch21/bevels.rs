@@ -4,11 +4,11 @@
 
 use std::f64::consts::PI;
 
+use exact::Draw;
 use groundtruth::math::{Point, Vector, atan2, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
     BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Kind, Materials,
 };
-use harness::verify::Draw;
 
 use crate::support::solids::from_axis;
 

@@ -1,8 +1,8 @@
 //! Instances against exact arithmetic, on hard cases.
 
+use exact::{Draw, backward_error};
 use groundtruth::math::{Point, Step, Transform, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{Context, Instance, Kind, Rectangle};
-use harness::verify::{Draw, backward_error};
 use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 

@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::math::{Axis, Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::shapes::{self, Context, Instance, Kind, Shape, Sphere};
-use harness::verify::Draw;
 
 use crate::support::U;
 

@@ -2,9 +2,9 @@
 
 use std::ops::Range;
 
+use exact::Draw;
 use groundtruth::math::{Axis, Point, Step, Transform, Vector};
 use groundtruth::shapes::{Cone, Context, Instance, Kind};
-use harness::verify::Draw;
 
 use crate::support::U;
 use crate::support::bodies::{Form, body, check_leaving, is_thin, random_hit};

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::kinds::Custom;
 use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::shapes::{
     Compound, Context, Instance, Kind, Lattice, Sphere, Surface, TessellatedSphere,
 };
-use harness::verify::Draw;
 
 use crate::support::U;
 

@@ -2,12 +2,12 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{
     Compound, Context, Kind, Lattice, Part, PartMaterial, Shape, Sphere, Surface,
 };
-use harness::verify::Draw;
 
 /// Whether each of the materials, by its index, casts shadows.
 const CASTS_SHADOWS: [bool; 3] = [true, false, true];

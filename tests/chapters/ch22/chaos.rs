@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Step, Vector, power_of_two};
 use groundtruth::shapes::{
     Annulus, Cone, Context, Cuboid, Disk, Instance, Kind, OpenCylinder, Paraboloid, PartCylinder,
     PartSphere, PartTorus, Plane, Rectangle, RoundRimmedBowl, Shape, SolidCylinder, Sphere, Torus,
     Triangle,
 };
-use harness::verify::Draw;
 
 use super::searched::Both;
 

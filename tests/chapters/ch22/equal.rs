@@ -3,6 +3,7 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::accel::{Accel, Method};
 use groundtruth::kinds::Custom;
 use groundtruth::math::{Aabb, Point, Ray, Span, Step, Vector};
@@ -11,7 +12,6 @@ use groundtruth::shapes::{
     self, Disk, Instance, Kind, Plane, Rectangle, Shape, Sphere, TessellatedSphere, Triangle,
     TriangleMesh,
 };
-use harness::verify::Draw;
 
 use super::searched::{Both, FARTHEST, Seen, agree, built, some_rays, spheres};
 

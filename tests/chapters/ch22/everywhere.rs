@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::accel::Method;
 use groundtruth::kinds::Resources;
 use groundtruth::math::{Point, Ray, Span, Step, Vector};
@@ -9,7 +10,6 @@ use groundtruth::shapes::{
     Compound, Context, Cuboid, Disk, Instance, Kind, Lattice, Mesh, Part, Plane, RandomSpheres,
     Shape, Sphere, TessellatedSphere,
 };
-use harness::verify::Draw;
 
 use super::searched::ray;
 use crate::support::U;

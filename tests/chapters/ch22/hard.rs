@@ -1,6 +1,6 @@
 //! Random spheres and lattices against exact arithmetic, on rays that are hard for one of their parts.
 
-use harness::verify::composites::Kind;
+use exact::composites::Kind;
 
 use crate::support::hard_cases::sweep_many;
 

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::accel::Method;
 use groundtruth::kinds::Resources;
 use groundtruth::math::{Point, Ray, Span, Step, Vector, power_of_two};
@@ -11,7 +12,6 @@ use groundtruth::shapes::{
 };
 use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{self, RandomColors};
-use harness::verify::Draw;
 
 use super::searched::ray;
 use crate::support::U;

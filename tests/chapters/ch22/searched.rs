@@ -2,10 +2,10 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::accel::{Accel, Method, Primitives};
 use groundtruth::math::{Aabb, Ray, Span};
 use groundtruth::shapes::{Candidate, Context, Kind, Shape, Sphere};
-use harness::verify::Draw;
 
 /// Objects in order, and the ray to intersect them with.
 pub struct Seen<'a>(pub &'a [Arc<dyn Shape>], pub &'a Ray);

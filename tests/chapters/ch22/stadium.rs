@@ -3,11 +3,11 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::accel::{Accel, Counts, Method};
 use groundtruth::math::{Aabb, Point, Ray, Span, power};
 use groundtruth::mesh_bvh::Kernel;
 use groundtruth::shapes::{self, Context, Kind, Shape, Sphere, Triangle, TriangleMesh};
-use harness::verify::Draw;
 
 use super::searched::{self, Both, Seen, built};
 

@@ -1,9 +1,9 @@
 //! The cost of a search, counted rather than timed.
 
+use exact::Draw;
 use groundtruth::accel::{Accel, Counts, Method, Primitives};
 use groundtruth::math::{Aabb, Point, Ray, Span, Vector, cbrt};
 use groundtruth::shapes::{Candidate, RandomSpheres, Shape, Sphere};
-use harness::verify::Draw;
 
 use super::searched::{self, Both, some_rays};
 

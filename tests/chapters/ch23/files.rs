@@ -1,9 +1,9 @@
 //! Meshes from files: the encoding does not matter.
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span};
 use groundtruth::mesh_file::{Encoding, MeshData, parse_ply, write_ply};
 use groundtruth::shapes::{Context, Kind, Mesh, Shape, TessellatedSphere, Triangle};
-use harness::verify::Draw;
 
 /// Law: the three encodings of PLY give the same mesh, and the same hits and shading normals, bit
 /// for bit, with the file's normals and with mean ones. Oracle: each other, and the mesh that was

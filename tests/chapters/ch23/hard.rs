@@ -1,6 +1,6 @@
 //! Triangles of meshes against exact arithmetic, on hard cases.
 
-use harness::verify::composites::Kind;
+use exact::composites::Kind;
 use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 

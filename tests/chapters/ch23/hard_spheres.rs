@@ -1,6 +1,6 @@
 //! Tessellated spheres against exact arithmetic, on rays that are hard for one of their triangles.
 
-use harness::verify::composites::Kind;
+use exact::composites::Kind;
 
 use crate::support::hard_cases::sweep_many;
 

@@ -1,9 +1,9 @@
 //! Meshes whose vertices and triangles are listed in the scene instead of in a file.
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 use groundtruth::shapes::{Context, Kind, Mesh};
-use harness::verify::Draw;
 
 /// A bumpy sheet with everything a file can have; one triangle of it has no area.
 fn sheet(draw: &mut Draw) -> MeshData {

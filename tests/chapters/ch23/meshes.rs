@@ -3,12 +3,12 @@
 use std::collections::HashMap;
 use std::f64::consts::PI;
 
+use exact::Draw;
 use groundtruth::accel::Method;
 use groundtruth::math::{Normal, Point, Ray, Span, Vector};
 use groundtruth::shapes::{
     Context, Kind, Shape, Surface, TessellatedSphere, Triangle, TriangleMesh,
 };
-use harness::verify::Draw;
 
 use super::watertight::knot;
 use crate::support::U;

@@ -3,10 +3,10 @@
 
 use std::path::Path;
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 use groundtruth::shapes::{Context, Kind, Mesh};
-use harness::verify::Draw;
 
 type Triangles = Vec<[u32; 3]>;
 

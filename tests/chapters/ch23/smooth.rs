@@ -3,6 +3,7 @@
 use std::f64::consts::FRAC_1_PI;
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::accel::Method;
 use groundtruth::kinds::Custom;
 use groundtruth::lights::Directional;
@@ -12,7 +13,6 @@ use groundtruth::rgb::Rgb;
 use groundtruth::shapes::{
     Context, Instance, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh,
 };
-use harness::verify::Draw;
 
 use crate::support::U;
 use crate::support::stage::{built, put, recorded, shine, stage};

@@ -1,9 +1,9 @@
 //! Texture coordinates of meshes, where the file has them.
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Step, Vector};
 use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 use groundtruth::shapes::{Candidate, Compound, Context, Instance, Kind, Lattice, Mesh};
-use harness::verify::Draw;
 
 use crate::support::U;
 

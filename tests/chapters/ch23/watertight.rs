@@ -1,11 +1,11 @@
 //! No ray slips between the triangles of a closed mesh.
 
+use exact::Draw;
 use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::mesh_bvh::Kernel;
 use groundtruth::mesh_file;
 use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh};
-use harness::verify::Draw;
 
 /// A tessellated sphere stretched along the axes and moved.
 fn sphere([h, v]: [u32; 2], stretch: Vector, shift: Vector) -> TriangleMesh {

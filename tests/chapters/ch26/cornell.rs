@@ -8,8 +8,8 @@ use groundtruth::render::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::{Kind, Rectangle};
-use harness::verify::means;
-use harness::verify::significance::sidak;
+use statistics::means;
+use statistics::significance::sidak;
 
 use crate::support::replicas::{
     LEVEL, REPLICAS, assert_known, mean_and_error, replicas, with_samples,

@@ -8,8 +8,8 @@ use groundtruth::render::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Image, Scene, Tracer};
 use groundtruth::shapes::{Plane, Rectangle, Sampling, Sphere};
-use harness::verify::means;
-use harness::verify::significance::sidak;
+use statistics::means;
+use statistics::significance::sidak;
 
 use crate::support::replicas::{LEVEL, REPLICAS, replicas, with_samples};
 use crate::support::stage::{put, shine};

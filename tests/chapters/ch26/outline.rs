@@ -8,8 +8,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
 use groundtruth::shapes::Triangle;
 use groundtruth::world::World;
-use harness::verify::means;
-use harness::verify::significance::sidak;
+use statistics::means;
+use statistics::significance::sidak;
 
 use super::tracers;
 use crate::support::replicas::{LEVEL, assert_mean, replicas, view, with_samples};

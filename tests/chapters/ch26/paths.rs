@@ -12,9 +12,9 @@ use groundtruth::samplers::Random;
 use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
 use groundtruth::shapes::{Plane, Sphere};
 use groundtruth::trace::{RayKind, TermSource};
-use harness::verify::means;
-use harness::verify::significance::sidak;
-use harness::verify::slope::power_law;
+use statistics::means;
+use statistics::significance::sidak;
+use statistics::slope::power_law;
 
 use super::{room, tracers};
 use crate::support::number;

@@ -10,8 +10,8 @@ use groundtruth::kinds::Resources;
 use groundtruth::math::{Normal, Pcg32, Point, Ray, Step, Transform, Vector, cos, sin};
 use groundtruth::rgb::Rgb;
 use groundtruth::textures::{Filtering, Mapping};
-use harness::verify::chi_square::goodness_of_fit;
-use harness::verify::significance::sidak;
+use statistics::chi_square::goodness_of_fit;
+use statistics::significance::sidak;
 
 pub const DOMES: [Dome; 4] =
     [Dome::Spherical, Dome::Hemispherical, Dome::LightProbe, Dome::Panoramic];

@@ -11,8 +11,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::Plane;
 use groundtruth::textures::Filtering;
-use harness::verify::means;
-use harness::verify::significance::sidak;
+use statistics::means;
+use statistics::significance::sidak;
 
 use super::sky::{DOMES, SIZE, all_around, image, ragged, texel, written};
 use crate::support::replicas::{

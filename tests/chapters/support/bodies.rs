@@ -2,13 +2,13 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
     Annulus, Cone, Context, Cuboid, Disk, Kind, OpenCylinder, Paraboloid, PartAnnulus,
     PartCylinder, PartSphere, Plane, Rectangle, Shape, Sphere, Surface, TessellatedSphere,
     Triangle,
 };
-use harness::verify::Draw;
 
 use super::exact::{exact, walls_along_normal};
 

@@ -1,5 +1,6 @@
 //! Closed bodies with sharp or rounded edges, and points on these edges.
 
+use exact::Draw;
 use groundtruth::math::{Point, Step, Transform, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
     Annulus, BeveledBox, BeveledCylinder, BeveledRing, Compound, ConcaveLens, Cuboid, Disk,
@@ -7,7 +8,6 @@ use groundtruth::shapes::{
     PartCylinder, PartSphere, Rectangle, RoundRimmedBowl, SolidCone, SolidCylinder, ThickRing,
     Triangle,
 };
-use harness::verify::Draw;
 
 /// A closed body.
 pub struct Edged {

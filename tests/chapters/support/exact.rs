@@ -1,8 +1,8 @@
 //! The exact counterparts of library shapes, for laws that need exact intersections.
 
+pub use exact::oracle_shape;
 use groundtruth::math::Vector;
 use groundtruth::shapes::Surface;
-pub use harness::conform::exact;
 use oracle::Shape;
 
 /// The exact intersections of the shape with the line along the normal of a hit, within `reach` of the hit;

@@ -3,17 +3,17 @@
 //! A hit is judged by its condition number: an error is measured in units of `u · cond`, and 100 of them are
 //! allowed, as if the input had been wrong by 100 u. Whether there is a hit at all must be right unless a
 //! relative change of the input by 1e-13 would change the answer. For instances, see
-//! [`harness::verify::backward_error`].
+//! [`exact::backward_error`].
 
 use std::fmt;
 use std::sync::Arc;
 
+use exact::backward_error::{ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error};
+pub use exact::backward_error::{Pair, instanced, pair};
+use exact::{backward_error, composites};
 use groundtruth::accel::{Accel, Method, Primitives};
 use groundtruth::math::{Ray, Span, Vector};
 use groundtruth::shapes::{self, Candidate};
-use harness::verify::backward_error::{ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error};
-pub use harness::verify::backward_error::{Pair, instanced, pair};
-use harness::verify::{backward_error, composites};
 use oracle::Answer;
 use oracle::hard::{Family, Kind, cases};
 

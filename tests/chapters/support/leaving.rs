@@ -1,9 +1,9 @@
 //! Rays that leave a surface, for all kinds of a chapter at all scales. Stricter laws for single kinds are in
 //! their chapters.
 
+use exact::Draw;
 use groundtruth::math::{Aabb, Ray, Span, Step, Vector};
 use groundtruth::shapes::{Context, Instance, Kind, Shape, Surface};
-use harness::verify::Draw;
 
 use super::bodies::check_next;
 

@@ -6,8 +6,8 @@ use groundtruth::samplers;
 use groundtruth::scene::Scene;
 use groundtruth::trace::radiance;
 use groundtruth::world::World;
-use harness::verify::means;
-use harness::verify::significance::sidak;
+use statistics::means;
+use statistics::significance::sidak;
 
 use super::stage::{built, ray};
 

@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use groundtruth::math::{Pcg32, floor};
 use groundtruth::samplers::{Kind, Sampler};
-use harness::verify::significance::sidak;
-use harness::verify::{chi_square, ks};
+use statistics::significance::sidak;
+use statistics::{chi_square, ks};
 
 /// The probability of a false alarm for each statistical law that uses this level.
 pub const LEVEL: f64 = 1e-3;

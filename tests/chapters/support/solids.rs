@@ -2,9 +2,9 @@
 
 use std::sync::Arc;
 
+use exact::Draw;
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{Context, Kind, Shape};
-use harness::verify::Draw;
 
 pub fn built(kind: &Kind) -> Arc<dyn Shape> {
     kind.build(&mut Context::default()).expect("valid")

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use harness::conform::mistakes as m;
-use harness::conform::ours;
+use conform::mistakes as m;
+use conform::ours;
 use serde_json::{Value, json};
 
 use super::super::altered::{at, data, instead, only, vector};

@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
+use conform::mistakes as m;
+use conform::ours;
 use groundtruth::math::power;
-use harness::conform::mistakes as m;
-use harness::conform::ours;
 use serde_json::json;
 
 use super::super::altered::{at, data, each, instead, only, swap, vector};

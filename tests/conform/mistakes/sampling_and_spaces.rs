@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
+use conform::mistakes as m;
 use groundtruth::math;
-use harness::conform::mistakes as m;
 use serde_json::{Value, json};
 
 use super::super::altered::{at, data, each, instead, only, swap};

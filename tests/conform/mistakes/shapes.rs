@@ -1,7 +1,7 @@
 //! Mistakes in the intersection of rays and shapes.
 
-use harness::conform::mistakes as m;
-use harness::conform::ours;
+use conform::mistakes as m;
+use conform::ours;
 use serde_json::{Value, json};
 
 use super::super::altered::{at, data, each, instead, length, only, swap, vector};

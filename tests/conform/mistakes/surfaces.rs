@@ -1,7 +1,7 @@
 //! Mistakes in textures, mappings and the radiance of scenes.
 
-use harness::conform::mistakes as m;
-use harness::conform::ours;
+use conform::mistakes as m;
+use conform::ours;
 use serde_json::{Value, json};
 
 use super::super::altered::{at, data, each, instead, only, swap, vector};

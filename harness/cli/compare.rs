@@ -1,0 +1,236 @@
+//! `compare`.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use groundtruth::film;
+use groundtruth::gallery;
+use groundtruth::printable;
+use groundtruth::render;
+use groundtruth::scene::{self, Scene};
+use groundtruth::world::{DEFAULT_SEED, World};
+use pictures::compare::{self, Comparison, Picture, Transfer};
+use pictures::shell::quoted;
+
+use super::{Exit, Outcome, announce, output};
+
+#[derive(Args)]
+pub struct Compare {
+    /// A picture file (PNG, JPEG, PPM, HDR, EXR or PFM; - is the standard input), a gallery name, or a
+    /// scene file; a scene is rendered at the size of the other side
+    a: String,
+    /// The same. Differences are B − A; if one side is a picture and the other a scene, they are yours − ours, in either
+    /// order
+    b: String,
+    /// How PNG, JPEG and PPM files encode radiance: srgb, linear, or gamma=2.2. If left out, what a PNG file says of
+    /// itself (gAMA, sRGB), else srgb
+    #[arg(long, value_name = "CURVE")]
+    encoding: Option<Transfer>,
+    /// The relative difference up to which channels are equal
+    #[arg(long, value_name = "R", default_value_t = 0.0, value_parser = tolerance)]
+    tolerance: f64,
+    /// Write a page with both pictures, their difference and its regions
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(r) if (0.0..1.0).contains(&r) => Ok(r),
+        _ => Err("write a number from 0 to 1, such as 0.01".to_owned()),
+    }
+}
+
+/// A scene's name, and the size of its image.
+type Ours<'a> = (&'a str, [u32; 2]);
+
+/// A name is that of a scene if the gallery has it, or if it ends in `.toml`.
+fn is_scene(name: &str) -> bool {
+    gallery::find(name).is_some() || Path::new(name).extension().is_some_and(|it| it == "toml")
+}
+
+/// One side of a comparison.
+enum Side {
+    Picture(Picture),
+    Scene(Box<Scene>, Option<scene::Source>),
+}
+
+impl Compare {
+    pub fn run(mut self) -> Outcome {
+        let inputs = [&self.a, &self.b].map(Path::new);
+        output::once(inputs, "input")?;
+        output::apart(self.output.as_deref(), inputs)?;
+        let is_ours_last = is_scene(&self.b) && !is_scene(&self.a);
+        if is_ours_last {
+            // the first is what the other is held against
+            std::mem::swap(&mut self.a, &mut self.b);
+        }
+        let sides = [self.side(&self.a)?, self.side(&self.b)?];
+        let size = sides.iter().find_map(|side| match side {
+            Side::Picture(picture) => Some(picture.size),
+            Side::Scene(..) => None,
+        });
+        let (mut pictures, mut worlds) = (Vec::new(), [None, None]);
+        for ((side, name), built) in sides.into_iter().zip([&self.a, &self.b]).zip(&mut worlds) {
+            match side {
+                Side::Picture(picture) => {
+                    picture
+                        .notes
+                        .iter()
+                        .for_each(|note| eprintln!("note: {}: {note}", printable::name(name)));
+                    pictures.push(picture);
+                }
+                Side::Scene(scene, source) => {
+                    let folder = film::folder_of(Path::new(name));
+                    let named: Vec<_> =
+                        scene.files().iter().map(|file| folder.join(file)).collect();
+                    output::apart(self.output.as_deref(), named.iter().map(|file| &**file))?;
+                    let world = world_of(*scene, source, name, size)?;
+                    announce::long_rendering(&world, &printable::text(name), 1);
+                    pictures.push(Picture::of_film(&render::render(&world)));
+                    *built = Some(world);
+                }
+            }
+        }
+        let size = |world: &World| [world.image.width, world.image.height];
+        let ours = [&*self.a, &*self.b].into_iter().zip(&worlds);
+        let ours = ours.filter_map(|(name, world)| Some((name, size(world.as_ref()?)))).next();
+        let names = self.names();
+        let names = [&*names[0], &*names[1]];
+        let both = [&pictures[0], &pictures[1]];
+        let mut comparison = Comparison::named(names, both, self.tolerance)?;
+        if !comparison.is_same() {
+            self.ask_scenes(&mut comparison, &pictures, worlds);
+        }
+        if let Some(file) = &self.output {
+            let commands = |pixel| ours.map_or(Vec::new(), |ours| self.commands(ours, pixel));
+            let html = compare::page(&comparison, [&*self.a, &*self.b], both, &commands);
+            output::write(file, html.as_bytes())?;
+        }
+        let say = |text: &str| output::say(text, self.output.as_deref());
+        match self.json {
+            true => say(&(serde_json::to_string_pretty(&comparison)? + "\n"))?,
+            false => say(&(comparison.to_string() + &self.advice(&comparison, ours)))?,
+        };
+        Ok(if comparison.is_same() { Exit::Yes } else { Exit::No })
+    }
+
+    /// What only a scene can tell: whether its film points are off by half a pixel, and whether it has noise.
+    fn ask_scenes(
+        &self,
+        comparison: &mut Comparison,
+        pictures: &[Picture],
+        worlds: [Option<World>; 2],
+    ) {
+        for (index, world) in worlds.into_iter().enumerate() {
+            let Some(mut world) = world else { continue };
+            let ours = if index == 0 { &self.a } else { &self.b };
+            let theirs = &comparison.names[1 - index];
+            if comparison.explained_by.is_empty() {
+                let found = compare::half_pixel_shifts(&mut world, &pictures[1 - index], theirs);
+                comparison.explained_by = found;
+            }
+            comparison.notes.extend(compare::noise_note(&mut world, comparison, ours));
+        }
+    }
+
+    /// What the sides are called: `ours` and `yours`, if one is a scene, else as they were given.
+    fn names(&self) -> [String; 2] {
+        match [&self.a, &self.b].map(|name| is_scene(name)) {
+            [true, false] => ["ours", "yours"].map(str::to_owned),
+            _ => [&self.a, &self.b].map(|name| printable::text(name).to_string()),
+        }
+    }
+
+    fn side(&self, name: &str) -> Result<Side, Box<dyn Error>> {
+        let path = Path::new(name);
+        if let Some(entry) = gallery::find(name) {
+            return Ok(Side::Scene(Box::new((entry.build)()), None));
+        }
+        if is_scene(name) {
+            let (scene, source) = scene::open(path)?;
+            return Ok(Side::Scene(Box::new(scene), Some(source)));
+        }
+        if path.extension().is_none() && !path.exists() && !output::is_standard(path) {
+            return Err(gallery::unknown(name).into());
+        }
+        Ok(Side::Picture(Picture::read(path, self.encoding)?))
+    }
+
+    /// The commands that explain a pixel of a scene whose image (of a stereo pair: each eye's) has this size.
+    fn commands(&self, (scene, [width, height]): Ours<'_>, [x, y]: [u32; 2]) -> Vec<String> {
+        let explain =
+            format!("groundtruth explain {} {x},{y} --size {width}x{height}", quoted(scene));
+        let inspect = self.window(scene).map(|window| format!("{window} --pixel {x},{y}"));
+        std::iter::once(explain).chain(inspect).collect()
+    }
+
+    /// The command that shows a scene and the picture of the other side in the window.
+    fn window(&self, scene: &str) -> Option<String> {
+        let file = if self.a == scene { &self.b } else { &self.a };
+        let encoding = self.curve();
+        let (scene, picture) = (quoted(scene), quoted(file));
+        (!is_scene(file)).then(|| format!("inspector {scene} --compare {picture}{encoding}"))
+    }
+
+    /// The argument that says how the picture encodes radiance, if it was given.
+    fn curve(&self) -> String {
+        match self.encoding {
+            None => String::new(),
+            Some(Transfer::Srgb) => " --encoding srgb".to_owned(),
+            Some(Transfer::Linear) => " --encoding linear".to_owned(),
+            Some(Transfer::Gamma(gamma)) => format!(" --encoding gamma={gamma}"),
+        }
+    }
+
+    /// The command that judges the picture of the other side, if it is one.
+    fn judging(&self, scene: &str) -> Option<String> {
+        let is_picture = !is_scene(&self.b);
+        is_picture.then(|| {
+            let (scene, picture) = (quoted(scene), quoted(&self.b));
+            format!("groundtruth verify {scene} {picture}{}", self.curve())
+        })
+    }
+
+    /// The commands for the worst pixel of each region.
+    fn advice(&self, comparison: &Comparison, ours: Option<Ours<'_>>) -> String {
+        let Some(ours) = ours.filter(|_| !comparison.is_same()) else { return String::new() };
+        let explain = |region: &compare::Region| self.commands(ours, region.worst).swap_remove(0);
+        let commands: Vec<String> = comparison.listed().map(explain).collect();
+        let window = self.window(ours.0).map(|window| format!("to look: {window}\n"));
+        let judge = self.judging(ours.0).filter(|_| !comparison.notes.is_empty());
+        let judge = judge.map(|judge| format!("whether it is noise: {judge}\n"));
+        format!(
+            "why ours is so:\n  {}\n{}{}",
+            commands.join("\n  "),
+            window.unwrap_or_default(),
+            judge.unwrap_or_default()
+        )
+    }
+}
+
+/// The scene, built at this size.
+fn world_of(
+    mut scene: Scene,
+    source: Option<scene::Source>,
+    name: &str,
+    size: Option<[u32; 2]>,
+) -> Result<World, Box<dyn Error>> {
+    if let Some(size) = size {
+        let [w, h] = [scene.image.width, scene.image.height];
+        if !compare::fit(&mut scene, size)? {
+            eprintln!(
+                "note: {} has the shape of {w} × {h}; as with `render --size`, its width is kept",
+                printable::name(name)
+            );
+        }
+    }
+    Ok(match &source {
+        Some(source) => World::of_source(&scene, source, DEFAULT_SEED)?,
+        None => World::build_seeded(&scene, Path::new(""), DEFAULT_SEED)?,
+    })
+}

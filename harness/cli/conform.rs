@@ -1,0 +1,257 @@
+//! `conform`.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::Duration;
+
+use clap::{Args, ValueEnum};
+use conform::family::Family;
+use conform::{self, Card, Limits, Options, Profile, Program, Row, card};
+use groundtruth::printable;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::numbers::whole;
+use super::{Exit, Outcome, interrupt, output, print};
+
+#[derive(Args)]
+pub struct Conform {
+    /// What to ask: chapters (ch19), things (shapes/torus), questions (intersect), or other beginnings of things
+    /// and of families' names that end before /, . or _ (intersect.torus, light.area for light.area.sphere.area);
+    /// everything, if left out
+    what: Vec<String>,
+    /// How exact answers have to be
+    #[arg(long, value_enum, default_value_t = Exact::Careful)]
+    profile: Exact,
+    /// Of the cases
+    #[arg(long, default_value_t = 1, value_parser = whole::<u64>(0..=u64::MAX))]
+    seed: u64,
+    /// A seed that nobody has seen; the card prints it
+    #[arg(long, conflicts_with = "seed")]
+    fresh: bool,
+    /// Cases in each family
+    #[arg(long, value_name = "N", default_value_t = 48, value_parser = whole::<usize>(0..=u32::MAX.into()))]
+    cases: usize,
+    /// Only families whose names match, as "intersect.*.grazing"
+    #[arg(long, value_name = "GLOB")]
+    only: Option<glob::Pattern>,
+    /// Seconds for an answer
+    #[arg(long, value_name = "SECONDS", default_value_t = 5.0, value_parser = seconds)]
+    timeout: f64,
+    /// Seconds for the first answer after a start
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
+    start_timeout: f64,
+    /// A file of families that may fail, one a line; one that does not fail is a failure, too
+    #[arg(long, value_name = "FILE", conflicts_with = "write_known")]
+    known: Option<PathBuf>,
+    /// Write such a file of all that failed
+    #[arg(long, value_name = "FILE")]
+    write_known: Option<PathBuf>,
+    /// Write the results for continuous integration (JUnit's XML)
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Write the card as a page; - is the standard output, here and for the other files
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    /// Print an adapter to fill in, whose every question is a function that returns "unsupported"
+    #[arg(long, value_name = "LANGUAGE", value_enum, exclusive = true)]
+    init: Option<conform::Language>,
+    /// The program and its arguments
+    #[arg(last = true, required_unless_present = "init", value_name = "PROGRAM")]
+    program: Vec<String>,
+}
+
+/// The profiles by name.
+#[derive(Clone, Copy, ValueEnum)]
+enum Exact {
+    /// Double precision: errors of at most 100 u·cond, hard cases too
+    Careful,
+    /// Single precision and a constant ε: errors of at most 1e-4, ordinary cases only
+    Book,
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(x) if (1e-3..=1e6).contains(&x) => Ok(x),
+        _ => Err("write a number of seconds, such as 5".to_owned()),
+    }
+}
+
+impl Conform {
+    pub fn run(self) -> Outcome {
+        if let Some(language) = self.init {
+            return print(language.template());
+        }
+        let mut families = conform::suite::all();
+        for word in &self.what {
+            if !families.iter().any(|family| family.is_selected_by(word)) {
+                return Err(conform::suite::unknown(word, &families).into());
+            }
+        }
+        families.retain(|family| {
+            let named =
+                self.what.is_empty() || self.what.iter().any(|word| family.is_selected_by(word));
+            named && self.only.as_ref().is_none_or(|only| only.matches(&family.name))
+        });
+        if families.is_empty() {
+            return Err("no family matches --only; the names are those on the card".into());
+        }
+        output::once(self.files(), "output")?;
+        self.files().try_for_each(output::writable)?;
+        let known = self.known.as_deref().map(conform::Known::read).transpose()?;
+        let interrupted = interrupt::flag()?;
+        let profile = match self.profile {
+            Exact::Careful => Profile::Careful,
+            Exact::Book => Profile::Book,
+        };
+        let seed = if self.fresh { fresh_seed() } else { self.seed };
+        let options = Options {
+            profile,
+            seed,
+            cases: self.cases,
+            shrink: true,
+            interrupted: Arc::clone(&interrupted),
+        };
+        let [answer, start] = [self.timeout, self.start_timeout].map(Duration::from_secs_f64);
+        let limits = Limits { answer, start: start.max(answer) };
+        let mut program = Program::new(self.program.clone(), limits, interrupted);
+        let progress = progress(families.len() as u64);
+        let mut chapters = Chapters::new(&families, profile);
+        let card = conform::run(&mut program, &families, &options, &mut |row| {
+            progress.inc(1);
+            progress.set_message(row.name.clone());
+            if let Some(line) = chapters.finished(row)
+                && !self.json
+            {
+                // a closed pipe ends the printing, not the run
+                progress.suspend(|| self.say(&line)).ok();
+            }
+        });
+        progress.finish_and_clear();
+        let log = program.log();
+        drop(program);
+        let card = match card {
+            Ok(card) => card,
+            Err(error) => {
+                let text = no_answer(&error, &log);
+                text.lines().for_each(|line| eprintln!("{}", printable::text(line)));
+                return Ok(Exit::Unanswered);
+            }
+        };
+        self.write(&card)?;
+        match self.json {
+            true => self.say(&(serde_json::to_string_pretty(&card.json())? + "\n"))?,
+            false => {
+                let verdict = card::verdict(&card, self.fresh);
+                self.say(&(chapters.unfinished(&card) + &card::rest(&card) + &verdict))?
+            }
+        };
+        if !card.is_whole {
+            return Ok(Exit::Interrupted);
+        }
+        if card.is_not_judged() || card.rows.iter().all(Row::is_unsupported) {
+            return Ok(Exit::Unanswered);
+        }
+        let failed = match known {
+            Some(known) => {
+                let (new, passed) = known.compare(&card);
+                new.iter().for_each(|name| eprintln!("not known to fail: {name}"));
+                passed.iter().for_each(|name| eprintln!("known to fail, but does not: {name}"));
+                !new.is_empty() || !passed.is_empty()
+            }
+            None => card.is_failed(),
+        };
+        Ok(if failed { Exit::No } else { Exit::Yes })
+    }
+
+    /// The files that are written.
+    fn files(&self) -> impl Iterator<Item = &Path> {
+        [&self.output, &self.junit, &self.write_known].into_iter().flatten().map(PathBuf::as_path)
+    }
+
+    /// Prints what is said; to the standard error if a file goes to the standard output.
+    fn say(&self, text: &str) -> Outcome {
+        output::say(text, self.files().find(|file| output::is_standard(file)))
+    }
+
+    fn write(&self, card: &Card) -> Result<(), Box<dyn std::error::Error>> {
+        let command = self.program.join(" ");
+        let write = |file: &Option<PathBuf>, text: &dyn Fn() -> String| match file {
+            Some(file) => output::write(file, text().as_bytes()),
+            None => Ok(()),
+        };
+        write(&self.output, &|| card::page(card, &command))?;
+        write(&self.junit, &|| card::junit(card, &command))?;
+        write(&self.write_known, &|| conform::Known::of(card).to_string())?;
+        Ok(())
+    }
+}
+
+/// Which rows of which chapters are finished: a chapter is printed with its last row.
+struct Chapters {
+    /// How many rows of each are open, and those that are finished.
+    rows: BTreeMap<&'static str, (usize, Vec<Row>)>,
+    /// What stands above the first line.
+    head: String,
+}
+
+impl Chapters {
+    fn new(families: &[Family], profile: Profile) -> Self {
+        let mut chapters = BTreeMap::new();
+        let asked = families.iter().filter(|family| profile == Profile::Careful || family.ordinary);
+        for family in asked {
+            let (open, _): &mut (usize, Vec<Row>) = chapters.entry(family.chapter).or_default();
+            *open += 1;
+        }
+        Self { rows: chapters, head: card::head() }
+    }
+
+    /// The chapter's line, if this is its last row.
+    fn finished(&mut self, row: &Row) -> Option<String> {
+        let (open, rows) = self.rows.get_mut(row.chapter)?;
+        rows.push(row.clone());
+        *open -= 1;
+        let line =
+            (*open == 0).then(|| card::line(row.chapter, &rows.iter().collect::<Vec<_>>()))?;
+        Some(std::mem::take(&mut self.head) + &line)
+    }
+
+    /// The lines of the chapters that an interruption left open.
+    fn unfinished(&self, card: &Card) -> String {
+        let rows = card.chapters();
+        let is_open = |chapter: &str| self.rows.get(chapter).is_none_or(|(open, _)| *open > 0);
+        let open = rows.iter().filter(|(chapter, _)| is_open(chapter));
+        self.head.clone()
+            + &open.map(|(chapter, rows)| card::line(chapter, rows)).collect::<String>()
+    }
+}
+
+/// From the clock: anything that was not chosen.
+fn fresh_seed() -> u64 {
+    let now =
+        std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default();
+    oracle::hard::SplitMix64::new(now.as_nanos() as u64).next_u64() >> 16
+}
+
+fn progress(families: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:30} {pos} of {len} families  {wide_msg}");
+    ProgressBar::new(families).with_style(style.expect("the template is valid"))
+}
+
+/// What is to be done about a program that answers nothing.
+fn no_answer(error: &conform::NoAnswer, log: &str) -> String {
+    let text = format!("error: {error}");
+    let hint = if text.contains("no answer within") {
+        "\nhint: flush the output after each line (C and Python keep it back when writing to a pipe)"
+    } else if text.contains("not a JSON object") {
+        "\nhint: print nothing but answers to the standard output; banners belong to the standard error"
+    } else {
+        ""
+    };
+    let log =
+        if log.is_empty() { String::new() } else { format!("\nits standard error begins:\n{log}") };
+    text + hint + &log
+}

@@ -1,0 +1,152 @@
+//! `groundtruth export`.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use clap::{Args, ValueEnum};
+use exchange::export::{Said, Target, Term};
+use groundtruth::{film, scene};
+
+use super::scene::SceneArguments;
+use super::{Exit, Outcome, output, print, witness};
+
+/// What is written.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum Format {
+    /// A scene file
+    Toml,
+    /// The scene language of POV-Ray 3.7
+    Pov,
+    /// The XML of Mitsuba 3. Meshes are files beside it, whose names begin as its own; so are further scenes
+    /// (NAME-2.xml), if their pictures are to be added
+    Mitsuba,
+}
+
+impl Format {
+    /// The other renderer whose language it is.
+    fn target(self) -> Option<Target> {
+        match self {
+            Self::Toml => None,
+            Self::Pov => Some(Target::Pov),
+            Self::Mitsuba => Some(Target::Mitsuba),
+        }
+    }
+}
+
+#[derive(Args)]
+pub struct Export {
+    #[command(flatten)]
+    scene: SceneArguments,
+    /// What to write. In another language than ours, all that it cannot say is listed, and nothing is written;
+    /// docs/renderers.md has the table
+    #[arg(long, value_enum, default_value_t = Format::Toml)]
+    format: Format,
+    /// Terms to leave out of the scene, with commas: phong (the highlights), ambient, background (where it lights
+    /// nothing), absorption (of media), scaling (the 1/η² of refracted radiance), smooth (interpolated normals), or
+    /// unshadowed (light that passes through objects: they block it)
+    #[arg(long, value_name = "TERMS", value_delimiter = ',')]
+    without: Vec<Term>,
+    /// The file to write; file names in it are relative to its folder. If left out, or -, the scene
+    /// goes to the standard output, with absolute file names
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Replace the output if it exists
+    #[arg(long, requires = "output")]
+    replace: bool,
+}
+
+impl Export {
+    pub fn run(&self) -> Outcome {
+        if self.scene.has_seed() {
+            return Err("a scene file keeps no seed; give --seed where it is rendered".into());
+        }
+        let (mut scene, _) = self.scene.load()?;
+        let inputs = self.scene.files_of(&scene);
+        self.without.iter().for_each(|term| term.remove(&mut scene));
+        if let Some(target) = self.format.target() {
+            let folder = self.scene.folder().unwrap_or(Path::new(""));
+            let said = witness::said(target, (self.scene.name(), &self.stem()), &scene, folder);
+            return said.map_or(Ok(Exit::Unanswered), |said| self.write_all(&said, &inputs));
+        }
+        if let Some(folder) = self.scene.folder() {
+            let folder = self.relative_to_output(folder)?;
+            scene = scene.files_from(&folder)?;
+        }
+        let text = scene::to_toml(&scene)?;
+        output::apart(self.file(), inputs.iter().map(PathBuf::as_path))?;
+        self.write(&text)
+    }
+
+    /// How the names of files beside the output begin.
+    fn stem(&self) -> String {
+        let stem = self.file().and_then(Path::file_stem);
+        stem.map_or_else(|| "scene".to_owned(), |stem| stem.to_string_lossy().into_owned())
+    }
+
+    /// Writes a scene in the language of another renderer, and the files beside it.
+    fn write_all(&self, said: &Said, inputs: &[PathBuf]) -> Outcome {
+        let [text, further @ ..] = &said.scenes[..] else { return Ok(Exit::Yes) };
+        if !(further.is_empty() && said.files.is_empty()) && self.file().is_none() {
+            let problem = "this scene becomes several files; write it to one with -o, and the others go beside it";
+            return Err(problem.into());
+        }
+        let mut files: Vec<(String, &[u8])> = Vec::new();
+        for (index, text) in further.iter().enumerate() {
+            files.push((format!("{}-{}.xml", self.stem(), index + 2), text.as_bytes()));
+        }
+        files.extend(said.files.iter().map(|(name, bytes)| (name.clone(), &bytes[..])));
+        let folder = film::folder_of(self.file().unwrap_or(Path::new("")));
+        let files = files.into_iter().map(|(name, bytes)| (folder.join(name), bytes));
+        let files: Vec<(PathBuf, &[u8])> = files.collect();
+        // all or none
+        let outputs = || files.iter().map(|(output, _)| &**output).chain(self.file());
+        output::apart(outputs(), inputs.iter().map(PathBuf::as_path))?;
+        outputs().try_for_each(|output| self.check(output))?;
+        files.iter().try_for_each(|(output, bytes)| self.write_to(output, bytes))?;
+        self.write(text)
+    }
+
+    /// Writes the text to the output.
+    fn write(&self, text: &str) -> Outcome {
+        let Some(output) = self.file() else { return print(text) };
+        self.write_to(output, text.as_bytes())?;
+        Ok(Exit::Yes)
+    }
+
+    /// Whether it may be written.
+    fn check(&self, output: &Path) -> Result<(), Box<dyn Error>> {
+        if output.is_dir() {
+            return Err(unwritable(output, "it is a folder"));
+        }
+        if output.exists() && !self.replace {
+            // it may have been edited since it was exported
+            let problem = "exists already; write to another file, or replace it with --replace";
+            return Err(format!("{}: {problem}", output.display()).into());
+        }
+        Ok(())
+    }
+
+    fn write_to(&self, output: &Path, bytes: &[u8]) -> Result<(), Box<dyn Error>> {
+        self.check(output)?;
+        film::replace(output, bytes).map_err(|e| unwritable(output, e))
+    }
+
+    /// The file to write, if it is not the standard output.
+    fn file(&self) -> Option<&Path> {
+        self.output.as_deref().filter(|path| !output::is_standard(path))
+    }
+
+    /// The folder of the scene, relative to the folder of the output; absolute without an output.
+    fn relative_to_output(&self, folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
+        // resolves symbolic links, so that `..` is the parent folder
+        let folder = folder.canonicalize()?;
+        let Some(output) = self.file() else { return Ok(folder) };
+        let from = film::folder_of(output).canonicalize().map_err(|e| unwritable(output, e))?;
+        // on Windows there is no relative path from one drive to another
+        Ok(pathdiff::diff_paths(&folder, from).unwrap_or(folder))
+    }
+}
+
+fn unwritable(path: &Path, reason: impl std::fmt::Display) -> Box<dyn Error> {
+    format!("{}: cannot be written: {reason}", path.display()).into()
+}

@@ -1,0 +1,230 @@
+//! `groundtruth goldens`: check, review, accept.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
+
+use clap::{Args, Subcommand};
+use golden::compare;
+use golden::review;
+use golden::{self, Finding, GoldenSettings, Goldens as Folder, Status};
+use groundtruth::similar;
+
+use super::list::is_in;
+use super::part::PartOf;
+use super::scene::{Size, samples};
+use super::{Exit, Outcome, print};
+use super::{interrupt, output};
+
+#[derive(Args)]
+pub struct Goldens {
+    #[command(subcommand)]
+    command: Command,
+    /// The folder with manifest.toml. In another one than goldens, the gallery's scenes may be without goldens
+    #[arg(long, value_name = "DIR", default_value = review::DEFAULT_FOLDER, global = true)]
+    folder: PathBuf,
+}
+
+#[derive(Subcommand)]
+enum Command {
+    /// Render every golden and compare; exit status 0 if all are the same
+    Check(Check),
+    /// Write one HTML page: of each golden that differs the expected and the actual picture, to flip
+    /// and to swipe, their difference, and its regions
+    Review(Review),
+    /// Accept the current pictures as goldens, with a reason
+    Accept(Accept),
+}
+
+#[derive(Args)]
+struct Check {
+    /// Goldens to check, such as ch24/hall-of-mirrors or spheres.toml, or chapters, such as ch24; all if left out
+    names: Vec<String>,
+    /// Check only every N-th of them, from K on, such as 0/8, so that N machines share the work; K is from 0 to
+    /// N − 1
+    #[arg(long, value_name = "K/N")]
+    part: Option<PartOf>,
+}
+
+#[derive(Args)]
+struct Review {
+    /// Goldens to show, or chapters, such as ch24; those that differ if left out
+    names: Vec<String>,
+    /// Show all
+    #[arg(long, conflicts_with = "names")]
+    all: bool,
+    /// The page to write
+    #[arg(short, long, value_name = "FILE", default_value = "review.html")]
+    output: PathBuf,
+}
+
+#[derive(Args)]
+struct Accept {
+    /// Goldens, such as ch24/hall-of-mirrors, or scene files, such as spheres.toml; with .normals or .hits for another
+    /// view of a scene
+    #[arg(required_unless_present = "all_drifted")]
+    names: Vec<String>,
+    /// Accept every golden that differs by rounding only
+    #[arg(long, conflicts_with = "names")]
+    all_drifted: bool,
+    /// What the pictures were checked against; stored in the manifest
+    #[arg(long, value_name = "REASON")]
+    because: String,
+    /// Width and height in pixels; if left out, those of the old golden, or 96 pixels wide
+    #[arg(long, value_name = "WxH")]
+    size: Option<Size>,
+    /// Samples per pixel; if left out, those of the old golden, or at most 4
+    #[arg(long, value_name = "N", value_parser = samples())]
+    samples: Option<u32>,
+    /// What to look for; if left out, the text of the old golden, or the description of the scene
+    #[arg(long, value_name = "TEXT")]
+    shows: Option<String>,
+}
+
+impl Goldens {
+    pub fn run(&self) -> Outcome {
+        match &self.command {
+            Command::Check(check) => check.run(&self.folder),
+            Command::Review(review) => review.run(&self.folder),
+            Command::Accept(accept) => accept.run(&self.folder),
+        }
+    }
+}
+
+fn open(folder: &Path) -> Result<Folder, Box<dyn Error>> {
+    let goldens = Folder::open(folder)?;
+    if goldens.was_finished() {
+        eprintln!("note: finished an earlier `goldens accept` that was stopped on its way");
+    }
+    Ok(goldens)
+}
+
+/// The findings for a part of these names and chapters; of all goldens if there are none.
+fn findings(
+    goldens: &Folder,
+    names: &[String],
+    part: PartOf,
+) -> Result<Vec<Finding>, Box<dyn Error>> {
+    let mut known = goldens.names();
+    if names.is_empty() && goldens.folder() != Path::new(review::DEFAULT_FOLDER) {
+        known.retain(|name| goldens.find(name).is_some());
+    }
+    let wanted = |name: &str, known: &str| golden::leaf(name) == known || is_in(known, name);
+    for name in names {
+        if !known.iter().any(|known| wanted(name, known)) {
+            let known: Vec<&str> = known.iter().map(String::as_str).collect();
+            let hint = similar::did_you_mean(name, &known);
+            return Err(format!("no golden `{name}`: neither in the manifest nor a scene of the gallery (`groundtruth list`){hint}").into());
+        }
+    }
+    // each once, in the manifest's order
+    let wanted = |known: &&String| names.is_empty() || names.iter().any(|name| wanted(name, known));
+    part.of_list(known.iter().filter(wanted)).map(|name| Ok(goldens.check(name)?)).collect()
+}
+
+impl Check {
+    fn run(&self, folder: &Path) -> Outcome {
+        let findings = findings(&open(folder)?, &self.names, self.part.unwrap_or_default())?;
+        let text: String = findings.iter().map(line).collect();
+        print(&text)?;
+        let bad: Vec<&Finding> = findings.iter().filter(|f| f.status != Status::Same).collect();
+        if bad.is_empty() {
+            print(&format!("checked {}, all the same\n", findings.len()))?;
+            return Ok(Exit::Yes);
+        }
+        let mut advice = format!(
+            "{} of {} are not the same\nto look:   groundtruth goldens review -o review.html{}\n",
+            bad.len(),
+            findings.len(),
+            review::folder_option(folder)
+        );
+        for finding in bad.iter().filter(|f| f.status != Status::Drift) {
+            advice += &format!("to accept: {}\n", review::accept_command(finding));
+        }
+        if bad.iter().any(|f| f.status == Status::Drift) {
+            let folder = review::folder_option(folder);
+            advice += &format!(
+                "to accept: groundtruth goldens accept --all-drifted --because \"…\"{folder}\n"
+            );
+        }
+        print(&advice)?;
+        Ok(Exit::No)
+    }
+}
+
+/// `changed   ch24/hall-of-mirrors: 312 of 6144 pixels differ, the most by 1.2e-1 at (40, 12)`.
+fn line(finding: &Finding) -> String {
+    let why = match (&finding.status, &finding.expected, &finding.got) {
+        (Status::Same, ..) => String::new(),
+        (Status::Missing, ..) if finding.golden.is_none() => ": the scene has no golden".to_owned(),
+        (Status::Missing, ..) => ": its .exr file is not there".to_owned(),
+        (Status::Mismatch, ..) => {
+            ": its .exr file is not the one that the manifest's digest names".to_owned()
+        }
+        (Status::NoScene, ..) => ": the gallery has no such scene".to_owned(),
+        (_, Some(a), Some(b)) if a.width() == b.width() && a.height() == b.height() => {
+            let differences = compare::differences(a, b);
+            let (count, pixels) = (differences.len(), a.pixels().len());
+            differences.first().map_or(String::new(), |worst| {
+                let [x, y] = worst.pixel;
+                let size = worst.size;
+                format!(": {count} of {pixels} pixels differ, the most by {size:.1e} at ({x}, {y})")
+            })
+        }
+        _ => ": the size differs".to_owned(),
+    };
+    format!("{:9} {}{why}\n", review::words(&finding.status), finding.name)
+}
+
+impl Review {
+    fn run(&self, folder: &Path) -> Outcome {
+        let mut findings = findings(&open(folder)?, &self.names, PartOf::default())?;
+        if self.names.is_empty() && !self.all {
+            findings.retain(|finding| finding.status != Status::Same);
+        }
+        let path = self.output.display();
+        output::write(&self.output, review::page(&findings).as_bytes())?;
+        output::say(&format!("{path}: shows {}\n", findings.len()), Some(&self.output))
+    }
+}
+
+impl Accept {
+    fn run(&self, folder: &Path) -> Outcome {
+        let mut goldens =
+            if Folder::is_none(folder) { Folder::none(folder) } else { open(folder)? };
+        // an interrupt stops the command while pictures are rendered, but not while they are
+        // written
+        let interrupted = interrupt::flag()?;
+
+        let settings = GoldenSettings {
+            size: self.size.map(|size| [size.width, size.height]),
+            samples: self.samples,
+            shows: self.shows.clone(),
+        };
+        let names = if self.all_drifted { drifted(&goldens)? } else { self.names.clone() };
+        let mut proposals = Vec::new();
+        for name in &names {
+            proposals.push(goldens.propose(name, &self.because, &settings)?);
+            if interrupted.load(Ordering::Relaxed) {
+                eprintln!("interrupted; nothing was accepted");
+                return Ok(Exit::Interrupted);
+            }
+        }
+        goldens.accept(proposals)?;
+        let text: String =
+            names.iter().map(|name| format!("accepted  {}\n", golden::leaf(name))).collect();
+        print(&text)?;
+        let kept = match goldens.all().len() {
+            1 => "1 golden".to_owned(),
+            count => format!("{count} goldens"),
+        };
+        print(&format!("{}: {kept}\n", folder.display()))
+    }
+}
+
+/// The goldens that differ by rounding only.
+fn drifted(goldens: &Folder) -> Result<Vec<String>, Box<dyn Error>> {
+    let findings = findings(goldens, &[], PartOf::default())?;
+    let drifted = findings.into_iter().filter(|finding| finding.status == Status::Drift);
+    Ok(drifted.map(|finding| finding.name).collect())
+}

@@ -1,0 +1,111 @@
+//! `groundtruth mistakes`.
+
+use clap::Args;
+use groundtruth::{gallery, similar};
+use indicatif::{ProgressBar, ProgressStyle};
+use judge::mistakes::{self, Cover, Mistake, table};
+
+use super::{Outcome, print};
+
+#[derive(Args)]
+pub struct Mistakes {
+    /// A scene of the gallery: the mistakes that it shows, and those that it does not; or a chapter, such as
+    /// ch28: few scenes that show all its mistakes. All mistakes if left out
+    #[arg(value_name = "SCENE|CHAPTER")]
+    name: Option<String>,
+    /// Print everything as one page of Markdown: docs/mistakes.md
+    #[arg(long, conflicts_with_all = ["name", "table"])]
+    page: bool,
+    /// Measure which scenes show which mistakes, and print the table
+    #[arg(long, conflicts_with = "name")]
+    table: bool,
+}
+
+impl Mistakes {
+    pub fn run(&self) -> Outcome {
+        if self.page {
+            return print(&mistakes::page());
+        }
+        if self.table {
+            return measured();
+        }
+        match &self.name {
+            None => print(&listed(&mistakes::all())),
+            Some(name) => match chapter(name) {
+                Some(number) => print(&of_chapter(number)?),
+                None => print(&of_scene(name)?),
+            },
+        }
+    }
+}
+
+/// The number of `ch28`.
+fn chapter(name: &str) -> Option<u32> {
+    name.strip_prefix("ch").filter(|digits| digits.len() == 2)?.parse().ok()
+}
+
+fn listed(all: &[&Mistake]) -> String {
+    let widest = all.iter().map(|mistake| mistake.name.len()).max().unwrap_or(0);
+    let line = |it: &&Mistake| format!("ch. {:2}  {:widest$}  {}\n", it.chapter, it.name, it.words);
+    all.iter().map(line).collect()
+}
+
+/// Few scenes that show all mistakes of a chapter such as `ch28`.
+pub fn of_chapter_named(name: &str) -> Outcome {
+    let number = chapter(name).ok_or_else(|| format!("{name}: a chapter is written as ch28"))?;
+    print(&of_chapter(number)?)
+}
+
+fn of_chapter(chapter: u32) -> Result<String, String> {
+    let Cover { scenes, never_shown } = mistakes::fewest_scenes(chapter);
+    if scenes.is_empty() && never_shown.is_empty() {
+        return Err(format!(
+            "no known mistakes of chapter {chapter}; `groundtruth mistakes` lists all"
+        ));
+    }
+    let names = |all: &[&Mistake]| {
+        let names: Vec<&str> = all.iter().map(|mistake| mistake.name).collect();
+        names.join(", ")
+    };
+    let mut text: String =
+        scenes.iter().map(|(scene, shown)| format!("{scene}: {}\n", names(shown))).collect();
+    if !never_shown.is_empty() {
+        text += &format!("no scene shows: {}\n", names(&never_shown));
+    }
+    Ok(text)
+}
+
+fn of_scene(scene: &str) -> Result<String, String> {
+    let hidden = mistakes::not_shown_by(scene).ok_or_else(|| unknown(scene))?;
+    let shown: Vec<&Mistake> = mistakes::shown_by(scene).iter().map(|pair| pair.mistake).collect();
+    let mut text = format!("{scene} shows {} mistakes:\n{}", shown.len(), listed(&shown));
+    text += &format!("\nIt does not show {}:\n", hidden.len());
+    for (mistake, best) in hidden {
+        let best = best.map_or("no scene shows it".to_owned(), |best| format!("{best} does"));
+        text += &format!("{}  {}; {best}\n", mistake.name, mistake.words);
+    }
+    Ok(text)
+}
+
+/// What is said of a name that the gallery does not have.
+fn unknown(scene: &str) -> String {
+    let names: Vec<&str> = gallery::scenes().map(|entry| entry.name).collect();
+    let similar = similar::did_you_mean(scene, &names);
+    format!("no scene `{scene}` in the gallery (`groundtruth list` shows it){similar}")
+}
+
+/// Measures all scenes, with the progress on a terminal.
+fn measured() -> Outcome {
+    let scenes: Vec<gallery::Entry> = gallery::scenes().collect();
+    let bar = ProgressBar::new(scenes.len() as u64);
+    let style = "{bar:40} {pos} of {len} scenes  {elapsed} elapsed, {eta} to go  {msg}";
+    bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
+    let mut text = mistakes::HEADING.to_owned();
+    for entry in &scenes {
+        bar.set_message(entry.name);
+        text += &table::lines(entry)?;
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    print(&text)
+}

@@ -1,0 +1,162 @@
+//! `groundtruth render --replicas`.
+
+use std::error::Error;
+use std::path::Path;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+use groundtruth::film;
+use groundtruth::render::Canvas;
+use groundtruth::scene::Scene;
+use groundtruth::world::World;
+use indicatif::{ProgressBar, ProgressStyle};
+use pictures::sums::{self, Header, Part, Seeds, Sums};
+
+use super::claim::Claim;
+use super::part::PartOf;
+use super::scene::SceneArguments;
+use super::{Exit, Outcome, interrupt};
+
+/// A part that is under way is written this often, for machines that lose their power.
+const SAVED_EVERY: Duration = Duration::from_secs(60);
+
+/// Renders the missing replicas of a part and writes its sums.
+pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, output: &Path) -> Outcome {
+    let asked = part.seeds(arguments.seed(), replicas)?;
+    let wanted = PartOf::default().seeds(arguments.seed(), replicas)?;
+    film::replaceable(output)
+        .map_err(|e| format!("{}: cannot be written: {e}", output.display()))?;
+    let _claim = Claim::of(output)?;
+    let (header, mut world) = open(arguments)?;
+    let begun = match output.exists() {
+        true => begun(output, &header, &asked)?,
+        false => Sums::new(header),
+    };
+    let mut sums = begun.asked(wanted, arguments.arguments());
+    let missing = asked.without(&sums.header().seeds);
+    let progress = Progress::new(asked.count(), sums.header().seeds.count());
+    let signal = interrupt::flag()?;
+    let mut saved = Instant::now();
+    let mut is_interrupted = false;
+    for seed in missing.iter() {
+        world.reseed(seed);
+        let (canvas, interrupted) = replica(&world, &signal, &progress);
+        is_interrupted = interrupted;
+        if !canvas.is_cancelled() {
+            canvas.look(|film| sums.add(film, seed)).map_err(|e| e.to_string())?;
+            progress.0.inc(1);
+        }
+        if is_interrupted {
+            break;
+        }
+        if saved.elapsed() > SAVED_EVERY {
+            sums.write(output)?;
+            saved = Instant::now();
+        }
+    }
+    progress.0.finish_and_clear();
+    let (done, all, file) = (sums.header().seeds.count(), asked.count(), output.display());
+    if done > 0 {
+        sums.write(output)?;
+    }
+    for entry in sums.not_finite().iter().take(1) {
+        let ([x, y], count) = (entry.pixel(sums.header().size[0]), sums.not_finite().len());
+        eprintln!(
+            "note: {count} values are NaN or infinite, the first at pixel {x}, {y} with --seed {}",
+            entry.seed
+        );
+    }
+    if is_interrupted && done < all {
+        match done {
+            0 => eprintln!("interrupted; nothing was written"),
+            _ => eprintln!(
+                "interrupted; {file}: {done} of {all} replicas; the same command continues"
+            ),
+        }
+        return Ok(Exit::Interrupted);
+    }
+    eprintln!("{file}: {all} replicas, {}", sums.header().seeds);
+    Ok(Exit::Yes)
+}
+
+/// The header of sums of a scene without any replica, and its world.
+pub fn open(arguments: &SceneArguments) -> Result<(Header, World), Box<dyn Error>> {
+    let (scene, world) = arguments.load()?;
+    Ok((header(arguments, &scene, &world)?, world))
+}
+
+/// The header of sums of a scene that was loaded with these arguments, without any replica.
+pub fn header(
+    arguments: &SceneArguments,
+    scene: &Scene,
+    world: &World,
+) -> Result<Header, Box<dyn Error>> {
+    let folder = arguments.folder().unwrap_or(Path::new(""));
+    Ok(Header {
+        program: env!("CARGO_PKG_VERSION").to_owned(),
+        scene: sums::scene_digest(scene, world, folder)?,
+        made: arguments.provenance(scene, world)?.into(),
+        size: world.picture_size(),
+        samples: world.samples_per_pixel(),
+        arguments: Vec::new(),
+        wanted: Seeds::default(),
+        seeds: Seeds::default(),
+        not_finite: 0,
+    })
+}
+
+/// The sums of an existing part, to be continued.
+fn begun(output: &Path, header: &Header, asked: &Seeds) -> Result<Sums, Box<dyn Error>> {
+    let part = Part::open(output)?;
+    let sums = part.read()?;
+    let other = "; write to another file";
+    if let Some(difference) = part.header().difference(header) {
+        return Err(format!("{}: is of {difference}{other}", output.display()).into());
+    }
+    let foreign = part.header().seeds.without(asked);
+    if !foreign.is_empty() {
+        let problem = format!("has {foreign}, which this part has not{other}");
+        return Err(format!("{}: {problem}", output.display()).into());
+    }
+    Ok(sums)
+}
+
+/// Renders the replica of the world's seed. The first signal lets it finish; the second one cancels it. Whether there
+/// was one is the second result.
+fn replica(world: &World, signal: &AtomicBool, progress: &Progress) -> (Canvas, bool) {
+    let canvas = Canvas::new(world);
+    let mut is_interrupted = false;
+    let mut note_signal = || {
+        if signal.swap(false, Ordering::Relaxed) {
+            if is_interrupted {
+                canvas.cancel();
+            } else {
+                progress.0.set_message("; ends after this replica");
+            }
+            is_interrupted = true;
+        }
+    };
+    std::thread::scope(|scope| {
+        let rendering = scope.spawn(|| canvas.render(world));
+        while !rendering.is_finished() {
+            note_signal();
+            progress.0.tick();
+            // returns early when the rendering ends
+            std::thread::park_timeout(Duration::from_millis(5));
+        }
+    });
+    note_signal();
+    (canvas, is_interrupted)
+}
+
+struct Progress(ProgressBar);
+
+impl Progress {
+    fn new(all: u64, done: u64) -> Self {
+        let bar = ProgressBar::new(all).with_position(done);
+        let style = "{bar:40} {pos} of {len} replicas  {elapsed} elapsed, {eta} to go{msg}";
+        bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
+        bar.reset_eta();
+        Self(bar)
+    }
+}

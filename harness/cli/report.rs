@@ -1,0 +1,127 @@
+//! `groundtruth report`.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use report::{self, PAGES, Page, Progress, Settings};
+
+use super::numbers::whole;
+use super::scene::start_threads;
+use super::{Exit, Outcome};
+
+#[derive(Args)]
+pub struct Report {
+    /// The folder for index.html and report.json; created if it does not exist
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+    /// Write only this page: intersections, acceleration, samplers, light or textures (may be
+    /// repeated)
+    #[arg(long, value_name = "PAGE")]
+    only: Vec<String>,
+    /// Measure only a few seconds, as a preview of a report
+    #[arg(long)]
+    quick: bool,
+    /// Intersections: rays for each shape and family of hard cases
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(1..=1_000_000))]
+    cases: Option<u32>,
+    /// Acceleration: the largest number of objects
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(100..=1_000_000))]
+    objects: Option<u32>,
+    /// Samplers, light and textures: the largest number of samples per pixel; at most 1024 for
+    /// light and 256 for textures, and 16 times as many for their references
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(4..=65536))]
+    samples: Option<u32>,
+    /// The seed of all random choices
+    #[arg(long, value_name = "N", default_value_t = Settings::FULL.seed, value_parser = whole::<u64>(0..=u64::MAX))]
+    seed: u64,
+    /// Threads to use; all cores if left out. Rays are always timed on one
+    #[arg(long, value_name = "N", value_parser = whole::<u16>(1..=1024))]
+    threads: Option<u16>,
+}
+
+/// The time that an interrupted measurement has to finish the current step.
+const GRACE_PERIOD: Duration = Duration::from_secs(1);
+
+impl Report {
+    pub fn run(&self) -> Outcome {
+        let start = Instant::now();
+        let pages = self.pages()?;
+        report::check_folder(&self.output)?;
+        start_threads(self.threads)?;
+        let settings = self.settings();
+
+        let progress = Arc::new(Progress::default());
+        let on_interrupt = Arc::clone(&progress);
+        ctrlc::set_handler(move || on_interrupt.interrupt())?;
+        let finished = std::thread::scope(|scope| {
+            let measuring = scope.spawn(|| report::run(&pages, &settings, &progress));
+            show(&progress, || measuring.is_finished());
+            measuring.join()
+        });
+        let report = match finished {
+            Ok(Ok(report)) => report,
+            Ok(Err(report::Interrupted)) => {
+                eprintln!("interrupted; nothing was written");
+                return Ok(Exit::Interrupted);
+            }
+            Err(panic) => std::panic::resume_unwind(panic),
+        };
+        let [page, data] = report::write(&report, &self.output)?;
+        let (page, data, time) = (page.display(), data.display(), start.elapsed().as_secs_f64());
+        eprintln!("{page} and {data}: measured in {time:.1} s");
+        Ok(Exit::Yes)
+    }
+
+    fn pages(&self) -> Result<Vec<&'static dyn Page>, String> {
+        if self.only.is_empty() {
+            return Ok(PAGES.to_vec());
+        }
+        let unknown = |name: &str| {
+            let known: Vec<&str> = PAGES.iter().map(|page| page.name()).collect();
+            format!("no page `{name}`; the pages are: {}", known.join(", "))
+        };
+        for name in &self.only {
+            report::page(name).ok_or_else(|| unknown(name))?;
+        }
+        // each once, in the order of the report
+        let wanted = |page: &&dyn Page| self.only.iter().any(|name| name == page.name());
+        Ok(PAGES.iter().copied().filter(wanted).collect())
+    }
+
+    fn settings(&self) -> Settings {
+        let size = if self.quick { Settings::QUICK } else { Settings::FULL };
+        Settings {
+            seed: self.seed,
+            cases: self.cases.map_or(size.cases, |cases| cases as usize),
+            objects: self.objects.unwrap_or(size.objects),
+            samples: self.samples.unwrap_or(size.samples),
+            ..size
+        }
+    }
+}
+
+/// Shows the progress until it is finished; exits if an interrupted measurement does not end in
+/// time.
+fn show(progress: &Progress, is_finished: impl Fn() -> bool) {
+    let bar = ProgressBar::new(1);
+    let style = "{bar:40} {percent}%  {elapsed} elapsed, {eta} to go";
+    bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
+    let mut interrupted: Option<Instant> = None;
+    while !is_finished() {
+        if progress.is_interrupted()
+            && interrupted.get_or_insert_with(Instant::now).elapsed() > GRACE_PERIOD
+        {
+            bar.finish_and_clear();
+            eprintln!("interrupted; nothing was written");
+            std::process::exit(130);
+        }
+        let (done, total) = progress.steps();
+        bar.set_length(total);
+        bar.set_position(done);
+        std::thread::park_timeout(Duration::from_millis(20));
+    }
+    bar.finish_and_clear();
+}

@@ -1,0 +1,292 @@
+//! The arguments that select a scene and change its settings, the same for every command.
+
+use std::error::Error;
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+
+use clap::{Args, Parser};
+use groundtruth::film::{self, Provenance};
+use groundtruth::gallery;
+use groundtruth::render::Crop;
+use groundtruth::samplers;
+use groundtruth::scene::{self, Scene, SceneError, Source, Tracer};
+use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES, World};
+use pictures::compare;
+
+use super::numbers::whole;
+
+#[derive(Args)]
+pub struct SceneArguments {
+    /// A gallery name such as ch28/glass-sphere (see `list`), or a scene file; - is the standard input
+    scene: String,
+    /// Width and height of the picture in pixels, such as 300x200; the view stays the same. For a
+    /// stereo pair: of each eye's image
+    #[arg(long, value_name = "WxH")]
+    size: Option<Size>,
+    /// Samples per pixel
+    #[arg(long, value_name = "N", value_parser = samples())]
+    samples: Option<u32>,
+    /// The tracer, instead of that of the scene: ray_cast, whitted, path_trace, global_trace or
+    /// path
+    #[arg(long, value_name = "NAME")]
+    tracer: Option<Tracer>,
+    /// The largest depth of a ray that is traced; the camera's ray has depth 0
+    #[arg(long, value_name = "N", value_parser = whole::<u32>(0..=MAX_DEPTH.into()))]
+    max_depth: Option<u32>,
+    /// The seed of all random choices
+    #[arg(long, value_name = "N", default_value_t = DEFAULT_SEED, value_parser = whole::<u64>(0..=u64::MAX))]
+    seed: u64,
+}
+
+impl SceneArguments {
+    /// The scene with these settings, and its world.
+    pub fn load(&self) -> Result<(Scene, World), Box<dyn Error>> {
+        let (as_written, source) = self.open()?;
+        let mut scene = as_written.clone();
+        self.change(&mut scene)?;
+        let build = |scene: &Scene| match &source {
+            Some(source) => World::of_source(scene, source, self.seed),
+            None => World::build_seeded(scene, Path::new(""), self.seed),
+        };
+        let world = build(&scene).map_err(|error| match (error, self.size) {
+            // the scene is valid with its own size, so the error is in --size, not in a line of the
+            // file
+            (SceneError::Invalid { invalid, .. }, Some(size)) if build(&as_written).is_ok() => {
+                let Size { width, height } = size;
+                format!("--size {width}x{height}: {}", invalid.problem).into()
+            }
+            (error, _) => Box::<dyn Error>::from(error),
+        })?;
+        let (asked, used) = (scene.image.samples, world.samples_per_pixel());
+        if asked != used {
+            eprintln!(
+                "note: {asked} samples rounded up to {used}, which the sampler's pattern needs"
+            );
+        }
+        Ok((scene, world))
+    }
+
+    /// The scene with these settings at the size of another picture, and with its samples and sampler if they are known.
+    ///
+    /// # Errors
+    /// As `load`, or if the picture has another shape.
+    pub fn load_fitted(
+        &self,
+        size: [u32; 2],
+        samples: Option<u32>,
+        sampler: Option<&samplers::Kind>,
+    ) -> Result<(Scene, World), Box<dyn Error>> {
+        if self.size.is_some() {
+            return Err("--size: the size is that of the picture; leave it out".into());
+        }
+        let (mut scene, source) = self.open()?;
+        let [width, height] = [scene.image.width, scene.image.height];
+        if !compare::fit(&mut scene, size)? {
+            let [columns, rows] = size;
+            return Err(format!(
+                "the picture has {columns} × {rows} pixels, and {} the shape of {width} × {height}; render it in \
+                 this shape",
+                self.scene
+            )
+            .into());
+        }
+        if let Some(samples) = samples.or(self.samples) {
+            scene.image.samples = samples;
+        }
+        if let Some(sampler) = sampler {
+            scene.image.sampler = Some(sampler.clone());
+        }
+        let changed = scene.tracer.change(self.tracer, self.max_depth);
+        changed.map_err(|problem| format!("--max-depth: {problem}"))?;
+        let world = match &source {
+            Some(source) => World::of_source(&scene, source, self.seed)?,
+            None => World::build_seeded(&scene, Path::new(""), self.seed)?,
+        };
+        Ok((scene, world))
+    }
+
+    /// The name of the scene, as it was given.
+    pub fn name(&self) -> &str {
+        &self.scene
+    }
+
+    /// The folder of a scene file; `None` for a gallery scene.
+    pub fn folder(&self) -> Option<&Path> {
+        match gallery::find(&self.scene) {
+            Some(_) => None,
+            None => Some(film::folder_of(Path::new(&self.scene))),
+        }
+    }
+
+    /// The files that a scene of these arguments is read from: its own and those that it names.
+    pub fn files_of(&self, scene: &Scene) -> Vec<PathBuf> {
+        let Some(folder) = self.folder() else { return Vec::new() };
+        let named = scene.files().into_iter().map(|name| folder.join(name));
+        named.chain([PathBuf::from(&self.scene)]).collect()
+    }
+
+    /// How a picture of this scene, as [`Self::load`] gave it, is made.
+    pub fn provenance(&self, scene: &Scene, world: &World) -> Result<Provenance, Box<dyn Error>> {
+        let folder = self.folder().unwrap_or(Path::new(""));
+        // what the arguments change (size, samples, tracer) does not decide the name: this is the scene as it was read
+        pictures::provenance((gallery::find(&self.scene), scene), (scene, world), folder)
+    }
+
+    /// Changes a scene as the arguments say.
+    fn change(&self, scene: &mut Scene) -> Result<(), String> {
+        if let Some(Size { width, height }) = self.size {
+            scene.image.resize(width, height);
+        }
+        if let Some(samples) = self.samples {
+            scene.image.samples = samples;
+        }
+        let changed = scene.tracer.change(self.tracer, self.max_depth);
+        changed.map_err(|problem| format!("--max-depth: {problem}"))
+    }
+
+    /// The seed of all random choices.
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// The arguments that select this scene and its settings, without the seed.
+    pub fn arguments(&self) -> Vec<String> {
+        let size = self.size.map(|Size { width, height }| format!("{width}x{height}"));
+        let options = [
+            ("--size", size),
+            ("--samples", self.samples.map(|samples| samples.to_string())),
+            ("--tracer", self.tracer.map(|tracer| tracer.name().to_owned())),
+            ("--max-depth", self.max_depth.map(|depth| depth.to_string())),
+        ];
+        let given = options.into_iter().filter_map(|(name, value)| Some([name.to_owned(), value?]));
+        std::iter::once(self.scene.clone()).chain(given.flatten()).collect()
+    }
+
+    /// The scene of this name or file, as it is.
+    pub fn of_name(scene: &str) -> Self {
+        let scene = scene.to_owned();
+        Self { scene, size: None, samples: None, tracer: None, max_depth: None, seed: DEFAULT_SEED }
+    }
+
+    /// The scene of such arguments.
+    ///
+    /// # Errors
+    /// They are none.
+    pub fn of_arguments(arguments: &[String]) -> Result<Self, String> {
+        #[derive(Parser)]
+        struct Only {
+            #[command(flatten)]
+            scene: SceneArguments,
+        }
+        let words = std::iter::once("render").chain(arguments.iter().map(String::as_str));
+        let only = Only::try_parse_from(words);
+        only.map(|only| only.scene).map_err(|_| format!("no scene: {}", arguments.join(" ")))
+    }
+
+    /// Whether the seed is not the default.
+    pub fn has_seed(&self) -> bool {
+        self.seed != DEFAULT_SEED
+    }
+
+    /// The scene of the gallery or of a file, with its source if it is a file.
+    fn open(&self) -> Result<(Scene, Option<Source>), Box<dyn Error>> {
+        if let Some(entry) = gallery::find(&self.scene) {
+            return Ok(((entry.build)(), None));
+        }
+        let path = Path::new(&self.scene);
+        if path.extension().is_none() && !path.exists() && self.scene != scene::STANDARD_INPUT {
+            return Err(gallery::unknown(&self.scene).into());
+        }
+        let (scene, source) = scene::open(path)?;
+        Ok((scene, Some(source)))
+    }
+}
+
+/// Parses the name of a sampler, as in scene files.
+pub fn sampler(text: &str) -> Result<samplers::Kind, String> {
+    let mut named =
+        samplers::named().into_iter().map(|(name, kind)| (name.replace(' ', "_"), kind));
+    let names: Vec<&str> = samplers::Kind::ENTRIES.iter().map(|entry| entry.module).collect();
+    let found = named.find(|(name, _)| name == text).map(|(_, kind)| kind);
+    found.ok_or_else(|| format!("it is one of {}", names.join(", ")))
+}
+
+/// Parses a number of samples per pixel.
+pub fn samples() -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync + 'static {
+    whole(1..=MAX_SAMPLES.into())
+}
+
+/// `300x200`.
+#[derive(Clone, Copy)]
+pub struct Size {
+    /// Columns; at least 1.
+    pub width: u32,
+    /// Rows; at least 1.
+    pub height: u32,
+}
+
+impl FromStr for Size {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let number = |text: &str| text.parse::<u64>().ok();
+        let parts = text.split_once('x').and_then(|(w, h)| Some((number(w)?, number(h)?)));
+        match parts {
+            Some((width, height)) if width.saturating_mul(height) > MAX_PIXELS => {
+                Err(format!("{width} × {height} pixels are too many; at most {MAX_PIXELS} fit"))
+            }
+            // both fit, because their product does
+            Some((width, height)) if width > 0 && height > 0 => {
+                Ok(Self { width: width as u32, height: height as u32 })
+            }
+            _ => Err("a size is written as 300x200".to_owned()),
+        }
+    }
+}
+
+/// `X,Y,WxH`: a part of the picture.
+#[derive(Clone, Copy)]
+pub struct CropArgument(Crop);
+
+impl FromStr for CropArgument {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let wrong = || "a crop is written as X,Y,WxH, such as 100,50,64x48".to_owned();
+        let mut parts = text.splitn(3, ',');
+        let mut next = || parts.next().ok_or_else(wrong);
+        let (x, y) = (next()?.parse(), next()?.parse());
+        let Size { width, height } = next()?.parse().map_err(|_| wrong())?;
+        let (Ok(x), Ok(y)) = (x, y) else { return Err(wrong()) };
+        Ok(Self(Crop { x, y, width, height }))
+    }
+}
+
+impl fmt::Display for CropArgument {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Crop { x, y, width, height } = self.0;
+        write!(f, "{x},{y},{width}x{height}")
+    }
+}
+
+impl CropArgument {
+    /// The part; fails if it is not inside the picture.
+    pub fn inside(self, world: &World) -> Result<Crop, Box<dyn Error>> {
+        let Crop { x, y, width, height } = self.0;
+        let fits = |start: u32, length: u32, whole: u32| {
+            start.checked_add(length).is_some_and(|end| end <= whole)
+        };
+        let [w, h] = world.picture_size();
+        if fits(x, width, w) && fits(y, height, h) {
+            return Ok(self.0);
+        }
+        Err(format!("--crop {self} reaches beyond the picture of {w}x{h}").into())
+    }
+}
+
+/// Starts the rayon pool with this many threads; one per core if left out.
+pub fn start_threads(threads: Option<u16>) -> Result<(), Box<dyn Error>> {
+    let threads = threads.map_or(0, usize::from);
+    Ok(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global()?)
+}

@@ -1,0 +1,342 @@
+//! `groundtruth verify`.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use clap::Args;
+use exchange::export::Term;
+use groundtruth::printable;
+use groundtruth::render::Canvas;
+use groundtruth::samplers;
+use groundtruth::scene::Scene;
+use groundtruth::world::World;
+use indicatif::{ProgressBar, ProgressStyle};
+use judge::verdict::{
+    self, Answer, Case, Decision, Judged, Reference, Region, Strictness, Verdict,
+};
+use pictures::compare::{Picture, Transfer};
+use pictures::shell::quoted;
+use pictures::sums::Part;
+
+use super::numbers::whole;
+use super::scene::SceneArguments;
+use super::witness::{Asked, By, Witnessed};
+use super::{Exit, Outcome, announce, interrupt, mistakes, output, replicas};
+
+#[derive(Args)]
+pub struct Verify {
+    #[command(flatten)]
+    scene: Option<SceneArguments>,
+    /// The picture to be judged: PNG, JPEG, PPM, HDR, EXR or PFM; - is the standard input. Several are pictures of one
+    /// program with other seeds
+    #[arg(value_name = "IMAGE", required_unless_present_any = ["scenes", "by"], conflicts_with = "by")]
+    images: Vec<PathBuf>,
+    /// Let another renderer render the scene, and judge its picture: one ray through the centre of each pixel on both
+    /// sides, or 64 samples (--their-samples) if Mitsuba renders a scene with random numbers. docs/renderers.md says
+    /// which scenes it can render
+    #[arg(long, value_enum, value_name = "RENDERER", conflicts_with_all = ["samples", "encoding", "reference"])]
+    by: Option<By>,
+    /// The program of that renderer; by default it is looked for on the path. For Mitsuba: a Python that has it
+    #[arg(long, value_name = "FILE", requires = "by")]
+    program: Option<PathBuf>,
+    /// The seconds that one picture of that renderer may take
+    #[arg(long, value_name = "SECONDS", default_value_t = 3600, requires = "by", value_parser = whole::<u32>(1..=31_536_000))]
+    time_limit: u32,
+    /// Terms that both sides leave out, with commas: phong (the highlights), ambient, absorption (of media), scaling
+    /// (the 1/η² of refracted radiance), smooth (interpolated normals), or unshadowed (light that passes through objects:
+    /// they block it)
+    #[arg(long, value_name = "TERMS", value_delimiter = ',', requires = "by")]
+    without: Vec<Term>,
+    /// The samples per pixel of their picture: ours take as many
+    #[arg(long, value_name = "N", value_parser = super::scene::samples(), conflicts_with = "samples")]
+    their_samples: Option<u32>,
+    /// How the samples of their picture are spread, if they are alike in all pixels or ours are to be like them: regular
+    /// (one sample: the centre of the pixel), hammersley, random, jittered, n_rooks, multi_jittered,
+    /// correlated_multi_jittered or sobol. Ours are spread so, on lenses and lamps too
+    #[arg(long, value_name = "SAMPLER", value_parser = super::scene::sampler, conflicts_with = "by")]
+    their_sampler: Option<samplers::Kind>,
+    /// The pictures of ours that are rendered at first; more follow while theirs is among the farthest out
+    #[arg(long, value_name = "R", default_value_t = 8, value_parser = whole::<u32>(3..=u32::MAX.into()))]
+    replicas: u32,
+    /// The probability of calling a correct picture wrong; a wrong one is called so after 1/P − 1 of our pictures
+    #[arg(long, value_name = "P", default_value_t = 0.01, value_parser = level)]
+    level: f64,
+    /// Hold all pictures against the mean of these sums of the scene, which `render --replicas` or `merge` wrote: it
+    /// shows smaller differences of a picture with little noise. Ours have other seeds
+    #[arg(long, value_name = "FILE")]
+    reference: Option<PathBuf>,
+    /// Say also whether the means of the picture and of each object are within this margin, such as 1%; if they are, the
+    /// exit status is 0
+    #[arg(long, value_name = "M", value_parser = margin)]
+    margin: Option<f64>,
+    /// Few scenes of the gallery that together show all known mistakes of a chapter, such as ch28
+    #[arg(long, value_name = "CHAPTER", exclusive = true)]
+    scenes: Option<String>,
+    /// How PNG, JPEG and PPM files encode radiance: srgb, linear, or gamma=2.2. If left out, what a PNG file says of
+    /// itself (gAMA, sRGB), else the likeliest is taken, and named
+    #[arg(long, value_name = "CURVE")]
+    encoding: Option<Transfer>,
+    /// Write a page with the verdict, both pictures, their difference and the map of z
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+}
+
+fn level(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(level) if (1e-4..=0.2).contains(&level) => Ok(level),
+        _ => Err("write a number from 0.0001 to 0.2, such as 0.01".to_owned()),
+    }
+}
+
+fn margin(text: &str) -> Result<f64, String> {
+    let part = match text.strip_suffix('%') {
+        Some(percent) => percent.trim().parse().map(|percent: f64| percent / 100.0),
+        None => text.parse(),
+    };
+    match part {
+        Ok(part) if part > 0.0 && part < 1.0 => Ok(part),
+        _ => Err("write a part of the mean, such as 1% or 0.01".to_owned()),
+    }
+}
+
+impl Verify {
+    pub fn run(self) -> Outcome {
+        if let Some(chapter) = &self.scenes {
+            return mistakes::of_chapter_named(chapter);
+        }
+        let arguments = self.scene.as_ref().expect("only --scenes goes without a scene");
+        let rendered = match self.by {
+            Some(by) => {
+                let (program, without) = (self.program.clone(), &self.without);
+                let limit = Duration::from_secs(self.time_limit.into());
+                let samples = self.their_samples;
+                Asked { by, program, without, samples, limit }.render(arguments)?
+            }
+            None => Some(self.given(arguments)?),
+        };
+        let Some(witnessed) = rendered else { return Ok(Exit::Unanswered) };
+        let Witnessed { scene, mut world, pictures, words: witness, explained_with } = witnessed;
+        let named = arguments.files_of(&scene);
+        output::apart(self.output.as_deref(), named.iter().map(PathBuf::as_path))?;
+        let tone = (scene.image.gamma, scene.image.out_of_gamut);
+        let strictness = Strictness { level: self.level, first: self.replicas as usize };
+        let reference = self.reference(arguments, (&scene, &world), &pictures)?;
+        let asked = arguments.seed();
+        let seed = reference.as_ref().map_or(asked, |reference| reference.first_free(asked));
+        if let Some(problem) = verdict::refusal_of_seed(seed) {
+            return Err(problem.into());
+        }
+        announce::long_rendering(&world, &printable::text(arguments.name()), self.replicas);
+        let mut watch = Watch::new(strictness.most())?;
+        let (interrupted, bar) = (Arc::clone(&watch.interrupted), watch.bar.clone());
+        let mut case = Case {
+            world: &mut world,
+            scene: &scene,
+            folder: arguments.folder().unwrap_or(Path::new("")),
+            is_interrupted: &|| interrupted.load(Ordering::Relaxed),
+            so_far: &|judged| bar.set_message(so_far(judged)),
+            strictness,
+            transfer: pictures[0].stated,
+            tone,
+            seed,
+            reference: reference.as_ref(),
+            edge: self.by.map_or(verdict::Edge::DOUBLE, By::edge),
+        };
+        let renders = &mut |world: &World, canvas: &Canvas| watch.render(world, canvas);
+        let verdict = match &*pictures {
+            [only] => case.verdict(only, renders),
+            several => case.verdict_on_several(several, renders),
+        };
+        watch.bar.finish_and_clear();
+        let Some(mut verdict) = verdict else {
+            eprintln!("interrupted; too few pictures were rendered to say anything");
+            return Ok(Exit::Interrupted);
+        };
+        if let Some(margin) = self.margin {
+            verdict.hold_to(margin);
+        }
+        // of a stereo pair: that of each eye's image
+        let [width, height] = [scene.image.width, scene.image.height];
+        let given = arguments.arguments();
+        let given =
+            given[1..].chunks(2).filter(|pair| !["--size", "--samples"].contains(&&*pair[0]));
+        let given = given.map(|pair| format!(" {}", pair.join(" "))).collect::<String>();
+        let explained_with = format!(" --size {width}x{height}{given}{explained_with}");
+        let words =
+            witness + &verdict.to_string() + &advice(arguments.name(), &verdict, &explained_with);
+        if let Some(file) = &self.output {
+            let name = format!("{} and {}", self.name(), arguments.name());
+            let html = verdict::page(&verdict, &name, &words);
+            output::write(file, html.as_bytes())?;
+        }
+        let say = |text: &str| output::say(text, self.output.as_deref());
+        match self.json {
+            true => say(&(serde_json::to_string_pretty(&verdict)? + "\n"))?,
+            false => say(&words)?,
+        };
+        Ok(match (verdict.margin, verdict.decision) {
+            _ if watch.is_interrupted() => Exit::Interrupted,
+            (Some((_, Answer::Agrees)), _) => Exit::Yes,
+            (Some(_), _) => Exit::No,
+            (None, Decision::Agrees) => Exit::Yes,
+            (None, Decision::Differs) => Exit::No,
+            (None, Decision::Undecided) => Exit::Interrupted,
+        })
+    }
+
+    /// The mean that pictures are held against, if there is one.
+    fn reference(
+        &self,
+        arguments: &SceneArguments,
+        (scene, world): (&Scene, &World),
+        pictures: &[Picture],
+    ) -> Result<Option<Reference>, Box<dyn Error>> {
+        let Some(file) = &self.reference else { return Ok(None) };
+        if pictures.len() > 1 {
+            return Err(
+                "--reference: it is for one picture; leave it out, or judge each by itself".into(),
+            );
+        }
+        if pictures[0].step.is_some() {
+            return Err(format!(
+                "--reference: {} has integers, whose mean is not that of radiance; leave it out, or write EXR or PFM",
+                self.images[0].display()
+            )
+            .into());
+        }
+        let sums = Part::open(file)?.read()?;
+        let scene = replicas::header(arguments, scene, world)?;
+        let problem = |problem| format!("{}: {problem}", file.display());
+        Ok(Some(Reference::new(&sums, &scene).map_err(problem)?))
+    }
+
+    /// The pictures that were given, and the scene at their size.
+    fn given(&self, arguments: &SceneArguments) -> Result<Witnessed, Box<dyn Error>> {
+        let pictures = self.pictures()?;
+        let (scene, world) = arguments.load_fitted(
+            pictures[0].size,
+            self.their_samples,
+            self.their_sampler.as_ref(),
+        )?;
+        let (words, explained_with) = (String::new(), String::new());
+        Ok(Witnessed { scene, world, pictures, words, explained_with })
+    }
+
+    /// What a page calls the judged picture.
+    fn name(&self) -> String {
+        let image = self.images.first().map(|image| image.display().to_string());
+        image.unwrap_or_else(|| "another renderer".to_owned())
+    }
+
+    /// The pictures, all of one size and without values that are no numbers.
+    fn pictures(&self) -> Result<Vec<Picture>, Box<dyn Error>> {
+        let scene = self.scene.as_ref().map(|scene| Path::new(scene.name()));
+        let inputs = || self.images.iter().map(PathBuf::as_path).chain(scene);
+        output::once(inputs(), "input")?;
+        output::apart(self.output.as_deref(), inputs().chain(self.reference.as_deref()))?;
+        let mut pictures: Vec<Picture> = Vec::new();
+        for file in &self.images {
+            let picture = Picture::read(file, self.encoding)?;
+            let name = printable::name(&file.display().to_string());
+            picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
+            if let Some(problem) = verdict::refusal(&picture) {
+                return Err(format!("{name}: {problem}").into());
+            }
+            if let Some(first) = pictures.first().filter(|first| first.size != picture.size) {
+                let [[w, h], [width, height]] = [first.size, picture.size];
+                return Err(format!(
+                    "{name} has {width} × {height} pixels, {} has {w} × {h}; all pictures must have one size",
+                    self.images[0].display()
+                )
+                .into());
+            }
+            let is_equal = |other: &Picture| other.values == picture.values;
+            if let Some(equal) = pictures.iter().position(is_equal) {
+                return Err(format!(
+                    "{name} has the same values as {}; several pictures are of one program with other seeds: leave one \
+                     out, or render it with another seed",
+                    self.images[equal].display()
+                )
+                .into());
+            }
+            pictures.push(picture);
+        }
+        Ok(pictures)
+    }
+}
+
+/// What a picture that agrees does not say, and the commands that explain the worst pixels of one that differs.
+fn advice(scene: &str, verdict: &Verdict, arguments: &str) -> String {
+    let hidden = judge::mistakes::not_shown_by(scene).unwrap_or_default();
+    let scene = quoted(scene);
+    if verdict.decision == Decision::Agrees && !hidden.is_empty() {
+        return format!(
+            "this scene cannot show {} of the {} known mistakes: `groundtruth mistakes {scene}` names them, and scenes that \
+             can\n",
+            hidden.len(),
+            judge::mistakes::all().len()
+        );
+    }
+    let explain = |region: &Region| {
+        let [x, y] = region.worst;
+        format!("  groundtruth explain {scene} {x},{y}{arguments}\n")
+    };
+    let commands: Vec<String> = verdict.regions.iter().map(explain).collect();
+    if commands.is_empty() {
+        String::new()
+    } else {
+        format!("why ours is so:\n{}", commands.concat())
+    }
+}
+
+/// What is known while more replicas are rendered.
+fn so_far(judged: &Judged) -> String {
+    let replicas = judged.pool.count() - 1;
+    format!(
+        "; so far {} of {replicas} are as far out as theirs",
+        judged.ranking.as_far_as(replicas)
+    )
+}
+
+/// Renders our pictures, shows how many there are, and stops when the user interrupts.
+struct Watch {
+    bar: ProgressBar,
+    interrupted: Arc<AtomicBool>,
+}
+
+impl Watch {
+    fn new(most: usize) -> Result<Self, Box<dyn Error>> {
+        let interrupted = interrupt::flag()?;
+        let bar = ProgressBar::new(most as u64);
+        let style = "{spinner} {pos} of at most {len} pictures of ours  {elapsed} elapsed{msg}";
+        bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
+        Ok(Self { bar, interrupted })
+    }
+
+    fn is_interrupted(&self) -> bool {
+        self.interrupted.load(Ordering::Relaxed)
+    }
+
+    /// Whether the picture was finished.
+    fn render(&mut self, world: &World, canvas: &Canvas) -> bool {
+        std::thread::scope(|scope| {
+            let rendering = scope.spawn(|| canvas.render(world));
+            while !rendering.is_finished() {
+                if self.is_interrupted() {
+                    canvas.cancel();
+                }
+                self.bar.tick();
+                // returns early when the rendering ends
+                std::thread::park_timeout(Duration::from_millis(5));
+            }
+        });
+        self.bar.inc(1);
+        !canvas.is_cancelled()
+    }
+}

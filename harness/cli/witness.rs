@@ -1,0 +1,196 @@
+//! `verify --by`: another renderer renders our scene, and its picture is judged.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use clap::ValueEnum;
+use exchange::export::{Said, Target, Term, exposure, listed, mitsuba, pov};
+use groundtruth::filters;
+use groundtruth::render;
+use groundtruth::scene::Scene;
+use groundtruth::world::World;
+use judge::verdict::Edge;
+use pictures::compare::{Picture, Transfer};
+
+use super::scene::SceneArguments;
+
+/// A renderer that can be asked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum By {
+    /// POV-Ray 3.7
+    Pov,
+    /// Mitsuba 3, a module of Python
+    Mitsuba,
+}
+
+/// What the user asks of another renderer.
+pub struct Asked<'a> {
+    pub by: By,
+    /// Its program.
+    pub program: Option<PathBuf>,
+    /// What both sides leave out.
+    pub without: &'a [Term],
+    /// The samples per pixel of scenes with random numbers.
+    pub samples: Option<u32>,
+    /// The time that a run of the program may take.
+    pub limit: Duration,
+}
+
+/// A scene, as both sides render it, and the pictures of the other side.
+pub struct Witnessed {
+    pub scene: Scene,
+    pub world: World,
+    pub pictures: Vec<Picture>,
+    /// What was rendered by what, in a line.
+    pub words: String,
+    /// Arguments that the commands of an explanation need.
+    pub explained_with: String,
+}
+
+/// The program that was found.
+enum Program {
+    Pov(pov::Program),
+    Mitsuba(mitsuba::Program),
+}
+
+/// Samples per pixel of both sides, if the user does not say.
+const SAMPLES: u32 = 64;
+
+impl By {
+    /// How far its rays may be from ours.
+    pub fn edge(self) -> Edge {
+        match self {
+            Self::Pov => Edge::DOUBLE,
+            Self::Mitsuba => Edge::SINGLE,
+        }
+    }
+
+    fn target(self) -> Target {
+        match self {
+            Self::Pov => Target::Pov,
+            Self::Mitsuba => Target::Mitsuba,
+        }
+    }
+
+    fn find(self, program: Option<PathBuf>) -> Result<Program, String> {
+        match self {
+            Self::Pov => pov::Program::find(program).map(Program::Pov),
+            Self::Mitsuba => mitsuba::Program::find(program).map(Program::Mitsuba),
+        }
+    }
+
+    /// Whether both sides have a picture without noise: POV-Ray always, Mitsuba if nothing in the scene is random.
+    fn is_noiseless(self, scene: &Scene) -> bool {
+        match self {
+            Self::Pov => true,
+            Self::Mitsuba => mitsuba::is_noiseless(scene),
+        }
+    }
+}
+
+impl Program {
+    fn version(&self) -> String {
+        match self {
+            Self::Pov(it) => it.version().unwrap_or_else(|| Target::Pov.name().to_owned()),
+            Self::Mitsuba(it) => it.version.clone(),
+        }
+    }
+
+    fn render(
+        &self,
+        said: &Said,
+        size: [u32; 2],
+        limit: Duration,
+    ) -> Result<Picture, Box<dyn Error>> {
+        let folder = tempfile::tempdir()?;
+        Ok(match self {
+            Self::Pov(it) => Picture::read(
+                &it.render(&said.scenes.concat(), size, folder.path(), limit)?,
+                Some(Transfer::Linear),
+            )?,
+            Self::Mitsuba(it) => it.render(said, folder.path(), limit)?,
+        })
+    }
+}
+
+impl Asked<'_> {
+    /// Renders the scene of these arguments with the other renderer; `None` if the scene cannot be said, which is printed.
+    ///
+    /// # Errors
+    /// The scene cannot be built, or the program is missing or fails.
+    pub fn render(self, arguments: &SceneArguments) -> Result<Option<Witnessed>, Box<dyn Error>> {
+        let (scene, _) = arguments.load()?;
+        let mut scene = scene;
+        self.without.iter().for_each(|term| term.remove(&mut scene));
+        let is_noiseless = self.by.is_noiseless(&scene);
+        if is_noiseless && self.samples.is_some() {
+            return Err("--their-samples: this scene has no random numbers; leave it out".into());
+        }
+        let samples = if is_noiseless { 1 } else { self.samples.unwrap_or(SAMPLES) };
+        let mut scene = sampled(scene, samples);
+        let folder = arguments.folder().unwrap_or(Path::new(""));
+        let build = |scene: &Scene| World::build_seeded(scene, folder, arguments.seed());
+        let target = self.by.target();
+        let said = |scene: &Scene| said(target, (arguments.name(), "scene"), scene, folder);
+        // before our picture is rendered
+        if said(&scene).is_none() {
+            return Ok(None);
+        }
+        let program = self.by.find(self.program)?;
+        let exposure = if is_noiseless { exposure(&render::render(&build(&scene)?)) } else { 1.0 };
+        scene.camera.exposure_time *= exposure;
+        let Some(text) = said(&scene) else { return Ok(None) };
+        let (world, size) = (build(&scene)?, [scene.image.width, scene.image.height]);
+        scene.image.samples = world.samples_per_pixel();
+        let mut picture = program.render(&text, size, self.limit)?;
+        let [width, height] = size;
+        let rays = if is_noiseless {
+            picture = picture.in_16_bits();
+            format!(
+                "one ray through the centre of each, every pixel times {exposure} on both sides"
+            )
+        } else {
+            format!("{samples} samples in each")
+        };
+        let words = format!(
+            "by {}: {width} × {height} pixels, {rays}{}\n",
+            program.version(),
+            left_out(self.without)
+        );
+        let explained_with = format!(" --samples {samples}");
+        Ok(Some(Witnessed { scene, world, pictures: vec![picture], words, explained_with }))
+    }
+}
+
+/// What both sides leave out, for the end of a line.
+fn left_out(without: &[Term]) -> String {
+    let is_out = |(_, term): &(&str, Term)| without.contains(term);
+    let names: Vec<&str> = Term::ALL.into_iter().filter(is_out).map(|(name, _)| name).collect();
+    if names.is_empty() { String::new() } else { format!(", both without {}", names.join(" and ")) }
+}
+
+/// The scene with so many samples per pixel, by the patterns that we choose ourselves, and linear values.
+fn sampled(mut scene: Scene, samples: u32) -> Scene {
+    let image = &mut scene.image;
+    (image.samples, image.sampler) = (samples, None);
+    (image.filter, image.gamma) = (filters::Kind::default(), 1.0);
+    scene
+}
+
+/// The scene in the language of the other renderer, under its name and with files whose names begin with a stem; `None`
+/// if it cannot be said, which is printed.
+pub fn said(
+    target: Target,
+    (name, stem): (&str, &str),
+    scene: &Scene,
+    folder: &Path,
+) -> Option<Said> {
+    match target.write(name, stem, scene, folder) {
+        Ok(said) => Some(said),
+        Err(all) => {
+            eprintln!("error: {}", listed(target.name(), &all));
+            None
+        }
+    }
+}

@@ -1,0 +1,82 @@
+//! The card as one HTML page that needs nothing beside it, and no script.
+
+use std::fmt::Write;
+
+use super::text::{conventions, failed};
+use super::{Card, Row, Status};
+use pictures::html::escaped;
+
+const STYLE: &str = "\
+body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em; }
+table { border-collapse: collapse; }
+th, td { padding: 0.1em 0.8em; text-align: right; font-variant-numeric: tabular-nums; }
+th:first-child, td:first-child { text-align: left; }
+tr { border-bottom: 1px solid #ddd; }
+.failed { background: #fdd; }
+.quiet { color: #999; }
+pre { overflow-x: auto; background: #f4f4f4; padding: 0.5em; white-space: pre-wrap; overflow-wrap: anywhere; }
+";
+
+/// The page for a program with this command line.
+pub fn page(card: &Card, command: &str) -> String {
+    let command = escaped(command);
+    let mut html = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>conform: {command}</title>\n\
+         <style>\n{STYLE}</style>\n<h1>conform: {command}</h1>\n<p>Profile {}, seed {}{}.</p>\n",
+        card.profile.name(),
+        card.seed,
+        if card.is_whole { "" } else { "; interrupted" },
+    );
+    let is_shown = |row: &&Row| row.is_failed() || row.ours > 0;
+    let failures: Vec<&Row> = card.rows.iter().filter(is_shown).collect();
+    html.push_str("<h2>Families</h2>\n");
+    for (chapter, rows) in card.chapters() {
+        let _ = writeln!(html, "<h3>{chapter}</h3>");
+        table(&mut html, &rows);
+    }
+    html.push_str("<h2>Failures</h2>\n");
+    if failures.is_empty() {
+        html.push_str("<p>None.</p>\n");
+    }
+    for row in failures {
+        let name = escaped(&row.name);
+        let _ =
+            writeln!(html, "<h3 id=\"{name}\">{name}</h3>\n<pre>{}</pre>", escaped(&failed(row)));
+        if let Some(failure) = &row.failure {
+            let asked: Vec<String> =
+                failure.asked.iter().map(|(question, _)| question.to_string()).collect();
+            let lines = escaped(&asked.join("\n"));
+            let _ =
+                writeln!(html, "<p>For <code>groundtruth probe</code>:</p>\n<pre>{lines}</pre>");
+        }
+    }
+    let by_the_book: String = card.rows.iter().map(conventions).collect();
+    if !by_the_book.is_empty() {
+        let lines = escaped(&by_the_book);
+        let _ = writeln!(html, "<h2>Conventions of the book</h2>\n<pre>{lines}</pre>");
+    }
+    html + "</html>\n"
+}
+
+fn table(html: &mut String, rows: &[&Row]) {
+    html.push_str("<table>\n<tr><th>family</th>");
+    for status in Status::ALL {
+        let _ = write!(html, "<th>{}</th>", status.name());
+    }
+    html.push_str("<th>largest error, u·cond</th></tr>\n");
+    for row in rows {
+        let (name, class) = (escaped(&row.name), if row.is_failed() { "failed" } else { "" });
+        let shown = match row.is_failed() {
+            true => format!("<a href=\"#{name}\">{name}</a>"),
+            false => name,
+        };
+        let _ = write!(html, "<tr class=\"{class}\"><td>{shown}</td>");
+        for status in Status::ALL {
+            let count = row.count(status);
+            let class = if count == 0 { "quiet" } else { "" };
+            let _ = write!(html, "<td class=\"{class}\">{count}</td>");
+        }
+        let _ = writeln!(html, "<td>{:.2}</td></tr>", row.worst);
+    }
+    html.push_str("</table>\n");
+}

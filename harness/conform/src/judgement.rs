@@ -1,0 +1,164 @@
+//! What a judge says of an answer.
+
+use serde_json::Value;
+
+use super::mistakes::Mistake;
+
+/// How exact an answer has to be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Profile {
+    /// Double precision, and the hard families: errors of at most 100 u·cond, as if the input had been wrong by
+    /// 100 roundings.
+    Careful,
+    /// Single precision, and a constant ε: errors of at most 10⁻⁴·max(cond, |value|); ordinary families only.
+    Book,
+}
+
+impl Profile {
+    /// Both.
+    pub const ALL: [Self; 2] = [Self::Careful, Self::Book];
+
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Careful => "careful",
+            Self::Book => "book",
+        }
+    }
+
+    /// The relative error of the input that an answer may look like, in double roundings u: the error allowed in
+    /// an answer is this many u·cond.
+    pub fn allowed(self) -> f64 {
+        match self {
+            Self::Careful => exact::backward_error::ALLOWED,
+            Self::Book => 1e-4 / groundtruth::math::UNIT_ROUNDOFF,
+        }
+    }
+
+    /// An answer that a smaller relative change of the input turns is not judged.
+    pub fn margin(self) -> f64 {
+        match self {
+            Self::Careful => exact::backward_error::MIN_MARGIN,
+            Self::Book => 1e-5,
+        }
+    }
+}
+
+/// A judge's verdict on one case.
+#[derive(Clone, Debug)]
+pub enum Judgement {
+    /// Right, with the largest error, in u·cond.
+    Right(f64),
+    /// Right by a convention of the book that is not ours: by the profile *book* only.
+    ByTheBook(&'static Mistake),
+    /// A tiny change of the question changes the answer, so that either is right.
+    Undecided,
+    /// Wrong.
+    Wrong(Box<Wrong>),
+}
+
+impl Judgement {
+    /// Wrong in this respect.
+    pub fn wrong(symptom: &str, error: f64, expected: impl Into<String>) -> Self {
+        let expected = expected.into();
+        let symptom = symptom.to_owned();
+        let (clues, ratio, theirs) = (Vec::new(), None, Vec::new());
+        Self::Wrong(Box::new(Wrong { symptom, error, expected, clues, ratio, theirs }))
+    }
+
+    /// The same, and if it is wrong, these mistakes give the answer, too.
+    #[must_use]
+    pub fn with(mut self, clues: impl IntoIterator<Item = &'static Mistake>) -> Self {
+        if let Self::Wrong(wrong) = &mut self {
+            wrong.clues.extend(clues);
+        }
+        self
+    }
+
+    /// Whether the answer is wrong.
+    pub fn is_wrong(&self) -> bool {
+        matches!(self, Self::Wrong(_))
+    }
+
+    /// Whether the answer is right, or by a convention of the book.
+    pub fn is_right(&self) -> bool {
+        matches!(self, Self::Right(_) | Self::ByTheBook(_))
+    }
+}
+
+/// What is wrong with an answer.
+#[derive(Clone, Debug)]
+pub struct Wrong {
+    /// What differs, as `t` or `normal`; it stays the same when the question is made smaller.
+    pub symptom: String,
+    /// How far off, in u·cond; infinite where nothing can be measured.
+    pub error: f64,
+    /// What is right.
+    pub expected: String,
+    /// The mistakes that give exactly this answer.
+    pub clues: Vec<&'static Mistake>,
+    /// The ratio of the answer to the right one, where it is one number.
+    pub ratio: Option<f64>,
+    /// The wrong numbers, where they are some.
+    pub theirs: Vec<f64>,
+}
+
+/// The truth about a list of checks: the first that fails, or the largest error; by the book, if one of them is.
+pub fn first_wrong(judgements: impl IntoIterator<Item = Judgement>) -> Judgement {
+    let mut worst = 0.0_f64;
+    let mut convention = None;
+    for judgement in judgements {
+        match judgement {
+            Judgement::Right(error) => worst = worst.max(error),
+            Judgement::ByTheBook(mistake) => convention = Some(mistake),
+            other => return other,
+        }
+    }
+    convention.map_or(Judgement::Right(worst), Judgement::ByTheBook)
+}
+
+/// A number of JSON, or by name one that JSON does not have, as languages print it.
+pub fn number(value: &Value) -> Option<f64> {
+    match value {
+        Value::Number(number) => number.as_f64(),
+        Value::String(name) => not_finite(name),
+        _ => None,
+    }
+}
+
+/// The number that is not finite with this name: `inf`, `-Infinity`, `nan`, `-nan(ind)`, `1.#QNAN` …
+pub fn not_finite(name: &str) -> Option<f64> {
+    let lower = name.to_ascii_lowercase();
+    let (sign, bare) = match lower.strip_prefix('-') {
+        Some(rest) => (-1.0, rest),
+        None => (1.0, lower.strip_prefix('+').unwrap_or(&lower)),
+    };
+    // a payload, as `nan(0x8000000000000)`, or `nan(ind)` for the default one
+    let is_payload = |rest: &str| rest.is_empty() || rest.starts_with('(') && rest.ends_with(')');
+    match bare {
+        "inf" | "infinity" | "1.#inf" | "1.#inf00" => Some(sign * f64::INFINITY),
+        "1.#ind" | "1.#qnan" | "1.#snan" | "1.#ind00" | "1.#qnan0" => Some(f64::NAN),
+        _ => bare.strip_prefix("nan").filter(|rest| is_payload(rest)).map(|_| f64::NAN),
+    }
+}
+
+/// The numbers of a list.
+pub fn numbers(value: &Value) -> Option<Vec<f64>> {
+    value.as_array()?.iter().map(number).collect()
+}
+
+/// Three numbers.
+pub fn triple(value: &Value) -> Option<[f64; 3]> {
+    numbers(value)?.try_into().ok()
+}
+
+/// Whether NaN is among these numbers: JavaScript writes it as `null`, others by a name.
+pub fn nan_in(value: &Value) -> bool {
+    let is_nan = |value: &Value| value.is_null() || number(value).is_some_and(f64::is_nan);
+    let is_number = |value: &Value| value.is_null() || number(value).is_some();
+    match value {
+        Value::Array(items) => items.iter().all(is_number) && items.iter().any(is_nan),
+        // a bare `null` is more often "nothing"
+        other => number(other).is_some_and(f64::is_nan),
+    }
+}

@@ -1,0 +1,36 @@
+//! Whether another program is right: it is asked the questions of the probe, and its answers are judged.
+//!
+//! [`suite::all`] are the families of questions; [`run()`] asks a [`Subject`], which is a [`Program`] or the library
+//! itself ([`Ours`]), and writes a [`Card`]. Judges are exact answers (of the oracle), our own answers with a measured
+//! condition, and laws that need neither ([`laws`]).
+
+pub mod card;
+mod chapters;
+pub mod family;
+mod guarded;
+mod intersections;
+mod judgement;
+mod known;
+mod language;
+pub mod laws;
+mod lines;
+pub mod mistakes;
+pub mod probe;
+mod program;
+mod questions;
+mod radiance;
+mod run;
+mod scenes;
+mod shrink;
+mod subject;
+pub mod suite;
+mod values;
+
+pub use card::{Card, Row, Status};
+pub use judgement::{Judgement, Profile, Wrong};
+pub use known::{Known, KnownError};
+pub use language::Language;
+pub use program::{Limits, Program};
+pub use run::{NoAnswer, Options, run};
+pub use scenes::first_difference;
+pub use subject::{Fault, Ours, Reply, Subject, ours};

@@ -1,0 +1,147 @@
+//! Sample sets without random numbers, and maps of samples (Suffern, ch. 5 to 7).
+
+use serde_json::{Value, json};
+
+use super::super::family::{Family, Judge};
+use super::super::judgement::{Judgement, Profile, number};
+use super::super::mistakes as m;
+use super::super::subject::ours;
+use super::super::values::{self, Rules};
+use super::{change, data, family, round, swap};
+use exact::Draw;
+use groundtruth::math::UNIT_ROUNDOFF;
+
+pub fn families() -> Vec<Family> {
+    let mut all = Vec::new();
+    for (tag, chapter) in [("regular", "ch04"), ("hammersley", "ch05")] {
+        let case = move |draw: &mut Draw| {
+            let side = 1 + draw.below(12);
+            json!({"samples": {"sampler": {tag: {}}, "n": side * side}})
+        };
+        let name = format!("samples.{tag}.values");
+        all.push(family(&name, &format!("samplers/{tag}"), chapter, Judge::Answer(samples), case));
+    }
+    for (tag, chapter) in [("disk", "ch06"), ("hemisphere", "ch07"), ("sphere", "ch07")] {
+        let to = move |draw: &mut Draw| match tag {
+            "hemisphere" => json!({"hemisphere": {"exponent": draw.pick(&[0.0, 1.0, 5.0, 40.0])}}),
+            tag => json!({tag: {}}),
+        };
+        let u =
+            |draw: &mut Draw| [round(draw.between(0.01, 0.99)), round(draw.between(0.01, 0.99))];
+        let map_of = move |draw: &mut Draw| json!({"map": {"to": to(draw), "u": u(draw)}});
+        let inverse_of = move |draw: &mut Draw| {
+            let (to, u) = (to(draw), u(draw));
+            let point = ours(&json!({"map": {"to": to, "u": u}})).unwrap_or_default();
+            json!({"map": {"to": to, "point": point}})
+        };
+        let about = format!("maps/{tag}");
+        let judge = Judge::Answer(map);
+        all.push(family(&format!("map.{tag}.values"), &about, chapter, judge, map_of));
+        all.push(family(&format!("map.{tag}.inverse"), &about, chapter, judge, inverse_of));
+    }
+    all
+}
+
+/// Sets are compared as sets: the order of points is a program's own.
+fn samples(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    let Ok(right) = ours(question) else { return Judgement::Undecided };
+    let Some(right) = sorted(&right) else { return Judgement::Undecided };
+    let wrong =
+        |symptom: &str, expected: String| Judgement::wrong(symptom, f64::INFINITY, expected);
+    let Some(theirs) = sorted(answer) else {
+        return wrong("no list of one set", "[[[x, y], …]], one set of points".to_owned());
+    };
+    if theirs.len() != right.len() {
+        return wrong("number of points", format!("{} points", right.len()));
+    }
+    if theirs.iter().flatten().any(|x| x.is_nan()) {
+        return wrong("a point is not a number", format!("{right:?}"));
+    }
+    let error = farthest(&theirs, &right) / UNIT_ROUNDOFF;
+    if error <= profile.allowed() {
+        return Judgement::Right(error);
+    }
+    let swapped = sorted_points(right.iter().map(|&[x, y]| [y, x]).collect());
+    let is_swapped = farthest(&theirs, &swapped) <= 1e-6;
+    let judgement = Judgement::wrong("points", error, format!("{right:?}"));
+    judgement.with(is_swapped.then_some(&m::SWAP_U))
+}
+
+/// The largest difference of a coordinate; infinite if one is no number.
+fn farthest(a: &[[f64; 2]], b: &[[f64; 2]]) -> f64 {
+    let off = |(a, b): (&[f64; 2], &[f64; 2])| [0, 1].map(|axis| (a[axis] - b[axis]).abs());
+    let all = a.iter().zip(b).flat_map(off);
+    all.fold(0.0, |most: f64, x| if x.is_nan() { f64::INFINITY } else { most.max(x) })
+}
+
+/// The points of the only set, by x and y; a `null` among the numbers is how JavaScript writes NaN. `None` for anything
+/// else.
+fn sorted(answer: &Value) -> Option<Vec<[f64; 2]>> {
+    let [set] = &answer.as_array()?[..] else { return None };
+    let coordinate = |x: &Value| if x.is_null() { Some(f64::NAN) } else { number(x) };
+    let point = |point: &Value| {
+        let numbers: Option<Vec<f64>> = point.as_array()?.iter().map(coordinate).collect();
+        numbers?.try_into().ok()
+    };
+    let points: Option<Vec<[f64; 2]>> = set.as_array()?.iter().map(point).collect();
+    points.map(sorted_points)
+}
+
+fn sorted_points(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    // single precision must not change the order
+    let key = |point: &[f64; 2]| point.map(|x| (x * 1e5).round() + 0.0); // no −0
+    points.sort_by(|a, b| {
+        let ([ax, ay], [bx, by]) = (key(a), key(b));
+        // an order of all numbers, NaN too
+        ax.total_cmp(&bx).then(ay.total_cmp(&by))
+    });
+    points
+}
+
+fn map(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules {
+        needed: &[],
+        free: &[],
+        questions: &[
+            (&m::SWAP_U, |question| swap(data(question)?, "/u/0", "/u/1")),
+            (&m::COMPLEMENT_U, |question| change(data(question)?, "/u/1", |u| 1.0 - u)),
+            (&m::COMPLEMENT_U, |question| change(data(question)?, "/u/0", |u| 1.0 - u)),
+            (&m::EXPONENT_OFF, |question| {
+                change(data(question)?, "/to/hemisphere/exponent", |e| e + 1.0)
+            }),
+            (&m::NO_EXPONENT, |question| {
+                change(data(question)?, "/to/hemisphere/exponent", |_| 1.0)
+            }),
+            (&m::EXPONENT_LESS, |question| {
+                change(data(question)?, "/to/hemisphere/exponent", |e| (e - 1.0).max(0.0))
+            }),
+            (&m::HALF_TURN, |question| {
+                let turn =
+                    if data(question)?["to"].get("sphere").is_some() { "/u/1" } else { "/u/0" };
+                change(data(question)?, turn, |u| 0.5 * u)
+            }),
+            (&m::ANGLES_EVEN, |question| {
+                let data = data(question)?;
+                data["to"].get("sphere")?;
+                change(data, "/u/0", |u| {
+                    0.5 - 0.5 * groundtruth::math::cos(std::f64::consts::PI * u)
+                })
+            }),
+        ],
+        answers: &[
+            (&m::POLAR_DISK, |question, _, _| {
+                question["map"]["to"].get("disk")?;
+                let [u, v] = [0, 1].map(|i| question["map"]["u"][i].as_f64());
+                let (sin, cos) = groundtruth::math::sin_cos(2.0 * std::f64::consts::PI * v?);
+                Some(vec![u? * cos, u? * sin])
+            }),
+            (&m::PLAIN_DISK, |question, _, _| {
+                question["map"]["to"].get("disk")?;
+                let [u, v] = [0, 1].map(|i| question["map"]["u"][i].as_f64());
+                let (r, phi) = (u?.sqrt(), 2.0 * std::f64::consts::PI * v?);
+                Some(vec![r * groundtruth::math::cos(phi), r * groundtruth::math::sin(phi)])
+            }),
+        ],
+    };
+    values::judge(question, answer, profile, &RULES)
+}

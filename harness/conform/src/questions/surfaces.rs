@@ -1,0 +1,295 @@
+//! Lights that are points or directions, textures and mappings (Suffern, ch. 14, 29, 30).
+
+use serde_json::{Value, json};
+
+use super::super::family::{Family, Judge};
+use super::super::judgement::{Judgement, Profile, number, numbers, triple};
+use super::super::mistakes as m;
+use super::super::values::{self, Rules};
+use super::noise::OF_NOISE;
+use super::{any, change, data, direction, family, kinds, only, remove, swap, vector};
+use exact::Draw;
+use groundtruth::math::{Vector, power};
+use groundtruth::textures::Mapping;
+use groundtruth::{lights, textures};
+
+pub fn families() -> Vec<Family> {
+    let mut all = Vec::new();
+    for (tag, chapter, specimens) in kinds(lights::Kind::ENTRIES) {
+        if !["ambient", "directional", "point", "spot"].contains(&&*tag) {
+            continue;
+        }
+        let name = format!("light.{tag}.values");
+        let case = move |draw: &mut Draw| {
+            let (mut light, from) = (any(draw, &specimens).clone(), vector(draw, 4.0));
+            // what does not depend on the point has to depend on the light
+            let radiance = super::round(draw.between(0.25, 4.0));
+            only(&mut light).and_then(|light| change(light, "/ls", |_| radiance));
+            if let Some(direction) = light.pointer_mut("/directional/direction") {
+                *direction = vector(draw, 4.0);
+            }
+            json!({"light": {"light": light, "from": from}})
+        };
+        all.push(family(&name, &format!("lights/{tag}"), chapter, Judge::Answer(light), case));
+    }
+    for (tag, chapter, specimens) in kinds(textures::Kind::ENTRIES) {
+        let specimens: Vec<Value> = specimens
+            .into_iter()
+            .filter(|data| {
+                !OF_NOISE.iter().any(|noise| data.to_string().contains(&format!("\"{noise}\"")))
+            })
+            .collect();
+        // a wireframe is drawn on the triangles of a mesh, and the question has none: its colour is always one;
+        // images have families of their own
+        if specimens.is_empty() || tag == "wireframe" || tag == "image" {
+            continue;
+        }
+        let name = format!("texture.{tag}.values");
+        let case = move |draw: &mut Draw| {
+            let mut texture = any(draw, &specimens).clone();
+            let point = vector(draw, 2.0);
+            if let Some(color) = texture.pointer_mut("/constant/color") {
+                *color = json!([0, 1, 2].map(|_| super::round(draw.between(0.0, 1.0))));
+            }
+            json!({"texture": {"texture": texture, "point": point}})
+        };
+        all.push(family(&name, &format!("textures/{tag}"), chapter, Judge::Answer(texture), case));
+    }
+    for of in [
+        Mapping::Square,
+        Mapping::Cylindrical,
+        Mapping::Spherical,
+        Mapping::Hemispherical,
+        Mapping::LightProbe,
+        Mapping::Panoramic,
+    ] {
+        let tag = serde_json::to_value(of).expect("a mapping is a word");
+        let tag = tag.as_str().unwrap_or_default().to_owned();
+        let (name, about) = (format!("mapping.{tag}.values"), format!("mappings/{tag}"));
+        let case =
+            move |draw: &mut Draw| json!({"mapping": {"mapping": of, "point": on(of, draw)}});
+        all.push(family(&name, &about, "ch29", Judge::Answer(mapping), case));
+    }
+    // where the direction has no azimuth; the opposite one is a whole circle of the picture
+    for (of, tag, z) in
+        [(Mapping::LightProbe, "light_probe", 1.0), (Mapping::Panoramic, "panoramic", -1.0)]
+    {
+        let case = move |draw: &mut Draw| {
+            let reach = draw.pick(&[0.0, 0.25]);
+            let aside = draw.vector(reach);
+            let point = Vector::new(aside.x(), aside.y(), z).unit().unwrap_or(Vector::Z);
+            json!({"mapping": {"mapping": of, "point": point.to_array()}})
+        };
+        let (name, about) = (format!("mapping.{tag}.axis"), format!("mappings/{tag}"));
+        all.push(family(&name, &about, "ch29", Judge::Answer(mapping), case));
+    }
+    all
+}
+
+/// A point of the generic object of a mapping.
+pub fn on(mapping: Mapping, draw: &mut Draw) -> Value {
+    match mapping {
+        Mapping::Square => json!([draw.between(-0.99, 0.99), 0.0, draw.between(-0.99, 0.99)]),
+        Mapping::Cylindrical => {
+            let n = draw.direction().to_array();
+            let rho = (n[0] * n[0] + n[2] * n[2]).sqrt().max(1e-3);
+            json!([n[0] / rho, draw.between(-0.99, 0.99), n[2] / rho])
+        }
+        Mapping::Hemispherical => {
+            let n = draw.direction().to_array();
+            json!([n[0], n[1].abs(), n[2]])
+        }
+        _ => direction(draw),
+    }
+}
+
+fn light(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules {
+        needed: &["radiance", "ambient", "direction"],
+        free: &["pdf"],
+        questions: &[(&m::NO_FALL_OFF, |question| {
+            let light = only(&mut data(question)?["light"])?;
+            change(light, "/attenuation", |_| 0.0)
+        })],
+        answers: &[
+            (&m::FROM_LIGHT, |_, field, right| {
+                (field == "direction").then(|| negated(&right["direction"]))?
+            }),
+            (&m::TIMES_DISTANCE, |_, field, right| {
+                let distance = number(&right["distance"])?;
+                let scaled = triple(&right["direction"])?.map(|x| distance * x);
+                (field == "direction").then(|| scaled.to_vec())
+            }),
+            (&m::SUN_NOT_NORMALISED, |question, field, _| {
+                let sun = triple(&question["light"]["light"]["directional"]["direction"])?;
+                (field == "direction").then(|| sun.to_vec())
+            }),
+            (&m::DISTANCE_SQUARED, |_, field, right| {
+                let distance = number(&right["distance"])?;
+                (field == "distance").then(|| vec![distance * distance])
+            }),
+            (&m::NO_FALL_OFF, |question, field, right| {
+                let light = question["light"]["light"].as_object()?.values().next()?;
+                let exponent = light["attenuation"].as_f64()?;
+                let factor = power(number(&right["distance"])?, exponent);
+                let all = numbers(&right["radiance"])?.into_iter().map(|x| factor * x).collect();
+                (field == "radiance").then_some(all)
+            }),
+        ],
+    };
+    values::judge(question, answer, profile, &RULES)
+}
+
+fn negated(value: &Value) -> Option<Vec<f64>> {
+    Some(numbers(value)?.into_iter().map(|x| -x).collect())
+}
+
+fn texture(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules {
+        needed: &[],
+        free: &[],
+        questions: &[
+            (&m::SWAPPED_COLORS, |question| {
+                swap(only(&mut data(question)?["texture"])?, "/color1", "/color2")
+            }),
+            (&m::NO_SIZE, |question| {
+                change(only(&mut data(question)?["texture"])?, "/size", |_| 1.0)
+            }),
+            (&m::NAN_AS_INTEGER, |question| {
+                let data = data(question)?;
+                let mapping = &data["texture"]["image"]["mapping"];
+                let is_probe = mapping == "light_probe" || mapping == "panoramic";
+                let [x, y, _] = triple(&data["point"])?;
+                remove(data.pointer_mut("/texture/image")?, "mapping")?;
+                data["uv"] = json!([0.0, 0.0]);
+                (is_probe && x == 0.0 && y == 0.0).then_some(())
+            }),
+            (&m::SWAP_U, |question| swap(data(question)?, "/uv/0", "/uv/1")),
+            (&m::MIRROR_U, |question| change(data(question)?, "/uv/0", |u| 1.0 - u)),
+            (&m::MIRROR_V, |question| change(data(question)?, "/uv/1", |v| 1.0 - v)),
+            (&m::SWAP_YZ, |question| swap(data(question)?, "/point/1", "/point/2")),
+            (&m::FLIP_X, |question| change(data(question)?, "/point/0", |x| -x)),
+            (&m::FLIP_Y, |question| change(data(question)?, "/point/1", |x| -x)),
+            (&m::FLIP_Z, |question| change(data(question)?, "/point/2", |x| -x)),
+        ],
+        answers: &[(&m::TRUNCATED_FLOOR, |question, _, _| {
+            let asked = &question["texture"];
+            truncated(&asked["texture"], triple(&asked["point"])?)
+        })],
+    };
+    values::judge(question, answer, profile, &RULES)
+}
+
+/// The colour of a checker whose cells are numbered by truncation, which is one more than rounding down for negative
+/// numbers; `None` on lines, and for other textures.
+fn truncated(texture: &Value, point: [f64; 3]) -> Option<Vec<f64>> {
+    if let Some(grey) = number(texture) {
+        return Some(vec![grey; 3]);
+    }
+    let Some((tag, data)) = texture.as_object().and_then(|it| it.iter().next()) else {
+        return numbers(texture);
+    };
+    let field = |name: &str, other: f64| data.get(name).map_or(Some(other), Value::as_f64);
+    let [x, y, z] = point;
+    // the cell along each axis, not rounded yet
+    let cells = match &**tag {
+        "checker3d" => {
+            let size = field("size", 1.0)?;
+            point.map(|x| x / size - 0.000_187_453_738).to_vec()
+        }
+        "plane_checker" => {
+            let size = field("size", 1.0)?;
+            vec![x / size, z / size]
+        }
+        "rectangle_checker" | "cylinder_checker" => {
+            let unit = field("unit", 1.0)?;
+            let share = |x: f64| 0.5 * x / unit + 0.5;
+            let (columns, rows) = (field("num_horizontal", 20.0)?, field("num_vertical", 10.0)?);
+            match &**tag {
+                "rectangle_checker" => vec![columns * share(x), rows * share(z)],
+                _ => {
+                    let turn = groundtruth::math::atan2(x, z) / std::f64::consts::TAU;
+                    vec![columns * turn.rem_euclid(1.0), rows * share(y)]
+                }
+            }
+        }
+        _ => return None,
+    };
+    let widths = [
+        field("outline_width", 0.0)? / field("size", 1.0)?,
+        line(data, "vertical"),
+        line(data, "horizontal"),
+    ];
+    let widest = widths.into_iter().fold(0.0, f64::max);
+    let is_on_line = |x: &f64| (x - x.round()).abs() < 0.5 * widest;
+    if cells.iter().any(is_on_line) {
+        return None;
+    }
+    let is_even = cells.iter().map(|x| x.trunc()).sum::<f64>().rem_euclid(2.0) == 0.0;
+    truncated(&data[if is_even { "color1" } else { "color2" }], point)
+}
+
+/// The width of a checker's lines, as a share of a cell.
+fn line(data: &Value, name: &str) -> f64 {
+    data["lines"][name].as_f64().unwrap_or(0.0)
+}
+
+fn mapping(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+    const RULES: Rules = Rules {
+        needed: &[],
+        free: &[],
+        questions: &[
+            (&m::SWAP_YZ, |question| swap(data(question)?, "/point/1", "/point/2")),
+            (&m::SWAP_XZ, |question| swap(data(question)?, "/point/0", "/point/2")),
+            (&m::FLIP_X, |question| change(data(question)?, "/point/0", |x| -x)),
+            (&m::FLIP_Z, |question| change(data(question)?, "/point/2", |x| -x)),
+            (&m::AZIMUTH_FROM_X, |question| {
+                swap(data(question)?, "/point/0", "/point/2")?;
+                change(data(question)?, "/point/0", |x| -x)
+            }),
+        ],
+        answers: &[
+            (&m::MIRROR_U, |_, _, right| numbers(right).map(|uv| vec![1.0 - uv[0], uv[1]])),
+            (&m::MIRROR_V, |_, _, right| numbers(right).map(|uv| vec![uv[0], 1.0 - uv[1]])),
+            (&m::AZIMUTH_OFF, |question, _, right| other_azimuth(question, right, 1.0)),
+            (&m::AZIMUTH_OFF, |question, _, right| other_azimuth(question, right, 0.5)),
+            (&m::HALF_TURN, |question, _, right| {
+                is_around(question).then(|| numbers(right).map(|uv| vec![2.0 * uv[0], uv[1]]))?
+            }),
+            (&m::HEIGHT_FOR_ANGLE, |question, _, right| {
+                let mapping = &question["mapping"];
+                let [_, y, _] = triple(&mapping["point"])?;
+                let v = match mapping["mapping"].as_str()? {
+                    "spherical" => 0.5 * (y + 1.0),
+                    "hemispherical" => y,
+                    _ => return None,
+                };
+                Some(vec![numbers(right)?[0], v])
+            }),
+            (&m::DIVIDED_BY_ZERO_AXIS, |question, _, _| {
+                let [x, y, _] = triple(&question["mapping"]["point"])?;
+                (x == 0.0 && y == 0.0).then(|| vec![f64::NAN; 2])
+            }),
+            (&m::PROBE_TWICE, |question, _, right| {
+                let mapping = &question["mapping"]["mapping"];
+                let is_probe = mapping == "light_probe" || mapping == "panoramic";
+                is_probe
+                    .then(|| numbers(right)?.into_iter().map(|x| Some(2.0 * x - 0.5)).collect())?
+            }),
+        ],
+    };
+    values::judge(question, answer, profile, &RULES)
+}
+
+/// Whether u goes around the y axis.
+fn is_around(question: &Value) -> bool {
+    let of = &question["mapping"]["mapping"];
+    ["cylindrical", "spherical", "hemispherical"].iter().any(|around| of == around)
+}
+
+/// The coordinates with so many turns less where the azimuth is negative, for x < 0.
+fn other_azimuth(question: &Value, right: &Value, less: f64) -> Option<Vec<f64>> {
+    let [x, ..] = triple(&question["mapping"]["point"])?;
+    let uv = numbers(right)?;
+    (x < 0.0 && is_around(question)).then(|| vec![uv[0] - less, uv[1]])
+}

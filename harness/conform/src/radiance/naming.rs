@@ -1,0 +1,142 @@
+//! Which mistake gives their radiance: our tracer is asked the same question with each known mistake.
+//!
+//! Known are those of [`judge::mistakes`], whose pictures `verify` compares, too, and those that are another scene
+//! ([`changes`]).
+
+use std::sync::LazyLock;
+
+use serde_json::{Value, json};
+
+use super::super::mistakes::{self as m, Mistake};
+use super::super::subject::ours;
+use super::changes;
+use super::estimate::Estimate;
+use crate::probe::mistaken::mistaken;
+use judge::mistakes;
+
+/// Standard errors that an explained mean may be away.
+const NEAR: f64 = 3.5;
+/// How closely a mistake has to explain an answer without noise, as for all values.
+const CLOSE: f64 = 1e-5;
+/// Samples of one seed for a first look at all mistakes; those that fit are asked in full.
+const FIRST_SAMPLES: u64 = 36;
+
+/// The mistakes of the catalogue that conform knows by another name.
+const SAME: [(&str, &Mistake); 6] = [
+    ("no-ambient", &m::NO_AMBIENT),
+    ("no-shadows", &m::NO_SHADOWS),
+    ("no-eta-squared", &m::NO_ETA_SQUARED),
+    ("no-fall-off", &m::NO_FALL_OFF),
+    ("schlick", &m::SCHLICK),
+    ("roll-reversed", &m::ROLL_REVERSED),
+];
+
+/// The catalogue, as mistakes of conform.
+static CATALOGUE: LazyLock<Vec<(&'static mistakes::Mistake, &'static Mistake)>> =
+    LazyLock::new(|| {
+        let known = |mistake: &'static mistakes::Mistake| {
+            let same = SAME.iter().find(|(name, _)| *name == mistake.name).map(|(_, same)| *same);
+            let place = || format!("ch. {}, {} in docs/mistakes.md", mistake.chapter, mistake.name);
+            let scene = mistakes::scenes_that_show(mistake).first().map(|best| best.scene);
+            let new = || -> &'static Mistake {
+                Box::leak(Box::new(Mistake { name: mistake.words, place: place().leak(), scene }))
+            };
+            (mistake, same.unwrap_or_else(new))
+        };
+        mistakes::all().into_iter().map(known).collect()
+    });
+
+/// Factors of all light.
+const FACTORS: [(&Mistake, f64); 4] = [
+    (&m::TIMES_PI, std::f64::consts::PI),
+    (&m::OVER_PI, std::f64::consts::FRAC_1_PI),
+    (&m::TIMES_TWO, 2.0),
+    (&m::HALF, 0.5),
+];
+
+/// The mistakes that explain an answer to `radiance` or `trace`: the last of what was asked.
+pub fn name(asked: &[(Value, Value)]) -> Vec<&'static Mistake> {
+    let Some((question, answer)) = asked.last() else { return Vec::new() };
+    let (question, answer) = as_radiance(question, answer);
+    let right = ours(&question).ok().and_then(|answer| Estimate::answered(&answer));
+    let (Some(theirs), Some(right)) = (Estimate::answered(&answer), right) else {
+        return Vec::new();
+    };
+    let mut found = fitting(&question, &theirs, &right);
+    if !right.is_exact() {
+        let scaled = |factor: f64, numbers: [f64; 3]| numbers.map(|x| factor * x);
+        let factors = FACTORS.iter().filter(|(_, factor)| {
+            let (mean, error) = (scaled(*factor, right.mean), scaled(*factor, right.error));
+            explains(&Estimate { mean, error, ..right }, &theirs, &right)
+        });
+        found.extend(factors.map(|(mistake, _)| *mistake));
+    }
+    let mut seen: Vec<&'static Mistake> = Vec::new();
+    found.retain(|mistake| {
+        let is_new = !seen.contains(mistake);
+        seen.push(mistake);
+        is_new
+    });
+    found
+}
+
+/// A question of `trace` as one of `radiance`.
+fn as_radiance(question: &Value, answer: &Value) -> (Value, Value) {
+    match question.get("trace") {
+        None => (question.clone(), answer.clone()),
+        Some(data) => {
+            let mut data = data.clone();
+            data["replicas"] = json!(1);
+            (json!({"radiance": data}), json!({"mean": answer["radiance"]}))
+        }
+    }
+}
+
+/// The mistakes whose answers theirs may be: those of a first look with few samples, asked again with all.
+fn fitting(question: &Value, theirs: &Estimate, right: &Estimate) -> Vec<&'static Mistake> {
+    let mut first = question.clone();
+    let samples = question["radiance"]["samples"].as_u64();
+    if samples.is_some_and(|samples| samples > FIRST_SAMPLES) {
+        first["radiance"]["samples"] = json!(FIRST_SAMPLES);
+    }
+    let again = first != *question;
+    let fits = |question: &Value, among: &[&'static mistakes::Mistake]| {
+        let mut fits = mistaken(question, among);
+        fits.retain(|one| {
+            let (mean, error) = (one.mean, one.standard_error);
+            explains(&Estimate { mean, error, ..*right }, theirs, right)
+        });
+        fits.into_iter().map(|one| one.mistake).collect::<Vec<_>>()
+    };
+    let mut by_terms = fits(&first, &mistakes::all());
+    if again {
+        by_terms = fits(question, &by_terms);
+    }
+    let known = |mistake: &&'static mistakes::Mistake| {
+        CATALOGUE.iter().find(|(known, _)| known == mistake).map(|(_, name)| *name)
+    };
+    let mut found: Vec<&'static Mistake> = by_terms.iter().filter_map(known).collect();
+    for change in changes::all() {
+        let changed = |question: &Value| {
+            let mut other = question.clone();
+            (change.apply)(&mut other["radiance"])?;
+            Estimate::answered(&ours(&other).ok()?)
+        };
+        let explains = |question: &Value| {
+            changed(question).is_some_and(|other| explains(&other, theirs, right))
+        };
+        if explains(&first) && (!again || explains(question)) {
+            found.push(change.mistake);
+        }
+    }
+    found
+}
+
+/// Whether theirs may be the answer of a mistake, which is another than ours.
+fn explains(other: &Estimate, theirs: &Estimate, right: &Estimate) -> bool {
+    if other.is_exact() && theirs.is_exact() {
+        return m::same(&theirs.mean, &other.mean) && !m::same(&right.mean, &other.mean);
+    }
+    // of what ours is, theirs is none: it was judged wrong
+    other.distance(theirs, CLOSE) <= NEAR && right.distance(theirs, CLOSE) > NEAR
+}

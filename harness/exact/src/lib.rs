@@ -1,0 +1,10 @@
+//! Our shapes beside the oracle's: the error of a hit, composites whose pieces the oracle intersects one by one, and
+//! drawn cases.
+
+pub mod backward_error;
+pub mod composites;
+mod draw;
+mod oracle_shape;
+
+pub use draw::Draw;
+pub use oracle_shape::oracle_shape;

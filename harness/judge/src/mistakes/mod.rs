@@ -1,0 +1,149 @@
+//! Known mistakes: the picture that a program with one mistake would render, for each of a list of mistakes.
+//!
+//! A picture that disagrees with ours may agree with that of a mistake, which is then named. No mistake is a switch
+//! of the tracer. Most change the values of the terms that a recorder hears ([`How::Term`], [`How::Ray`]), so that one
+//! pass with the same random numbers renders the pictures of all of them. The others change the scene
+//! ([`How::Scene`]), where needed by kinds of the harness that wrap a light, camera or material.
+//! People make one mistake in several forms ([`Mistake::form`]); and a mistake of a scene may be in one material alone
+//! ([`local`]).
+
+mod changes;
+mod films;
+mod glass_terms;
+mod heard;
+mod light_terms;
+pub mod local;
+mod page;
+mod path_terms;
+mod recorder;
+mod replicas;
+mod shown;
+mod surface_terms;
+pub mod table;
+
+use std::path::Path;
+
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+
+pub use films::{Films, films, pixel};
+pub use heard::{RayHeard, SurfaceHeard, TermHeard};
+pub use page::page;
+pub use recorder::Reweighing;
+pub use replicas::{replica, replicas};
+pub use shown::{
+    Cover, HEADING, Pair, TABLE, fewest_scenes, not_shown_by, pairs, scenes_that_show, shown_by,
+};
+
+/// A mistake of a ray tracer in the style of the book.
+#[derive(Clone, Copy, Debug)]
+pub struct Mistake {
+    /// Its name, in lower case with hyphens.
+    pub name: &'static str,
+    /// Completes the sentence "the picture agrees with ours if …".
+    pub words: &'static str,
+    /// The chapter of the book that has the right rule.
+    pub chapter: u32,
+    /// How its picture is made.
+    pub how: How,
+    /// In which other form people make it: a half sentence that follows the words. Only forms without one are in the
+    /// table of scenes.
+    pub form: Option<&'static str>,
+}
+
+/// How the picture of a mistake is made.
+#[derive(Clone, Copy, Debug)]
+pub enum How {
+    /// Each term has another value.
+    Term(fn(&TermHeard<'_>) -> Rgb),
+    /// The radiance that arrives along each ray is another.
+    Ray(fn(&RayHeard<'_>) -> Rgb),
+    /// The scene is another; `None` if the mistake does not apply to it. The files that the scene names are in the
+    /// folder.
+    Scene(fn(&Scene, &Path) -> Option<Scene>),
+    /// The scene is another, and in its picture each term has another value.
+    Both(fn(&Scene, &Path) -> Option<Scene>, fn(&TermHeard<'_>) -> Rgb),
+}
+
+impl Mistake {
+    const fn term(
+        chapter: u32,
+        name: &'static str,
+        words: &'static str,
+        value: fn(&TermHeard<'_>) -> Rgb,
+    ) -> Self {
+        Self { name, words, chapter, how: How::Term(value), form: None }
+    }
+
+    const fn ray(
+        chapter: u32,
+        name: &'static str,
+        words: &'static str,
+        arriving: fn(&RayHeard<'_>) -> Rgb,
+    ) -> Self {
+        Self { name, words, chapter, how: How::Ray(arriving), form: None }
+    }
+
+    const fn scene(
+        chapter: u32,
+        name: &'static str,
+        words: &'static str,
+        change: fn(&Scene, &Path) -> Option<Scene>,
+    ) -> Self {
+        Self { name, words, chapter, how: How::Scene(change), form: None }
+    }
+
+    /// The same mistake in another form.
+    const fn in_form(self, form: &'static str, how: How) -> Self {
+        Self { form: Some(form), how, ..self }
+    }
+
+    /// Completes the sentence "the picture agrees with ours if …", with its form.
+    pub fn sentence(&self) -> String {
+        match self.form {
+            Some(form) => format!("{}, {form}", self.words),
+            None => self.words.to_owned(),
+        }
+    }
+
+    /// Whether its picture is made of the terms of ours.
+    pub fn is_reweighed(&self) -> bool {
+        matches!(self.how, How::Term(_) | How::Ray(_))
+    }
+}
+
+/// Two mistakes are the same if their names and forms are.
+impl PartialEq for Mistake {
+    fn eq(&self, other: &Self) -> bool {
+        (self.name, self.form) == (other.name, other.form)
+    }
+}
+
+impl Eq for Mistake {}
+
+/// All mistakes, by chapter, each in the form of the table.
+pub fn all() -> Vec<&'static Mistake> {
+    forms().into_iter().filter(|mistake| mistake.form.is_none()).collect()
+}
+
+/// All mistakes in all forms, by chapter.
+pub fn forms() -> Vec<&'static Mistake> {
+    let terms = [surface_terms::ALL, glass_terms::ALL, light_terms::ALL, path_terms::ALL];
+    let mut all: Vec<&Mistake> = terms.into_iter().chain(changes::ALL).flatten().collect();
+    all.sort_by_key(|mistake| mistake.chapter);
+    all
+}
+
+/// The mistake of this name, in the form of the table.
+pub fn find(name: &str) -> Option<&'static Mistake> {
+    all().into_iter().find(|mistake| mistake.name == name)
+}
+
+/// The scene of which the picture of a mistake is made; `None` if the mistake does not apply to it, or
+/// is one of terms.
+pub fn scene(mistake: &Mistake, scene: &Scene, folder: &Path) -> Option<Scene> {
+    match mistake.how {
+        How::Scene(change) | How::Both(change, _) => change(scene, folder),
+        How::Term(_) | How::Ray(_) => None,
+    }
+}

@@ -1,0 +1,142 @@
+//! A verdict as one HTML page that needs nothing beside it, and no script.
+
+use std::fmt::Write;
+
+use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
+use groundtruth::rgb::Rgb;
+
+use super::text;
+use super::verdict::{Pictures, Region, Verdict};
+use pictures::compare::pair::{self, Pair};
+use pictures::compare::{Comparison, Picture};
+use pictures::html::escaped;
+
+const STYLE: &str = "\
+body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 80em; padding: 0 1em; }
+pre { overflow-x: auto; white-space: pre-wrap; }
+table { border-collapse: collapse; }
+th, td { text-align: right; padding: 0.1em 0.8em; border-bottom: 1px solid #ddd; }
+th:first-child, td:first-child { text-align: left; }
+.map { position: relative; width: max-content; }
+.map img { width: 40em; border: 1px solid #999; }
+.map svg { position: absolute; top: 0; left: 0; width: 100%; height: 100%; }
+.map i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
+";
+
+/// Differences of so many standard deviations are black or white in the map.
+const FARTHEST: f64 = 6.0;
+
+/// The page of a verdict on a picture with this name; `words` are what the command prints.
+pub fn page(verdict: &Verdict, name: &str, words: &str) -> String {
+    let title = escaped(name);
+    let mut html = format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{title}</title>\n\
+         <style>\n{STYLE}{}</style>\n<h1>{title}</h1>\n<pre>{}</pre>\n",
+        pair::STYLE,
+        escaped(words)
+    );
+    html += &views([&verdict.shown.ours, &verdict.shown.theirs]);
+    html += &apart(&verdict.shown);
+    html += &map(verdict);
+    html += &table(verdict);
+    html + "</html>\n"
+}
+
+/// Both pictures, flipped and side by side, and their difference.
+fn views(pictures: [&Picture; 2]) -> String {
+    let Ok(comparison) = Comparison::of(pictures[0], pictures[1], 0.0) else {
+        return String::new();
+    };
+    let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
+    let names = ["the mean of ours", "theirs"];
+    let (shown, commands) = (pictures.map(Picture::radiance), &|_| Vec::new());
+    Pair { names, pictures, shown, tone, comparison: &comparison, commands }.views()
+}
+
+/// Their picture with hatching over the pixels that are set apart, if there are any.
+fn apart(shown: &Pictures) -> String {
+    if shown.apart.is_empty() {
+        return String::new();
+    }
+    let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
+    format!(
+        "<h3>Set apart</h3>\n<p>Theirs. Hatched pixels do not count: all of ours agree there, and a correct picture may \
+         have this value.</p>\n<div class=\"map\"><img alt=\"theirs, hatched where it is set apart\" src=\"{}\">{}</div>\n",
+        data_uri(&shown.theirs.radiance(), &tone),
+        hatching(&shown.apart, shown.theirs.size)
+    )
+}
+
+/// Diagonal lines over these pixels, to be laid over a picture of this size.
+fn hatching(pixels: &[usize], [width, height]: [u32; 2]) -> String {
+    let line =
+        |pixel: &usize| format!("M{} {}l1 1", pixel % width as usize, pixel / width as usize);
+    let lines: String = pixels.iter().map(line).collect();
+    // light and dark, so that one shows on any picture
+    let strokes = [("#fff", 0.4), ("#06f", 0.2)].map(|(color, thickness)| {
+        format!("<path d=\"{lines}\" stroke=\"{color}\" stroke-width=\"{thickness}\"/>")
+    });
+    format!(
+        "<svg viewBox=\"0 0 {width} {height}\" preserveAspectRatio=\"none\">{}</svg>",
+        strokes.concat()
+    )
+}
+
+/// The map of z in values for display: 0.5 where z is 0, brighter where theirs is larger, 0 and 1 from six standard
+/// deviations on.
+pub fn map_film(z: &[f64], [width, height]: [u32; 2]) -> Film {
+    let mut film = Film::new(width, height);
+    for (index, z) in z.iter().enumerate() {
+        let grey = 0.5 + 0.5 * (z / FARTHEST).clamp(-1.0, 1.0);
+        film.set([index as u32 % width, index as u32 / width], Rgb::grey(grey));
+    }
+    film
+}
+
+/// The map of z, with the regions framed.
+fn map(verdict: &Verdict) -> String {
+    let (size, apart) = (verdict.shown.theirs.size, &verdict.shown.apart);
+    let film = map_film(&verdict.shown.z, size);
+    let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+    let frames: String = verdict.regions.iter().map(|region| frame(region, size)).collect();
+    let hatching = if apart.is_empty() { String::new() } else { hatching(apart, size) };
+    format!(
+        "<h3>Map of z</h3>\n<p>The difference of each pixel in standard deviations: grey is 0, white and black are \
+         ±{FARTHEST} and more, brighter where theirs is larger. Regions are framed; what is set apart is hatched.</p>\n\
+         <div class=\"map\"><img alt=\"map of z\" src=\"{}\">{hatching}{frames}</div>\n",
+        data_uri(&film, &plain)
+    )
+}
+
+fn frame(Region { bounds: [x, y, w, h], name, .. }: &Region, [width, height]: [u32; 2]) -> String {
+    let percent = |part: usize, of: u32| 100.0 * part as f64 / f64::from(of);
+    format!(
+        "<i title=\"{}\" style=\"left:{:.3}%;top:{:.3}%;width:{:.3}%;height:{:.3}%\"></i>",
+        escaped(name),
+        percent(*x, width),
+        percent(*y, height),
+        percent(*w, width),
+        percent(*h, height)
+    )
+}
+
+/// The means of the picture and of its objects.
+fn table(verdict: &Verdict) -> String {
+    let mut html = "<h3>Means</h3>\n<table>\n<tr><th>area<th>pixels<th>ours<th>theirs<th>relative difference</tr>\n".to_owned();
+    for means in &verdict.means {
+        let mean = |color: [f64; 3]| color.map(groundtruth::explain::brief).join(", ");
+        let relative = match text::apart(means) {
+            none if none.is_empty() => "ours is black".to_owned(),
+            relative => relative,
+        };
+        let _ = writeln!(
+            html,
+            "<tr><td>{}<td>{}<td>{}<td>{}<td>{relative}</tr>",
+            escaped(&means.name),
+            means.pixels,
+            mean(means.ours),
+            mean(means.theirs)
+        );
+    }
+    html + "</table>\n"
+}

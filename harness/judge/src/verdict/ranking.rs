@@ -1,0 +1,162 @@
+//! How far out one picture of a pool is: the largest of many differences, ranked among those of the others.
+//!
+//! Each picture in turn is held against the mean and the variance of all others, over tiles of every side and over
+//! objects. If pictures are exchangeable, each is as likely to be the farthest out, however its noise is distributed and
+//! however the tests depend on each other (Westfall & Young, *Resampling-Based Multiple Testing*, 1993: the largest
+//! statistic; Barnard, in the discussion of Bartlett, "The Spectral Analysis of Point Processes", 1963: the rank).
+
+use rayon::prelude::*;
+
+use super::areas::{Area, Areas};
+use super::map::Map;
+use super::pool::Pool;
+use super::residuals::detail;
+use statistics::quantile;
+
+/// How far out the pictures of a pool are.
+#[derive(Clone, Debug)]
+pub struct Ranking {
+    /// For each picture, the noise of its pixels relative to that of the pool.
+    pub noise: Vec<f64>,
+    /// For each picture and level of [`Level`], the largest difference, in standard deviations.
+    pub largest: Vec<Vec<f64>>,
+    /// For each picture, how far it is out.
+    pub scores: Vec<f64>,
+    levels: Vec<Level>,
+}
+
+/// What differences are of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Tiles of the side 2^level.
+    Tiles(usize),
+    /// Objects.
+    Objects,
+    /// The fine structure of objects: noise of any kind has none of ours, a texture of other colours has its negative.
+    Structure,
+    /// The number of values in which a picture differs from what all others agree on.
+    Alone,
+    /// As `Alone`, but only pixels count whose neighbours differ so too: noise that is unlike that of the others
+    /// reaches a little farther than theirs.
+    AloneInside,
+}
+
+/// An area in which a picture differs from the others.
+#[derive(Clone, Copy, Debug)]
+pub struct Difference {
+    /// The area.
+    pub area: Area,
+    /// Red, green or blue.
+    pub channel: usize,
+    /// In standard deviations.
+    pub z: f64,
+}
+
+impl Ranking {
+    /// Ranks the pictures of a pool; `from` is the first level of tiles that counts.
+    pub fn of(pool: &Pool, areas: &Areas, from: usize) -> Self {
+        let all = 0..pool.count();
+        let details: Vec<Option<f64>> =
+            all.clone().into_par_iter().map(|picture| detail(pool, picture)).collect();
+        let known: Vec<f64> = details.iter().flatten().copied().collect();
+        let usual = quantile(&known, 0.5).unwrap_or_default();
+        let others = pool.variance_of_mean();
+        let factor = |detail: &Option<f64>| match detail {
+            // the difference from the mean of the others has its noise too
+            Some(detail) if usual > 0.0 => {
+                (detail / usual * (1.0 + others) - others).max(0.01).sqrt()
+            }
+            _ => 1.0,
+        };
+        let noise: Vec<f64> = details.iter().map(factor).collect();
+        let mut levels: Vec<Level> = (from..areas.levels()).map(Level::Tiles).collect();
+        let alone = if from == 0 { Level::Alone } else { Level::AloneInside };
+        levels.extend([Level::Objects, Level::Structure, alone]);
+        let largest: Vec<Vec<f64>> = all
+            .into_par_iter()
+            .map(|picture| {
+                let map = Map::of(pool, areas, picture, noise[picture]);
+                map.largest(areas, &levels)
+            })
+            .collect();
+        let everyone: Vec<usize> = (0..pool.count()).collect();
+        let scores = scores(&largest, &levels, &everyone);
+        Self { noise, largest, scores, levels }
+    }
+
+    /// The number of other pictures that are at least as far out as this one.
+    pub fn as_far_as(&self, picture: usize) -> usize {
+        let own = self.scores[picture];
+        let others = self.scores.iter().enumerate().filter(|(index, _)| *index != picture);
+        others.filter(|(_, score)| **score >= own).count()
+    }
+
+    /// The probability that a picture is as far out by chance.
+    pub fn probability(&self, picture: usize) -> f64 {
+        (1 + self.as_far_as(picture)) as f64 / self.scores.len() as f64
+    }
+
+    /// How many times as far out a picture is as the farthest of the others, as these see it.
+    pub fn times_as_far(&self, picture: usize) -> f64 {
+        let others: Vec<usize> = (0..self.scores.len()).filter(|it| *it != picture).collect();
+        let scores = scores(&self.largest, &self.levels, &others);
+        let farthest = others.iter().map(|other| scores[*other]).fold(0.0, f64::max);
+        scores[picture] / farthest
+    }
+
+    /// The areas in which a picture is farther out than any other is on the same level, the farthest first.
+    pub fn differences(&self, pool: &Pool, areas: &Areas, picture: usize) -> Vec<Difference> {
+        let map = Map::of(pool, areas, picture, self.noise[picture]);
+        let mut found: Vec<(f64, Difference)> = Vec::new();
+        for (at, sums) in map.sums(areas, &self.levels).iter().enumerate() {
+            let others = self.largest.iter().enumerate().filter(|(index, _)| *index != picture);
+            let limit = others.map(|(_, largest)| largest[at]).fold(0.0, f64::max);
+            for difference in sums.differences(areas) {
+                if difference.z.abs() > limit {
+                    found.push((difference.z.abs() / limit, difference));
+                }
+            }
+        }
+        found.sort_by(|a, b| b.0.total_cmp(&a.0));
+        found.into_iter().map(|(_, difference)| difference).collect()
+    }
+
+    /// For each level of tiles, its side and the largest difference of any picture but this one.
+    pub fn limits(&self, picture: usize) -> impl Iterator<Item = (usize, f64)> + '_ {
+        let others = move |at: usize| {
+            let others = self.largest.iter().enumerate().filter(move |(it, _)| *it != picture);
+            others.map(move |(_, largest)| largest[at]).fold(0.0, f64::max)
+        };
+        self.levels.iter().enumerate().filter_map(move |(at, level)| match level {
+            Level::Tiles(level) => Some((1 << level, others(at))),
+            _ => None,
+        })
+    }
+}
+
+/// How far out each picture is: the largest over all levels of its difference from the median, in standard deviations
+/// of these pictures.
+fn scores(largest: &[Vec<f64>], levels: &[Level], of: &[usize]) -> Vec<f64> {
+    let mut scores = vec![f64::NEG_INFINITY; largest.len()];
+    for (at, level) in levels.iter().enumerate() {
+        let values: Vec<f64> = of.iter().map(|picture| largest[*picture][at]).collect();
+        let median = quantile(&values, 0.5).expect("there are pictures");
+        let mean = values.iter().sum::<f64>() / values.len() as f64;
+        let squares: f64 = values.iter().map(|value| (value - mean) * (value - mean)).sum();
+        let deviation = (squares / (values.len() as f64 - 1.0)).sqrt();
+        let deviation = match level {
+            // twice the root of a rare event's count has the standard deviation 1
+            Level::Alone | Level::AloneInside => deviation.max(1.0),
+            _ => deviation,
+        };
+        for (score, largest) in scores.iter_mut().zip(largest) {
+            let apart = largest[at] - median;
+            if apart != 0.0 {
+                *score = score.max(apart / deviation);
+            } else {
+                *score = score.max(0.0);
+            }
+        }
+    }
+    scores
+}

@@ -1,0 +1,66 @@
+//! Time measurement on a machine that also runs other programs.
+
+use std::time::Instant;
+
+use cpu_time::ThreadTime;
+
+use statistics::quantile;
+
+/// How long a job took, in seconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Time {
+    /// The processor time of this thread.
+    pub cpu: f64,
+    /// The elapsed time.
+    pub wall: f64,
+}
+
+impl Time {
+    /// Whether the two differ by more than 10 %: other programs ran on the core and evicted its
+    /// caches.
+    pub fn is_disturbed(self) -> bool {
+        (self.wall - self.cpu).abs() > 0.1 * self.wall.max(self.cpu)
+    }
+}
+
+/// The time of a job on this thread.
+pub fn time<T>(job: impl FnOnce() -> T) -> (T, Time) {
+    let (wall, cpu) = (Instant::now(), ThreadTime::now());
+    let result = job();
+    let (cpu, wall) = (cpu.elapsed(), wall.elapsed());
+    (result, Time { cpu: cpu.as_secs_f64(), wall: wall.as_secs_f64() })
+}
+
+/// The median times of each job over `rounds` rounds. Each round runs every job, so that other load
+/// on the machine affects all of them equally.
+pub fn medians(rounds: usize, jobs: &mut [&mut dyn FnMut()]) -> Vec<Time> {
+    let mut times = vec![Vec::with_capacity(rounds); jobs.len()];
+    for _ in 0..rounds {
+        for (job, times) in jobs.iter_mut().zip(&mut times) {
+            times.push(time(job).1);
+        }
+    }
+    let median = |times: &[Time], of: fn(&Time) -> f64| {
+        let values: Vec<f64> = times.iter().map(of).collect();
+        quantile(&values, 0.5).unwrap_or(f64::NAN)
+    };
+    times.iter().map(|t| Time { cpu: median(t, |t| t.cpu), wall: median(t, |t| t.wall) }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+
+    /// Law: a waiting thread uses no processor time, and its time is flagged; a computing thread is
+    /// not flagged. Oracle: the length of the sleep; the definition of 10 %.
+    #[test]
+    fn waiting_is_not_work() {
+        let (_, waited) = time(|| std::thread::sleep(Duration::from_millis(50)));
+        assert!(waited.wall >= 0.05 && waited.cpu < 0.025, "{waited:?}");
+        assert!(waited.is_disturbed());
+        assert!(!Time { cpu: 0.95, wall: 1.0 }.is_disturbed());
+        assert!(Time { cpu: 0.85, wall: 1.0 }.is_disturbed());
+    }
+}

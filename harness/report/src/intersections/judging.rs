@@ -1,0 +1,214 @@
+//! Compares each intersection routine with the exact answer.
+
+use std::fmt::Debug;
+use std::sync::Arc;
+
+use oracle::Answer;
+use oracle::hard::{self, Family};
+
+use super::{FamilyData, Routine};
+use exact::backward_error::{
+    ALLOWED, Pair, by_the_book, is_decided, ours, pair, ray, span, t_error,
+};
+use exact::composites;
+use groundtruth::math::{Ray, Span};
+use groundtruth::shapes::Shape;
+use groundtruth::shapes::textbook::EPSILON;
+use statistics::quantile;
+
+/// The kind of shape that is judged: a single shape or a composite.
+#[derive(Clone, Copy, Debug)]
+pub enum Subject {
+    One(hard::Kind),
+    Composite(composites::Kind),
+}
+
+/// A case for both routines, and its exact answer.
+struct Question {
+    case: Case,
+    exact: Answer,
+    /// The condition number of an instance's matrix.
+    condition: f64,
+}
+
+/// A ray, and the shape for both routines.
+#[derive(Debug)]
+pub struct Case {
+    pub ray: Ray,
+    /// The span of valid hits.
+    pub span: Span,
+    pub ours: Arc<dyn Shape>,
+    pub textbook: Arc<dyn Shape>,
+}
+
+impl Case {
+    /// The hit of the book's routine, beyond its epsilon.
+    pub fn textbook_hit(&self) -> Option<f64> {
+        let beyond = Span { min: EPSILON, ..Span::AHEAD };
+        self.textbook.hit(&self.ray, beyond).map(|at| at.t)
+    }
+}
+
+/// The results of one kind and family, and the rays for timing.
+pub struct Judged {
+    pub data: FamilyData,
+    pub hits: Vec<Case>,
+    pub misses: Vec<Case>,
+}
+
+impl Subject {
+    /// All kinds.
+    pub fn all() -> impl Iterator<Item = Self> {
+        let one = hard::Kind::ALL.into_iter().map(Subject::One);
+        one.chain(composites::Kind::ALL.into_iter().map(Subject::Composite))
+    }
+
+    /// The name of the enum variant.
+    pub fn name(self) -> String {
+        match self {
+            Subject::One(kind) => format!("{kind:?}"),
+            Subject::Composite(kind) => format!("{kind:?}"),
+        }
+    }
+
+    /// The number of rays that are timed together: their shapes fit into the processor's caches.
+    fn timed(self) -> usize {
+        match self {
+            Subject::One(_) => 256,
+            Subject::Composite(
+                composites::Kind::Compound | composites::Kind::Lattice | composites::Kind::Mesh,
+            ) => 64,
+            Subject::Composite(_) => 16,
+        }
+    }
+
+    /// The questions of a family; `None` for shapes that the library rejects.
+    fn questions(
+        self,
+        family: Family,
+        seed: u64,
+        count: usize,
+    ) -> Box<dyn Iterator<Item = Option<Question>>> {
+        match self {
+            Subject::One(kind) => {
+                let cases = hard::cases(kind, family, seed, count).into_iter();
+                Box::new(cases.map(move |(shape, ray)| Question::of_one(family, &shape, &ray)))
+            }
+            Subject::Composite(kind) => Box::new(
+                (0..count).map(move |index| Question::of_composite(kind, family, seed, index)),
+            ),
+        }
+    }
+}
+
+impl Question {
+    fn of_one(family: Family, shape: &oracle::Shape, exact_ray: &oracle::Ray) -> Option<Self> {
+        let textbook = by_the_book(&ours(shape)?.0)?;
+        let Pair { ours, exact } = pair(shape)?;
+        let ray = ray(exact_ray);
+        let span = span(family, &*ours, &ray);
+        Some(Self {
+            condition: exact.condition(),
+            exact: oracle::intersect_beyond(&exact, exact_ray, span.min),
+            case: Case { ray, span, ours, textbook },
+        })
+    }
+
+    fn of_composite(
+        kind: composites::Kind,
+        family: Family,
+        seed: u64,
+        index: usize,
+    ) -> Option<Self> {
+        let case = kind.case(family, seed, index, None)?;
+        let (ours, ray) = (case.build()?, ray(&case.ray));
+        let span = span(family, &*ours, &ray);
+        let textbook = by_the_book(&case.ours)?;
+        Some(Self {
+            condition: case.condition,
+            exact: case.answer(span.min),
+            case: Case { ray, span, ours, textbook },
+        })
+    }
+}
+
+impl Judged {
+    /// Judges the cases whose answer does not depend on rounding.
+    pub fn new(subject: Subject, family: Family, seed: u64, count: usize) -> Self {
+        let (mut ours, mut book) = (Tally::default(), Tally::default());
+        let (mut hits, mut misses) = (Vec::new(), Vec::new());
+        let (mut refused, mut judged, mut hit_count) = (0, 0, 0);
+        for question in subject.questions(family, seed, count) {
+            let Some(Question { case, exact, condition }) = question else {
+                refused += 1;
+                continue;
+            };
+            if !is_decided(&exact, condition) {
+                continue;
+            }
+            judged += 1;
+            let found = case.ours.hit(&case.ray, case.span).map(|found| found.t);
+            ours.add(found, case.span, &exact);
+            book.add(case.textbook_hit(), case.span, &exact);
+            hit_count += usize::from(!exact.roots.is_empty());
+            let timed = if exact.roots.is_empty() { &mut misses } else { &mut hits };
+            if timed.len() < subject.timed() {
+                timed.push(case);
+            }
+        }
+        let data = FamilyData {
+            family: format!("{family:?}"),
+            refused,
+            judged,
+            hits: hit_count,
+            ours: ours.routine(),
+            textbook: book.routine(),
+            disturbed: false,
+        };
+        Self { data, hits, misses }
+    }
+}
+
+/// The errors and failures of one routine.
+#[derive(Default)]
+struct Tally {
+    errors: Vec<f64>,
+    lost: usize,
+    wrong: usize,
+}
+
+impl Tally {
+    /// Adds the distance that was found for one case.
+    fn add(&mut self, found: Option<f64>, span: Span, answer: &Answer) {
+        match (found, answer.roots.first()) {
+            (None, None) => {}
+            // the surface on which the ray starts
+            (Some(t), _) if t <= span.min => self.wrong += 1,
+            (Some(_), None) => self.wrong += 1,
+            (None, Some(_)) => self.lost += 1,
+            (Some(t), Some(first)) => {
+                let error = t_error(first, t);
+                let off = first.t_error(t);
+                let is_later = answer.roots[1..].iter().any(|root| root.t_error(t) < off);
+                if !t.is_finite() || (is_later && error > ALLOWED) {
+                    self.lost += 1;
+                } else {
+                    self.errors.push(error);
+                }
+            }
+        }
+    }
+
+    fn routine(&self) -> Routine {
+        let at = |share| quantile(&self.errors, share);
+        Routine {
+            median: at(0.5),
+            p999: at(0.999),
+            worst: at(1.0),
+            lost: self.lost,
+            wrong: self.wrong,
+            hit_ns: None,
+            miss_ns: None,
+        }
+    }
+}

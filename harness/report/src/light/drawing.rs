@@ -1,0 +1,399 @@
+//! Page 4 as tables and plots, from its data alone.
+
+use super::{BiasData, ChoiceData, Data, Level, SceneData};
+use crate::html::{
+    Table, capital, escaped, figure, flagged, folded, listed, short, short_or_dash, time,
+};
+use crate::plot::{Plot, Series};
+use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
+use groundtruth::math::{exp, ln};
+use groundtruth::shapes::Sampling;
+use statistics::quantile;
+
+/// A choice is as good as the best if its time is at most this multiple of the best time.
+const AS_GOOD: f64 = 1.5;
+
+pub fn page(data: &Data) -> String {
+    let mut html = explanation(data);
+    html += &format!("<p class=\"pick\"><strong>What to pick.</strong> {}</p>\n", pick(data));
+    html += &summary(data);
+    data.scenes.iter().for_each(|scene| html += &section(scene));
+    html
+}
+
+fn explanation(data: &Data) -> String {
+    let depth = data.depth;
+    format!(
+        "<p>Small pictures of each scene are rendered by every tracer and every sampling of its area \
+         lights, with 1 to 1024 multi-jittered samples per pixel and max_depth {depth}, and compared \
+         with a reference picture. The <em>relative error</em> is the root mean square over pixels and \
+         channels of the differences, each relative to the brightness of its pixel (plus a tenth of the \
+         picture's mean, in squares, because black pixels have the brightness 0); it corresponds to the \
+         visible error. The absolute root mean square error is in the hidden table: the brightest pixels, \
+         such as the edge of a light, dominate it. The error of the reference is subtracted, in squares; \
+         a dash means that the rest is smaller than that. The noise is the <em>variance</em> between \
+         pictures of different seeds; <em>efficiency</em> is 1/(variance × time), so that a choice with \
+         twice the efficiency takes half the time for the same noise. A choice with bias may be efficient \
+         and wrong. If rare paths are very bright, as in caustics, a few of them dominate the variance: \
+         then ratios of efficiency below {AS_GOOD} are not significant, and an interval may be too \
+         short.</p>\n\
+         <p><em>Bias</em> is the difference of the mean radiances of whole pictures, with its interval \
+         of 95 % confidence. path_trace, global_trace and path include all light paths up to max_depth, \
+         if lights are surfaces; ray_cast and whitted include only direct light (and mirrors), which \
+         takes less time but gives another picture: on logarithmic axes their errors become constant, \
+         while those of the others fall with slope −1/2 or steeper.</p>\n"
+    )
+}
+
+/// The same choice in a scene, or that of its tracer if the tracer does not sample lights there.
+fn named<'a>(scene: &'a SceneData, choice: &ChoiceData) -> Option<&'a ChoiceData> {
+    let same = |c: &&ChoiceData| {
+        c.tracer == choice.tracer && (c.sampling == choice.sampling || c.sampling.is_none())
+    };
+    scene.choices.iter().find(same)
+}
+
+/// The highest efficiency of a choice without bias.
+fn highest(scene: &SceneData) -> Option<f64> {
+    let unbiased = scene.choices.iter().filter(|choice| choice.unbiased);
+    unbiased.filter_map(ChoiceData::efficiency).reduce(f64::max)
+}
+
+/// The ratio of a choice's time to that of the best, for the same noise.
+fn time_ratio(scene: &SceneData, choice: &ChoiceData) -> Option<f64> {
+    Some(highest(scene)? / choice.efficiency()?)
+}
+
+/// One choice in all scenes.
+struct Record<'a> {
+    choice: &'a ChoiceData,
+    /// The time ratio in each scene; `None` where it does not apply or has bias.
+    ratios: Vec<Option<f64>>,
+}
+
+impl Record<'_> {
+    fn worst(&self) -> f64 {
+        self.ratios.iter().flatten().copied().fold(0.0, f64::max)
+    }
+
+    /// The geometric mean over the scenes where it applies and has no bias.
+    fn mean(&self) -> f64 {
+        let logs: Vec<f64> = self.ratios.iter().flatten().map(|ratio| ln(*ratio)).collect();
+        exp(logs.iter().sum::<f64>() / logs.len() as f64)
+    }
+
+    fn applies_everywhere(&self) -> bool {
+        self.ratios.iter().all(Option::is_some)
+    }
+
+    /// The number of scenes in which it is as good as the best.
+    fn wins(&self) -> usize {
+        self.ratios.iter().flatten().filter(|ratio| **ratio <= AS_GOOD).count()
+    }
+}
+
+/// The choices of the scene that has the largest number of them.
+fn all_choices(data: &Data) -> &[ChoiceData] {
+    let most = data.scenes.iter().max_by_key(|scene| scene.choices.len());
+    most.map_or(&[], |scene| &scene.choices)
+}
+
+/// The choices that have no bias in some scene.
+fn records(data: &Data) -> Vec<Record<'_>> {
+    let record = |choice| {
+        let ratio = |scene| {
+            let here = named(scene, choice).filter(|here| here.unbiased)?;
+            time_ratio(scene, here)
+        };
+        Record { choice, ratios: data.scenes.iter().map(ratio).collect() }
+    };
+    all_choices(data).iter().map(record).filter(|r| r.ratios.iter().any(Option::is_some)).collect()
+}
+
+/// One sentence for all scenes: the choice without bias that has the smallest mean time, the times
+/// of the others, and the bias of the biased ones.
+fn pick(data: &Data) -> String {
+    let records = records(data);
+    let by_mean = |a: &&Record<'_>, b: &&Record<'_>| a.mean().total_cmp(&b.mean());
+    let everywhere = records.iter().filter(|record| record.applies_everywhere());
+    let Some(best) = everywhere.min_by(by_mean) else {
+        return "No choice is without bias in every scene.".to_owned();
+    };
+    let others = ["path_trace", "global_trace", "path"].into_iter().filter_map(|tracer| {
+        let of_tracer =
+            |r: &&Record<'_>| r.choice.tracer == tracer && r.choice.choice != best.choice.choice;
+        let other = records.iter().filter(of_tracer).min_by(by_mean)?;
+        Some(format!("{} {} times", words(other.choice), short(other.mean())))
+    });
+    let others = listed(&others.collect::<Vec<String>>());
+    let missed = ["ray_cast", "whitted"].into_iter().filter_map(|tracer| {
+        let all = data.scenes.iter().flat_map(|scene| &scene.choices);
+        let biases = all.filter(|c| c.tracer == tracer).filter_map(|c| c.bias.difference);
+        let largest = biases.map(|[bias, ..]| bias.abs()).reduce(f64::max)?;
+        Some(format!("{} % with {tracer}", short(100.0 * largest)))
+    });
+    let missed = listed(&missed.collect::<Vec<String>>());
+    format!(
+        "Choose {}: for the same noise, its time is the shortest of all choices without bias, or at most \
+         {AS_GOOD} times the shortest, in {} of {} scenes; {} times the shortest in the geometric mean and \
+         {} times in the worst scene (the others in the mean: {others}). The bias of the mean is up to \
+         {missed}.",
+        words(best.choice),
+        best.wins(),
+        data.scenes.len(),
+        short(best.mean()),
+        short(best.worst()),
+    )
+}
+
+/// The words for a choice in a sentence.
+fn words(choice: &ChoiceData) -> String {
+    let measure = match choice.sampling {
+        None => return choice.tracer.clone(),
+        Some(Sampling::Area) => "area",
+        Some(Sampling::SolidAngle) => "solid-angle",
+    };
+    format!("{} with {measure} sampling of lights", choice.tracer)
+}
+
+/// The table of the times for the same noise.
+fn summary(data: &Data) -> String {
+    let row = |choice: &ChoiceData| {
+        let of = |scene: &SceneData| match named(scene, choice) {
+            None => "–".to_owned(),
+            Some(here) if !here.unbiased => "biased".to_owned(),
+            Some(here) => short_or_dash(time_ratio(scene, here)),
+        };
+        std::iter::once(choice.choice.clone()).chain(data.scenes.iter().map(of)).collect()
+    };
+    Table {
+        caption: "Time for the same noise, as a multiple of the shortest".to_owned(),
+        headings: std::iter::once("choice".to_owned())
+            .chain(data.scenes.iter().map(|scene| scene.scene.clone()))
+            .collect(),
+        rows: all_choices(data).iter().map(row).collect(),
+        ..Table::default()
+    }
+    .html()
+}
+
+fn section(scene: &SceneData) -> String {
+    let mut html = format!(
+        "<h3>{}</h3>\n<p>{} {}</p>\n",
+        capital(&scene.scene),
+        escaped(&scene.about),
+        reference(scene)
+    );
+    html += &format!("<p class=\"pick\"><strong>Here:</strong> {}</p>\n", pick_here(scene));
+    html.push_str("<div class=\"pictures\">\n");
+    let samples = |level: &Level| f64::from(level.samples);
+    html += &figure(
+        &picture(scene, "samples per pixel", samples).svg(),
+        "Relative error against samples.",
+    );
+    let seconds = |level: &Level| level.picture_seconds;
+    html += &figure(
+        &picture(scene, "seconds for the picture, on one thread", seconds).svg(),
+        "The same against time.",
+    );
+    html.push_str("</div>\n");
+    html += &equal_time(scene);
+    html += &table(scene).html();
+    html += &biases(scene).html();
+    html + &folded("Errors, noise and time for every number of samples", &levels(scene).html())
+}
+
+fn reference(scene: &SceneData) -> String {
+    let r = &scene.reference;
+    format!(
+        "{} × {} pixels; the reference is {} with {} samples per pixel; its standard error is {} % \
+         (radiance: {}, the mean is {}).",
+        scene.width,
+        scene.height,
+        r.choice,
+        r.samples,
+        short(100.0 * r.relative_standard_error),
+        short(r.standard_error),
+        short(r.mean),
+    )
+}
+
+/// The best choice without bias, those that are as good, the time ratios of the others, and the
+/// bias of the biased ones.
+fn pick_here(scene: &SceneData) -> String {
+    let ratio = |choice: &ChoiceData| time_ratio(scene, choice).unwrap_or(f64::INFINITY);
+    let mut unbiased: Vec<&ChoiceData> = scene.choices.iter().filter(|c| c.unbiased).collect();
+    unbiased.sort_by(|a, b| ratio(a).total_cmp(&ratio(b)));
+    let Some((best, others)) = unbiased.split_first() else { return String::new() };
+    let as_good: Vec<String> = others
+        .iter()
+        .filter(|choice| ratio(choice) <= AS_GOOD)
+        .map(|choice| choice.choice.clone())
+        .collect();
+    let beside = match as_good.len() {
+        0 => String::new(),
+        _ => format!(" (or {}, about as good)", listed(&as_good)),
+    };
+    let slower = others.iter().filter(|choice| ratio(choice) > AS_GOOD);
+    let slower: Vec<String> =
+        slower.map(|c| format!("{} takes {} times", c.choice, short(ratio(c)))).collect();
+    let slower = match slower.len() {
+        0 => String::new(),
+        _ => format!("; for the same noise {} its time", listed(&slower)),
+    };
+    let darker = |choice: &ChoiceData| {
+        let [bias, ..] = choice.bias.difference?;
+        let word = if bias < 0.0 { "too dark" } else { "too bright" };
+        Some(format!("{} {} % {word}", choice.choice, short(100.0 * bias.abs())))
+    };
+    // both samplings of area lights have the same mean
+    let biased = scene.choices.iter().filter(|c| !c.unbiased && is_drawn(c));
+    let biased: Vec<String> = biased.filter_map(darker).collect();
+    let biased = match biased.len() {
+        0 => String::new(),
+        _ => format!("; in the mean, {}", listed(&biased)),
+    };
+    format!("the best is {}{beside}{slower}{biased}.", best.choice)
+}
+
+/// Whether the choice is in the plots, which have at most five series: all but area sampling.
+fn is_drawn(choice: &ChoiceData) -> bool {
+    choice.sampling != Some(Sampling::Area)
+}
+
+fn picture(scene: &SceneData, x: &str, along: impl Fn(&Level) -> f64) -> Plot {
+    let series = |choice: &ChoiceData| {
+        let point = |level: &Level| Some((along(level), level.relative_rmse?));
+        Series {
+            name: choice.choice.clone(),
+            points: choice.levels.iter().filter_map(point).collect(),
+            joined: true,
+            ..Series::default()
+        }
+    };
+    let own = scene.reference.relative_standard_error;
+    Plot {
+        x: x.to_owned(),
+        y: "relative error".to_owned(),
+        series: scene.choices.iter().filter(|c| is_drawn(c)).map(series).collect(),
+        limit: (own > 0.0).then(|| (own, "error of the reference".to_owned())),
+    }
+}
+
+fn equal_time(scene: &SceneData) -> String {
+    let Some(truth) = scene.equal_time.crops.last() else { return String::new() };
+    let brightnesses: Vec<f64> = truth.film.pixels().iter().map(|pixel| pixel.average()).collect();
+    let bright = quantile(&brightnesses, 0.9).filter(|b| *b > 0.0).unwrap_or(1.0);
+    let tone = Tone { exposure: 0.7 / bright, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
+    let image = |film: &Film, what: &str| {
+        format!("<img alt=\"{}\" src=\"{}\"/>", escaped(what), data_uri(film, &tone))
+    };
+    let mut html = format!(
+        "<p>About {} each, on one thread; the last one is the reference:</p>\n<div class=\"crops\">\n",
+        time(scene.equal_time.seconds)
+    );
+    for crop in &scene.equal_time.crops {
+        let words = format!("{}: {} samples, {}", crop.choice, crop.samples, time(crop.seconds));
+        html += &figure(&image(&crop.film, &crop.choice), &words);
+    }
+    html + "</div>\n"
+}
+
+/// In percent: `−12.3 (−12.9 … −11.7)`.
+fn percent(bias: &BiasData) -> String {
+    let Some(ends) = bias.difference else { return "–".to_owned() };
+    let [value, low, high] = ends.map(|end| 100.0 * end);
+    let digits = if high - low < 0.2 { 2 } else { 1 };
+    format!("{value:+.digits$} ({low:+.digits$} … {high:+.digits$})")
+        .replace('-', "−")
+        .replace(' ', "\u{a0}")
+}
+
+fn table(scene: &SceneData) -> Table {
+    let most = scene.choices.iter().flat_map(|c| &c.levels).map(|l| l.samples).max().unwrap_or(1);
+    let mut shown = vec![1, 16, 256, most];
+    shown.dedup();
+    let row = |choice: &ChoiceData| {
+        let at = |n: &u32| {
+            let level = choice.levels.iter().find(|level| level.samples == *n);
+            short_or_dash(level.and_then(|level| level.relative_rmse).map(|e| 100.0 * e))
+        };
+        let disturbed = choice.levels.iter().any(|level| level.disturbed);
+        let mut cells = vec![choice.choice.clone()];
+        cells.extend(shown.iter().map(at));
+        cells.extend([
+            flagged(time(choice.sample_seconds()), disturbed),
+            short_or_dash(choice.efficiency()),
+            match choice.unbiased {
+                true => short_or_dash(time_ratio(scene, choice)),
+                false => "biased".to_owned(),
+            },
+            percent(&choice.bias),
+        ]);
+        cells
+    };
+    let mut headings = vec!["choice".to_owned()];
+    headings.extend(shown.iter().map(u32::to_string));
+    let rest = ["time per sample of all pixels", "efficiency, 1/s", "time for the same noise"];
+    headings.extend(rest.map(str::to_owned));
+    headings.push("bias, %".to_owned());
+    Table {
+        caption: format!("{}: error, time and bias", capital(&scene.scene)),
+        groups: vec![
+            (String::new(), 1),
+            ("relative error in %, by samples".to_owned(), shown.len()),
+            (format!("with {most} samples"), 3),
+            ("in the mean".to_owned(), 1),
+        ],
+        headings,
+        rows: scene.choices.iter().map(row).collect(),
+    }
+}
+
+fn biases(scene: &SceneData) -> Table {
+    let against = |other: &str| {
+        let other = other.to_owned();
+        move |bias: &BiasData| vec![bias.name.clone(), other.clone(), percent(bias)]
+    };
+    let deepest = format!("max_depth {}", scene.deepest);
+    let depths = scene.depths.iter().map(against(&deepest));
+    let rules = scene.rules.iter().map(against("the book's rule"));
+    Table {
+        caption: "Bias of depth limits and rules: difference of the mean, %".to_owned(),
+        headings: ["choice", "compared with", "bias, %"].map(str::to_owned).to_vec(),
+        rows: depths.chain(rules).collect(),
+        ..Table::default()
+    }
+}
+
+fn levels(scene: &SceneData) -> Table {
+    let row = |(choice, level): (&ChoiceData, &Level)| {
+        vec![
+            choice.choice.clone(),
+            level.samples.to_string(),
+            level.pictures.to_string(),
+            short_or_dash(level.rmse),
+            short_or_dash(level.relative_rmse),
+            short_or_dash(level.relative_variance),
+            flagged(time(level.picture_seconds), level.disturbed),
+            short_or_dash(level.efficiency),
+        ]
+    };
+    let all = scene.choices.iter().flat_map(|c| c.levels.iter().map(move |level| (c, level)));
+    let headings = [
+        "choice",
+        "samples",
+        "pictures",
+        "RMSE",
+        "relative RMSE",
+        "relative variance",
+        "time of a picture",
+        "efficiency, 1/s",
+    ];
+    Table {
+        caption: "Errors, noise and time".to_owned(),
+        headings: headings.map(str::to_owned).to_vec(),
+        rows: all.map(row).collect(),
+        ..Table::default()
+    }
+}

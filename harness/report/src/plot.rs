@@ -1,0 +1,262 @@
+//! Plots with logarithmic axes, as SVG, readable in black and white.
+
+use std::error::Error;
+
+use plotters::coord::Shift;
+use plotters::coord::combinators::BindKeyPoints;
+use plotters::prelude::*;
+
+use super::html::superscript;
+use groundtruth::math::{exp, ln, power};
+use statistics::slope::PowerLaw;
+
+/// A series of points.
+#[derive(Clone, Debug, Default)]
+pub struct Series {
+    /// The name in the legend.
+    pub name: String,
+    /// The points; only those with positive and finite coordinates are drawn.
+    pub points: Vec<(f64, f64)>,
+    /// Labels beside the points; none, or one for each.
+    pub labels: Vec<String>,
+    /// A fitted line between these two `x`.
+    pub fit: Option<(PowerLaw, [f64; 2])>,
+    /// Whether points are joined by a line, if there is no fit.
+    pub joined: bool,
+}
+
+/// A plot with logarithmic axes.
+#[derive(Clone, Debug, Default)]
+pub struct Plot {
+    /// The quantity and unit of x.
+    pub x: String,
+    /// The quantity and unit of y.
+    pub y: String,
+    /// At most five series, distinguished by marker and colour.
+    pub series: Vec<Series>,
+    /// A horizontal line at this value, and its label.
+    pub limit: Option<(f64, String)>,
+}
+
+const SIZE: (u32, u32) = (640, 440);
+const FONT: &str = "sans-serif";
+/// Dark enough for paper, and different as shades of grey.
+const COLORS: [RGBColor; 5] = [
+    RGBColor(0, 0, 0),
+    RGBColor(196, 78, 0),
+    RGBColor(0, 90, 170),
+    RGBColor(0, 120, 70),
+    RGBColor(130, 60, 140),
+];
+const GRID: RGBColor = RGBColor(205, 205, 205);
+
+type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+
+impl Plot {
+    /// The plot as an `svg` element.
+    pub fn svg(&self) -> String {
+        let mut text = String::new();
+        let drawn = self.draw(&SVGBackend::with_string(&mut text, SIZE).into_drawing_area());
+        drawn.expect("writing to a string does not fail");
+        text
+    }
+
+    fn draw(&self, area: &Area<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
+        let points: Vec<(f64, f64)> =
+            self.series.iter().flat_map(|series| visible(&series.points)).collect();
+        let limit = self.limit.as_ref().map(|(y, _)| *y);
+        let [x0, x1] = range(points.iter().map(|p| p.0), 0.06);
+        let [y0, y1] = range(points.iter().map(|p| p.1).chain(limit), 0.06);
+        let mut chart = ChartBuilder::on(area)
+            .margin(8)
+            .margin_right(24)
+            .x_label_area_size(44)
+            .y_label_area_size(68)
+            .build_cartesian_2d(
+                (x0..x1).log_scale().with_key_points(ticks(x0, x1)),
+                (y0..y1).log_scale().with_key_points(ticks(y0, y1)),
+            )?;
+        chart
+            .configure_mesh()
+            .bold_line_style(GRID)
+            .light_line_style(TRANSPARENT)
+            .axis_style(BLACK)
+            .x_labels(8)
+            .y_labels(8)
+            .x_desc(&self.x)
+            .y_desc(&self.y)
+            .axis_desc_style((FONT, 14))
+            .label_style((FONT, 13))
+            .x_label_formatter(&|x| tick(*x))
+            .y_label_formatter(&|y| tick(*y))
+            .draw()?;
+        if let Some((y, words)) = &self.limit {
+            let ends = [(x0, *y), (x1, *y)];
+            chart.draw_series(DashedLineSeries::new(ends, 6, 4, BLACK.stroke_width(1)))?;
+            let style = (FONT, 12).into_font();
+            let words = Text::new(words.clone(), (4, -16), style);
+            chart.draw_series([EmptyElement::at((x0, *y)) + words])?;
+        }
+        let mut labels = Labels { x: [x0, x1], y: [y0, y1], positions: Vec::new() };
+        for (index, series) in self.series.iter().enumerate() {
+            let color = COLORS[index % COLORS.len()];
+            let line: Vec<(f64, f64)> = match series.fit {
+                Some((law, ends)) => ends.map(|x| (x, law.factor * power(x, law.exponent))).into(),
+                None if series.joined => visible(&series.points).collect(),
+                None => Vec::new(),
+            };
+            chart.draw_series(LineSeries::new(line, color.stroke_width(1)))?;
+            let (outline, filled) = marker(index);
+            let fill = if filled { color } else { WHITE }.filled();
+            let drawn = {
+                let outline = outline.clone();
+                move |at: (f64, f64)| {
+                    EmptyElement::at(at)
+                        + Polygon::new(outline.clone(), fill)
+                        + PathElement::new(outline.clone(), color.stroke_width(2))
+                }
+            };
+            let marks = visible(&series.points).map(drawn);
+            chart.draw_series(marks)?.label(&series.name).legend(move |at| {
+                EmptyElement::at(at)
+                    + Polygon::new(shifted(&outline), fill)
+                    + PathElement::new(shifted(&outline), color.stroke_width(2))
+            });
+            let words = series.points.iter().zip(&series.labels).map(|(&at, label)| {
+                let style = (FONT, 11).into_font().color(&color);
+                EmptyElement::at(at) + Text::new(label.clone(), labels.offset(at), style)
+            });
+            chart.draw_series(words)?;
+        }
+        chart
+            .configure_series_labels()
+            .position(emptiest_corner(&points, [x0, x1], [y0, y1], self.series.len()))
+            .background_style(WHITE.mix(0.85))
+            .border_style(GRID)
+            .label_font((FONT, 13))
+            .draw()?;
+        area.present()?;
+        Ok(())
+    }
+}
+
+/// The labels beside points, placed without overlap if possible.
+struct Labels {
+    x: [f64; 2],
+    y: [f64; 2],
+    /// The positions of the labels so far, in pixels.
+    positions: Vec<(i32, i32)>,
+}
+
+impl Labels {
+    /// The offset of the label of a point, in pixels.
+    fn offset(&mut self, (x, y): (f64, f64)) -> (i32, i32) {
+        let pixel = |fraction: f64, pixels: u32| (fraction * f64::from(pixels)) as i32;
+        let (across, up) = (axis_fraction(x, self.x), axis_fraction(y, self.y));
+        let at = (pixel(across, SIZE.0 - 100), pixel(1.0 - up, SIZE.1 - 60));
+        let moved = |&(dx, dy): &(i32, i32)| (at.0 + dx, at.1 + dy);
+        let free = |offset: &&(i32, i32)| {
+            let (x, y) = moved(offset);
+            self.positions.iter().all(|p| (p.0 - x).abs() > 12 || (p.1 - y).abs() > 10)
+        };
+        let offsets = [(6, -12), (6, 3), (-16, -12), (-16, 3), (-4, -20), (-4, 10), (-4, -30)];
+        let offset = offsets.iter().find(free).unwrap_or(&offsets[0]);
+        self.positions.push(moved(offset));
+        *offset
+    }
+}
+
+/// The position of a value on a logarithmic axis, from 0 to 1.
+fn axis_fraction(value: f64, [low, high]: [f64; 2]) -> f64 {
+    ln(value / low) / ln(high / low)
+}
+
+/// The corner with the fewest points, for a legend of `lines` lines.
+fn emptiest_corner(
+    points: &[(f64, f64)],
+    x_range: [f64; 2],
+    y_range: [f64; 2],
+    lines: usize,
+) -> SeriesLabelPosition {
+    let (width, height) = (0.35, 0.05 + 0.06 * lines as f64);
+    let inside = |left: bool, upper: bool| {
+        let near_end = |fraction: f64, low: bool, size: f64| {
+            if low { fraction < size } else { fraction > 1.0 - size }
+        };
+        let here = |&&(x, y): &&(f64, f64)| {
+            near_end(axis_fraction(x, x_range), left, width)
+                && near_end(axis_fraction(y, y_range), !upper, height)
+        };
+        points.iter().filter(here).count()
+    };
+    let corners = [
+        (inside(true, true), SeriesLabelPosition::UpperLeft),
+        (inside(false, true), SeriesLabelPosition::UpperRight),
+        (inside(false, false), SeriesLabelPosition::LowerRight),
+        (inside(true, false), SeriesLabelPosition::LowerLeft),
+    ];
+    let [first, others @ ..] = corners;
+    others.into_iter().fold(first, |best, other| if other.0 < best.0 { other } else { best }).1
+}
+
+/// Powers of ten; if there are fewer than four, also 2 and 5 times these.
+fn ticks(low: f64, high: f64) -> Vec<f64> {
+    let decades = || {
+        (-30..=30).map(|n| if n < 0 { 1.0 / power(10.0, -n as f64) } else { power(10.0, n as f64) })
+    };
+    let inside = |values: &[f64]| -> Vec<f64> {
+        let all = decades().flat_map(|ten| values.iter().map(move |v| ten * v));
+        all.filter(|v| (low..=high).contains(v)).collect()
+    };
+    let tens = inside(&[1.0]);
+    if tens.len() >= 4 { tens } else { inside(&[1.0, 2.0, 5.0]) }
+}
+
+/// `0.01`, `20`, `10⁷`.
+fn tick(x: f64) -> String {
+    let scientific = format!("{x:.0e}");
+    match scientific.split_once('e') {
+        Some(("1", exponent)) if !(0.001..=1000.0).contains(&x) => {
+            format!("10{}", superscript(exponent))
+        }
+        Some((digit, exponent)) if !(0.001..=1000.0).contains(&x) => {
+            format!("{digit}·10{}", superscript(exponent))
+        }
+        _ => format!("{x}"),
+    }
+}
+
+/// The outline of the marker of a series in pixels, and whether it is filled.
+fn marker(index: usize) -> (Vec<(i32, i32)>, bool) {
+    let disk = [(4, 0), (3, 3), (0, 4), (-3, 3), (-4, 0), (-3, -3), (0, -4), (3, -3), (4, 0)];
+    let square = [(-4, -4), (4, -4), (4, 4), (-4, 4), (-4, -4)];
+    let triangle = [(0, -5), (5, 4), (-5, 4), (0, -5)];
+    let diamond = [(0, -6), (5, 0), (0, 6), (-5, 0), (0, -6)];
+    match index % 5 {
+        0 => (disk.into(), true),
+        1 => (square.into(), false),
+        2 => (triangle.into(), true),
+        3 => (diamond.into(), false),
+        _ => (disk.into(), false),
+    }
+}
+
+/// The outline moved to the middle of a line of the legend.
+fn shifted(outline: &[(i32, i32)]) -> Vec<(i32, i32)> {
+    outline.iter().map(|(x, y)| (x + 10, *y)).collect()
+}
+
+fn visible(points: &[(f64, f64)]) -> impl Iterator<Item = (f64, f64)> + '_ {
+    let fits = |v: f64| v > 0.0 && v.is_finite();
+    points.iter().copied().filter(move |&(x, y)| fits(x) && fits(y))
+}
+
+/// The range of the values, with a margin as a fraction of the logarithmic range.
+fn range(values: impl Iterator<Item = f64>, margin: f64) -> [f64; 2] {
+    let (low, high) = values.fold((f64::INFINITY, 0.0_f64), |(l, h), v| (l.min(v), h.max(v)));
+    if low > high {
+        return [1.0, 10.0];
+    }
+    let wide = ln(high / low).max(1.0) * margin;
+    [low * exp(-wide), high * exp(wide)]
+}
