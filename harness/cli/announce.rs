@@ -24,7 +24,13 @@ pub fn long_rendering(world: &World, scene: &str, pictures: u32) {
     }
 }
 
-fn words(scene: &str, pictures: u32, [width, height]: [u32; 2], seconds: f64) -> Option<String> {
+/// The note, for a rendering of so many seconds; `None` if it is short.
+pub fn words(
+    scene: &str,
+    pictures: u32,
+    [width, height]: [u32; 2],
+    seconds: f64,
+) -> Option<String> {
     let times = if pictures == 1 { String::new() } else { format!("{pictures} times ") };
     let about = match seconds {
         few if few < 90.0 => format!("{few:.0} s"),
@@ -50,25 +56,4 @@ fn seconds(world: &World) -> f64 {
         }
     }
     start.elapsed().as_secs_f64() / rendered * count as f64 / rayon::current_num_threads() as f64
-}
-
-#[cfg(test)]
-mod tests {
-    use super::words;
-
-    /// Law: only long renderings are announced, with their size and time in a fitting unit. Oracle: written by hand.
-    #[test]
-    fn long_renderings_are_announced() {
-        assert_eq!(words("a", 1, [3, 2], 4.9), None);
-        let said = |pictures, seconds| words("a", pictures, [1, 100_000], seconds).expect("long");
-        assert_eq!(
-            said(1, 40.2),
-            "a is rendered at the size of the picture, 1 × 100000: about 40 s"
-        );
-        assert!(
-            said(8, 300.0)
-                .ends_with("rendered 8 times at the size of the picture, 1 × 100000: about 5 min")
-        );
-        assert!(said(1, 7200.0).ends_with("about 2 h"));
-    }
 }

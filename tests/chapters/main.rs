@@ -39,4 +39,5 @@ mod ch28;
 mod ch29;
 mod ch30;
 mod ch31;
+mod library;
 mod pictures;

@@ -13,7 +13,7 @@ mod judgement;
 mod known;
 mod language;
 pub mod laws;
-mod lines;
+pub mod lines;
 pub mod mistakes;
 pub mod probe;
 mod program;

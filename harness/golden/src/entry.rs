@@ -100,7 +100,7 @@ impl Golden {
     }
 
     /// The first golden of a scene of the gallery, or of a scene file.
-    pub(super) fn first_version(name: &str, folder: &Path) -> Result<Self, GoldenError> {
+    pub fn first_version(name: &str, folder: &Path) -> Result<Self, GoldenError> {
         let none = || GoldenError::NoScene(name.to_owned());
         let (view, path) = View::split(name);
         let (scene, Scene { about, image, .. }) = if path.ends_with(SCENE_FILE) {

@@ -83,7 +83,7 @@ pub fn clear(folder: &Path) -> io::Result<()> {
 }
 
 /// The files below `here`, each with its path below `there`.
-pub(super) fn files(here: &Path, there: &Path) -> io::Result<Vec<(PathBuf, PathBuf)>> {
+pub fn files(here: &Path, there: &Path) -> io::Result<Vec<(PathBuf, PathBuf)>> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(here)? {
         let entry = entry?;

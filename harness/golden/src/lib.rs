@@ -6,7 +6,7 @@
 pub mod compare;
 mod entry;
 mod error;
-mod journal;
+pub mod journal;
 pub mod review;
 mod view;
 
@@ -98,8 +98,10 @@ pub struct Goldens {
 /// A picture that would be accepted.
 #[derive(Clone, Debug)]
 pub struct Proposal {
-    golden: Golden,
-    film: Film,
+    /// What the manifest will say.
+    pub golden: Golden,
+    /// The picture.
+    pub film: Film,
 }
 
 /// Settings of a new golden. Those left out stay as they were, or take their defaults.
@@ -288,7 +290,10 @@ impl Goldens {
     }
 
     /// Writes pictures and manifest to temporary files, so that only moving them remains.
-    fn decide(&self, proposals: Vec<Proposal>) -> Result<Vec<Golden>, GoldenError> {
+    ///
+    /// # Errors
+    /// As [`Self::accept`].
+    pub fn decide(&self, proposals: Vec<Proposal>) -> Result<Vec<Golden>, GoldenError> {
         journal::clear(&self.folder).map_err(|e| self.unwritten(e))?;
         let staged = journal::stage(&self.folder).map_err(|e| self.unwritten(e))?;
 
@@ -324,6 +329,3 @@ impl Goldens {
         GoldenError::File { path: self.folder.clone(), source }
     }
 }
-
-#[cfg(test)]
-mod tests;

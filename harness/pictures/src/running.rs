@@ -64,24 +64,3 @@ pub fn last_lines(messages: &[u8]) -> String {
     let lines: Vec<String> = lines.map(printable::text).collect();
     lines[lines.len().saturating_sub(QUOTED)..].join("\n  ")
 }
-
-#[cfg(all(test, unix))]
-mod tests {
-    use super::*;
-
-    /// Law: a program that does not end is ended at the limit, and what it said last is quoted, also if a process that
-    /// it started lives on; one that ends is not. Oracle: shells that sleep.
-    #[test]
-    fn a_program_that_does_not_end_is_ended_and_quoted() {
-        let shell = |script: &str, limit| {
-            run(Command::new("sh").args(["-c", script]), Duration::from_millis(limit))
-        };
-        let begun = Instant::now();
-        let error = shell("echo first; echo last >&2; sleep 20 & sleep 20", 300).err();
-        let error = error.expect("it sleeps on");
-        assert!(error.contains("first\n  last") && error.contains("--time-limit"), "{error}");
-        assert!(begun.elapsed() < Duration::from_secs(10));
-        let run = shell("echo said >&2; exit 3", 60_000).expect("it ends");
-        assert_eq!((run.status.code(), &*run.messages), (Some(3), &b"said\n"[..]));
-    }
-}

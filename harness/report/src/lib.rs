@@ -4,17 +4,17 @@
 //! the HTML made from these data alone. A new page is a folder here and a line in [`PAGES`].
 //! Everything except the times is determined by the seed.
 
-mod acceleration;
-mod clock;
+pub mod acceleration;
+pub mod clock;
 mod document;
-mod html;
+pub mod html;
 mod intersections;
-mod light;
+pub mod light;
 mod picture;
 mod plot;
 mod progress;
 mod provenance;
-mod samplers;
+pub mod samplers;
 mod textures;
 
 use serde_json::{Value, json};

@@ -32,7 +32,7 @@ pub fn uniform(samples: &[f64]) -> f64 {
 }
 
 /// `2 Σ (−1)^(j−1) exp(−2 j² λ²)`, the tail of Kolmogorov's distribution.
-fn kolmogorov(lambda: f64) -> f64 {
+pub fn kolmogorov(lambda: f64) -> f64 {
     if lambda < 0.2 {
         return 1.0; // the series converges slowly, and the tail is 1 to twelve digits
     }
@@ -42,46 +42,4 @@ fn kolmogorov(lambda: f64) -> f64 {
     };
     let sum: f64 = (1..=50).map(term).sum();
     (2.0 * sum).clamp(0.0, 1.0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::verify::biased_samples::bent;
-    use crate::verify::judge::{near, passes, rejects};
-
-    #[test]
-    fn the_tail_has_the_tables_values() {
-        // critical values of the limit distribution: 1.3581 at 5 %, 1.6276 at 1 %
-        near(kolmogorov(1.358_1), 0.05, 1e-5);
-        near(kolmogorov(1.627_6), 0.01, 1e-5);
-        assert_eq!(kolmogorov(0.0), 1.0);
-    }
-
-    /// Oracle: the exact critical distance of ten samples at 5 %, 0.40925 (Miller, "Table of Percentage
-    /// Points of Kolmogorov Statistics", 1956).
-    #[test]
-    fn few_samples_are_corrected_for() {
-        let distance = 0.40925;
-        let samples: Vec<f64> =
-            (1..=10).map(|i| (f64::from(i) / 10.0 - distance).max(0.0)).collect();
-        assert!((uniform(&samples) - 0.05).abs() < 0.001, "{}", uniform(&samples));
-    }
-
-    #[test]
-    fn it_passes_the_truth_and_finds_an_error_just_above_its_power() {
-        let n = 20_000;
-        let smallest = (14.0 / n as f64).sqrt();
-        for seed in 0..8 {
-            passes(uniform(&bent(n, 0.0, seed)));
-            rejects(uniform(&bent(n, 1.1 * smallest, seed)));
-        }
-    }
-
-    #[test]
-    fn samples_outside_are_found_and_none_say_nothing() {
-        assert_eq!(uniform(&[0.5, f64::NAN]), 0.0);
-        assert_eq!(uniform(&[0.5, 1.5]), 0.0);
-        assert_eq!(uniform(&[]), 1.0);
-    }
 }

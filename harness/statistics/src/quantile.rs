@@ -8,18 +8,3 @@ pub fn quantile(values: &[f64], share: f64) -> Option<f64> {
     let rank = (share * sorted.len() as f64).ceil() as usize;
     sorted.get(rank.clamp(1, sorted.len().max(1)) - 1).copied()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn quantiles_are_the_nearest_ranks() {
-        let values: Vec<f64> = (1..=1000).rev().map(f64::from).collect();
-        assert_eq!(quantile(&values, 0.5), Some(500.0));
-        assert_eq!(quantile(&values, 0.999), Some(999.0));
-        assert_eq!(quantile(&values, 1.0), Some(1000.0));
-        assert_eq!(quantile(&values[..3], 0.5), Some(999.0));
-        assert_eq!(quantile(&[], 0.5), None);
-    }
-}

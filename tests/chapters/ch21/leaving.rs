@@ -8,7 +8,7 @@ use groundtruth::shapes::{Cone, Context, Instance, Kind};
 
 use crate::support::U;
 use crate::support::bodies::{Form, body, check_leaving, is_thin, random_hit};
-use crate::support::exact::{exact, walls_along_normal};
+use crate::support::exact::{oracle_shape, walls_along_normal};
 use crate::support::leaving::check_kinds;
 
 /// Steps that rotate, shear, mirror and move, and that scale each axis by a factor from 10⁻ʷ to 10ʷ,
@@ -139,7 +139,7 @@ fn a_body_thicker_than_its_bounds_is_left_as_any_other() {
     for (width, thin) in [(1.0, true), (30.0, false), (100.0, false), (1e3, false)] {
         let kind = pressed_cone(width);
         let shape = kind.build(&mut Context::default()).expect("valid");
-        let exact = exact(&kind).expect("a cone");
+        let exact = oracle_shape(&kind).expect("a cone");
         let point = Point::new(-365.4052580480566, -833.8088926339298, 709.2567550517118);
         let (mut hits, mut thin_there) = (0, 0);
         for _ in 0..200 {

@@ -10,7 +10,7 @@ use groundtruth::shapes::{
     Triangle,
 };
 
-use super::exact::{exact, walls_along_normal};
+use super::exact::{oracle_shape, walls_along_normal};
 
 /// How often a ray that leaves the surface hits the shape again.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -177,7 +177,7 @@ pub fn check_leaving(
 /// Whether the far wall of a body is within 8 error bounds of a hit, along the normal. Oracle:
 /// 512-bit arithmetic.
 pub fn is_thin(kind: &Kind, s: &Surface) -> bool {
-    exact(kind).is_some_and(|exact| walls_along_normal(&exact, s, 8.0 * s.error).len() > 1)
+    oracle_shape(kind).is_some_and(|exact| walls_along_normal(&exact, s, 8.0 * s.error).len() > 1)
 }
 
 /// Fails, naming the case, if a plane parallel to the surface just beyond 8 error bounds is not hit.

@@ -2,8 +2,8 @@
 
 mod drawing;
 mod measuring;
-mod stages;
-mod structures;
+pub mod stages;
+pub mod structures;
 
 use serde::Serialize;
 

@@ -10,6 +10,7 @@ use groundtruth::shapes::{
 
 /// A kind of scene.
 pub struct Stage {
+    /// Its name.
     pub name: &'static str,
     /// Its contents and purpose.
     pub about: &'static str,
@@ -24,7 +25,9 @@ pub struct Stage {
 /// The objects of a scene.
 #[derive(Debug, Default)]
 pub struct Objects {
+    /// The shapes.
     pub shapes: Vec<Arc<dyn Shape>>,
+    /// The box of each.
     pub bounds: Vec<Aabb>,
     /// The groups of a scene made of groups: ranges of all shapes, in order.
     pub groups: Vec<Range<usize>>,
@@ -32,6 +35,7 @@ pub struct Objects {
     pub mesh: Option<TriangleMesh>,
 }
 
+/// All scenes.
 pub const STAGES: &[Stage] = &[
     Stage {
         name: "uniform spheres",

@@ -168,6 +168,7 @@ impl Plan {
     }
 }
 
+/// How many pictures are rendered.
 pub fn steps(settings: &Settings) -> u64 {
     let of = |(index, subject): (u64, &Subject)| {
         let crops = subject.choices().len() as u64 + 1;
@@ -176,6 +177,10 @@ pub fn steps(settings: &Settings) -> u64 {
     (0..).zip(&SUBJECTS).map(of).sum()
 }
 
+/// Measures all of it.
+///
+/// # Errors
+/// [`Interrupted`] by the user.
 pub fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
     let mut scenes = Vec::new();
     for (index, subject) in (0..).zip(&SUBJECTS) {
@@ -323,12 +328,12 @@ fn equal_time(
 
 impl BiasData {
     /// The difference of the means of `values` and `truth`, relative to the mean of `truth`.
-    fn new(name: String, values: &[f64], truth: &[f64]) -> Self {
+    pub fn new(name: String, values: &[f64], truth: &[f64]) -> Self {
         Self::relative(name, difference(values, truth, CONFIDENCE), truth)
     }
 
     /// The same for pairs of pictures with the same seed, whose noise is correlated.
-    fn paired(name: String, values: &[f64], truth: &[f64]) -> Self {
+    pub fn paired(name: String, values: &[f64], truth: &[f64]) -> Self {
         let differences: Vec<f64> = values.iter().zip(truth).map(|(a, b)| a - b).collect();
         Self::relative(name, interval(&differences, CONFIDENCE), truth)
     }
@@ -336,24 +341,5 @@ impl BiasData {
     fn relative(name: String, difference: Option<[f64; 3]>, truth: &[f64]) -> Self {
         let mean = truth.iter().sum::<f64>() / truth.len() as f64;
         Self { name, difference: difference.map(|ends| ends.map(|end| end / mean)) }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// Law: of two series that differ by a constant, pictures of one seed are a pair, and the interval has almost no
-    /// width; the noise that both have is not in it. Oracle: the constant, relative to the mean.
-    #[test]
-    fn the_noise_of_pairs_is_not_in_the_interval() {
-        let truth = [1.0, 5.0, 2.0, 8.0];
-        let values = truth.map(|value| value + 0.5);
-        let bias = BiasData::paired(String::new(), &values, &truth);
-        let [value, low, high] = bias.difference.expect("four pairs");
-        assert!((value - 0.125).abs() < 1e-12 && high - low < 1e-12, "{value}: {low} to {high}");
-        let alone =
-            BiasData::new(String::new(), &values, &truth).difference.expect("four and four");
-        assert!(alone[2] - alone[1] > 1.0, "unpaired, the noise is in the interval: {alone:?}");
     }
 }

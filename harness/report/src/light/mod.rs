@@ -1,8 +1,8 @@
 //! Page 4: tracers and the sampling of area lights, error against samples and time.
 
 mod drawing;
-mod measuring;
-mod pictures;
+pub mod measuring;
+pub mod pictures;
 mod scenes;
 
 use serde::Serialize;

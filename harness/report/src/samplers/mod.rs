@@ -1,8 +1,8 @@
 //! Page 3: samplers, error against number of samples.
 
 mod drawing;
-mod integrands;
-mod measuring;
+pub mod integrands;
+pub mod measuring;
 
 use serde::Serialize;
 

@@ -1,0 +1,13 @@
+//! Laws of `conform`: the judge is judged.
+
+mod altered;
+mod book;
+mod constants;
+mod exact;
+mod harmless;
+mod lines;
+mod mistakes;
+mod radiance;
+mod runs;
+mod scenes;
+mod streams;

@@ -1,0 +1,197 @@
+//! A run: what is selected, what is left alone, and that a fault of one case, theirs or ours, costs no other.
+
+use std::sync::Arc;
+
+use conform::family::{Family, Judge};
+use conform::{self, Card, Fault, Judgement, Ours, Profile, Reply, Row, Status, Subject, ours};
+use conform::{card as cards, suite};
+use serde_json::{Value, json};
+
+use super::altered::{Altered, card, card_with};
+
+fn options(cases: usize) -> conform::Options {
+    let (profile, interrupted) = (Profile::Careful, Arc::default());
+    conform::Options { profile, seed: 1, cases, shrink: true, interrupted }
+}
+
+/// Law: points that are no numbers, among others that are, make an answer wrong, and end nothing. Oracle: the
+/// alteration.
+#[test]
+fn points_that_are_no_numbers_are_wrong_and_end_nothing() {
+    fn holes(_: &Value, mut answer: Value) -> Value {
+        for (index, point) in answer[0].as_array_mut().into_iter().flatten().enumerate() {
+            match index % 3 {
+                0 => *point = json!(["nan", 0.5]),
+                1 if index % 2 == 0 => *point = json!([null, null]),
+                _ => {}
+            }
+        }
+        answer
+    }
+    let sets = ["samples.regular", "samples.hammersley", "samples.jittered.strata"];
+    let card = card(&mut Altered(holes), &sets, Profile::Careful, 24);
+    assert!(card.rows.len() >= 3, "{card}");
+    for row in &card.rows {
+        assert_eq!((row.count(Status::Wrong), row.ours), (row.total(), 0), "{}", row.name);
+    }
+}
+
+/// A family of one number, whose judge panics at 3.
+fn fragile(name: &str, judge: Judge) -> Family {
+    Family {
+        name: name.to_owned(),
+        about: "tests/fragile".to_owned(),
+        chapter: "ch03",
+        ordinary: true,
+        share: 1.0,
+        cases: Box::new(|_, n| (0..n).map(|i| json!({"number": {"is": i}})).collect()),
+        judge,
+        namer: None,
+        is_shrunk: true,
+    }
+}
+
+fn panics_at_three(question: &Value, _: &Value, _: Profile) -> Judgement {
+    assert_ne!(question["number"]["is"], 3, "three is too much");
+    Judgement::Right(0.0)
+}
+
+/// Answers null.
+struct Null;
+
+impl Subject for Null {
+    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+        questions.iter().map(|_| Reply::Answer(Value::Null)).collect()
+    }
+}
+
+/// Law: a judge that panics costs its case, which is shown; all others are judged, and the card says whose fault it is.
+/// Oracle: a judge that panics at one of ten cases.
+#[test]
+fn a_judge_that_panics_costs_one_case() {
+    let by_law = Judge::Law(|ask, case, profile| {
+        let answer = ask.ask(case)?;
+        Ok(panics_at_three(case, &answer, profile))
+    });
+    let families =
+        [fragile("number.answer", Judge::Answer(panics_at_three)), fragile("number.law", by_law)];
+    let card = conform::run(&mut Null, &families, &options(10), &mut |_| ()).expect("it answers");
+    for row in &card.rows {
+        let counts = (row.count(Status::Pass), row.count(Status::Undecided), row.ours);
+        assert_eq!(counts, (9, 1, 1), "{}", row.name);
+    }
+    assert!(!card.is_failed() && card.is_not_judged());
+    let text = card.to_string();
+    assert!(
+        text.contains("three is too much") && text.contains(r#"{"number":{"is":3}}"#),
+        "{text}"
+    );
+    let last = cards::verdict(&card, false);
+    assert!(last.contains("2 cases were not judged, by a fault of ours"), "{last}");
+    let junit = cards::junit(&card, "null");
+    assert!(junit.contains("errors=\"2\""), "{junit}");
+}
+
+/// Law: a word selects what begins with it and goes on with `/`, `.` or `_`, and no other. Oracle: names by hand.
+#[test]
+fn a_word_selects_whole_words_of_names() {
+    let names = |word: &str| -> Vec<String> {
+        let is_selected = |family: &Family| family.is_selected_by(word);
+        suite::all().into_iter().filter(is_selected).map(|family| family.name).collect()
+    };
+    let lamps = names("light.area");
+    for lamp in ["rectangle", "disk", "sphere"] {
+        assert!(lamps.contains(&format!("light.area.{lamp}.area")), "{lamps:?}");
+    }
+    assert!(names("shapes/solid").iter().any(|name| name.starts_with("intersect.solid_cone.")));
+    assert!(names("intersect.torus").iter().all(|name| name.starts_with("intersect.torus.")));
+    for nothing in ["light.are", "intersect.tor", "shapes/tor", "ch0", ""] {
+        assert_eq!(names(nothing), [""; 0], "{nothing:?}");
+    }
+}
+
+/// Does not have lobes; dies of every question about grids.
+struct Half;
+
+impl Subject for Half {
+    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+        let reply = |question: &Value| match question {
+            question if question.get("lobe").is_some() => Reply::Unsupported("no".to_owned()),
+            question if question.get("grid").is_some() => {
+                Reply::Fault(Fault::Died("a crash".to_owned()))
+            }
+            question => Reply::Answer(ours(question).expect("an answer")),
+        };
+        questions.iter().map(reply).collect()
+    }
+}
+
+/// Law: the last line counts families that were judged, those that were not, and those that were left alone; and a
+/// family tells how many cases were not asked after faults. Oracle: a subject without lobes that dies of grids; counts
+/// of the families' names.
+#[test]
+fn the_last_line_says_what_was_left_alone_and_why() {
+    let words = ["lobe.lambertian.values", "lobe.lambertian.sample", "grid", "fresnel.cosine"];
+    let card = card_with(&mut Half, &words, Profile::Careful, 200, false);
+    let grids: Vec<&Row> = card.rows.iter().filter(|row| row.name.starts_with("grid.")).collect();
+    let last = cards::verdict(&card, false);
+    let judged = grids.iter().filter(|row| row.total() > 0).count() + 1;
+    let left = grids.iter().filter(|row| row.not_asked() > 0).count();
+    assert!(left > 0, "{card}");
+    let failed = format!("{} of {judged} families failed (seed 7); ", judged - 1);
+    let rest = format!("2 others are unsupported, left alone after 8 cases; {left} w");
+    assert!(
+        last.starts_with(&(failed + &rest)) && last.contains("left alone after faults"),
+        "{last}"
+    );
+    let row = grids.iter().find(|row| row.not_asked() > 0 && row.total() > 0).expect("one");
+    let text = format!(
+        "{}: {} of {} cases were not asked after these faults",
+        row.name,
+        row.not_asked(),
+        row.cases
+    );
+    assert!(card.to_string().contains(&text), "{text}: {card}");
+    let json = card.json();
+    let of_row =
+        json["families"].as_array().into_iter().flatten().find(|it| it["family"] == *row.name);
+    assert_eq!(of_row.expect("it is there")["not_asked"], row.not_asked());
+}
+
+/// Rounds our answers to single precision.
+fn rounded(_: &Value, mut answer: Value) -> Value {
+    fn round(value: &mut Value) {
+        match value {
+            Value::Object(fields) => fields.values_mut().for_each(round),
+            Value::Array(items) => items.iter_mut().for_each(round),
+            Value::Number(_) => *value = json!(f64::from(value.as_f64().unwrap_or(0.0) as f32)),
+            _ => {}
+        }
+    }
+    round(&mut answer);
+    answer
+}
+
+/// Law: a program in single precision is told which profile is for it; another one is not. Oracle: our answers rounded
+/// to single precision, and as they are.
+#[test]
+fn a_program_in_single_precision_is_told_its_profile() {
+    let last = |card: &Card| cards::verdict(card, false);
+    let card = card_with(&mut Altered(rounded), &["fresnel.cosine"], Profile::Careful, 24, false);
+    assert!(card.is_failed() && last(&card).contains("--profile book"), "{card}");
+    let card = card_with(&mut Altered(rounded), &["fresnel.cosine"], Profile::Book, 24, false);
+    assert!(!card.is_failed() && !last(&card).contains("--profile"), "{card}");
+    let doubled = |_: &Value, answer: Value| match answer["reflected"].as_f64() {
+        Some(x) => json!({"reflected": 2.0 * x, "transmitted": 1.0 - 2.0 * x}),
+        None => answer,
+    };
+    let card = card_with(&mut Altered(doubled), &["fresnel.cosine"], Profile::Careful, 24, false);
+    assert!(card.is_failed() && !last(&card).contains("--profile"), "{card}");
+}
+
+/// Law: our own functions fail nothing, and no judge fails. Oracle: the judges.
+#[test]
+fn no_judge_fails_at_our_own_answers() {
+    let card = conform::run(&mut Ours, &suite::all(), &options(1), &mut |_| ()).expect("answers");
+    assert!(!card.is_not_judged() && !card.is_failed(), "{card}");
+}

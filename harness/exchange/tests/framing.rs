@@ -1,0 +1,55 @@
+//! Cameras that see everything.
+
+use exchange::framing::*;
+use groundtruth::math::{Point, Vector};
+use groundtruth::scene::Scene;
+use groundtruth::scene::build::*;
+use groundtruth::world::World;
+
+/// A scene with one box, and a picture of this many pixels.
+fn scene(min: Point, max: Point, size: [u32; 2], back: Vector) -> Scene {
+    let mut scene = pinhole("x", size, [Point::ORIGIN + back, Point::ORIGIN], 3.0);
+    add(&mut scene, "box", boxed(min, max), matte(0.0, 0.5, grey(0.5)));
+    scene
+}
+
+/// Law: from every direction, for small and for large boxes near and far from the origin, all corners are inside
+/// the picture, and the box does not look small: its sphere spans more than nine tenths of the shorter side.
+/// Oracle: the corners divided by their depth, by hand.
+#[test]
+fn every_corner_of_the_box_is_in_the_picture() {
+    let backs = [[0.0, 0.0, 1.0], [3.0, 1.0, -2.0], [-1.0, 5.0, 0.2], [1.0, 0.0, 0.0]];
+    let boxes = [
+        ([-1.0, -1.0, -1.0], [1.0, 1.0, 1.0]),
+        ([1e3, 2e3, -5e3], [1.1e3, 2.01e3, -4.99e3]),
+        ([-3e-7, 0.0, 0.0], [2e-7, 1e-9, 4e-7]),
+        ([-4e9, -1e9, 7.0], [5e9, 1e9, 8e9]),
+    ];
+    for (min, max) in boxes.map(|(min, max)| (Point::from(min), Point::from(max))) {
+        for back in backs.map(|[x, y, z]| vector(x, y, z)) {
+            for size in [[40, 30], [10, 70]] {
+                let scene = scene(min, max, size, back);
+                let world = World::build(&scene).unwrap();
+                let bounds = bounds(&world).unwrap();
+                let camera = camera(&scene, &bounds);
+                let forward =
+                    (camera.look_at - camera.eye) / (camera.look_at - camera.eye).length();
+                let right = forward.cross(camera.up);
+                let right = right / right.length();
+                let (up, plane) = (right.cross(forward), scene.image.plane());
+                let distance = 2.0 * plane.width.max(plane.height);
+                for corner in 0..8 {
+                    let pick = |i: usize| if corner >> i & 1 == 0 { min } else { max };
+                    let corner = Point::new(pick(0).x(), pick(1).y(), pick(2).z());
+                    let to = corner - camera.eye;
+                    let on_plane = |axis: Vector| distance * to.dot(axis) / to.dot(forward);
+                    assert!(2.0 * on_plane(right).abs() <= plane.width, "{bounds:?} {back:?}");
+                    assert!(2.0 * on_plane(up).abs() <= plane.height, "{bounds:?} {back:?}");
+                }
+                let radius = 0.5 * (max - min).length();
+                let seen = 2.0 * distance * radius / (camera.look_at - camera.eye).length();
+                assert!(seen > 0.9 * plane.width.min(plane.height), "{seen}");
+            }
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! Pictures compared to the bit, up to drift, or with a tolerance.
+
+use golden::compare::*;
+use groundtruth::film::Film;
+use groundtruth::rgb::Rgb;
+
+fn grey(value: f64) -> Film {
+    let mut film = Film::new(8, 6);
+    (0..48).for_each(|i| film.set([i % 8, i / 8], Rgb::grey(value)));
+    film
+}
+
+#[test]
+fn drift_ends_at_one_millionth_of_the_larger_value() {
+    // single precision near 1 steps by 1.2e-7: eight steps are 9.5e-7, nine are 1.07e-6
+    let step = f64::from(f32::EPSILON);
+    assert_eq!(verdict(&grey(1.0), &grey(1.0)), Verdict::Same);
+    assert_eq!(verdict(&grey(1.0), &grey(1.0 + step)), Verdict::Drift);
+    assert_eq!(verdict(&grey(1.0), &grey(1.0 + 8.0 * step)), Verdict::Drift);
+    assert_eq!(verdict(&grey(1.0), &grey(1.0 + 9.0 * step)), Verdict::Changed);
+}
+
+#[test]
+fn one_channel_of_one_pixel_decides() {
+    let mut film = grey(0.5);
+    film.set([7, 5], Rgb::new(0.5, 0.5, 0.5 + 1e-3));
+    assert_eq!(verdict(&grey(0.5), &film), Verdict::Changed);
+    let found = differences(&grey(0.5), &film);
+    assert_eq!(found.len(), 1);
+    assert_eq!(found[0].pixel, [7, 5]);
+}
+
+#[test]
+fn what_is_not_a_number_is_never_drift_and_is_the_worst() {
+    let mut film = grey(0.5);
+    film.set([1, 2], Rgb::grey(9.0));
+    film.set([3, 0], Rgb::new(0.5, f64::NAN, 0.5));
+    assert_eq!(verdict(&grey(0.5), &film), Verdict::Changed);
+    assert_eq!(verdict(&film, &film), Verdict::Same, "bits are compared, not values");
+    let found: Vec<_> = differences(&grey(0.5), &film).iter().map(|d| d.pixel).collect();
+    assert_eq!(found, [[3, 0], [1, 2]]);
+}
+
+#[test]
+fn pictures_of_other_sizes_are_changed() {
+    let other = Film::new(6, 8);
+    assert_eq!(verdict(&Film::new(8, 6), &other), Verdict::Changed);
+    let tolerance = Tolerance { relative: 1.0, floor: 1.0, share: 1.0, cluster: u32::MAX };
+    assert!(!tolerance.accepts(&Film::new(8, 6), &other));
+}
+
+/// Law: the allowed difference is a part of the larger value, and of the floor where both are below it; which
+/// picture is expected makes no difference. Oracle: values to either side of the limits by hand.
+#[test]
+fn the_tolerance_is_symmetric_and_has_a_floor() {
+    let tolerance = Tolerance { relative: 0.25, floor: 0.5, share: 0.0, cluster: 0 };
+    // ¼ of 4 is 1; ¼ of the floor is 0.125
+    let pairs = [
+        (3.0, 4.0, true),
+        (2.9, 4.0, false),
+        (0.0, 0.125, true),
+        (0.0, 0.126, false),
+        (0.375, 0.5, true),
+    ];
+    for (a, b, agree) in pairs {
+        assert_eq!(tolerance.accepts(&grey(a), &grey(b)), agree, "{a} and {b}");
+        assert_eq!(tolerance.accepts(&grey(b), &grey(a)), agree, "{b} and {a}");
+    }
+}
+
+#[test]
+fn a_thin_line_is_a_cluster_though_few_pixels_differ() {
+    let tolerance = Tolerance { relative: 0.01, floor: 1e-3, share: 0.2, cluster: 3 };
+    let mut scattered = grey(0.5);
+    let mut line = grey(0.5);
+    for i in 0..4 {
+        scattered.set([2 * i, 0], Rgb::grey(0.6));
+        line.set([i, i], Rgb::grey(0.6)); // connected by corners
+    }
+    assert!(tolerance.accepts(&grey(0.5), &scattered));
+    assert!(!tolerance.accepts(&grey(0.5), &line));
+    assert_eq!(tolerance.disagreement(&grey(0.5), &line).cluster, 4);
+}

@@ -1,0 +1,6 @@
+//! Laws of the golden images: how they are kept and compared, and known-bad scenes that a comparison must reject.
+
+mod bad_scenes;
+mod compare;
+mod goldens;
+mod review;

@@ -1,0 +1,67 @@
+//! The page of a review.
+
+use groundtruth::rgb::Rgb;
+
+use golden::review::*;
+use golden::{Finding, GoldenSettings, Goldens, Status};
+use groundtruth::film::Film;
+
+/// A finding with three changed pixels.
+fn changed() -> Finding {
+    let folder = tempfile::tempdir().unwrap();
+    let mut goldens = Goldens::none(folder.path());
+    let settings = GoldenSettings {
+        size: Some([12, 12]),
+        shows: Some("<two> & \"three\"".to_owned()),
+        ..GoldenSettings::default()
+    };
+    let proposal = goldens.propose("ch03/three-objects", "seen", &settings).unwrap();
+    goldens.accept(vec![proposal]).unwrap();
+    let mut finding = goldens.check("ch03/three-objects").unwrap();
+    let got = finding.got.as_mut().unwrap();
+    for (i, x) in [3, 7, 5].into_iter().enumerate() {
+        got.set([x, 9], got.get([x, 9]) + Rgb::grey(0.25 * (i + 1) as f64));
+    }
+    finding.status = Status::Changed;
+    finding
+}
+
+/// Law: a golden's section draws both pictures for flip and swipe, three differences, and both crops of each
+/// region, the largest difference first, with its commands. Oracle: pixels changed by hand.
+#[test]
+fn a_page_has_the_pair_each_region_and_its_commands() {
+    let html = page(&[changed()]);
+    assert_eq!(html.matches("data:image/png;base64,iVBOR").count(), 4 + 3 + 2 * 3);
+    assert!(html.contains("3 of 144 pixels differ"));
+    let rows: Vec<&str> = html.lines().filter(|line| line.contains("row zoom")).collect();
+    assert_eq!(rows.len(), 3);
+    let scene = "ch03/three-objects --size 12x12 --samples 1";
+    for (row, x) in rows.iter().zip([5, 7, 3]) {
+        let explain = format!("groundtruth explain {scene} {x},9 --all</code>");
+        let inspect = format!("inspector {scene} --pixel {x},9</code>");
+        assert!(row.contains(&explain) && row.contains(&inspect), "{row}");
+    }
+    assert!(html.contains("groundtruth goldens accept ch03/three-objects --because"));
+    assert!(html.contains("&lt;two&gt; &amp; &quot;three&quot;") && !html.contains("<two>"));
+}
+
+/// Law: pictures of two sizes, and one that is missing, are shown without a comparison. Oracle: the headings.
+#[test]
+fn what_is_no_pair_is_shown_as_it_is() {
+    let mut finding = changed();
+    finding.expected = Some(Film::new(4, 3));
+    let other_size = page(std::slice::from_ref(&finding));
+    finding.expected = None;
+    for (html, pictures) in [(other_size, 2), (page(&[finding]), 1)] {
+        assert_eq!(html.matches("data:image/png;base64,iVBOR").count(), pictures);
+        assert!(!html.contains("<h3>Flip"));
+    }
+}
+
+#[test]
+fn a_page_needs_no_other_file_and_no_network() {
+    let html = page(&[changed()]);
+    for link in ["http:", "https:", "href=", "url(", "<script", "<link"] {
+        assert!(!html.contains(link), "{link}");
+    }
+}

@@ -1,0 +1,4 @@
+//! Laws of the judge of pictures: the known mistakes, and verdicts.
+
+mod mistakes;
+mod verdict;

@@ -1,0 +1,13 @@
+//! Pictures judged: false alarms, what is found, which cause is named, and what is said of all that.
+
+mod alarms;
+mod cases;
+mod causes;
+mod edges;
+mod pictures;
+mod power;
+mod rounding;
+mod sampling;
+mod shared;
+mod statistic;
+mod writers;

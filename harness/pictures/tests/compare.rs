@@ -1,0 +1,314 @@
+//! Two pictures compared: what counts as a difference, which changes are named, and the exit status.
+
+mod encoded;
+
+use std::path::Path;
+
+use groundtruth::film::Film;
+use groundtruth::gallery;
+use groundtruth::render;
+use groundtruth::rgb::Rgb;
+use groundtruth::trace;
+use groundtruth::world::World;
+use pictures::compare::{
+    Comparison, Differences, Picture, SizesDiffer, Transfer, half_pixel_shifts, noise_note,
+};
+
+const SIZE: [u32; 2] = [60, 40];
+
+/// A small picture of a scene, from this seed.
+fn rendered(name: &str, seed: u64) -> Film {
+    let mut scene = gallery::find(name).map(|entry| (entry.build)()).expect("listed");
+    scene.image.resize(SIZE[0], SIZE[1]);
+    scene.image.samples = 4;
+    let world = World::build_seeded(&scene, Path::new(""), seed).expect("gallery scenes are valid");
+    render::render(&world)
+}
+
+fn picture() -> Picture {
+    Picture::of_film(&rendered("ch24/hall-of-mirrors", 1))
+}
+
+/// The picture with the value at each position taken from another, which may be outside by a pixel; there the
+/// edge is repeated.
+fn moved(picture: &Picture, from: impl Fn(i64, i64) -> [i64; 2]) -> Picture {
+    let [width, height] = picture.size.map(i64::from);
+    let at = |x: i64, y: i64| {
+        let [x, y] = from(x, y);
+        let (x, y) = (x.clamp(0, width - 1), y.clamp(0, height - 1));
+        picture.values[(y * width + x) as usize]
+    };
+    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| (x, y)));
+    Picture { values: pixels.map(|(x, y)| at(x, y)).collect(), ..picture.clone() }
+}
+
+fn mapped(picture: &Picture, change: impl Fn([f32; 3]) -> [f32; 3]) -> Picture {
+    Picture {
+        values: picture.values.iter().map(|color| change(*color)).collect(),
+        ..picture.clone()
+    }
+}
+
+fn compared(a: &Picture, b: &Picture) -> Comparison {
+    Comparison::of(a, b, 0.0).expect("one size")
+}
+
+/// The best explanation of a difference.
+fn explanation(a: &Picture, b: &Picture) -> String {
+    let comparison = compared(a, b);
+    comparison.explained_by.first().map_or("none".to_owned(), |first| first.what.clone())
+}
+
+/// Law: each of these changes is named, first. Oracle: the change that was made.
+#[test]
+fn each_simple_change_is_named() {
+    let ours = picture();
+    let [width, height] = SIZE.map(i64::from);
+    let scaled = |factor: f32| mapped(&ours, |color| color.map(|value| factor * value));
+    let changes = [
+        (moved(&ours, |x, y| [x, height - 1 - y]), "the rows of B are upside down"),
+        (moved(&ours, |x, y| [width - 1 - x, y]), "left and right of B are exchanged"),
+        (moved(&ours, |x, y| [width - 1 - x, height - 1 - y]), "B is turned by 180°"),
+        (moved(&ours, |x, y| [x + 1, y]), "B is one pixel too far left"),
+        (moved(&ours, |x, y| [x - 1, y]), "B is one pixel too far right"),
+        (moved(&ours, |x, y| [x, y + 1]), "B is one pixel too far up"),
+        (
+            moved(&ours, |x, y| [x - 1, y - 1]),
+            "B is one pixel too far right and one pixel too far down",
+        ),
+        (
+            mapped(&ours, |[r, g, b]| [b, g, r]),
+            "the channels of B are in the order blue, green, red",
+        ),
+        (
+            mapped(&ours, |[r, g, b]| [g, r, b]),
+            "the channels of B are in the order green, red, blue",
+        ),
+        (scaled(std::f32::consts::PI), "B is A divided by 1/π"),
+        (scaled(0.5), "B is A divided by 2"),
+        (scaled(1.25), "B is A divided by 0.8000"),
+    ];
+    for (theirs, expected) in changes {
+        assert_eq!(explanation(&ours, &theirs), expected);
+    }
+}
+
+/// Law: equal pictures do not differ; noise of another seed and a change of another kind are not explained by
+/// anything. Oracle: the changes that were made.
+#[test]
+fn honest_pairs_are_explained_by_nothing() {
+    let ours = picture();
+    assert!(compared(&ours, &ours).is_same());
+    for name in ["ch18/rectangle", "ch17/page-one", "ch26/cornell-box"] {
+        let Some(_) = gallery::find(name) else { continue };
+        let [a, b] = [1, 2].map(|seed| Picture::of_film(&rendered(name, seed)));
+        let comparison = compared(&a, &b);
+        assert!(comparison.differing > 0 && comparison.explained_by.is_empty(), "{comparison}");
+    }
+    let other = Picture::of_film(&rendered("ch14/set", 1));
+    assert_eq!(explanation(&ours, &other), "none");
+}
+
+/// A scene as a world of one sample per pixel.
+fn world(name: &str) -> World {
+    let mut scene = gallery::find(name).map(|entry| (entry.build)()).expect("listed");
+    scene.image.resize(SIZE[0], SIZE[1]);
+    scene.image.samples = 1;
+    World::build(&scene).expect("gallery scenes are valid")
+}
+
+/// The picture of a world from rays through these points of its pixels, in pixels from the lower left corners.
+fn film_through(world: &World, point: [f64; 2]) -> Film {
+    let mut film = Film::new(SIZE[0], SIZE[1]);
+    for pixel in (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y])) {
+        let ray =
+            world.view.eyes()[0].ray(render::film_point(&world.image, pixel, point), [0.0; 2]);
+        let radiance = |ray| trace::radiance(world, &ray, world.draws(pixel, 0), &mut ());
+        film.set(pixel, ray.map_or(Rgb::BLACK, radiance));
+    }
+    film
+}
+
+/// Law: film points that are off by half a pixel are named with their directions, for every camera without noise,
+/// also in 8 bits; a shift by a third of a pixel is none by a half. Oracle: rays through points chosen by hand.
+#[test]
+fn a_shift_by_half_a_pixel_is_named() {
+    let directions = [
+        ([0.0, 0.5], "B is half a pixel too far right"),
+        ([1.0, 0.5], "B is half a pixel too far left"),
+        ([0.5, 0.0], "B is half a pixel too far up"),
+        ([0.5, 1.0], "B is half a pixel too far down"),
+        (
+            [0.0, 0.0],
+            "B is half a pixel too far right and half a pixel too far up (corners of pixels taken for centres)",
+        ),
+        (
+            [1.0, 0.0],
+            "B is half a pixel too far left and half a pixel too far up (corners of pixels taken for centres)",
+        ),
+    ];
+    for name in ["ch24/hall-of-mirrors", "ch03/three-objects", "ch11/fisheye-180"] {
+        let mut world = world(name);
+        for (point, expected) in directions {
+            let theirs = Picture::of_film(&film_through(&world, point));
+            let byte = |value: f32| (255.0 * value.clamp(0.0, 1.0)).round() / 255.0;
+            let in_bytes = Picture { step: Some(1.0 / 255.0), ..mapped(&theirs, |c| c.map(byte)) };
+            for theirs in [theirs, in_bytes] {
+                let found = half_pixel_shifts(&mut world, &theirs, "B");
+                assert_eq!(found.first().map(|it| &*it.what), Some(expected), "{name}");
+                // the fisheye is black outside the view plane of the unshifted picture
+                assert!(found[0].left < 0.05, "{name}: {found:?}");
+            }
+        }
+        for point in [[0.5, 0.5], [0.5 + 1.0 / 3.0, 0.5], [0.5, 1.5]] {
+            let theirs = Picture::of_film(&film_through(&world, point));
+            assert_eq!(half_pixel_shifts(&mut world, &theirs, "B"), [], "{name} {point:?}");
+        }
+        assert_eq!(world.picture_size(), SIZE, "the world is as before");
+    }
+}
+
+/// Law: a note says that another seed changes pixels exactly of scenes that draw random numbers, and leaves the
+/// world as it was; another sampling is no shift. Oracle: scenes with soft and with hard shadows.
+#[test]
+fn noise_is_noted_where_the_seed_counts() {
+    for (name, has_noise) in
+        [("ch24/hall-of-mirrors", false), ("ch18/rectangle", true), ("ch26/cornell-box", true)]
+    {
+        let mut world = world(name);
+        let picture = Picture::of_film(&render::render(&world));
+        let comparison = compared(&picture, &mapped(&picture, |color| color.map(|c| c + 0.5)));
+        let note = noise_note(&mut world, &comparison, name);
+        assert_eq!(note.is_some(), has_noise, "{name}: {note:?}");
+        let other = Picture::of_film(&rendered(name, 2));
+        assert_eq!(half_pixel_shifts(&mut world, &other, "B"), [], "noise is no shift");
+        assert_eq!(Picture::of_film(&render::render(&world)).values, picture.values);
+    }
+}
+
+/// Law: 8-bit values stand for the radiance that is rounded, truncated or clamped to them, with the right
+/// transfer function; with another one they differ, and the right one is named. Oracle: encoding by hand.
+#[test]
+fn bytes_are_intervals() {
+    let ours = picture();
+    let encode = |transfer: Transfer, round: f64| {
+        let byte = |value: f32| {
+            let value = f64::from(value).min(1.0);
+            let encoded = match transfer {
+                Transfer::Linear => value,
+                Transfer::Srgb if value <= 0.0031308 => 12.92 * value,
+                Transfer::Srgb => 1.055 * groundtruth::math::power(value, 1.0 / 2.4) - 0.055,
+                Transfer::Gamma(gamma) => groundtruth::math::power(value, 1.0 / gamma),
+            };
+            // 1.055 − 0.055 is a little less than 1
+            ((255.0 * encoded + round + 1e-9).floor() / 255.0) as f32
+        };
+        let values = ours.values.iter().map(|color| color.map(byte)).collect();
+        Picture { values, transfer, step: Some(1.0 / 255.0), ..ours.clone() }
+    };
+    let transfers = [Transfer::Linear, Transfer::Srgb, Transfer::Gamma(1.8), Transfer::Gamma(2.2)];
+    for transfer in transfers {
+        for round in [0.0, 0.5] {
+            let theirs = encode(transfer, round);
+            let comparison = compared(&ours, &theirs);
+            assert!(comparison.is_same(), "{transfer}, {round}: {comparison}");
+            assert!(compared(&theirs, &ours).is_same(), "{transfer}, {round}");
+        }
+    }
+    let taken = Picture { transfer: Transfer::Srgb, ..encode(Transfer::Linear, 0.5) };
+    assert!(!compared(&ours, &taken).is_same());
+    assert_eq!(explanation(&ours, &taken), "B is encoded as linear, not as sRGB");
+    // two steps off
+    let mut off = encode(Transfer::Srgb, 0.5);
+    off.values[7][1] -= 2.0 / 255.0;
+    let comparison = compared(&ours, &off);
+    assert_eq!((comparison.differing, comparison.regions[0].worst), (1, [7, 0]));
+}
+
+/// Law: NaN equals nothing, also not itself, and is the largest difference; infinite and negative values are
+/// counted. Oracle: where they were put.
+#[test]
+fn what_is_no_radiance_is_counted() {
+    let ours = picture();
+    let mut theirs = ours.clone();
+    theirs.values[65][0] = f32::NAN;
+    theirs.values[3][2] = f32::INFINITY;
+    theirs.values[1000][0] = -0.25;
+    let comparison = compared(&ours, &theirs);
+    let counts = comparison.unusual.map(|it| [it.nan, it.infinite, it.negative]);
+    assert_eq!((counts, comparison.differing), ([[0; 3], [1, 1, 1]], 3));
+    assert!(comparison.worst.is_some_and(|worst| worst.difference == f64::INFINITY));
+    assert_eq!(compared(&theirs, &theirs).differing, 1, "NaN is not NaN");
+    assert!(comparison.root_mean_square.is_finite());
+}
+
+/// Law: regions are connected, also at corners, and come with their box, size and worst pixel. Oracle: shapes
+/// drawn by hand.
+#[test]
+fn regions_are_boxes_of_connected_pixels() {
+    let black = Picture::of_film(&Film::new(20, 10));
+    let mut theirs = black.clone();
+    for [x, y] in [[2, 2], [3, 3], [4, 2], [10, 9], [19, 0], [18, 0]] {
+        theirs.values[y * 20 + x] = [0.5; 3];
+    }
+    theirs.values[3 * 20 + 3] = [0.5, 0.75, 0.5];
+    let comparison = compared(&black, &theirs);
+    let found: Vec<_> = comparison
+        .regions
+        .iter()
+        .map(|region| (region.pixels, region.bounds, region.worst))
+        .collect();
+    let expected =
+        [(3, [2, 2, 3, 2], [3, 3]), (2, [18, 0, 2, 1], [18, 0]), (1, [10, 9, 1, 1], [10, 9])];
+    assert_eq!(found, expected);
+}
+
+/// Law: the largest difference is listed with its region, also if ten regions are larger, and once. Oracle: a
+/// picture of bars and one pixel, drawn by hand.
+#[test]
+fn the_worst_region_is_listed_once() {
+    let black = Picture::of_film(&Film::new(30, 4));
+    let mut theirs = black.clone();
+    for column in 0..12 {
+        theirs.values[2 * column] = [0.5; 3];
+        theirs.values[30 + 2 * column] = [0.5; 3];
+    }
+    theirs.values[3 * 30 + 29] = [f32::NAN, 0.0, 0.0];
+    let comparison = compared(&black, &theirs);
+    let listed: Vec<_> = comparison.listed().map(|region| region.worst).collect();
+    assert_eq!((comparison.regions.len(), listed.len(), listed[10]), (10, 11, [29, 3]));
+    assert!(comparison.to_string().contains("largest difference: inf at (29, 3)"), "{comparison}");
+    theirs.values[..60].fill([0.0; 3]);
+    assert_eq!(compared(&black, &theirs).listed().count(), 1, "NaN is one region");
+}
+
+/// Law: differences are signed, 0 within an integer's interval or the tolerance, and magenta where they are NaN; a
+/// share of them is within each scale. Oracle: values chosen by hand.
+#[test]
+fn differences_are_shown_around_grey() {
+    let mut film = Film::new(5, 1);
+    (0..5).for_each(|x| film.set([x, 0], Rgb::grey(0.5)));
+    let ours = Picture::of_film(&film);
+    let mut theirs = ours.clone();
+    theirs.values[1] = [0.6; 3];
+    theirs.values[2] = [0.3; 3];
+    theirs.values[3] = [f32::NAN; 3];
+    theirs.values[4] = [0.501; 3];
+    let differences = Differences::of(&ours, &theirs, 0.01);
+    assert!((differences.within(0.5) - 0.1).abs() < 1e-6);
+    assert!((differences.within(1.0) - 0.2).abs() < 1e-6);
+    let shown = differences.film(differences.within(1.0));
+    let near = |x: u32, grey: f64| (shown.get([x, 0]) - Rgb::grey(grey)).max().abs() < 1e-5;
+    assert!(near(0, 0.5) && near(1, 0.75) && near(2, 0.0) && near(4, 0.5), "{shown:?}");
+    assert_eq!(shown.get([3, 0]), Rgb::new(1.0, 0.0, 1.0));
+    let bytes = Picture { step: Some(1.0 / 255.0), ..mapped(&ours, |c| c.map(|_| 127.0 / 255.0)) };
+    let differences = Differences::of(&ours, &bytes, 0.0).film(1.0);
+    assert!(differences.pixels().iter().all(|pixel| *pixel == Rgb::grey(0.5)));
+}
+
+/// Law: pictures of two sizes are not compared. Oracle: none; the error names both.
+#[test]
+fn sizes_must_be_equal() {
+    let [a, b] = [[4, 5], [5, 4]].map(|[w, h]| Picture::of_film(&Film::new(w, h)));
+    assert_eq!(Comparison::of(&a, &b, 0.0).err(), Some(SizesDiffer([4, 5], [5, 4])));
+}

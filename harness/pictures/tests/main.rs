@@ -1,0 +1,11 @@
+//! Laws of pictures: how two are compared, exact sums of replicas, and texts that others read.
+
+mod compare;
+mod html;
+mod percent;
+#[cfg(unix)]
+mod running;
+#[cfg(unix)]
+mod shell;
+mod sums;
+mod xml;

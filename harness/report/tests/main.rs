@@ -1,0 +1,3 @@
+//! Laws of the report.
+
+mod report;

@@ -1,0 +1,12 @@
+//! The checkers checked: what they find, and the rates of their false alarms.
+
+mod biased_samples;
+mod chi_square;
+mod correlation;
+mod judge;
+mod ks;
+mod many_seeds;
+mod means;
+mod quantile;
+mod significance;
+mod slope;

@@ -1,0 +1,165 @@
+//! `groundtruth compare`.
+
+use std::path::Path;
+use std::process::Command;
+
+use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::rgb::Rgb;
+use groundtruth::{gallery, render, trace, world::World};
+
+const SIZE: [u32; 2] = [60, 40];
+
+/// A small picture of a scene, from this seed.
+fn rendered(name: &str, seed: u64) -> Film {
+    let mut scene = gallery::find(name).map(|entry| (entry.build)()).expect("listed");
+    scene.image.resize(SIZE[0], SIZE[1]);
+    scene.image.samples = 4;
+    let world = World::build_seeded(&scene, Path::new(""), seed).expect("gallery scenes are valid");
+    render::render(&world)
+}
+
+/// A scene as a world of one sample per pixel.
+fn world(name: &str) -> World {
+    let mut scene = gallery::find(name).map(|entry| (entry.build)()).expect("listed");
+    scene.image.resize(SIZE[0], SIZE[1]);
+    scene.image.samples = 1;
+    World::build(&scene).expect("gallery scenes are valid")
+}
+
+/// The picture of a world from rays through these points of its pixels, in pixels from the lower left corners.
+fn film_through(world: &World, point: [f64; 2]) -> Film {
+    let mut film = Film::new(SIZE[0], SIZE[1]);
+    for pixel in (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y])) {
+        let ray =
+            world.view.eyes()[0].ray(render::film_point(&world.image, pixel, point), [0.0; 2]);
+        let radiance = |ray| trace::radiance(world, &ray, world.draws(pixel, 0), &mut ());
+        film.set(pixel, ray.map_or(Rgb::BLACK, radiance));
+    }
+    film
+}
+
+/// Law: the exit status is 0 for equal pictures, 1 for different ones, and 2 if they cannot be compared; formats
+/// agree with each other. Oracle: files written from one film.
+#[test]
+fn the_exit_status_answers() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let film = rendered("ch24/hall-of-mirrors", 1);
+    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+    let mut dim = Film::new(film.width(), film.height());
+    for y in 0..film.height() {
+        for x in 0..film.width() {
+            dim.set([x, y], 0.5 * film.get([x, y]));
+        }
+    }
+    let brighter = |pixel: &Rgb| pixel.max() > 1.0;
+    assert!(!dim.pixels().iter().any(brighter), "display formats hold it");
+    for format in ["exr", "pfm", "png", "ppm"] {
+        film::write(&dim, &tone, &folder.path().join(format!("dim.{format}"))).expect("written");
+    }
+    film::write(&film, &tone, &folder.path().join("film.exr")).expect("written");
+    std::fs::write(folder.path().join("text.png"), "no picture").expect("written");
+    let status = |arguments: &[&str]| {
+        let program = env!("CARGO_BIN_EXE_groundtruth");
+        let output = Command::new(program)
+            .arg("compare")
+            .args(arguments)
+            .current_dir(folder.path())
+            .output();
+        let output = output.expect("it starts");
+        let text = [output.stdout, output.stderr].concat();
+        (output.status.code(), String::from_utf8(text).expect("UTF-8"))
+    };
+    film::write(&Film::new(45, 30), &tone, &folder.path().join("pair.exr")).expect("written");
+    let expected: [(&[&str], i32); 15] = [
+        (&["dim.exr", "dim.pfm"], 0),
+        (&["dim.exr", "dim.png", "--encoding", "linear"], 0),
+        (&["dim.ppm", "dim.exr", "--encoding", "linear"], 0),
+        (&["dim.png", "dim.ppm"], 0),
+        (&["dim.exr", "film.exr"], 1),
+        (&["dim.exr", "film.exr", "--json"], 1),
+        // the file says that its values are linear
+        (&["dim.exr", "dim.png"], 0),
+        (&["dim.exr", "dim.png", "--encoding", "srgb"], 1),
+        (&["film.exr", "ch24/hall-of-mirrors", "--tolerance", "0.5"], 1),
+        (&["pair.exr", "ch12/three-spheres"], 1),
+        // 60 columns less 5 are no two images
+        (&["dim.exr", "ch12/three-spheres"], 2),
+        (&["dim.exr", "text.png"], 2),
+        (&["dim.exr", "missing.png"], 2),
+        (&["dim.exr", "no/such-scene"], 2),
+        (&["dim.exr", "dim.pfm", "--encoding", "cie"], 2),
+    ];
+    for (arguments, code) in expected {
+        let (found, text) = status(arguments);
+        assert_eq!(found, Some(code), "{arguments:?}: {text}");
+    }
+    let (found, _) = status(&["dim.exr", "film.exr", "-o", "diff.html"]);
+    let html = std::fs::read_to_string(folder.path().join("diff.html")).expect("the page");
+    assert_eq!((found, html.matches("data:image/png;base64,iVBOR").count() >= 7), (Some(1), true));
+    assert!(html.contains("film.exr is dim.exr divided by 1/2"), "the page says why");
+    for link in ["http:", "https:", "href=", "url(", "<script", "<link"] {
+        assert!(!html.contains(link), "the page needs {link}");
+    }
+    // the image of each eye has (45 − 5)/2 columns
+    let (_, text) = status(&["pair.exr", "ch12/three-spheres"]);
+    assert!(text.contains("--size 20x30"), "{text}");
+    // three scales, and two crops for each region
+    let regions = html.matches("the worst at (").count();
+    assert_eq!(html.matches("% of the differences are within").count(), 3);
+    assert_eq!(
+        html.matches("<i style=").count(),
+        2 * (regions / 2),
+        "in the text and in a row each"
+    );
+    let name = "ch03/three-objects";
+    let shifted = folder.path().join("shifted.exr");
+    film::write(&film_through(&world(name), [0.0, 0.0]), &tone, &shifted).expect("written");
+    let (found, text) = status(&["shifted.exr", name, "-o", "shifted.html"]);
+    let expected = "explained: yours is half a pixel too far right and half a pixel too far up";
+    assert!(found == Some(1) && text.contains(expected), "{text}");
+    let html = std::fs::read_to_string(folder.path().join("shifted.html")).expect("the page");
+    let commands: Vec<&str> =
+        text.lines().filter_map(|line| line.strip_prefix("  groundtruth explain")).collect();
+    assert!(!commands.is_empty());
+    let window = "inspector ch03/three-objects --compare shifted.exr";
+    assert!(text.contains(&format!("to look: {window}\n")) && html.contains(window), "{text}");
+    for command in commands {
+        assert!(html.contains(command), "the page lacks {command}");
+    }
+    let (_, json) = status(&["dim.exr", "film.exr", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!(json["explained_by"][0]["what"], "film.exr is dim.exr divided by 1/2");
+}
+
+/// Law: in whichever order they are given, a difference is yours − ours, and one of files is the second − the first; for a
+/// scene with noise the last line is the command that judges it. Oracle: a picture half as bright.
+#[test]
+fn signs_have_one_direction() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (film, scene) = (rendered("ch24/hall-of-mirrors", 1), "ch24/hall-of-mirrors");
+    let mut dim = Film::new(film.width(), film.height());
+    for y in 0..film.height() {
+        for x in 0..film.width() {
+            dim.set([x, y], 0.5 * film.get([x, y]));
+        }
+    }
+    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+    for (film, name) in [(&dim, "dim.pfm"), (&film, "whole.pfm")] {
+        film::write(film, &tone, &folder.path().join(name)).expect("written");
+    }
+    let compare = |both: [&str; 2]| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_groundtruth"));
+        let output = command.arg("compare").args(both).current_dir(folder.path()).output();
+        String::from_utf8(output.expect("it runs").stdout).expect("UTF-8")
+    };
+    let text = compare(["dim.pfm", scene]);
+    assert_eq!(text, compare([scene, "dim.pfm"]));
+    let red = text.lines().find(|line| line.starts_with("mean red: yours ")).expect("the mean");
+    let percent: f64 =
+        red.rsplit_once('−').expect("darker").1.trim_end_matches(" %").parse().expect("a number");
+    assert!((percent - 50.0).abs() < 5.0 && red.contains(", ours "), "{red}");
+    let last = text.lines().last().expect("lines");
+    assert!(last.ends_with("groundtruth verify ch24/hall-of-mirrors dim.pfm"), "{last}");
+    assert!(compare(["whole.pfm", "dim.pfm"]).contains(", −50.000 %"));
+    assert!(compare(["dim.pfm", "whole.pfm"]).contains(", +100.000 %"));
+}

@@ -1,0 +1,15 @@
+//! Laws of the program and the repository: commands, documents, layers, fuzz bodies.
+
+mod cli;
+mod compare;
+mod conform;
+mod conform_adapters;
+mod docs;
+mod fuzz;
+mod merge;
+mod probe;
+mod report;
+mod same_text;
+mod scene_reference;
+mod structure;
+mod verify;

@@ -1,0 +1,265 @@
+//! Guarantees for input lines: one answer per line, exact numbers, and the `id` in the reply.
+
+mod python;
+#[path = "../../tests/chapters/support/cases.rs"]
+#[allow(dead_code)] // the chapters use the rest of it
+mod support;
+
+use std::io::{BufRead, BufReader, Write};
+use std::path::Path;
+use std::process::{Command, Stdio};
+
+use conform::probe;
+use proptest::prelude::*;
+use serde_json::{Value, json};
+
+use self::support::laws;
+use crate::same_text::{Printed, hold};
+
+const GROUNDTRUTH: &str = env!("CARGO_BIN_EXE_groundtruth");
+const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+
+fn served(input: &[u8]) -> (String, bool) {
+    let mut output = Vec::new();
+    let all_answered = probe::serve(input, &mut output).expect("memory can be written");
+    (String::from_utf8(output).expect("answers are UTF-8"), all_answered)
+}
+
+/// What the program answers to each of these lines, in the root of the repository.
+fn answers(questions: &[&str]) -> Vec<String> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let asked = folder.path().join("asked");
+    std::fs::write(&asked, questions.join("\n")).expect("written");
+    let asked = std::fs::File::open(asked).expect("written");
+    let run = Command::new(GROUNDTRUTH).arg("probe").current_dir(ROOT).stdin(asked).output();
+    let answers = String::from_utf8(run.expect("it starts").stdout).expect("UTF-8");
+    answers.lines().map(str::to_owned).collect()
+}
+
+/// Law: every example of the document has the answer that the document shows, up to rounding.
+#[test]
+fn the_examples_of_the_document_are_true() {
+    // the questions name files from the root of the repository
+    let document = std::fs::read_to_string(format!("{ROOT}/docs/probe.md")).expect("it is there");
+    let questions: Vec<&str> =
+        document.lines().filter_map(|line| line.strip_prefix("→ ")).collect();
+    let (mut lines, mut answers) = (document.lines(), answers(&questions).into_iter());
+    let (mut true_lines, mut count) = (String::new(), 0);
+    while let Some(line) = lines.next() {
+        true_lines += &format!("{line}\n");
+        let Some(question) = line.strip_prefix("→ ") else { continue };
+        assert!(
+            lines.next().is_some_and(|next| next.starts_with("← ")),
+            "{question} has an answer"
+        );
+        true_lines += &format!("← {}\n", answers.next().expect("as many as questions"));
+        count += 1;
+    }
+    assert_eq!(count, 68, "examples in docs/probe.md");
+    hold(&Path::new(ROOT).join("docs/probe.md"), &true_lines, Printed::Exactly);
+}
+
+/// A question, and the paths of all tables in it.
+fn tables(value: &Value, path: &str, found: &mut Vec<String>) {
+    match value {
+        Value::Object(fields) => {
+            found.push(path.to_owned());
+            for (key, inner) in fields {
+                tables(inner, &format!("{path}/{key}"), found);
+            }
+        }
+        Value::Array(items) => {
+            for (i, inner) in items.iter().enumerate() {
+                tables(inner, &format!("{path}/{i}"), found);
+            }
+        }
+        _ => {}
+    }
+}
+
+/// Law: a list of a table's values, in whatever order, is not that table: the probe refuses it. The tables are those of
+/// the document's examples.
+#[test]
+fn a_list_is_no_table() {
+    let document = std::fs::read_to_string("../docs/probe.md")
+        .or_else(|_| std::fs::read_to_string("docs/probe.md"))
+        .expect("it is there");
+    let mut count = 0;
+    for line in document.lines().filter_map(|line| line.strip_prefix("→ ")) {
+        let Ok(question) = serde_json::from_str::<Value>(line) else { continue };
+        let (name, data) =
+            match question.as_object().into_iter().flatten().find(|(key, _)| *key != "id") {
+                Some((name, data)) if data.is_object() => (name, data),
+                _ => continue,
+            };
+        let mut paths = Vec::new();
+        tables(data, "", &mut paths);
+        for path in paths {
+            let mut listed = data.clone();
+            let table = listed.pointer_mut(&path).expect("a table");
+            let values: Vec<Value> =
+                table.as_object().into_iter().flatten().map(|(_, it)| it.clone()).collect();
+            *table = Value::from(values);
+            let reply = probe::answer(&json!({name: listed}).to_string());
+            assert!(reply.starts_with("{\"error\""), "{path} of {line}: {reply}");
+            count += 1;
+        }
+    }
+    assert!(count > 200, "{count} tables");
+}
+
+/// Law: bytes that are no text get the number of their line, counted with blank ones, and the byte in it, from
+/// 1. Oracle: where the test put them.
+#[test]
+fn bytes_that_are_no_text_get_line_and_byte() {
+    let (text, all) =
+        served(b"{\"fresnel\": {\"cos_i\": 1, \"eta\": 1.5}}\n\n{\"id\": \"\xe9\"}\n");
+    let last = text.lines().last().expect("two replies");
+    assert_eq!(last, r#"{"error":"line 3, byte 9: 0xe9 is not UTF-8; JSON is UTF-8 text"}"#);
+    assert!(!all);
+}
+
+fn any_finite() -> impl Strategy<Value = f64> {
+    let bits = any::<u64>().prop_map(f64::from_bits).prop_filter("finite", |x| x.is_finite());
+    prop_oneof![8 => bits, 1 => -1e3..1e3_f64, 1 => prop_oneof![Just(0.0), Just(-0.0)]]
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: a number keeps every bit when it is read and printed. Oracle: the printing and parsing of the
+    /// standard library; the test splits the answer itself.
+    #[test]
+    fn numbers_come_back_bit_for_bit(x in any_finite(), y in any_finite(), z in any_finite()) {
+        // the id is any number, light at most as bright as a scene may say
+        let color = [x, y, z].map(|x| x.abs().min(1e30));
+        let light = format!(
+            r#"{{"ambient": {{"color": [{:e}, {:?}, {:e}]}}}}"#,
+            color[0], color[1], color[2]
+        );
+        let line = format!(r#"{{"id": {x:?}, "light": {{"light": {light}, "from": [0, 0, 0]}}}}"#);
+        let answer = probe::answer(&line);
+        let id = answer.strip_prefix(r#"{"id":"#).and_then(|rest| rest.split_once(','));
+        let (id, rest) = id.expect("the id comes first");
+        prop_assert_eq!(id.parse::<f64>().expect("a number").to_bits(), x.to_bits());
+        let list = rest.split(['[', ']']).nth(1).expect("a list");
+        let back: Vec<u64> =
+            list.split(',').map(|n| n.parse::<f64>().expect("a number").to_bits()).collect();
+        prop_assert_eq!(back, color.map(f64::to_bits).to_vec());
+    }
+
+    /// Law: whatever the bytes, there are as many replies as lines that are not blank. Each is JSON with an
+    /// answer or an error, and the status tells whether all are answers.
+    #[test]
+    fn every_line_gets_one_line_back(
+        pieces in prop::collection::vec(prop_oneof![
+            any::<Vec<u8>>(),
+            Just(b"\n".to_vec()),
+            Just(b" \t\r\n".to_vec()),
+            Just(b"{\"fresnel\": {\"cos_i\": 1, \"eta\": 1.5}}\n".to_vec()),
+            Just(b"{\"intersect\": {\"shape\": {\"instance\":".to_vec()),
+        ], 0..20)
+    ) {
+        let input = pieces.concat();
+        let blank = |line: &[u8]| line.iter().all(u8::is_ascii_whitespace);
+        let asked = input.split(|&byte| byte == b'\n').filter(|line| !blank(line)).count();
+        let (output, all_answered) = served(&input);
+        prop_assert_eq!(output.lines().count(), asked);
+        let mut errors = 0;
+        for line in output.lines() {
+            let reply: Value = serde_json::from_str(line).expect("JSON");
+            let keys: Vec<&str> =
+                reply.as_object().expect("an object").keys().map(String::as_str).collect();
+            prop_assert!(keys == ["answer"] || keys == ["error"]);
+            errors += usize::from(keys == ["error"]);
+        }
+        prop_assert_eq!(all_answered, errors == 0);
+    }
+
+    /// Law: any JSON `id` comes back unchanged, with an answer and with an error.
+    #[test]
+    fn ids_are_returned_unchanged(text in any::<String>(), n in any::<i64>(), deep in 0_usize..20) {
+        let mut id = json!({"text": text, "n": n, "none": null});
+        for _ in 0..deep {
+            id = json!([id]);
+        }
+        for question in
+            [json!({"cos_i": 1, "eta": 1}), json!({"cos_i": 2, "eta": 1}), json!({"co": 1})]
+        {
+            let line = json!({"id": id, "fresnel": question}).to_string();
+            let reply: Value = serde_json::from_str(&probe::answer(&line)).expect("JSON");
+            prop_assert_eq!(&reply["id"], &id);
+        }
+    }
+}
+
+#[test]
+fn null_is_a_valid_id() {
+    let answer = probe::answer(r#"{"id": null, "fresnel": {"cos_i": 1, "eta": 1}}"#);
+    assert_eq!(
+        answer,
+        r#"{"id":null,"answer":{"reflected":0.0,"transmitted":1.0,"r_s":0.0,"r_p":0.0,"t_s":1.0,"t_p":1.0}}"#
+    );
+    let error = probe::answer(r#"{"id": null, "fresnel": {}}"#);
+    assert_eq!(error, r#"{"id":null,"error":"column 26: missing field `eta`"}"#);
+}
+
+/// Law: a line that is too long gets one error, and the next line gets its answer.
+#[test]
+fn a_long_line_is_refused_and_the_next_one_answered() {
+    let error = r#"{"error":"the line is longer than 1048576 bytes; put large things into files"}"#;
+    let good = r#"{"fresnel": {"cos_i": 1, "eta": 1}}"#;
+    let answer =
+        r#"{"answer":{"reflected":0.0,"transmitted":1.0,"r_s":0.0,"r_p":0.0,"t_s":1.0,"t_p":1.0}}"#;
+    for extra in [1, 2, 3, 1000, 3 << 20] {
+        let long = "x".repeat(probe::LONGEST_LINE + extra);
+        let (output, _) = served(format!("{long}\n{good}\n").as_bytes());
+        assert_eq!(output, format!("{error}\n{answer}\n"), "{extra} bytes too long");
+    }
+    let padded = format!("{good}{}", " ".repeat(probe::LONGEST_LINE - good.len()));
+    assert_eq!(served(padded.as_bytes()).0, format!("{answer}\n"), "just as long as fits");
+}
+
+fn probe_process(input: &[u8]) -> (Option<i32>, String) {
+    let mut child = Command::new(GROUNDTRUTH)
+        .arg("probe")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    child.stdin.take().expect("piped").write_all(input).expect("it reads");
+    let output = child.wait_with_output().expect("it ends");
+    (output.status.code(), String::from_utf8(output.stdout).expect("UTF-8"))
+}
+
+#[test]
+fn the_exit_status_is_0_unless_a_line_got_an_error() {
+    let good = "{\"fresnel\": {\"cos_i\": 1, \"eta\": 1}}\n";
+    assert_eq!(probe_process(b"").0, Some(0));
+    assert_eq!(probe_process(format!("{good}\n{good}").as_bytes()).0, Some(0));
+    let (status, output) = probe_process(format!("{good}{{}}\n{good}").as_bytes());
+    assert_eq!(status, Some(2));
+    assert_eq!(output.lines().count(), 3);
+}
+
+/// Law: an answer can be read before the next question is asked.
+#[test]
+fn each_answer_is_written_at_once() {
+    let mut child = Command::new(GROUNDTRUTH)
+        .arg("probe")
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .spawn()
+        .expect("it starts");
+    let mut stdin = child.stdin.take().expect("piped");
+    let mut stdout = BufReader::new(child.stdout.take().expect("piped"));
+    for id in 0..3 {
+        writeln!(stdin, r#"{{"id": {id}, "fresnel": {{"cos_i": 1, "eta": 1}}}}"#)
+            .expect("it reads");
+        let mut answer = String::new();
+        stdout.read_line(&mut answer).expect("it answers");
+        assert!(answer.starts_with(&format!(r#"{{"id":{id},"#)), "{answer}");
+    }
+    drop(stdin);
+    assert!(child.wait().expect("it ends").success());
+}

@@ -1,0 +1,11 @@
+//! Laws of the library that belong to no single chapter: files that it reads, ray trees, paths of hits, regressions.
+
+mod explain;
+mod hit_path;
+mod image_file;
+mod mesh_file;
+mod regressions;
+#[path = "../../../harness/tests/same_text.rs"]
+#[allow(dead_code)] // documents are held by others
+mod same_text;
+mod scene_files;

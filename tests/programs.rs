@@ -1,6 +1,0 @@
-//! Laws of questions and answers: what the probe answers, and how `conform` judges what programs answer.
-
-mod conform;
-mod conform_adapters;
-mod probe;
-mod same_text;
