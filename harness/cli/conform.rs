@@ -8,6 +8,7 @@ use std::time::Duration;
 use clap::{Args, ValueEnum};
 use conform::family::Family;
 use conform::{self, Card, Limits, Options, Profile, Program, Row, card};
+use groundtruth::math::hash;
 use groundtruth::printable;
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -233,7 +234,7 @@ impl Chapters {
 fn fresh_seed() -> u64 {
     let now =
         std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default();
-    oracle::hard::SplitMix64::new(now.as_nanos() as u64).next_u64() >> 16
+    hash(&[now.as_nanos() as u64]) >> 16
 }
 
 fn progress(families: u64) -> ProgressBar {

@@ -5,13 +5,18 @@
 mod arrows;
 mod dead;
 mod kinds;
+mod packages;
 
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+}
+
 fn sources() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../src")
+    root().join("src")
 }
 
 fn read(path: &Path) -> String {

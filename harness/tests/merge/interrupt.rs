@@ -106,7 +106,7 @@ fn a_second_signal_drops_the_replica_under_way() {
 /// Law: a part under way is saved every minute, so that a machine that is killed without a signal loses no more.
 /// Oracle: the file of a program that was killed after a little more than a minute.
 #[test]
-#[ignore = "cost, 70 s: cargo test --test commands sums -- --ignored"]
+#[ignore = "cost, 70 s: cargo test --test commands merge -- --ignored"]
 fn a_part_is_saved_every_minute() {
     let folder = tempfile::tempdir().expect("a folder");
     let at = folder.path();

@@ -183,7 +183,7 @@ fn our_own_means_are_no_false_alarms() {
 }
 
 #[test]
-#[ignore = "cost: 2 min; cargo test --test programs our_own_means -- --ignored"]
+#[ignore = "cost: 2 min; cargo test -p conform our_own_means -- --ignored"]
 fn our_own_means_are_no_false_alarms_for_many_seeds() {
     our_means_pass(100..120, 32);
 }

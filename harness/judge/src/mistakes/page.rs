@@ -67,13 +67,13 @@ same random numbers; *scene* renders a changed scene.
 A scene shows a mistake if it changes at least {share} % of the pixels by more than {change} % of the pixel or, where that is
 darker, of the picture's mean. That was measured for every scene of the gallery, {WIDTH} pixels wide with at most {SAMPLES}
 samples per pixel. In brackets: the share of changed pixels. All pairs are in
-[shown.csv](../harness/src/mistakes/shown.csv), with the largest relative change of a channel.
+[shown.csv](../harness/judge/src/mistakes/shown.csv), with the largest relative change of a channel.
 
 Limits: factors of area lights, and the half vector of lights that have many directions, are known only where a shadow ray
 was cast; absorption on the way to a light, too. Fresnel's equations change for traced rays only, not for shadow rays that
 pass glass. A material whose diffuse part is black lacks the part of Blinn's highlight for which `r·ω_o` is negative.
 
-`groundtruth mistakes --table > harness/src/mistakes/shown.csv` measures the table again, and
+`groundtruth mistakes --table > harness/judge/src/mistakes/shown.csv` measures the table again, and
 `groundtruth mistakes --page > docs/mistakes.md` writes this page.
 
 | mistake | the picture agrees with ours if … | chapter | made by | scenes | best three |

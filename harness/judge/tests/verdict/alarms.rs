@@ -85,7 +85,7 @@ fn alarms(scenes: &[&str], each: u64, replicas: u32) -> [u64; 2] {
 /// numbers of samples, 8 bits, half precision, single bright pixels. Oracle: the binomial distribution at the level:
 /// of 3,024, more than 47 have a probability below 0.002.
 #[test]
-#[ignore = "cost: cargo test --release --test judge verdict -- --ignored"]
+#[ignore = "cost: cargo test --release -p judge verdict -- --ignored"]
 fn few_correct_pictures_of_thousands_are_called_wrong() {
     let [count, alarms] = alarms(&SCENES, 56, 250);
     println!("{alarms} false alarms of {count}");

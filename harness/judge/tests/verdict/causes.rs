@@ -70,7 +70,7 @@ fn named(pairs: &[&Pair], size: [u32; 2]) -> [usize; 2] {
 /// Law: the picture of a known mistake, with another seed, is rejected, and the mistake is named, alone or with those that
 /// the scene cannot tell apart, in at least 90 % of 60 pairs of a scene and a mistake. Oracle: the mistake that was made.
 #[test]
-#[ignore = "cost: cargo test --release --test judge verdict -- --ignored"]
+#[ignore = "cost: cargo test --release -p judge verdict -- --ignored"]
 fn known_mistakes_are_named() {
     let [named, tried] = named(&pairs(64, 1), [96, 16]);
     assert!(tried >= 60 && 10 * named >= 9 * tried, "{named} of {tried}");
@@ -204,7 +204,7 @@ fn other_data_is_no_known_mistake() {
 
 /// Law: the same, of all such changes of ten scenes: at most 2 % have a false cause. Oracle: the data.
 #[test]
-#[ignore = "cost: cargo test --release --test judge verdict -- --ignored"]
+#[ignore = "cost: cargo test --release -p judge verdict -- --ignored"]
 fn other_data_is_seldom_put_down_to_a_known_mistake() {
     let [mut count, mut wrong] = [0, 0];
     for name in [

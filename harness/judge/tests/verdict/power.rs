@@ -135,7 +135,7 @@ macro_rules! power {
         /// sample of the lights are found in at least 95 of 100 seeds.
         /// Oracle: the defect that was planted.
         #[test]
-        #[ignore = "cost: cargo test --release --test judge power -- --ignored --nocapture"]
+        #[ignore = "cost: cargo test --release -p judge power -- --ignored --nocapture"]
         fn $test() {
             for (what, times) in found($scene, [128, 64], 100) {
                 assert!(times >= 95, "{}, {what}: found in {times} of 100", $scene);

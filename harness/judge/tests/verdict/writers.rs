@@ -137,7 +137,7 @@ fn pictures_agree_whoever_wrote_them() {
 /// Law: the same for twelve scenes and three seeds. Oracle: the binomial distribution at the level: of the 36 films of a
 /// writer, more than 4 are far out with a probability of 3e-5, in any of twenty with one below 6e-4.
 #[test]
-#[ignore = "cost: cargo test --release --test judge writers -- --ignored --nocapture"]
+#[ignore = "cost: cargo test --release -p judge writers -- --ignored --nocapture"]
 fn pictures_of_twelve_scenes_agree_whoever_wrote_them() {
     let alarms = alarms(&SCENES, 48, 3);
     assert!(alarms.iter().all(|alarms| *alarms <= 4), "{alarms:?}");
