@@ -1,7 +1,6 @@
 //! How long does a small picture of the glass sphere take, on all cores?
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::world::World;
 

@@ -3,7 +3,6 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, criterion_group, criterion_main};
-use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::trace::{RayCounts, RayTree, Recorder};
 use groundtruth::world::World;

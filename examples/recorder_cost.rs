@@ -7,8 +7,6 @@
 //!     valgrind --tool=callgrind target/release/examples/recorder_cost $r
 //! done
 //! ```
-
-use groundtruth::gallery;
 use groundtruth::lobes::Lobes;
 use groundtruth::math::Ray;
 use groundtruth::render;

@@ -1,6 +1,6 @@
 //! Groundtruth: a readable ray tracer after Suffern's *Ray Tracing from the Ground Up*.
 //!
-//! A [`Scene`](scene::Scene) is plain data, from a [`gallery`] function or a TOML file. It is
+//! A [`Scene`](scene::Scene) is plain data, from a function of the package `gallery` or a TOML file. It is
 //! checked and built into a [`World`](world::World). [`render`] turns each sample of each pixel
 //! into a ray, [`trace`] follows it, asking [`shapes`] what it hits, [`materials`] of which
 //! [`lobes`] that is made, and [`lights`] what arrives; [`film`] keeps the result. A recorder can
@@ -22,7 +22,7 @@
 //! background, bumps, materials
 //! cameras, lights
 //! scene
-//! gallery, world
+//! world
 //! trace
 //! render
 //! explain
@@ -36,7 +36,6 @@ pub mod candidate;
 pub mod explain;
 pub mod film;
 pub mod filters;
-pub mod gallery;
 pub mod images;
 pub mod invalid;
 pub mod kinds;

@@ -5,7 +5,6 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use groundtruth::film;
-use groundtruth::gallery;
 use groundtruth::printable;
 use groundtruth::render;
 use groundtruth::scene::{self, Scene};

@@ -1,7 +1,6 @@
 //! `groundtruth list`.
 
 use clap::Args;
-use groundtruth::gallery;
 use serde::Serialize;
 
 use super::{Outcome, print};

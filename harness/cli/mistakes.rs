@@ -1,7 +1,7 @@
 //! `groundtruth mistakes`.
 
 use clap::Args;
-use groundtruth::{gallery, similar};
+use groundtruth::similar;
 use indicatif::{ProgressBar, ProgressStyle};
 use judge::mistakes::{self, Cover, Mistake, table};
 

@@ -7,7 +7,6 @@ use std::str::FromStr;
 
 use clap::{Args, Parser};
 use groundtruth::film::{self, Provenance};
-use groundtruth::gallery;
 use groundtruth::render::Crop;
 use groundtruth::samplers;
 use groundtruth::scene::{self, Scene, SceneError, Source, Tracer};

@@ -15,11 +15,9 @@ mod provenance;
 mod stereo;
 mod witness;
 
+use rayon::prelude::*;
 use std::path::Path;
 use std::process::{Command, Stdio};
-
-use groundtruth::gallery;
-use rayon::prelude::*;
 
 const GROUNDTRUTH: &str = env!("CARGO_BIN_EXE_groundtruth");
 

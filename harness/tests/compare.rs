@@ -5,7 +5,7 @@ use std::process::Command;
 
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::rgb::Rgb;
-use groundtruth::{gallery, render, trace, world::World};
+use groundtruth::{render, trace, world::World};
 
 const SIZE: [u32; 2] = [60, 40];
 

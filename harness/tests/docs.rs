@@ -87,7 +87,7 @@ fn the_readme_names_only_commands_and_scenes_that_exist() {
         let is_scene = word.len() > 5 && word.starts_with("ch") && word.contains('/');
         if is_scene && word.as_bytes()[2].is_ascii_digit() {
             count += 1;
-            assert!(groundtruth::gallery::find(word).is_some(), "README: no scene {word}");
+            assert!(gallery::find(word).is_some(), "README: no scene {word}");
         }
     }
     assert!(count >= 2, "found no scenes in the README: the search for them is broken");

@@ -10,9 +10,7 @@ use groundtruth::kinds::Entry;
 use groundtruth::scene::Scene;
 use groundtruth::scene::vocabulary::Definition;
 use groundtruth::textures;
-use groundtruth::{
-    bumps, cameras, filters, gallery, lights, materials, samplers, scene, shapes, world,
-};
+use groundtruth::{bumps, cameras, filters, lights, materials, samplers, scene, shapes, world};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};

@@ -4,9 +4,6 @@ mod acne;
 mod media;
 mod segments;
 
-use std::f64::consts::{FRAC_1_PI, TAU};
-
-use groundtruth::gallery;
 use groundtruth::lights::{Directional, PointLight as Lamp};
 use groundtruth::materials::Matte;
 use groundtruth::math::{Point, Span, Vector, cos, power_of_two, sin};
@@ -16,6 +13,7 @@ use groundtruth::scene::Scene;
 use groundtruth::shapes::{Cuboid, Disk, Plane, Sphere, TessellatedSphere};
 use groundtruth::{cameras, lights, shapes};
 use proptest::prelude::*;
+use std::f64::consts::{FRAC_1_PI, TAU};
 
 use crate::support::stage::*;
 use crate::support::{U, camera_ray, laws, point, unit};

@@ -8,7 +8,6 @@ mod paths;
 mod roulette;
 
 use groundtruth::explain::omissions;
-use groundtruth::gallery;
 use groundtruth::lights::{Ambient, Area, PointLight};
 use groundtruth::materials::{Emissive, Matte};
 use groundtruth::math::{Pcg32, Point, Vector, power};

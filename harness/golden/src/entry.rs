@@ -6,7 +6,6 @@ use serde::{Deserialize, Serialize};
 
 use crate::{GoldenError, View};
 use groundtruth::film::{self, Film};
-use groundtruth::gallery;
 use groundtruth::scene::{self, Scene, SceneError, Source};
 use groundtruth::world::{DEFAULT_SEED, World};
 

@@ -18,7 +18,6 @@ use sha2::{Digest, Sha256};
 
 use compare::Verdict;
 use groundtruth::film::{self, Film, ImageError};
-use groundtruth::gallery;
 
 pub use entry::{Golden, leaf};
 pub use error::GoldenError;

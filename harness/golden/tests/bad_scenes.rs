@@ -3,7 +3,6 @@
 
 use golden::compare::{Tolerance, Verdict, verdict};
 use groundtruth::film::Film;
-use groundtruth::gallery;
 use groundtruth::lights::Kind as LightKind;
 use groundtruth::materials::Kind as MaterialKind;
 use groundtruth::math::Vector;

@@ -3,8 +3,8 @@
 use std::error::Error;
 use std::path::Path;
 
+use gallery::{self, Entry};
 use groundtruth::film::Provenance;
-use groundtruth::gallery::{self, Entry};
 use groundtruth::printable;
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::World;

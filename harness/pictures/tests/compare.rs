@@ -5,7 +5,6 @@ mod encoded;
 use std::path::Path;
 
 use groundtruth::film::Film;
-use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace;

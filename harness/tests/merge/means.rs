@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use groundtruth::{gallery, render, world::World};
+use groundtruth::{render, world::World};
 use pictures::sums::Sums;
 
 use super::header::header;

@@ -1,7 +1,5 @@
 //! The pictures that `merge` writes: what they say of their making, and `-` in the place of a file.
 
-use groundtruth::gallery;
-
 use super::{SCENE, command, expect, parts, read, run};
 
 /// An attribute of an EXR file: name, type, length and text.

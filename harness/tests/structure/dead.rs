@@ -6,8 +6,17 @@ use std::path::Path;
 use super::{read, rust_files, without_comments};
 
 /// The folders of all code of the repository.
-const FOLDERS: [&str; 8] =
-    ["src", "harness", "oracle/src", "inspector", "tests", "benches", "fuzz", "examples"];
+const FOLDERS: [&str; 9] = [
+    "src",
+    "gallery",
+    "harness",
+    "oracle/src",
+    "inspector",
+    "tests",
+    "benches",
+    "fuzz",
+    "examples",
+];
 
 /// The words of a text of code; of strings, those that are one word, as attributes name functions.
 fn words(code: &str) -> impl Iterator<Item = &str> {

@@ -5,7 +5,7 @@ use eframe::egui::{
     ScrollArea, Shape, Stroke, TextEdit, TextureHandle, TextureId, TextureOptions, Ui,
     load::SizedTexture, vec2,
 };
-use groundtruth::gallery::{self, Entry};
+use gallery::{self, Entry};
 
 use crate::scene::thumbnails::{SIZE, Thumbnails};
 

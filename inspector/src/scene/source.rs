@@ -1,10 +1,8 @@
 //! Where scenes come from: the gallery or a file. They are read and built here.
 
-use std::path::{Path, PathBuf};
-
-use groundtruth::gallery;
 use groundtruth::scene::{self, STANDARD_INPUT, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
+use std::path::{Path, PathBuf};
 
 use crate::scene::watch::Watch;
 

@@ -8,8 +8,8 @@ use std::collections::HashMap;
 use std::time::{Duration, Instant};
 
 use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
+use gallery::Entry;
 use groundtruth::film::Tone;
-use groundtruth::gallery::Entry;
 use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;

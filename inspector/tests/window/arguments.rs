@@ -5,8 +5,8 @@ use std::process::{Command, Output};
 
 use clap::Parser;
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::render;
 use groundtruth::world::World;
-use groundtruth::{gallery, render};
 use inspector::window::arguments::Arguments;
 
 fn inspector(arguments: &[&str]) -> Output {
@@ -20,10 +20,9 @@ fn inspector(arguments: &[&str]) -> Output {
 fn a_bad_scene_is_reported_before_a_window_opens() {
     let missing = "no-such-folder/scene.toml";
     let error = groundtruth::world::read(missing.as_ref()).expect_err("it is not there");
-    for (name, expected) in [
-        (missing, error.to_string()),
-        ("ch99/nothing", groundtruth::gallery::unknown("ch99/nothing")),
-    ] {
+    for (name, expected) in
+        [(missing, error.to_string()), ("ch99/nothing", gallery::unknown("ch99/nothing"))]
+    {
         let output = inspector(&[name]);
         assert_eq!(output.status.code(), Some(2));
         assert_eq!(String::from_utf8_lossy(&output.stderr), format!("error: {expected}\n"));

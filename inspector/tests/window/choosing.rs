@@ -5,7 +5,6 @@ use std::time::{Duration, Instant};
 use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable;
 use groundtruth::explain::count;
-use groundtruth::gallery;
 use groundtruth::scene::{Depth, Intersect, Tracer};
 use groundtruth::world::{MAX_SAMPLES, World};
 use inspector::picture::view::View;

@@ -4,7 +4,6 @@ use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use groundtruth::cameras::{Stereo, Viewing};
 use groundtruth::explain::RecordedRay;
-use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayKind;

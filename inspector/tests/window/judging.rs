@@ -6,7 +6,6 @@ use std::time::{Duration, Instant};
 use eframe::egui::Key;
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
-use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;

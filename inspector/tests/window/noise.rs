@@ -2,7 +2,6 @@
 
 use egui_kittest::kittest::Queryable;
 use groundtruth::explain::{self, PixelExplanation, RecordedRay, RecordedTerm};
-use groundtruth::gallery;
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayKind;
 

@@ -3,7 +3,6 @@
 use eframe::egui::Pos2;
 use egui_kittest::kittest::Queryable;
 use groundtruth::cameras::{Stereo, Viewing};
-use groundtruth::gallery;
 use groundtruth::lights::AmbientOccluder;
 use groundtruth::render;
 use groundtruth::samplers::{Jittered, Kind, PathKey, Purpose, Regular};

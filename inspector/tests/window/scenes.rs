@@ -119,13 +119,13 @@ fn a_scene_file_is_opened() {
 /// library's.)
 #[test]
 fn every_gallery_scene_can_be_named() {
-    for entry in groundtruth::gallery::scenes() {
+    for entry in gallery::scenes() {
         let source = Source::named(entry.name).expect("it is in the gallery");
         assert_eq!(source.name(), entry.name);
         assert!(source.load().is_ok(), "{}", entry.name);
     }
     let error = Source::named("ch28/no-such").expect_err("it does not exist");
-    assert_eq!(error, groundtruth::gallery::unknown("ch28/no-such"));
+    assert_eq!(error, gallery::unknown("ch28/no-such"));
 }
 
 /// Law: the saved EXR holds the picture in single precision, whatever the exposure on the screen;
@@ -275,8 +275,8 @@ fn the_window_does_not_wait_for_the_picture() {
     assert!(window.query_all_by_label(&line).next().is_some());
 
     let ctx = window.ctx.clone();
-    let small = groundtruth::gallery::find("ch03/single-sphere");
-    let small = small.or_else(|| groundtruth::gallery::scenes().next()).expect("a scene");
+    let small = gallery::find("ch03/single-sphere");
+    let small = small.or_else(|| gallery::scenes().next()).expect("a scene");
     window.state_mut().open(&ctx, Source::Gallery(small));
     settle(&mut window);
     assert!(old.is_cancelled());

@@ -6,7 +6,6 @@ use eframe::egui::{Context, Pos2, Theme, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::explain::{self, RecordedRay};
-use groundtruth::gallery;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use inspector::app::Inspector;

@@ -1,6 +1,4 @@
 //! Whole pictures of chapter 3: which pixels see what.
-
-use groundtruth::gallery;
 use groundtruth::math::{Point, Span, Vector};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;

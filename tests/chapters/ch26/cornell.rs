@@ -1,8 +1,5 @@
 //! The Cornell box, against a reference picture and against its mirror image.
 
-use std::fmt::Write as _;
-
-use groundtruth::gallery;
 use groundtruth::math::{Point, Vector};
 use groundtruth::render::render;
 use groundtruth::rgb::Rgb;
@@ -10,6 +7,7 @@ use groundtruth::scene::{Depth, Scene, Tracer};
 use groundtruth::shapes::{Kind, Rectangle};
 use statistics::means;
 use statistics::significance::sidak;
+use std::fmt::Write as _;
 
 use crate::support::replicas::{
     LEVEL, REPLICAS, assert_known, mean_and_error, replicas, with_samples,

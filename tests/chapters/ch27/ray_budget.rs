@@ -1,6 +1,4 @@
 //! The ray budget: the number of rays of a picture is estimated before it is rendered.
-
-use groundtruth::gallery;
 use groundtruth::materials::{Dielectric, Medium, Phong, Reflective};
 use groundtruth::math::{Point, Vector};
 use groundtruth::render;

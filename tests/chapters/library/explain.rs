@@ -9,7 +9,6 @@ mod unlit;
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
 use groundtruth::explain::{self, Outline, RecordedRay, Row};
-use groundtruth::gallery;
 use groundtruth::materials::{Dielectric, Matte, Medium};
 use groundtruth::math::Point;
 use groundtruth::rgb::Rgb;

@@ -2,7 +2,6 @@
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
 use groundtruth::film::Film;
-use groundtruth::gallery;
 use groundtruth::materials::Emissive;
 use groundtruth::math::Point;
 use groundtruth::rgb::Rgb;

@@ -8,7 +8,6 @@ use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer};
 
 use super::limits;
-use groundtruth::gallery;
 use groundtruth::invalid::{Invalid, Key};
 use groundtruth::scene::{Scene, SceneError};
 use groundtruth::world::{self, World};

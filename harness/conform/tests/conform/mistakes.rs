@@ -377,7 +377,7 @@ fn a_plain_cross_product_is_no_mistake() {
 fn scenes_of_mistakes_exist() {
     for mistake in m::ALL {
         if let Some(scene) = mistake.scene {
-            assert!(groundtruth::gallery::find(scene).is_some(), "{scene}");
+            assert!(gallery::find(scene).is_some(), "{scene}");
         }
     }
 }

@@ -294,7 +294,7 @@ proptest! {
 /// Oracle: the film position minus the pixel's corner.
 #[test]
 fn a_draw_is_where_the_renderer_samples() {
-    let entry = groundtruth::gallery::find("ch28/glass-sphere").expect("it is in the gallery");
+    let entry = gallery::find("ch28/glass-sphere").expect("it is in the gallery");
     let world = groundtruth::world::World::build(&(entry.build)()).expect("it is valid");
     let (size, half) = (world.image.pixel_size, 300.0);
     for (x, y, index) in [(0, 0, 0), (17, 430, 5), (599, 599, 15), (17, 431, 5)] {

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use groundtruth::render;
 use groundtruth::world::World;
-use groundtruth::{gallery, render};
 use serde_json::{Value, json};
 
 use super::{ask, numbers};

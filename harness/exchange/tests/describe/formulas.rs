@@ -11,7 +11,7 @@ use groundtruth::math::{
 use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::textures::Mapping;
-use groundtruth::{cameras, gallery, scene};
+use groundtruth::{cameras, scene};
 
 use super::truth::{Camera, V, add, largest_difference, times, unit};
 use super::{described, numbers};

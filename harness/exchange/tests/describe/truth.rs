@@ -7,7 +7,7 @@ use groundtruth::cameras::Kind;
 use groundtruth::math::{Pcg32, acos, power};
 use groundtruth::render::{self, CameraSample};
 use groundtruth::scene;
-use groundtruth::{gallery, world::World};
+use groundtruth::world::World;
 
 use super::{Described, described, numbers, section};
 

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use exchange::describe;
 use groundtruth::scene::{self, Scene};
-use groundtruth::{gallery, lights, materials};
+use groundtruth::{lights, materials};
 use rayon::prelude::*;
 use serde_json::Value;
 

@@ -2,8 +2,6 @@
 
 use std::sync::LazyLock;
 
-use groundtruth::gallery;
-
 use super::table::Effect;
 use super::{Mistake, all, find};
 

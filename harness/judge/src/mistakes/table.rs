@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
+use gallery::Entry;
 use groundtruth::film::Film;
-use groundtruth::gallery::Entry;
 use groundtruth::scene::{Scene, SceneError};
 use groundtruth::world::DEFAULT_SEED;
 

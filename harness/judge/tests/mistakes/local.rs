@@ -1,6 +1,4 @@
 //! Changes in one place of a scene.
-
-use groundtruth::gallery;
 use groundtruth::lights::Ambient;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;

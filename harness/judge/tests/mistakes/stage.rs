@@ -9,7 +9,7 @@ use groundtruth::render;
 use groundtruth::scene::build::*;
 use groundtruth::scene::{Image, Light, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
-use groundtruth::{gallery, lights, materials};
+use groundtruth::{lights, materials};
 use judge::mistakes;
 
 /// The unit vector at this angle to the y axis, towards +x for positive angles.

@@ -1,13 +1,11 @@
 //! The table of the scenes that show each mistake, and what is made of it.
 
-use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
-
-use groundtruth::gallery;
 use groundtruth::math::Pcg32;
 use groundtruth::render;
 use groundtruth::world::{DEFAULT_SEED, World};
 use judge::mistakes::{self, How, Mistake, Pair, table};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
 
 /// Law: names are unique and of lower case with hyphens, chapters are the book's. Oracle: none.
 #[test]

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use groundtruth::film::Film;
-use groundtruth::gallery;
 use groundtruth::render;
 use groundtruth::samplers;
 use groundtruth::scene::Scene;

@@ -143,7 +143,7 @@ fn terms_add_up_to_the_picture() {
         "ch25/glossy-hall",
         "ch12/thin-lens",
     ] {
-        if groundtruth::gallery::find(name).is_none() {
+        if gallery::find(name).is_none() {
             continue;
         }
         let mut world = world(&scene(name, [16, 16], 4), 1);

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use groundtruth::film::Film;
-use groundtruth::{gallery, render, world::World};
+use groundtruth::{render, world::World};
 use statistics::{correlation, significance};
 
 /// The probability of a false alarm of all tests together.

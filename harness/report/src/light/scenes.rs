@@ -1,6 +1,6 @@
 //! The scenes of the page, and the tracers and samplings that are compared in each.
 
-use groundtruth::gallery::{self};
+use gallery::{self};
 use groundtruth::lights::{Area, Kind as LightKind};
 use groundtruth::lobes::GlossyRule;
 use groundtruth::materials::{Dielectric, Emissive, Kind as MaterialKind, Medium};

@@ -318,7 +318,7 @@ fn parent_and_depth_of_every_ray_can_be_read() {
         all.push((ray.number, parent, depth));
         ray.children.iter().for_each(|child| walk(child, Some(ray.number), all));
     }
-    let bowl = groundtruth::gallery::find("ch28/fish-bowl").expect("in the gallery");
+    let bowl = gallery::find("ch28/fish-bowl").expect("in the gallery");
     let mut scene = (bowl.build)();
     scene.image.samples = 4;
     let mut shown = 0;

@@ -8,7 +8,6 @@ use groundtruth::explain::{
     self, RecordedRay, RecordedTerm, Source, SourceExplanation, TooManyRays,
 };
 use groundtruth::filters::Mitchell;
-use groundtruth::gallery;
 use groundtruth::lights::{Ambient, Directional};
 use groundtruth::materials::{Emissive, Kind, Matte, Phong, Reflective};
 use groundtruth::math::{Point, Vector};
