@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
+use formats::meshes::{Encoding, MeshData, write_ply};
 use groundtruth::math::{Vector, cos, sin};
-use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 
 /// Steps along the knot and around its tube.
 const ALONG: u32 = 96;

@@ -10,7 +10,7 @@
 //! Each module names only modules of lines above its own:
 //!
 //! ```text
-//! candidate, math, mesh_file, printable, similar
+//! candidate, math, printable, similar
 //! accel, invalid
 //! mesh_bvh, rgb
 //! film, images
@@ -44,7 +44,6 @@ pub mod lobes;
 pub mod materials;
 pub mod math;
 pub mod mesh_bvh;
-pub mod mesh_file;
 pub mod noise;
 pub mod printable;
 pub mod render;

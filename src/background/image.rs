@@ -8,12 +8,13 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::images::{Drawn, Encoding, Picture, Texels};
+use crate::images::{Drawn, Picture, color};
 use crate::invalid::{Invalid, finite, strength};
 use crate::kinds::{self, ImageSource, Resources};
 use crate::math::{Point, Step, Transform, Vector, atan2, cos, sin};
 use crate::rgb::Rgb;
 use crate::textures::{Filtering, Mapping, Rule, Sampling};
+use formats::images::{Encoding, Texels};
 
 /// An image seen in every direction, infinitely far away. An environment light makes it shine: that
 /// draws texels in proportion to their radiance, and within a texel all points alike.
@@ -255,7 +256,7 @@ impl ImageSky {
 
     /// The largest channel average of the texels that a look-up in this texel reads.
     pub(super) fn brightest_around(&self, [column, row]: [u32; 2]) -> f64 {
-        let average = |[column, row]: [u32; 2]| self.texels.color(column, row).average();
+        let average = |[column, row]: [u32; 2]| color(&self.texels, column, row).average();
         if self.sampling.filtering == Filtering::Nearest {
             return average([column, row]);
         }

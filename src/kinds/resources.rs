@@ -4,13 +4,14 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::images::{self, Drawn, Encoding, Texels};
+use crate::images::{Drawn, listed};
 use crate::invalid::{BACKSLASH, Invalid};
-use crate::mesh_file::{self, MeshData};
 use crate::rgb::Rgb;
+use formats::images::{self, Encoding, Texels};
+use formats::meshes::{self, MeshData};
 
 /// The most bytes in the mesh files of one scene: more would take gigabytes, because they are read whole.
-const MAX_BYTES: u64 = mesh_file::MAX_BYTES;
+const MAX_BYTES: u64 = meshes::MAX_BYTES;
 /// The most texels in its images, of 12 bytes each.
 const MAX_TEXELS: u64 = 1 << 26;
 
@@ -60,8 +61,8 @@ impl Resources {
         }
         self.take_bytes(&path).map_err(|problem| Invalid::field("file", problem))?;
         let unread =
-            |e: mesh_file::MeshFileError| Invalid::field("file", with_advice(file, e.to_string()));
-        let mesh = mesh_file::read(&path).map_err(unread)?;
+            |e: meshes::MeshFileError| Invalid::field("file", with_advice(file, e.to_string()));
+        let mesh = meshes::read(&path).map_err(unread)?;
         self.note_all(&path, &mesh.notes);
         let mesh = Arc::new(mesh);
         self.meshes.insert(path, Arc::clone(&mesh));
@@ -109,7 +110,7 @@ impl Resources {
             (Some(file), None, None) => self.image(file, encoding, layer),
             (None, Some(drawn), None) => self.drawn(drawn).map_err(|e| e.inside("drawn")),
             (None, None, Some(rows)) => {
-                let listed = images::listed(rows).map_err(|e| e.inside("texels"))?;
+                let listed = listed(rows).map_err(|e| e.inside("texels"))?;
                 self.texels += u64::from(listed.width()) * u64::from(listed.height());
                 Ok(Arc::new(listed))
             }

@@ -8,11 +8,12 @@ use serde::{Deserialize, Serialize};
 
 use super::sampling::Sampling;
 use super::{Filtering, Mapping, Rule, Texel, Texture, TexturePoint, Wrap};
-use crate::images::{Drawn, Encoding, Texels};
+use crate::images::Drawn;
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, ImageSource, Resources, Specification};
 use crate::math::Point;
 use crate::rgb::Rgb;
+use formats::images::{Encoding, Texels};
 
 /// An image mapped to a surface: by a mapping of the local point, or by the texture coordinates of
 /// a mesh. In the image, u increases to the right and v upward.

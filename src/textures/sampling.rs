@@ -4,7 +4,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::Texel;
-use crate::images::Texels;
+use formats::images::Texels;
+
+use crate::images::color;
 use crate::math::floor;
 use crate::rgb::Rgb;
 
@@ -84,7 +86,7 @@ impl Sampling {
         match self.filtering {
             Filtering::Nearest => {
                 let [column, row] = self.nearest(texels, uv);
-                texels.color(column, row)
+                color(texels, column, row)
             }
             Filtering::Bilinear => self.bilinear(texels, uv),
         }
@@ -133,7 +135,7 @@ impl Sampling {
         let [column0, column1] = [column(left), column(left + 1.0)];
         let along = |row: f64| {
             let row = self.wraps[1].index(row, texels.height());
-            mix(texels.color(column0, row), texels.color(column1, row), x - left)
+            mix(color(texels, column0, row), color(texels, column1, row), x - left)
         };
         mix(along(bottom), along(bottom + 1.0), y - bottom)
     }

@@ -2,7 +2,7 @@
 //! proportion to the allowed number of texels. A PNG is also decoded with right checksums: with wrong ones,
 //! as changed bytes have them, it is refused before the decoder sees it.
 
-use groundtruth::images::{Encoding, decode};
+use formats::images::{Encoding, decode};
 
 /// More texels than this are refused.
 const MAX: u64 = 1 << 12;
@@ -44,7 +44,7 @@ fn decode_twice(data: &[u8]) {
     for row in 0..linear.height() {
         for column in 0..linear.width() {
             for texels in [default, linear] {
-                let color = texels.color(column, row).to_array();
+                let color = texels.color(column, row).map(f64::from);
                 assert!(color.iter().all(|c| c.is_finite() && *c >= 0.0), "{color:?}");
             }
         }

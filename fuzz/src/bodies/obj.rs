@@ -1,6 +1,6 @@
 //! OBJ: any bytes give a valid mesh or an error. The memory is in proportion to the file.
 
-use groundtruth::mesh_file::{MeshData, parse_obj};
+use formats::meshes::{MeshData, parse_obj};
 
 /// The bound that the module promises: bytes of memory for each byte of the file.
 const MEMORY_FACTOR: usize = 64;

@@ -1,6 +1,6 @@
 //! PLY: any bytes give a valid mesh or an error. The memory is in proportion to the file.
 
-use groundtruth::mesh_file::{Encoding, MeshData, parse_ply, write_ply};
+use formats::meshes::{Encoding, MeshData, parse_ply, write_ply};
 
 /// Reads a file and checks the mesh, then writes it in every encoding and reads it back.
 pub fn run(data: &[u8]) {

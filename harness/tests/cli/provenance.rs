@@ -4,8 +4,8 @@ use std::io::Write;
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+use formats::images;
 use groundtruth::film::read_exr;
-use groundtruth::images;
 
 use super::{GROUNDTRUTH, Run, files_in, run_in};
 

@@ -8,7 +8,6 @@ use super::{code_by_module, read, sources, without_comments};
 const MAY_NAME: &[(&str, &[&str])] = &[
     ("candidate", &[]),
     ("math", &[]),
-    ("mesh_file", &[]),
     ("printable", &[]),
     ("similar", &[]),
     ("accel", &["candidate", "math"]),
@@ -17,13 +16,10 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("rgb", &["invalid", "math"]),
     ("film", &["rgb"]),
     ("images", &["invalid", "math", "rgb"]),
-    ("kinds", &["images", "invalid", "kinds", "mesh_file", "rgb"]),
+    ("kinds", &["images", "invalid", "kinds", "rgb"]),
     ("filters", &["invalid", "kinds", "math"]),
     ("lobes", &["invalid", "kinds", "math", "rgb"]),
-    (
-        "shapes",
-        &["accel", "candidate", "invalid", "kinds", "math", "mesh_bvh", "mesh_file", "printable"],
-    ),
+    ("shapes", &["accel", "candidate", "invalid", "kinds", "math", "mesh_bvh", "printable"]),
     ("samplers", &["invalid", "kinds", "lobes", "math"]),
     ("noise", &["invalid", "math", "samplers"]),
     ("textures", &["images", "invalid", "kinds", "math", "noise", "rgb", "shapes"]),

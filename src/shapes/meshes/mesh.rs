@@ -17,8 +17,8 @@ use crate::accel;
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Resources, Specification};
 use crate::math::{Aabb, Normal, Point, Vector, lists};
-use crate::mesh_file::MeshData;
 use crate::shapes::{Context, Shape, TriangleMesh, mesh_lists, size_problem};
+use formats::meshes::MeshData;
 
 /// The triangles of a PLY or OBJ file, or of lists in the scene. The front of a triangle is the
 /// side from which its corners run counter-clockwise. If the given vertex normals are on the back

@@ -6,8 +6,8 @@
 
 use crate::invalid::Invalid;
 use crate::math::Point;
-use crate::mesh_file::MeshData;
 use crate::shapes::Mesh;
+use formats::meshes::MeshData;
 
 /// The lists of a mesh as the contents of a mesh file.
 pub fn data(mesh: &Mesh) -> Result<MeshData, Invalid> {

@@ -1,8 +1,8 @@
 //! Meshes from files: the encoding does not matter.
 
 use exact::Draw;
+use formats::meshes::{Encoding, MeshData, parse_ply, write_ply};
 use groundtruth::math::{Point, Ray, Span};
-use groundtruth::mesh_file::{Encoding, MeshData, parse_ply, write_ply};
 use groundtruth::shapes::{Context, Kind, Mesh, Shape, TessellatedSphere, Triangle};
 
 /// Law: the three encodings of PLY give the same mesh, and the same hits and shading normals, bit

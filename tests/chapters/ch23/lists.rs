@@ -1,8 +1,8 @@
 //! Meshes whose vertices and triangles are listed in the scene instead of in a file.
 
 use exact::Draw;
+use formats::meshes::{Encoding, MeshData, write_ply};
 use groundtruth::math::{Point, Ray, Span, Vector};
-use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 use groundtruth::shapes::{Context, Kind, Mesh};
 
 /// A bumpy sheet with everything a file can have; one triangle of it has no area.

@@ -4,8 +4,8 @@
 use std::path::Path;
 
 use exact::Draw;
+use formats::meshes::{Encoding, MeshData, write_ply};
 use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
-use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 use groundtruth::shapes::{Context, Kind, Mesh};
 
 type Triangles = Vec<[u32; 3]>;

@@ -1,8 +1,8 @@
 //! Texture coordinates of meshes, where the file has them.
 
 use exact::Draw;
+use formats::meshes::{Encoding, MeshData, write_ply};
 use groundtruth::math::{Point, Ray, Span, Step, Vector};
-use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
 use groundtruth::shapes::{Candidate, Compound, Context, Instance, Kind, Lattice, Mesh};
 
 use crate::support::U;

@@ -1,10 +1,10 @@
 //! No ray slips between the triangles of a closed mesh.
 
 use exact::Draw;
+use formats::meshes;
 use groundtruth::accel::Method;
 use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::mesh_bvh::Kernel;
-use groundtruth::mesh_file;
 use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh};
 
 /// A tessellated sphere stretched along the axes and moved.
@@ -20,7 +20,7 @@ fn sphere([h, v]: [u32; 2], stretch: Vector, shift: Vector) -> TriangleMesh {
 
 pub fn knot() -> TriangleMesh {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/knot.ply");
-    let data = mesh_file::read(std::path::Path::new(path)).expect("the knot is there");
+    let data = meshes::read(std::path::Path::new(path)).expect("the knot is there");
     TriangleMesh::new(data.vertices.iter().map(|&v| Point::from(v)).collect(), data.triangles)
 }
 

@@ -35,7 +35,7 @@ pub fn image_file(
 
 /// An image of that file by the surface's own texture coordinates, or a mapping.
 pub fn linear(file: &tempfile::NamedTempFile, mapping: Option<Mapping>) -> Image {
-    let encoding = Some(groundtruth::images::Encoding::Linear);
+    let encoding = Some(formats::images::Encoding::Linear);
     Image { encoding, ..Image::of_file(file.path(), mapping) }
 }
 

@@ -1,8 +1,8 @@
 //! The path of a hit: the nested shapes that contain it, and the part of the innermost shape that is hit.
 
 use exact::Draw;
+use formats::meshes::{self, Encoding, MeshData, write_ply};
 use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
-use groundtruth::mesh_file::{self, Encoding, MeshData, write_ply};
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{
     Candidate, Compound, Context, Cuboid, Face, Instance, Kind, Lattice, Level, Mesh, Part,
@@ -230,7 +230,7 @@ fn polygons_take_as_many_numbers_as_triangles_they_are_cut_into() {
         seen.insert(number);
     }
     assert_eq!(Vec::from_iter(seen), Vec::from_iter(0..8));
-    let read = mesh_file::parse_obj(obj.as_bytes()).expect("valid");
+    let read = meshes::parse_obj(obj.as_bytes()).expect("valid");
     assert_eq!(read.triangles.len(), 8);
 }
 

@@ -11,7 +11,7 @@ mod png;
 mod pnm;
 mod scenes;
 
-use groundtruth::images::{Encoding, Texels, decode};
+use formats::images::{Encoding, Texels, decode};
 use groundtruth::math::power;
 
 /// More texels than any image here should have.
@@ -26,7 +26,7 @@ fn linear(bytes: &[u8]) -> Vec<[f64; 3]> {
 fn rows(texels: &Texels) -> Vec<[f64; 3]> {
     let rows = (0..texels.height()).rev();
     rows.flat_map(|row| (0..texels.width()).map(move |column| [column, row]))
-        .map(|[column, row]| texels.color(column, row).to_array())
+        .map(|[column, row]| texels.color(column, row).map(f64::from))
         .collect()
 }
 

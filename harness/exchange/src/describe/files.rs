@@ -5,8 +5,8 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use groundtruth::images;
-use groundtruth::mesh_file::{self, MeshData};
+use formats::images;
+use formats::meshes::{self, MeshData};
 
 use super::page::Page;
 use super::tables::all_of;
@@ -40,7 +40,7 @@ pub fn write(page: &mut Page, data: &Value, folder: &Path) -> Result<(), Box<dyn
 fn contents(path: &Path) -> Result<String, Box<dyn Error>> {
     let extension = path.extension().map(|it| it.to_string_lossy().to_lowercase());
     if matches!(extension.as_deref(), Some("ply" | "obj")) {
-        return Ok(mesh(&mesh_file::read(path)?));
+        return Ok(mesh(&meshes::read(path)?));
     }
     Ok(match images::read_stored(path, ALL_TEXELS) {
         Ok(images::Stored { texels, .. }) => {

@@ -4,8 +4,8 @@ use std::ops::RangeInclusive;
 use std::path::Path;
 use std::str::FromStr;
 
+use formats::images::{self, Curve, ImageFileError};
 use groundtruth::film::Film;
-use groundtruth::images::{self, Curve, ImageFileError};
 use groundtruth::math::power;
 use groundtruth::world::MAX_PIXELS;
 

@@ -2,8 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use formats::images::decode_layer;
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
-use groundtruth::images::decode_layer;
 use groundtruth::rgb::Rgb;
 use pictures::compare::Picture;
 

@@ -4,7 +4,7 @@ use ::exr::prelude::{
     AnyChannel, AnyChannels, Encoding as ExrEncoding, FlatSamples, Image, IntegerBounds, Layer,
     LayerAttributes, Vec2, WritableImage,
 };
-use groundtruth::images::decode_layer;
+use formats::images::decode_layer;
 
 use super::*;
 

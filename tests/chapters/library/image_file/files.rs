@@ -4,8 +4,8 @@ use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
 
+use formats::images::read;
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
-use groundtruth::images::read;
 use groundtruth::rgb::Rgb;
 
 use super::*;

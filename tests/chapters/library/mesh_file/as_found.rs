@@ -2,7 +2,7 @@
 
 use super::obj::soup;
 use super::samples::*;
-use groundtruth::mesh_file::{MeshData, parse_obj, parse_ply};
+use formats::meshes::{MeshData, parse_obj, parse_ply};
 
 const SQUARE: &str = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n";
 
@@ -20,7 +20,7 @@ fn without_notes(mesh: MeshData) -> MeshData {
 /// the first such line and their number. Oracle: the file without them.
 #[test]
 fn surplus_values_of_a_line_are_ignored() {
-    let file = String::from_utf8(ornate_pyramid_ply(groundtruth::mesh_file::Encoding::Ascii));
+    let file = String::from_utf8(ornate_pyramid_ply(formats::meshes::Encoding::Ascii));
     let file = file.unwrap();
     let (header, body) = file.split_once("end_header\n").unwrap();
     let first_line = header.lines().count() + 2;

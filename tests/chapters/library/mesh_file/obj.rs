@@ -1,7 +1,7 @@
 //! OBJ: the three indices of a corner (position, texture coordinates, normal) become one.
 
 use super::samples::*;
-use groundtruth::mesh_file::{MeshData, parse_obj, parse_ply};
+use formats::meshes::{MeshData, parse_obj, parse_ply};
 
 /// Four points of a square in the plane z = 0.
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";

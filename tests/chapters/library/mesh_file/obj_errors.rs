@@ -1,7 +1,7 @@
 //! Every error message for a missing or bad OBJ file, in full.
 
 use super::samples::*;
-use groundtruth::mesh_file::{Encoding, parse_obj, read};
+use formats::meshes::{Encoding, parse_obj, read};
 use std::path::Path;
 
 #[track_caller]

@@ -2,7 +2,7 @@
 
 use super::ply_header_errors::{TRIANGLE, assert_ply_error, assert_spoilt};
 use super::samples::*;
-use groundtruth::mesh_file::{Encoding, MeshData, write_ply};
+use formats::meshes::{Encoding, MeshData, write_ply};
 
 #[test]
 fn a_line_of_the_body_that_is_wrong_has_its_number() {

@@ -1,7 +1,7 @@
 //! Every error message for a bad PLY header, in full.
 
 use super::samples::*;
-use groundtruth::mesh_file::{Encoding, parse_ply};
+use formats::meshes::{Encoding, parse_ply};
 
 /// A correct ASCII file of one triangle, which the tests damage.
 pub const TRIANGLE: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\

@@ -7,7 +7,7 @@
 
 use std::collections::HashMap;
 
-use groundtruth::mesh_file::{MeshFileError, parse_obj};
+use formats::meshes::{MeshFileError, parse_obj};
 
 use super::samples::SplitMix64;
 

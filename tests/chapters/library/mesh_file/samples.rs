@@ -1,6 +1,6 @@
 //! Small files, built here byte by byte, and the meshes they hold.
 
-use groundtruth::mesh_file::{Encoding, MeshData};
+use formats::meshes::{Encoding, MeshData};
 
 pub const ENCODINGS: [Encoding; 3] = [Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian];
 

@@ -11,6 +11,7 @@ mod jpeg;
 mod pfm;
 mod png;
 mod pnm;
+mod texels;
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -19,8 +20,9 @@ use image::{DynamicImage, ImageDecoder, Limits};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Texels;
-use crate::math::power;
+use libm::pow;
+
+pub use texels::Texels;
 
 /// An image file that cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -399,5 +401,5 @@ fn radiance(mut texels: Texels) -> Result<Texels, Problem> {
 
 /// The linear value of an sRGB value (IEC 61966-2-1).
 fn srgb_decoded(c: f64) -> f64 {
-    if c <= 0.04045 { c / 12.92 } else { power((c + 0.055) / 1.055, 2.4) }
+    if c <= 0.04045 { c / 12.92 } else { pow((c + 0.055) / 1.055, 2.4) }
 }
