@@ -8,6 +8,7 @@ use super::{read, rust_files, without_comments};
 /// The folders of all code of the repository.
 const FOLDERS: [&str; 10] = [
     "src",
+    "formats",
     "gallery",
     "harness",
     "oracle/src",
