@@ -16,7 +16,7 @@ use super::altered::families;
 const CASES: usize = 4;
 
 fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
 /// The program; `None` without Python, and says so.

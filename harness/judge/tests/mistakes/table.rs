@@ -179,7 +179,7 @@ fn a_replica_is_that_of_all_replicas() {
 /// Law: docs/mistakes.md is the page of this program. Oracle: none; it is written by the command that it names.
 #[test]
 fn the_page_is_up_to_date() {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/mistakes.md");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/mistakes.md");
     let written = std::fs::read_to_string(path).expect("the page is there");
     assert_eq!(written, mistakes::page(), "write it again: groundtruth mistakes --page");
 }
