@@ -133,6 +133,7 @@ macro_rules! lobes {
                 chapter: stringify!($chapter),
                 module: stringify!($module),
                 specimens: || $Lobe::specimens().into_iter().map(Self::from).collect(),
+                formula: "", // its material has one
             }),*];
 
             /// Whether its data fit: nothing else checks a lobe that no material made.
