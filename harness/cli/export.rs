@@ -4,7 +4,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use exchange::export::{Said, Target, Term};
+use exchange::export::{Exported, Target, Term};
 use groundtruth::{film, scene};
 
 use super::scene::SceneArguments;
@@ -84,7 +84,7 @@ impl Export {
     }
 
     /// Writes a scene in the language of another renderer, and the files beside it.
-    fn write_all(&self, said: &Said, inputs: &[PathBuf]) -> Outcome {
+    fn write_all(&self, said: &Exported, inputs: &[PathBuf]) -> Outcome {
         let [text, further @ ..] = &said.scenes[..] else { return Ok(Exit::Yes) };
         if !(further.is_empty() && said.files.is_empty()) && self.file().is_none() {
             let problem = "this scene becomes several files; write it to one with -o, and the others go beside it";

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::ValueEnum;
-use exchange::export::{Said, Target, Term, exposure, listed, mitsuba, pov};
+use exchange::export::{Exported, Target, Term, exposure, listed, mitsuba, pov};
 use groundtruth::filters;
 use groundtruth::render;
 use groundtruth::scene::Scene;
@@ -99,7 +99,7 @@ impl Program {
 
     fn render(
         &self,
-        said: &Said,
+        said: &Exported,
         size: [u32; 2],
         limit: Duration,
     ) -> Result<Picture, Box<dyn Error>> {
@@ -185,7 +185,7 @@ pub fn said(
     (name, stem): (&str, &str),
     scene: &Scene,
     folder: &Path,
-) -> Option<Said> {
+) -> Option<Exported> {
     match target.write(name, stem, scene, folder) {
         Ok(said) => Some(said),
         Err(all) => {

@@ -277,10 +277,6 @@ fn value_of(lobe: &Lobe, f: Rgb) -> String {
             let (reflectance, exponent) = (short(lobe.reflectance), brief(lobe.exponent));
             format!("f {} (reflectance {reflectance}, exponent {exponent})", short(f))
         }
-        Lobe::GlossyReflection(_)
-        | Lobe::PerfectSpecular(_)
-        | Lobe::PerfectTransmitter(_)
-        | Lobe::FresnelReflector(_)
-        | Lobe::FresnelTransmitter(_) => format!("f {}", short(f)),
+        _ => format!("f {}", short(f)),
     }
 }

@@ -24,6 +24,10 @@ pub trait Specification: Sized {
     /// What building needs besides the data.
     type Context;
 
+    /// What a light adds at a hit, or a surface of a material sends to the viewer, as a formula for people who build
+    /// the scene in another renderer; empty for kinds of other lists, whose fields say all.
+    const FORMULA: &'static str = "";
+
     /// Checks the data and builds.
     ///
     /// # Errors
@@ -46,6 +50,8 @@ pub struct Entry<Kind> {
     pub module: &'static str,
     /// Valid examples.
     pub specimens: fn() -> Vec<Kind>,
+    /// See [`Specification::FORMULA`].
+    pub formula: &'static str,
 }
 
 /// A thing of a user's own, for which there is no data: it cannot be written to a scene file.
@@ -172,6 +178,7 @@ macro_rules! kinds {
                         let all = <$Data as $crate::kinds::Specification>::specimens();
                         all.into_iter().map(Self::from).collect()
                     },
+                    formula: <$Data as $crate::kinds::Specification>::FORMULA,
                 },
             )*];
 

@@ -31,6 +31,10 @@ impl Specification for Ambient {
     type Built = Arc<dyn Light>;
     type Context = Context;
 
+    const FORMULA: &'static str = "\
+        adds ρa · ls · color, where ρa is the ambient reflectance of the material. Nothing blocks \
+        it, and the normal does not matter: the back of a surface gets it too.";
+
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         let radiance = strength("ls", self.ls)? * self.color.checked("color")?;
         Ok(Arc::new(Constant { radiance }))

@@ -55,6 +55,13 @@ impl Specification for AmbientOccluder {
     type Built = Arc<dyn Light>;
     type Context = Context;
 
+    const FORMULA: &'static str = "\
+        adds ρa · V, where ρa is the ambient reflectance of the material, and V the mean over the \
+        directions of the hemisphere about the normal, with the density cosθ/π, of this: ls · \
+        color where the direction is open, min_amount · ls · occluded_color where an object is hit \
+        nearer than max_distance, or where the direction is below the true surface. If the light \
+        casts no shadows, V is ls · color.";
+
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         let ls = strength("ls", self.ls)?;
         let open = ls * self.color.checked("color")?;

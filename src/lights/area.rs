@@ -48,6 +48,14 @@ impl Specification for Area {
     type Built = Arc<dyn Light>;
     type Context = Context;
 
+    const FORMULA: &'static str = "\
+        adds the integral of f(ωi, ωo) · Le · cosθ cosθ' / d² over the area of the surface of \
+        `object` that is visible from the hit: Le = ls · ce of the material of that object, θ' is \
+        the angle between its normal and the direction to the hit, d the distance. Where cosθ' is \
+        negative nothing is added, or if that material is two-sided |cosθ'| is used. Each sample \
+        draws one point; how it is drawn changes the noise only. Switched off, the object is \
+        black.";
+
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         let name = &self.object;
         let shown = printable::name(name);

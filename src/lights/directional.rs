@@ -35,6 +35,10 @@ impl Specification for Directional {
     type Built = Arc<dyn Light>;
     type Context = Context;
 
+    const FORMULA: &'static str = "\
+        adds f(ωi, ωo) · ls · color · cosθ with ωi = direction / |direction|, unless an object \
+        blocks the half-line from the hit along ωi.";
+
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         Ok(Arc::new(Parallel {
             radiance: strength("ls", self.ls)? * self.color.checked("color")?,

@@ -38,6 +38,11 @@ impl Specification for Environment {
     type Built = Arc<dyn Light>;
     type Context = Context;
 
+    const FORMULA: &'static str = "\
+        adds the integral of f(ωi, ωo) · B(ωi) · cosθ over the hemisphere of directions in which \
+        nothing is hit, where B is the background. Each sample draws one direction; how it is \
+        drawn changes the noise only.";
+
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         match &context.background {
             Sky::Color(color) => Ok(Arc::new(Uniform { color: *color })),

@@ -46,6 +46,11 @@ impl Specification for FakeSpherical {
     type Built = Arc<dyn Light>;
     type Context = Context;
 
+    const FORMULA: &'static str = "\
+        adds the mean of what `point` lights add at the points location + jitter · (a, b, c), \
+        where a, b and c are independent and uniform from -1 to 1: f(ωi, ωo) · ls · color / \
+        d^attenuation · cosθ where no object blocks the segment of length d.";
+
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         Ok(Arc::new(JitteredPoint {
             radiance: strength("ls", self.ls)? * self.color.checked("color")?,

@@ -39,6 +39,11 @@ impl Specification for JitteredDirectional {
     type Built = Arc<dyn Light>;
     type Context = Context;
 
+    const FORMULA: &'static str = "\
+        adds the mean of what `directional` lights add in the directions direction / |direction| + \
+        jitter · (a, b, c), normalised, where a, b and c are independent and uniform from -1 to 1: \
+        f(ωi, ωo) · ls · color · cosθ where no object blocks the half-line along ωi.";
+
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         Ok(Arc::new(Jittered {
             radiance: strength("ls", self.ls)? * self.color.checked("color")?,

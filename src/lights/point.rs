@@ -40,6 +40,12 @@ impl Specification for PointLight {
     type Built = Arc<dyn Light>;
     type Context = Context;
 
+    const FORMULA: &'static str = "\
+        adds f(ωi, ωo) · ls · color / d^attenuation · cosθ, where ωi leads from the hit to \
+        `location` and d is its distance, unless an object blocks that segment. So with \
+        attenuation 0 the light does not weaken with distance; nothing is divided by 4π or by π \
+        beyond what f has.";
+
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         Ok(Arc::new(PointSource {
             radiance: strength("ls", self.ls)? * self.color.checked("color")?,

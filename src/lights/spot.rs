@@ -51,6 +51,12 @@ impl Specification for Spot {
     type Built = Arc<dyn Light>;
     type Context = Context;
 
+    const FORMULA: &'static str = "\
+        adds f(ωi, ωo) · s² (3 - 2 s) · ls · color / d^attenuation · cosθ, where ωi leads from the \
+        hit to `location` and d is its distance, unless an object blocks that segment. With the \
+        angle α in degrees between -ωi and `direction`, s is 1 for α ≤ inner, 0 for α ≥ outer, and \
+        (outer - α) / (outer - inner) between.";
+
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Light>, Invalid> {
         let outer = within("outer", self.outer, 0.0..=180.0)?;
         Ok(Arc::new(Cone {

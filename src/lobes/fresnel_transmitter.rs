@@ -43,6 +43,10 @@ impl Scatter for FresnelTransmitter {
         self.sample(wo, [0.0; 2]).map_or(Rgb::BLACK, |sample| sample.weight)
     }
 
+    fn eta(&self) -> Option<f64> {
+        Some(self.eta)
+    }
+
     fn specimens() -> Vec<Self> {
         vec![Self { eta: 1.5 }, Self { eta: 0.75 }, Self { eta: 1.0 }]
     }

@@ -99,6 +99,11 @@ trait Scatter {
     /// See [`Lobe::albedo`].
     fn albedo(&self, wo: Vector) -> Rgb;
 
+    /// For lobes that refract: the index of refraction inside over the one outside.
+    fn eta(&self) -> Option<f64> {
+        None
+    }
+
     /// Examples, each valid.
     fn specimens() -> Vec<Self>
     where
@@ -128,6 +133,7 @@ macro_rules! lobes {
                 chapter: stringify!($chapter),
                 module: stringify!($module),
                 specimens: || $Lobe::specimens().into_iter().map(Self::from).collect(),
+                formula: "", // its material has one
             }),*];
 
             /// Whether its data fit: nothing else checks a lobe that no material made.
@@ -172,6 +178,10 @@ macro_rules! lobes {
                 match self { $(Self::$Lobe(lobe) => lobe.albedo(wo)),* }
             }
 
+            fn eta(&self) -> Option<f64> {
+                match self { $(Self::$Lobe(lobe) => lobe.eta()),* }
+            }
+
             /// The name of the paths that it sends on.
             pub fn branch(&self) -> Branch {
                 match self { $(Self::$Lobe(_) => $Lobe::BRANCH),* }
@@ -212,15 +222,7 @@ impl Lobe {
     /// For lobes that refract: the index of refraction behind the surface over the one in front of
     /// it, as seen from `wo`.
     pub fn relative_eta(&self, wo: Vector) -> Option<f64> {
-        match self {
-            Self::PerfectTransmitter(lobe) => Some(relative(lobe.eta, wo)),
-            Self::FresnelTransmitter(lobe) => Some(relative(lobe.eta, wo)),
-            Self::Lambertian(_)
-            | Self::GlossySpecular(_)
-            | Self::GlossyReflection(_)
-            | Self::PerfectSpecular(_)
-            | Self::FresnelReflector(_) => None,
-        }
+        self.eta().map(|eta| relative(eta, wo))
     }
 }
 

@@ -57,6 +57,10 @@ impl Scatter for PerfectTransmitter {
         self.sample(wo, [0.0; 2]).map_or(Rgb::BLACK, |sample| sample.weight)
     }
 
+    fn eta(&self) -> Option<f64> {
+        Some(self.eta)
+    }
+
     fn specimens() -> Vec<Self> {
         vec![
             Self { transmittance: 0.9, eta: 1.5 },

@@ -41,6 +41,14 @@ impl Specification for Dielectric {
     type Built = Arc<dyn Material>;
     type Context = Resources;
 
+    const FORMULA: &'static str = "\
+        ρa and f as of `phong`, with the fields of `phong` in it. Besides it adds R times the \
+        radiance from the mirror direction and (1 - R)/h² times the radiance from the refracted \
+        direction, where h is the index `eta` of the medium on the other side over that of the \
+        medium on the viewer's side: `outside` is where the normal points to. By Snell's law sinθ \
+        = h sinθt. R = (a² + b²)/2 with a = (h cosθ - cosθt)/(h cosθ + cosθt) and b = (cosθ - h \
+        cosθt)/(cosθ + h cosθt); on total reflection (sinθ > h) R = 1.";
+
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         let (inside, outside) = (self.inside.checked("inside")?, self.outside.checked("outside")?);
         Ok(Arc::new(DielectricMaterial {

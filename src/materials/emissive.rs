@@ -48,6 +48,10 @@ impl Specification for Emissive {
     type Built = Arc<dyn Material>;
     type Context = Resources;
 
+    const FORMULA: &'static str = "\
+        adds ls · ce towards every viewer on the side that the normal points to, at any distance \
+        and angle. With `matte` in it, also ρa and f of `matte`; otherwise both are 0.";
+
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         let ls = self.ls.build("ls", resources)?;
         let ce = self.ce.build("ce", resources)?;

@@ -51,6 +51,14 @@ impl Specification for GlossyReflector {
     type Built = Arc<dyn Material>;
     type Context = Resources;
 
+    const FORMULA: &'static str = "\
+        ρa and f as of `phong`, with the fields of `phong` in it. Besides it adds the integral of \
+        g(ωi, ωo) · L(ωi) · cosθ over the hemisphere, where L is the radiance that arrives. With r \
+        = 2 (n·ωo) n - ωo and p(ω) = (exponent + 1)/(2π) · max(0, r·ω)^exponent, the rule `book` \
+        has g · cosθ = kr · cr · p(ωi), and a direction that p draws below the surface is turned \
+        by 180 degrees about r; the rule `normalised` has g = kr · cr · (exponent + 2)/(2π) · \
+        max(0, r·ωi)^exponent. The viewer is on the side that the normal points to.";
+
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         Ok(Arc::new(BlurredMirror {
             phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,

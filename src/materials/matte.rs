@@ -49,6 +49,8 @@ impl Specification for Matte {
     type Built = Arc<dyn Material>;
     type Context = Resources;
 
+    const FORMULA: &'static str = "ρa = ka · cd, and f = kd · cd / π.";
+
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         Ok(Arc::new(self.check(resources)?))
     }

@@ -71,6 +71,10 @@ impl Specification for Phong {
     type Built = Arc<dyn Material>;
     type Context = Resources;
 
+    const FORMULA: &'static str = "\
+        ρa = ka · cd, and f = kd · cd / π + ks · cs · max(0, r·ωo)^exponent with r = 2 (n·ωi) n - \
+        ωi. The second term has no normalising factor; like all of f it is multiplied by cosθ.";
+
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         Ok(Arc::new(self.check(resources)?))
     }

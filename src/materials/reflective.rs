@@ -40,6 +40,11 @@ impl Specification for Reflective {
     type Built = Arc<dyn Material>;
     type Context = Resources;
 
+    const FORMULA: &'static str = "\
+        ρa and f as of `phong`, with the fields of `phong` in it. Besides it adds kr · cr times \
+        the radiance that arrives from the mirror direction 2 (n·ωo) n - ωo, without any cosine, \
+        and on both sides of the surface.";
+
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         Ok(Arc::new(ReflectiveMaterial {
             phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,

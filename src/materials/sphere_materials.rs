@@ -39,6 +39,8 @@ impl Specification for SphereMaterials {
     type Built = Arc<dyn Material>;
     type Context = Resources;
 
+    const FORMULA: &'static str = "at each point what the material of that checker does.";
+
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         let cells = SphereCells::new(self.num_horizontal, self.num_vertical)?;
         cells.check_list("materials", self.materials.len())?;

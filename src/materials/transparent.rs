@@ -50,6 +50,14 @@ impl Specification for Transparent {
     type Built = Arc<dyn Material>;
     type Context = Resources;
 
+    const FORMULA: &'static str = "\
+        ρa and f as of `phong`, with the fields of `phong` in it. Besides it adds kr · cr times \
+        the radiance from the mirror direction, and kt/h² times the radiance from the refracted \
+        direction, where h is the index of refraction on the other side over that on the viewer's \
+        side: `eta` for a viewer on the side that the normal points to, 1/eta for one inside. By \
+        Snell's law sinθ = h sinθt. On total reflection (sinθ > h) it adds the radiance of the \
+        mirror direction with weight 1, and nothing is refracted.";
+
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         Ok(Arc::new(TransparentMaterial {
             phong: self.phong.check(resources).map_err(|e| e.inside("phong"))?,

@@ -82,8 +82,8 @@ fn grown(bounds: Aabb, epsilon: f64) -> Aabb {
     Aabb { min: bounds.min - more, max: bounds.max + more }
 }
 
-/// The book's form of a shape that was built of these data; of one that is made of parts, which are
-/// such forms already, the shape itself.
+/// The book's form of a shape that was built of these data; the shape itself if it has none, as those that are
+/// made of parts, which are such forms already.
 pub(super) fn form(kind: &Kind, ours: Arc<dyn Shape>, epsilon: f64) -> Arc<dyn Shape> {
     macro_rules! textbook {
         ($form:expr) => {
@@ -108,27 +108,7 @@ pub(super) fn form(kind: &Kind, ours: Arc<dyn Shape>, epsilon: f64) -> Arc<dyn S
         Kind::Torus(torus) => textbook!(torus.clone()),
         Kind::PartTorus(part) => textbook!(part_torus::PartTorusForm::new(part)),
         Kind::Algebraic(algebraic) => textbook!(algebraic.clone()),
-        Kind::Compound(_)
-        | Kind::SolidCylinder(_)
-        | Kind::SolidCone(_)
-        | Kind::ThickRing(_)
-        | Kind::FlatRimmedBowl(_)
-        | Kind::RoundRimmedBowl(_)
-        | Kind::ConcaveLens(_)
-        | Kind::Instance(_)
-        | Kind::BeveledBox(_)
-        | Kind::BeveledCylinder(_)
-        | Kind::BeveledRing(_)
-        | Kind::BeveledWedge(_)
-        | Kind::Rosette(_)
-        | Kind::Archway(_)
-        | Kind::RandomSpheres(_)
-        | Kind::Lattice(_)
-        | Kind::Mesh(_)
-        | Kind::TessellatedSphere(_)
-        | Kind::GlassOfWater(_)
-        | Kind::FishBowl(_)
-        | Kind::Custom(_) => ours,
+        _ => ours,
     }
 }
 

@@ -121,7 +121,7 @@ fn shown(kind: &Kind, cosine: f64) -> [Rgb; 2] {
         Kind::Dielectric(it) => [phong(&it.phong, cosine), dielectric(it, cosine)],
         // of the two cosines of the test, 1 meets the specimen's second material and 0.4 its first
         Kind::SphereMaterials(it) => shown(&it.materials[usize::from(cosine > 0.8)], cosine),
-        Kind::Custom(_) => panic!("not in the list"),
+        _ => panic!("write here what a ball of {kind:?} shows"),
     }
 }
 

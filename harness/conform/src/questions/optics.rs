@@ -25,9 +25,8 @@ pub fn families() -> Vec<Family> {
             json!({"fresnel": {"eta": eta(draw), "wo": wo, "n": n}})
         }),
     ];
-    for (tag, chapter, specimens) in kinds(Lobe::ENTRIES) {
-        let is_specular = ["perfect_specular", "perfect_transmitter"].contains(&&*tag)
-            || tag.starts_with("fresnel");
+    for (entry, (tag, chapter, specimens)) in Lobe::ENTRIES.iter().zip(kinds(Lobe::ENTRIES)) {
+        let is_specular = (entry.specimens)().iter().all(Lobe::is_specular);
         let name = format!("lobe.{tag}.values");
         let case = move |draw: &mut Draw| {
             let wo = outside(draw);

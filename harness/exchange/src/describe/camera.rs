@@ -160,6 +160,6 @@ fn formula(lens: &Kind, scene: &Scene) -> String {
             shown(0.5 * it.horizontal_fov),
             shown(0.5 * it.vertical_fov)
         ),
-        Kind::Custom(_) => String::new(), // refused before: a scene file cannot say it
+        _ => "The ray of (x, y) follows from the settings above.".to_owned(),
     }
 }

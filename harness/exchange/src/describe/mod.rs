@@ -1,15 +1,13 @@
 //! A scene in plain words and numbers, from which a person can build it in another renderer.
 //!
 //! The settings are read from the scene's data, walked along the [`schema`](groundtruth::scene::schema()), and their
-//! meaning from its doc comments, so that a new kind is described without a word here. Written by hand are the
-//! conventions, the ray of the camera, the tracers, and the formulas of lights and materials.
+//! meaning from its doc comments, so that a new kind is described without a word here; the formulas of lights and
+//! materials are in their own files. Written by hand are the conventions, the rays of the cameras, and the tracers.
 
 mod camera;
 mod details;
 mod drawings;
 mod files;
-mod lights;
-mod materials;
 mod page;
 mod picture;
 mod random;
@@ -23,18 +21,18 @@ use std::path::Path;
 
 use serde_json::Value;
 
+use groundtruth::kinds::Entry;
 use groundtruth::printable;
 use groundtruth::scene::vocabulary::Definition;
 use groundtruth::scene::{self, Intersect, Scene};
 use groundtruth::world::World;
+use groundtruth::{lights, materials};
 
 use tables::{field_of_scene, table};
 use values::Values;
 
 pub use details::DETAILS;
 pub use drawings::FORMULAS as DRAWING_FORMULAS;
-pub use lights::FORMULAS as LIGHT_FORMULAS;
-pub use materials::FORMULAS as MATERIAL_FORMULAS;
 
 /// The description of a scene and its world. File names in the scene are relative to `folder`.
 ///
@@ -84,7 +82,7 @@ fn lights(to: &mut Values, data: &Value) {
     for (number, light) in (1..).zip(items(data, "lights")) {
         entry(to, "Light", number, table("Light"), light);
     }
-    formulas(to, "lights", "At a hit, a light of the kind", lights::FORMULAS);
+    formulas(to, "lights", "At a hit, a light of the kind", lights::Kind::ENTRIES);
 }
 
 fn materials(to: &mut Values, data: &Value) {
@@ -92,7 +90,7 @@ fn materials(to: &mut Values, data: &Value) {
     for (number, material) in (1..).zip(items(data, "materials")) {
         entry(to, "Material", number, table("Material"), material);
     }
-    formulas(to, "materials", "A surface of the kind", materials::FORMULAS);
+    formulas(to, "materials", "A surface of the kind", materials::Kind::ENTRIES);
     if to.words.uses_any_of("textures") || to.words.uses_any_of("bumps") {
         to.page.say(LOCAL_POINT);
     }
@@ -140,12 +138,16 @@ fn items<'a>(data: &'a Value, list: &str) -> &'a [Value] {
 }
 
 /// The formulas of the kinds of a list that the scene uses.
-fn formulas(to: &mut Values, list: &str, beginning: &str, all: &[(&str, &str)]) {
+fn formulas<Kind>(to: &mut Values, list: &str, beginning: &str, entries: &[Entry<Kind>]) {
     let mut is_first = true;
-    for (tag, formula) in all.iter().filter(|(tag, _)| to.words.uses(list, tag)) {
+    // their files are named as they are in scene files
+    for Entry { module, formula, .. } in entries {
+        if formula.is_empty() || !to.words.uses(list, module) {
+            continue;
+        }
         if std::mem::take(&mut is_first) {
             to.page.blank();
         }
-        to.page.line(0, &format!("{beginning} `{tag}`: {formula}"));
+        to.page.line(0, &format!("{beginning} `{module}`: {formula}"));
     }
 }

@@ -1,21 +1,27 @@
-//! What each kind becomes in each target: the table of docs/renderers.md.
+//! What each kind becomes in each target: the table of docs/renderers.md, found by writing a specimen of each.
 
-use groundtruth::{cameras, lights, materials, shapes, textures};
+use groundtruth::cameras::{self, Pinhole, Viewpoint};
+use groundtruth::kinds::Entry;
+use groundtruth::materials::{self, Matte};
+use groundtruth::math::Point;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Image, Material, Object, Scene};
+use groundtruth::{lights, shapes, textures};
 use serde::Serialize;
 
 use super::Target;
 
-/// How a kind is said.
+/// How a kind is exported, and what must hold of it or is left out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum How {
     /// As the same thing, by its numbers.
-    Exact,
+    Exact(&'static str),
     /// As the same shape under a matrix.
-    Instance,
+    Instance(&'static str),
     /// As triangles or other parts whose union is the same surface.
-    Mesh,
+    Mesh(&'static str),
     /// Not at all: a scene that has it is refused.
-    None,
+    None(&'static str),
 }
 
 /// A line of the table.
@@ -25,45 +31,78 @@ pub struct Row {
     pub list: &'static str,
     /// The tag of the kind in scene files.
     pub kind: String,
-    /// How each target says it, and what must hold of it or is left out, in the order of [`Target::ALL`].
-    pub cells: [(How, &'static str); Target::ALL.len()],
+    /// How each target exports it, in the order of [`Target::ALL`].
+    pub cells: [How; Target::ALL.len()],
+}
+
+/// A kind of a list that is exported.
+#[derive(Clone, Debug)]
+pub enum AnyKind {
+    /// A shape.
+    Shape(shapes::Kind),
+    /// A material.
+    Material(materials::Kind),
+    /// A light.
+    Light(lights::Kind),
+    /// A texture of a colour; a texture of a number cannot be said.
+    Texture(textures::Kind),
+    /// A camera.
+    Camera(cameras::Kind),
 }
 
 impl How {
-    /// The word of the table.
-    pub fn word(self) -> &'static str {
+    /// The word of the table, and the note behind it.
+    pub fn words(self) -> (&'static str, &'static str) {
         match self {
-            Self::Exact => "exact",
-            Self::Instance => "instance",
-            Self::Mesh => "mesh",
-            Self::None => "none",
+            Self::Exact(note) => ("exact", note),
+            Self::Instance(note) => ("instance", note),
+            Self::Mesh(note) => ("mesh", note),
+            Self::None(note) => ("none", note),
         }
+    }
+}
+
+impl AnyKind {
+    /// A scene to try the writers in; the kind is in it if it is a shape or a camera.
+    pub(super) fn scene(&self) -> Scene {
+        let (mut shape, mut lens) = (None, Pinhole { distance: 1.0, zoom: 1.0 }.into());
+        match self {
+            Self::Shape(it) => shape = Some(it.clone()),
+            Self::Camera(it) => lens = it.clone(),
+            _ => {}
+        }
+        let eye = Viewpoint::new(Point::new(0.0, 0.0, 1.0), Point::ORIGIN, lens);
+        let mut scene = Scene::new("", Image::new(1, 1), eye);
+        let matte = Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() };
+        scene.materials.push(Material::new("", matte));
+        scene.objects.extend(shape.map(|shape| Object::new("", "", shape)));
+        scene
     }
 }
 
 /// The table, in the order of the lists.
 pub fn kinds() -> Vec<Row> {
-    let mut rows = Vec::new();
-    let mut add = |list, kind: String, how: &dyn Fn(Target) -> (How, &'static str)| {
-        rows.push(Row { list, kind, cells: Target::ALL.map(how) });
+    [
+        rows("shape", shapes::Kind::ENTRIES, AnyKind::Shape),
+        rows("material", materials::Kind::ENTRIES, AnyKind::Material),
+        rows("light", lights::Kind::ENTRIES, AnyKind::Light),
+        rows("texture", textures::Kind::ENTRIES, AnyKind::Texture),
+        rows("camera", cameras::Kind::ENTRIES, AnyKind::Camera),
+    ]
+    .concat()
+}
+
+fn rows<Kind: Serialize>(
+    list: &'static str,
+    entries: &[Entry<Kind>],
+    any: fn(Kind) -> AnyKind,
+) -> Vec<Row> {
+    let specimens = entries.iter().filter_map(|entry| (entry.specimens)().into_iter().next());
+    let row = |specimen| {
+        let (kind, specimen) = (tag(&specimen), any(specimen));
+        Row { list, kind, cells: Target::ALL.map(|target| target.how(&specimen)) }
     };
-    for kind in shapes::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1)) {
-        add("shape", tag(&kind), &|target| target.shape(&kind));
-    }
-    for kind in materials::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1))
-    {
-        add("material", tag(&kind), &|target| target.material(&kind));
-    }
-    for kind in lights::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1)) {
-        add("light", tag(&kind), &|target| target.light(&kind));
-    }
-    for kind in textures::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1)) {
-        add("texture", tag(&kind), &|target| target.texture(&kind));
-    }
-    for kind in cameras::Kind::ENTRIES.iter().flat_map(|it| (it.specimens)().into_iter().take(1)) {
-        add("camera", tag(&kind), &|target| target.camera(&kind));
-    }
-    rows
+    specimens.map(row).collect()
 }
 
 /// The one key of a kind's data.
@@ -71,83 +110,4 @@ pub(crate) fn tag(kind: &impl Serialize) -> String {
     let data = serde_json::to_value(kind).ok();
     let key = data.as_ref().and_then(|data| data.as_object()?.keys().next());
     key.cloned().unwrap_or_else(|| "custom".to_owned())
-}
-
-/// How POV-Ray says a shape.
-pub fn pov_shape(kind: &shapes::Kind) -> (How, &'static str) {
-    use shapes::Kind::*;
-    match kind {
-        Plane(_) | Sphere(_) | Cuboid(_) | Disk(_) | Annulus(_) | OpenCylinder(_) | Cone(_)
-        | Torus(_) | Paraboloid(_) => (How::Exact, ""),
-        Triangle(_) => (How::Exact, "flat"),
-        Rectangle(_) => (How::Mesh, "two triangles"),
-        Mesh(_) | TessellatedSphere(_) => (How::Mesh, "its triangles, flat"),
-        Compound(_) | SolidCylinder(_) | SolidCone(_) | ThickRing(_) | RandomSpheres(_) => {
-            (How::Mesh, "its parts")
-        }
-        Lattice(_) => (How::Instance, "each copy"),
-        Instance(_) => (How::Instance, "triangles have their corners transformed"),
-        FlatRimmedBowl(_) | RoundRimmedBowl(_) | ConcaveLens(_) | CutFace(_) | PartSphere(_)
-        | PartCylinder(_) | PartAnnulus(_) | PartTorus(_) | Algebraic(_) | BeveledBox(_)
-        | BeveledCylinder(_) | BeveledRing(_) | BeveledWedge(_) | Rosette(_) | Archway(_)
-        | GlassOfWater(_) | FishBowl(_) | Custom(_) => (How::None, ""),
-    }
-}
-
-/// How POV-Ray says a material.
-pub fn pov_material(kind: &materials::Kind) -> (How, &'static str) {
-    use materials::Kind::*;
-    match kind {
-        Matte(_) => (How::Exact, "a texture of `cd` only"),
-        Phong(_) => (How::Exact, "if `ks` is 0: the highlight of POV-Ray has no cosine"),
-        Reflective(_) => (How::Exact, "as `phong`"),
-        Emissive(_) => (How::Exact, "without `matte`"),
-        Transparent(_) => (How::Exact, "with `phong` black"),
-        Dielectric(_) => (How::Exact, "with `phong` black, in air"),
-        GlossyReflector(_) | SphereMaterials(_) | Custom(_) => (How::None, ""),
-    }
-}
-
-/// How POV-Ray says a light.
-pub fn pov_light(kind: &lights::Kind) -> (How, &'static str) {
-    use lights::Kind::*;
-    match kind {
-        Ambient(_) => (How::Exact, "the sum of all"),
-        PointLight(_) => (How::Exact, "`attenuation` 0 or at least 1"),
-        Directional(_) => (How::Exact, ""),
-        Spot(_) => (How::None, "its edge is a cubic of the cosine there, of the angle here"),
-        AmbientOccluder(_) => (How::None, "ambient light is not occluded"),
-        Area(_) | Environment(_) | JitteredDirectional(_) | FakeSpherical(_) | Custom(_) => {
-            (How::None, "")
-        }
-    }
-}
-
-/// How POV-Ray says a camera.
-pub fn pov_camera(kind: &cameras::Kind) -> (How, &'static str) {
-    use cameras::Kind::*;
-    match kind {
-        Orthographic(_)
-        | Pinhole(_)
-        | Fisheye(_)
-        | SphericalPanorama(_)
-        | CylindricalPanorama(_) => (How::Exact, ""),
-        ThinLens(_) | Custom(_) => (How::None, ""),
-    }
-}
-
-/// How POV-Ray says a texture of a colour; a texture of a number cannot be said.
-pub fn pov_texture(kind: &textures::Kind) -> (How, &'static str) {
-    use textures::Kind::*;
-    match kind {
-        Checker3d(_) => (How::Exact, "as a function of our formula; two plain colours"),
-        PlaneChecker(_) => (How::Exact, "so too; plain colours"),
-        RandomColors(_) => (How::Exact, "a pigment for each shape"),
-        Constant(_) | Image(_) | SphereChecker(_) | CylinderChecker(_) | ConeChecker(_)
-        | DiskChecker(_) | RectangleChecker(_) | Stripes(_) | Ramp(_) | Wireframe(_)
-        | SphereTextures(_) | TextureInstance(_) | Fbm(_) | Turbulence(_) | WrappedFbm(_)
-        | TwoColors(_) | ThreeColors(_) | RampFbm(_) | WrappedRamp(_) | Wood(_) | Custom(_) => {
-            (How::None, "")
-        }
-    }
 }

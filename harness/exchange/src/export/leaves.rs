@@ -4,8 +4,8 @@ use groundtruth::math::Transform;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Instance, Kind, transform_of};
 
-use super::parts::{self, Part, copies, parts};
-use super::{How, Target, Unsayable, item, kinds};
+use super::parts::{self, Part, apart, parts};
+use super::{Target, Unsupported, item, kinds};
 
 /// More shapes are refused: their text would be of many megabytes.
 pub const MOST_SHAPES: u64 = 200_000;
@@ -48,20 +48,21 @@ struct Setting {
 #[derive(Debug)]
 pub struct Leaves<'a> {
     scene: &'a Scene,
-    /// What it can say is taken apart.
+    /// What it has no word for is taken apart.
     target: Target,
     /// How many shapes of the object are in `all` already.
     number: u64,
     /// In the order of the objects and their parts.
     pub all: Vec<Leaf>,
     /// Names of materials that are none, and maps without an inverse.
-    pub unsayable: Vec<Unsayable>,
+    pub unsupported: Vec<Unsupported>,
 }
 
 impl<'a> Leaves<'a> {
     /// Of the objects that are part of the scene, for a renderer.
     pub fn of(scene: &'a Scene, target: Target) -> Self {
-        let mut leaves = Self { scene, target, number: 0, all: Vec::new(), unsayable: Vec::new() };
+        let mut leaves =
+            Self { scene, target, number: 0, all: Vec::new(), unsupported: Vec::new() };
         for (index, object) in scene.objects.iter().enumerate().filter(|(_, it)| it.enabled) {
             let path = item("objects", index, &object.name);
             let Some(material) = leaves.material(&path, &object.material) else { continue };
@@ -93,7 +94,7 @@ impl<'a> Leaves<'a> {
     }
 
     fn refuse(&mut self, path: &str, problem: String) {
-        self.unsayable.push(Unsayable { path: path.to_owned(), problem });
+        self.unsupported.push(Unsupported { path: path.to_owned(), problem });
     }
 
     /// The index of a material.
@@ -107,18 +108,14 @@ impl<'a> Leaves<'a> {
 
     fn shape(&mut self, kind: &Kind, at: &Setting) {
         let at = &Setting { path: format!("{}.{}", at.path, kinds::tag(kind)), ..at.clone() };
-        let can_say = self.target.shape(kind).0 != How::None;
         match kind {
+            _ if apart(kind, self.target).is_none() => self.leaf(kind, at),
             Kind::Instance(instance) => self.instance(instance, at),
-            _ if can_say && parts::leaves(kind) > MOST_SHAPES => {
+            _ if parts::leaves(kind) > MOST_SHAPES => {
                 let count = parts::leaves(kind);
                 self.refuse(&at.path, format!("{count} shapes, and {MOST_SHAPES} are the most"));
             }
-            Kind::Lattice(lattice) if can_say => self.parts(copies(lattice), at),
-            kind => match parts(kind).filter(|_| can_say) {
-                Some(parts) => self.parts(parts, at),
-                None => self.leaf(kind, at),
-            },
+            kind => self.parts(parts(kind), at),
         }
     }
 

@@ -18,28 +18,28 @@ use std::path::PathBuf;
 use groundtruth::printable;
 
 pub use exposure::exposure;
-pub use kinds::{How, Row, kinds};
+pub use kinds::{AnyKind, How, Row, kinds};
 pub use leaves::Leaf;
-pub use target::{Said, Target};
+pub use target::{Exported, Target};
 pub use without::Term;
 
 /// Something of a scene that another renderer cannot say, and where it stands.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Unsayable {
+pub struct Unsupported {
     /// Its place in the scene, as `objects[2] "ball": shape.lattice`.
     pub path: String,
     /// Why it cannot be said.
     pub problem: String,
 }
 
-impl fmt::Display for Unsayable {
+impl fmt::Display for Unsupported {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.path, self.problem)
     }
 }
 
 /// All that cannot be said of a scene, a line each.
-pub fn listed(target: &str, all: &[Unsayable]) -> String {
+pub fn listed(target: &str, all: &[Unsupported]) -> String {
     let lines: Vec<String> = all.iter().map(|it| format!("  {it}")).collect();
     let things = groundtruth::explain::count(all.len(), "thing");
     format!("{things} in this scene cannot be said to {target}:\n{}", lines.join("\n"))

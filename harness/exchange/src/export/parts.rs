@@ -7,6 +7,8 @@ use groundtruth::shapes::{
     SolidCylinder, ThickRing,
 };
 
+use super::{How, Target};
+
 /// A part of a shape.
 pub struct Part {
     /// Its place in the whole, as `parts[2]` or `wall`.
@@ -17,9 +19,25 @@ pub struct Part {
     pub shape: Kind,
 }
 
-/// The parts of a shape, in order; `None` if it is not taken apart here.
-pub fn parts(kind: &Kind) -> Option<Vec<Part>> {
-    Some(match kind {
+/// How a target exports a shape that is taken apart; `None` if the shape is written as a whole, or not at all.
+pub fn apart(kind: &Kind, target: Target) -> Option<How> {
+    Some(match (kind, target) {
+        (Kind::Instance(_), Target::Pov) => {
+            How::Instance("triangles have their corners transformed")
+        }
+        (Kind::Instance(_), Target::Mitsuba) => How::Instance("of what it can say"),
+        (Kind::Lattice(_), Target::Pov) => How::Instance("each copy"),
+        (Kind::Compound(_) | Kind::SolidCylinder(_), _)
+        | (Kind::SolidCone(_) | Kind::ThickRing(_) | Kind::RandomSpheres(_), Target::Pov) => {
+            How::Mesh("its parts")
+        }
+        _ => return None,
+    })
+}
+
+/// The parts of a shape, in order; of a lattice its copies.
+pub fn parts(kind: &Kind) -> Vec<Part> {
+    match kind {
         Kind::Compound(it) => {
             let parts = it.parts.iter().map(|part| (part.material.clone(), part.shape.clone()));
             numbered("parts", parts)
@@ -30,12 +48,12 @@ pub fn parts(kind: &Kind) -> Option<Vec<Part>> {
         Kind::RandomSpheres(it) => {
             numbered("spheres", it.spheres().into_iter().map(|sphere| (None, sphere.into())))
         }
-        _ => return None,
-    })
+        Kind::Lattice(it) => copies(it),
+        _ => Vec::new(),
+    }
 }
 
-/// The copies of a lattice.
-pub fn copies(it: &Lattice) -> Vec<Part> {
+fn copies(it: &Lattice) -> Vec<Part> {
     let [columns, rows, layers] = it.counts;
     let [x, y, z] = it.spacing.to_array();
     let mut copies = Vec::new();

@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use groundtruth::scene::Scene;
-use groundtruth::{cameras, lights, materials, shapes, textures};
 
-use super::kinds::{self, How};
-use super::{Unsayable, mitsuba, pov};
+use super::kinds::{AnyKind, How};
+use super::parts::apart;
+use super::{Unsupported, mitsuba, pov};
 
 /// A renderer for which scenes are written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,7 +19,7 @@ pub enum Target {
 
 /// A scene in the language of another renderer.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Said {
+pub struct Exported {
     /// One text, or several whose pictures are to be added.
     pub scenes: Vec<String>,
     /// The files that the texts name, with their contents.
@@ -49,51 +49,24 @@ impl Target {
         stem: &str,
         scene: &Scene,
         folder: &Path,
-    ) -> Result<Said, Vec<Unsayable>> {
-        let of_text = |text| Said { scenes: vec![text], files: Vec::new() };
+    ) -> Result<Exported, Vec<Unsupported>> {
+        let of_text = |text| Exported { scenes: vec![text], files: Vec::new() };
         match self {
             Self::Pov => pov::write(name, scene, folder).map(of_text),
             Self::Mitsuba => mitsuba::write(name, stem, scene, folder),
         }
     }
 
-    /// How it says a shape.
-    pub fn shape(self, kind: &shapes::Kind) -> (How, &'static str) {
-        match self {
-            Self::Pov => kinds::pov_shape(kind),
-            Self::Mitsuba => mitsuba::kinds::shape(kind),
+    /// How it exports a kind: what the writer says of it.
+    pub fn how(self, kind: &AnyKind) -> How {
+        if let AnyKind::Shape(shape) = kind
+            && let Some(how) = apart(shape, self)
+        {
+            return how;
         }
-    }
-
-    /// How it says a material.
-    pub fn material(self, kind: &materials::Kind) -> (How, &'static str) {
         match self {
-            Self::Pov => kinds::pov_material(kind),
-            Self::Mitsuba => mitsuba::kinds::material(kind),
-        }
-    }
-
-    /// How it says a light.
-    pub fn light(self, kind: &lights::Kind) -> (How, &'static str) {
-        match self {
-            Self::Pov => kinds::pov_light(kind),
-            Self::Mitsuba => mitsuba::kinds::light(kind),
-        }
-    }
-
-    /// How it says a texture.
-    pub fn texture(self, kind: &textures::Kind) -> (How, &'static str) {
-        match self {
-            Self::Pov => kinds::pov_texture(kind),
-            Self::Mitsuba => mitsuba::kinds::texture(kind),
-        }
-    }
-
-    /// How it says a camera.
-    pub fn camera(self, kind: &cameras::Kind) -> (How, &'static str) {
-        match self {
-            Self::Pov => kinds::pov_camera(kind),
-            Self::Mitsuba => mitsuba::kinds::camera(kind),
+            Self::Pov => pov::how(&kind.scene(), kind),
+            Self::Mitsuba => mitsuba::how(&kind.scene(), kind),
         }
     }
 }

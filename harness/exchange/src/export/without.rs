@@ -118,6 +118,6 @@ fn phong_of(recipe: &mut Kind) -> Option<&mut Phong> {
         Kind::GlossyReflector(it) => Some(&mut it.phong),
         Kind::Transparent(it) => Some(&mut it.phong),
         Kind::Dielectric(it) => Some(&mut it.phong),
-        Kind::Matte(_) | Kind::Emissive(_) | Kind::SphereMaterials(_) | Kind::Custom(_) => None,
+        _ => None,
     }
 }

@@ -34,8 +34,7 @@ pub fn assert_says(text: &str, formula: &str) {
 /// Law: the printed share of a spot light is that of its light. Oracle: the printed formula.
 #[test]
 fn the_printed_cone_is_that_of_the_spot_light() {
-    let (_, text) =
-        describe::LIGHT_FORMULAS.iter().find(|(tag, _)| *tag == "spot").expect("it has one");
+    let text = Spot::FORMULA;
     assert_says(
         text,
         "s² (3 - 2 s) · ls · color / d^attenuation · cosθ, where ωi leads from the hit to `location` and d is its \

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use exchange::export::{Said, mitsuba};
+use exchange::export::{Exported, mitsuba};
 use groundtruth::scene::Scene;
 
 /// An element, its attributes and its children in order.
@@ -83,7 +83,7 @@ fn numbers(text: &str) -> Vec<f64> {
 }
 
 /// What a scene becomes.
-pub fn said(scene: &Scene) -> Said {
+pub fn said(scene: &Scene) -> Exported {
     mitsuba::write("scene", "scene", scene, Path::new("")).unwrap_or_else(|all| panic!("{all:?}"))
 }
 

@@ -6,14 +6,13 @@ use groundtruth::rgb::Rgb;
 
 use super::Writer;
 use super::text::{boolean, float, integer, matrix, plugin, rows, word};
-use crate::export::kinds::How;
-use crate::export::{Target, kinds};
+use crate::export::{How, kinds};
 
 /// Rays begin and end at these parts of the distance from the eye to the point looked at.
 const CLIPPED: [f64; 2] = [1e-5, 1e7];
 
 impl Writer<'_> {
-    /// The sensor.
+    /// How the camera is exported, and the sensor.
     ///
     /// Mitsuba's camera looks along its +z, with y up and therefore x to the left. Ours looks along −w, with v up and u to
     /// the right. So its axes are −u, v, −w.
@@ -21,7 +20,7 @@ impl Writer<'_> {
     /// - `perspective`: `fov` is the angle over the width: 2 atan(width / (2 · zoom · d)).
     /// - `thinlens`: the same, with `aperture_radius` R and `focus_distance` f, which is measured along the axis too.
     /// - `orthographic`: the width is from −1 to 1 along its x; so x and y are scaled by width / (2 · zoom).
-    pub(super) fn sensor(&mut self) -> String {
+    pub(super) fn sensor(&mut self) -> (How, String) {
         let camera = &self.scene.camera;
         if camera.stereo.is_some() {
             self.refuse("camera.stereo", "two images; export the scene without it");
@@ -29,18 +28,7 @@ impl Writer<'_> {
         if !camera.medium.absorption.is_black() {
             self.refuse("camera.medium", "Mitsuba's camera is in a clear medium");
         }
-        if let (How::None, _) = Target::Mitsuba.camera(&camera.lens) {
-            self.refuse(format!("camera.lens.{}", kinds::tag(&camera.lens)), "no counterpart");
-        }
         let film = self.scene.image.plane();
-        let view = match camera.build(film) {
-            Ok(view) => view,
-            Err(problem) => {
-                self.refuse("camera", problem.to_string());
-                return String::new();
-            }
-        };
-        let (frame, eye) = (view.frame(), view.eye(Side::Left).position());
         let angle = |distance: f64, zoom: f64| {
             let fov = 2.0 * to_degrees(atan2(0.5 * film.width, zoom * distance));
             vec![float("fov", fov), word("fov_axis", "x")]
@@ -57,15 +45,26 @@ impl Writer<'_> {
                 ("thinlens", 1.0, inner)
             }
             Kind::Orthographic(it) => ("orthographic", 0.5 * film.width / it.zoom, Vec::new()),
-            _ => return String::new(),
+            lens => {
+                let how = self.no_counterpart(format!("camera.lens.{}", kinds::tag(lens)), "");
+                return (how, String::new());
+            }
         };
+        let view = match camera.build(film) {
+            Ok(view) => view,
+            Err(problem) => {
+                self.refuse("camera", problem.to_string());
+                return (How::Exact(""), String::new());
+            }
+        };
+        let (frame, eye) = (view.frame(), view.eye(Side::Left).position());
         let axes = [-scale * frame.u, scale * frame.v, -frame.w];
         let size = (camera.eye - camera.look_at).length();
         let [near, far] = CLIPPED.map(|part| part * size);
         inner.extend([float("near_clip", near), float("far_clip", far)]);
         inner.push(matrix("to_world", rows(axes, eye)));
         inner.extend([self.film(), self.sampler()]);
-        plugin("sensor", kind, &inner)
+        (How::Exact(""), plugin("sensor", kind, &inner))
     }
 
     /// The mean of the samples of each pixel, as radiance in single precision.

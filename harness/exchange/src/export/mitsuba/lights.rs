@@ -8,7 +8,7 @@ use groundtruth::scene::Tracer;
 use super::Writer;
 use super::passes::{Pass, is_direction, samples_sky};
 use super::text::{float, plugin, point, rgb, vector};
-use crate::export::{item, kinds};
+use crate::export::{How, item, kinds};
 
 impl Writer<'_> {
     /// The index of the light of an object.
@@ -25,34 +25,12 @@ impl Writer<'_> {
         let is_path = !matches!(self.scene.tracer, Tracer::RayCast | Tracer::Whitted(_));
         let used = |index: usize| passes.iter().any(|pass| pass.lights.contains(&index));
         for (index, light) in self.scene.lights.iter().enumerate().filter(|(_, it)| it.enabled) {
-            let path = format!(
-                "{}: source.{}",
-                item("lights", index, &light.name),
-                kinds::tag(&light.source)
-            );
-            match &light.source {
-                Kind::Ambient(_) | Kind::AmbientOccluder(_) => {
-                    if !is_path {
-                        let problem = "Mitsuba has no ambient term; --without ambient leaves it out on both sides";
-                        self.refuse(path, problem);
-                    }
-                    continue;
-                }
-                _ if !used(index) => continue,
-                Kind::PointLight(it) if it.attenuation != 2.0 => {
-                    let problem = format!(
-                        "found {}; the light of Mitsuba's lamps falls with the square of the distance: only 2 can be said",
-                        it.attenuation
-                    );
-                    self.refuse(format!("{path}.attenuation"), problem);
-                }
-                Kind::PointLight(_)
-                | Kind::Directional(_)
-                | Kind::Area(_)
-                | Kind::Environment(_) => {}
-                _ => self.refuse(&path, "no counterpart"),
+            let is_ambient = matches!(light.source, Kind::Ambient(_) | Kind::AmbientOccluder(_));
+            // no path meets ambient light
+            if used(index) || is_ambient && !is_path {
+                self.light(&self.path(index), &light.source);
             }
-            if !light.shadows && (is_direction(light) || !is_path) {
+            if used(index) && !light.shadows && (is_direction(light) || !is_path) {
                 let problem = "everything blocks light there; --without unshadowed gives such lights shadows on both sides";
                 self.refuse(format!("{}: shadows", item("lights", index, &light.name)), problem);
             }
@@ -88,12 +66,52 @@ impl Writer<'_> {
         }
     }
 
-    /// The emitters that are no shapes.
+    /// The place of a light's source.
+    fn path(&self, index: usize) -> String {
+        let light = &self.scene.lights[index];
+        format!("{}: source.{}", item("lights", index, &light.name), kinds::tag(&light.source))
+    }
+
+    /// How a light is exported, and its emitter, unless that is a shape or the sky.
     ///
     /// - `point`: the radiance that a surface reflects is f · I / d² · cosθ, ours f · ls · color / d² · cosθ. So the
     ///   intensity I is ls · color.
     /// - `directional`: f · E · cosθ, ours f · ls · color · cosθ. So the irradiance E (across the light) is ls · color; its
     ///   direction is that in which the light goes, ours that from which it comes.
+    pub(super) fn light(&mut self, path: &str, source: &Kind) -> (How, Option<String>) {
+        match source {
+            Kind::PointLight(it) => {
+                if it.attenuation != 2.0 {
+                    let problem = format!(
+                        "found {}; the light of Mitsuba's lamps falls with the square of the distance: only 2 can be said",
+                        it.attenuation
+                    );
+                    self.refuse(format!("{path}.attenuation"), problem);
+                }
+                let intensity = self.exposed(it.ls * it.color);
+                let inner = [point("position", it.location), rgb("intensity", intensity)];
+                let how = How::Exact("`attenuation` 2 only");
+                (how, Some(plugin("emitter", "point", &inner)))
+            }
+            Kind::Directional(it) => {
+                let irradiance = self.exposed(it.ls * it.color);
+                let inner = [vector("direction", -it.direction), rgb("irradiance", irradiance)];
+                (How::Exact(""), Some(plugin("emitter", "directional", &inner)))
+            }
+            Kind::Area(_) => (How::Exact(""), None),
+            Kind::Environment(_) => (How::Exact("of one colour"), None),
+            Kind::Ambient(_) | Kind::AmbientOccluder(_) => {
+                let problem =
+                    "Mitsuba has no ambient term; --without ambient leaves it out on both sides";
+                self.refuse(path, problem);
+                (How::None("there is no ambient term"), None)
+            }
+            _ => (self.no_counterpart(path, ""), None),
+        }
+    }
+
+    /// The emitters that are no shapes.
+    ///
     /// - `constant`: the radiance of rays that hit nothing, as ours. Where ours is drawn from by the cosine, its directions
     ///   are those of the material there too: `sampling_weight` is 0.
     pub(super) fn emitters(&mut self, pass: &Pass) -> String {
@@ -101,19 +119,7 @@ impl Writer<'_> {
         let scene = self.scene;
         let is_sampled = samples_sky(scene);
         for index in &pass.lights {
-            match &scene.lights[*index].source {
-                Kind::PointLight(it) => {
-                    let intensity = self.exposed(it.ls * it.color);
-                    let inner = [point("position", it.location), rgb("intensity", intensity)];
-                    emitters.push(plugin("emitter", "point", &inner));
-                }
-                Kind::Directional(it) => {
-                    let irradiance = self.exposed(it.ls * it.color);
-                    let inner = [vector("direction", -it.direction), rgb("irradiance", irradiance)];
-                    emitters.push(plugin("emitter", "directional", &inner));
-                }
-                _ => {}
-            }
+            emitters.extend(self.light(&self.path(*index), &scene.lights[*index].source).1);
         }
         if pass.has_background {
             match scene.background {

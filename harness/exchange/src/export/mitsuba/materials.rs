@@ -8,8 +8,9 @@ use groundtruth::textures::{self, Amount, Paint};
 use super::Writer;
 use super::passes::Pass;
 use super::text::{float, plugin, rgb, word};
+use super::textures::Cells;
 use crate::export::leaves::Leaves;
-use crate::export::{How, Target, Unsayable, item, kinds};
+use crate::export::{How, Unsupported, item, kinds};
 
 /// What a surface does.
 #[derive(Clone, Debug, Default)]
@@ -52,7 +53,7 @@ pub fn is_diffuse(recipe: &Kind) -> bool {
         Kind::Transparent(it) => is_some(&it.phong.kd),
         Kind::Dielectric(it) => is_some(&it.phong.kd),
         Kind::Emissive(it) => it.matte.as_ref().is_some_and(|matte| is_some(&matte.kd)),
-        Kind::SphereMaterials(_) | Kind::Custom(_) => true,
+        _ => true,
     }
 }
 
@@ -66,23 +67,32 @@ impl Writer<'_> {
                 self.refuse(format!("{path}: bump"), "no counterpart");
             }
             let path = format!("{path}: recipe.{}", kinds::tag(&material.recipe));
-            if let Some(look) = self.look(&path, &material.recipe) {
+            if let Some(look) = self.look(&path, &material.recipe).1 {
                 self.looks.insert(index, Look { is_two_sided: material.two_sided, ..look });
             }
         }
     }
 
-    fn look(&mut self, path: &str, recipe: &Kind) -> Option<Look> {
+    /// How a material is exported, and what it does; `None` if that cannot be said.
+    pub(super) fn look(&mut self, path: &str, recipe: &Kind) -> (How, Option<Look>) {
         match recipe {
-            Kind::Matte(matte) => self.matte(path, matte),
-            Kind::Phong(phong) => self.phong(path, phong),
-            Kind::Reflective(it) => self.reflective(path, it),
-            Kind::Emissive(it) => self.emissive(path, it),
-            Kind::Dielectric(it) => self.dielectric(path, it),
-            _ => {
-                self.refuse(path, "no counterpart");
-                None
+            Kind::Matte(it) => (How::Exact("a texture of `cd` only"), self.matte(path, it)),
+            Kind::Phong(it) => (How::Exact("if `ks` is 0"), self.phong(path, it)),
+            Kind::Reflective(it) => {
+                let note = "as `phong`; `kr` and `kd` together at most 1";
+                (How::Exact(note), self.reflective(path, it))
             }
+            Kind::Emissive(it) => {
+                let note = "of one colour; a lamp for all surfaces";
+                (How::Exact(note), self.emissive(path, it))
+            }
+            Kind::Dielectric(it) => {
+                (How::Exact("clear, with `phong` black"), self.dielectric(path, it))
+            }
+            Kind::Transparent(_) => {
+                (self.no_counterpart(path, "its shares do not depend on the angle"), None)
+            }
+            _ => (self.no_counterpart(path, ""), None),
         }
     }
 
@@ -91,7 +101,7 @@ impl Writer<'_> {
         let kd = self.amount(&format!("{path}.kd"), kd)?;
         let path = format!("{path}.cd");
         let diffuse = match cd {
-            Paint::Textured(kind) if Target::Mitsuba.texture(kind).0 != How::None => {
+            Paint::Textured(kind) if Cells::of(kind).1.is_some() => {
                 Diffuse::Textured(kd, (**kind).clone())
             }
             cd => Diffuse::Plain(self.reflectance(&path, kd, cd)?),
@@ -203,7 +213,7 @@ impl Writer<'_> {
             {
                 let path = item("materials", *index, &self.scene.materials[*index].name);
                 let problem = "a mirror and a matte base that reflect more than all light together";
-                self.unsayable.push(Unsayable { path, problem: problem.to_owned() });
+                self.unsupported.push(Unsupported { path, problem: problem.to_owned() });
             }
             if let Diffuse::Plain(color) = look.diffuse {
                 let bsdf = look.bsdf(&rgb("reflectance", look.factor(pass) * color), pass);

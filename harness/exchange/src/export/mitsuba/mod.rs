@@ -4,7 +4,6 @@
 //! becomes one text, or several whose pictures are to be added: see `passes`.
 
 mod camera;
-pub mod kinds;
 mod lights;
 mod materials;
 mod passes;
@@ -26,11 +25,13 @@ pub use passes::is_noiseless;
 pub use render::Program;
 
 use super::leaves::Leaves;
-use super::{Said, Target, Unsayable};
+use super::{AnyKind, Exported, How, Target, Unsupported};
 use materials::Look;
 use passes::Pass;
 use pictures::xml::comment;
+use shapes::Placed;
 use text::{boolean, integer, plugin};
+use textures::Cells;
 
 /// A scene being written.
 struct Writer<'a> {
@@ -41,26 +42,24 @@ struct Writer<'a> {
     /// What the materials of the leaves do, by their indices.
     looks: BTreeMap<usize, Look>,
     files: Vec<(String, Vec<u8>)>,
-    unsayable: Vec<Unsayable>,
+    unsupported: Vec<Unsupported>,
 }
 
 /// The scene as XML; `name` goes into its first line.
 ///
 /// # Errors
 /// All that cannot be said.
-pub fn write(name: &str, stem: &str, scene: &Scene, folder: &Path) -> Result<Said, Vec<Unsayable>> {
+pub fn write(
+    name: &str,
+    stem: &str,
+    scene: &Scene,
+    folder: &Path,
+) -> Result<Exported, Vec<Unsupported>> {
     let leaves = Leaves::of(scene, Target::Mitsuba);
-    let mut writer = Writer {
-        scene,
-        stem,
-        resources: Resources::new(folder),
-        looks: BTreeMap::new(),
-        files: Vec::new(),
-        unsayable: Vec::new(),
-    };
+    let mut writer = Writer::new(stem, scene, folder);
     writer.refuse_settings();
     let passes = writer.passes(&leaves);
-    let sensor = writer.sensor();
+    let (_, sensor) = writer.sensor();
     writer.refuse_lights(&passes);
     writer.looks(&leaves);
     let mut scenes = Vec::new();
@@ -75,19 +74,35 @@ pub fn write(name: &str, stem: &str, scene: &Scene, folder: &Path) -> Result<Sai
         ];
         scenes.push(format!("{head}{}\n</scene>\n", parts.join("\n")));
         if index == 0 {
-            writer.unsayable.extend(leaves.unsayable.iter().cloned());
+            writer.unsupported.extend(leaves.unsupported.iter().cloned());
         }
     }
-    let mut unsayable: Vec<Unsayable> = Vec::new();
-    for it in writer.unsayable {
+    let mut unsupported: Vec<Unsupported> = Vec::new();
+    for it in writer.unsupported {
         // each pass says it again
-        if !unsayable.contains(&it) {
-            unsayable.push(it);
+        if !unsupported.contains(&it) {
+            unsupported.push(it);
         }
     }
-    match unsayable.is_empty() {
-        true => Ok(Said { scenes, files: writer.files }),
-        false => Err(unsayable),
+    match unsupported.is_empty() {
+        true => Ok(Exported { scenes, files: writer.files }),
+        false => Err(unsupported),
+    }
+}
+
+/// How a kind is exported: what is written of it in this scene.
+pub(super) fn how(scene: &Scene, kind: &AnyKind) -> How {
+    let mut writer = Writer::new("", scene, "".as_ref());
+    match kind {
+        AnyKind::Shape(_) => {
+            let leaf = &Leaves::of(scene, Target::Mitsuba).all[0];
+            let (look, pass) = (Look::default(), Pass::default());
+            writer.shape(&Placed { index: 0, leaf, look: &look, pass: &pass }).0
+        }
+        AnyKind::Material(it) => writer.look("", it).0,
+        AnyKind::Light(it) => writer.light("", it).0,
+        AnyKind::Texture(it) => Cells::of(it).0,
+        AnyKind::Camera(_) => writer.sensor().0,
     }
 }
 
@@ -101,9 +116,26 @@ fn integrator(pass: &Pass) -> String {
     plugin("integrator", "path", &inner)
 }
 
-impl Writer<'_> {
+impl<'a> Writer<'a> {
+    fn new(stem: &'a str, scene: &'a Scene, folder: &Path) -> Self {
+        Self {
+            scene,
+            stem,
+            resources: Resources::new(folder),
+            looks: BTreeMap::new(),
+            files: Vec::new(),
+            unsupported: Vec::new(),
+        }
+    }
+
+    /// Refuses a kind that has no counterpart.
+    fn no_counterpart(&mut self, path: impl Into<String>, note: &'static str) -> How {
+        self.refuse(path, "no counterpart");
+        How::None(note)
+    }
+
     fn refuse(&mut self, path: impl Into<String>, problem: impl Into<String>) {
-        self.unsayable.push(Unsayable { path: path.into(), problem: problem.into() });
+        self.unsupported.push(Unsupported { path: path.into(), problem: problem.into() });
     }
 
     /// What holds for the whole scene and has no counterpart.

@@ -103,7 +103,7 @@ impl Writer<'_> {
                 vec![Pass::of_paths(&has, lights, it.max_depth)]
             }
         };
-        if passes.is_empty() && self.unsayable.is_empty() {
+        if passes.is_empty() && self.unsupported.is_empty() {
             self.refuse("lights", "nothing shines: the picture is black");
         }
         passes

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
 
-use crate::export::{Said, program};
+use crate::export::{Exported, program};
 use pictures::compare::{Picture, Transfer};
 use pictures::running::{last_lines, run};
 
@@ -44,7 +44,12 @@ impl Program {
     ///
     /// # Errors
     /// It cannot be started, takes longer than the limit, or fails.
-    pub fn render(&self, said: &Said, folder: &Path, limit: Duration) -> Result<Picture, String> {
+    pub fn render(
+        &self,
+        said: &Exported,
+        folder: &Path,
+        limit: Duration,
+    ) -> Result<Picture, String> {
         let problem = |what: &str| format!("{}: {what}", self.file.display());
         let write = |name: &str, bytes: &[u8]| {
             std::fs::write(folder.join(name), bytes).map_err(|e| problem(&e.to_string()))

@@ -11,11 +11,14 @@ use super::passes::Pass;
 use super::text::{boolean, float, matrix, plugin, point, rgb, rows, word};
 use super::textures::Face;
 use super::{Look, ply};
-use crate::export::Leaf;
 use crate::export::leaves::Leaves;
+use crate::export::{How, Leaf};
 
 /// The largest coordinate of an object: Mitsuba computes in single precision.
 const FAR: f64 = 1e6;
+
+/// What must hold of a mesh.
+const IN_A_FILE: &str = "flat, in a file beside the scene";
 
 impl Writer<'_> {
     /// All objects, in leaves.
@@ -33,38 +36,45 @@ impl Writer<'_> {
             }
             // without a look its material is refused already
             if let Some(look) = self.looks.get(&leaf.material).cloned() {
-                all.extend(self.shape(&Placed { index, leaf, look: &look, pass }));
+                all.extend(self.shape(&Placed { index, leaf, look: &look, pass }).1);
             }
         }
         all.join("\n")
     }
 
-    fn shape(&mut self, at: &Placed<'_>) -> Vec<String> {
+    /// How a shape that is not taken apart is exported, and its elements.
+    pub(super) fn shape(&mut self, at: &Placed<'_>) -> (How, Vec<String>) {
         match &at.leaf.shape {
-            Kind::Plane(it) => self.plane(it, at),
-            Kind::Sphere(it) => self.sphere(it, at),
-            Kind::Cuboid(it) => self.cuboid(it, at),
+            Kind::Plane(it) => {
+                (How::Mesh("squares, up to far beyond the scene"), self.plane(it, at))
+            }
+            Kind::Sphere(it) => (How::Exact(""), self.sphere(it, at)),
+            Kind::Cuboid(it) => (How::Exact(""), self.cuboid(it, at)),
             Kind::Triangle(it) => {
-                self.triangles((&it.vertices, &[[0, 1, 2]]), it.normals.is_some(), at)
+                let lists = (it.vertices.as_slice(), [[0, 1, 2]].as_slice());
+                (How::Exact(IN_A_FILE), self.triangles(lists, it.normals.is_some(), at))
             }
             Kind::Rectangle(it) => {
                 let face = Flat { corner: it.corner, a: it.a, b: it.b };
-                self.flat(&face.after(&at.leaf.map), at).into_iter().collect()
+                let element = self.flat(&face.after(&at.leaf.map), at);
+                (How::Exact(""), element.into_iter().collect())
             }
-            Kind::Disk(it) => self.disk(it, at),
-            Kind::OpenCylinder(it) => self.cylinder(it, at),
-            Kind::TessellatedSphere(it) => self.mesh(&it.mesh(), at),
-            Kind::Mesh(it) => match it.triangle_mesh(&mut self.resources) {
-                Ok(mesh) => self.mesh(&mesh, at),
-                Err(problem) => {
-                    self.refuse(&at.leaf.path, problem.to_string());
-                    Vec::new()
-                }
-            },
-            _ => {
-                self.refuse(&at.leaf.path, "no counterpart");
-                Vec::new()
+            Kind::Disk(it) => (How::Exact(""), self.disk(it, at)),
+            Kind::OpenCylinder(it) => (How::Exact(""), self.cylinder(it, at)),
+            Kind::TessellatedSphere(it) => {
+                (How::Mesh("its triangles, flat"), self.mesh(&it.mesh(), at))
             }
+            Kind::Mesh(it) => {
+                let elements = match it.triangle_mesh(&mut self.resources) {
+                    Ok(mesh) => self.mesh(&mesh, at),
+                    Err(problem) => {
+                        self.refuse(&at.leaf.path, problem.to_string());
+                        Vec::new()
+                    }
+                };
+                (How::Exact(IN_A_FILE), elements)
+            }
+            _ => (self.no_counterpart(&at.leaf.path, ""), Vec::new()),
         }
     }
 
@@ -296,10 +306,10 @@ impl Writer<'_> {
 
 /// A leaf in a pass.
 pub(super) struct Placed<'a> {
-    index: usize,
+    pub index: usize,
     pub leaf: &'a Leaf,
-    look: &'a Look,
-    pass: &'a Pass,
+    pub look: &'a Look,
+    pub pass: &'a Pass,
 }
 
 impl Placed<'_> {

@@ -5,6 +5,7 @@ use groundtruth::textures::{Checker3d, Kind, Paint, PlaneChecker};
 
 use super::Writer;
 use super::text::{matrix_of_uv, plugin, rgb};
+use crate::export::How;
 
 /// What our solid checker adds to `x / size`, so that no face lies on a border.
 const OFFSET: f64 = -0.000_187_453_738;
@@ -21,15 +22,42 @@ pub struct Face {
 }
 
 /// Checker cells of two colours along some axes.
-struct Cells<'a> {
+pub(super) struct Cells<'a> {
     axes: &'a [usize],
     size: f64,
     offset: f64,
     colors: [&'a Paint; 2],
+    has_lines: bool,
+}
+
+impl<'a> Cells<'a> {
+    /// How a texture of a colour is exported, and its cells; `None` if it is no checker.
+    pub fn of(kind: &'a Kind) -> (How, Option<Self>) {
+        match kind {
+            Kind::Checker3d(Checker3d { size, color1, color2 }) => {
+                let (axes, colors) = (&[0, 1, 2], [color1, color2]);
+                let cells = Self { axes, size: *size, offset: OFFSET, colors, has_lines: false };
+                (How::Exact("on flat surfaces along an axis; plain colours"), Some(cells))
+            }
+            Kind::PlaneChecker(PlaneChecker { size, color1, color2, outline_width, .. }) => {
+                let (axes, colors) = (&[0, 2], [color1, color2]);
+                let has_lines = *outline_width > 0.0;
+                let cells = Self { axes, size: *size, offset: 0.0, colors, has_lines };
+                (How::Exact("on flat surfaces; plain colours, no lines"), Some(cells))
+            }
+            _ => (How::None(""), None),
+        }
+    }
 }
 
 impl Writer<'_> {
-    /// A texture on a face, as a `reflectance` with the factor of its colours; `None` if it cannot be said.
+    /// A checker on a face, as a `reflectance` with the factor of its colours; `None` if it cannot be said.
+    ///
+    /// Our cell on an axis is floor(q) with q = x / size + offset, and the first colour is where the sum of all is even.
+    ///
+    /// `checkerboard` has its first colour where the fractions of both texture coordinates are above 1/2, or neither is. With
+    /// the coordinates q / 2 of two axes that is where the sum of these two is even. So on the third axis, q must be the same
+    /// everywhere; where its cell is odd, the colours are exchanged.
     pub(super) fn texture(
         &mut self,
         path: &str,
@@ -37,33 +65,10 @@ impl Writer<'_> {
         factor: f64,
         face: &Face,
     ) -> Option<String> {
-        match kind {
-            Kind::Checker3d(Checker3d { size, color1, color2 }) => {
-                let (axes, colors) = (&[0, 1, 2], [color1, color2]);
-                self.cells(path, &Cells { axes, size: *size, offset: OFFSET, colors }, factor, face)
-            }
-            Kind::PlaneChecker(it) => {
-                let PlaneChecker { size, color1, color2, outline_width, .. } = it;
-                if *outline_width > 0.0 {
-                    self.refuse(format!("{path}.outline_width"), "no lines can be said");
-                }
-                let (axes, colors) = (&[0, 2], [color1, color2]);
-                self.cells(path, &Cells { axes, size: *size, offset: 0.0, colors }, factor, face)
-            }
-            _ => {
-                self.refuse(path, "no counterpart");
-                None
-            }
+        let Cells { axes, size, offset, colors, has_lines } = Cells::of(kind).1?;
+        if has_lines {
+            self.refuse(format!("{path}.outline_width"), "no lines can be said");
         }
-    }
-
-    /// Our cell on an axis is floor(q) with q = x / size + offset, and the first colour is where the sum of all is even.
-    ///
-    /// `checkerboard` has its first colour where the fractions of both texture coordinates are above 1/2, or neither is. With
-    /// the coordinates q / 2 of two axes that is where the sum of these two is even. So on the third axis, q must be the same
-    /// everywhere; where its cell is odd, the colours are exchanged.
-    fn cells(&mut self, path: &str, cells: &Cells<'_>, factor: f64, face: &Face) -> Option<String> {
-        let Cells { axes, size, offset, colors } = *cells;
         let along = |axis: usize| {
             let [a, b] = [face.a, face.b].map(|side| side.along(axis) / size);
             [a, b, face.corner.along(axis) / size + offset]

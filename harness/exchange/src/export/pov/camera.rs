@@ -6,7 +6,7 @@ use groundtruth::math::{Frame, Point, Vector, cos_degrees, sin_degrees};
 
 use super::Writer;
 use super::text::{number, vector};
-use crate::export::kinds::{self, How};
+use crate::export::{How, kinds};
 
 impl Writer<'_> {
     /// The camera, by its axes.
@@ -30,7 +30,7 @@ impl Writer<'_> {
     ///   u × v = w, while POV-Ray's right × up is its direction, −u and −v turn it as ours is.
     /// - cylinder 1: sin(x · angle) right + y |up| up + cos(x · angle) direction, of unit axes. Ours has
     ///   2y tan(vertical_fov / 2) in place of y |up|.
-    pub(super) fn camera(&mut self) {
+    pub(super) fn camera(&mut self) -> How {
         let camera = &self.scene.camera;
         if camera.stereo.is_some() {
             self.refuse("camera.stereo", "two images; export the scene without it");
@@ -38,42 +38,43 @@ impl Writer<'_> {
         if camera.medium != Medium::default() {
             self.refuse("camera.medium", "POV-Ray's camera is in air");
         }
-        let (How::Exact, _) = kinds::pov_camera(&camera.lens) else {
-            let lens = kinds::tag(&camera.lens);
-            return self.refuse(format!("camera.lens.{lens}"), "no counterpart");
-        };
         let film = self.scene.image.plane();
-        let view = match camera.build(film) {
-            Ok(view) => view,
-            Err(problem) => return self.refuse("camera", problem.to_string()),
-        };
-        let (frame, eye) = (view.frame(), view.eye(Side::Left).position());
-        let Frame { u, v, w } = *frame;
-        let flat = |zoom: f64| [(film.width / zoom) * u, (film.height / zoom) * v];
+        let flat = |zoom: f64| [film.width / zoom, film.height / zoom];
+        // the lengths of the axes along −w, u and v
         let (word, direction, [right, up]) = match &camera.lens {
-            Kind::Pinhole(it) => ("perspective".to_owned(), -it.distance * w, flat(it.zoom)),
-            Kind::Orthographic(it) => ("orthographic".to_owned(), -w, flat(it.zoom)),
+            Kind::Pinhole(it) => ("perspective".to_owned(), it.distance, flat(it.zoom)),
+            Kind::Orthographic(it) => ("orthographic".to_owned(), 1.0, flat(it.zoom)),
             Kind::Fisheye(it) => {
                 let (length, fov) = match it.rectangular {
                     true => (it.fov / 360.0, 360.0),
                     false => (1.0, it.fov),
                 };
-                (format!("fisheye angle {}", number(fov)), -w, [length * u, length * v])
+                (format!("fisheye angle {}", number(fov)), 1.0, [length, length])
             }
             Kind::SphericalPanorama(it) => {
                 let [across, along] = [it.horizontal_fov, it.vertical_fov].map(number);
                 // −u and −v: see above
-                (format!("spherical angle {across}, {along}"), -w, [-u, -v])
+                (format!("spherical angle {across}, {along}"), 1.0, [-1.0, -1.0])
             }
             Kind::CylindricalPanorama(it) => {
                 let half = 0.5 * it.vertical_fov;
                 let height = 2.0 * sin_degrees(half) / cos_degrees(half);
                 let word = format!("cylinder 1 angle {}", number(it.horizontal_fov));
-                (word, -w, [u, height * v])
+                (word, 1.0, [1.0, height])
             }
-            _ => return,
+            lens => {
+                return self.no_counterpart(format!("camera.lens.{}", kinds::tag(lens)), "");
+            }
         };
-        self.line(&described(&word, eye, [direction, right, up]));
+        match camera.build(film) {
+            Ok(view) => {
+                let Frame { u, v, w } = *view.frame();
+                let axes = [-direction * w, right * u, up * v];
+                self.line(&described(&word, view.eye(Side::Left).position(), axes));
+            }
+            Err(problem) => self.refuse("camera", problem.to_string()),
+        }
+        How::Exact("")
     }
 }
 

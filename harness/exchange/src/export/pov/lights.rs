@@ -7,7 +7,7 @@ use groundtruth::scene::{Light, Scene};
 
 use super::Writer;
 use super::text::{number, rgb, vector};
-use crate::export::{item, kinds};
+use crate::export::{How, item, kinds};
 
 /// What `fade_distance` to the power of `fade_power` is.
 const FADE: f64 = 1e-9;
@@ -26,30 +26,39 @@ pub fn ambient(scene: &Scene) -> Rgb {
 }
 
 impl Writer<'_> {
-    /// The lights that are on, without the ambient ones.
+    /// The lights that are on; of the ambient ones there is the sum already.
     pub(super) fn lights(&mut self) {
         let lights = self.scene.lights.iter().enumerate().filter(|(_, light)| light.enabled);
         for (index, light) in lights {
-            match &light.source {
-                Kind::Ambient(_) => {}
-                Kind::PointLight(point) => self.point(index, light, point),
-                Kind::Directional(sun) => self.directional(light, sun),
-                Kind::AmbientOccluder(_) => {
-                    let path = item("lights", index, &light.name);
-                    let problem =
-                        "POV-Ray does not occlude ambient light; --without ambient leaves it out";
-                    self.refuse(format!("{path}: source.ambient_occluder"), problem);
-                }
-                other => {
-                    let path = format!(
-                        "{}: source.{}",
-                        item("lights", index, &light.name),
-                        kinds::tag(other)
-                    );
-                    let (_, note) = kinds::pov_light(other);
-                    self.refuse(path, if note.is_empty() { "no counterpart" } else { note });
-                }
+            let path = item("lights", index, &light.name);
+            self.light(&format!("{path}: source.{}", kinds::tag(&light.source)), light);
+        }
+    }
+
+    /// One light.
+    pub(super) fn light(&mut self, path: &str, light: &Light) -> How {
+        match &light.source {
+            Kind::Ambient(_) => How::Exact("the sum of all"),
+            Kind::PointLight(point) => {
+                self.point(path, light, point);
+                How::Exact("`attenuation` 0 or at least 1")
             }
+            Kind::Directional(sun) => {
+                self.directional(light, sun);
+                How::Exact("")
+            }
+            Kind::Spot(_) => {
+                let problem = "its edge is a cubic of the cosine there, of the angle here";
+                self.refuse(path, problem);
+                How::None(problem)
+            }
+            Kind::AmbientOccluder(_) => {
+                let problem =
+                    "POV-Ray does not occlude ambient light; --without ambient leaves it out";
+                self.refuse(path, problem);
+                How::None("ambient light is not occluded")
+            }
+            _ => self.no_counterpart(path, ""),
         }
     }
 
@@ -61,15 +70,13 @@ impl Writer<'_> {
     /// With `fade_distance f` and `fade_power a` POV-Ray 3.7.0 multiplies it by 2 / (1 + (d/f)^a), which is
     /// 2 f^a / (f^a + d^a). With the colour divided by 2 f^a this is ls · color / (f^a + d^a), where f^a = 10⁻⁹ is lost
     /// beside d^a. f must not be below 10⁻¹⁰, which POV-Ray takes for none: so a ≥ 1.
-    fn point(&mut self, index: usize, light: &Light, point: &PointLight) {
+    fn point(&mut self, path: &str, light: &Light, point: &PointLight) {
         let color = point.ls * point.color;
         let (color, fade) = match point.attenuation {
             0.0 => (color, String::new()),
             a if a < 1.0 => {
-                let path =
-                    format!("{}: source.point.attenuation", item("lights", index, &light.name));
-                return self
-                    .refuse(path, format!("found {a}, but only 0 or at least 1 can be said"));
+                let problem = format!("found {a}, but only 0 or at least 1 can be said");
+                return self.refuse(format!("{path}.attenuation"), problem);
             }
             a => {
                 let distance = number(power(FADE, 1.0 / a));

@@ -15,7 +15,7 @@ pub(super) const HIGHLIGHT: &str = "the highlight of POV-Ray is not multiplied b
 
 /// What one side of a surface does.
 #[derive(Clone)]
-struct Side {
+pub(super) struct Side {
     /// The words of the pigment.
     pigment: String,
     ka: f64,
@@ -63,7 +63,7 @@ impl Writer<'_> {
                 self.line(&format!("#declare back_{index} = {texture}"));
                 continue;
             }
-            let Some(front) = self.side(&path, material) else { continue };
+            let Some(front) = self.side(&path, &material.recipe).1 else { continue };
             let back = if material.two_sided { front.clone() } else { front.back() };
             self.line(&format!("#declare front_{index} = {}", front.texture()));
             self.line(&format!("#declare back_{index} = {}", back.texture()));
@@ -92,21 +92,27 @@ impl Writer<'_> {
         }
     }
 
-    /// What the front does; `None` if it cannot be said.
-    fn side(&mut self, path: &str, material: &Material) -> Option<Side> {
-        let path = format!("{path}: recipe.{}", kinds::tag(&material.recipe));
-        match &material.recipe {
-            Kind::Matte(matte) => self.matte(&path, matte),
-            Kind::Phong(phong) => self.phong(&path, phong),
-            Kind::Reflective(it) => self.reflective(&path, it),
-            Kind::Emissive(it) => self.emissive(&path, it),
-            // ray_cast sees what is not glass of it
-            Kind::Transparent(it) => self.phong(&format!("{path}.phong"), &it.phong),
-            Kind::Dielectric(it) => self.phong(&format!("{path}.phong"), &it.phong),
-            _ => {
-                self.refuse(path, "no counterpart");
-                None
+    /// How a material is exported, and what its front does; `None` if that cannot be said.
+    pub(super) fn side(&mut self, path: &str, recipe: &Kind) -> (How, Option<Side>) {
+        let path = format!("{path}: recipe.{}", kinds::tag(recipe));
+        match recipe {
+            Kind::Matte(it) => (How::Exact("a texture of `cd` only"), self.matte(&path, it)),
+            Kind::Phong(it) => {
+                let note = "if `ks` is 0: the highlight of POV-Ray has no cosine";
+                (How::Exact(note), self.phong(&path, it))
             }
+            Kind::Reflective(it) => (How::Exact("as `phong`"), self.reflective(&path, it)),
+            Kind::Emissive(it) => (How::Exact("without `matte`"), self.emissive(&path, it)),
+            // ray_cast sees what is not glass of it
+            Kind::Transparent(it) => {
+                let side = self.phong(&format!("{path}.phong"), &it.phong);
+                (How::Exact("with `phong` black"), side)
+            }
+            Kind::Dielectric(it) => {
+                let side = self.phong(&format!("{path}.phong"), &it.phong);
+                (How::Exact("with `phong` black, in air"), side)
+            }
+            _ => (self.no_counterpart(path, ""), None),
         }
     }
 
@@ -161,10 +167,8 @@ impl Writer<'_> {
     /// The words of a pigment.
     fn pigment(&mut self, path: &str, paint: &Paint) -> Option<String> {
         match paint {
-            Paint::Textured(kind) if kinds::pov_texture(kind).0 != How::None => {
-                self.texture(&format!("{path}.{}", kinds::tag(kind)), kind)
-            }
-            paint => self.paint(path, paint).map(plain),
+            Paint::Plain(color) => Some(plain(*color)),
+            Paint::Textured(kind) => self.texture(&format!("{path}.{}", kinds::tag(kind)), kind).1,
         }
     }
 

@@ -23,10 +23,10 @@ use std::path::Path;
 use groundtruth::background::Background;
 use groundtruth::kinds::Resources;
 use groundtruth::printable;
-use groundtruth::scene::{Intersect, Scene, Tracer};
+use groundtruth::scene::{Intersect, Light, Scene, Tracer};
 
 use super::leaves::Leaves;
-use super::{Target, Unsayable};
+use super::{AnyKind, How, Target, Unsupported};
 use text::rgb;
 use walk::Body;
 
@@ -41,25 +41,16 @@ struct Writer<'a> {
     /// The index of refraction inside each of those that our picture shows.
     indices: BTreeMap<Body, f64>,
     text: String,
-    unsayable: Vec<Unsayable>,
+    unsupported: Vec<Unsupported>,
 }
 
 /// The scene as the text of a `.pov` file; `name` goes into its first line, `folder` has the files that the scene names.
 ///
 /// # Errors
 /// All that cannot be said.
-pub fn write(name: &str, scene: &Scene, folder: &Path) -> Result<String, Vec<Unsayable>> {
+pub fn write(name: &str, scene: &Scene, folder: &Path) -> Result<String, Vec<Unsupported>> {
     let leaves = Leaves::of(scene, Target::Pov);
-    let resources = Resources::new(folder);
-    let mut head = Writer {
-        scene,
-        resources,
-        triangles: 0,
-        bodies: BTreeMap::new(),
-        indices: BTreeMap::new(),
-        text: String::new(),
-        unsayable: Vec::new(),
-    };
+    let mut head = Writer::new(scene, folder);
     head.refuse_settings();
     head.header(name);
     head.globals();
@@ -68,19 +59,49 @@ pub fn write(name: &str, scene: &Scene, folder: &Path) -> Result<String, Vec<Uns
     head.materials(&leaves.materials());
     head.objects(&leaves);
     head.refuse_attenuated_shadows();
-    if head.unsayable.is_empty() && !head.bodies.is_empty() {
+    if head.unsupported.is_empty() && !head.bodies.is_empty() {
         head.walk(folder);
     }
     head.bodies();
-    match head.unsayable.is_empty() {
+    match head.unsupported.is_empty() {
         true => Ok(head.text),
-        false => Err(head.unsayable),
+        false => Err(head.unsupported),
     }
 }
 
-impl Writer<'_> {
+/// How a kind is exported: what is written of it in this scene.
+pub(super) fn how(scene: &Scene, kind: &AnyKind) -> How {
+    let mut writer = Writer::new(scene, "".as_ref());
+    match kind {
+        AnyKind::Shape(_) => writer.shape(&Leaves::of(scene, Target::Pov).all[0]),
+        AnyKind::Material(it) => writer.side("", it).0,
+        AnyKind::Light(it) => writer.light("", &Light::new("", it.clone())),
+        AnyKind::Texture(it) => writer.texture("", it).0,
+        AnyKind::Camera(_) => writer.camera(),
+    }
+}
+
+impl<'a> Writer<'a> {
+    fn new(scene: &'a Scene, folder: &Path) -> Self {
+        Self {
+            scene,
+            resources: Resources::new(folder),
+            triangles: 0,
+            bodies: BTreeMap::new(),
+            indices: BTreeMap::new(),
+            text: String::new(),
+            unsupported: Vec::new(),
+        }
+    }
+
+    /// Refuses a kind that has no counterpart.
+    fn no_counterpart(&mut self, path: impl Into<String>, note: &'static str) -> How {
+        self.refuse(path, "no counterpart");
+        How::None(note)
+    }
+
     fn refuse(&mut self, path: impl Into<String>, problem: impl Into<String>) {
-        self.unsayable.push(Unsayable { path: path.into(), problem: problem.into() });
+        self.unsupported.push(Unsupported { path: path.into(), problem: problem.into() });
     }
 
     fn line(&mut self, line: &str) {

@@ -6,8 +6,8 @@ use groundtruth::shapes::{Kind, Plane, Rectangle, Triangle, TriangleMesh};
 use super::Writer;
 use super::lights::FAR;
 use super::text::{matrix, number, vector};
-use crate::export::Leaf;
 use crate::export::leaves::{Leaves, MOST_SHAPES};
+use crate::export::{How, Leaf};
 
 /// Which way the normal of a shape in POV-Ray points.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -27,11 +27,14 @@ impl Sense {
 impl Writer<'_> {
     /// All objects, in leaves.
     pub(super) fn objects(&mut self, leaves: &Leaves<'_>) {
-        leaves.all.iter().for_each(|leaf| self.shape(leaf));
-        self.unsayable.extend_from_slice(&leaves.unsayable);
+        for leaf in &leaves.all {
+            self.shape(leaf);
+        }
+        self.unsupported.extend_from_slice(&leaves.unsupported);
     }
 
-    fn shape(&mut self, at: &Leaf) {
+    /// One shape that is not taken apart.
+    pub(super) fn shape(&mut self, at: &Leaf) -> How {
         match &at.shape {
             Kind::Plane(plane) => self.plane(plane, at),
             Kind::Sphere(it) => {
@@ -42,8 +45,14 @@ impl Writer<'_> {
                 let [min, max] = [it.min, it.max].map(|corner| vector(corner.to_array()));
                 self.leaf("box", &format!("{min}, {max}"), Sense::Same, at);
             }
-            Kind::Triangle(triangle) => self.triangle(triangle, at),
-            Kind::Rectangle(rectangle) => self.rectangle(rectangle, at),
+            Kind::Triangle(triangle) => {
+                self.triangle(triangle, at);
+                return How::Exact("flat");
+            }
+            Kind::Rectangle(rectangle) => {
+                self.rectangle(rectangle, at);
+                return How::Mesh("two triangles");
+            }
             Kind::Disk(it) => self.disc(it.center, it.normal, [0.0, it.radius], at),
             Kind::Annulus(it) => {
                 self.disc(it.center, it.normal, [it.inner_radius, it.outer_radius], at);
@@ -80,13 +89,20 @@ impl Writer<'_> {
                 );
                 self.leaf("quadric", &words, Sense::of(it.inward), at);
             }
-            Kind::TessellatedSphere(it) => self.mesh(&it.mesh(), at),
-            Kind::Mesh(it) => match it.triangle_mesh(&mut self.resources) {
-                Ok(mesh) => self.mesh(&mesh, at),
-                Err(problem) => self.refuse(&at.path, problem.to_string()),
-            },
-            _ => self.refuse(&at.path, "no counterpart"),
+            Kind::TessellatedSphere(it) => {
+                self.mesh(&it.mesh(), at);
+                return How::Mesh("its triangles, flat");
+            }
+            Kind::Mesh(it) => {
+                match it.triangle_mesh(&mut self.resources) {
+                    Ok(mesh) => self.mesh(&mesh, at),
+                    Err(problem) => self.refuse(&at.path, problem.to_string()),
+                }
+                return How::Mesh("its triangles, flat");
+            }
+            _ => return self.no_counterpart(&at.path, ""),
         }
+        How::Exact("")
     }
 
     /// One shape of POV-Ray, with the texture of each side: `interior_texture` is that of the side which the normal

@@ -5,6 +5,7 @@ use groundtruth::textures::{Checker3d, Kind, Paint, PlaneChecker};
 
 use super::Writer;
 use super::text::{number, rgb};
+use crate::export::How;
 
 /// What our solid checker adds to `x / size`, so that no face lies on a border.
 const OFFSET: f64 = -0.000_187_453_738;
@@ -21,18 +22,18 @@ struct Cells<'a> {
 }
 
 impl Writer<'_> {
-    /// The words of the pigment of a texture; `None` if it cannot be said.
-    pub(super) fn texture(&mut self, path: &str, kind: &Kind) -> Option<String> {
+    /// How a texture of a colour is exported, and the words of its pigment; `None` if they cannot be said.
+    pub(super) fn texture(&mut self, path: &str, kind: &Kind) -> (How, Option<String>) {
         match kind {
-            // each shape has its own
-            Kind::RandomColors(_) => Some(format!("rgb {}", rgb(Rgb::BLACK))),
+            Kind::RandomColors(_) => {
+                (How::Exact("a pigment for each shape"), Some(format!("rgb {}", rgb(Rgb::BLACK))))
+            }
             Kind::Checker3d(Checker3d { size, color1, color2 }) => {
                 let (axes, colors) = (["x", "y", "z"].as_slice(), [color1, color2]);
                 let (half_line, line) = (0.0, color1);
-                self.cells(
-                    path,
-                    &Cells { axes, size: *size, offset: OFFSET, colors, half_line, line },
-                )
+                let cells = Cells { axes, size: *size, offset: OFFSET, colors, half_line, line };
+                let note = "as a function of our formula; two plain colours";
+                (How::Exact(note), self.cells(path, &cells))
             }
             Kind::PlaneChecker(PlaneChecker {
                 size,
@@ -43,11 +44,12 @@ impl Writer<'_> {
             }) => {
                 let (axes, colors) = (["x", "z"].as_slice(), [color1, color2]);
                 let (half_line, line) = (0.5 * outline_width / size, outline_color);
-                self.cells(path, &Cells { axes, size: *size, offset: 0.0, colors, half_line, line })
+                let cells = Cells { axes, size: *size, offset: 0.0, colors, half_line, line };
+                (How::Exact("so too; plain colours"), self.cells(path, &cells))
             }
             _ => {
-                self.refuse(path, "no counterpart");
-                None
+                self.refuse(path, "a texture");
+                (How::None(""), None)
             }
         }
     }
