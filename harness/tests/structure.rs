@@ -1,9 +1,10 @@
-//! The structure of the library: which module may name which, and that every kind's file has an entry.
+//! The structure of the library and of the window: which module may name which, and that every kind's file has an entry.
 //!
 //! The tests read the source text: `crate::` paths outside comments, `mod` lines and lists.
 
 mod arrows;
 mod dead;
+mod inspector;
 mod kinds;
 mod packages;
 
@@ -38,12 +39,12 @@ fn rust_files(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The code of a file, by module of the library: `src/shapes/disk.rs` is `shapes`. Comments are left
+/// The code of the files of a crate's sources, by module: `src/shapes/disk.rs` is `shapes`. Comments are left
 /// out: documentation may name anything. The command line is not a module of the library.
-fn code_by_module() -> BTreeMap<String, Vec<(PathBuf, String)>> {
+fn code_by_module(sources: &Path) -> BTreeMap<String, Vec<(PathBuf, String)>> {
     let mut modules: BTreeMap<String, Vec<(PathBuf, String)>> = BTreeMap::new();
-    for path in rust_files(&sources()) {
-        let inside = path.strip_prefix(sources()).expect("it is a source").to_owned();
+    for path in rust_files(sources) {
+        let inside = path.strip_prefix(sources).expect("it is a source").to_owned();
         let first = inside.iter().next().expect("it has a name").to_string_lossy();
         let module = first.trim_end_matches(".rs").to_owned();
         if !["lib", "main", "cli"].contains(&module.as_str()) {
@@ -56,4 +57,14 @@ fn code_by_module() -> BTreeMap<String, Vec<(PathBuf, String)>> {
 fn without_comments(text: &str) -> String {
     let code = |line: &str| line.split_once("//").map_or(line, |(code, _)| code).to_owned();
     text.lines().map(code).collect::<Vec<_>>().join("\n")
+}
+
+/// Modules as a table of `ARCHITECTURE.md` orders them: its rows, from top to bottom. `title` is that of their column.
+fn rows_of_modules(title: &str) -> Vec<Vec<String>> {
+    let page = read(&root().join("ARCHITECTURE.md"));
+    let (_, rest) = page.split_once(&format!("| {title} |")).expect("the table of modules");
+    let rows = rest.lines().skip(2).take_while(|line| line.starts_with('|'));
+    let first_cell = |row: &str| row.split('|').nth(1).expect("a cell").to_owned();
+    let names = |cell: String| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect();
+    rows.map(first_cell).map(names).collect()
 }

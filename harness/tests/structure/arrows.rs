@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{code_by_module, read, sources, without_comments};
+use super::{code_by_module, read, rows_of_modules, sources, without_comments};
 
 /// The other modules that each module may name.
 const MAY_NAME: &[(&str, &[&str])] = &[
@@ -117,7 +117,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
 ];
 
 /// The modules that a text names as `crate::…`, also inside braces: `crate::{accel, shapes::Plane}`.
-fn named_modules(code: &str) -> BTreeSet<String> {
+pub fn named_modules(code: &str) -> BTreeSet<String> {
     let name = |text: &str| -> String {
         text.chars().take_while(|c| c.is_ascii_lowercase() || *c == '_').collect()
     };
@@ -151,7 +151,7 @@ fn named_modules(code: &str) -> BTreeSet<String> {
 /// the sources.
 #[test]
 fn the_list_of_arrows_is_that_of_the_sources() {
-    let sources = code_by_module().into_iter().map(|(module, files)| {
+    let sources = code_by_module(&sources()).into_iter().map(|(module, files)| {
         let mut named: BTreeSet<String> =
             files.iter().flat_map(|(_, code)| named_modules(code)).collect();
         named.remove(&module);
@@ -193,24 +193,14 @@ fn the_arrows_have_no_circle_and_the_library_shows_their_order() {
     assert!(text.contains(&format!("```text\n{order}//! ```")), "src/lib.rs must show:\n{order}");
 }
 
-/// The tracer's modules as `ARCHITECTURE.md` orders them: the rows of its table, from top to bottom.
-fn rows_of_modules() -> Vec<Vec<String>> {
-    let page = read(&sources().join("../ARCHITECTURE.md"));
-    let (_, rest) = page.split_once("| modules |").expect("the table of modules");
-    let rows = rest.lines().skip(2).take_while(|line| line.starts_with('|'));
-    let first_cell = |row: &str| row.split('|').nth(1).expect("a cell").to_owned();
-    let names = |cell: String| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect();
-    rows.map(first_cell).map(names).collect()
-}
-
 /// Law: the architecture page has each module once, and a module may name only those of lower rows.
 /// Oracle: the list of arrows, which the sources obey.
 #[test]
 fn the_architecture_page_orders_the_modules() {
-    let rows = rows_of_modules();
+    let rows = rows_of_modules("modules");
     let on_page: Vec<&String> = rows.iter().flatten().collect();
     let row_of = |name: &str| rows.iter().position(|row| row.iter().any(|module| module == name));
-    let modules: BTreeSet<String> = code_by_module().into_keys().collect();
+    let modules: BTreeSet<String> = code_by_module(&sources()).into_keys().collect();
     assert_eq!(on_page.len(), modules.len(), "each module is there once");
     assert_eq!(on_page.into_iter().cloned().collect::<BTreeSet<_>>(), modules);
     for (module, named) in MAY_NAME.iter().filter(|(module, _)| modules.contains(*module)) {
@@ -223,7 +213,7 @@ fn the_architecture_page_orders_the_modules() {
 
 #[test]
 fn only_the_mathematics_names_glam() {
-    for (module, files) in code_by_module() {
+    for (module, files) in code_by_module(&sources()) {
         for (path, code) in files {
             let names = code.contains("glam::") || code.contains("use glam");
             assert!(module == "math" || !names, "src/{}: names glam", path.display());

@@ -17,14 +17,14 @@ use crate::picture::worker::{Background, Progress, Rendering};
 
 /// The interval at which an unfinished picture is updated.
 const REFRESH: Duration = Duration::from_millis(150);
-/// The grid appears when a pixel is at least this large on the screen.
+/// The least size of a pixel on the screen with which the grid appears.
 const GRID_MIN_SCALE: f32 = 8.0;
 
 /// The picture as shown, with its view.
 pub struct Picture {
     /// Zoom and pan.
     pub view: View,
-    /// How radiance is shown.
+    /// The tone in which radiance is shown.
     pub tone: Tone,
     tiles: Tiles,
     /// The previous picture, shown darker where the new one is not rendered yet.
@@ -33,13 +33,13 @@ pub struct Picture {
     shown: Option<Version>,
     developed: Instant,
     developing: Background<(Version, Images)>,
-    /// Where the picture was last drawn.
+    /// The area in which the picture was last drawn.
     area: Rect,
     /// The id of the widget, once it was drawn.
     id: Option<Id>,
 }
 
-/// Which picture, how much of it, and how it is shown.
+/// The version of a picture: which one, how much of it, and in which tone.
 #[derive(Clone, Copy, PartialEq)]
 struct Version {
     generation: u64,
@@ -51,10 +51,11 @@ struct Version {
 }
 
 impl Version {
-    fn of(rendering: &Rendering, generation: u64, tone: Tone) -> Self {
+    fn of(rendering: &Rendering, tone: Tone) -> Self {
         // in this order: a picture that is finished now is completely in the film
         let finished = matches!(rendering.progress(), Progress::Done(_));
-        Self { generation, done: rendering.canvas.progress().0, finished, tone }
+        let done = rendering.canvas.progress().0;
+        Self { generation: rendering.generation, done, finished, tone }
     }
 }
 
@@ -130,9 +131,9 @@ impl Picture {
     }
 
     /// Updates the textures with the tiles that are ready.
-    pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering, generation: u64) {
+    pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering) {
         if let Some(Ok((version, tiles))) = self.developing.poll()
-            && version.generation == generation
+            && version.generation == rendering.generation
         {
             self.tiles.upload(ctx, tiles);
             if version.finished {
@@ -140,7 +141,7 @@ impl Picture {
             }
             self.shown = Some(version);
         }
-        let wanted = Version::of(rendering, generation, self.tone);
+        let wanted = Version::of(rendering, self.tone);
         let more_of_it = self.shown.is_some_and(|shown| {
             !wanted.finished && Version { done: wanted.done, ..shown } == wanted
         });
@@ -154,8 +155,8 @@ impl Picture {
     }
 
     /// Whether the screen shows this picture as far as it is rendered.
-    pub fn is_fresh(&self, rendering: &Rendering, generation: u64) -> bool {
-        self.shown == Some(Version::of(rendering, generation, self.tone))
+    pub fn is_fresh(&self, rendering: &Rendering) -> bool {
+        self.shown == Some(Version::of(rendering, self.tone))
     }
 
     /// Keeps the last picture beneath a new one of the same size.
@@ -177,7 +178,7 @@ impl Picture {
         ctx.memory(|memory| memory.focused()).is_none_or(|focused| Some(focused) == self.id)
     }
 
-    /// Where the picture is on the screen.
+    /// The place of the picture on the screen.
     pub fn placement(&self, size: [u32; 2]) -> Placement {
         self.view.place(self.area, size)
     }
@@ -276,7 +277,7 @@ fn hatch(painter: &Painter) {
     }
 }
 
-/// Lines between the pixels that are on the screen.
+/// Draws lines between the pixels that are on the screen.
 fn grid(painter: &Painter, placement: &Placement) {
     let visible = painter.clip_rect().intersect(placement.whole());
     let stroke = Stroke::new(1.0, Color32::from_rgba_unmultiplied(128, 128, 128, 110));
@@ -293,7 +294,7 @@ fn grid(painter: &Painter, placement: &Placement) {
     }
 }
 
-/// A frame around the selected pixel, and four strokes that lead to it.
+/// Draws a frame around the selected pixel, and four strokes that lead to it.
 fn mark(painter: &Painter, pixel: Rect) {
     let frame = pixel.expand((3.0 - 0.5 * pixel.width()).max(1.0));
     for (stroke, color) in [(4.0, Color32::BLACK), (2.0, Color32::from_rgb(255, 230, 60))] {

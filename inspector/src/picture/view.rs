@@ -14,7 +14,7 @@ pub struct View {
     center: Vec2,
 }
 
-/// Where the picture is on the screen.
+/// The place of the picture on the screen.
 #[derive(Clone, Copy, Debug)]
 pub struct Placement {
     /// Points of the screen for a pixel.

@@ -10,7 +10,8 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};
-use inspector::comparison::theirs::{Shows, Theirs};
+use inspector::action::Shows;
+use inspector::comparison::theirs::Theirs;
 use judge::verdict::{Case, Decision, Strictness, Verdict};
 use pictures::compare::Picture;
 

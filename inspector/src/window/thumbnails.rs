@@ -21,7 +21,7 @@ use crate::picture::worker::Background;
 pub const SIZE: [u32; 2] = [54, 36];
 /// The largest depth of rays in a thumbnail.
 const MAX_DEPTH: u32 = 4;
-/// After this time the rest of a thumbnail stays empty.
+/// The time after which the rest of a thumbnail stays empty.
 const MAX_TIME: Duration = Duration::from_millis(250);
 
 /// The thumbnails that were asked for so far.
