@@ -71,7 +71,7 @@ impl Inspector {
 
     fn of(session: Session) -> Self {
         Self {
-            picture: Picture::new(display::tone_of(&session.rendering)),
+            picture: Picture::new(display::tone_of(&session.rendering.world)),
             session,
             selection: Selection::default(),
             theirs: None,
@@ -101,7 +101,7 @@ impl Inspector {
     /// Whether anything is still being computed.
     pub fn is_busy(&self) -> bool {
         let rendering = &self.session.rendering;
-        self.session.is_loading()
+        self.session.loading.is_busy()
             || self.saving.is_busy()
             || self.chooser.is_open()
             || self.selection.is_waiting()
@@ -143,7 +143,9 @@ impl Inspector {
         if !self.saving.is_asking() {
             actions.extend(keys::pressed(&ctx, !self.picture.has_keys(&ctx)));
         }
-        actions.into_iter().for_each(|action| self.perform(&ctx, action));
+        for action in actions {
+            self.perform(&ctx, action);
+        }
         keys::list(&ctx, &mut self.is_showing_keys);
 
         let rendering = &self.session.rendering;
@@ -167,13 +169,13 @@ impl Inspector {
             panels::message(ui, &mut self.message);
         });
         Panel::bottom("status").frame(bar).show(ui, |ui| {
-            let (theirs, is_loading) = (self.theirs.as_ref(), self.session.is_loading());
+            let (theirs, is_loading) = (self.theirs.as_ref(), self.session.loading.is_busy());
             actions.extend(panels::status(ui, rendering, theirs, self.hovered, is_loading));
         });
         Panel::top("view")
             .frame(bar)
             .show(ui, |ui| panels::view_settings(ui, &mut self.picture, rendering));
-        if let Some(theirs) = self.theirs.as_mut().filter(|_| !self.session.is_waiting()) {
+        if let Some(theirs) = self.theirs.as_mut().filter(|_| self.session.waiting.is_none()) {
             Panel::top("comparison")
                 .frame(bar)
                 .show(ui, |ui| actions.extend(bar::show(ui, theirs, rendering)));
@@ -183,7 +185,7 @@ impl Inspector {
 
     /// Shows the scene, the picture and the explanation, side by side.
     fn parts(&mut self, ui: &mut Ui) -> Vec<Action> {
-        if self.session.is_waiting() {
+        if self.session.waiting.is_some() {
             let text = "The picture follows when the scene file is mended.";
             ui.centered_and_justified(|ui| ui.weak(text));
             return Vec::new();
@@ -289,7 +291,7 @@ impl Inspector {
         if opened.is_same_view {
             self.picture.restart();
         } else {
-            self.picture = Picture::new(display::tone_of(rendering));
+            self.picture = Picture::new(display::tone_of(&rendering.world));
         }
         if !opened.is_same_scene {
             self.selection.tree = Tree::default();

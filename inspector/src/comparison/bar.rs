@@ -6,7 +6,7 @@ use pictures::compare::Comparison;
 
 use crate::action::{Action, Shows};
 use crate::comparison::theirs::{SCALES, Theirs};
-use crate::picture::worker::{Progress, Rendering};
+use crate::picture::worker::Rendering;
 
 /// The views of the two pictures, each with its name and its key.
 const SHOWN: [(Shows, &str, &str); 5] = [
@@ -28,7 +28,7 @@ const SHOWN: [(Shows, &str, &str); 5] = [
 /// Shows the bar. Returns what the user asks for.
 pub fn show(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Action> {
     let next = views(ui, theirs, rendering);
-    let is_finished = matches!(rendering.progress(), Progress::Done(_));
+    let is_finished = rendering.is_finished();
     let judged = theirs.fits(rendering).then(|| theirs.judgement.show(ui, is_finished));
     next.or(judged.flatten())
 }

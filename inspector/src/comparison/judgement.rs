@@ -1,7 +1,7 @@
 //! The verdict on their picture, the same as that of `groundtruth verify`: a button starts it, on a separate thread.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use eframe::egui::{
@@ -9,7 +9,6 @@ use eframe::egui::{
     StrokeKind, Ui, WidgetInfo, accesskit::Role, vec2,
 };
 use groundtruth::explain::count;
-use groundtruth::film::{OutOfGamut, Tone};
 use groundtruth::render::Canvas;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
@@ -18,6 +17,7 @@ use pictures::compare::Picture;
 
 use crate::action::Action;
 use crate::comparison::layer::{Layer, shown};
+use crate::picture::display::PLAIN;
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
 use crate::scene::source::Source;
@@ -54,8 +54,7 @@ type Outcome = Result<Arc<Verdict>, String>;
 struct Course {
     pictures: AtomicUsize,
     /// Pictures of ours at least as far out as theirs, once both were compared for the first time.
-    as_extreme: AtomicUsize,
-    is_compared: AtomicBool,
+    as_extreme: Mutex<Option<usize>>,
     is_stopped: AtomicBool,
 }
 
@@ -66,8 +65,7 @@ impl Course {
 
     fn note(&self, judged: &Judged) {
         let as_extreme = judged.ranking.as_far_as(judged.pool.count() - 1);
-        self.as_extreme.store(as_extreme, Ordering::Relaxed);
-        self.is_compared.store(true, Ordering::Relaxed);
+        *self.as_extreme.lock().expect("no holder panics") = Some(as_extreme);
     }
 
     /// Renders a picture of ours; returns whether it was finished.
@@ -88,10 +86,8 @@ impl Course {
 
     fn words(&self) -> String {
         let pictures = count(self.pictures.load(Ordering::Relaxed), "picture");
-        let as_extreme = self.is_compared.load(Ordering::Relaxed).then(|| {
-            let as_extreme = self.as_extreme.load(Ordering::Relaxed);
-            format!(", {as_extreme} as far out as theirs")
-        });
+        let as_extreme = *self.as_extreme.lock().expect("no holder panics");
+        let as_extreme = as_extreme.map(|count| format!(", {count} as far out as theirs"));
         format!("{pictures} of ours so far{}", as_extreme.unwrap_or_default())
     }
 }
@@ -137,7 +133,7 @@ impl Question {
 impl Judgement {
     /// Judges a picture as one of the scene that is shown.
     pub fn start(&mut self, ctx: &Context, rendering: &Rendering, theirs: &Arc<Picture>) {
-        self.drop_verdict();
+        *self = Self::default();
         self.generation = rendering.generation;
         let question = Question {
             source: rendering.source.clone(),
@@ -159,11 +155,6 @@ impl Judgement {
         }
     }
 
-    fn drop_verdict(&mut self) {
-        self.stop();
-        *self = Self::default();
-    }
-
     /// Whether it is being worked on.
     pub fn is_busy(&self) -> bool {
         matches!(self.state, State::Running(..)) || self.map.is_busy()
@@ -180,7 +171,7 @@ impl Judgement {
     /// Accepts what is finished, drops what belongs to another picture of ours, and makes the map if it is shown.
     pub fn refresh(&mut self, ctx: &Context, generation: u64, is_map_shown: bool) {
         if self.generation != generation {
-            self.drop_verdict();
+            *self = Self::default();
             self.generation = generation;
         }
         if let State::Running(_, working) = &mut self.state
@@ -193,9 +184,8 @@ impl Judgement {
         {
             let verdict = Arc::clone(verdict);
             self.map.refresh(ctx, (), move || {
-                let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
                 let pictures = &verdict.shown;
-                shown(&verdict::map_film(&pictures.z, pictures.theirs.size), &plain)
+                shown(&verdict::map_film(&pictures.z, pictures.theirs.size), &PLAIN)
             });
         }
     }

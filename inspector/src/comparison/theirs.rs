@@ -8,15 +8,16 @@ use eframe::egui::{
     accesskit::Role, vec2,
 };
 use groundtruth::explain;
-use groundtruth::film::{Film, OutOfGamut, Tone};
+use groundtruth::film::{Film, Tone};
 use groundtruth::rgb::Rgb;
 use pictures::compare::{Comparison, Differences, Picture, Transfer};
 
 use crate::action::Shows;
 use crate::comparison::judgement::Judgement;
 use crate::comparison::layer::{Layer, shown};
+use crate::picture::display::PLAIN;
 use crate::picture::view::Placement;
-use crate::picture::worker::{Background, Progress, Rendering};
+use crate::picture::worker::{Background, Rendering};
 
 /// The scales of the difference: the shares of differing channels that are shown unclipped.
 pub const SCALES: [f64; 3] = [0.5, 0.9, 1.0];
@@ -144,8 +145,8 @@ impl Theirs {
 
     /// Whether anything is still being computed for it.
     pub fn is_busy(&self, rendering: &Rendering) -> bool {
-        let is_finished = matches!(rendering.progress(), Progress::Done(_));
-        let is_due = is_finished && self.fits(rendering) && self.comparison(rendering).is_none();
+        let is_compared = self.comparison(rendering).is_some();
+        let is_due = rendering.is_finished() && self.fits(rendering) && !is_compared;
         self.layer.is_busy() || self.differences.is_busy() || self.judgement.is_busy() || is_due
     }
 
@@ -174,8 +175,8 @@ impl Theirs {
         }
         let radiance = Arc::clone(&self.radiance);
         self.layer.refresh(ctx, tone, move || shown(&radiance, &tone));
-        let is_finished = matches!(rendering.progress(), Progress::Done(_));
-        if is_finished && self.comparison(rendering).is_none() && !self.comparing.is_busy() {
+        let is_compared = self.comparison(rendering).is_some();
+        if rendering.is_finished() && !is_compared && !self.comparing.is_busy() {
             let (canvas, theirs) = (Arc::clone(&rendering.canvas), Arc::clone(&self.picture));
             self.comparing.start(ctx, move || {
                 let ours = Picture::of_film(&canvas.film());
@@ -189,8 +190,7 @@ impl Theirs {
         {
             let scale = self.scale;
             self.differences.refresh(ctx, (generation, scale), move || {
-                let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-                shown(&compared.1.film(compared.1.within(scale)), &plain)
+                shown(&compared.1.film(compared.1.within(scale)), &PLAIN)
             });
         }
     }

@@ -7,7 +7,6 @@ use eframe::egui::{self, Frame, Key, Margin, Panel, ScrollArea, Ui, vec2};
 use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::render;
-use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayBudget;
 use groundtruth::world::World;
@@ -278,14 +277,9 @@ impl Selection {
         for note in &answer.notes {
             ui.weak(note);
         }
-        pixel::sum(ui, answer, rendered(shown.rendering, answer.pixel));
+        pixel::sum(ui, answer, shown.rendering.radiance(answer.pixel));
         if let Some(theirs) = shown.theirs {
             pixel::theirs(ui, answer.pixel, theirs, shown);
         }
     }
-}
-
-/// The picture's radiance at a pixel, if it is rendered.
-fn rendered(rendering: &Rendering, pixel: [u32; 2]) -> Option<Rgb> {
-    rendering.canvas.look_partly(|picture| picture.get(pixel))
 }

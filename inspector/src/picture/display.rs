@@ -7,13 +7,14 @@ use eframe::egui::{
     self, Color32, CursorIcon, EventFilter, Id, Key, Painter, Rect, Sense, Shape, Stroke,
     StrokeKind, Ui, WidgetInfo, accesskit::Role,
 };
-use groundtruth::film::Tone;
+use groundtruth::film::{OutOfGamut, Tone};
 use groundtruth::render::{Canvas, Partial};
 use groundtruth::rgb::Rgb;
+use groundtruth::world::World;
 
 use crate::picture::tiles::{self, Images, Tiles};
 use crate::picture::view::{Placement, View};
-use crate::picture::worker::{Background, Progress, Rendering};
+use crate::picture::worker::{Background, Rendering};
 
 /// The interval at which an unfinished picture is updated.
 const REFRESH: Duration = Duration::from_millis(150);
@@ -53,15 +54,17 @@ struct Version {
 impl Version {
     fn of(rendering: &Rendering, tone: Tone) -> Self {
         // in this order: a picture that is finished now is completely in the film
-        let finished = matches!(rendering.progress(), Progress::Done(_));
+        let finished = rendering.is_finished();
         let done = rendering.canvas.progress().0;
         Self { generation: rendering.generation, done, finished, tone }
     }
 }
 
+/// The tone in which numbers are shown that are no radiance.
+pub const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+
 /// The tone settings of the scene.
-pub fn tone_of(rendering: &Rendering) -> Tone {
-    let image = &rendering.world.image;
+pub fn tone_of(World { image, .. }: &World) -> Tone {
     Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut }
 }
 

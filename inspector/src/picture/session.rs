@@ -19,10 +19,11 @@ pub struct Session {
     pub wanted: Scene,
     /// The present seed.
     pub seed: u64,
-    loading: Background<Result<Loaded, String>>,
+    /// The scene that is being loaded.
+    pub loading: Background<Result<Loaded, String>>,
+    /// The requests of the command line, until its scene file is valid; there is no picture before.
+    pub waiting: Option<Waiting>,
     watch: Watch,
-    /// The requests of the command line, until its scene file is valid.
-    waiting: Option<Waiting>,
 }
 
 /// The relation of a scene that was opened to the one before it.
@@ -52,16 +53,6 @@ impl Session {
     pub fn waiting_for(ctx: &Context, broken: Broken) -> Self {
         let session = Self::new(ctx, broken.placeholder());
         Self { watch: broken.watch, waiting: Some(broken.waiting), ..session }
-    }
-
-    /// Whether the scene file is still to be mended: there is no picture yet.
-    pub fn is_waiting(&self) -> bool {
-        self.waiting.is_some()
-    }
-
-    /// Whether a scene is being loaded.
-    pub fn is_loading(&self) -> bool {
-        self.loading.is_busy()
     }
 
     /// Opens another scene; the present one stays if the other is invalid.

@@ -25,12 +25,6 @@ pub struct Placement {
     pub size: [u32; 2],
 }
 
-impl Default for View {
-    fn default() -> Self {
-        Self::WHOLE
-    }
-}
-
 impl View {
     /// The whole picture.
     pub const WHOLE: Self = Self { zoom: None, center: Vec2::ZERO };

@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use eframe::egui;
 use groundtruth::render::Canvas;
 use groundtruth::render::{MAX_COUNTED, RaysPerSample};
+use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
@@ -149,6 +150,16 @@ impl Rendering {
         }
         let (done, whole) = self.canvas.progress();
         Progress::Running(done as f32 / whole as f32, self.start.elapsed())
+    }
+
+    /// Whether it is finished.
+    pub fn is_finished(&self) -> bool {
+        matches!(self.progress(), Progress::Done(_))
+    }
+
+    /// The radiance of a pixel, if it is rendered.
+    pub fn radiance(&self, pixel: [u32; 2]) -> Option<Rgb> {
+        self.canvas.look_partly(|picture| picture.get(pixel))
     }
 
     /// Pixels across and down.

@@ -158,7 +158,7 @@ pub fn view_settings(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) 
         let label = ui.label("Gamma");
         let gamma = Slider::new(&mut picture.tone.gamma, 0.2..=5.0);
         ui.add(gamma.max_decimals(2)).labelled_by(label.id);
-        let own = tone_of(rendering);
+        let own = tone_of(&rendering.world);
         let reset = ui.add_enabled(picture.tone != own, Button::new("Reset"));
         if reset.on_hover_text("Exposure 1 and the gamma of the scene").clicked() {
             picture.tone = own;
@@ -234,8 +234,7 @@ fn progress(ui: &mut Ui, rendering: &Rendering) {
 
 /// A pixel and its radiance, also that of their picture.
 fn under_mouse(rendering: &Rendering, theirs: Option<&Theirs>, pixel @ [x, y]: [u32; 2]) -> String {
-    let ours = rendering.canvas.look_partly(|picture| picture.get(pixel));
-    let ours = ours.map_or("not rendered yet".to_owned(), short);
+    let ours = rendering.radiance(pixel).map_or("not rendered yet".to_owned(), short);
     let theirs = theirs.and_then(|theirs| theirs.radiance(pixel));
     let theirs = theirs.map_or(String::new(), |theirs| format!("  theirs {}", short(theirs)));
     format!("({x}, {y})  {ours}{theirs}")
