@@ -4,7 +4,6 @@
 
 mod arrows;
 mod dead;
-mod inspector;
 mod kinds;
 mod packages;
 
@@ -57,14 +56,4 @@ fn code_by_module(sources: &Path) -> BTreeMap<String, Vec<(PathBuf, String)>> {
 fn without_comments(text: &str) -> String {
     let code = |line: &str| line.split_once("//").map_or(line, |(code, _)| code).to_owned();
     text.lines().map(code).collect::<Vec<_>>().join("\n")
-}
-
-/// Modules as a table of `ARCHITECTURE.md` orders them: its rows, from top to bottom. `title` is that of their column.
-fn rows_of_modules(title: &str) -> Vec<Vec<String>> {
-    let page = read(&root().join("ARCHITECTURE.md"));
-    let (_, rest) = page.split_once(&format!("| {title} |")).expect("the table of modules");
-    let rows = rest.lines().skip(2).take_while(|line| line.starts_with('|'));
-    let first_cell = |row: &str| row.split('|').nth(1).expect("a cell").to_owned();
-    let names = |cell: String| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect();
-    rows.map(first_cell).map(names).collect()
 }

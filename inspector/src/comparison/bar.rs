@@ -35,14 +35,13 @@ pub fn show(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<A
 
 /// Shows the views to choose from, and how much differs.
 fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Action> {
-    let mut is_next = false;
-    ui.horizontal(|ui| {
+    let show = |ui: &mut Ui| {
         if !theirs.fits(rendering) {
             let ([w, h], [width, height]) = (theirs.size(), rendering.size());
             let name = &theirs.name;
             let text = format!("{name} has {w} × {h} pixels, our picture {width} × {height}");
             ui.colored_label(ui.visuals().warn_fg_color, text);
-            return;
+            return None;
         }
         for (shows, name, hint) in SHOWN {
             if shows != Shows::Map || theirs.judgement.verdict().is_some() {
@@ -64,15 +63,16 @@ fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Acti
         let comparison = theirs.comparison(rendering);
         let differs = comparison.is_some_and(|comparison| !comparison.is_same());
         let next = ui.add_enabled(differs, Button::new("Next region"));
-        is_next = next.on_hover_text("Explains the worst pixel of the next region (N)").clicked();
+        let next = next.on_hover_text("Explains the worst pixel of the next region (N)");
         let text = comparison.map_or("compared when our picture is finished".to_owned(), summary);
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             let hint = comparison.map_or(String::new(), Comparison::to_string);
             let label = eframe::egui::Label::new(RichText::new(&text)).truncate();
             ui.add(label).on_hover_text(RichText::new(hint).monospace());
         });
-    });
-    is_next.then_some(Action::NextRegion)
+        next.clicked().then_some(Action::NextRegion)
+    };
+    ui.horizontal(show).inner
 }
 
 /// A sentence of a comparison with names for A and B.

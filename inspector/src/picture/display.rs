@@ -8,7 +8,7 @@ use eframe::egui::{
     StrokeKind, Ui, WidgetInfo, accesskit::Role,
 };
 use groundtruth::film::{OutOfGamut, Tone};
-use groundtruth::render::{Canvas, Partial};
+use groundtruth::render::Canvas;
 use groundtruth::rgb::Rgb;
 use groundtruth::world::World;
 
@@ -80,41 +80,21 @@ const COARSE_ALPHA: u8 = 215;
 /// The picture so far as tiles. Locks the picture for one tile at a time. Shows the coarse picture, or
 /// nothing, for a pixel that is not rendered yet.
 fn develop(canvas: &Canvas, tone: &Tone) -> Images {
-    let show = |pixel: Shown| match pixel {
-        Shown::Rendered(radiance) => color(tone, radiance),
-        Shown::Coarse(radiance) => {
+    let show = |(radiance, coarse): (Option<Rgb>, Option<Rgb>)| match (radiance, coarse) {
+        (Some(radiance), _) => color(tone, radiance),
+        (None, Some(radiance)) => {
             let [r, g, b] = tone.to_bytes(radiance);
             Color32::from_rgba_unmultiplied(r, g, b, COARSE_ALPHA)
         }
-        Shown::Nothing => Color32::TRANSPARENT,
+        (None, None) => Color32::TRANSPARENT,
     };
     let size = canvas.look(|film| [film.width(), film.height()]);
     tiles::images(size, |positions| {
-        let pixels: Vec<Shown> =
-            canvas.look_partly(|picture| positions.map(|at| Shown::of(picture, at)).collect());
+        let pixels: Vec<_> = canvas.look_partly(|picture| {
+            positions.map(|at| (picture.get(at), picture.coarse(at))).collect()
+        });
         pixels.into_iter().map(show).collect()
     })
-}
-
-/// The state of a pixel on the screen.
-#[derive(Clone, Copy)]
-enum Shown {
-    /// Its radiance.
-    Rendered(Rgb),
-    /// The radiance of a pixel near it.
-    Coarse(Rgb),
-    /// Nothing yet.
-    Nothing,
-}
-
-impl Shown {
-    fn of(picture: &Partial, pixel: [u32; 2]) -> Self {
-        match (picture.get(pixel), picture.coarse(pixel)) {
-            (Some(radiance), _) => Self::Rendered(radiance),
-            (None, Some(radiance)) => Self::Coarse(radiance),
-            (None, None) => Self::Nothing,
-        }
-    }
 }
 
 impl Picture {
