@@ -36,7 +36,7 @@ pub struct Inspector {
     pub picture: Picture,
     /// The selected pixel.
     pub selection: Selection,
-    /// The picture that ours is held against.
+    /// The picture that ours is compared with.
     pub theirs: Option<Theirs>,
     /// The text in the fields.
     pub fields: Fields,

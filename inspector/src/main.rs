@@ -32,7 +32,7 @@ fn report(error: &str) {
 struct Start {
     /// The scene, or its file that is not valid yet.
     scene: Result<Loaded, Broken>,
-    /// The picture that ours is held against.
+    /// The picture that ours is compared with.
     theirs: Option<Theirs>,
 }
 

@@ -137,10 +137,8 @@ impl Theirs {
     /// and if they are equal.
     pub fn next_region(&mut self, rendering: &Rendering) -> Option<[u32; 2]> {
         let worst: Vec<_> = self.comparison(rendering)?.listed().map(|it| it.worst).collect();
-        let next = self.region.map_or(0, |region| region + 1);
-        let next = if next < worst.len() { next } else { 0 };
-        self.region = Some(next);
-        worst.get(next).copied()
+        self.region = Some(self.region.map_or(0, |region| region + 1) % worst.len().max(1));
+        worst.get(self.region?).copied()
     }
 
     /// Whether anything is still being computed for it.

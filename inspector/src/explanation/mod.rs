@@ -18,7 +18,7 @@ pub mod tree;
 pub struct Shown<'a> {
     /// Our picture.
     pub rendering: &'a Rendering,
-    /// The picture that ours is held against.
+    /// The picture that ours is compared with.
     pub theirs: Option<&'a Theirs>,
     /// The tone in which radiance is shown.
     pub tone: &'a Tone,

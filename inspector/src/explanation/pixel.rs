@@ -212,9 +212,8 @@ impl SumList<'_> {
 pub fn sorted(answer: &PixelExplanation, order: Order) -> Vec<u32> {
     let mut indices: Vec<u32> = (0..answer.samples_per_pixel).collect();
     let value = |index: &u32| answer.radiances[*index as usize].average();
-    match order {
-        Order::Index => {}
-        Order::Value => indices.sort_by(|a, b| value(b).total_cmp(&value(a))),
+    if order == Order::Value {
+        indices.sort_by(|a, b| value(b).total_cmp(&value(a)));
     }
     indices
 }

@@ -121,13 +121,6 @@ impl Samples {
         let drawn = drawn.unwrap_or_default();
         let draw = |purpose, index| world.samples.draw(Key::new(world.seed, drawn, purpose), index);
         let centered = |[x, y]: [f64; 2]| [2.0 * x - 1.0, 2.0 * y - 1.0];
-        let plot = |title, hint, outline, points: Vec<[f64; 2]>| Plot {
-            title,
-            hint,
-            outline,
-            points,
-            area: Rect::NOTHING,
-        };
         let pixel_points = (0..count).map(|i| centered(draw(Purpose::Pixel, i))).collect();
         let lens = |i| render::camera_sample(world, pixel, i)?.lens;
         let lens_points = (0..count).filter_map(lens).collect();
@@ -137,21 +130,17 @@ impl Samples {
             let purpose = Purpose::Light { path, light, pair: 0 };
             (0..count).map(|i| centered(draw(purpose, i))).collect()
         });
-        self.plots = vec![
-            plot(
-                "pixel",
-                "where in the pixel (before the filter moves it)",
-                Outline::Square,
-                pixel_points,
-            ),
-            plot("lens", "where on the lens", Outline::Disk, lens_points),
-            plot(
-                "light",
-                "where on the first sampled light, at the first hit",
-                Outline::Square,
-                light_points,
-            ),
+        let (square, disk) = (Outline::Square, Outline::Disk);
+        let plots = [
+            ("pixel", "where in the pixel (before the filter moves it)", square, pixel_points),
+            ("lens", "where on the lens", disk, lens_points),
+            ("light", "where on the first sampled light, at the first hit", square, light_points),
         ];
+        let plot = |(title, hint, outline, points)| {
+            let area = Rect::NOTHING;
+            Plot { title, hint, outline, points, area }
+        };
+        self.plots = plots.map(plot).into();
     }
 
     /// The position of a sample on the screen, in the plot of this index.

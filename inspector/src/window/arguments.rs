@@ -61,7 +61,7 @@ fn parse_size(text: &str) -> Result<[u32; 2], String> {
 }
 
 impl Arguments {
-    /// The picture that ours is held against.
+    /// The picture that ours is compared with.
     ///
     /// # Errors
     /// If it cannot be read.
@@ -69,7 +69,7 @@ impl Arguments {
         self.compare.as_ref().map(|path| Theirs::read(path, self.encoding)).transpose()
     }
 
-    /// The scene of the arguments, at the size of the picture that it is held against.
+    /// The scene of the arguments, at the size of the picture that it is compared with.
     ///
     /// # Errors
     /// The command line's messages about the scene, the pixel or the sample; a picture of a size that none of the

@@ -1,4 +1,4 @@
-//! Another program's picture held against ours.
+//! Another program's picture compared with ours.
 
 use std::path::Path;
 
@@ -38,7 +38,7 @@ fn read(folder: &Path, film: &Film, name: &str) -> Theirs {
     Theirs::read(&path, None).expect("it is a picture")
 }
 
-/// A window on the small glass sphere that is held against this picture.
+/// A window on the small glass sphere that is compared with this picture.
 fn held_against(film: &Film) -> Window {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut window = open(small_glass_sphere());

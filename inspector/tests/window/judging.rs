@@ -49,7 +49,7 @@ fn written(film: &Film) -> (Theirs, Picture) {
     (Theirs::read(&path, None).expect("it is a picture"), picture)
 }
 
-/// A window on a scene that is held against this picture.
+/// A window on a scene that is compared with this picture.
 fn held_against(scene: Scene, theirs: Theirs) -> Window {
     let mut window = open_sized(scene, [900.0, 600.0]);
     window.state_mut().theirs = Some(theirs);
