@@ -1,4 +1,4 @@
-//! The structure of the library: which module may name which, and that every kind's file has an entry.
+//! The structure of the library and of the window: which module may name which, and that every kind's file has an entry.
 //!
 //! The tests read the source text: `crate::` paths outside comments, `mod` lines and lists.
 
@@ -38,12 +38,12 @@ fn rust_files(folder: &Path) -> Vec<PathBuf> {
     files
 }
 
-/// The code of a file, by module of the library: `src/shapes/disk.rs` is `shapes`. Comments are left
+/// The code of the files of a crate's sources, by module: `src/shapes/disk.rs` is `shapes`. Comments are left
 /// out: documentation may name anything. The command line is not a module of the library.
-fn code_by_module() -> BTreeMap<String, Vec<(PathBuf, String)>> {
+fn code_by_module(sources: &Path) -> BTreeMap<String, Vec<(PathBuf, String)>> {
     let mut modules: BTreeMap<String, Vec<(PathBuf, String)>> = BTreeMap::new();
-    for path in rust_files(&sources()) {
-        let inside = path.strip_prefix(sources()).expect("it is a source").to_owned();
+    for path in rust_files(sources) {
+        let inside = path.strip_prefix(sources).expect("it is a source").to_owned();
         let first = inside.iter().next().expect("it has a name").to_string_lossy();
         let module = first.trim_end_matches(".rs").to_owned();
         if !["lib", "main", "cli"].contains(&module.as_str()) {

@@ -1,18 +1,18 @@
 //! The inspector: a picture, and for each pixel the tree of rays that made it.
 //!
 //! It holds no shading arithmetic: each number it shows comes from [`groundtruth::explain`]
-//! or from the film. [`app::Inspector`] is the whole state and draws the window; everything slow
+//! or from the film. [`app::Inspector`] is the whole state and draws the window; what is slow
 //! runs beside it in [`picture::worker`].
 //!
-//! Pictures are compared by [`pictures::compare`].
-//!
-//! Five folders hold the rest: [`scene`], [`picture`] and [`explanation`] for the three parts of
-//! the window, [`comparison`] for another program's picture held against ours, and [`window`] for
-//! what is around them.
+//! Data go down, actions come up: [`app`] lends its parts to the bars and panels, which return each
+//! [`action::Action`] that a user asks for, and `app` performs it. Which module may name which is a
+//! table of ARCHITECTURE.md.
 
+pub mod action;
 pub mod app;
 pub mod comparison;
 pub mod explanation;
 pub mod picture;
 pub mod scene;
+pub mod splits;
 pub mod window;

@@ -28,33 +28,30 @@ fn report(error: &str) {
     eprintln!("error: {}", groundtruth::printable::text(error));
 }
 
-/// The scene, or its file that is not valid yet.
-enum Start {
-    Scene(Box<Loaded>),
-    Broken(Broken),
+/// What the window opens with.
+struct Start {
+    /// The scene, or its file that is not valid yet.
+    scene: Result<Loaded, Broken>,
+    /// The picture that ours is compared with.
+    theirs: Option<Theirs>,
 }
 
 /// Reads scene and picture before a window opens. A bad picture, or arguments that do not fit, are errors; the error of
 /// a scene file is reported here and in the window.
-fn start(arguments: &Arguments) -> Result<(Start, Option<Theirs>), String> {
+fn start(arguments: &Arguments) -> Result<Start, String> {
     let theirs = arguments.theirs()?;
-    let start = match arguments.load(theirs.as_ref()) {
-        Ok(loaded) => Start::Scene(Box::new(loaded)),
-        Err(error) => match arguments.broken(theirs.as_ref()) {
-            Some(broken) => {
-                report(&broken.error);
-                Start::Broken(broken)
-            }
-            None => return Err(error),
-        },
+    let scene = match arguments.load(theirs.as_ref()) {
+        Ok(loaded) => Ok(loaded),
+        Err(error) => {
+            let broken = arguments.broken(theirs.as_ref()).ok_or(error)?;
+            report(&broken.error);
+            Err(broken)
+        }
     };
-    Ok((start, theirs))
+    Ok(Start { scene, theirs })
 }
 
-fn open(
-    (start, theirs): (Start, Option<Theirs>),
-    arguments: &Arguments,
-) -> Result<(), Box<dyn Error>> {
+fn open(Start { scene, theirs }: Start, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
     for note in theirs.iter().flat_map(Theirs::notes) {
         eprintln!("note: {}", groundtruth::printable::text(note));
     }
@@ -68,13 +65,12 @@ fn open(
     let start = move |context: &eframe::CreationContext<'_>| {
         let ctx = &context.egui_ctx;
         set_style(ctx);
-        let mut inspector = match start {
-            Start::Broken(broken) => Inspector::waiting_for(ctx, broken),
-            Start::Scene(loaded) => {
-                let mut inspector = Inspector::new(ctx, *loaded);
+        let mut inspector = match scene {
+            Err(broken) => Inspector::waiting_for(ctx, broken),
+            Ok(loaded) => {
+                let mut inspector = Inspector::new(ctx, loaded);
                 if let Some(pixel) = pixel {
-                    inspector.select(pixel);
-                    inspector.selection.sample = sample.unwrap_or(0);
+                    inspector.explain(pixel, sample.unwrap_or(0));
                 }
                 inspector
             }

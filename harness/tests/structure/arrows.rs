@@ -1,8 +1,9 @@
-//! Which module of the library may name which: the allowed dependencies (arrows).
+//! Which module of the library and of the window may name which: the allowed dependencies (arrows).
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
 
-use super::{code_by_module, read, sources, without_comments};
+use super::{code_by_module, read, root, sources, without_comments};
 
 /// The other modules that each module may name.
 const MAY_NAME: &[(&str, &[&str])] = &[
@@ -147,17 +148,22 @@ fn named_modules(code: &str) -> BTreeSet<String> {
     names
 }
 
-/// Law: the list has each module that there is and no other, and of each the modules that it names and no other. Oracle:
-/// the sources.
-#[test]
-fn the_list_of_arrows_is_that_of_the_sources() {
-    let sources = code_by_module().into_iter().map(|(module, files)| {
+/// The other modules that each module of a crate's sources names.
+fn named_by_module(sources: &Path) -> BTreeMap<String, BTreeSet<String>> {
+    let named = |(module, files): (String, Vec<(PathBuf, String)>)| {
         let mut named: BTreeSet<String> =
             files.iter().flat_map(|(_, code)| named_modules(code)).collect();
         named.remove(&module);
         (module, named)
-    });
-    let sources: BTreeMap<String, BTreeSet<String>> = sources.collect();
+    };
+    code_by_module(sources).into_iter().map(named).collect()
+}
+
+/// Law: the list has each module that there is and no other, and of each the modules that it names and no other. Oracle:
+/// the sources.
+#[test]
+fn the_list_of_arrows_is_that_of_the_sources() {
+    let sources = named_by_module(&sources());
     let listed = MAY_NAME.iter().map(|(module, named)| {
         let others = named.iter().filter(|name| *name != module);
         (module.to_string(), others.map(|name| name.to_string()).collect())
@@ -193,37 +199,47 @@ fn the_arrows_have_no_circle_and_the_library_shows_their_order() {
     assert!(text.contains(&format!("```text\n{order}//! ```")), "src/lib.rs must show:\n{order}");
 }
 
-/// The tracer's modules as `ARCHITECTURE.md` orders them: the rows of its table, from top to bottom.
-fn rows_of_modules() -> Vec<Vec<String>> {
-    let page = read(&sources().join("../ARCHITECTURE.md"));
-    let (_, rest) = page.split_once("| modules |").expect("the table of modules");
+/// Modules as a table of `ARCHITECTURE.md` orders them: its rows, from top to bottom. `title` is that of their column.
+fn rows_of_modules(title: &str) -> Vec<Vec<String>> {
+    let page = read(&root().join("ARCHITECTURE.md"));
+    let (_, rest) = page.split_once(&format!("| {title} |")).expect("the table of modules");
     let rows = rest.lines().skip(2).take_while(|line| line.starts_with('|'));
     let first_cell = |row: &str| row.split('|').nth(1).expect("a cell").to_owned();
     let names = |cell: String| cell.split('`').skip(1).step_by(2).map(str::to_owned).collect();
     rows.map(first_cell).map(names).collect()
 }
 
-/// Law: the architecture page has each module once, and a module may name only those of lower rows.
-/// Oracle: the list of arrows, which the sources obey.
-#[test]
-fn the_architecture_page_orders_the_modules() {
-    let rows = rows_of_modules();
-    let on_page: Vec<&String> = rows.iter().flatten().collect();
+/// Checks that the table has each module of these sources once, and that each names only modules of lower rows.
+fn obey_the_table(sources: &Path, title: &str) {
+    let (modules, rows) = (named_by_module(sources), rows_of_modules(title));
     let row_of = |name: &str| rows.iter().position(|row| row.iter().any(|module| module == name));
-    let modules: BTreeSet<String> = code_by_module().into_keys().collect();
-    assert_eq!(on_page.len(), modules.len(), "each module is there once");
-    assert_eq!(on_page.into_iter().cloned().collect::<BTreeSet<_>>(), modules);
-    for (module, named) in MAY_NAME.iter().filter(|(module, _)| modules.contains(*module)) {
-        for other in named.iter().filter(|other| *other != module) {
+    let mut on_page: Vec<&String> = rows.iter().flatten().collect();
+    on_page.sort();
+    assert_eq!(on_page, modules.keys().collect::<Vec<_>>(), "each module is there once");
+    for (module, named) in &modules {
+        for other in named {
             let is_lower = row_of(other) > row_of(module);
-            assert!(is_lower, "ARCHITECTURE.md: {module} may name {other}, which is not below it");
+            assert!(is_lower, "ARCHITECTURE.md: {module} names {other}, which is not below it");
         }
     }
 }
 
+/// Law: the architecture page has each module once, and a module names only those of lower rows.
+/// Oracle: the sources.
+#[test]
+fn the_architecture_page_orders_the_modules() {
+    obey_the_table(&sources(), "modules");
+}
+
+/// Law: the same of the window's modules. Oracle: the sources.
+#[test]
+fn the_architecture_page_orders_the_modules_of_the_window() {
+    obey_the_table(&root().join("inspector/src"), "modules of the window");
+}
+
 #[test]
 fn only_the_mathematics_names_glam() {
-    for (module, files) in code_by_module() {
+    for (module, files) in code_by_module(&sources()) {
         for (path, code) in files {
             let names = code.contains("glam::") || code.contains("use glam");
             assert!(module == "math" || !names, "src/{}: names glam", path.display());

@@ -22,7 +22,7 @@ const KINDS: [&str; 9] = [
 #[test]
 fn tracing_and_rendering_name_no_kind_of_anything() {
     let mut wrong = Vec::new();
-    for (module, files) in code_by_module() {
+    for (module, files) in code_by_module(&sources()) {
         if !["trace", "render", "world"].contains(&module.as_str()) {
             continue;
         }

@@ -1,16 +1,14 @@
-//! The bar of a comparison: what is shown, how much differs, the next region, and the verdict; and what is done when
-//! it is asked.
+//! The bar of a comparison: what is shown, how much differs, the next region, and the verdict.
 
-use eframe::egui::{Align, Button, Context, Layout, RichText, Ui};
+use eframe::egui::{Align, Button, Layout, RichText, Ui};
 use groundtruth::explain::{brief, count};
 use pictures::compare::Comparison;
 
-use crate::app::Inspector;
-use crate::comparison::judgement::Asked;
-use crate::comparison::theirs::{SCALES, Shows, Theirs};
-use crate::picture::worker::{Progress, Rendering};
+use crate::action::{Action, Shows};
+use crate::comparison::theirs::{SCALES, Theirs};
+use crate::picture::worker::Rendering;
 
-/// What can be shown, with the key's name.
+/// The views of the two pictures, each with its name and its key.
 const SHOWN: [(Shows, &str, &str); 5] = [
     (Shows::Ours, "Ours", "T flips between ours and theirs"),
     (Shows::Theirs, "Theirs", "T flips between ours and theirs"),
@@ -27,38 +25,23 @@ const SHOWN: [(Shows, &str, &str); 5] = [
     ),
 ];
 
-/// What the bar asks for.
-pub enum Wish {
-    /// Explain the worst pixel of the next region of difference.
-    NextRegion,
-    /// Judge the picture, or explain a pixel of the verdict.
-    Of(Asked),
-}
-
 /// Shows the bar. Returns what the user asks for.
-pub fn show(
-    ui: &mut Ui,
-    theirs: &mut Theirs,
-    rendering: &Rendering,
-    generation: u64,
-) -> Option<Wish> {
-    let is_next = views(ui, theirs, rendering, generation);
-    let is_finished = matches!(rendering.progress(), Progress::Done(_));
+pub fn show(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Action> {
+    let next = views(ui, theirs, rendering);
+    let is_finished = rendering.is_finished();
     let judged = theirs.fits(rendering).then(|| theirs.judgement.show(ui, is_finished));
-    let asked = judged.flatten();
-    is_next.then_some(Wish::NextRegion).or(asked.map(Wish::Of))
+    next.or(judged.flatten())
 }
 
-/// What is shown, and how much differs. Returns whether to select the next region.
-fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering, generation: u64) -> bool {
-    let mut is_next = false;
-    ui.horizontal(|ui| {
+/// Shows the views to choose from, and how much differs.
+fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Action> {
+    let show = |ui: &mut Ui| {
         if !theirs.fits(rendering) {
             let ([w, h], [width, height]) = (theirs.size(), rendering.size());
             let name = &theirs.name;
             let text = format!("{name} has {w} × {h} pixels, our picture {width} × {height}");
             ui.colored_label(ui.visuals().warn_fg_color, text);
-            return;
+            return None;
         }
         for (shows, name, hint) in SHOWN {
             if shows != Shows::Map || theirs.judgement.verdict().is_some() {
@@ -67,7 +50,7 @@ fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering, generation: u6
         }
         ui.separator();
         if theirs.shows == Shows::Difference
-            && let Some(largest) = theirs.largest(generation)
+            && let Some(largest) = theirs.largest(rendering)
         {
             for scale in SCALES {
                 let percent = format!("{} %", 100.0 * scale);
@@ -77,18 +60,19 @@ fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering, generation: u6
             ui.weak(format!("white: +{largest:.2e}"));
             ui.separator();
         }
-        let comparison = theirs.comparison(generation);
+        let comparison = theirs.comparison(rendering);
         let differs = comparison.is_some_and(|comparison| !comparison.is_same());
         let next = ui.add_enabled(differs, Button::new("Next region"));
-        is_next = next.on_hover_text("Explains the worst pixel of the next region (N)").clicked();
+        let next = next.on_hover_text("Explains the worst pixel of the next region (N)");
         let text = comparison.map_or("compared when our picture is finished".to_owned(), summary);
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             let hint = comparison.map_or(String::new(), Comparison::to_string);
             let label = eframe::egui::Label::new(RichText::new(&text)).truncate();
             ui.add(label).on_hover_text(RichText::new(hint).monospace());
         });
-    });
-    is_next
+        next.clicked().then_some(Action::NextRegion)
+    };
+    ui.horizontal(show).inner
 }
 
 /// A sentence of a comparison with names for A and B.
@@ -101,7 +85,7 @@ fn with_names(sentence: &str) -> String {
     sentence.split(' ').map(name).collect::<Vec<_>>().join(" ")
 }
 
-/// How two pictures compare, in one line.
+/// The result of a comparison, in one line.
 fn summary(comparison: &Comparison) -> String {
     if comparison.is_same() {
         return "no pixel differs".to_owned();
@@ -114,37 +98,4 @@ fn summary(comparison: &Comparison) -> String {
     let worst = comparison.worst.map_or(String::new(), |worst| brief(worst.difference));
     let verb = if comparison.differing == 1 { "differs" } else { "differ" };
     format!("{differing} ({share:.2} %) {verb}, by at most {worst}{why}")
-}
-
-impl Inspector {
-    /// Carries out what is asked for in the bar of the comparison.
-    pub(crate) fn carry_out(&mut self, ctx: &Context, wish: Option<Wish>) {
-        match wish {
-            Some(Wish::NextRegion) => self.select_next_region(),
-            Some(Wish::Of(Asked::Explain(pixel))) => self.select_and_reveal(pixel),
-            Some(Wish::Of(Asked::Judge)) => {
-                if let Some(theirs) = &mut self.theirs {
-                    theirs.judge(ctx, &self.rendering, self.generation);
-                }
-            }
-            None => {}
-        }
-    }
-
-    /// Selects the worst pixel of the next region of difference.
-    pub(crate) fn select_next_region(&mut self) {
-        let Some(theirs) = &mut self.theirs else { return };
-        match theirs.next_region(self.generation) {
-            Some(pixel) => self.select_and_reveal(pixel),
-            None => {
-                let is_compared = theirs.comparison(self.generation).is_some();
-                let text = if is_compared {
-                    "no pixel differs"
-                } else {
-                    "the pictures are not compared yet"
-                };
-                self.message = Some((text.to_owned(), false));
-            }
-        }
-    }
 }

@@ -1,7 +1,7 @@
 //! The verdict on their picture, the same as that of `groundtruth verify`: a button starts it, on a separate thread.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use eframe::egui::{
@@ -9,15 +9,15 @@ use eframe::egui::{
     StrokeKind, Ui, WidgetInfo, accesskit::Role, vec2,
 };
 use groundtruth::explain::count;
-use groundtruth::film::{OutOfGamut, Tone};
 use groundtruth::render::Canvas;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use judge::verdict::{self, Case, Edge, Judged, Region, Strictness, Verdict};
 use pictures::compare::Picture;
 
-use crate::comparison::layer::Layer;
-use crate::comparison::theirs::shown;
+use crate::action::Action;
+use crate::comparison::layer::{Layer, shown};
+use crate::picture::display::PLAIN;
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
 use crate::scene::source::Source;
@@ -39,7 +39,7 @@ pub struct Judgement {
 
 #[derive(Default)]
 enum State {
-    /// Nobody asked.
+    /// The state before anybody asks.
     #[default]
     Nothing,
     Running(Arc<Course>, Background<Outcome>),
@@ -49,21 +49,12 @@ enum State {
 /// The verdict, or why there is none.
 type Outcome = Result<Arc<Verdict>, String>;
 
-/// What a user asks for in its part of the bar.
-pub enum Asked {
-    /// Judge the picture.
-    Judge,
-    /// Explain this pixel.
-    Explain([u32; 2]),
-}
-
-/// How far a judgement is, and whether it is to stop.
+/// The progress of a judgement, and whether it is to stop.
 #[derive(Default)]
 struct Course {
     pictures: AtomicUsize,
-    /// Of ours, once they were held against theirs for the first time.
-    as_far: AtomicUsize,
-    is_held: AtomicBool,
+    /// Pictures of ours at least as far out as theirs, once both were compared for the first time.
+    as_extreme: Mutex<Option<usize>>,
     is_stopped: AtomicBool,
 }
 
@@ -73,12 +64,11 @@ impl Course {
     }
 
     fn note(&self, judged: &Judged) {
-        let as_far = judged.ranking.as_far_as(judged.pool.count() - 1);
-        self.as_far.store(as_far, Ordering::Relaxed);
-        self.is_held.store(true, Ordering::Relaxed);
+        let as_extreme = judged.ranking.as_far_as(judged.pool.count() - 1);
+        *self.as_extreme.lock().expect("no holder panics") = Some(as_extreme);
     }
 
-    /// Renders a picture of ours; whether it was finished.
+    /// Renders a picture of ours; returns whether it was finished.
     fn render(&self, world: &World, canvas: &Canvas) -> bool {
         std::thread::scope(|scope| {
             let rendering = scope.spawn(|| canvas.render(world));
@@ -96,11 +86,9 @@ impl Course {
 
     fn words(&self) -> String {
         let pictures = count(self.pictures.load(Ordering::Relaxed), "picture");
-        let as_far = self.is_held.load(Ordering::Relaxed).then(|| {
-            let as_far = self.as_far.load(Ordering::Relaxed);
-            format!(", {as_far} as far out as theirs")
-        });
-        format!("{pictures} of ours so far{}", as_far.unwrap_or_default())
+        let as_extreme = *self.as_extreme.lock().expect("no holder panics");
+        let as_extreme = as_extreme.map(|count| format!(", {count} as far out as theirs"));
+        format!("{pictures} of ours so far{}", as_extreme.unwrap_or_default())
     }
 }
 
@@ -144,15 +132,9 @@ impl Question {
 
 impl Judgement {
     /// Judges a picture as one of the scene that is shown.
-    pub fn start(
-        &mut self,
-        ctx: &Context,
-        rendering: &Rendering,
-        theirs: &Arc<Picture>,
-        generation: u64,
-    ) {
-        self.drop_verdict();
-        self.generation = generation;
+    pub fn start(&mut self, ctx: &Context, rendering: &Rendering, theirs: &Arc<Picture>) {
+        *self = Self::default();
+        self.generation = rendering.generation;
         let question = Question {
             source: rendering.source.clone(),
             read: rendering.read.clone(),
@@ -173,11 +155,6 @@ impl Judgement {
         }
     }
 
-    fn drop_verdict(&mut self) {
-        self.stop();
-        *self = Self::default();
-    }
-
     /// Whether it is being worked on.
     pub fn is_busy(&self) -> bool {
         matches!(self.state, State::Running(..)) || self.map.is_busy()
@@ -194,7 +171,7 @@ impl Judgement {
     /// Accepts what is finished, drops what belongs to another picture of ours, and makes the map if it is shown.
     pub fn refresh(&mut self, ctx: &Context, generation: u64, is_map_shown: bool) {
         if self.generation != generation {
-            self.drop_verdict();
+            *self = Self::default();
             self.generation = generation;
         }
         if let State::Running(_, working) = &mut self.state
@@ -207,15 +184,14 @@ impl Judgement {
         {
             let verdict = Arc::clone(verdict);
             self.map.refresh(ctx, (), move || {
-                let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
                 let pictures = &verdict.shown;
-                shown(&verdict::map_film(&pictures.z, pictures.theirs.size), &plain)
+                shown(&verdict::map_film(&pictures.z, pictures.theirs.size), &PLAIN)
             });
         }
     }
 
-    /// Its lines of the bar: the button, which waits until our picture is finished; the verdict, and the regions.
-    pub fn show(&self, ui: &mut Ui, is_finished: bool) -> Option<Asked> {
+    /// Shows its lines of the bar: the button, which waits until our picture is finished; the verdict, and the regions.
+    pub fn show(&self, ui: &mut Ui, is_finished: bool) -> Option<Action> {
         let is_judging = ui.horizontal(|ui| self.line(ui, is_finished)).inner;
         let regions = self.verdict().map_or(&[][..], |verdict| &verdict.regions);
         let list = |ui: &mut Ui| {
@@ -225,16 +201,16 @@ impl Judgement {
                 let z = z.map_or(String::new(), |z| format!(", z = {z:+.1}"));
                 let link = ui.link(format!("{number} {name}{z}"));
                 if link.on_hover_text(region.to_string()).clicked() {
-                    explained = Some(worst(region));
+                    explained = Some(Action::Reveal(worst(region)));
                 }
             }
             explained
         };
         let explained = if regions.is_empty() { None } else { ui.horizontal_wrapped(list).inner };
-        is_judging.then_some(Asked::Judge).or(explained.map(Asked::Explain))
+        is_judging.then_some(Action::Judge).or(explained)
     }
 
-    /// The button, and how far the judgement is. Returns whether to judge.
+    /// Shows the button, and how far the judgement is. Returns whether to judge.
     fn line(&self, ui: &mut Ui, is_finished: bool) -> bool {
         if let State::Running(course, _) = &self.state {
             if ui.button("Stop").on_hover_text("What is known by then is said").clicked() {
@@ -263,8 +239,8 @@ impl Judgement {
         self.map.paint(painter, placement, |()| true)
     }
 
-    /// Frames the regions, each with its number. Returns the worst pixel of one whose number was clicked.
-    pub fn show_frames(&self, ui: &Ui, placement: &Placement) -> Option<[u32; 2]> {
+    /// Frames the regions, each with its number. A click on a number selects the worst pixel.
+    pub fn show_frames(&self, ui: &Ui, placement: &Placement) -> Option<Action> {
         let mut explained = None;
         for (number, region) in (1..).zip(&self.verdict()?.regions) {
             let [x, y, w, h] = region.bounds.map(|along| along as u32);
@@ -281,7 +257,7 @@ impl Judgement {
             let (at, font) = (tag.center(), FontId::proportional(12.0));
             ui.painter().text(at, Align2::CENTER_CENTER, number, font, Color32::BLACK);
             if response.on_hover_text(region.to_string()).clicked() {
-                explained = Some(worst(region));
+                explained = Some(Action::Select(worst(region)));
             }
         }
         explained
@@ -294,7 +270,7 @@ impl Drop for Judgement {
     }
 }
 
-/// As on the page of `groundtruth verify`.
+/// The colour of regions, as on the page of `groundtruth verify`.
 const ORANGE: Color32 = Color32::from_rgb(255, 136, 0);
 
 /// A verdict in one line.

@@ -1,8 +1,10 @@
 //! A picture over ours, made on a background thread and made anew when what it shows changes.
 
 use eframe::egui::{Color32, Context, Painter};
+use groundtruth::film::{Film, Tone};
 
-use crate::picture::tiles::{Images, Tiles};
+use crate::picture::display;
+use crate::picture::tiles::{self, Images, Tiles};
 use crate::picture::view::Placement;
 use crate::picture::worker::Background;
 
@@ -54,4 +56,14 @@ impl<V: Copy + PartialEq + Send + 'static> Layer<V> {
         }
         is_ready
     }
+}
+
+/// A film in the colours of the screen; what is not a number is magenta.
+pub fn shown(film: &Film, tone: &Tone) -> Images {
+    let color = |at| {
+        let radiance = film.get(at);
+        let is_number = radiance.to_array().iter().all(|channel| !channel.is_nan());
+        if is_number { display::color(tone, radiance) } else { Color32::from_rgb(255, 0, 255) }
+    };
+    tiles::images([film.width(), film.height()], |positions| positions.map(color).collect())
 }

@@ -1,4 +1,4 @@
-//! Another program's picture held against ours: its file, its layers over our picture, its bar, and the verdict on it.
+//! Another program's picture compared with ours: its file, its layers over our picture, its bar, and the verdict on it.
 
 pub mod bar;
 pub mod judgement;

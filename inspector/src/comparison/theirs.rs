@@ -8,33 +8,16 @@ use eframe::egui::{
     accesskit::Role, vec2,
 };
 use groundtruth::explain;
-use groundtruth::film::{Film, OutOfGamut, Tone};
+use groundtruth::film::{Film, Tone};
 use groundtruth::rgb::Rgb;
 use pictures::compare::{Comparison, Differences, Picture, Transfer};
 
+use crate::action::Shows;
 use crate::comparison::judgement::Judgement;
-use crate::comparison::layer::Layer;
-use crate::picture::display;
-use crate::picture::tiles::{self, Images};
+use crate::comparison::layer::{Layer, shown};
+use crate::picture::display::PLAIN;
 use crate::picture::view::Placement;
-use crate::picture::worker::{Background, Progress, Rendering};
-use crate::window::keys::Shortcut;
-
-/// What of the two pictures is on the screen.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Shows {
-    /// Our picture.
-    Ours,
-    /// Their picture.
-    Theirs,
-    /// Ours at the left of the divider, theirs at its right.
-    #[default]
-    Swipe,
-    /// Theirs less ours, around grey.
-    Difference,
-    /// The difference of each pixel in standard deviations, around grey.
-    Map,
-}
+use crate::picture::worker::{Background, Rendering};
 
 /// The scales of the difference: the shares of differing channels that are shown unclipped.
 pub const SCALES: [f64; 3] = [0.5, 0.9, 1.0];
@@ -49,9 +32,9 @@ type Compared = (u64, Arc<(Comparison, Differences)>);
 pub struct Theirs {
     /// The name of its file.
     pub name: String,
-    /// What is on the screen.
+    /// The view on the screen.
     pub shows: Shows,
-    /// Where the divider is, as a share of the width of the picture's part of the window.
+    /// The place of the divider, as a share of the width of the picture's part of the window.
     pub divider: f32,
     /// The scale of the difference.
     pub scale: f64,
@@ -96,7 +79,7 @@ impl Theirs {
         self.picture.size
     }
 
-    /// What was ignored in its file.
+    /// Notes on what was ignored in its file.
     pub fn notes(&self) -> &[String] {
         &self.picture.notes
     }
@@ -121,53 +104,47 @@ impl Theirs {
         })
     }
 
-    /// How it compares with this picture of ours, once that is finished and compared.
-    pub fn comparison(&self, generation: u64) -> Option<&Comparison> {
-        Some(&self.compared_with(generation)?.0)
+    /// Its comparison with this picture of ours, once that is finished and compared.
+    pub fn comparison(&self, rendering: &Rendering) -> Option<&Comparison> {
+        Some(&self.compared_with(rendering)?.0)
     }
 
-    /// Theirs less ours at a pixel, 0 where the values count as equal; `None` until both are compared.
-    pub fn difference(&self, generation: u64, [x, y]: [u32; 2]) -> Option<Rgb> {
+    /// The difference of theirs from ours at a pixel, 0 where the values count as equal; `None` until both are compared.
+    pub fn difference(&self, rendering: &Rendering, [x, y]: [u32; 2]) -> Option<Rgb> {
         let [width, height] = self.size();
-        let (_, differences) = &**self.compared_with(generation)?;
+        let (_, differences) = &**self.compared_with(rendering)?;
         (x < width && y < height).then(|| differences.at([x, y]).into())
     }
 
-    /// The difference that is white, and negative black.
-    pub fn largest(&self, generation: u64) -> Option<f64> {
-        Some(self.compared_with(generation)?.1.within(self.scale))
+    /// The difference that is white; its negative is black.
+    pub fn largest(&self, rendering: &Rendering) -> Option<f64> {
+        Some(self.compared_with(rendering)?.1.within(self.scale))
     }
 
-    fn compared_with(&self, generation: u64) -> Option<&Arc<(Comparison, Differences)>> {
-        self.compared.as_ref().filter(|(of, _)| *of == generation).map(|(_, compared)| compared)
+    fn compared_with(&self, rendering: &Rendering) -> Option<&Arc<(Comparison, Differences)>> {
+        let (generation, compared) = self.compared.as_ref()?;
+        (*generation == rendering.generation).then_some(compared)
     }
 
-    /// Shows what a key asks for; a key for what is already shown goes back to ours.
-    pub fn follow(&mut self, shortcut: Shortcut) {
-        let wanted = match shortcut {
-            Shortcut::Flip => Shows::Theirs,
-            Shortcut::Swipe => Shows::Swipe,
-            Shortcut::Difference => Shows::Difference,
-            Shortcut::Map if self.judgement.verdict().is_some() => Shows::Map,
-            _ => return,
-        };
-        self.shows = if self.shows == wanted { Shows::Ours } else { wanted };
+    /// Shows one of the pictures, the map only once there is one; ours, if it is shown already.
+    pub fn flip(&mut self, wanted: Shows) {
+        if wanted != Shows::Map || self.judgement.verdict().is_some() {
+            self.shows = if self.shows == wanted { Shows::Ours } else { wanted };
+        }
     }
 
     /// The worst pixel of the next region of difference, the largest region first; `None` until both are compared,
     /// and if they are equal.
-    pub fn next_region(&mut self, generation: u64) -> Option<[u32; 2]> {
-        let worst: Vec<_> = self.comparison(generation)?.listed().map(|it| it.worst).collect();
-        let next = self.region.map_or(0, |region| region + 1);
-        let next = if next < worst.len() { next } else { 0 };
-        self.region = Some(next);
-        worst.get(next).copied()
+    pub fn next_region(&mut self, rendering: &Rendering) -> Option<[u32; 2]> {
+        let worst: Vec<_> = self.comparison(rendering)?.listed().map(|it| it.worst).collect();
+        self.region = Some(self.region.map_or(0, |region| region + 1) % worst.len().max(1));
+        worst.get(self.region?).copied()
     }
 
     /// Whether anything is still being computed for it.
-    pub fn is_busy(&self, rendering: &Rendering, generation: u64) -> bool {
-        let is_finished = matches!(rendering.progress(), Progress::Done(_));
-        let is_due = is_finished && self.fits(rendering) && self.comparison(generation).is_none();
+    pub fn is_busy(&self, rendering: &Rendering) -> bool {
+        let is_compared = self.comparison(rendering).is_some();
+        let is_due = rendering.is_finished() && self.fits(rendering) && !is_compared;
         self.layer.is_busy() || self.differences.is_busy() || self.judgement.is_busy() || is_due
     }
 
@@ -177,12 +154,13 @@ impl Theirs {
     }
 
     /// Judges it as a picture of the scene that is shown.
-    pub fn judge(&mut self, ctx: &Context, rendering: &Rendering, generation: u64) {
-        self.judgement.start(ctx, rendering, &self.picture, generation);
+    pub fn judge(&mut self, ctx: &Context, rendering: &Rendering) {
+        self.judgement.start(ctx, rendering, &self.picture);
     }
 
     /// Compares with our picture once it is finished, and makes the layer that is shown.
-    pub fn refresh(&mut self, ctx: &Context, rendering: &Rendering, generation: u64, tone: Tone) {
+    pub fn refresh(&mut self, ctx: &Context, rendering: &Rendering, tone: Tone) {
+        let generation = rendering.generation;
         if let Some(Ok(compared)) = self.comparing.poll() {
             (self.compared, self.region) = (Some(compared), None);
         }
@@ -195,8 +173,8 @@ impl Theirs {
         }
         let radiance = Arc::clone(&self.radiance);
         self.layer.refresh(ctx, tone, move || shown(&radiance, &tone));
-        let is_finished = matches!(rendering.progress(), Progress::Done(_));
-        if is_finished && self.comparison(generation).is_none() && !self.comparing.is_busy() {
+        let is_compared = self.comparison(rendering).is_some();
+        if rendering.is_finished() && !is_compared && !self.comparing.is_busy() {
             let (canvas, theirs) = (Arc::clone(&rendering.canvas), Arc::clone(&self.picture));
             self.comparing.start(ctx, move || {
                 let ours = Picture::of_film(&canvas.film());
@@ -205,19 +183,18 @@ impl Theirs {
                 (generation, Arc::new((comparison, Differences::of(&ours, &theirs, 0.0))))
             });
         }
-        if let Some(compared) = self.compared_with(generation).map(Arc::clone)
+        if let Some(compared) = self.compared_with(rendering).map(Arc::clone)
             && self.shows == Shows::Difference
         {
             let scale = self.scale;
             self.differences.refresh(ctx, (generation, scale), move || {
-                let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-                shown(&compared.1.film(compared.1.within(scale)), &plain)
+                shown(&compared.1.film(compared.1.within(scale)), &PLAIN)
             });
         }
     }
 
     /// Draws it over our picture.
-    pub fn paint(&self, painter: &Painter, placement: &Placement, generation: u64) {
+    pub fn paint(&self, painter: &Painter, placement: &Placement, rendering: &Rendering) {
         let is_ready = match self.shows {
             Shows::Ours => true,
             Shows::Theirs => self.layer.paint(painter, placement, |_| true),
@@ -227,7 +204,7 @@ impl Theirs {
                 self.layer.paint(&painter.with_clip_rect(right), placement, |_| true)
             }
             Shows::Difference => {
-                self.differences.paint(painter, placement, |(of, _)| of == generation)
+                self.differences.paint(painter, placement, |(of, _)| of == rendering.generation)
             }
             Shows::Map => self.judgement.paint_map(painter, placement),
         };
@@ -242,7 +219,7 @@ impl Theirs {
         }
     }
 
-    /// The divider of the swipe: drawn, and moved by the mouse.
+    /// Draws the divider of the swipe; the mouse moves it.
     pub fn show_divider(&mut self, ui: &mut Ui, area: Rect) {
         if self.shows != Shows::Swipe {
             return;
@@ -273,14 +250,4 @@ impl Theirs {
 
 fn divider_x(area: Rect, share: f32) -> f32 {
     (area.left() + share * area.width()).round()
-}
-
-/// A film in the colours of the screen; what is not a number is magenta.
-pub fn shown(film: &Film, tone: &Tone) -> Images {
-    let color = |at| {
-        let radiance = film.get(at);
-        let is_number = radiance.to_array().iter().all(|channel| !channel.is_nan());
-        if is_number { display::color(tone, radiance) } else { Color32::from_rgb(255, 0, 255) }
-    };
-    tiles::images([film.width(), film.height()], |positions| positions.map(color).collect())
 }

@@ -30,21 +30,21 @@ pub fn probe_line(rendering: &Rendering, pixel: [u32; 2]) -> String {
     question.to_string()
 }
 
-/// How long "copied" is shown.
+/// Seconds for which "copied" is shown.
 const SHOWN_SECONDS: f64 = 2.0;
 
-/// Where the time of the last copy is kept.
+/// The id under which the time of the last copy is kept.
 fn copied_at() -> Id {
     Id::unique("copied at")
 }
 
-/// Something was put on the clipboard now.
+/// Notes that something was put on the clipboard now.
 pub fn set_copied(ctx: &Context) {
     let now = ctx.input(|input| input.time);
     ctx.data_mut(|data| data.insert_temp(copied_at(), now));
 }
 
-/// "copied", for a short time after something was put on the clipboard.
+/// Shows "copied" for a short time after something was put on the clipboard.
 pub fn show_copied(ui: &mut Ui) {
     let Some(at) = ui.data(|data| data.get_temp::<f64>(copied_at())) else { return };
     let left = at + SHOWN_SECONDS - ui.input(|input| input.time);

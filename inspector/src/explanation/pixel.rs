@@ -6,14 +6,14 @@ use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
 
 use crate::comparison::theirs::Theirs;
-use crate::explanation::{copying, details, tree};
+use crate::explanation::{Shown, copying, details, tree};
 use crate::picture::display;
 use crate::picture::worker::Rendering;
 
-/// How the list of samples is sorted.
+/// The order of the list of samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Order {
-    /// By index.
+    /// Sorted by index.
     Index,
     /// The greatest radiance first, averaged over the channels.
     #[default]
@@ -23,7 +23,7 @@ pub enum Order {
 /// The height of a line of the list of sources and samples.
 const LINE: f32 = 18.0;
 
-/// The chooser of the sample whose tree is shown.
+/// Shows the chooser of the sample whose tree is shown.
 pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
     let label = ui.label("sample");
     let mut sample = (*chosen).min(last);
@@ -38,7 +38,7 @@ pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
     *chosen = sample;
 }
 
-/// A menu that copies commands that reproduce this pixel outside the window, and the selected ray.
+/// Shows a menu that copies commands that reproduce this pixel outside the window, and the selected ray.
 pub fn copy_menu(
     ui: &mut Ui,
     rendering: &Rendering,
@@ -69,7 +69,7 @@ pub fn copy_menu(
     copying::show_copied(ui);
 }
 
-/// The sum of the samples that gives the pixel, and whether it equals the rendered pixel.
+/// Shows the sum of the samples that gives the pixel, and whether it equals the rendered pixel.
 pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
     let exposure = match answer.exposure_time {
         1.0 => String::new(),
@@ -97,16 +97,16 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
     };
 }
 
-/// Their value of the pixel, and the difference from ours.
-pub fn theirs(ui: &mut Ui, pixel: [u32; 2], theirs: &Theirs, generation: u64, tone: &Tone) {
+/// Shows their value of the pixel, and the difference from ours.
+pub fn theirs(ui: &mut Ui, pixel: [u32; 2], theirs: &Theirs, shown: &Shown<'_>) {
     let (Some(radiance), Some(value)) = (theirs.radiance(pixel), theirs.value(pixel)) else {
         return;
     };
     let small = |text: String| RichText::new(text).monospace().size(12.0);
-    let difference = theirs.difference(generation, pixel);
+    let difference = theirs.difference(shown.rendering, pixel);
     let equal = if difference == Some(Rgb::BLACK) { ": equal" } else { "" };
     ui.horizontal_wrapped(|ui| {
-        tree::swatch(ui, display::color(tone, radiance));
+        tree::swatch(ui, display::color(shown.tone, radiance));
         ui.label(small(format!("theirs: {value}{equal}")));
     });
     if let Some(difference) = difference.filter(|difference| *difference != Rgb::BLACK) {
@@ -123,89 +123,97 @@ enum Line {
     Sample(u32),
 }
 
-/// The list of the sum: the contributions of the sources of light, and all samples. A click on a sample
-/// shows its tree.
-pub fn parts(
-    ui: &mut Ui,
-    area: ScrollArea,
-    answer: &PixelExplanation,
-    tone: &Tone,
-    (order, chosen): (&mut Order, &mut u32),
-) {
-    let mut lines = Vec::new();
-    for (words, sources) in answer.sources.lists() {
-        lines.push(Line::Words(words));
-        lines.extend(explain::table(sources).into_iter().map(Line::Numbers));
+/// The list of the sum: the contributions of the sources of light, and all samples.
+pub struct SumList<'a> {
+    /// The explanation of the pixel.
+    pub answer: &'a PixelExplanation,
+    /// The tone in which radiance is shown.
+    pub tone: &'a Tone,
+    /// The order of the samples.
+    pub order: &'a mut Order,
+    /// The sample whose tree is shown; a click chooses another one.
+    pub chosen: &'a mut u32,
+}
+
+impl SumList<'_> {
+    /// Shows the lines in view.
+    pub fn show(mut self, ui: &mut Ui, area: ScrollArea) {
+        let lines = self.lines();
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.spacing_mut().interact_size.y = LINE;
+        ui.spacing_mut().button_padding.y = 0.0;
+        area.show_rows(ui, LINE, lines.len(), |ui, visible| {
+            ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
+            for line in &lines[visible] {
+                ui.horizontal(|ui| self.line(ui, line));
+            }
+        });
     }
-    if answer.samples_per_pixel > 1 {
-        lines.extend([Line::Spread, Line::Order]);
-        lines.extend(sorted(answer, *order).into_iter().map(Line::Sample));
-    }
-    ui.spacing_mut().item_spacing.y = 0.0;
-    ui.spacing_mut().interact_size.y = LINE;
-    ui.spacing_mut().button_padding.y = 0.0;
-    area.show_rows(ui, LINE, lines.len(), |ui, visible| {
-        ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
-        for line in &lines[visible] {
-            ui.horizontal(|ui| match line {
-                Line::Words(words) => drop(ui.strong(*words).on_hover_text(*words)),
-                Line::Numbers(text) => {
-                    ui.label(RichText::new(text).monospace().size(11.5));
-                }
-                Line::Order => order_line(ui, order),
-                Line::Spread => spread(ui, answer, chosen),
-                Line::Sample(index) => sample_line(ui, answer, *index, tone, chosen),
-            });
+
+    fn lines(&self) -> Vec<Line> {
+        let mut lines = Vec::new();
+        for (words, sources) in self.answer.sources.lists() {
+            lines.push(Line::Words(words));
+            lines.extend(explain::table(sources).into_iter().map(Line::Numbers));
         }
-    });
-}
+        if self.answer.samples_per_pixel > 1 {
+            lines.extend([Line::Spread, Line::Order]);
+            lines.extend(sorted(self.answer, *self.order).into_iter().map(Line::Sample));
+        }
+        lines
+    }
 
-fn order_line(ui: &mut Ui, order: &mut Order) {
-    ui.weak("samples, sorted by");
-    ui.selectable_value(order, Order::Value, "value");
-    ui.selectable_value(order, Order::Index, "index");
-}
+    fn line(&mut self, ui: &mut Ui, line: &Line) {
+        match line {
+            Line::Words(words) => drop(ui.strong(*words).on_hover_text(*words)),
+            Line::Numbers(text) => drop(ui.label(RichText::new(text).monospace().size(11.5))),
+            Line::Order => {
+                ui.weak("samples, sorted by");
+                ui.selectable_value(self.order, Order::Value, "value");
+                ui.selectable_value(self.order, Order::Index, "index");
+            }
+            Line::Spread => drop(ui.horizontal(|ui| self.spread(ui))),
+            Line::Sample(index) => drop(ui.horizontal(|ui| self.sample(ui, *index))),
+        }
+    }
 
-/// Standard error, least and greatest; a click on the last two chooses that sample.
-fn spread(ui: &mut Ui, answer: &PixelExplanation, chosen: &mut u32) {
-    let statistics = &answer.statistics;
-    ui.horizontal(|ui| {
+    /// Shows standard error, least and greatest; a click on the last two chooses that sample.
+    fn spread(&mut self, ui: &mut Ui) {
+        let statistics = &self.answer.statistics;
         if let Some(error) = statistics.standard_error {
             let hint =
                 "Of the mean, as if the samples were independent; well-spread ones are nearer";
             ui.weak(format!("standard error {}", short(error))).on_hover_text(hint);
         }
         for (name, index) in [("least", statistics.least), ("greatest", statistics.greatest)] {
-            let radiance = short(answer.radiances[index as usize]);
+            let radiance = short(self.answer.radiances[index as usize]);
             if ui.link(format!("{name} {radiance}, sample {index}")).clicked() {
-                *chosen = index;
+                *self.chosen = index;
             }
         }
-    });
+    }
+
+    fn sample(&mut self, ui: &mut Ui, index: u32) {
+        let radiances = &self.answer.radiances;
+        let radiance = radiances[index as usize];
+        let whole: f64 = radiances.iter().map(|radiance| radiance.average()).sum();
+        let share = if whole == 0.0 { 0.0 } else { radiance.average() / whole };
+        tree::swatch(ui, display::color(self.tone, radiance));
+        let share = percent(share);
+        let text = format!("sample {index:>3}  {share:>7} of the pixel  {}", short(radiance));
+        let text = RichText::new(text).monospace();
+        if ui.selectable_label(*self.chosen == index, text).clicked() {
+            *self.chosen = index;
+        }
+    }
 }
 
 /// The indices of all samples in this order.
 pub fn sorted(answer: &PixelExplanation, order: Order) -> Vec<u32> {
     let mut indices: Vec<u32> = (0..answer.samples_per_pixel).collect();
     let value = |index: &u32| answer.radiances[*index as usize].average();
-    match order {
-        Order::Index => {}
-        Order::Value => indices.sort_by(|a, b| value(b).total_cmp(&value(a))),
+    if order == Order::Value {
+        indices.sort_by(|a, b| value(b).total_cmp(&value(a)));
     }
     indices
-}
-
-fn sample_line(ui: &mut Ui, answer: &PixelExplanation, index: u32, tone: &Tone, chosen: &mut u32) {
-    let radiance = answer.radiances[index as usize];
-    let whole: f64 = answer.radiances.iter().map(|radiance| radiance.average()).sum();
-    let share = if whole == 0.0 { 0.0 } else { radiance.average() / whole };
-    ui.horizontal(|ui| {
-        tree::swatch(ui, display::color(tone, radiance));
-        let share = percent(share);
-        let text = format!("sample {index:>3}  {share:>7} of the pixel  {}", short(radiance));
-        let text = RichText::new(text).monospace();
-        if ui.selectable_label(*chosen == index, text).clicked() {
-            *chosen = index;
-        }
-    });
 }

@@ -4,13 +4,15 @@
 use eframe::egui::{
     Align2, Color32, ComboBox, FontId, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
 };
-use groundtruth::explain::count;
+use groundtruth::explain::{PixelExplanation, count};
 use groundtruth::render;
 use groundtruth::samplers::{self, Key, PathKey, Purpose, SETS};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use statistics::chi_square;
 
+use crate::explanation::Shown;
+use crate::picture::display;
 use crate::picture::worker::Rendering;
 
 /// The largest number of points of a plot that is still readable.
@@ -35,7 +37,7 @@ pub struct Plot {
     /// The text under the mouse.
     hint: &'static str,
     outline: Outline,
-    /// In sample order; in the outline's own square `[−1, 1]²`, y up.
+    /// The points in sample order, in the outline's own square `[−1, 1]²`, y up.
     points: Vec<[f64; 2]>,
     area: Rect,
 }
@@ -102,7 +104,8 @@ impl Uniformity {
 
 impl Samples {
     /// Computes the contents, unless that is done.
-    fn refresh(&mut self, rendering: &Rendering, generation: u64, pixel: [u32; 2]) {
+    fn refresh(&mut self, rendering: &Rendering, pixel: [u32; 2]) {
+        let generation = rendering.generation;
         if self.of == Some((generation, pixel)) {
             return;
         }
@@ -118,13 +121,6 @@ impl Samples {
         let drawn = drawn.unwrap_or_default();
         let draw = |purpose, index| world.samples.draw(Key::new(world.seed, drawn, purpose), index);
         let centered = |[x, y]: [f64; 2]| [2.0 * x - 1.0, 2.0 * y - 1.0];
-        let plot = |title, hint, outline, points: Vec<[f64; 2]>| Plot {
-            title,
-            hint,
-            outline,
-            points,
-            area: Rect::NOTHING,
-        };
         let pixel_points = (0..count).map(|i| centered(draw(Purpose::Pixel, i))).collect();
         let lens = |i| render::camera_sample(world, pixel, i)?.lens;
         let lens_points = (0..count).filter_map(lens).collect();
@@ -134,21 +130,17 @@ impl Samples {
             let purpose = Purpose::Light { path, light, pair: 0 };
             (0..count).map(|i| centered(draw(purpose, i))).collect()
         });
-        self.plots = vec![
-            plot(
-                "pixel",
-                "where in the pixel (before the filter moves it)",
-                Outline::Square,
-                pixel_points,
-            ),
-            plot("lens", "where on the lens", Outline::Disk, lens_points),
-            plot(
-                "light",
-                "where on the first sampled light, at the first hit",
-                Outline::Square,
-                light_points,
-            ),
+        let (square, disk) = (Outline::Square, Outline::Disk);
+        let plots = [
+            ("pixel", "where in the pixel (before the filter moves it)", square, pixel_points),
+            ("lens", "where on the lens", disk, lens_points),
+            ("light", "where on the first sampled light, at the first hit", square, light_points),
         ];
+        let plot = |(title, hint, outline, points)| {
+            let area = Rect::NOTHING;
+            Plot { title, hint, outline, points, area }
+        };
+        self.plots = plots.map(plot).into();
     }
 
     /// The position of a sample on the screen, in the plot of this index.
@@ -157,17 +149,19 @@ impl Samples {
         plot.points.get(sample).map(|&point| plot.to_screen(point))
     }
 
-    /// Shows the samples of a pixel of a rendering, each point in the `color` of its sample; a click on a
-    /// point chooses its sample. Returns whether the scene was changed.
+    /// Shows the samples of a pixel, each point in the colour of its sample; a click on a point chooses its `sample`.
+    /// Returns whether `wanted` was changed.
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        (rendering, generation, pixel): (&Rendering, u64, [u32; 2]),
-        color: &dyn Fn(u32) -> Color32,
+        shown: &Shown<'_>,
+        answer: &PixelExplanation,
         sample: &mut u32,
         wanted: &mut Scene,
     ) -> bool {
-        self.refresh(rendering, generation, pixel);
+        let rendering = shown.rendering;
+        self.refresh(rendering, answer.pixel);
+        let color = |i: u32| display::color(shown.tone, answer.radiances[i as usize]);
         let changed = choose(ui, rendering, wanted);
         // side by side if they fit
         let plots = self.plots.len() as f32;
@@ -175,7 +169,7 @@ impl Samples {
         let side = ((ui.available_width() - gaps) / plots).floor().clamp(SIDES[0], SIDES[1]);
         ui.horizontal_wrapped(|ui| {
             for plot in &mut self.plots {
-                plot.show(ui, side, color, sample);
+                plot.show(ui, side, &color, sample);
             }
         });
         if rendering.world.samples_per_pixel() > MAX_POINTS {
@@ -250,7 +244,7 @@ impl Plot {
     }
 }
 
-/// The chooser of the sampler, with the number of samples after rounding up. Returns whether it was
+/// Shows the chooser of the sampler, with the number of samples after rounding up. Returns whether it was
 /// changed.
 fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
     let mut changed = false;
@@ -288,7 +282,7 @@ fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
     changed
 }
 
-/// The number of points in each strip of the square, with axes: x from 0 to 1, and a line at the mean number.
+/// Draws the number of points in each strip of the square, with axes: x from 0 to 1, and a line at the mean number.
 fn histogram(ui: &mut Ui, strips: &[u64], mean: f64) {
     let max = strips.iter().copied().max().unwrap_or(0).max(1);
     let size = vec2(ui.available_width().min(3.0 * SIDES[1]), 60.0);

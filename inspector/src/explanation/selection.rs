@@ -3,34 +3,32 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use eframe::egui::{self, Frame, Key, Margin, Panel, Rect, ScrollArea, Ui, UiBuilder, vec2};
-use groundtruth::explain::{self, PixelExplanation, RecordedRay, SampleExplanation};
+use eframe::egui::{self, Frame, Key, Margin, Panel, ScrollArea, Ui, vec2};
+use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::render;
-use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayBudget;
 use groundtruth::world::World;
 
-use crate::comparison::theirs::Theirs;
-use crate::explanation::details;
-use crate::explanation::pixel::{self, Order};
+use crate::explanation::pixel::{self, Order, SumList};
 use crate::explanation::samples::Samples;
 use crate::explanation::trail::{self, TrailPoint};
 use crate::explanation::tree::{self, Tree};
+use crate::explanation::{Shown, details};
 use crate::picture::display;
 use crate::picture::worker::{Background, Lost, Rendering};
-use crate::window::splits::Splits;
+use crate::splits::{Splits, part};
 
-/// A pixel with more rays is explained one sample at a time.
+/// The most rays of a pixel whose samples are explained together; with more, one at a time.
 const MAX_RAYS_PER_PIXEL: u64 = 30_000;
-/// A sample with more rays is not explained: its tree would be unreadable and take gigabytes.
+/// The most rays of a sample that is explained: a larger tree would be unreadable and take gigabytes.
 const MAX_RAYS_PER_SAMPLE: u64 = 500_000;
 
 /// The least height of tree and details in a low window, in points of the screen.
 const MIN_HEIGHT: f32 = 24.0;
 
-/// An explanation that takes at most this time is drawn in the frame of the click.
+/// The longest wait for an explanation, which is then drawn in the frame of the click.
 const MAX_WAIT: Duration = Duration::from_millis(12);
 /// The least height with room for the legend of the tree's colours, in points of the screen.
 const LEGEND_MIN_HEIGHT: f32 = 160.0;
@@ -54,7 +52,7 @@ pub struct Selection {
     pub sample: u32,
     /// Its tree, and the ray whose details are shown.
     pub tree: Tree,
-    /// How the list of samples is sorted.
+    /// The order of the list of samples.
     pub order: Order,
     /// The part that is shown below the tree.
     pub tab: Tab,
@@ -91,9 +89,9 @@ fn answer(scene: &Scene, world: &World, question: Question) -> Explained {
 impl Selection {
     /// Starts to explain the selected pixel, unless that is done or under way. Waits for a short
     /// explanation.
-    pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering, generation: u64) {
+    pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering) {
         let finished = self.working.poll();
-        let Some(question) = self.question(rendering, generation) else {
+        let Some(question) = self.question(rendering) else {
             self.answered = None;
             return;
         };
@@ -118,9 +116,10 @@ impl Selection {
         }
     }
 
-    fn question(&self, rendering: &Rendering, generation: u64) -> Option<Question> {
+    fn question(&self, rendering: &Rendering) -> Option<Question> {
         let last = rendering.world.samples_per_pixel() - 1;
-        self.pixel.map(|pixel| Question { generation, pixel, sample: self.sample.min(last) })
+        let (generation, sample) = (rendering.generation, self.sample.min(last));
+        self.pixel.map(|pixel| Question { generation, pixel, sample })
     }
 
     fn answers(&self, question: Question) -> bool {
@@ -163,9 +162,9 @@ impl Selection {
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        (rendering, theirs, generation): (&Rendering, Option<&Theirs>, u64),
-        tone: &Tone,
-        (wanted, splits): (&mut Scene, &mut Splits),
+        shown: &Shown<'_>,
+        wanted: &mut Scene,
+        splits: &mut Splits,
     ) -> bool {
         let answer = match &self.answered {
             Some((_, Ok(explanation))) => Arc::clone(explanation),
@@ -180,55 +179,54 @@ impl Selection {
             }
         };
         let inner = Frame::new().inner_margin(Margin::symmetric(0, 4));
-        Panel::top("pixel").frame(inner).show(ui, |ui| {
-            self.head(ui, &answer, rendering, tone);
-            if let Some(theirs) = theirs {
-                pixel::theirs(ui, answer.pixel, theirs, generation, tone);
-            }
-        });
-        let index = self.sample.min(answer.samples_per_pixel - 1);
-        let sample = answer.samples.iter().find(|sample| sample.index == index);
-        let camera_ray = sample.and_then(|sample| sample.ray.as_ref());
+        Panel::top("pixel").frame(inner).show(ui, |ui| self.head(ui, &answer, shown));
+        let sample = self.sample_of(&answer);
         let [above, below] = splits.show_lower(ui, ui.available_rect_before_wrap());
-        part(ui, ("tree", above), |ui| match sample {
-            Some(sample) => self.sample_tree(ui, sample, tone),
+        let margin = vec2(0.0, 4.0);
+        part(ui, "tree", above, margin, |ui| match sample {
+            Some(sample) => self.sample_tree(ui, sample, shown.tone),
             None => drop(ui.spinner()),
         });
-        part(ui, ("details", below), |ui| {
-            ui.horizontal(|ui| {
-                ui.selectable_value(&mut self.tab, Tab::Ray, "The ray");
-                ui.selectable_value(&mut self.tab, Tab::Sum, "The sum");
-                ui.selectable_value(&mut self.tab, Tab::Samples, "The samples");
-            });
-            let area = ScrollArea::both().id_salt("details").auto_shrink(false);
-            let area = area.min_scrolled_height(MIN_HEIGHT);
-            match self.tab {
-                Tab::Ray => {
-                    let details = |ui: &mut Ui| {
-                        if let Some(root) = camera_ray {
-                            self.ray_details(ui, root);
-                        }
-                    };
-                    area.show(ui, details);
-                    false
-                }
-                Tab::Sum => {
-                    pixel::parts(ui, area, &answer, tone, (&mut self.order, &mut self.sample));
-                    false
-                }
-                Tab::Samples => {
-                    let color = |i: u32| display::color(tone, answer.radiances[i as usize]);
-                    let of = (rendering, generation, answer.pixel);
-                    let show =
-                        |ui: &mut Ui| self.samples.show(ui, of, &color, &mut self.sample, wanted);
-                    area.show(ui, show).inner
-                }
-            }
-        })
+        part(ui, "details", below, margin, |ui| self.details(ui, &answer, shown, wanted))
     }
 
-    fn ray_details(&mut self, ui: &mut Ui, root: &RecordedRay) {
-        if let Some(number) = details::show(ui, self.tree.selected(root)) {
+    /// The sample whose tree is shown, if it is explained.
+    fn sample_of<'a>(&self, answer: &'a PixelExplanation) -> Option<&'a SampleExplanation> {
+        let index = self.sample.min(answer.samples_per_pixel - 1);
+        answer.samples.iter().find(|sample| sample.index == index)
+    }
+
+    /// Shows what is below the tree; returns whether `wanted` was changed.
+    fn details(
+        &mut self,
+        ui: &mut Ui,
+        answer: &PixelExplanation,
+        shown: &Shown<'_>,
+        wanted: &mut Scene,
+    ) -> bool {
+        ui.horizontal(|ui| {
+            ui.selectable_value(&mut self.tab, Tab::Ray, "The ray");
+            ui.selectable_value(&mut self.tab, Tab::Sum, "The sum");
+            ui.selectable_value(&mut self.tab, Tab::Samples, "The samples");
+        });
+        let area = ScrollArea::both().id_salt("details").auto_shrink(false);
+        let area = area.min_scrolled_height(MIN_HEIGHT);
+        let (tone, chosen) = (shown.tone, &mut self.sample);
+        match self.tab {
+            Tab::Ray => drop(area.show(ui, |ui| self.ray_details(ui, answer))),
+            Tab::Sum => SumList { answer, tone, order: &mut self.order, chosen }.show(ui, area),
+            Tab::Samples => {
+                let show = |ui: &mut Ui| self.samples.show(ui, shown, answer, chosen, wanted);
+                return area.show(ui, show).inner;
+            }
+        }
+        false
+    }
+
+    fn ray_details(&mut self, ui: &mut Ui, answer: &PixelExplanation) {
+        if let Some(root) = self.sample_of(answer).and_then(|sample| sample.ray.as_ref())
+            && let Some(number) = details::show(ui, self.tree.selected(root))
+        {
             self.tree.go_to(root, number);
         }
     }
@@ -258,10 +256,10 @@ impl Selection {
         self.tree.show(ui, root, tone);
     }
 
-    fn head(&mut self, ui: &mut Ui, answer: &PixelExplanation, rendering: &Rendering, tone: &Tone) {
+    fn head(&mut self, ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
         let [x, y] = answer.pixel;
         ui.horizontal_wrapped(|ui| {
-            tree::swatch(ui, display::color(tone, answer.radiance));
+            tree::swatch(ui, display::color(shown.tone, answer.radiance));
             ui.heading(format!("Pixel ({x}, {y})"));
             if self.is_waiting() {
                 ui.spinner();
@@ -272,30 +270,16 @@ impl Selection {
                 pixel::chooser(ui, &mut self.sample, last);
             }
             ui.separator();
-            let index = self.sample.min(last);
-            let sample = answer.samples.iter().find(|sample| sample.index == index);
-            let root = sample.and_then(|sample| sample.ray.as_ref());
+            let root = self.sample_of(answer).and_then(|sample| sample.ray.as_ref());
             let ray = root.map(|root| self.tree.selected(root));
-            pixel::copy_menu(ui, rendering, answer.pixel, index, ray);
+            pixel::copy_menu(ui, shown.rendering, answer.pixel, self.sample.min(last), ray);
         });
         for note in &answer.notes {
             ui.weak(note);
         }
-        pixel::sum(ui, answer, rendered(rendering, answer.pixel));
+        pixel::sum(ui, answer, shown.rendering.radiance(answer.pixel));
+        if let Some(theirs) = shown.theirs {
+            pixel::theirs(ui, answer.pixel, theirs, shown);
+        }
     }
-}
-
-/// Shows a part of the explanation in its area.
-fn part<T>(ui: &mut Ui, (name, area): (&str, Rect), show: impl FnOnce(&mut Ui) -> T) -> T {
-    let builder = UiBuilder::new().id_salt(name).max_rect(area.shrink2(vec2(0.0, 4.0)));
-    ui.scope_builder(builder, |ui| {
-        ui.set_clip_rect(ui.clip_rect().intersect(area));
-        show(ui)
-    })
-    .inner
-}
-
-/// The picture's radiance at a pixel, if it is rendered.
-fn rendered(rendering: &Rendering, pixel: [u32; 2]) -> Option<Rgb> {
-    rendering.canvas.look_partly(|picture| picture.get(pixel))
 }

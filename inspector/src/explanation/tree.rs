@@ -11,7 +11,7 @@ use groundtruth::trace::{Outcome, RayKind};
 
 use crate::picture::display;
 
-/// Rays that add less than this part of their sample are folded together.
+/// The share of their sample below which rays are folded together.
 pub const MIN_SHARE: f64 = 0.01;
 /// The explanation of the numbers beside a ray.
 const SAMPLING: &str = "weight: what its light counts for the ray before it; pdf: the density of its direction, \
@@ -181,12 +181,12 @@ impl Tree {
     }
 }
 
-/// A text at the end of a line, cut with an ellipsis where the line ends; `hint` is shown under the mouse.
+/// Shows a text at the end of a line, cut with an ellipsis where the line ends; `hint` is shown under the mouse.
 fn cut(ui: &mut Ui, text: RichText, hint: &str) {
     ui.add(Label::new(text).truncate().show_tooltip_when_elided(false)).on_hover_text(hint);
 }
 
-/// The share of a ray as a bar and a percentage.
+/// Shows the share of a ray as a bar and a percentage.
 fn bar(ui: &mut Ui, share: f64) {
     let (area, _) = ui.allocate_exact_size(vec2(BAR, LINE), Sense::hover());
     let mut part = area.shrink2(vec2(0.0, 2.0));
@@ -198,7 +198,7 @@ fn bar(ui: &mut Ui, share: f64) {
     painter.text(at, Align2::RIGHT_CENTER, percent(share), font, Color32::from_gray(225));
 }
 
-/// A small square of a colour.
+/// Shows a small square of a colour.
 pub fn swatch(ui: &mut Ui, color: Color32) {
     let (rect, _) = ui.allocate_exact_size(vec2(12.0, 12.0), Sense::hover());
     ui.painter().rect_filled(rect, 2.0, color);

@@ -7,24 +7,25 @@ use eframe::egui::{
     self, Color32, CursorIcon, EventFilter, Id, Key, Painter, Rect, Sense, Shape, Stroke,
     StrokeKind, Ui, WidgetInfo, accesskit::Role,
 };
-use groundtruth::film::Tone;
-use groundtruth::render::{Canvas, Partial};
+use groundtruth::film::{OutOfGamut, Tone};
+use groundtruth::render::Canvas;
 use groundtruth::rgb::Rgb;
+use groundtruth::world::World;
 
 use crate::picture::tiles::{self, Images, Tiles};
 use crate::picture::view::{Placement, View};
-use crate::picture::worker::{Background, Progress, Rendering};
+use crate::picture::worker::{Background, Rendering};
 
 /// The interval at which an unfinished picture is updated.
 const REFRESH: Duration = Duration::from_millis(150);
-/// The grid appears when a pixel is at least this large on the screen.
+/// The least size of a pixel on the screen with which the grid appears.
 const GRID_MIN_SCALE: f32 = 8.0;
 
 /// The picture as shown, with its view.
 pub struct Picture {
     /// Zoom and pan.
     pub view: View,
-    /// How radiance is shown.
+    /// The tone in which radiance is shown.
     pub tone: Tone,
     tiles: Tiles,
     /// The previous picture, shown darker where the new one is not rendered yet.
@@ -33,13 +34,13 @@ pub struct Picture {
     shown: Option<Version>,
     developed: Instant,
     developing: Background<(Version, Images)>,
-    /// Where the picture was last drawn.
+    /// The area in which the picture was last drawn.
     area: Rect,
     /// The id of the widget, once it was drawn.
     id: Option<Id>,
 }
 
-/// Which picture, how much of it, and how it is shown.
+/// The version of a picture: which one, how much of it, and in which tone.
 #[derive(Clone, Copy, PartialEq)]
 struct Version {
     generation: u64,
@@ -51,16 +52,19 @@ struct Version {
 }
 
 impl Version {
-    fn of(rendering: &Rendering, generation: u64, tone: Tone) -> Self {
+    fn of(rendering: &Rendering, tone: Tone) -> Self {
         // in this order: a picture that is finished now is completely in the film
-        let finished = matches!(rendering.progress(), Progress::Done(_));
-        Self { generation, done: rendering.canvas.progress().0, finished, tone }
+        let finished = rendering.is_finished();
+        let done = rendering.canvas.progress().0;
+        Self { generation: rendering.generation, done, finished, tone }
     }
 }
 
+/// The tone in which numbers are shown that are no radiance.
+pub const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+
 /// The tone settings of the scene.
-pub fn tone_of(rendering: &Rendering) -> Tone {
-    let image = &rendering.world.image;
+pub fn tone_of(World { image, .. }: &World) -> Tone {
     Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut }
 }
 
@@ -76,41 +80,21 @@ const COARSE_ALPHA: u8 = 215;
 /// The picture so far as tiles. Locks the picture for one tile at a time. Shows the coarse picture, or
 /// nothing, for a pixel that is not rendered yet.
 fn develop(canvas: &Canvas, tone: &Tone) -> Images {
-    let show = |pixel: Shown| match pixel {
-        Shown::Rendered(radiance) => color(tone, radiance),
-        Shown::Coarse(radiance) => {
+    let show = |(radiance, coarse): (Option<Rgb>, Option<Rgb>)| match (radiance, coarse) {
+        (Some(radiance), _) => color(tone, radiance),
+        (None, Some(radiance)) => {
             let [r, g, b] = tone.to_bytes(radiance);
             Color32::from_rgba_unmultiplied(r, g, b, COARSE_ALPHA)
         }
-        Shown::Nothing => Color32::TRANSPARENT,
+        (None, None) => Color32::TRANSPARENT,
     };
     let size = canvas.look(|film| [film.width(), film.height()]);
     tiles::images(size, |positions| {
-        let pixels: Vec<Shown> =
-            canvas.look_partly(|picture| positions.map(|at| Shown::of(picture, at)).collect());
+        let pixels: Vec<_> = canvas.look_partly(|picture| {
+            positions.map(|at| (picture.get(at), picture.coarse(at))).collect()
+        });
         pixels.into_iter().map(show).collect()
     })
-}
-
-/// The state of a pixel on the screen.
-#[derive(Clone, Copy)]
-enum Shown {
-    /// Its radiance.
-    Rendered(Rgb),
-    /// The radiance of a pixel near it.
-    Coarse(Rgb),
-    /// Nothing yet.
-    Nothing,
-}
-
-impl Shown {
-    fn of(picture: &Partial, pixel: [u32; 2]) -> Self {
-        match (picture.get(pixel), picture.coarse(pixel)) {
-            (Some(radiance), _) => Self::Rendered(radiance),
-            (None, Some(radiance)) => Self::Coarse(radiance),
-            (None, None) => Self::Nothing,
-        }
-    }
 }
 
 impl Picture {
@@ -130,9 +114,9 @@ impl Picture {
     }
 
     /// Updates the textures with the tiles that are ready.
-    pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering, generation: u64) {
+    pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering) {
         if let Some(Ok((version, tiles))) = self.developing.poll()
-            && version.generation == generation
+            && version.generation == rendering.generation
         {
             self.tiles.upload(ctx, tiles);
             if version.finished {
@@ -140,7 +124,7 @@ impl Picture {
             }
             self.shown = Some(version);
         }
-        let wanted = Version::of(rendering, generation, self.tone);
+        let wanted = Version::of(rendering, self.tone);
         let more_of_it = self.shown.is_some_and(|shown| {
             !wanted.finished && Version { done: wanted.done, ..shown } == wanted
         });
@@ -154,8 +138,8 @@ impl Picture {
     }
 
     /// Whether the screen shows this picture as far as it is rendered.
-    pub fn is_fresh(&self, rendering: &Rendering, generation: u64) -> bool {
-        self.shown == Some(Version::of(rendering, generation, self.tone))
+    pub fn is_fresh(&self, rendering: &Rendering) -> bool {
+        self.shown == Some(Version::of(rendering, self.tone))
     }
 
     /// Keeps the last picture beneath a new one of the same size.
@@ -177,7 +161,7 @@ impl Picture {
         ctx.memory(|memory| memory.focused()).is_none_or(|focused| Some(focused) == self.id)
     }
 
-    /// Where the picture is on the screen.
+    /// The place of the picture on the screen.
     pub fn placement(&self, size: [u32; 2]) -> Placement {
         self.view.place(self.area, size)
     }
@@ -276,7 +260,7 @@ fn hatch(painter: &Painter) {
     }
 }
 
-/// Lines between the pixels that are on the screen.
+/// Draws lines between the pixels that are on the screen.
 fn grid(painter: &Painter, placement: &Placement) {
     let visible = painter.clip_rect().intersect(placement.whole());
     let stroke = Stroke::new(1.0, Color32::from_rgba_unmultiplied(128, 128, 128, 110));
@@ -293,7 +277,7 @@ fn grid(painter: &Painter, placement: &Placement) {
     }
 }
 
-/// A frame around the selected pixel, and four strokes that lead to it.
+/// Draws a frame around the selected pixel, and four strokes that lead to it.
 fn mark(painter: &Painter, pixel: Rect) {
     let frame = pixel.expand((3.0 - 0.5 * pixel.width()).max(1.0));
     for (stroke, color) in [(4.0, Color32::BLACK), (2.0, Color32::from_rgb(255, 230, 60))] {

@@ -50,7 +50,7 @@ impl ImageSettings {
     }
 }
 
-/// Width and height; the view stays the same.
+/// Shows width and height; the view stays the same.
 fn size(ui: &mut Ui, scene: &mut Scene) -> bool {
     let [mut width, mut height] = [scene.image.width, scene.image.height];
     let max = u32::try_from(MAX_PIXELS).unwrap_or(u32::MAX);
@@ -65,7 +65,7 @@ fn size(ui: &mut Ui, scene: &mut Scene) -> bool {
     changed
 }
 
-/// The tracer, and how deep it follows rays.
+/// Shows the tracer, and how deep it follows rays.
 fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
     let label = ui.label("Tracer");
     let mut changed = false;
@@ -97,7 +97,7 @@ fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
     changed
 }
 
-/// How all objects are intersected.
+/// Shows how all objects are intersected.
 fn intersections(ui: &mut Ui, scene: &mut Scene) -> bool {
     let label = ui.label("Intersections");
     let chosen = scene.intersections();
@@ -119,7 +119,7 @@ fn intersections(ui: &mut Ui, scene: &mut Scene) -> bool {
     changed
 }
 
-/// A number field that takes effect when typing ends.
+/// Shows a number field that takes effect when typing ends.
 fn number<N: Numeric>(
     ui: &mut Ui,
     name: &str,

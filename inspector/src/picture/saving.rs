@@ -29,7 +29,8 @@ impl Saving {
     }
 
     fn write(&mut self, ctx: &Context, rendering: &Rendering, picture: &Picture, to: PathBuf) {
-        let (canvas, tone, of_scene) = (rendering.canvas.clone(), picture.tone, tone_of(rendering));
+        let (canvas, tone, of_scene) =
+            (rendering.canvas.clone(), picture.tone, tone_of(&rendering.world));
         let is_for_display = Format::of(&to).is_ok_and(Format::is_for_display);
         let (source, read) = (rendering.source.clone(), rendering.read.clone());
         let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));

@@ -14,7 +14,7 @@ pub struct View {
     center: Vec2,
 }
 
-/// Where the picture is on the screen.
+/// The place of the picture on the screen.
 #[derive(Clone, Copy, Debug)]
 pub struct Placement {
     /// Points of the screen for a pixel.
@@ -23,12 +23,6 @@ pub struct Placement {
     pub corner: Pos2,
     /// Pixels across and down.
     pub size: [u32; 2],
-}
-
-impl Default for View {
-    fn default() -> Self {
-        Self::WHOLE
-    }
 }
 
 impl View {

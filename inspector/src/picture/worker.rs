@@ -10,6 +10,7 @@ use std::time::{Duration, Instant};
 use eframe::egui;
 use groundtruth::render::Canvas;
 use groundtruth::render::{MAX_COUNTED, RaysPerSample};
+use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
@@ -79,7 +80,9 @@ impl<T: Send + 'static> Background<T> {
 /// A picture that is being rendered. Dropping it stops the work.
 #[derive(Debug)]
 pub struct Rendering {
-    /// Where the scene comes from.
+    /// The number of this rendering: answers about another one are dropped.
+    pub generation: u64,
+    /// The source of the scene.
     pub source: Source,
     /// The scene as its source says it.
     pub read: Scene,
@@ -95,7 +98,7 @@ pub struct Rendering {
     thread: Option<JoinHandle<()>>,
 }
 
-/// How much of a picture is finished.
+/// The progress of a picture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Progress {
     /// Being rendered: the finished part of it, and for how long.
@@ -108,7 +111,7 @@ pub enum Progress {
 
 impl Rendering {
     /// Starts to render.
-    pub fn start(ctx: &egui::Context, loaded: Loaded) -> Self {
+    pub fn start(ctx: &egui::Context, loaded: Loaded, generation: u64) -> Self {
         let Loaded { source, read, scene, world, .. } = loaded;
         let (scene, world) = (Arc::new(scene), Arc::new(world));
         let canvas = Arc::new(Canvas::new(&world));
@@ -127,7 +130,7 @@ impl Rendering {
             }
         };
         let thread = Builder::new().stack_size(STACK).spawn(work).ok();
-        Self { source, read, scene, world, canvas, start, note, took, thread }
+        Self { generation, source, read, scene, world, canvas, start, note, took, thread }
     }
 
     /// A note for the user, if the picture has many rays.
@@ -135,7 +138,7 @@ impl Rendering {
         self.note.get()?.as_deref()
     }
 
-    /// How far it is.
+    /// The progress so far.
     pub fn progress(&self) -> Progress {
         // in this order: a thread that succeeds sets its time before it ends
         let ended = self.thread.as_ref().is_none_or(JoinHandle::is_finished);
@@ -147,6 +150,16 @@ impl Rendering {
         }
         let (done, whole) = self.canvas.progress();
         Progress::Running(done as f32 / whole as f32, self.start.elapsed())
+    }
+
+    /// Whether it is finished.
+    pub fn is_finished(&self) -> bool {
+        matches!(self.progress(), Progress::Done(_))
+    }
+
+    /// The radiance of a pixel, if it is rendered.
+    pub fn radiance(&self, pixel: [u32; 2]) -> Option<Rgb> {
+        self.canvas.look_partly(|picture| picture.get(pixel))
     }
 
     /// Pixels across and down.

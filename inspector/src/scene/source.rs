@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use crate::scene::watch::Watch;
 
-/// Where a scene comes from.
+/// The source of a scene.
 #[derive(Clone, Debug)]
 pub enum Source {
     /// The gallery.
@@ -52,7 +52,7 @@ impl Source {
         }
     }
 
-    /// The files that a scene names are relative to this folder.
+    /// The folder to which the files named by a scene are relative.
     pub fn folder(&self) -> &Path {
         match self {
             Self::Gallery(_) => Path::new(""),
@@ -121,7 +121,7 @@ impl Source {
 /// A scene that can be rendered.
 #[derive(Debug)]
 pub struct Loaded {
-    /// Where it comes from.
+    /// The source that it is from.
     pub source: Source,
     /// The scene as its source says it.
     pub read: Scene,

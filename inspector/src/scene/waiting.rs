@@ -9,12 +9,12 @@ use groundtruth::scene::{self, Scene};
 use crate::scene::source::{Loaded, Source};
 use crate::scene::watch::Watch;
 
-/// What the command line changes in a scene.
+/// The change that the command line makes to a scene.
 pub type Change = Arc<dyn Fn(Scene) -> Result<Scene, String> + Send + Sync>;
 
 /// A scene file that is not valid yet, and what the command line asks for.
 pub struct Waiting {
-    /// What is changed in the scene.
+    /// The change of the scene.
     pub change: Change,
     /// The pixel that is explained once there is a picture.
     pub pixel: Option<[u32; 2]>,
@@ -26,13 +26,13 @@ pub struct Waiting {
 pub struct Broken {
     /// The file.
     pub path: PathBuf,
-    /// What is wrong, with file and line.
+    /// The error, with file and line.
     pub error: String,
-    /// Notices that it is mended.
+    /// The watch that notices that it is mended.
     pub watch: Watch,
     /// The seed of all random choices.
     pub seed: u64,
-    /// What is asked for.
+    /// The rest that the command line asks for.
     pub waiting: Waiting,
 }
 

@@ -1,7 +1,6 @@
 //! `inspector [SCENE] …`: the same arguments as those of `groundtruth explain`.
 
 use std::path::PathBuf;
-use std::str::FromStr;
 use std::sync::Arc;
 
 use clap::Parser;
@@ -23,8 +22,8 @@ pub struct Arguments {
     pub scene: String,
     /// Width and height of the picture in pixels, as 300x200; the view stays the same. Of a stereo
     /// pair: of each eye's image
-    #[arg(long, value_name = "WxH")]
-    pub size: Option<Size>,
+    #[arg(long, value_name = "WxH", value_parser = parse_size)]
+    pub size: Option<[u32; 2]>,
     /// Samples for each pixel
     #[arg(long, value_name = "N")]
     pub samples: Option<u32>,
@@ -53,26 +52,16 @@ pub struct Arguments {
 }
 
 /// `300x200`.
-#[derive(Clone, Copy, Debug)]
-pub struct Size {
-    width: u32,
-    height: u32,
-}
-
-impl FromStr for Size {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let sides = text.split_once('x').map(|(width, height)| (width.parse(), height.parse()));
-        match sides {
-            Some((Ok(width), Ok(height))) if width > 0 && height > 0 => Ok(Self { width, height }),
-            _ => Err("a size is written as 300x200".to_owned()),
-        }
+fn parse_size(text: &str) -> Result<[u32; 2], String> {
+    let sides = text.split_once('x').map(|(width, height)| (width.parse(), height.parse()));
+    match sides {
+        Some((Ok(width), Ok(height))) if width > 0 && height > 0 => Ok([width, height]),
+        _ => Err("a size is written as 300x200".to_owned()),
     }
 }
 
 impl Arguments {
-    /// The picture that ours is held against.
+    /// The picture that ours is compared with.
     ///
     /// # Errors
     /// If it cannot be read.
@@ -80,7 +69,7 @@ impl Arguments {
         self.compare.as_ref().map(|path| Theirs::read(path, self.encoding)).transpose()
     }
 
-    /// The scene of the arguments, at the size of the picture that it is held against.
+    /// The scene of the arguments, at the size of the picture that it is compared with.
     ///
     /// # Errors
     /// The command line's messages about the scene, the pixel or the sample; a picture of a size that none of the
@@ -126,7 +115,7 @@ impl Arguments {
                 );
             }
         }
-        if let Some(Size { width, height }) = self.size {
+        if let Some([width, height]) = self.size {
             scene.image.resize(width, height);
         }
         scene.image.samples = self.samples.unwrap_or(scene.image.samples);

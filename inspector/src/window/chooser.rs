@@ -6,16 +6,8 @@ use std::pin::Pin;
 use eframe::egui::Context;
 use rfd::{AsyncFileDialog, FileHandle};
 
+use crate::action::Purpose;
 use crate::picture::worker::Background;
-
-/// What a file is chosen for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
-    /// A scene to open.
-    Scene,
-    /// The file for the picture.
-    Picture,
-}
 
 /// The chooser while it is open.
 #[derive(Default)]

@@ -2,26 +2,7 @@
 
 use eframe::egui::{Align2, Context, Grid, Key, KeyboardShortcut, Modifiers, RichText, Window};
 
-/// A global shortcut, named after its effect.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Shortcut {
-    /// Type the name of a scene file.
-    File,
-    /// Save the picture under the typed name.
-    Save,
-    /// Show or hide the list of keys.
-    Keys,
-    /// Flip between ours and theirs.
-    Flip,
-    /// Swipe between ours and theirs.
-    Swipe,
-    /// Show the difference.
-    Difference,
-    /// Show the map of z.
-    Map,
-    /// Select the worst pixel of the next region of difference.
-    NextRegion,
-}
+use crate::action::{Action, Shows};
 
 /// The keys and what they do.
 const KEYS: [(&str, &str); 16] = [
@@ -43,26 +24,26 @@ const KEYS: [(&str, &str); 16] = [
     ("Esc", "close what is in front"),
 ];
 
-/// The shortcut that was pressed. `?` and letters are one only if no text is being typed (`is_text`).
-pub fn pressed(ctx: &Context, is_text: bool) -> Option<Shortcut> {
-    const LETTERS: [(Key, Shortcut); 5] = [
-        (Key::T, Shortcut::Flip),
-        (Key::W, Shortcut::Swipe),
-        (Key::D, Shortcut::Difference),
-        (Key::Z, Shortcut::Map),
-        (Key::N, Shortcut::NextRegion),
+/// The action of the pressed shortcut. `?` and letters are shortcuts only if no text is being typed (`is_text`).
+pub fn pressed(ctx: &Context, is_text: bool) -> Option<Action> {
+    let letters = [
+        (Key::T, Action::Flip(Shows::Theirs)),
+        (Key::W, Action::Flip(Shows::Swipe)),
+        (Key::D, Action::Flip(Shows::Difference)),
+        (Key::Z, Action::Flip(Shows::Map)),
+        (Key::N, Action::NextRegion),
     ];
     let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
     ctx.input_mut(|input| {
         if input.consume_shortcut(&command(Key::O)) {
-            Some(Shortcut::File)
+            Some(Action::NameScene)
         } else if input.consume_shortcut(&command(Key::S)) {
-            Some(Shortcut::Save)
+            Some(Action::Save)
         } else if input.key_pressed(Key::F1) || (!is_text && input.key_pressed(Key::Questionmark)) {
-            Some(Shortcut::Keys)
+            Some(Action::ToggleKeys)
         } else if !is_text {
             let mut is_pressed = |key| input.consume_key(Modifiers::NONE, key);
-            LETTERS.into_iter().find(|(key, _)| is_pressed(*key)).map(|(_, shortcut)| shortcut)
+            letters.into_iter().find(|(key, _)| is_pressed(*key)).map(|(_, action)| action)
         } else {
             None
         }

@@ -1,19 +1,21 @@
-//! The bars: fields for scene, file and pixel, settings of the view, and the pixel under the mouse.
-
-use std::path::PathBuf;
+//! The bars: fields for scene, file and pixel, the message, settings of the view, and the pixel under the mouse; and the
+//! panel of the scene.
 
 use eframe::egui::{
     Align, Button, Id, Key, Label, Layout, ProgressBar, RichText, Slider, TextEdit, Ui,
 };
-use groundtruth::explain::{count, short};
+use groundtruth::explain::{self, count, short};
 
+use crate::action::{Action, Purpose};
 use crate::comparison::theirs::Theirs;
 use crate::picture::display::{Picture, tone_of};
+use crate::picture::image_settings::ImageSettings;
+use crate::picture::session::Session;
 use crate::picture::view::View;
 use crate::picture::worker::{Progress, Rendering};
-use crate::scene::picker::ScenePicker;
 use crate::scene::source::Source;
-use crate::window::chooser::Purpose;
+use crate::scene::switches;
+use crate::window::picker::ScenePicker;
 
 /// The text typed into the bars.
 #[derive(Default)]
@@ -26,19 +28,7 @@ pub struct Fields {
     pub pixel: String,
 }
 
-/// What the user asks for in a bar: the bar returns it, and the app carries it out.
-pub enum Action {
-    /// Open another scene.
-    Open(Source),
-    /// Save the picture in a file.
-    Save(PathBuf),
-    /// Show the desktop's file chooser.
-    Choose(Purpose),
-    /// Select the pixel of these coordinates, as typed.
-    Select(String),
-}
-
-/// Narrower windows have two rows of fields.
+/// The least width of a window with one row of fields; narrower ones have two.
 const ONE_ROW_MIN_WIDTH: f32 = 1250.0;
 
 /// The id of the field for the scene file, which a shortcut focuses.
@@ -46,7 +36,7 @@ pub fn file_field() -> Id {
     Id::unique("the field of the scene file")
 }
 
-/// The scene, the file to open, the file to save and the pixel to explain.
+/// Shows the scene, the file to open, the file to save and the pixel to explain.
 pub fn files(
     ui: &mut Ui,
     fields: &mut Fields,
@@ -91,7 +81,7 @@ fn open(
     }
 }
 
-/// The button of the desktop's file chooser.
+/// Shows the button of the desktop's file chooser.
 fn choose(ui: &mut Ui, hint: &str) -> bool {
     ui.button("…").on_hover_text(format!("{hint} (by the desktop's portal, or zenity)")).clicked()
 }
@@ -111,12 +101,12 @@ fn save_and_select(ui: &mut Ui, fields: &mut Fields, width: f32) -> Option<Actio
         return Some(Action::Choose(Purpose::Picture));
     }
     if saved && !name.is_empty() {
-        return Some(Action::Save(name.into()));
+        return Some(Action::Save);
     }
-    (selected && !pixel.is_empty()).then(|| Action::Select(pixel.to_owned()))
+    (selected && !pixel.is_empty()).then(|| Action::RevealTyped(pixel.to_owned()))
 }
 
-/// A field with its buttons: whether the first of them, or Enter, was pressed, and whether the second was.
+/// Shows a field with its buttons. Returns whether the first of them, or Enter, was pressed, and whether the second was.
 fn entry(
     ui: &mut Ui,
     name: &str,
@@ -131,7 +121,35 @@ fn entry(
     (entered || pressed, other)
 }
 
-/// The settings of the view.
+/// Shows the message, and whether it is an error, until it is dismissed.
+pub fn message(ui: &mut Ui, message: &mut Option<(String, bool)>) {
+    let Some((text, is_error)) = message.clone() else { return };
+    ui.horizontal_top(|ui| {
+        if ui.small_button("×").on_hover_text("Dismiss").clicked() {
+            *message = None;
+        }
+        let text = RichText::new(text).monospace();
+        let text = if is_error { text.color(ui.visuals().error_fg_color) } else { text };
+        ui.add(Label::new(text).wrap());
+    });
+}
+
+/// Shows the scene's panel: what it is, its settings and switches. Returns whether it was changed.
+pub fn scene(ui: &mut Ui, session: &mut Session, settings: &mut ImageSettings) -> bool {
+    let Session { rendering, wanted, seed, .. } = session;
+    if !wanted.about.is_empty() {
+        ui.label(RichText::new(&wanted.about).italics());
+        ui.add_space(6.0);
+    }
+    let changed = settings.show(ui, wanted, seed);
+    for note in explain::notes(&rendering.world) {
+        ui.label(RichText::new(note).color(ui.visuals().warn_fg_color));
+    }
+    ui.add_space(8.0);
+    changed | switches::show(ui, wanted)
+}
+
+/// Shows the settings of the view.
 pub fn view_settings(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
     ui.horizontal_wrapped(|ui| {
         let label = ui.label("Exposure");
@@ -140,7 +158,7 @@ pub fn view_settings(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) 
         let label = ui.label("Gamma");
         let gamma = Slider::new(&mut picture.tone.gamma, 0.2..=5.0);
         ui.add(gamma.max_decimals(2)).labelled_by(label.id);
-        let own = tone_of(rendering);
+        let own = tone_of(&rendering.world);
         let reset = ui.add_enabled(picture.tone != own, Button::new("Reset"));
         if reset.on_hover_text("Exposure 1 and the gamma of the scene").clicked() {
             picture.tone = own;
@@ -162,14 +180,14 @@ pub fn view_settings(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) 
     });
 }
 
-/// The progress and the pixel under the mouse. Returns whether to show the keys.
+/// Shows the progress and the pixel under the mouse; a button shows the keys.
 pub fn status(
     ui: &mut Ui,
     rendering: &Rendering,
     theirs: Option<&Theirs>,
     hovered: Option<[u32; 2]>,
     is_loading: bool,
-) -> bool {
+) -> Option<Action> {
     ui.horizontal(|ui| {
         let [width, height] = rendering.size();
         let samples = count(rendering.world.samples_per_pixel() as usize, "sample");
@@ -190,7 +208,7 @@ pub fn status(
             let help = "click: explain a pixel · arrows: the next · wheel: zoom · drag: move";
             let help = Label::new(RichText::new(help).weak()).truncate();
             ui.add_enabled(true, help);
-            keys.clicked()
+            keys.clicked().then_some(Action::ToggleKeys)
         })
         .inner
     })
@@ -216,8 +234,7 @@ fn progress(ui: &mut Ui, rendering: &Rendering) {
 
 /// A pixel and its radiance, also that of their picture.
 fn under_mouse(rendering: &Rendering, theirs: Option<&Theirs>, pixel @ [x, y]: [u32; 2]) -> String {
-    let ours = rendering.canvas.look_partly(|picture| picture.get(pixel));
-    let ours = ours.map_or("not rendered yet".to_owned(), short);
+    let ours = rendering.radiance(pixel).map_or("not rendered yet".to_owned(), short);
     let theirs = theirs.and_then(|theirs| theirs.radiance(pixel));
     let theirs = theirs.map_or(String::new(), |theirs| format!("  theirs {}", short(theirs)));
     format!("({x}, {y})  {ours}{theirs}")

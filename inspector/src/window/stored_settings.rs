@@ -3,7 +3,7 @@
 use eframe::Storage;
 use serde::{Deserialize, Serialize};
 
-use crate::window::splits::Splits;
+use crate::splits::Splits;
 
 const NAME: &str = "inspector";
 
@@ -11,7 +11,7 @@ const NAME: &str = "inspector";
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct StoredSettings {
-    /// How the window is divided.
+    /// The division of the window.
     pub splits: Splits,
     /// The name under which the picture was last saved.
     pub save: String,

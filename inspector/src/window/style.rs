@@ -2,7 +2,7 @@
 
 use eframe::egui::{Color32, Context, Stroke, Theme, style::ScrollStyle};
 
-/// A dark background for judging colours, text with contrast to it, and scroll bars beside their content,
+/// Sets a dark background for judging colours, text with contrast to it, and scroll bars beside their content,
 /// not over it.
 pub fn set_style(ctx: &Context) {
     ctx.set_theme(Theme::Dark);

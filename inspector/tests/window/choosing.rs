@@ -8,8 +8,8 @@ use groundtruth::explain::count;
 use groundtruth::scene::{Depth, Intersect, Tracer};
 use groundtruth::world::{MAX_SAMPLES, World};
 use inspector::picture::view::View;
-use inspector::scene::picker::found;
-use inspector::scene::thumbnails;
+use inspector::window::picker::found;
+use inspector::window::thumbnails;
 
 use crate::support::*;
 
@@ -75,7 +75,7 @@ fn typing_searches_the_list() {
     window.step();
     window.key_press(Key::Enter);
     settle(&mut window);
-    assert_eq!(window.state().rendering.source.name(), "ch03/three-objects");
+    assert_eq!(window.state().session.rendering.source.name(), "ch03/three-objects");
 }
 
 /// Law: the arrow keys move a choice that is in view, from the present scene; Enter opens it. Oracle: the order of the
@@ -98,7 +98,7 @@ fn arrow_keys_choose_a_scene_of_the_list() {
     assert!(row.top() > 40.0 && row.bottom() < 790.0, "{row}");
     window.key_press(Key::Enter);
     let start = Instant::now();
-    while window.state().rendering.source.name() != all[at - 29] {
+    while window.state().session.rendering.source.name() != all[at - 29] {
         assert!(start.elapsed() < Duration::from_secs(60), "not opened");
         window.step();
     }
@@ -156,7 +156,7 @@ fn many_samples_can_be_typed() {
     let mut window = open(scene);
     settle(&mut window);
     type_number(&mut window, "Samples", "16384");
-    assert_eq!(window.state().rendering.scene.image.samples, 16384);
+    assert_eq!(window.state().session.rendering.scene.image.samples, 16384);
     let status = text_with(&window, "16384 samples");
     assert_eq!(status, "1 × 1, 16384 samples");
 }
@@ -179,11 +179,11 @@ fn size_depth_and_seed_are_followed() {
         whitted.max_depth = 2;
     }
     let world = World::build_seeded(&scene, "".as_ref(), seed).expect("the scene is valid");
-    let film = window.state().rendering.canvas.film();
-    assert_eq!(window.state().rendering.size(), [30, 20]);
+    let film = window.state().session.rendering.canvas.film();
+    assert_eq!(window.state().session.rendering.size(), [30, 20]);
     assert_eq!(film.pixels(), groundtruth::render::render(&world).pixels());
     type_into(&mut window, "Seed", "seven");
-    assert_eq!(window.state().rendering.world.seed, seed);
+    assert_eq!(window.state().session.rendering.world.seed, seed);
 }
 
 /// Law: one control switches between the library's and the book's intersection routines. Oracle: the
@@ -202,7 +202,7 @@ fn intersections_are_switched() {
         window.get_by_label(intersect.name()).click();
         settle(&mut window);
         scene.set_intersections(intersect);
-        let film = window.state().rendering.canvas.film();
+        let film = window.state().session.rendering.canvas.film();
         assert_eq!(film.pixels(), groundtruth::render::render(&built(&scene)).pixels());
         shown.push(film.pixels().to_vec());
     }

@@ -1,4 +1,4 @@
-//! Another program's picture held against ours.
+//! Another program's picture compared with ours.
 
 use std::path::Path;
 
@@ -8,7 +8,8 @@ use egui_kittest::kittest::Queryable;
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use inspector::comparison::theirs::{Shows, Theirs};
+use inspector::action::Shows;
+use inspector::comparison::theirs::Theirs;
 use inspector::window::arguments::Arguments;
 
 use crate::support::*;
@@ -37,7 +38,7 @@ fn read(folder: &Path, film: &Film, name: &str) -> Theirs {
     Theirs::read(&path, None).expect("it is a picture")
 }
 
-/// A window on the small glass sphere that is held against this picture.
+/// A window on the small glass sphere that is compared with this picture.
 fn held_against(film: &Film) -> Window {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut window = open(small_glass_sphere());
@@ -169,7 +170,7 @@ fn another_size_is_not_compared() {
     let mut window = held_against(&theirs);
     type_number(&mut window, "Width", "50");
     assert!(text_with(&window, "has 48 × 48 pixels").ends_with("our picture 50 × 48"));
-    let film = window.state().rendering.canvas.film();
+    let film = window.state().session.rendering.canvas.film();
     let tone = window.state().picture.tone;
     assert_eq!(shown(&mut window, RIGHT), tone.to_bytes(film.get(RIGHT)));
     type_number(&mut window, "Width", "48");

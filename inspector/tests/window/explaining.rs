@@ -74,7 +74,7 @@ fn a_pixel_that_differs_from_its_explanation_is_reported() {
     let other = other.expect("the scene is valid");
     let canvas = groundtruth::render::Canvas::new(&other);
     canvas.render(&other);
-    window.state_mut().rendering.canvas = std::sync::Arc::new(canvas);
+    window.state_mut().session.rendering.canvas = std::sync::Arc::new(canvas);
     settle(&mut window);
     assert!(text_with(&window, "differs from the pixel of the picture").contains("(0."));
 }
@@ -267,7 +267,7 @@ fn the_path_to_a_ray_is_marked_in_the_picture() {
     let number = with_hit.expect("glass sends on rays that hit").number;
     window.state_mut().selection.tree.go_to(&root, number);
     settle(&mut window);
-    let trail = window.state().selection.trail(&window.state().rendering);
+    let trail = window.state().selection.trail(&window.state().session.rendering);
     assert_eq!(trail.len(), 2);
     let film = render::camera_sample(&world, ON_GLASS, 0).expect("no gap").film;
     let expected = render::image_point(&world.image, film);
@@ -289,7 +289,7 @@ fn each_eye_marks_its_own_hits() {
     settle(&mut window);
     for pixel in [ON_GLASS, in_the_right_image] {
         click(&mut window, pixel);
-        let trail = window.state().selection.trail(&window.state().rendering);
+        let trail = window.state().selection.trail(&window.state().session.rendering);
         let [x, y] = trail[0].0.expect("the eye sees what it hit");
         assert_eq!([x as u32, y as u32], pixel);
     }

@@ -10,7 +10,8 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};
-use inspector::comparison::theirs::{Shows, Theirs};
+use inspector::action::Shows;
+use inspector::comparison::theirs::Theirs;
 use judge::verdict::{Case, Decision, Strictness, Verdict};
 use pictures::compare::Picture;
 
@@ -48,7 +49,7 @@ fn written(film: &Film) -> (Theirs, Picture) {
     (Theirs::read(&path, None).expect("it is a picture"), picture)
 }
 
-/// A window on a scene that is held against this picture.
+/// A window on a scene that is compared with this picture.
 fn held_against(scene: Scene, theirs: Theirs) -> Window {
     let mut window = open_sized(scene, [900.0, 600.0]);
     window.state_mut().theirs = Some(theirs);

@@ -129,7 +129,7 @@ fn large_pictures_are_shown_across_the_seams() {
         scene.image.samples = 1;
         let mut window = open(scene);
         settle(&mut window);
-        let film = window.state().rendering.canvas.film();
+        let film = window.state().session.rendering.canvas.film();
         let tone = window.state().picture.tone;
         window.state_mut().picture.set_zoom(size, 10.0);
         for along in [5, 1000, 1023, 1024, 1055] {
@@ -154,7 +154,7 @@ fn nothing_of_the_old_picture_shines_through() {
         settle(&mut window);
     }
     assert_eq!(shown(&mut window, ground), [0, 0, 0]);
-    let film = window.state().rendering.canvas.film();
+    let film = window.state().session.rendering.canvas.film();
     let tone = window.state().picture.tone;
     for pixel in [[1, 1], [17, 19], [40, 46]] {
         assert_eq!(shown(&mut window, pixel), tone.to_bytes(film.get(pixel)), "{pixel:?}");
@@ -166,7 +166,7 @@ fn nothing_of_the_old_picture_shines_through() {
 #[test]
 fn exposure_changes_the_screen_and_not_the_picture() {
     let mut window = glass_window();
-    let (film, at) = (window.state().rendering.canvas.film(), [3, 3]);
+    let (film, at) = (window.state().session.rendering.canvas.film(), [3, 3]);
     let shown = |window: &mut Window| shown(window, at);
     let tone = window.state().picture.tone;
     assert_eq!(shown(&mut window), tone.to_bytes(film.get(at)));
@@ -175,7 +175,7 @@ fn exposure_changes_the_screen_and_not_the_picture() {
     settle(&mut window);
     assert_eq!(shown(&mut window), brighter.to_bytes(film.get(at)));
     assert_ne!(brighter.to_bytes(film.get(at)), tone.to_bytes(film.get(at)));
-    assert_eq!(window.state().rendering.canvas.film(), film);
+    assert_eq!(window.state().session.rendering.canvas.film(), film);
 }
 
 /// Law: the window shows the pixel under the mouse and its radiance.
@@ -184,7 +184,7 @@ fn the_pixel_under_the_mouse_is_shown() {
     let mut window = glass_window();
     window.hover_at(on_screen(&window, [20, 30]));
     window.run_steps(3);
-    let radiance = window.state().rendering.canvas.look(|film| film.get([20, 30]));
+    let radiance = window.state().session.rendering.canvas.look(|film| film.get([20, 30]));
     let text = format!("(20, 30)  {}", groundtruth::explain::short(radiance));
     assert!(window.query_by_label(&text).is_some());
 }

@@ -114,18 +114,19 @@ fn the_picture_follows_sampler_and_count() {
     settle(&mut window);
     window.get_by_label("regular").click();
     settle(&mut window);
-    let image = &window.state().rendering.scene.image;
+    let image = &window.state().session.rendering.scene.image;
     assert!(matches!(image.sampler, Some(Kind::Regular(_))), "{:?}", image.sampler);
     let mut scene = sixteen();
     scene.image.sampler = Some(Regular {}.into());
-    let rendered =
-        |window: &Window| window.state().rendering.canvas.look(|film| film.pixels().to_vec());
+    let rendered = |window: &Window| {
+        window.state().session.rendering.canvas.look(|film| film.pixels().to_vec())
+    };
     assert_eq!(rendered(&window), render::render(&built(&scene)).pixels());
     assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
 
     type_number(&mut window, "Samples", "5");
     scene.image.samples = 5;
-    assert_eq!(window.state().rendering.scene.image.samples, 5);
+    assert_eq!(window.state().session.rendering.scene.image.samples, 5);
     assert_eq!(rendered(&window), render::render(&built(&scene)).pixels());
     assert!(window.query_by_label("rounded up to 9").is_some());
 }

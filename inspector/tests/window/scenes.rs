@@ -5,16 +5,16 @@ use std::path::PathBuf;
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::read_exr;
 use groundtruth::rgb::Rgb;
+use inspector::action::Purpose;
 use inspector::picture::worker::Progress;
 use inspector::scene::source::Source;
-use inspector::window::chooser::Purpose;
 
 use crate::support::*;
 
 const ON_GROUND: [u32; 2] = [30, 44];
 
 fn pixels(window: &Window) -> Vec<Rgb> {
-    window.state().rendering.canvas.look(|film| film.pixels().to_vec())
+    window.state().session.rendering.canvas.look(|film| film.pixels().to_vec())
 }
 
 /// Law: a light that is switched off sends no shadow rays and changes the picture; switched on
@@ -55,11 +55,12 @@ fn only_this_object_is_left_and_all_come_back() {
     window.get_all_by_label("only").nth(5).expect("a button for each").click();
     settle(&mut window);
     let enabled = |window: &Window| -> Vec<bool> {
-        window.state().rendering.scene.objects.iter().map(|object| object.enabled).collect()
+        window.state().session.rendering.scene.objects.iter().map(|object| object.enabled).collect()
     };
     assert_eq!(enabled(&window), [false, true, false]);
     let names: Vec<String> = window
         .state()
+        .session
         .rendering
         .world
         .objects()
@@ -87,7 +88,7 @@ fn a_bad_scene_file_shows_its_error_and_keeps_the_old_scene() {
         let error = groundtruth::world::read(&path).expect_err("it is bad").to_string();
         type_into(&mut window, "File", &path.display().to_string());
         assert!(window.query_by_label(&error).is_some(), "{error}");
-        assert_eq!(window.state().rendering.source.name(), "ch28/glass-sphere");
+        assert_eq!(window.state().session.rendering.source.name(), "ch28/glass-sphere");
         assert_eq!(pixels(&window), before);
         assert_eq!(window.state().selection.pixel, Some(ON_GROUND));
     }
@@ -110,7 +111,7 @@ fn a_scene_file_is_opened() {
     std::fs::write(&path, text).expect("writable");
     type_into(&mut window, "File", &path.display().to_string());
     assert_eq!(window.state().message, None);
-    assert_eq!(window.state().rendering.size(), [20, 10]);
+    assert_eq!(window.state().session.rendering.size(), [20, 10]);
     assert_eq!(window.state().selection.pixel, None);
     assert_eq!(pixels(&window), groundtruth::render::render(&built(&scene)).pixels());
 }
@@ -139,7 +140,7 @@ fn the_picture_is_saved_and_errors_are_shown() {
     type_into(&mut window, "Picture", &path.display().to_string());
     assert!(window.query_by_label(&format!("saved {}", path.display())).is_some());
     let saved = read_exr(&path).expect("a picture");
-    let expected = window.state().rendering.canvas.film();
+    let expected = window.state().session.rendering.canvas.film();
     assert!(saved.to_f32().eq(expected.to_f32()));
 
     let path = folder.path().join("saved.bmp");
@@ -164,7 +165,7 @@ fn a_saved_picture_says_how_it_was_made() {
         String::from_utf8_lossy(&std::fs::read(&path).expect("it is saved")).into_owned()
     };
     let usual = saved(&mut window, "usual.png");
-    let [width, height] = window.state().rendering.size();
+    let [width, height] = window.state().session.rendering.size();
     for text in ["Scene\0ch28/glass-sphere", &format!("Size\0{width}x{height}"), "Samples\0"] {
         assert!(usual.contains(text), "{text:?}");
     }
@@ -195,13 +196,13 @@ fn a_chosen_file_is_opened_or_saved() {
     // a desktop without a chooser looks the same as one whose user closes it
     text_with(&window, "no file chosen");
     text_with(&window, "the path can be typed");
-    assert_eq!(window.state().rendering.source.name(), "ch28/glass-sphere");
+    assert_eq!(window.state().session.rendering.source.name(), "ch28/glass-sphere");
     choose(&mut window, Purpose::Scene, Some(scene_file.clone()));
-    assert_eq!(window.state().rendering.size(), [20, 10]);
+    assert_eq!(window.state().session.rendering.size(), [20, 10]);
     assert_eq!(window.state().fields.open, scene_file.display().to_string());
     choose(&mut window, Purpose::Picture, Some(picture_file.clone()));
     let saved = read_exr(&picture_file).expect("a picture");
-    assert!(saved.to_f32().eq(window.state().rendering.canvas.film().to_f32()));
+    assert!(saved.to_f32().eq(window.state().session.rendering.canvas.film().to_f32()));
     assert_eq!(window.state().fields.save, picture_file.display().to_string());
 }
 
@@ -248,13 +249,13 @@ fn the_window_does_not_wait_for_the_picture() {
     // hours of work
     scene.image.samples = 10_000;
     let mut window = open(scene.clone());
-    let running = |window: &Window| match window.state().rendering.progress() {
+    let running = |window: &Window| match window.state().session.rendering.progress() {
         Progress::Running(part, _) => part < 0.5,
         _ => false,
     };
     window.run_steps(5);
     assert!(running(&window));
-    let old = window.state().rendering.canvas.clone();
+    let old = window.state().session.rendering.canvas.clone();
 
     // 10 000 samples take a while also for one pixel, but not for the window
     let at = on_screen(&window, [200, 240]);
@@ -277,8 +278,8 @@ fn the_window_does_not_wait_for_the_picture() {
     let ctx = window.ctx.clone();
     let small = gallery::find("ch03/single-sphere");
     let small = small.or_else(|| gallery::scenes().next()).expect("a scene");
-    window.state_mut().open(&ctx, Source::Gallery(small));
+    window.state_mut().session.open(&ctx, Source::Gallery(small));
     settle(&mut window);
     assert!(old.is_cancelled());
-    assert_eq!(window.state().rendering.source.name(), small.name);
+    assert_eq!(window.state().session.rendering.source.name(), small.name);
 }

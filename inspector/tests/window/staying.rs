@@ -58,11 +58,11 @@ fn a_changed_file_is_read_again_and_the_selection_stays() {
     scene.about = "told anew".to_owned();
     scene.background = groundtruth::rgb::Rgb::new(0.1, 0.2, 0.3).into();
     write(&path, &scene);
-    wait_until(&mut window, |window| window.state().rendering.scene.about == "told anew");
+    wait_until(&mut window, |window| window.state().session.rendering.scene.about == "told anew");
     assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
     scene.image.samples = 9;
     scene.lights.iter_mut().filter(|l| l.name == "high lamp").for_each(|l| l.enabled = false);
-    let film = window.state().rendering.canvas.film();
+    let film = window.state().session.rendering.canvas.film();
     assert_eq!(film.pixels(), groundtruth::render::render(&built(&scene)).pixels());
     assert_eq!(window.state().message, None);
 }
@@ -76,15 +76,15 @@ fn a_broken_file_keeps_the_picture_until_it_is_mended() {
     let mut scene = small_glass_sphere();
     write(&path, &scene);
     let mut window = window_on(&path);
-    let before = window.state().rendering.canvas.film();
+    let before = window.state().session.rendering.canvas.film();
     std::fs::write(&path, "about = \n").expect("writable");
     let error = groundtruth::world::read(&path).expect_err("it is broken").to_string();
     wait_until(&mut window, |window| window.state().message.is_some());
     assert_eq!(window.state().message, Some((error, true)));
-    assert_eq!(window.state().rendering.canvas.film(), before);
+    assert_eq!(window.state().session.rendering.canvas.film(), before);
     scene.about = "mended".to_owned();
     write(&path, &scene);
-    wait_until(&mut window, |window| window.state().rendering.scene.about == "mended");
+    wait_until(&mut window, |window| window.state().session.rendering.scene.about == "mended");
     assert_eq!(window.state().message, None);
 }
 
@@ -116,7 +116,7 @@ fn a_broken_file_of_the_command_line_is_waited_for() {
     scene.image.resize(30, 20);
     scene.image.samples = 9;
     let world = World::build_seeded(&scene, folder.path(), 5).expect("the scene is valid");
-    let film = window.state().rendering.canvas.film();
+    let film = window.state().session.rendering.canvas.film();
     assert_eq!(film.pixels(), groundtruth::render::render(&world).pixels());
     assert!(window.query_by_label("Pixel (12, 9)").is_some());
     assert_eq!(window.state().selection.sample, 3);
@@ -126,8 +126,10 @@ fn a_broken_file_of_the_command_line_is_waited_for() {
     type_number(&mut window, "Samples", "16");
     scene.about = "changed again".to_owned();
     write(&path, &scene);
-    wait_until(&mut window, |window| window.state().rendering.scene.about == "changed again");
-    assert_eq!(window.state().rendering.scene.image.samples, 16);
+    wait_until(&mut window, |window| {
+        window.state().session.rendering.scene.about == "changed again"
+    });
+    assert_eq!(window.state().session.rendering.scene.image.samples, 16);
 }
 
 /// Law: a mesh file that a scene names is watched as well.

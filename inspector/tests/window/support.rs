@@ -81,7 +81,7 @@ pub fn settle(window: &mut Window) {
 /// The middle of a pixel on the screen.
 pub fn on_screen(window: &Window, pixel: [u32; 2]) -> Pos2 {
     let inspector = window.state();
-    inspector.picture.placement(inspector.rendering.size()).rect(pixel).center()
+    inspector.picture.placement(inspector.session.rendering.size()).rect(pixel).center()
 }
 
 /// The colour of the screen in the middle of a pixel.

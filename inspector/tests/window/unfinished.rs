@@ -17,8 +17,8 @@ fn dark_window_not_begun() -> Window {
     scene.lights.clear();
     let mut window = open(scene);
     settle(&mut window);
-    let canvas = Canvas::new(&window.state().rendering.world);
-    window.state_mut().rendering.canvas = Arc::new(canvas);
+    let canvas = Canvas::new(&window.state().session.rendering.world);
+    window.state_mut().session.rendering.canvas = Arc::new(canvas);
     window
 }
 
@@ -37,7 +37,7 @@ fn an_unrendered_pixel_is_not_shown_as_black() {
     click(&mut window, GROUND);
     assert!(window.query_by_label("this pixel is not rendered yet").is_some());
 
-    let rendering = &window.state().rendering;
+    let rendering = &window.state().session.rendering;
     rendering.canvas.render(&rendering.world);
     assert!(rendering.canvas.look(|film| film.get(GROUND)) == Rgb::BLACK);
     settle(&mut window);
@@ -71,7 +71,7 @@ fn what_is_not_rendered_is_hatched() {
     scene.image.samples = 10_000;
     let mut window = open(scene);
     window.run_steps(5);
-    let size = window.state().rendering.size();
+    let size = window.state().session.rendering.size();
     let area = window.state().picture.placement(size).whole();
     let image = window.render().expect("drawn");
     let row = area.center().y as u32;
@@ -81,7 +81,7 @@ fn what_is_not_rendered_is_hatched() {
 
     drop(window);
     let mut window = dark_window_not_begun();
-    let rendering = &window.state().rendering;
+    let rendering = &window.state().session.rendering;
     rendering.canvas.render(&rendering.world);
     // a zoom too small for the pixel grid
     window.state_mut().picture.set_zoom([48, 48], 6.0);
@@ -97,7 +97,7 @@ fn the_coarse_picture_is_shown_over_its_blocks() {
     let world = built(&small_glass_sphere());
     let canvas = Canvas::new(&world);
     canvas.render_coarse(&world);
-    window.state_mut().rendering.canvas = Arc::new(canvas);
+    window.state_mut().session.rendering.canvas = Arc::new(canvas);
     settle(&mut window);
     let tone = window.state().picture.tone;
     for block in [[16, 16], [24, 40], [40, 8]] {

@@ -9,19 +9,18 @@ use std::time::{Duration, Instant};
 
 use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
 use gallery::Entry;
-use groundtruth::film::Tone;
 use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
-use crate::picture::display::color;
+use crate::picture::display::{color, tone_of};
 use crate::picture::worker::Background;
 
 /// Width and height of a thumbnail, in pixels; the picture is centred in it.
 pub const SIZE: [u32; 2] = [54, 36];
 /// The largest depth of rays in a thumbnail.
 const MAX_DEPTH: u32 = 4;
-/// After this time the rest of a thumbnail stays empty.
+/// The time after which the rest of a thumbnail stays empty.
 const MAX_TIME: Duration = Duration::from_millis(250);
 
 /// The thumbnails that were asked for so far.
@@ -63,8 +62,7 @@ fn render_small(mut scene: Scene) -> Option<ColorImage> {
         *max_depth = MAX_DEPTH.min(*max_depth);
     }
     let world = World::build(&scene).ok()?;
-    let tone =
-        Tone { exposure: 1.0, gamma: scene.image.gamma, out_of_gamut: scene.image.out_of_gamut };
+    let tone = tone_of(&world);
     let sides = SIZE.map(|side| side as usize);
     let mut image = ColorImage::filled(sides, Color32::TRANSPARENT);
     // centred

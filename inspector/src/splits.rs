@@ -2,7 +2,8 @@
 //! height, and the bars between them.
 
 use eframe::egui::{
-    CursorIcon, Id, Pos2, Rect, Sense, Stroke, Ui, Vec2, WidgetInfo, accesskit::Role, vec2,
+    CursorIcon, Id, Pos2, Rect, Sense, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role,
+    vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -33,7 +34,7 @@ impl Default for Splits {
     }
 }
 
-/// Where the parts are on the screen.
+/// The areas of the parts on the screen.
 #[derive(Clone, Copy, Debug)]
 pub struct Parts {
     /// The scene: its settings, lights and objects.
@@ -92,6 +93,22 @@ impl Splits {
         let explanation = self.explanation.clamp(explanation, 1.0 - picture - scene);
         Self { scene, explanation, details }
     }
+}
+
+/// Shows a part of the window in its area, with this margin.
+pub fn part<T>(
+    ui: &mut Ui,
+    name: &str,
+    area: Rect,
+    margin: Vec2,
+    show: impl FnOnce(&mut Ui) -> T,
+) -> T {
+    let builder = UiBuilder::new().id_salt(name).max_rect(area.shrink2(margin));
+    ui.scope_builder(builder, |ui| {
+        ui.set_clip_rect(ui.clip_rect().intersect(area));
+        show(ui)
+    })
+    .inner
 }
 
 /// The area of the bar at `x`.

@@ -7,9 +7,9 @@ use eframe::egui::{
 };
 use gallery::{self, Entry};
 
-use crate::scene::thumbnails::{SIZE, Thumbnails};
+use crate::window::thumbnails::{SIZE, Thumbnails};
 
-/// A list is drawn invisibly for these frames, until its size is known and it is in position.
+/// The number of frames for which a list is drawn invisibly, until its size is known and it is in position.
 const FRAMES_TO_OPEN: u8 = 3;
 
 /// The list, closed or open.
@@ -24,7 +24,7 @@ pub struct ScenePicker {
     /// Frames until the open list is in position.
     opening: u8,
     thumbnails: Thumbnails,
-    /// Shown for a thumbnail that is not rendered yet.
+    /// The texture for a thumbnail that is not rendered yet.
     blank: Option<TextureHandle>,
 }
 
@@ -126,7 +126,7 @@ impl ScenePicker {
     }
 }
 
-/// The arrow at the right end of a button that opens a list.
+/// Draws the arrow at the right end of a button that opens a list.
 fn arrow(ui: &Ui, button: Rect) {
     let middle = button.right_center() - vec2(11.0, 0.0);
     let corners = [vec2(-4.0, -2.0), vec2(4.0, -2.0), vec2(0.0, 3.0)].map(|to| middle + to);
