@@ -316,7 +316,7 @@ fn radiance(text: &str, origin: V, direction: V, lit: &mut u32) -> V {
 /// Law: a mesh file is described by its size and its counts. Oracle: the header of the file.
 #[test]
 fn the_mesh_of_a_file_is_counted() {
-    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes"));
+    let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../scenes"));
     let (scene, source) = scene::open(&folder.join("knot.toml")).expect("it is a scene");
     let world = World::of_source(&scene, &source, 1).expect("it is valid");
     let text = exchange::describe::describe("knot", &scene, &world, folder).expect("it is plain");

@@ -14,7 +14,7 @@ use groundtruth::{cameras, lights, materials, shapes, textures};
 /// Law: docs/renderers.md has a line for each kind of shape, material, light and camera, and no other.
 #[test]
 fn the_page_has_the_table_of_kinds() {
-    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/renderers.md");
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/renderers.md");
     let page = fs::read_to_string(file).expect("the page is there");
     let cell = |how: &How| match how.words() {
         (word, "") => word.to_owned(),
