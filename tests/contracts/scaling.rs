@@ -66,13 +66,14 @@ fn scale(value: &mut Value, schema: &'static Schema, table: &Table, factor: f64)
 
 /// What the scaled unit of a dimension is in the old one: `factor` for a `length`.
 fn unit(dimension: &str, table: &Table, factor: f64) -> f64 {
-    let (base, exponent) = dimension.split_once('^').unzip();
-    let base = match base.unwrap_or(dimension) {
+    match dimension {
         "length" => factor,
         "1/length" => 1.0 / factor,
-        other => panic!("no dimension: {other}"),
-    };
-    exponent.map_or(base, |field| power(base, sum(&table[field])))
+        _ => {
+            let (base, field) = dimension.split_once('^').expect("a power of a length");
+            power(unit(base, table, factor), sum(&table[field]))
+        }
+    }
 }
 
 /// The sum of the numbers of a value.
