@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Resources};
-use crate::math::{Ray, sin};
+use crate::math::{Length, Ray, sin};
 use crate::rgb::{ColorOr, Colorful, Rgb};
 
 pub use directions::Directions;
@@ -57,6 +57,7 @@ pub enum Sky {
 pub struct Sinusoid {
     /// The length in which x and y are measured; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub unit: f64,
 }
 
@@ -86,16 +87,6 @@ impl Background {
                 .build(resources)
                 .map(|image| Sky::Image(Arc::new(image)))
                 .map_err(|e| e.inside("image").inside("background")),
-        }
-    }
-
-    /// The same with every length multiplied by `factor`; a sky has none.
-    pub(crate) fn scaled(&self, factor: f64) -> Self {
-        match self {
-            Self::Pattern(Pattern::Sinusoid(Sinusoid { unit })) => {
-                Self::Pattern(Pattern::Sinusoid(Sinusoid { unit: factor * unit }))
-            }
-            Self::Color(_) | Self::Pattern(Pattern::Image(_)) => self.clone(),
         }
     }
 }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::Bump;
 use crate::invalid::{Invalid, finite, length};
 use crate::kinds::{self, Resources, Specification};
-use crate::math::{Frame, Normal, Vector, power_of_two};
+use crate::math::{Frame, Length, Normal, Vector, power_of_two};
 use crate::textures::{Kind, Texture, TexturePoint};
 
 /// The normals of a displaced surface: the red channel of a texture is the height `h` of each point
@@ -22,9 +22,11 @@ pub struct Height {
     pub texture: Kind,
     /// The height where the red channel is 1, in the unit of the scene; negative for a dent.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub height: f64,
     /// The step of the central differences for the slope, in the unit of the scene: much smaller
     /// than the texture's details; positive.
+    #[schemars(with = "Length")]
     pub step: f64,
 }
 
@@ -52,11 +54,6 @@ impl Specification for Height {
             height: finite("height", self.height)?,
             step: length("step", self.step)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let (height, step) = (factor * self.height, factor * self.step);
-        Self { texture: self.texture.scaled(factor), height, step }
     }
 
     fn specimens() -> Vec<Self> {

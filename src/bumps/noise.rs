@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::Bump;
 use crate::invalid::{Invalid, finite, length};
 use crate::kinds::{self, Resources, Specification};
-use crate::math::{Normal, Point, Vector};
+use crate::math::{Length, Normal, Point, Vector};
 use crate::noise::{self, LatticeNoise};
 use crate::textures::TexturePoint;
 
@@ -23,6 +23,7 @@ pub struct Noise {
     pub noise: noise::Noise,
     /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The book's perturbation `a`: the factor of the noise that is added to the unit normal.
     pub perturbation: f64,
@@ -45,10 +46,6 @@ impl Specification for Noise {
             size: length("size", self.size)?,
             perturbation: finite("perturbation", self.perturbation)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { size: factor * self.size, ..self.clone() }
     }
 
     fn specimens() -> Vec<Self> {

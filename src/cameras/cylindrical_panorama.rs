@@ -33,10 +33,6 @@ impl Specification for CylindricalPanorama {
         Ok(Arc::new(CylindricalPanoramaCamera { film: *film, lambda_max, tan_psi_max }))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         let fovs = [(180.0, 90.0), (360.0, 120.0), (1e-6, 2e-6), (270.0, 20.0)];
         fovs.map(|(horizontal_fov, vertical_fov)| Self { horizontal_fov, vertical_fov }).into()

@@ -32,10 +32,6 @@ impl Specification for Fisheye {
         Ok(Arc::new(FisheyeCamera { film: *film, psi_max, rectangular: self.rectangular }))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         let fovs = [(120.0, false), (360.0, false), (1e-6, false), (180.0, true), (300.0, true)];
         fovs.map(|(fov, rectangular)| Self { fov, rectangular }).into()

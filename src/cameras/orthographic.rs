@@ -28,10 +28,6 @@ impl Specification for Orthographic {
         Ok(Arc::new(self.clone()))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         vec![Self { zoom: 1.0 }, Self { zoom: 2.5 }]
     }

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::{Camera, ViewPlane};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Specification};
-use crate::math::{Point, Vector};
+use crate::math::{Length, Point, Vector};
 
 /// Rays from the eye through a view plane at `distance`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -17,6 +17,7 @@ pub struct Pinhole {
     /// The distance from the eye to the view plane, the book's `d`, in the unit of `pixel_size`;
     /// positive. A larger distance gives a narrower field of view: 38 degrees for 480 pixels of
     /// side 1 at distance 700.
+    #[schemars(with = "Length")]
     pub distance: f64,
     /// The magnification; positive.
     #[serde(default = "kinds::one")]
@@ -31,10 +32,6 @@ impl Specification for Pinhole {
         positive("distance", self.distance)?;
         positive("zoom", self.zoom)?;
         Ok(Arc::new(self.clone()))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { distance: factor * self.distance, zoom: self.zoom }
     }
 
     fn specimens() -> Vec<Self> {

@@ -33,10 +33,6 @@ impl Specification for SphericalPanorama {
         Ok(Arc::new(SphericalPanoramaCamera { film: *film, lambda_max, psi_max }))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         let fovs = [(84.0, 56.0), (360.0, 180.0), (1e-6, 2e-6), (180.0, 120.0)];
         fovs.map(|(horizontal_fov, vertical_fov)| Self { horizontal_fov, vertical_fov }).into()

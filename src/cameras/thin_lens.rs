@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::{Camera, ViewPlane};
 use crate::invalid::{Invalid, not_negative, positive};
 use crate::kinds::{self, Specification};
-use crate::math::{Point, Vector};
+use crate::math::{Length, Point, Vector};
 
 /// A pinhole camera with a lens instead of a point: points at the focal distance are sharp, all
 /// others blurred.
@@ -16,12 +16,15 @@ use crate::math::{Point, Vector};
 #[serde(deny_unknown_fields)]
 pub struct ThinLens {
     /// The distance from the lens to the view plane, the book's `d`, as for `pinhole`; positive.
+    #[schemars(with = "Length")]
     pub distance: f64,
     /// The distance from the lens to the focal plane, the book's `f`; positive. Measured along −w,
     /// not along the ray.
+    #[schemars(with = "Length")]
     pub focal_distance: f64,
     /// The radius `R` of the lens, not negative. A larger lens gives more blur; 0 gives the pinhole
     /// camera.
+    #[schemars(with = "Length")]
     pub lens_radius: f64,
     /// The magnification; positive.
     #[serde(default = "kinds::one")]
@@ -38,15 +41,6 @@ impl Specification for ThinLens {
         not_negative("lens_radius", self.lens_radius)?;
         positive("zoom", self.zoom)?;
         Ok(Arc::new(self.clone()))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            distance: factor * self.distance,
-            focal_distance: factor * self.focal_distance,
-            lens_radius: factor * self.lens_radius,
-            zoom: self.zoom,
-        }
     }
 
     fn specimens() -> Vec<Self> {

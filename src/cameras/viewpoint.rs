@@ -125,18 +125,6 @@ impl Viewpoint {
         }
         Ok(View { eyes, stereo: self.stereo, frame, exposure_time, medium })
     }
-
-    /// The same view of a scene whose lengths are multiplied by `factor`.
-    #[must_use]
-    pub fn scaled(&self, factor: f64) -> Self {
-        Self {
-            eye: self.eye.scaled(factor),
-            look_at: self.look_at.scaled(factor),
-            medium: self.medium.scaled(factor),
-            lens: self.lens.scaled(factor),
-            ..self.clone()
-        }
-    }
 }
 
 /// The viewing frame. If `up` is along the view direction: the book's frames for the vertical view

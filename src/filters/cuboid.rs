@@ -23,10 +23,6 @@ impl Specification for Box {
         Ok(Arc::new(self.clone()))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         vec![Self {}]
     }

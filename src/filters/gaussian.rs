@@ -46,10 +46,6 @@ impl Specification for Gaussian {
         Ok(Arc::new(GaussianFilter { radius, scale: SQRT_2 * sigma, end, whole: erf(end) }))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         let [book, wide] = [(half(), three_halves()), (2.0, 3.0)];
         [book, wide].map(|(sigma, radius)| Self { sigma, radius }).to_vec()

@@ -47,10 +47,6 @@ impl Specification for Mitchell {
         Ok(Arc::new(built))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         let third = third();
         [(third, third), (1.0, 0.0), (0.0, 0.5), (0.0, 0.0), (0.0, 1.0)]

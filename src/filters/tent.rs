@@ -27,10 +27,6 @@ impl Specification for Tent {
         Ok(Arc::new(self.clone()))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         vec![Self { radius: 1.0 }, Self { radius: 2.5 }]
     }

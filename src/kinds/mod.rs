@@ -34,10 +34,6 @@ pub trait Specification: Sized {
     /// [`Invalid`] names the field that does not fit.
     fn build(&self, context: &mut Self::Context) -> Result<Self::Built, Invalid>;
 
-    /// The same thing with every length multiplied by `factor`. With a power of two the picture
-    /// of a whole scene scaled so stays the same to the last bit.
-    fn scaled(&self, factor: f64) -> Self;
-
     /// Valid examples, on which the contract of the trait is tested.
     fn specimens() -> Vec<Self>;
 }
@@ -181,16 +177,6 @@ macro_rules! kinds {
                     formula: <$Data as $crate::kinds::Specification>::FORMULA,
                 },
             )*];
-
-            /// The same thing with every length multiplied by `factor`; a custom one stays as it is.
-            pub fn scaled(&self, factor: f64) -> Self {
-                match self {
-                    $(Self::$Data(data) => {
-                        Self::$Data($crate::kinds::Specification::scaled(data, factor))
-                    })*
-                    Self::Custom(_) => self.clone(),
-                }
-            }
 
             /// Checks the data and builds the thing.
             ///

@@ -40,10 +40,6 @@ impl Specification for Ambient {
         Ok(Arc::new(Constant { radiance }))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         vec![Self { ls: 0.25, color: Rgb::new(1.0, 0.5, 0.75) }]
     }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::{Context, Light, LightContext, LightSample, Segment, Target};
 use crate::invalid::{Invalid, length, strength, within};
 use crate::kinds::{self, Specification};
-use crate::math::{Frame, maps};
+use crate::math::{Frame, Length, maps};
 use crate::rgb::Rgb;
 
 /// Ambient light `ls · color` where nothing is in the way, and a share of it where something is: each
@@ -33,6 +33,7 @@ pub struct AmbientOccluder {
     pub occluded_color: Option<Rgb>,
     /// Objects farther away than this are not in the way; positive. Without end if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Length>")]
     pub max_distance: Option<f64>,
 }
 
@@ -74,10 +75,6 @@ impl Specification for AmbientOccluder {
         }
         let max_distance = self.max_distance.map(|far| length("max_distance", far)).transpose()?;
         Ok(Arc::new(Occluder { open, occluded: min_amount * (ls * occluded), max_distance }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { max_distance: self.max_distance.map(|far| factor * far), ..self.clone() }
     }
 
     fn specimens() -> Vec<Self> {

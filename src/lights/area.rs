@@ -84,10 +84,6 @@ impl Specification for Area {
         Ok(Arc::new(Lamp { object: name.clone(), shape, surface, emission, two_sided }))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         let lamp = Self { object: "lamp".to_owned(), sampling: None };
         vec![Self { sampling: Some(Sampling::Area), ..lamp.clone() }, lamp]

@@ -46,10 +46,6 @@ impl Specification for Directional {
         }))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         vec![Self { ls: 2.0, color: Rgb::WHITE, direction: Vector::new(15.0, 15.0, 2.5) }]
     }

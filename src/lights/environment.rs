@@ -58,10 +58,6 @@ impl Specification for Environment {
         }
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         vec![Self {}]
     }

@@ -10,7 +10,7 @@ use super::point::from_point;
 use super::{Context, Light, LightContext, LightSample, Unlit};
 use crate::invalid::{Invalid, finite_point, not_negative, strength};
 use crate::kinds::{self, Specification};
-use crate::math::{self, power};
+use crate::math::{self, Length};
 use crate::rgb::Rgb;
 
 /// Light `ls · color / d^k` from one place for each sample, which is moved by at most `jitter` along
@@ -21,6 +21,7 @@ use crate::rgb::Rgb;
 pub struct FakeSpherical {
     /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
+    #[schemars(extend("x-dimension" = "length^attenuation"))]
     pub ls: f64,
     /// The colour of the light.
     #[serde(default = "kinds::white::<Rgb>")]
@@ -28,6 +29,7 @@ pub struct FakeSpherical {
     /// The middle of the places.
     pub location: math::Point,
     /// How far a place is from the middle along each axis at most, `r` in the book; not negative.
+    #[schemars(with = "Length")]
     pub jitter: f64,
     /// The exponent `k` of the distance, not negative; as of `point`.
     #[serde(default)]
@@ -58,15 +60,6 @@ impl Specification for FakeSpherical {
             jitter: not_negative("jitter", self.jitter)?,
             attenuation: not_negative("attenuation", self.attenuation)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            ls: self.ls * power(factor, self.attenuation),
-            location: self.location.scaled(factor),
-            jitter: factor * self.jitter,
-            ..*self
-        }
     }
 
     fn specimens() -> Vec<Self> {

@@ -52,10 +52,6 @@ impl Specification for JitteredDirectional {
         }))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         let direction = Vector::new(15.0, 15.0, 2.5);
         vec![Self { ls: 2.0, color: Rgb::WHITE, direction, jitter: 0.2 }]

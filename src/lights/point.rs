@@ -17,6 +17,7 @@ use crate::rgb::Rgb;
 pub struct PointLight {
     /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
+    #[schemars(extend("x-dimension" = "length^attenuation"))]
     pub ls: f64,
     /// The colour of the light.
     #[serde(default = "kinds::white::<Rgb>")]
@@ -52,14 +53,6 @@ impl Specification for PointLight {
             location: finite_point("location", self.location)?,
             attenuation: not_negative("attenuation", self.attenuation)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            ls: self.ls * power(factor, self.attenuation),
-            location: self.location.scaled(factor),
-            ..*self
-        }
     }
 
     fn specimens() -> Vec<Self> {

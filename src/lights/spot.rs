@@ -9,7 +9,7 @@ use super::point::from_point;
 use super::{Context, Light, LightContext, LightSample, Unlit};
 use crate::invalid::{Invalid, direction, finite_point, not_negative, strength, within};
 use crate::kinds::{self, Specification};
-use crate::math::{self, Normal, Vector, atan2, power, to_degrees};
+use crate::math::{self, Normal, Vector, atan2, to_degrees};
 use crate::rgb::Rgb;
 
 /// A point light that shines into a cone: all of `ls · color / d^k` up to `inner` degrees from its
@@ -19,6 +19,7 @@ use crate::rgb::Rgb;
 pub struct Spot {
     /// Multiplies the colour; not negative.
     #[serde(default = "kinds::one")]
+    #[schemars(extend("x-dimension" = "length^attenuation"))]
     pub ls: f64,
     /// The colour of the light.
     #[serde(default = "kinds::white::<Rgb>")]
@@ -67,14 +68,6 @@ impl Specification for Spot {
             outer,
             attenuation: not_negative("attenuation", self.attenuation)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            ls: self.ls * power(factor, self.attenuation),
-            location: self.location.scaled(factor),
-            ..*self
-        }
     }
 
     fn specimens() -> Vec<Self> {

@@ -58,14 +58,6 @@ impl Specification for Dielectric {
         }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            phong: self.phong.scaled(factor),
-            inside: self.inside.scaled(factor),
-            outside: self.outside.scaled(factor),
-        }
-    }
-
     fn specimens() -> Vec<Self> {
         let phong = Phong { ks: 0.2.into(), exponent: 2000.0.into(), ..Phong::default() };
         let water = Medium { eta: 1.33, absorption: Rgb::new(0.25, 0.0, 0.0625) };

@@ -60,11 +60,6 @@ impl Specification for Emissive {
         Ok(Arc::new(Shining { emission: Emission { ls, ce }, matte }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        let matte = self.matte.as_ref().map(|matte| matte.scaled(factor));
-        Self { ls: self.ls.scaled(factor), ce: self.ce.scaled(factor), matte }
-    }
-
     fn specimens() -> Vec<Self> {
         let plain = Self::new(2.5, Rgb::new(1.0, 1.0, 0.5));
         let matte = Matte::specimens().into_iter().next();

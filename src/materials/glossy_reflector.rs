@@ -69,16 +69,6 @@ impl Specification for GlossyReflector {
         }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            phong: self.phong.scaled(factor),
-            kr: self.kr.scaled(factor),
-            cr: self.cr.scaled(factor),
-            exponent: self.exponent.scaled(factor),
-            rule: self.rule,
-        }
-    }
-
     fn specimens() -> Vec<Self> {
         let phong = Phong::specimens().remove(0);
         let cr = Rgb::new(0.9, 1.0, 0.9).into();

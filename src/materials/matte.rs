@@ -55,10 +55,6 @@ impl Specification for Matte {
         Ok(Arc::new(self.check(resources)?))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self { ka: self.ka.scaled(factor), kd: self.kd.scaled(factor), cd: self.cd.scaled(factor) }
-    }
-
     fn specimens() -> Vec<Self> {
         vec![Self { ka: 0.25.into(), kd: 0.75.into(), cd: Rgb::new(1.0, 0.5, 0.25).into() }]
     }

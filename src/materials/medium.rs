@@ -27,6 +27,7 @@ pub struct Medium {
     /// `σ` per unit length: the book's colour filter is `exp(−σ)`, so clear is 0. It may be
     /// infinite in code, not in a scene file.
     #[serde(default)]
+    #[schemars(extend("x-dimension" = "1/length"))]
     pub absorption: Rgb,
 }
 
@@ -46,11 +47,5 @@ impl Medium {
         index("eta", self.eta).map_err(|e| e.inside(field))?;
         self.absorption.not_negative("absorption").map_err(|e| e.inside(field))?;
         Ok(self)
-    }
-
-    /// The same medium where lengths are `factor` times as long.
-    #[must_use]
-    pub fn scaled(self, factor: f64) -> Self {
-        Self { absorption: (1.0 / factor) * self.absorption, ..self }
     }
 }

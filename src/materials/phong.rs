@@ -79,17 +79,6 @@ impl Specification for Phong {
         Ok(Arc::new(self.check(resources)?))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            ka: self.ka.scaled(factor),
-            kd: self.kd.scaled(factor),
-            cd: self.cd.scaled(factor),
-            ks: self.ks.scaled(factor),
-            cs: self.cs.scaled(factor),
-            exponent: self.exponent.scaled(factor),
-        }
-    }
-
     fn specimens() -> Vec<Self> {
         let cd = Rgb::new(0.5, 0.6, 0.1).into();
         let [ka, kd, ks, exponent] = [0.25, 0.5, 0.2, 20.0].map(Amount::from);

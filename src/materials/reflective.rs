@@ -53,14 +53,6 @@ impl Specification for Reflective {
         }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            phong: self.phong.scaled(factor),
-            kr: self.kr.scaled(factor),
-            cr: self.cr.scaled(factor),
-        }
-    }
-
     fn specimens() -> Vec<Self> {
         let phong = Phong::specimens().remove(0);
         vec![Self { phong, kr: 0.75.into(), cr: Rgb::new(0.9, 1.0, 0.9).into() }]

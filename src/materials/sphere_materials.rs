@@ -53,11 +53,6 @@ impl Specification for SphereMaterials {
         Ok(Arc::new(SphereMaterialsMaterial { cells, materials }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        let materials = self.materials.iter().map(|material| material.scaled(factor)).collect();
-        Self { materials, ..*self }
-    }
-
     fn specimens() -> Vec<Self> {
         let (matte, phong) = (Matte::specimens().remove(0), Phong::specimens().remove(0));
         let materials = vec![matte.into(), phong.into()];

@@ -68,16 +68,6 @@ impl Specification for Transparent {
         }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            phong: self.phong.scaled(factor),
-            kr: self.kr.scaled(factor),
-            cr: self.cr.scaled(factor),
-            kt: self.kt.scaled(factor),
-            eta: self.eta,
-        }
-    }
-
     fn specimens() -> Vec<Self> {
         let phong = Phong { ks: 0.2.into(), exponent: 2000.0.into(), ..Phong::default() };
         let glass = Self { phong, kr: 0.1.into(), cr: Rgb::WHITE.into(), kt: 0.9.into(), eta: 1.5 };

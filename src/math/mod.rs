@@ -11,6 +11,7 @@ mod exact;
 mod frame;
 mod functions;
 mod lanes;
+mod length;
 pub mod lists;
 pub mod maps;
 pub mod polynomial;
@@ -33,6 +34,7 @@ pub use functions::{
     power_of_two, sin, sin_cos, sin_degrees, tan, to_degrees, to_radians,
 };
 pub use lanes::Lanes;
+pub use length::{DIMENSION, Length};
 pub(crate) use quadrature::tanh_sinh;
 pub use random::{Pcg32, hash, hash_onto, splitmix};
 pub use ray::{Ray, Span};

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 use super::exact::less_products;
 use super::functions::{cos_degrees, sin_degrees};
 use super::vectors::{Normal, Point, Vector};
-use super::{Aabb, Ray, UNIT_ROUNDOFF, lists};
+use super::{Aabb, Length, Ray, UNIT_ROUNDOFF, lists};
 
 /// One step of a transformation, as a person types it: angles in degrees, counter-clockwise for an
 /// eye on the positive axis that looks at the origin.
@@ -16,7 +16,7 @@ use super::{Aabb, Ray, UNIT_ROUNDOFF, lists};
 #[schemars(title = "transform steps")]
 pub enum Step {
     /// Moves by this vector.
-    Translate(Vector),
+    Translate(#[schemars(with = "Length<Vector>")] Vector),
     /// Scales along the axes by these factors, none of them zero; one number is the factor of all
     /// three.
     Scale(
@@ -46,7 +46,11 @@ pub enum Step {
     Shear(#[serde(deserialize_with = "lists::exactly")] [f64; 6]),
     /// Any affine map, by the four rows of its matrix: it sends x to
     /// `m[0][0] x + m[0][1] y + m[0][2] z + m[0][3]`. The last row is `[0, 0, 0, 1]`.
-    Matrix(#[serde(deserialize_with = "lists::rows")] [[f64; 4]; 4]),
+    Matrix(
+        #[serde(deserialize_with = "lists::rows")]
+        #[schemars(extend("x-dimension" = "length in the last column"))]
+        [[f64; 4]; 4],
+    ),
 }
 
 /// A coordinate axis.
@@ -79,21 +83,6 @@ pub struct Transform {
 }
 
 impl Step {
-    /// The same step in a scene whose lengths are multiplied by `factor`.
-    pub fn scaled(&self, factor: f64) -> Self {
-        match *self {
-            Step::Translate(v) => Step::Translate(factor * v),
-            Step::RotateAbout { point, direction, degrees } => {
-                Step::RotateAbout { point: point.scaled(factor), direction, degrees }
-            }
-            Step::Matrix([x, y, z, last]) => {
-                let moved = |[a, b, c, shift]: [f64; 4]| [a, b, c, factor * shift];
-                Step::Matrix([moved(x), moved(y), moved(z), last])
-            }
-            _ => self.clone(),
-        }
-    }
-
     /// The matrix of the step and that of its inverse; an inverse that does not exist is not finite.
     fn matrices(&self) -> [DAffine3; 2] {
         let linear = |m: DMat3, inverse: DMat3| [m, inverse].map(DAffine3::from_mat3);

@@ -33,7 +33,7 @@ use glam::DVec3;
 use schemars::{JsonSchema, Schema, SchemaGenerator};
 use serde::{Deserialize, Deserializer, Serialize};
 
-use super::lists;
+use super::{Length, lists};
 
 const TWO_TO_600: f64 = f64::from_bits((600 + 1023) << 52);
 
@@ -103,7 +103,7 @@ macro_rules! coordinates {
 coordinates!(Point, Vector, Normal);
 
 macro_rules! from_array {
-    ($($kind:ident written as $written:literal),*) => {$(
+    ($($kind:ident of $part:ty, written as $written:literal;)*) => {$(
         impl From<[f64; 3]> for $kind {
             fn from(it: [f64; 3]) -> Self {
                 Self(DVec3::from_array(it))
@@ -116,7 +116,7 @@ macro_rules! from_array {
             }
 
             fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-                let mut schema = <[f64; 3]>::json_schema(generator);
+                let mut schema = <[$part; 3]>::json_schema(generator);
                 schema.insert("description".to_owned(), $written.into());
                 schema
             }
@@ -130,8 +130,8 @@ macro_rules! from_array {
     )*};
 }
 from_array!(
-    Point written as "A point as `[x, y, z]`.",
-    Vector written as "A vector as `[x, y, z]`."
+    Point of Length, written as "A point as `[x, y, z]`, three lengths.";
+    Vector of f64, written as "A vector as `[x, y, z]`.";
 );
 
 impl Point {

@@ -32,10 +32,6 @@ impl Specification for Hammersley {
         Ok(Arc::new(*self))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        *self
-    }
-
     fn specimens() -> Vec<Self> {
         vec![Self { shifted: false }, Self { shifted: true }]
     }

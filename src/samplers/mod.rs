@@ -15,10 +15,6 @@ macro_rules! without_settings {
                 Ok(::std::sync::Arc::new(*self))
             }
 
-            fn scaled(&self, _: f64) -> Self {
-                *self
-            }
-
             fn specimens() -> Vec<Self> {
                 vec![Self {}]
             }

@@ -20,6 +20,7 @@ use serde::{Deserialize, Serialize};
 use crate::background::Background;
 use crate::cameras::{ViewPlane, Viewpoint};
 use crate::film::OutOfGamut;
+use crate::math::Length;
 use crate::shapes::textbook::EPSILON;
 use crate::{accel, bumps, filters, kinds, lights, materials, samplers, shapes};
 
@@ -53,6 +54,7 @@ pub struct Scene {
     /// The epsilon of the textbook routines: hits nearer to the ray's origin are ignored. A length;
     /// 0.001 if left out. Only allowed if the scene or an object uses the textbook routines.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Length>")]
     pub epsilon: Option<f64>,
     /// The radiance of rays that hit nothing.
     #[serde(default)]
@@ -85,6 +87,7 @@ pub struct Image {
     pub height: u32,
     /// The side of a pixel on the view plane, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub pixel_size: f64,
     /// The number of samples per pixel: from 1 to 65536, rounded up to a number that the sampler's
     /// pattern allows. 16 gives smooth edges.
@@ -174,6 +177,7 @@ pub struct Object {
     pub intersect: Option<Intersect>,
     /// The epsilon of the textbook routines for this object; that of the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Length>")]
     pub epsilon: Option<f64>,
     /// The shape.
     pub shape: shapes::Kind,
@@ -258,7 +262,7 @@ impl Scene {
     }
 
     /// Whether the scene or one of its objects sets `intersect` to the textbook routines.
-    pub(crate) fn uses_textbook(&self) -> bool {
+    pub fn uses_textbook(&self) -> bool {
         let named = self.objects.iter().filter_map(|object| object.intersect);
         named.chain([self.intersect]).any(|intersect| intersect == Intersect::Textbook)
     }
@@ -287,31 +291,5 @@ impl Scene {
             Intersect::Robust => None,
             Intersect::Textbook => Some(object.epsilon.or(self.epsilon).unwrap_or(EPSILON)),
         }
-    }
-
-    /// The scene with every length multiplied by `2^exponent`, |exponent| ≤ 30: it renders the same
-    /// picture, bit for bit. Objects of custom kinds stay as they are.
-    #[must_use]
-    pub fn scaled(&self, exponent: i32) -> Self {
-        let factor = crate::math::power_of_two(exponent.clamp(-30, 30));
-        let mut scene = self.clone();
-        scene.image.pixel_size *= factor;
-        scene.camera = scene.camera.scaled(factor);
-        scene.background = scene.background.scaled(factor);
-        for light in &mut scene.lights {
-            light.source = light.source.scaled(factor);
-        }
-        for material in &mut scene.materials {
-            material.recipe = material.recipe.scaled(factor);
-            material.bump = material.bump.as_ref().map(|bump| bump.scaled(factor));
-        }
-        if self.uses_textbook() {
-            scene.epsilon = Some(factor * self.epsilon.unwrap_or(EPSILON));
-        }
-        for object in &mut scene.objects {
-            object.shape = object.shape.scaled(factor);
-            object.epsilon = object.epsilon.map(|epsilon| factor * epsilon);
-        }
-        scene
     }
 }

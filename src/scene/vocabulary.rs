@@ -5,6 +5,7 @@ use serde_json::{Map, Value};
 use super::schema;
 use crate::invalid::Key;
 use crate::kinds::tag;
+use crate::math::DIMENSION;
 
 /// A named part of the schema: a table with fields, a list of kinds, or a plain value.
 #[derive(Clone, Copy, Debug)]
@@ -147,7 +148,7 @@ impl Field {
         self.schema.get("default")
     }
 
-    /// The type of its value, in words.
+    /// The type of its value, in words, and its unit.
     pub fn values(&self) -> String {
         values(self.schema)
     }
@@ -279,8 +280,15 @@ fn content(schema: &'static Value) -> Option<Definition> {
     parts(schema).chain(schema.get("items")).find_map(content)
 }
 
-/// The type of a schema's values, in words.
+/// The type of a schema's values, in words, with the unit as in `number [1/length]`.
 fn values(schema: &'static Value) -> String {
+    match schema[DIMENSION].as_str() {
+        Some("1") | None => type_of(schema),
+        Some(dimension) => format!("{} [{dimension}]", type_of(schema)),
+    }
+}
+
+fn type_of(schema: &'static Value) -> String {
     if let Some(definition) = named(schema) {
         return values_of(&definition);
     }

@@ -62,14 +62,6 @@ impl Amount {
         }
     }
 
-    /// The same number where every length is multiplied by `factor`.
-    pub fn scaled(&self, factor: f64) -> Self {
-        match self {
-            Self::Plain(value) => Self::Plain(*value),
-            Self::Textured(kind) => Self::Textured(Box::new(kind.scaled(factor))),
-        }
-    }
-
     /// The default of factors in scene files.
     pub(crate) fn one() -> Self {
         Self::Plain(1.0)

@@ -79,11 +79,6 @@ impl Lines {
         let half_widths = [half("vertical", self.vertical)?, half("horizontal", self.horizontal)?];
         Ok(BuiltLines { half_widths, color: self.color.build("color", resources)? })
     }
-
-    pub(super) fn scaled(&self, factor: f64) -> Self {
-        let Self { horizontal, vertical, .. } = *self;
-        Self { horizontal, vertical, color: self.color.scaled(factor) }
-    }
 }
 
 /// Built lines.

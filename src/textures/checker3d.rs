@@ -9,7 +9,7 @@ use super::cells::{self, OFFSET, is_even};
 use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Resources, Specification};
-use crate::math::floor;
+use crate::math::{Length, floor};
 use crate::rgb::Rgb;
 
 /// Cubes of alternating colours, in the local coordinates of the object. The index of a cube on
@@ -20,6 +20,7 @@ use crate::rgb::Rgb;
 pub struct Checker3d {
     /// The side of a cube, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The colour of the cube at the origin.
     #[serde(default = "kinds::white::<Paint>")]
@@ -46,14 +47,6 @@ impl Specification for Checker3d {
             color1: self.color1.build("color1", resources)?,
             color2: self.color2.build("color2", resources)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            size: factor * self.size,
-            color1: self.color1.scaled(factor),
-            color2: self.color2.scaled(factor),
-        }
     }
 
     fn specimens() -> Vec<Self> {

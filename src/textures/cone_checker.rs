@@ -10,6 +10,7 @@ use super::mapping::azimuth;
 use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Resources, Specification};
+use crate::math::Length;
 use crate::rgb::Rgb;
 
 /// Checkers on the cone about the y axis from y = 0 to its apex at y = 2: columns by the azimuth φ,
@@ -20,6 +21,7 @@ use crate::rgb::Rgb;
 pub struct ConeChecker {
     /// The length of one unit: half the height of the cone; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub unit: f64,
     /// The number of checkers around the y axis, from the +z axis towards +x; at least 1.
     #[serde(default = "cells::twenty")]
@@ -72,16 +74,6 @@ impl Specification for ConeChecker {
             rows: cells::count("num_vertical", self.num_vertical)?,
             checkers: Checkers::build(colors, &self.lines, resources)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            unit: factor * self.unit,
-            color1: self.color1.scaled(factor),
-            color2: self.color2.scaled(factor),
-            lines: self.lines.scaled(factor),
-            ..*self
-        }
     }
 
     fn specimens() -> Vec<Self> {

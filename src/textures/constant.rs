@@ -27,10 +27,6 @@ impl Specification for Constant {
         Ok(Arc::new(self.clone()))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         vec![Self { color: Rgb::new(0.2, 0.4, 0.6) }]
     }

@@ -10,6 +10,7 @@ use super::mapping::{azimuth, distance};
 use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Resources, Specification};
+use crate::math::Length;
 use crate::rgb::Rgb;
 
 /// Checkers on the disk of radius 1 about the y axis: columns by the azimuth φ, rings of width
@@ -20,6 +21,7 @@ use crate::rgb::Rgb;
 pub struct DiskChecker {
     /// The length of one unit: the radius of the disk; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub unit: f64,
     /// The number of checkers around the y axis, from the +z axis towards +x; at least 1.
     #[serde(default = "cells::twenty")]
@@ -73,16 +75,6 @@ impl Specification for DiskChecker {
             rows: cells::count("num_radial", self.num_radial)?,
             checkers: Checkers::build(colors, &self.lines, resources)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            unit: factor * self.unit,
-            color1: self.color1.scaled(factor),
-            color2: self.color2.scaled(factor),
-            lines: self.lines.scaled(factor),
-            ..*self
-        }
     }
 
     fn specimens() -> Vec<Self> {

@@ -9,6 +9,7 @@ use super::noise_field::{NoiseField, Range};
 use super::{Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, finite};
 use crate::kinds::{self, Resources, Specification};
+use crate::math::Length;
 use crate::noise::Noise;
 use crate::rgb::Rgb;
 
@@ -23,6 +24,7 @@ pub struct Fbm {
     pub noise: Noise,
     /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The brightness where fBm is 0; may be negative.
     #[serde(default)]
@@ -59,10 +61,6 @@ impl Specification for Fbm {
             range: Range { min: finite("min", self.min)?, max: finite("max", self.max)? },
             color: self.color.build("color", resources)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { size: factor * self.size, color: self.color.scaled(factor), ..self.clone() }
     }
 
     fn specimens() -> Vec<Self> {

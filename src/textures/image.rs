@@ -11,7 +11,7 @@ use super::{Filtering, Mapping, Rule, Texel, Texture, TexturePoint, Wrap};
 use crate::images::Drawn;
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, ImageSource, Resources, Specification};
-use crate::math::Point;
+use crate::math::{Length, Point};
 use crate::rgb::Rgb;
 use formats::images::{Encoding, Texels};
 
@@ -38,6 +38,7 @@ pub struct Image {
     /// The length of one unit of the mapping: the radius of the cylinder, half the side of the
     /// rectangle; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub unit: f64,
     /// Which texels are used; the nearest if left out, as in the book.
     #[serde(default)]
@@ -125,10 +126,6 @@ impl Specification for Image {
             unit: length("unit", self.unit)?,
             sampling: Sampling { filtering, rule, wraps },
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { unit: factor * self.unit, ..self.clone() }
     }
 
     fn specimens() -> Vec<Self> {

@@ -86,14 +86,6 @@ impl Paint {
         };
         paints.iter().enumerate().map(build).collect()
     }
-
-    /// The same paint with every length multiplied by `factor`.
-    pub fn scaled(&self, factor: f64) -> Self {
-        match self {
-            Self::Plain(color) => Self::Plain(*color),
-            Self::Textured(kind) => Self::Textured(Box::new(kind.scaled(factor))),
-        }
-    }
 }
 
 impl From<Rgb> for Paint {

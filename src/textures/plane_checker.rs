@@ -9,6 +9,7 @@ use super::cells::{BuiltLines, Cell, Checkers};
 use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, not_negative, positive};
 use crate::kinds::{Resources, Specification};
+use crate::math::Length;
 use crate::rgb::Rgb;
 
 /// Squares of alternating colours in the local xz plane, with lines along their borders. For
@@ -17,6 +18,7 @@ use crate::rgb::Rgb;
 #[serde(deny_unknown_fields)]
 pub struct PlaneChecker {
     /// The side of a square, in the unit of the scene; positive.
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The colour of the square at the origin in the first quadrant.
     pub color1: Paint,
@@ -24,6 +26,7 @@ pub struct PlaneChecker {
     pub color2: Paint,
     /// The full width of the lines, centred on the borders, in the unit of the scene; 0 for none.
     #[serde(default)]
+    #[schemars(with = "Length")]
     pub outline_width: f64,
     /// The colour of the lines.
     #[serde(default = "black")]
@@ -52,16 +55,6 @@ impl Specification for PlaneChecker {
         let color = self.outline_color.build("outline_color", resources)?;
         let lines = BuiltLines { half_widths: [half_line; 2], color };
         Ok(Arc::new(PlaneCheckerTexture { size, checkers: Checkers { colors, lines } }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            size: factor * self.size,
-            color1: self.color1.scaled(factor),
-            color2: self.color2.scaled(factor),
-            outline_width: factor * self.outline_width,
-            outline_color: self.outline_color.scaled(factor),
-        }
     }
 
     fn specimens() -> Vec<Self> {

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::{Color, Paint, Texture, TexturePoint, Wrap};
 use crate::invalid::{Invalid, LENGTHS, finite, lengths, shown};
 use crate::kinds::{Resources, Specification};
-use crate::math::{Axis, floor};
+use crate::math::{Axis, Length, floor};
 use crate::rgb::Rgb;
 
 /// Colours at equal distances along an axis of the object's own coordinates, with linear
@@ -19,8 +19,10 @@ pub struct Ramp {
     /// The axis along which the colours change.
     pub axis: Axis,
     /// The coordinate of the first colour, in the unit of the scene.
+    #[schemars(with = "Length")]
     pub from: f64,
     /// The coordinate of the last colour; not equal to `from`.
+    #[schemars(with = "Length")]
     pub to: f64,
     /// The colours, two or more.
     pub colors: Vec<Paint>,
@@ -59,15 +61,6 @@ impl Specification for Ramp {
         }
         let colors = Paint::build_list(&self.colors, "colors", resources)?;
         Ok(Arc::new(RampTexture { axis: self.axis, from, to, colors, wrap: self.wrap }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            from: factor * self.from,
-            to: factor * self.to,
-            colors: self.colors.iter().map(|color| color.scaled(factor)).collect(),
-            ..*self
-        }
     }
 
     fn specimens() -> Vec<Self> {

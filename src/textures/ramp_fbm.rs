@@ -10,7 +10,7 @@ use super::noise_field::NoiseField;
 use super::{Texture, TexturePoint};
 use crate::invalid::{Invalid, finite};
 use crate::kinds::{self, Resources, Specification};
-use crate::math::sin;
+use crate::math::{Length, sin};
 use crate::noise::Noise;
 use crate::rgb::Rgb;
 
@@ -28,6 +28,7 @@ pub struct RampFbm {
     /// The edge of a cell of the noise lattice and the unit of y, in the unit of the scene;
     /// positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The book's perturbation `a`, in units of `size`: the displacement of the layers by the
     /// noise.
@@ -56,10 +57,6 @@ impl Specification for RampFbm {
             field: NoiseField::build(&self.noise, self.size)?,
             perturbation: finite("perturbation", self.perturbation)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { size: factor * self.size, ..self.clone() }
     }
 
     fn specimens() -> Vec<Self> {

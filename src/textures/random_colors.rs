@@ -29,10 +29,6 @@ impl Specification for RandomColors {
         Ok(Arc::new(self.clone()))
     }
 
-    fn scaled(&self, _: f64) -> Self {
-        self.clone()
-    }
-
     fn specimens() -> Vec<Self> {
         vec![Self { seed: 15 }]
     }

@@ -9,6 +9,7 @@ use super::cells::{self, Cell, Checkers};
 use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Resources, Specification};
+use crate::math::Length;
 use crate::rgb::Rgb;
 
 /// Checkers on the rectangle −1 … 1 in x and z: columns by `x/2 + 1/2`, rows by `z/2 + 1/2`.
@@ -18,6 +19,7 @@ use crate::rgb::Rgb;
 pub struct RectangleChecker {
     /// The length of one unit: half the side of the rectangle; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub unit: f64,
     /// The number of checkers from x = −1 to x = 1; at least 1.
     #[serde(default = "cells::twenty")]
@@ -71,16 +73,6 @@ impl Specification for RectangleChecker {
             rows: cells::count("num_vertical", self.num_vertical)?,
             checkers: Checkers::build(colors, &self.lines, resources)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            unit: factor * self.unit,
-            color1: self.color1.scaled(factor),
-            color2: self.color2.scaled(factor),
-            lines: self.lines.scaled(factor),
-            ..*self
-        }
     }
 
     fn specimens() -> Vec<Self> {

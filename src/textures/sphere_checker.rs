@@ -66,15 +66,6 @@ impl Specification for SphereChecker {
         }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            color1: self.color1.scaled(factor),
-            color2: self.color2.scaled(factor),
-            lines: self.lines.scaled(factor),
-            ..*self
-        }
-    }
-
     fn specimens() -> Vec<Self> {
         let lines = Lines { horizontal: 0.1, vertical: 0.05, ..Lines::default() };
         vec![Self { lines, num_vertical: 7, ..Self::default() }, Self::default()]

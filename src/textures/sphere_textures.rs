@@ -47,14 +47,6 @@ impl Specification for SphereTextures {
         Ok(Arc::new(SphereTexturesTexture { cells, textures, lines: self.lines.build(resources)? }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            textures: self.textures.iter().map(|texture| texture.scaled(factor)).collect(),
-            lines: self.lines.scaled(factor),
-            ..*self
-        }
-    }
-
     fn specimens() -> Vec<Self> {
         let plain = [Rgb::WHITE, Rgb::new(0.75, 0.25, 0.25), Rgb::BLACK].map(Paint::from);
         let checker = Checker3d::specimens().remove(0);

@@ -9,7 +9,7 @@ use super::cells::{self, OFFSET, is_even};
 use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Resources, Specification};
-use crate::math::{Axis, floor};
+use crate::math::{Axis, Length, floor};
 use crate::rgb::Rgb;
 
 /// Layers of two alternating colours, perpendicular to an axis of the object's own coordinates. As
@@ -22,6 +22,7 @@ pub struct Stripes {
     pub axis: Axis,
     /// The width of a stripe, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The colour of the stripe from 0 to `size`.
     #[serde(default = "kinds::white::<Paint>")]
@@ -50,15 +51,6 @@ impl Specification for Stripes {
             color1: self.color1.build("color1", resources)?,
             color2: self.color2.build("color2", resources)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            axis: self.axis,
-            size: factor * self.size,
-            color1: self.color1.scaled(factor),
-            color2: self.color2.scaled(factor),
-        }
     }
 
     fn specimens() -> Vec<Self> {

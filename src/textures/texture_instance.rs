@@ -47,11 +47,6 @@ impl Specification for TextureInstance {
         Ok(Arc::new(TextureInstanceTexture { of: self.of.build("of", resources)?, transform }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        let transform = self.transform.iter().map(|step| step.scaled(factor)).collect();
-        Self { of: self.of.scaled(factor), transform }
-    }
-
     fn specimens() -> Vec<Self> {
         let checker = Checker3d::specimens().remove(0);
         let steps = vec![

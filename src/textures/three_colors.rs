@@ -9,7 +9,7 @@ use super::noise_field::{NoiseField, Range, wrapped};
 use super::{Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, finite, positive};
 use crate::kinds::{self, Resources, Specification};
-use crate::math::lists;
+use crate::math::{Length, lists};
 use crate::noise::Noise;
 use crate::rgb::Rgb;
 
@@ -22,6 +22,7 @@ pub struct ThreeColors {
     pub noise: Noise,
     /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The book's expansion number: the noise has values from 0 to this number; positive.
     #[serde(default = "three")]
@@ -92,16 +93,6 @@ impl Specification for ThreeColors {
                 self.color3.build("color3", resources)?,
             ],
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            size: factor * self.size,
-            color1: self.color1.scaled(factor),
-            color2: self.color2.scaled(factor),
-            color3: self.color3.scaled(factor),
-            ..self.clone()
-        }
     }
 
     fn specimens() -> Vec<Self> {

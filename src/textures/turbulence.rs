@@ -9,6 +9,7 @@ use super::noise_field::{NoiseField, Range};
 use super::{Color, Paint, Texture, TexturePoint};
 use crate::invalid::Invalid;
 use crate::kinds::{self, Resources, Specification};
+use crate::math::Length;
 use crate::noise::Noise;
 use crate::rgb::Rgb;
 
@@ -22,6 +23,7 @@ pub struct Turbulence {
     pub noise: Noise,
     /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The brightness where the turbulence is 0; not negative.
     #[serde(default)]
@@ -59,10 +61,6 @@ impl Specification for Turbulence {
             range: Range::build(self.min, self.max)?,
             color: self.color.build("color", resources)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { size: factor * self.size, color: self.color.scaled(factor), ..self.clone() }
     }
 
     fn specimens() -> Vec<Self> {

@@ -10,6 +10,7 @@ use super::noise_field::{NoiseField, Range, wrapped};
 use super::{Color, Paint, Texture, TexturePoint, WrappedFbm};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Resources, Specification};
+use crate::math::Length;
 use crate::noise::Noise;
 use crate::rgb::Rgb;
 
@@ -23,6 +24,7 @@ pub struct TwoColors {
     pub noise: Noise,
     /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The book's expansion number: the noise has values from 0 to this number; positive.
     #[serde(default = "two")]
@@ -72,15 +74,6 @@ impl Specification for TwoColors {
             color1: self.color1.build("color1", resources)?,
             color2: self.color2.build("color2", resources)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            size: factor * self.size,
-            color1: self.color1.scaled(factor),
-            color2: self.color2.scaled(factor),
-            ..self.clone()
-        }
     }
 
     fn specimens() -> Vec<Self> {

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, not_negative};
 use crate::kinds::{self, Resources, Specification};
-use crate::math::exact_cross;
+use crate::math::{Length, exact_cross};
 use crate::rgb::Rgb;
 use crate::shapes::Facet;
 
@@ -20,6 +20,7 @@ use crate::shapes::Facet;
 pub struct Wireframe {
     /// The full width of a line, half of it on each side of the edge, in the unit of the mesh; not
     /// negative.
+    #[schemars(with = "Length")]
     pub line_width: f64,
     /// The colour of the lines.
     #[serde(default = "black")]
@@ -50,14 +51,6 @@ impl Specification for Wireframe {
             line_color: self.line_color.build("line_color", resources)?,
             color: self.color.build("color", resources)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            line_width: factor * self.line_width,
-            line_color: self.line_color.scaled(factor),
-            color: self.color.scaled(factor),
-        }
     }
 
     fn specimens() -> Vec<Self> {

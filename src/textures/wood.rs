@@ -9,7 +9,7 @@ use super::noise_field::NoiseField;
 use super::{Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, within};
 use crate::kinds::{Resources, Specification};
-use crate::math::{Point, Vector, floor};
+use crate::math::{Length, Point, Vector, floor};
 use crate::noise::{LatticeNoise, Noise};
 use crate::rgb::Rgb;
 
@@ -21,6 +21,7 @@ pub struct Wood {
     /// The noise.
     pub noise: Noise,
     /// The unit of all frequencies and distances, in the unit of the scene; positive.
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The colour between rings and grains.
     pub light: Paint,
@@ -116,15 +117,6 @@ impl Specification for Wood {
             light: self.light.build("light", resources)?,
             dark: self.dark.build("dark", resources)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            size: factor * self.size,
-            light: self.light.scaled(factor),
-            dark: self.dark.scaled(factor),
-            ..self.clone()
-        }
     }
 
     fn specimens() -> Vec<Self> {

@@ -10,6 +10,7 @@ use super::noise_field::{NoiseField, wrapped};
 use super::{Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Resources, Specification};
+use crate::math::Length;
 use crate::noise::Noise;
 use crate::rgb::Rgb;
 
@@ -24,6 +25,7 @@ pub struct WrappedRamp {
     pub noise: Noise,
     /// The edge of a cell of the noise lattice, in the unit of the scene; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The book's expansion number: the noise has values from 0 to this number; positive.
     #[serde(default = "two")]
@@ -51,10 +53,6 @@ impl Specification for WrappedRamp {
             field: NoiseField::build(&self.noise, self.size)?,
             expansion: positive("expansion", self.expansion)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { size: factor * self.size, ..self.clone() }
     }
 
     fn specimens() -> Vec<Self> {

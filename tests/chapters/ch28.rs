@@ -18,6 +18,7 @@ use groundtruth::trace::{RayKind, RecordedRay};
 use proptest::prelude::*;
 
 use crate::support::optics;
+use crate::support::scaling::scaled_scene;
 use crate::support::stage::*;
 use crate::support::{U, camera_ray, laws, point, unit};
 
@@ -168,7 +169,7 @@ proptest! {
         close!(seen, expected, 1e-12);
         let s = groundtruth::math::power_of_two(exponent);
         let eye = (Point::ORIGIN + 2.0 * to_eye).scaled(s);
-        prop_assert_eq!(look(&built(&scene.scaled(exponent)), eye, -to_eye), seen);
+        prop_assert_eq!(look(&built(&scaled_scene(&scene, exponent)), eye, -to_eye), seen);
     }
 
     /// Law: each ray is dimmed by the medium it is in, over its own length, also after total reflection and

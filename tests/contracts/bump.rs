@@ -9,7 +9,8 @@ use groundtruth::shapes::Surface;
 use groundtruth::textures::TexturePoint;
 use libtest_mimic::Trial;
 
-use super::texture::{scaled, surfaces};
+use super::scaling::scaled;
+use super::texture::{scaled_surface, surfaces};
 use super::{Holds, ensure};
 
 pub fn trials() -> Vec<Trial> {
@@ -61,10 +62,12 @@ fn the_bump_moves_with_the_object(kind: &Kind) -> Holds {
 fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
     let bump = built(kind);
     for k in [1, -7, 30, -30] {
-        let larger = built(&kind.scaled(power_of_two(k)));
+        let larger = built(&scaled(kind, power_of_two(k)));
         for at in surfaces() {
-            let (here, there) =
-                (perturbed(&*bump, &at), perturbed(&*larger, &scaled(&at, power_of_two(k))));
+            let (here, there) = (
+                perturbed(&*bump, &at),
+                perturbed(&*larger, &scaled_surface(&at, power_of_two(k))),
+            );
             ensure!(here == there, "{:?}, 2^{k}: {there:?}, not {here:?}", at.local);
         }
     }

@@ -6,6 +6,7 @@ use groundtruth::cameras::{Camera, Kind, View, ViewPlane, Viewpoint};
 use groundtruth::math::{Pcg32, Point, Vector, maps, power_of_two};
 use libtest_mimic::Trial;
 
+use super::scaling::scaled;
 use super::{Holds, ensure};
 
 pub fn trials() -> Vec<Trial> {
@@ -120,9 +121,9 @@ fn scaling_scales_every_bit(kind: &Kind) -> Holds {
     for k in [1, -7, 30, -30] {
         let factor = power_of_two(k);
         let [width, height] = [PLANE.width, PLANE.height].map(|x| factor * x);
-        let scaled = viewpoint(kind).scaled(factor).build(ViewPlane { width, height });
-        let scaled = scaled.expect("the viewpoint is valid");
-        let other = &scaled.eyes()[0];
+        let larger = scaled(&viewpoint(kind), factor).build(ViewPlane { width, height });
+        let larger = larger.expect("the viewpoint is valid");
+        let other = &larger.eyes()[0];
         for film in films(&*built(kind)) {
             let lens = [0.6, -0.8];
             let (ray, far) = (

@@ -17,6 +17,7 @@ use groundtruth::textures::Filtering;
 use groundtruth::world::World;
 use libtest_mimic::Trial;
 
+use super::scaling::scaled_scene;
 use super::{Holds, ensure, light_sampling};
 
 pub fn trials() -> Vec<Trial> {
@@ -265,7 +266,7 @@ fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
     for subject in subjects(kind) {
         for k in [1, -7, 30, -30] {
             let factor = power_of_two(k);
-            let scaled = light_of(&subject.scene.scaled(k));
+            let larger = light_of(&scaled_scene(&subject.scene, k));
             let mut random = Pcg32::new(14, 4);
             for from in contexts(300) {
                 let u = numbers(&*subject.light, &mut random);
@@ -274,7 +275,7 @@ fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
                     *end = end.scaled(factor);
                 }
                 let found =
-                    scaled.sample(&LightContext { point: from.point.scaled(factor), ..from }, &u);
+                    larger.sample(&LightContext { point: from.point.scaled(factor), ..from }, &u);
                 let name = &subject.name;
                 ensure!(found == expected, "{name}, 2^{k}: {found:?}, not {expected:?}");
             }

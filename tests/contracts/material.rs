@@ -10,7 +10,8 @@ use groundtruth::textures::TexturePoint;
 use libtest_mimic::Trial;
 
 use super::lobe::anywhere;
-use super::texture::{scaled, surfaces};
+use super::scaling::scaled;
+use super::texture::{scaled_surface, surfaces};
 use super::{Holds, ensure};
 
 pub fn trials() -> Vec<Trial> {
@@ -108,9 +109,9 @@ fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
     let material = built(kind);
     for k in [1, -7, 30, -30] {
         let factor = power_of_two(k);
-        let larger = built(&kind.scaled(factor));
+        let larger = built(&scaled(kind, factor));
         for at in surfaces().take(500) {
-            let far = scaled(&at, factor);
+            let far = scaled_surface(&at, factor);
             for cos_o in COSINES {
                 let here = response(&*material, &at, cos_o);
                 let there = response(&*larger, &far, cos_o);

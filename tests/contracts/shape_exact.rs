@@ -7,6 +7,7 @@ use groundtruth::shapes::{Candidate, Context, Instance, Kind};
 use libtest_mimic::Trial;
 
 use super::rays::{Rays, built};
+use super::scaling::scaled;
 use super::{Holds, ensure};
 
 pub fn trials() -> Vec<Trial> {
@@ -70,7 +71,7 @@ fn scaling_scales_every_bit(kind: &Kind) -> Holds {
     let shape = built(kind);
     for k in [1, -1, 30, -30, 120, -120] {
         let factor = power_of_two(k);
-        let larger = match kind.scaled(factor).build(&mut Context::default()) {
+        let larger = match scaled(kind, factor).build(&mut Context::default()) {
             Ok(larger) => larger,
             // powers of coordinates overflow or underflow before the coordinates do
             Err(_) if k.abs() == 120 && matches!(kind, Kind::Algebraic(_)) => continue,
@@ -101,7 +102,7 @@ fn scaling_scales_every_bit(kind: &Kind) -> Holds {
 fn sizes_beyond_numbers_are_refused(kind: &Kind) -> Holds {
     let endless = !built(kind).bounds().is_bounded();
     for k in [200, -200, 530, -530, 900, -900] {
-        let found = kind.scaled(power_of_two(k)).build(&mut Context::default());
+        let found = scaled(kind, power_of_two(k)).build(&mut Context::default());
         match found {
             Ok(_) => ensure!(endless, "built at 2^{k}"),
             // farther out, an area or a volume may be the first thing that is missed

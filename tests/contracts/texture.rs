@@ -9,6 +9,7 @@ use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{Kind, Texture};
 use libtest_mimic::Trial;
 
+use super::scaling::scaled;
 use super::{Holds, ensure};
 
 pub fn trials() -> Vec<Trial> {
@@ -68,7 +69,7 @@ fn the_colour_moves_with_the_object(kind: &Kind) -> Holds {
 }
 
 /// A surface with lengths times a power of two.
-pub fn scaled(at: &Surface, factor: f64) -> Surface {
+pub fn scaled_surface(at: &Surface, factor: f64) -> Surface {
     let mut at = at.clone();
     at.point = at.point.scaled(factor);
     at.local = at.local.scaled(factor);
@@ -79,11 +80,11 @@ pub fn scaled(at: &Surface, factor: f64) -> Surface {
 fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
     let texture = built(kind);
     for k in [1, -7, 30, -30] {
-        let larger = built(&kind.scaled(power_of_two(k)));
+        let larger = built(&scaled(kind, power_of_two(k)));
         for at in surfaces() {
             let (here, there) = (
                 texture.color(&TexturePoint::new(&at)),
-                larger.color(&TexturePoint::new(&scaled(&at, power_of_two(k)))),
+                larger.color(&TexturePoint::new(&scaled_surface(&at, power_of_two(k)))),
             );
             ensure!(here == there, "{:?}, 2^{k}: {there:?}, not {here:?}", at.local);
         }
@@ -95,7 +96,7 @@ fn scaling_keeps_every_bit(kind: &Kind) -> Holds {
 fn octahedron(factor: f64) -> Arc<dyn Shape> {
     let mesh = shapes::Kind::ENTRIES.iter().find(|entry| entry.module == "mesh");
     let octahedron = (mesh.expect("there are meshes").specimens)().pop().expect("the last one");
-    octahedron.scaled(factor).build(&mut Context::default()).expect("specimens are valid")
+    scaled(&octahedron, factor).build(&mut Context::default()).expect("specimens are valid")
 }
 
 /// Law: the same at hits of a mesh, where textures may use triangles and texture coordinates.
@@ -103,7 +104,7 @@ fn scaling_keeps_every_bit_on_meshes(kind: &Kind) -> Holds {
     let (texture, mesh) = (built(kind), octahedron(1.0));
     for k in [1, -7, 30, -30] {
         let factor = power_of_two(k);
-        let (larger, larger_mesh) = (built(&kind.scaled(factor)), octahedron(factor));
+        let (larger, larger_mesh) = (built(&scaled(kind, factor)), octahedron(factor));
         let mut random = Pcg32::new(30, 6);
         for _ in 0..500 {
             let mut c = || 2.0 * random.uniform() - 1.0;

@@ -75,11 +75,6 @@ impl Specification for Compound {
         Ok(Arc::new(Assembly::build("parts", parts, self.accel, context)?))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        let scaled = |part: &Part| Part { shape: part.shape.scaled(factor), ..part.clone() };
-        Self { parts: self.parts.iter().map(scaled).collect(), ..*self }
-    }
-
     fn specimens() -> Vec<Self> {
         let ball =
             |x, radius| Sphere { center: Point::new(x, 0.25 * x, 1.0), radius, inward: false };

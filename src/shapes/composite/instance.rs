@@ -62,11 +62,6 @@ impl Specification for Instance {
         Ok(Arc::new(Placed { shape, transform, transform_texture }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        let transform = self.transform.iter().map(|step| step.scaled(factor)).collect();
-        Self { of: Box::new(self.of.scaled(factor)), transform, ..*self }
-    }
-
     fn specimens() -> Vec<Self> {
         let sphere = crate::shapes::Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
         let ellipsoid = Self::new(

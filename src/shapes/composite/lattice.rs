@@ -13,7 +13,7 @@ use super::instance::surface_seen_through;
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, finite_vector};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector, lists};
+use crate::math::{Aabb, Length, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector, lists};
 use crate::shapes::{Candidate, Context, Facet, Kind, Level, PartPath, Shape, Surface};
 
 /// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All share
@@ -27,6 +27,7 @@ pub struct Lattice {
     #[serde(deserialize_with = "lists::exactly")]
     pub counts: [u32; 3],
     /// How far it is from one copy to the next along x, y and z.
+    #[schemars(with = "Length<Vector>")]
     pub spacing: Vector,
     /// How rays find the copies; as the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -80,11 +81,6 @@ impl Specification for Lattice {
             leaves,
             places,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let of = Box::new(self.of.scaled(factor));
-        Self { of, spacing: factor * self.spacing, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

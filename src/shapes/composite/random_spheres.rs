@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use crate::accel::{Accel, Method, Primitives};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
-use crate::math::{Aabb, Pcg32, Point, Ray, Span};
+use crate::math::{Aabb, Length, Pcg32, Point, Ray, Span};
 use crate::shapes::{Candidate, Context, Level, PartPath, Shape, Sphere, Surface, textbook};
 
 /// Equal spheres whose centres are uniform in the cube `[−half_side, half_side]³`.
@@ -22,9 +22,11 @@ pub struct RandomSpheres {
     pub count: u32,
     /// The radius of each sphere; positive. The book's is `(0.75 · volume / (π · count))^(1/3)` with a
     /// volume of 0.1.
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// Half the side of the cube of centres; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub half_side: f64,
     /// Chooses the centres: another seed gives other centres.
     #[serde(default)]
@@ -64,10 +66,6 @@ impl Specification for RandomSpheres {
             Some(epsilon) => textbook::spheres(self.spheres(), built, method, epsilon),
             None => built,
         })
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { radius: factor * self.radius, half_side: factor * self.half_side, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

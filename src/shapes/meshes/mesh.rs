@@ -16,7 +16,7 @@ use super::vertex_normals::{are_opposed, mean_normals, reverse_winding};
 use crate::accel;
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Resources, Specification};
-use crate::math::{Aabb, Normal, Point, Vector, lists};
+use crate::math::{Aabb, Length, Normal, Point, Vector, lists};
 use crate::shapes::{Context, Shape, TriangleMesh, mesh_lists, size_problem};
 use formats::meshes::MeshData;
 
@@ -32,6 +32,7 @@ pub struct Mesh {
     pub file: Option<PathBuf>,
     /// Instead of a file: the vertices that triangles share, as `[x, y, z]`; finite.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("x-dimension" = "1"))]
     pub vertices: Option<Vec<Point>>,
     /// Instead of a file: three indices into `vertices`, counted from 0, for each triangle; at
     /// least one triangle.
@@ -54,6 +55,7 @@ pub struct Mesh {
     pub uvs: Option<Vec<[f64; 2]>>,
     /// Multiplies the coordinates; positive. To move or rotate the mesh, wrap it in an `instance`.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub scale: f64,
     /// Whether shading uses normals interpolated between the vertices, so that edges do not show:
     /// the given vertex normals, or the mean normal of the adjacent faces where a normal is missing
@@ -82,10 +84,6 @@ impl Specification for Mesh {
             });
         }
         self.build_of(&mesh_lists::data(self)?, "triangles", context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { scale: factor * self.scale, ..self.clone() }
     }
 
     fn specimens() -> Vec<Self> {

@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use crate::accel::Method;
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
-use crate::math::{Normal, Point, cos, sin};
+use crate::math::{Length, Normal, Point, cos, sin};
 use crate::shapes::{Context, Shape, TriangleMesh};
 
 /// A sphere about the origin made of `2 h (v − 1)` triangles (`h` = `horizontal`, `v` =
@@ -32,6 +32,7 @@ pub struct TessellatedSphere {
     pub vertical: u32,
     /// The radius; positive.
     #[serde(default = "kinds::one")]
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// Whether shading uses normals interpolated between the corners, so that edges do not show.
     #[serde(default)]
@@ -73,10 +74,6 @@ impl Specification for TessellatedSphere {
             context.add_triangles(self.triangles())?;
             Ok(self.mesh().into_shape(self.accel, context))
         })
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { radius: factor * self.radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::angles::{Angles, full_turn};
 use crate::invalid::{Invalid, direction, finite_point};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, lists};
+use crate::math::{Aabb, Length, Normal, Point, Ray, Span, Vector, lists};
 use crate::shapes::border::{Border, is_rounding, nears};
 use crate::shapes::plain::annulus::{away_from_rims, between, radii, rim_distances};
 use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
@@ -27,8 +27,10 @@ pub struct PartAnnulus {
     #[serde(default = "upward")]
     pub normal: Vector,
     /// The radius of the hole; not negative.
+    #[schemars(with = "Length")]
     pub inner_radius: f64,
     /// The outer radius, above `inner_radius`.
+    #[schemars(with = "Length")]
     pub outer_radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.
@@ -59,15 +61,6 @@ impl Specification for PartAnnulus {
             radii: radii(self.inner_radius, self.outer_radius)?,
             phi: Angles::new("phi", self.phi)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            center: self.center.scaled(factor),
-            inner_radius: factor * self.inner_radius,
-            outer_radius: factor * self.outer_radius,
-            ..*self
-        }
     }
 
     fn specimens() -> Vec<Self> {

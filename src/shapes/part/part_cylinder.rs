@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, Vector, lists};
+use crate::math::{Aabb, Length, Point, Ray, Span, Vector, lists};
 use crate::shapes::border::{Border, is_rounding, nears};
 use crate::shapes::{Candidate, Context, OpenCylinder, Shape, Surface, all_of, first_of};
 
@@ -21,10 +21,13 @@ use crate::shapes::{Candidate, Context, OpenCylinder, Shape, Surface, all_of, fi
 #[serde(deny_unknown_fields)]
 pub struct PartCylinder {
     /// The lower end.
+    #[schemars(with = "Length")]
     pub y0: f64,
     /// The upper end, above `y0`.
+    #[schemars(with = "Length")]
     pub y1: f64,
     /// The radius; positive.
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.
@@ -49,10 +52,6 @@ impl Specification for PartCylinder {
         let Self { y0, y1, radius, phi, inward } = *self;
         let whole = OpenCylinder { y0, y1, radius, inward }.checked()?;
         Ok(Arc::new(PartCylinderShape { whole, phi: Angles::new("phi", phi)? }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { y0: factor * self.y0, y1: factor * self.y1, radius: factor * self.radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

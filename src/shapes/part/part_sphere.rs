@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, Vector, cos_degrees, lists, sin_degrees};
+use crate::math::{Aabb, Length, Point, Ray, Span, Vector, cos_degrees, lists, sin_degrees};
 use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::{Candidate, Context, Shape, Sphere, Surface, all_of, first_of};
 
@@ -25,6 +25,7 @@ pub struct PartSphere {
     /// The centre.
     pub center: Point,
     /// The radius; positive.
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.
@@ -71,10 +72,6 @@ impl Specification for PartSphere {
             phi,
             theta: theta.map(|a| [sin_degrees(a), cos_degrees(a)]),
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { center: self.center.scaled(factor), radius: factor * self.radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

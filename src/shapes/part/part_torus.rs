@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, Vector, lists};
+use crate::math::{Aabb, Length, Point, Ray, Span, Vector, lists};
 use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::plain::torus::{Torus, from_axis};
 use crate::shapes::{Candidate, Context, Shape, Surface};
@@ -24,8 +24,10 @@ use crate::shapes::{Candidate, Context, Shape, Surface};
 #[serde(deny_unknown_fields)]
 pub struct PartTorus {
     /// The radius of the circle in the middle of the tube, the book's `a`; positive.
+    #[schemars(with = "Length")]
     pub swept_radius: f64,
     /// The radius of the tube, the book's `b`: positive, and less than `swept_radius`.
+    #[schemars(with = "Length")]
     pub tube_radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
     /// through 360 where the first is larger.
@@ -60,11 +62,6 @@ impl Specification for PartTorus {
         let (phi, theta) = (Angles::new("phi", self.phi)?, Angles::new("theta", self.theta)?);
         let padded = bounds(&torus, &phi, &theta).padded();
         Ok(Arc::new(PartTorusShape { torus, phi, theta, padded }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let [swept_radius, tube_radius] = [self.swept_radius, self.tube_radius].map(|r| factor * r);
-        Self { swept_radius, tube_radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

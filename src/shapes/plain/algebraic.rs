@@ -27,6 +27,7 @@ use crate::shapes::{Candidate, Context, Cuboid, Shape, Surface, normal_along};
 #[serde(deny_unknown_fields)]
 pub struct Term {
     /// The number before the powers; finite.
+    #[schemars(extend("x-dimension" = "1/length^powers"))]
     pub coefficient: f64,
     /// The powers of x, y and z: whole numbers whose sum is at most 16.
     #[serde(deserialize_with = "lists::exactly")]
@@ -114,19 +115,6 @@ impl Specification for Algebraic {
         domain.build(context)?;
         check_size(&terms, degree, domain.bounds())?;
         Ok(Arc::new(AlgebraicShape { terms, degree, domain }))
-    }
-
-    /// A surface `factor` times as large is zero where the old one was at `p / factor`.
-    fn scaled(&self, factor: f64) -> Self {
-        let scaled = |term: &Term| Term {
-            coefficient: term.coefficient * power(1.0 / factor, f64::from(term.degree())),
-            ..*term
-        };
-        Self {
-            terms: self.terms.iter().map(scaled).collect(),
-            min: self.min.scaled(factor),
-            max: self.max.scaled(factor),
-        }
     }
 
     fn specimens() -> Vec<Self> {

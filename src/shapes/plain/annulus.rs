@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, direction, finite_point, length, not_negative, shown};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
+use crate::math::{Aabb, Length, Normal, Point, Ray, Span, Vector};
 use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
 
@@ -25,8 +25,10 @@ pub struct Annulus {
     /// Perpendicular to the annulus; not zero, need not be unit.
     pub normal: Vector,
     /// The radius of the hole; not negative.
+    #[schemars(with = "Length")]
     pub inner_radius: f64,
     /// The outer radius, above `inner_radius`.
+    #[schemars(with = "Length")]
     pub outer_radius: f64,
 }
 
@@ -47,15 +49,6 @@ impl Specification for Annulus {
             normal: direction("normal", self.normal)?,
             radii: radii(self.inner_radius, self.outer_radius)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            center: self.center.scaled(factor),
-            inner_radius: factor * self.inner_radius,
-            outer_radius: factor * self.outer_radius,
-            ..*self
-        }
     }
 
     fn specimens() -> Vec<Self> {

@@ -21,7 +21,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
+use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::shapes::border::{Border, is_rounding, nears_level};
 use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
 
@@ -31,8 +31,10 @@ use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal
 #[serde(deny_unknown_fields)]
 pub struct Cone {
     /// The height; positive.
+    #[schemars(with = "Length")]
     pub height: f64,
     /// The radius of the open base; positive.
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// Whether the normal points to the axis.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -58,10 +60,6 @@ impl Specification for Cone {
         length("radius", self.radius)?;
         let slope = self.radius / self.height;
         Ok(Arc::new(ConeShape { data: self.clone(), slope }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { height: factor * self.height, radius: factor * self.radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

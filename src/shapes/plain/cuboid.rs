@@ -44,10 +44,6 @@ impl Specification for Cuboid {
         Ok(Arc::new(self.clone()))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self { min: self.min.scaled(factor), max: self.max.scaled(factor) }
-    }
-
     fn specimens() -> Vec<Self> {
         vec![
             Self { min: Point::new(-1.0, -1.0, -1.0), max: Point::new(1.0, 1.0, 1.0) },

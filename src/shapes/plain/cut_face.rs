@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
+use crate::math::{Aabb, Length, Normal, Point, Ray, Span, Vector};
 use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
 
@@ -22,9 +22,11 @@ use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
 #[serde(deny_unknown_fields)]
 pub struct CutFace {
     /// The side of the square; positive.
+    #[schemars(with = "Length")]
     pub size: f64,
     /// The radius of the hole: positive, and less than from the middle to a corner. Where it is more than
     /// half of `size`, four corners are left.
+    #[schemars(with = "Length")]
     pub radius: f64,
 }
 
@@ -44,10 +46,6 @@ impl Specification for CutFace {
             return Err(Invalid::field("radius", problem));
         }
         Ok(Arc::new(self.clone()))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { size: factor * self.size, radius: factor * self.radius }
     }
 
     fn specimens() -> Vec<Self> {

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, direction, finite_point, length};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Frame, Normal, Point, Ray, Span, Vector, maps};
+use crate::math::{Aabb, Frame, Length, Normal, Point, Ray, Span, Vector, maps};
 use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
@@ -27,6 +27,7 @@ pub struct Disk {
     /// Perpendicular to the disk; not zero, need not be unit.
     pub normal: Vector,
     /// The radius; positive.
+    #[schemars(with = "Length")]
     pub radius: f64,
 }
 
@@ -47,10 +48,6 @@ impl Specification for Disk {
             normal: direction("normal", self.normal)?,
             radius: length("radius", self.radius)?,
         }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { center: self.center.scaled(factor), radius: factor * self.radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

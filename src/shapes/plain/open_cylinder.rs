@@ -16,7 +16,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, finite, length};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, circle_roots};
+use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector, circle_roots};
 use crate::shapes::border::{Border, is_rounding, nears};
 use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
 
@@ -25,10 +25,13 @@ use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal
 #[serde(deny_unknown_fields)]
 pub struct OpenCylinder {
     /// The lower end.
+    #[schemars(with = "Length")]
     pub y0: f64,
     /// The upper end, above `y0`.
+    #[schemars(with = "Length")]
     pub y1: f64,
     /// The radius; positive.
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// Whether the normal points to the axis: the book's concave open cylinder.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -41,10 +44,6 @@ impl Specification for OpenCylinder {
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         Ok(Arc::new(self.checked()?))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { y0: factor * self.y0, y1: factor * self.y1, radius: factor * self.radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

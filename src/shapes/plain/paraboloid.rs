@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
+use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
 use crate::shapes::border::{Border, along, is_rounding, nears_level};
 use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
 
@@ -25,8 +25,10 @@ use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal
 #[serde(deny_unknown_fields)]
 pub struct Paraboloid {
     /// The height; positive.
+    #[schemars(with = "Length")]
     pub height: f64,
     /// The radius of the rim; positive.
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// Whether the normal points to the axis.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -42,10 +44,6 @@ impl Specification for Paraboloid {
         length("radius", self.radius)?;
         let Self { height: h, radius: r, .. } = *self;
         Ok(Arc::new(ParaboloidShape { data: self.clone(), w: r * r / h }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { height: factor * self.height, radius: factor * self.radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

@@ -40,10 +40,6 @@ impl Specification for Plane {
         Ok(Arc::new(PlaneShape { point, normal: direction("normal", self.normal)? }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self { point: self.point.scaled(factor), ..*self }
-    }
-
     fn specimens() -> Vec<Self> {
         vec![
             Self { point: Point::ORIGIN, normal: Vector::Y },

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::spherical_rectangle::SphericalRectangle;
 use crate::invalid::{Invalid, finite_point, finite_vector};
 use crate::kinds::Specification;
-use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross};
+use crate::math::{Aabb, Length, Normal, Point, Ray, Span, Vector, exact_cross};
 use crate::shapes::border::{Border, is_rounding, nears};
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
@@ -25,8 +25,10 @@ pub struct Rectangle {
     /// A corner, `p0` in the book.
     pub corner: Point,
     /// One side, as a vector from `corner`; not zero.
+    #[schemars(with = "Length<Vector>")]
     pub a: Vector,
     /// The other side, as a vector from `corner`; perpendicular to `a`, not zero.
+    #[schemars(with = "Length<Vector>")]
     pub b: Vector,
 }
 
@@ -72,10 +74,6 @@ impl Specification for Rectangle {
         let lengths = squared.map(f64::sqrt);
         let size = [self.corner.to_vector(), a, b].iter().map(|v| v.max_abs()).sum();
         Ok(Arc::new(RectangleShape { data: self.clone(), normal, squared, lengths, size }))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { corner: self.corner.scaled(factor), a: factor * self.a, b: factor * self.b }
     }
 
     fn specimens() -> Vec<Self> {

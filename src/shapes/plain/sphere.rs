@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, finite_point, length};
 use crate::kinds::Specification;
 use crate::math::{
-    Aabb, Frame, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector, maps, perpendicular_roots,
+    Aabb, Frame, Length, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector, maps, perpendicular_roots,
 };
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{
@@ -29,6 +29,7 @@ pub struct Sphere {
     /// The centre.
     pub center: Point,
     /// The radius; positive.
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// Whether the normal points to the centre: the book's concave sphere.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -41,10 +42,6 @@ impl Specification for Sphere {
 
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         Ok(Arc::new(self.checked()?))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self { center: self.center.scaled(factor), radius: factor * self.radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

@@ -29,8 +29,8 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
 use crate::math::{
-    Aabb, Normal, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, acos, bracketed_root, cbrt,
-    sin_cos,
+    Aabb, Length, Normal, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, acos, bracketed_root,
+    cbrt, sin_cos,
 };
 use crate::shapes::{Candidate, Context, Shape, Surface};
 
@@ -40,8 +40,10 @@ use crate::shapes::{Candidate, Context, Shape, Surface};
 #[serde(deny_unknown_fields)]
 pub struct Torus {
     /// The radius of the circle in the middle of the tube, the book's `a`; positive.
+    #[schemars(with = "Length")]
     pub swept_radius: f64,
     /// The radius of the tube, the book's `b`: positive, and less than `swept_radius`.
+    #[schemars(with = "Length")]
     pub tube_radius: f64,
     /// Whether the normal points into the tube instead.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
@@ -55,11 +57,6 @@ impl Specification for Torus {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         self.check()?;
         Ok(Arc::new(self.clone()))
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let [swept_radius, tube_radius] = [self.swept_radius, self.tube_radius].map(|r| factor * r);
-        Self { swept_radius, tube_radius, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

@@ -65,10 +65,6 @@ impl Specification for Triangle {
         Ok(Arc::new(TriangleShape { vertices: self.vertices, normal, normals }))
     }
 
-    fn scaled(&self, factor: f64) -> Self {
-        Self { vertices: self.vertices.map(|v| v.scaled(factor)), ..*self }
-    }
-
     fn specimens() -> Vec<Self> {
         let triangle =
             |corners: [[f64; 3]; 3]| Self { vertices: corners.map(Point::from), normals: None };

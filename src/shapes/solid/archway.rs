@@ -16,7 +16,7 @@ use super::edges::{Named, check_fits, half_joint, inset};
 use crate::accel::Method;
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
-use crate::math::{Point, Step, Vector, to_degrees};
+use crate::math::{Length, Point, Step, Vector, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid_by};
 use crate::shapes::{Context, Instance, Shape};
 
@@ -30,19 +30,24 @@ const MAX_STONES: u32 = 1000;
 #[serde(deny_unknown_fields)]
 pub struct Archway {
     /// From the left side of the left column to the right side of the right one; positive.
+    #[schemars(with = "Length")]
     pub width: f64,
     /// The height of the top of the arch: more than half of `width`.
+    #[schemars(with = "Length")]
     pub height: f64,
     /// From back to front; positive.
+    #[schemars(with = "Length")]
     pub depth: f64,
     /// The width of each column, and of the arch from its inside to its outside: positive, and less
     /// than half of `width`.
+    #[schemars(with = "Length")]
     pub column_width: f64,
     /// How many boxes each column has: from 1 to 1000.
     pub blocks: u32,
     /// How many wedges the arch has: from 1 to 1000.
     pub wedges: u32,
     /// The radius of the stones' edges: positive, at most half of the shortest side of each stone.
+    #[schemars(with = "Length")]
     pub bevel: f64,
     /// How rays find the stones, `"grid"` in the book; as the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -146,13 +151,6 @@ impl Specification for Archway {
             stones.push(("arch", Instance::new(wedge, upright.clone()).into()));
         }
         solid_by(self.accel, &stones, &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let lengths = [self.width, self.height, self.depth, self.column_width, self.bevel];
-        let [width, height, depth, column_width, bevel] = lengths.map(|length| factor * length);
-        let materials = self.materials.clone();
-        Self { width, height, depth, column_width, bevel, materials, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::edges::{Named, check_bevel, corner, inset, left_of, quarter, wall};
 use crate::invalid::{Invalid, finite_point};
 use crate::kinds::Specification;
-use crate::math::{Point, Step, Vector};
+use crate::math::{Length, Point, Step, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::{Context, Instance, Rectangle, Shape};
 
@@ -28,6 +28,7 @@ pub struct BeveledBox {
     /// The corner with the largest coordinates, each above that of `min`.
     pub max: Point,
     /// The radius of the edges: at most half of the shortest side.
+    #[schemars(with = "Length")]
     pub bevel: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
@@ -140,15 +141,6 @@ impl Specification for BeveledBox {
         self.check()?;
         let parts = [self.faces(), self.edges(), self.corners()].concat();
         solid(&parts, &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            min: self.min.scaled(factor),
-            max: self.max.scaled(factor),
-            bevel: factor * self.bevel,
-            materials: self.materials.clone(),
-        }
     }
 
     fn specimens() -> Vec<Self> {

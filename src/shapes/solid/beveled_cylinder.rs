@@ -13,7 +13,7 @@ use super::edges::{Named, check_bevel, inset, left_of, tube};
 use super::shoulder::Shoulder;
 use crate::invalid::{Invalid, shown};
 use crate::kinds::{Custom, Specification};
-use crate::math::{Axis, Point, Step, Vector};
+use crate::math::{Axis, Length, Point, Step, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::{Context, Disk, Instance, Kind, OpenCylinder, Shape};
@@ -25,12 +25,16 @@ use crate::shapes::{Context, Disk, Instance, Kind, OpenCylinder, Shape};
 #[serde(deny_unknown_fields)]
 pub struct BeveledCylinder {
     /// The height of the bottom.
+    #[schemars(with = "Length")]
     pub y0: f64,
     /// The height of the top, above `y0`.
+    #[schemars(with = "Length")]
     pub y1: f64,
     /// The radius; positive.
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// The radius of the edges: at most the radius and half of the height.
+    #[schemars(with = "Length")]
     pub bevel: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
@@ -77,12 +81,6 @@ impl Specification for BeveledCylinder {
         parts.push(("bottom_edge", edge(vec![Step::Reflect(Axis::Y), up(low)])));
         parts.push(("top_edge", edge(vec![up(high)])));
         solid(&parts, &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let lengths = [self.y0, self.y1, self.radius, self.bevel];
-        let [y0, y1, radius, bevel] = lengths.map(|length| factor * length);
-        Self { y0, y1, radius, bevel, materials: self.materials.clone() }
     }
 
     fn specimens() -> Vec<Self> {

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use super::edges::{Named, check_bevel, inset, left_of, moved, tube};
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
-use crate::math::{Point, Vector};
+use crate::math::{Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
@@ -23,14 +23,19 @@ use crate::shapes::{Annulus, Context, OpenCylinder, Shape};
 #[serde(deny_unknown_fields)]
 pub struct BeveledRing {
     /// The height of the bottom.
+    #[schemars(with = "Length")]
     pub y0: f64,
     /// The height of the top, above `y0`.
+    #[schemars(with = "Length")]
     pub y1: f64,
     /// The radius of the hole; positive.
+    #[schemars(with = "Length")]
     pub inner_radius: f64,
     /// The outer radius, above `inner_radius`.
+    #[schemars(with = "Length")]
     pub outer_radius: f64,
     /// The radius of the edges: at most half of the height and of the distance between the radii.
+    #[schemars(with = "Length")]
     pub bevel: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
@@ -76,12 +81,6 @@ impl Specification for BeveledRing {
             parts.push(("edges", moved(edge, y * Vector::Y)));
         }
         solid(&parts, &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let lengths = [self.y0, self.y1, self.inner_radius, self.outer_radius, self.bevel];
-        let [y0, y1, inner_radius, outer_radius, bevel] = lengths.map(|length| factor * length);
-        Self { y0, y1, inner_radius, outer_radius, bevel, materials: self.materials.clone() }
     }
 
     fn specimens() -> Vec<Self> {

@@ -10,7 +10,7 @@ use super::edges::check_bevel;
 use super::wedge_parts::Wedge;
 use crate::invalid::{Invalid, finite, length, shown};
 use crate::kinds::Specification;
-use crate::math::{lists, sin_degrees};
+use crate::math::{Length, lists, sin_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::Angles;
 use crate::shapes::plain::annulus::radii;
@@ -23,12 +23,16 @@ use crate::shapes::{Context, Shape};
 #[serde(deny_unknown_fields)]
 pub struct BeveledWedge {
     /// The height of the bottom.
+    #[schemars(with = "Length")]
     pub y0: f64,
     /// The height of the top, above `y0`.
+    #[schemars(with = "Length")]
     pub y1: f64,
     /// The radius of the inner wall; positive.
+    #[schemars(with = "Length")]
     pub inner_radius: f64,
     /// The outer radius, above `inner_radius`.
+    #[schemars(with = "Length")]
     pub outer_radius: f64,
     /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to
     /// 360; through 360 where the first is larger. Less than a turn.
@@ -36,6 +40,7 @@ pub struct BeveledWedge {
     pub phi: [f64; 2],
     /// The radius of the edges: at most half of the height and of the distance between the radii,
     /// and so that both inner edges fit between the sides.
+    #[schemars(with = "Length")]
     pub bevel: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
@@ -93,13 +98,6 @@ impl Specification for BeveledWedge {
 
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         solid(&self.checked()?.parts(), &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let lengths = [self.y0, self.y1, self.inner_radius, self.outer_radius, self.bevel];
-        let [y0, y1, inner_radius, outer_radius, bevel] = lengths.map(|length| factor * length);
-        let materials = self.materials.clone();
-        Self { y0, y1, inner_radius, outer_radius, bevel, materials, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

@@ -14,7 +14,7 @@ use serde::{Deserialize, Serialize};
 use super::spherical_cap::SphericalCap;
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::{Custom, Specification};
-use crate::math::{Point, UNIT_ROUNDOFF, atan2, to_degrees};
+use crate::math::{Length, Point, UNIT_ROUNDOFF, atan2, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::{Context, Kind, OpenCylinder, PartSphere, Shape};
@@ -25,11 +25,14 @@ use crate::shapes::{Context, Kind, OpenCylinder, PartSphere, Shape};
 #[serde(deny_unknown_fields)]
 pub struct ConcaveLens {
     /// The radius of the rim; positive.
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// The thickness at the rim; the lens reaches half of it above and below the plane y = 0. At most
     /// `min_distance + 2 radius`: no hollow is deeper than half a sphere.
+    #[schemars(with = "Length")]
     pub thickness: f64,
     /// From hollow to hollow, on the axis: positive and less than `thickness`.
+    #[schemars(with = "Length")]
     pub min_distance: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
@@ -96,12 +99,6 @@ impl Specification for ConcaveLens {
         let wall = OpenCylinder { y0: -half, y1: half, radius: self.radius, inward: false };
         let parts = [("top", hollow(false)), ("bottom", hollow(true)), ("wall", wall.into())];
         solid(&parts, &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let lengths = [self.radius, self.thickness, self.min_distance];
-        let [radius, thickness, min_distance] = lengths.map(|length| factor * length);
-        Self { radius, thickness, min_distance, materials: self.materials.clone() }
     }
 
     fn specimens() -> Vec<Self> {

@@ -14,7 +14,7 @@ use super::boundaries::{BoundaryMaterials, meniscus};
 use super::flat_rimmed_bowl::polar_angle;
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
-use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
+use crate::math::{Length, Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::solid::edges::{moved, tube};
 use crate::shapes::{Context, Disk, Kind, PartSphere, Shape};
@@ -28,12 +28,16 @@ use crate::shapes::{Context, Disk, Kind, PartSphere, Shape};
 #[serde(deny_unknown_fields, default)]
 pub struct FishBowl {
     /// The radius of the inside.
+    #[schemars(with = "Length")]
     pub inner_radius: f64,
     /// The thickness of the glass.
+    #[schemars(with = "Length")]
     pub glass_thickness: f64,
     /// The depth of the water in the middle; above 0, and its meniscus is below the rim.
+    #[schemars(with = "Length")]
     pub water_depth: f64,
     /// The radius of the meniscus.
+    #[schemars(with = "Length")]
     pub meniscus_radius: f64,
     /// The angle at which the opening is seen across from the origin, in degrees above 0 and below 360.
     pub opening: f64,
@@ -129,17 +133,6 @@ impl Specification for FishBowl {
         }
         let water_glass = [("wall", sphere(r, [contact, 180.0], false))];
         self.materials.build(&glass_air, &water_air, &water_glass, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            inner_radius: factor * self.inner_radius,
-            glass_thickness: factor * self.glass_thickness,
-            water_depth: factor * self.water_depth,
-            meniscus_radius: factor * self.meniscus_radius,
-            materials: self.materials.clone(),
-            ..*self
-        }
     }
 
     fn specimens() -> Vec<Self> {

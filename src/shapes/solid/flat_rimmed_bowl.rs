@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
-use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
+use crate::math::{Length, Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
@@ -23,8 +23,10 @@ use crate::shapes::{Annulus, Context, Kind, PartSphere, Shape};
 #[serde(deny_unknown_fields)]
 pub struct FlatRimmedBowl {
     /// The radius of the inside; positive.
+    #[schemars(with = "Length")]
     pub inner_radius: f64,
     /// The radius of the outside, above `inner_radius`.
+    #[schemars(with = "Length")]
     pub outer_radius: f64,
     /// The angle at which the rim of the inside is seen across from the origin, in degrees above 0 and
     /// below 360: 180 for the book's hemispherical bowl, less for one that narrows towards its rim.
@@ -82,12 +84,6 @@ impl Specification for FlatRimmedBowl {
             outer_radius: rim[1],
         };
         solid(&[outside, inside, ("rim", rim.into())], &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let [inner_radius, outer_radius] =
-            [self.inner_radius, self.outer_radius].map(|radius| factor * radius);
-        Self { inner_radius, outer_radius, materials: self.materials.clone(), ..*self }
     }
 
     fn specimens() -> Vec<Self> {

@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::boundaries::{BoundaryMaterials, meniscus};
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
-use crate::math::{Point, Vector};
+use crate::math::{Length, Point, Vector};
 use crate::shapes::{Annulus, Context, Disk, OpenCylinder, Shape};
 
 /// A cylindrical glass about the y axis that stands on y = 0, with water in it that curves up to the
@@ -24,17 +24,23 @@ use crate::shapes::{Annulus, Context, Disk, OpenCylinder, Shape};
 #[serde(deny_unknown_fields, default)]
 pub struct GlassOfWater {
     /// The height of the glass.
+    #[schemars(with = "Length")]
     pub height: f64,
     /// The radius of the inside.
+    #[schemars(with = "Length")]
     pub inner_radius: f64,
     /// The thickness of the wall.
+    #[schemars(with = "Length")]
     pub wall_thickness: f64,
     /// The thickness of the bottom.
+    #[schemars(with = "Length")]
     pub base_thickness: f64,
     /// The height of the water's level above y = 0: above the bottom, and so far below `height` that
     /// the meniscus fits.
+    #[schemars(with = "Length")]
     pub water_height: f64,
     /// The radius of the meniscus; less than half of `inner_radius`.
+    #[schemars(with = "Length")]
     pub meniscus_radius: f64,
     /// The names of the materials of the boundaries.
     #[serde(skip_serializing_if = "BoundaryMaterials::is_empty")]
@@ -114,18 +120,6 @@ impl Specification for GlassOfWater {
             ("wall", wall(self.base_thickness, contact, r, false).into()),
         ];
         self.materials.build(&glass_air, &water_air, &water_glass, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        Self {
-            height: factor * self.height,
-            inner_radius: factor * self.inner_radius,
-            wall_thickness: factor * self.wall_thickness,
-            base_thickness: factor * self.base_thickness,
-            water_height: factor * self.water_height,
-            meniscus_radius: factor * self.meniscus_radius,
-            materials: self.materials.clone(),
-        }
     }
 
     fn specimens() -> Vec<Self> {

@@ -13,7 +13,7 @@ use super::edges::{Named, check_fits, half_joint, inset};
 use crate::accel::Method;
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
-use crate::math::to_degrees;
+use crate::math::{Length, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid_by};
 use crate::shapes::{Context, Shape};
 
@@ -30,15 +30,20 @@ pub struct Rosette {
     /// How many rings there are: from 1 to 6.
     pub rings: u32,
     /// The radius of the hole in the middle; positive.
+    #[schemars(with = "Length")]
     pub hole_radius: f64,
     /// From the inner to the outer wall of each ring; positive.
+    #[schemars(with = "Length")]
     pub ring_width: f64,
     /// The radius of the wedges' edges: positive, at most half of the height, of the ring's width and of
     /// the width of a wedge's inner wall.
+    #[schemars(with = "Length")]
     pub bevel: f64,
     /// The height of the bottom.
+    #[schemars(with = "Length")]
     pub y0: f64,
     /// The height of the top, above `y0`.
+    #[schemars(with = "Length")]
     pub y1: f64,
     /// How rays find the wedges, `"grid"` in the book; as the scene if left out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -92,13 +97,6 @@ impl Specification for Rosette {
             }
         }
         solid_by(self.accel, &parts, &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let lengths = [self.hole_radius, self.ring_width, self.bevel, self.y0, self.y1];
-        let [hole_radius, ring_width, bevel, y0, y1] = lengths.map(|length| factor * length);
-        let materials = self.materials.clone();
-        Self { hole_radius, ring_width, bevel, y0, y1, materials, ..*self }
     }
 
     fn specimens() -> Vec<Self> {

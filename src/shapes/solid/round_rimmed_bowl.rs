@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::flat_rimmed_bowl::{hemisphere, polar_angle, shells};
 use crate::invalid::{Invalid, length, shown};
 use crate::kinds::Specification;
-use crate::math::{Vector, cos_degrees, sin_degrees};
+use crate::math::{Length, Vector, cos_degrees, sin_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
@@ -27,8 +27,10 @@ use crate::shapes::{Context, Shape};
 #[serde(deny_unknown_fields)]
 pub struct RoundRimmedBowl {
     /// The radius of the inside; positive.
+    #[schemars(with = "Length")]
     pub inner_radius: f64,
     /// The radius of the outside, above `inner_radius`.
+    #[schemars(with = "Length")]
     pub outer_radius: f64,
     /// The angle at which the middle of the rim is seen across from the origin, in degrees above 0 and
     /// below 360: 180 for a hemispherical bowl, 120 for figure 21.16, which narrows towards its rim.
@@ -59,12 +61,6 @@ impl Specification for RoundRimmedBowl {
         let rim = moved(half, middle * cos_degrees(theta) * Vector::Y);
         let [outside, inside] = shells([inner, outer], [theta, theta]);
         solid(&[outside, inside, ("rim", rim)], &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let [inner_radius, outer_radius] =
-            [self.inner_radius, self.outer_radius].map(|radius| factor * radius);
-        Self { inner_radius, outer_radius, materials: self.materials.clone(), ..*self }
     }
 
     fn specimens() -> Vec<Self> {

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Point, Vector};
+use crate::math::{Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::{Cone, Context, Disk, Kind, Shape};
 
@@ -19,8 +19,10 @@ use crate::shapes::{Cone, Context, Disk, Kind, Shape};
 #[serde(deny_unknown_fields)]
 pub struct SolidCone {
     /// The height of the apex above the base, which is in the plane y = 0; positive.
+    #[schemars(with = "Length")]
     pub height: f64,
     /// The radius of the base; positive.
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
@@ -38,11 +40,6 @@ impl Specification for SolidCone {
         let base = Disk { center: Point::ORIGIN, normal: -Vector::Y, radius };
         let parts = [("base", Kind::from(base)), ("wall", Kind::from(wall))];
         solid(&parts, &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let [height, radius] = [self.height, self.radius].map(|length| factor * length);
-        Self { height, radius, materials: self.materials.clone() }
     }
 
     fn specimens() -> Vec<Self> {

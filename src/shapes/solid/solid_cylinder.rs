@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Point, Vector};
+use crate::math::{Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::{Context, Disk, Kind, OpenCylinder, Shape};
 
@@ -19,10 +19,13 @@ use crate::shapes::{Context, Disk, Kind, OpenCylinder, Shape};
 #[serde(deny_unknown_fields)]
 pub struct SolidCylinder {
     /// The height of the bottom.
+    #[schemars(with = "Length")]
     pub y0: f64,
     /// The height of the top, above `y0`.
+    #[schemars(with = "Length")]
     pub y1: f64,
     /// The radius; positive.
+    #[schemars(with = "Length")]
     pub radius: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
@@ -44,12 +47,6 @@ impl Specification for SolidCylinder {
             ("wall", Kind::from(wall)),
         ];
         solid(&parts, &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let Self { y0, y1, radius, ref materials } = *self;
-        let [y0, y1, radius] = [y0, y1, radius].map(|length| factor * length);
-        Self { y0, y1, radius, materials: materials.clone() }
     }
 
     fn specimens() -> Vec<Self> {

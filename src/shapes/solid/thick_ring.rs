@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length};
 use crate::kinds::Specification;
-use crate::math::{Point, Vector};
+use crate::math::{Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::plain::annulus::radii;
 use crate::shapes::{Annulus, Context, Kind, OpenCylinder, Shape};
@@ -22,12 +22,16 @@ use crate::shapes::{Annulus, Context, Kind, OpenCylinder, Shape};
 #[serde(deny_unknown_fields)]
 pub struct ThickRing {
     /// The height of the bottom.
+    #[schemars(with = "Length")]
     pub y0: f64,
     /// The height of the top, above `y0`.
+    #[schemars(with = "Length")]
     pub y1: f64,
     /// The radius of the hole; positive.
+    #[schemars(with = "Length")]
     pub inner_radius: f64,
     /// The outer radius, above `inner_radius`.
+    #[schemars(with = "Length")]
     pub outer_radius: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.
     #[serde(default, skip_serializing_if = "Materials::is_empty")]
@@ -55,12 +59,6 @@ impl Specification for ThickRing {
             ("outer_wall", wall(outer_radius, false).into()),
         ];
         solid(&parts, &self.materials, context)
-    }
-
-    fn scaled(&self, factor: f64) -> Self {
-        let lengths = [self.y0, self.y1, self.inner_radius, self.outer_radius];
-        let [y0, y1, inner_radius, outer_radius] = lengths.map(|length| factor * length);
-        Self { y0, y1, inner_radius, outer_radius, materials: self.materials.clone() }
     }
 
     fn specimens() -> Vec<Self> {

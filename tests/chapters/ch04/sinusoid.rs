@@ -12,6 +12,7 @@ use groundtruth::scene::{Image, Scene};
 use groundtruth::trace::RayCounts;
 
 use crate::pictures::studio::{bits, built, pixels};
+use crate::support::scaling::scaled_scene;
 
 /// The side of the book's square: figure 4.2 shows `[0, 10.83]²`.
 const SIDE: f64 = 10.83;
@@ -195,7 +196,7 @@ fn the_unit_scales_with_the_scene() {
     let scene = scene(32);
     let film = render::render(&built(&scene));
     for exponent in [-20, 1, 30] {
-        let scaled = scene.scaled(exponent);
+        let scaled = scaled_scene(&scene, exponent);
         let Background::Pattern(Pattern::Sinusoid(sinusoid)) = &scaled.background else {
             unreachable!()
         };

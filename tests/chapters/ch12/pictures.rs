@@ -12,6 +12,7 @@ use groundtruth::shapes::Sphere;
 use groundtruth::world::{World, from_toml};
 
 use crate::pictures::studio::{add_flat, assert_same_bits, bits, built, pixels, small};
+use crate::support::scaling::scaled_scene;
 
 const WIDTH: u32 = 26;
 const HEIGHT: u32 = 20;
@@ -176,7 +177,7 @@ fn scaling_by_powers_of_two_changes_no_pair() {
         scene.camera.lens = lens;
         let (_, original) = rendered(&scene);
         for k in [-30, 5] {
-            assert_same_bits(&format!("2^{k}"), &rendered(&scene.scaled(k)).1, &original);
+            assert_same_bits(&format!("2^{k}"), &rendered(&scaled_scene(&scene, k)).1, &original);
         }
     }
 }

@@ -5,6 +5,7 @@ use proptest::prelude::*;
 
 use super::*;
 use crate::support::replicas::assert_color;
+use crate::support::scaling::scaled_scene;
 use crate::support::{laws, unit};
 
 const SAMPLES: u32 = 1024;
@@ -60,7 +61,7 @@ proptest! {
         let mut free = scene.clone();
         free.lights[0].shadows = false;
         let [found, expected] = [scene, free].map(|scene| {
-            let world = built(&with_samples(scene.scaled(scale), 16));
+            let world = built(&with_samples(scaled_scene(&scene, scale), 16));
             let eye = (origin + 1e-3 * n).scaled(power_of_two(scale));
             view(&world, eye, -Vector::from(n))
         });

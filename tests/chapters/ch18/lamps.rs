@@ -8,6 +8,7 @@ use groundtruth::trace::{Outcome, RayKind, RayTree, radiance};
 use super::*;
 use crate::support::U;
 use crate::support::replicas::assert_color;
+use crate::support::scaling::scaled_scene;
 
 const SAMPLES: u32 = 64;
 
@@ -54,7 +55,7 @@ fn a_lamp_does_not_shadow_itself_but_others_shadow_it() {
                 let screen = panel(Point::new(0.0, 1.0, 0.0), 30.0 * Vector::X, 30.0 * Vector::Z);
                 let screen = put(&mut hidden, screen, white()) as u32;
                 let [scene, free, hidden] =
-                    [scene, free, hidden].map(|scene| scene.scaled(exponent));
+                    [scene, free, hidden].map(|scene| scaled_scene(&scene, exponent));
                 let mut rays = 0;
                 for point in floor_points() {
                     let at = point.scaled(power_of_two(exponent));

@@ -11,6 +11,7 @@ use groundtruth::shapes::{
 
 use crate::support::U;
 use crate::support::bodies::body;
+use crate::support::scaling::scaled;
 
 fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")
@@ -213,11 +214,11 @@ fn shapes_scale_exactly_by_powers_of_two() {
     for _ in 0..10_000 {
         let (kind, _, middle) = body(&mut draw, 1.0);
         let factor = draw.pick(&[1.0 / 1_048_576.0, 0.5, 2.0, 65_536.0]);
-        let (shape, scaled) = (built(kind.clone()), built(kind.scaled(factor)));
+        let (shape, larger) = (built(kind.clone()), built(scaled(&kind, factor)));
         let origin = middle + draw.between(0.0, 5.0) * draw.direction();
         let ray = Ray::new(origin, draw.direction() + 2.0 * (middle - origin));
         let large = Ray::new(origin.scaled(factor), ray.direction);
-        let (a, b) = (first(&*shape, &ray), first(&*scaled, &large));
+        let (a, b) = (first(&*shape, &ray), first(&*larger, &large));
         assert_eq!(a.is_some(), b.is_some());
         if let (Some((a, p)), Some((b, q))) = (a, b) {
             assert_eq!((a.t * factor, a.part, a.parameters), (b.t, b.part, b.parameters));

@@ -6,6 +6,7 @@ use groundtruth::shapes::{Context, Cuboid, Instance, Kind};
 use proptest::prelude::*;
 
 use super::{linear, product, size, steps, transform};
+use crate::support::scaling::scaled;
 use crate::support::{U, laws, point};
 
 /// The matrix of these steps as a step.
@@ -99,7 +100,7 @@ fn singular_matrices_are_refused_and_scenes_scale() {
     let flat = [[1.0, 2.0, 3.0, 0.0], [2.0, 4.0, 6.0, 0.0], [0.0, 1.0, 0.0, 0.0], last];
     assert!(Transform::from_steps(&[Step::Matrix(flat)]).is_err());
     let rows = [[1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 5.0, 6.0], [0.0, 0.0, 1.0, 7.0], last];
-    let doubled = transform(&[Step::Matrix(rows).scaled(2.0)]);
+    let doubled = transform(&[scaled(&Step::Matrix(rows), 2.0)]);
     assert_eq!(linear(&doubled), linear(&transform(&[Step::Matrix(rows)])));
     assert_eq!(doubled.rows().map(|row| row[3]), [8.0, 12.0, 14.0]);
 }

@@ -8,6 +8,7 @@ use groundtruth::shapes::{
     Archway, BeveledBox, Context, Instance, Kind, Materials, Rosette, Shape,
 };
 
+use crate::support::scaling::scaled;
 use crate::support::solids::{built, from_axis, line};
 
 fn rosette(rings: u32, bevel: f64, accel: Option<Method>) -> Rosette {
@@ -266,7 +267,7 @@ fn bevels_may_be_as_small_as_rounding_allows() {
     let mut tested = 0;
     for specimen in Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)()) {
         for scale in [1e-20, 1e-6, 1.0, 3.7e9] {
-            let kind = specimen.scaled(scale);
+            let kind = scaled(&specimen, scale);
             let bounds = kind.build(&mut Context::default()).expect("a specimen").bounds();
             let largest = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
             for (share, builds) in [(1e-15, false), (2e-14, true), (1e-10, true)] {

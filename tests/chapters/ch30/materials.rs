@@ -291,7 +291,7 @@ fn the_textures_of_materials_of_spheres_are_scaled() {
     };
     let mut random = Pcg32::new(30, 7);
     for k in [1, -7, 30] {
-        let larger = recipe.scaled(power_of_two(k));
+        let larger = scaled(&recipe, power_of_two(k));
         for _ in 0..300 {
             let mut c = || 2.0 * random.uniform() - 1.0;
             let local = Point::new(c(), c(), c());

@@ -19,6 +19,7 @@ use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{Checker3d, Kind as Texture, Paint, PlaneChecker};
 use proptest::prelude::*;
 
+use crate::support::scaling::scaled;
 use crate::support::stage::*;
 use crate::support::{U, camera_ray, laws, point, unit};
 
@@ -154,7 +155,7 @@ proptest! {
     ) {
         let s = power_of_two(exponent);
         for texture in [solid(size), flat(size, 0.2 * size), flat(size, 0.0)] {
-            prop_assert_eq!(at(&texture.scaled(s), p.scaled(s)), at(&texture, p));
+            prop_assert_eq!(at(&scaled(&texture, s), p.scaled(s)), at(&texture, p));
         }
     }
 

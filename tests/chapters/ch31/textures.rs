@@ -14,6 +14,7 @@ use groundtruth::textures::{
 use proptest::prelude::*;
 
 use super::oracle::{self, built};
+use crate::support::scaling::scaled;
 use crate::support::{laws, point};
 
 const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);
@@ -243,7 +244,7 @@ fn ramps_are_mixed_in_even_steps() {
 fn patterns_grow_with_their_size() {
     for entry in Kind::ENTRIES.iter().filter(|entry| entry.chapter == "ch31") {
         for texture in (entry.specimens)() {
-            let large = texture.scaled(3.0);
+            let large = scaled(&texture, 3.0);
             let mut differ = 0;
             for i in 0..40 {
                 let p = Point::new(0.31 * f64::from(i), 0.17 * f64::from(i), 1.9);

@@ -17,6 +17,7 @@ use groundtruth::{lights, materials, shapes};
 use super::random_scenes::{scene, textured_scene};
 use super::studio::{assert_same_bits, bits, built, pixels};
 use crate::support::number;
+use crate::support::scaling::scaled_scene;
 
 fn same(color: Rgb) -> Rgb {
     color
@@ -225,7 +226,7 @@ fn scale_acceleration_and_export_do_not_matter() {
         let mut scene = any(number);
         let original = render(&built(&scene));
         for k in [-30, -3, 30] {
-            let scaled = render(&built(&scene.scaled(k)));
+            let scaled = render(&built(&scaled_scene(&scene, k)));
             assert_same_bits(&format!("scene {number} times 2^{k}"), &scaled, &original);
         }
         let text = to_toml(&scene).expect("plain data");

@@ -6,6 +6,7 @@ use groundtruth::math::{Aabb, Ray, Span, Step, Vector};
 use groundtruth::shapes::{Context, Instance, Kind, Shape, Surface};
 
 use super::bodies::check_next;
+use super::scaling::scaled;
 
 /// A shape that rays leave: its bounding box, and whether it has an inside.
 struct Body<'a> {
@@ -24,7 +25,7 @@ pub fn check_kinds(chapter: &str, [scales, rays]: [usize; 2], seed: u64) {
         let mut hits = 0;
         for case in 0..scales * specimens.len() {
             let mut draw = Draw::case(seed, case);
-            let mut kind = specimens[case % specimens.len()].scaled(draw.decades(-6.0, 6.0));
+            let mut kind = scaled(&specimens[case % specimens.len()], draw.decades(-6.0, 6.0));
             if draw.coin() {
                 let size = built(&kind).bounds().extent().max_abs();
                 let by = size * draw.decades(-1.0, 3.0) * draw.direction();

@@ -13,6 +13,8 @@ pub mod leaving;
 pub mod optics;
 pub mod replicas;
 pub mod samples;
+#[path = "../../contracts/scaling.rs"]
+pub mod scaling;
 pub mod solids;
 pub mod stage;
 pub mod statistics;

@@ -10,8 +10,9 @@ Everything that a scene file can say. This page is generated from the program (`
 --page > docs/scene.md`); `groundtruth kinds torus` shows one entry of it, and `groundtruth kinds` lists
 them.
 
-A scene file is [TOML](https://toml.io). Lengths are in any unit you like; x is right, y up, z towards
-you. Angles are in degrees. Whole numbers may be written where numbers are. A *kind* is a table with one
+A scene file is [TOML](https://toml.io). Lengths are in any unit you like, the same for all; a field whose
+unit is made of it has that in brackets, as `number [length]` or `colour [1/length]`. x is right, y up, z
+towards you. Angles are in degrees. Whole numbers may be written where numbers are. A *kind* is a table with one
 key, its name, and its fields inside: `shape.sphere = { center = [0, 0, 0], radius = 1 }` and
 `shape = { sphere = { center = [0, 0, 0], radius = 1 } }` are the same.
 
