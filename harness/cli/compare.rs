@@ -62,7 +62,7 @@ impl Compare {
     pub fn run(mut self) -> Outcome {
         let inputs = [&self.a, &self.b].map(Path::new);
         output::once(inputs, "input")?;
-        output::apart(self.output.as_deref(), inputs)?;
+        output::check_distinct(self.output.as_deref(), inputs)?;
         let is_ours_last = is_scene(&self.b) && !is_scene(&self.a);
         if is_ours_last {
             // the first is what the other is held against
@@ -87,7 +87,10 @@ impl Compare {
                     let folder = film::folder_of(Path::new(name));
                     let named: Vec<_> =
                         scene.files().iter().map(|file| folder.join(file)).collect();
-                    output::apart(self.output.as_deref(), named.iter().map(|file| &**file))?;
+                    output::check_distinct(
+                        self.output.as_deref(),
+                        named.iter().map(|file| &**file),
+                    )?;
                     let world = world_of(*scene, source, name, size)?;
                     announce::long_rendering(&world, &printable::text(name), 1);
                     pictures.push(Picture::of_film(&render::render(&world)));

@@ -73,7 +73,7 @@ impl Export {
             scene = scene.files_from(&folder)?;
         }
         let text = scene::to_toml(&scene)?;
-        output::apart(self.file(), inputs.iter().map(PathBuf::as_path))?;
+        output::check_distinct(self.file(), inputs.iter().map(PathBuf::as_path))?;
         self.write(&text)
     }
 
@@ -100,7 +100,7 @@ impl Export {
         let files: Vec<(PathBuf, &[u8])> = files.collect();
         // all or none
         let outputs = || files.iter().map(|(output, _)| &**output).chain(self.file());
-        output::apart(outputs(), inputs.iter().map(PathBuf::as_path))?;
+        output::check_distinct(outputs(), inputs.iter().map(PathBuf::as_path))?;
         outputs().try_for_each(|output| self.check(output))?;
         files.iter().try_for_each(|(output, bytes)| self.write_to(output, bytes))?;
         self.write(text)

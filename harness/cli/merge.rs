@@ -55,7 +55,7 @@ impl Merge {
     pub fn run(&self) -> Outcome {
         let files = || self.standard_error.iter().chain([&self.output]).map(PathBuf::as_path);
         output::once(files(), "output")?;
-        output::apart(files(), self.files.iter().map(PathBuf::as_path))?;
+        output::check_distinct(files(), self.files.iter().map(PathBuf::as_path))?;
         for file in files() {
             if !is_sums(file) {
                 self.format_of(file)?;

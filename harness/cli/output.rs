@@ -53,7 +53,7 @@ pub fn once<'a>(
 }
 
 /// Fails if two outputs are one file, or an output is one of the files that are read.
-pub fn apart<'a>(
+pub fn check_distinct<'a>(
     outputs: impl IntoIterator<Item = &'a Path>,
     inputs: impl IntoIterator<Item = &'a Path>,
 ) -> Result<(), Box<dyn Error>> {

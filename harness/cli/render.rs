@@ -97,7 +97,10 @@ impl Render {
         };
         let format = output::format(&self.output, self.format)?;
         let inputs = self.scene.files_of(&scene);
-        output::apart(files.iter().map(PathBuf::as_path), inputs.iter().map(PathBuf::as_path))?;
+        output::check_distinct(
+            files.iter().map(PathBuf::as_path),
+            inputs.iter().map(PathBuf::as_path),
+        )?;
         files.iter().try_for_each(|file| output::writable(file))?;
         let canvas = Arc::new(match self.crop {
             Some(crop) => Canvas::cropped(crop.inside(&world)?),

@@ -15,7 +15,7 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 use judge::verdict::{
-    self, Answer, Case, Decision, Judged, Reference, Region, Strictness, Verdict,
+    self, Answer, Case, Decision, Evaluation, Reference, Region, Strictness, Verdict,
 };
 use pictures::compare::{Picture, Transfer};
 use pictures::shell::quoted;
@@ -23,7 +23,7 @@ use pictures::sums::Part;
 
 use super::numbers::whole;
 use super::scene::SceneArguments;
-use super::witness::{Asked, By, Witnessed};
+use super::witness::{By, Request, Witnessed};
 use super::{Exit, Outcome, announce, interrupt, mistakes, output, replicas};
 
 #[derive(Args)]
@@ -116,14 +116,14 @@ impl Verify {
                 let (program, without) = (self.program.clone(), &self.without);
                 let limit = Duration::from_secs(self.time_limit.into());
                 let samples = self.their_samples;
-                Asked { by, program, without, samples, limit }.render(arguments)?
+                Request { by, program, without, samples, limit }.render(arguments)?
             }
             None => Some(self.given(arguments)?),
         };
         let Some(witnessed) = rendered else { return Ok(Exit::Unanswered) };
         let Witnessed { scene, mut world, pictures, words: witness, explained_with } = witnessed;
         let named = arguments.files_of(&scene);
-        output::apart(self.output.as_deref(), named.iter().map(PathBuf::as_path))?;
+        output::check_distinct(self.output.as_deref(), named.iter().map(PathBuf::as_path))?;
         let tone = (scene.image.gamma, scene.image.out_of_gamut);
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
         let reference = self.reference(arguments, (&scene, &world), &pictures)?;
@@ -146,7 +146,7 @@ impl Verify {
             tone,
             seed,
             reference: reference.as_ref(),
-            edge: self.by.map_or(verdict::Edge::DOUBLE, By::edge),
+            tolerance: self.by.map_or(verdict::RayTolerance::DOUBLE, By::edge),
         };
         let renders = &mut |world: &World, canvas: &Canvas| watch.render(world, canvas);
         let verdict = match &*pictures {
@@ -239,7 +239,7 @@ impl Verify {
         let scene = self.scene.as_ref().map(|scene| Path::new(scene.name()));
         let inputs = || self.images.iter().map(PathBuf::as_path).chain(scene);
         output::once(inputs(), "input")?;
-        output::apart(self.output.as_deref(), inputs().chain(self.reference.as_deref()))?;
+        output::check_distinct(self.output.as_deref(), inputs().chain(self.reference.as_deref()))?;
         let mut pictures: Vec<Picture> = Vec::new();
         for file in &self.images {
             let picture = Picture::read(file, self.encoding)?;
@@ -296,7 +296,7 @@ fn advice(scene: &str, verdict: &Verdict, arguments: &str) -> String {
 }
 
 /// What is known while more replicas are rendered.
-fn so_far(judged: &Judged) -> String {
+fn so_far(judged: &Evaluation) -> String {
     let replicas = judged.pool.count() - 1;
     format!(
         "; so far {} of {replicas} are as far out as theirs",

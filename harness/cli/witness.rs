@@ -10,7 +10,7 @@ use groundtruth::filters;
 use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use judge::verdict::Edge;
+use judge::verdict::RayTolerance;
 use pictures::compare::{Picture, Transfer};
 
 use super::scene::SceneArguments;
@@ -25,7 +25,7 @@ pub enum By {
 }
 
 /// What the user asks of another renderer.
-pub struct Asked<'a> {
+pub struct Request<'a> {
     pub by: By,
     /// Its program.
     pub program: Option<PathBuf>,
@@ -59,10 +59,10 @@ const SAMPLES: u32 = 64;
 
 impl By {
     /// How far its rays may be from ours.
-    pub fn edge(self) -> Edge {
+    pub fn edge(self) -> RayTolerance {
         match self {
-            Self::Pov => Edge::DOUBLE,
-            Self::Mitsuba => Edge::SINGLE,
+            Self::Pov => RayTolerance::DOUBLE,
+            Self::Mitsuba => RayTolerance::SINGLE,
         }
     }
 
@@ -114,7 +114,7 @@ impl Program {
     }
 }
 
-impl Asked<'_> {
+impl Request<'_> {
     /// Renders the scene of these arguments with the other renderer; `None` if the scene cannot be said, which is printed.
     ///
     /// # Errors

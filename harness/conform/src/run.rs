@@ -67,8 +67,8 @@ pub fn run(
     let is_asked = |family: &&Family| options.profile == Profile::Careful || family.ordinary;
     let families: Vec<&Family> = families.iter().filter(is_asked).collect();
     easy_questions(subject, &families, options)?;
-    let mut asked: Vec<Asked<'_>> =
-        families.iter().map(|family| Asked::new(family, options)).collect();
+    let mut asked: Vec<Running<'_>> =
+        families.iter().map(|family| Running::new(family, options)).collect();
     let mut faults: BTreeMap<String, u64> = BTreeMap::new();
     let most = asked.iter().map(|asked| asked.cases.len()).max().unwrap_or(0);
     let later = (FIRST_ROUND..most).step_by(WINDOW);
@@ -126,7 +126,7 @@ fn easy_questions(
 }
 
 /// A family under questions.
-struct Asked<'a> {
+struct Running<'a> {
     family: &'a Family,
     cases: Vec<Value>,
     row: Row,
@@ -134,12 +134,12 @@ struct Asked<'a> {
     /// The first wrong case.
     first: Option<(Value, Wrong)>,
     /// Its answer to every question until now, if they are one.
-    said: Said,
+    common: CommonAnswer,
     is_done: bool,
 }
 
 /// What the answers of a family have in common.
-enum Said {
+enum CommonAnswer {
     /// There are none yet.
     Nothing,
     /// All are this one.
@@ -148,14 +148,14 @@ enum Said {
     Different,
 }
 
-impl<'a> Asked<'a> {
+impl<'a> Running<'a> {
     fn new(family: &'a Family, options: &Options) -> Self {
         let count = ((options.cases as f64 * family.share).ceil() as usize).max(1);
         let cases = (family.cases)(options.seed, count);
         let row = Row::new(&family.name, &family.about, family.chapter, cases.len() as u64);
         let is_done = cases.is_empty();
-        let said = Said::Nothing;
-        Self { family, cases, row, wrong: Vec::new(), first: None, said, is_done }
+        let common = CommonAnswer::Nothing;
+        Self { family, cases, row, wrong: Vec::new(), first: None, common, is_done }
     }
 
     /// Asks some of its cases; while nothing is supported, few of them.
@@ -176,15 +176,15 @@ impl<'a> Asked<'a> {
         match self.family.judge {
             Judge::Answer(judge) => {
                 let replies = subject.ask(&cases);
-                let judged: Vec<Judged> = cases
+                let judged: Vec<CaseResult> = cases
                     .par_iter()
                     .zip(&replies)
-                    .map(|(question, reply)| Judged::of(question, reply, judge, profile))
+                    .map(|(question, reply)| CaseResult::of(question, reply, judge, profile))
                     .collect();
                 for ((question, reply), mut judged) in cases.iter().zip(&replies).zip(judged) {
                     if let Reply::Answer(answer) = reply {
                         judged.name(self.family, &[(question.clone(), answer.clone())]);
-                        self.said.and(answer);
+                        self.common.and(answer);
                     }
                     let got = || match reply {
                         Reply::Answer(answer) => answer.to_string(),
@@ -198,7 +198,7 @@ impl<'a> Asked<'a> {
                     let mut asking = Asking::new(subject);
                     let found = guarded(|| law(&mut asking, case, profile));
                     let mut judged =
-                        Judged::from(found.unwrap_or_else(|text| Err(Stop::Ours(text))));
+                        CaseResult::from(found.unwrap_or_else(|text| Err(Stop::Ours(text))));
                     let asked = asking.asked;
                     judged.name(self.family, &asked);
                     if judged.is_wrong_with_care(profile) {
@@ -222,7 +222,7 @@ impl<'a> Asked<'a> {
     fn count(
         &mut self,
         question: &Value,
-        judged: Judged,
+        judged: CaseResult,
         asked: impl FnOnce() -> Vec<(Value, String)>,
     ) {
         let Some(status) = judged.status else { return };
@@ -254,7 +254,7 @@ impl<'a> Asked<'a> {
     fn finish(&mut self, subject: &mut dyn Subject, options: &Options, spent: &mut Duration) {
         self.is_done = true;
         self.row.names = guarded(|| names(&self.wrong)).unwrap_or_default();
-        if let Said::Always(answer) = &self.said
+        if let CommonAnswer::Always(answer) = &self.common
             && let Some(name) = always(self.family.question(), answer, &self.row.names, &self.wrong)
         {
             self.row.names = vec![name];
@@ -281,7 +281,7 @@ impl<'a> Asked<'a> {
 }
 
 /// The judgement of one case as a status.
-struct Judged {
+struct CaseResult {
     /// `None` if it was not asked any more.
     status: Option<Status>,
     error: f64,
@@ -295,7 +295,7 @@ struct Judged {
     text: Option<String>,
 }
 
-impl Said {
+impl CommonAnswer {
     /// With one more answer.
     fn and(&mut self, answer: &Value) {
         match self {
@@ -306,7 +306,7 @@ impl Said {
     }
 }
 
-impl Judged {
+impl CaseResult {
     fn of(
         question: &Value,
         reply: &Reply,

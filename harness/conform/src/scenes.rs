@@ -113,13 +113,13 @@ pub fn first_difference(ours: &[Value], theirs: &[Value]) -> String {
     for (index, ray) in &compared {
         let nearest = (0..free.len())
             .filter(|&i| free[i]["kind"] == ray["kind"])
-            .min_by(|&i, &j| apart(ray, free[i]).total_cmp(&apart(ray, free[j])));
+            .min_by(|&i, &j| distance(ray, free[i]).total_cmp(&distance(ray, free[j])));
         let shown = described(*index, ray);
         let Some(at) = nearest else {
             return format!("first ray that differs: {shown} is not cast");
         };
         let their = free.swap_remove(at);
-        if apart(ray, their) > SAME_RAY {
+        if distance(ray, their) > SAME_RAY {
             let [origin, direction] = ["origin", "direction"].map(|field| &their[field]);
             return format!(
                 "first ray that differs: {shown}; theirs from {origin} along {direction}"
@@ -160,7 +160,7 @@ fn described(index: usize, ray: &Value) -> String {
 }
 
 /// How far apart two rays are; their directions may have any length.
-fn apart(a: &Value, b: &Value) -> f64 {
+fn distance(a: &Value, b: &Value) -> f64 {
     let rays = [a, b].map(|ray| {
         let origin = triple(&ray["origin"])?;
         let direction = Vector::from(triple(&ray["direction"])?).unit()?;

@@ -12,7 +12,7 @@ use groundtruth::explain::count;
 use groundtruth::render::Canvas;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use judge::verdict::{self, Case, Edge, Judged, Region, Strictness, Verdict};
+use judge::verdict::{self, Case, Evaluation, RayTolerance, Region, Strictness, Verdict};
 use pictures::compare::Picture;
 
 use crate::action::Action;
@@ -63,7 +63,7 @@ impl Course {
         self.is_stopped.load(Ordering::Relaxed)
     }
 
-    fn note(&self, judged: &Judged) {
+    fn note(&self, judged: &Evaluation) {
         let as_extreme = judged.ranking.as_far_as(judged.pool.count() - 1);
         *self.as_extreme.lock().expect("no holder panics") = Some(as_extreme);
     }
@@ -122,7 +122,7 @@ impl Question {
             tone: (scene.image.gamma, scene.image.out_of_gamut),
             seed,
             reference: None,
-            edge: Edge::DOUBLE,
+            tolerance: RayTolerance::DOUBLE,
         };
         let verdict = case.verdict(&theirs, &mut |world, canvas| course.render(world, canvas));
         let verdict = verdict.map(Arc::new);

@@ -74,7 +74,7 @@ fn of_command(picture: &Picture) -> Verdict {
         tone: (scene.image.gamma, scene.image.out_of_gamut),
         seed: DEFAULT_SEED,
         reference: None,
-        edge: judge::verdict::Edge::DOUBLE,
+        tolerance: judge::verdict::RayTolerance::DOUBLE,
     };
     let renders = &mut |world: &World, canvas: &render::Canvas| {
         canvas.render(world);

@@ -60,7 +60,7 @@ trait Question {
 /// A line: a question, and a mark that its answer carries.
 struct Line {
     id: Option<Value>,
-    asked: Asked,
+    question: AnyQuestion,
 }
 
 macro_rules! questions {
@@ -68,11 +68,11 @@ macro_rules! questions {
         /// The questions by name.
         const NAMES: &[&str] = &[$(stringify!($module)),*];
 
-        enum Asked {
+        enum AnyQuestion {
             $($Question(Box<$module::$Question>),)*
         }
 
-        impl Asked {
+        impl AnyQuestion {
             /// Reads the data of the question of this name.
             fn read<'de, A: MapAccess<'de>>(name: &str, map: &mut A) -> Result<Self, A::Error> {
                 match name {
@@ -137,12 +137,12 @@ impl<'de> Visitor<'de> for LineVisitor {
                 if id.replace(map.next_value()?).is_some() {
                     return Err(de::Error::duplicate_field("id"));
                 }
-            } else if asked.replace(Asked::read(&key, &mut map)?).is_some() {
+            } else if asked.replace(AnyQuestion::read(&key, &mut map)?).is_some() {
                 return Err(de::Error::custom("a second question; a line asks one"));
             }
         }
         let missing = || de::Error::custom(format!("no question; there are: {}", NAMES.join(", ")));
-        Ok(Line { id, asked: asked.ok_or_else(missing)? })
+        Ok(Line { id, question: asked.ok_or_else(missing)? })
     }
 }
 
@@ -176,8 +176,9 @@ fn reply(line: &str) -> Result<String, String> {
     if line.len() > LONGEST_LINE {
         return Err(refuse(None, &too_long()));
     }
-    let Line { id, asked } = read(line).map_err(|e| refuse(id_of(line).as_ref(), &located(&e)))?;
-    asked.answer(id.as_ref()).map_err(|invalid| refuse(id.as_ref(), &invalid.to_string()))
+    let Line { id, question } =
+        read(line).map_err(|e| refuse(id_of(line).as_ref(), &located(&e)))?;
+    question.answer(id.as_ref()).map_err(|invalid| refuse(id.as_ref(), &invalid.to_string()))
 }
 
 fn read(line: &str) -> Result<Line, serde_json::Error> {

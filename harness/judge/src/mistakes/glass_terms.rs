@@ -6,7 +6,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayKind;
 
 use super::changes::NOT_INVERTED;
-use super::{How, Mistake, RayHeard, TermHeard};
+use super::{How, Mistake, ObservedRay, ObservedTerm};
 
 const SCHLICK: Mistake = Mistake::term(
     28,
@@ -123,7 +123,7 @@ pub(super) const ALL: &[Mistake] = &[
 ];
 
 /// The index behind the surface over the one in front of it, of a term that was refracted.
-fn refracted(term: &TermHeard<'_>) -> Option<f64> {
+fn refracted(term: &ObservedTerm<'_>) -> Option<f64> {
     match term.traced()? {
         Lobe::PerfectTransmitter(_) | Lobe::FresnelTransmitter(_) => {
             term.ray.surface.as_ref()?.eta()
@@ -132,26 +132,26 @@ fn refracted(term: &TermHeard<'_>) -> Option<f64> {
     }
 }
 
-fn is_mirrored(term: &TermHeard<'_>) -> bool {
+fn is_mirrored(term: &ObservedTerm<'_>) -> bool {
     matches!(term.traced(), Some(Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_)))
 }
 
-fn is_transparent(term: &TermHeard<'_>) -> bool {
+fn is_transparent(term: &ObservedTerm<'_>) -> bool {
     term.ray.surface.as_ref().is_some_and(|surface| surface.eta().is_some())
 }
 
 /// Whether the term leaves a surface on which the viewer sees total internal reflection.
-fn is_total(term: &TermHeard<'_>) -> bool {
+fn is_total(term: &ObservedTerm<'_>) -> bool {
     term.ray.surface.as_ref().is_some_and(|surface| surface.reflects_totally())
 }
 
 /// Whether the viewer is inside.
-fn is_inside(term: &TermHeard<'_>) -> bool {
+fn is_inside(term: &ObservedTerm<'_>) -> bool {
     term.ray.surface.as_ref().is_some_and(|surface| surface.cos_o() < 0.0)
 }
 
 /// The value of a term with other shares than Fresnel's. Total internal reflection stays as it is.
-fn with_fresnel(term: &TermHeard<'_>, shares: impl Fn(f64, f64) -> Fresnel) -> Rgb {
+fn with_fresnel(term: &ObservedTerm<'_>, shares: impl Fn(f64, f64) -> Fresnel) -> Rgb {
     let (Some(lobe), Some(surface)) = (term.traced(), &term.ray.surface) else {
         return term.value();
     };
@@ -186,14 +186,14 @@ fn cosine_in_air(cos_i: f64, eta: f64) -> f64 {
     }
 }
 
-fn fresnel_not_inverted(term: &TermHeard<'_>) -> Rgb {
+fn fresnel_not_inverted(term: &ObservedTerm<'_>) -> Rgb {
     match is_inside(term) {
         true => with_fresnel(term, |cos_i, eta| fresnel(cos_i, 1.0 / eta)),
         false => term.value(),
     }
 }
 
-fn factor_not_inverted(term: &TermHeard<'_>) -> Rgb {
+fn factor_not_inverted(term: &ObservedTerm<'_>) -> Rgb {
     match refracted(term).filter(|_| is_inside(term)) {
         Some(eta) => term.times((eta * eta) * (eta * eta)),
         None => term.value(),
@@ -202,7 +202,7 @@ fn factor_not_inverted(term: &TermHeard<'_>) -> Rgb {
 
 /// In a scene whose indices are not inverted inside, that have it right again in Fresnel's equations. Where reflection is
 /// total by these, nothing passes.
-pub(super) fn fresnel_right(term: &TermHeard<'_>) -> Rgb {
+pub(super) fn fresnel_right(term: &ObservedTerm<'_>) -> Rgb {
     let Some(surface) = term.ray.surface.as_ref().filter(|_| is_inside(term)) else {
         return term.value();
     };
@@ -217,12 +217,12 @@ pub(super) fn fresnel_right(term: &TermHeard<'_>) -> Rgb {
 }
 
 /// The same, in the factor 1/η².
-pub(super) fn factor_right(term: &TermHeard<'_>) -> Rgb {
+pub(super) fn factor_right(term: &ObservedTerm<'_>) -> Rgb {
     factor_not_inverted(term)
 }
 
 /// The same, in both.
-pub(super) fn both_right(term: &TermHeard<'_>) -> Rgb {
+pub(super) fn both_right(term: &ObservedTerm<'_>) -> Rgb {
     let arriving = fresnel_right(term);
     match refracted(term).filter(|_| is_inside(term)) {
         Some(eta) => ((eta * eta) * (eta * eta)) * arriving,
@@ -231,7 +231,7 @@ pub(super) fn both_right(term: &TermHeard<'_>) -> Rgb {
 }
 
 /// The same, in the test for total internal reflection alone.
-pub(super) fn total_right(term: &TermHeard<'_>) -> Rgb {
+pub(super) fn total_right(term: &ObservedTerm<'_>) -> Rgb {
     let surface = term.ray.surface.as_ref().filter(|_| is_inside(term));
     let Some((surface, wrong)) = surface.and_then(|it| Some((it, it.eta()?))) else {
         return term.value();
@@ -249,12 +249,12 @@ pub(super) fn total_right(term: &TermHeard<'_>) -> Rgb {
 }
 
 /// Without absorption along the rays of a kind.
-fn not_along(ray: &RayHeard<'_>, kind: RayKind) -> Rgb {
+fn not_along(ray: &ObservedRay<'_>, kind: RayKind) -> Rgb {
     if ray.ray.kind == kind { ray.sum } else { ray.arriving() }
 }
 
 /// `c_f^(kt)` instead of `c_f^t`, for a factor `k` of the distance `t`.
-fn absorption_over(ray: &RayHeard<'_>, factor: fn(f64) -> f64) -> Rgb {
+fn absorption_over(ray: &ObservedRay<'_>, factor: fn(f64) -> f64) -> Rgb {
     match &ray.ray.surface {
         Some(surface) => ray.transmittance.powc(factor(surface.t)) * ray.sum,
         None => ray.arriving(),

@@ -5,8 +5,8 @@ use std::f64::consts::PI;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::{RayKind, TermSource};
 
-use super::heard::LampHeard;
-use super::{How, Mistake, RayHeard, TermHeard};
+use super::observed::LampHeard;
+use super::{How, Mistake, ObservedRay, ObservedTerm};
 
 const NO_DISTANCE: Mistake =
     Mistake::term(18, "no-lamp-distance", "the light of area lights lacks 1/d²", |term| {
@@ -106,7 +106,7 @@ pub(super) const ALL: &[Mistake] = &[
 ];
 
 /// The value of a term, black if it is emission that arrives along rays of this kind.
-fn emission(term: &TermHeard<'_>, is_black: impl Fn(RayKind) -> bool) -> Rgb {
+fn emission(term: &ObservedTerm<'_>, is_black: impl Fn(RayKind) -> bool) -> Rgb {
     match term.term.source {
         TermSource::Emission { .. } if is_black(term.ray.kind) => Rgb::BLACK,
         _ => term.value(),
@@ -114,14 +114,14 @@ fn emission(term: &TermHeard<'_>, is_black: impl Fn(RayKind) -> bool) -> Rgb {
 }
 
 /// The value of an ambient term times a factor.
-fn ambient(term: &TermHeard<'_>, factor: impl Fn(&TermHeard<'_>) -> f64) -> Rgb {
+fn ambient(term: &ObservedTerm<'_>, factor: impl Fn(&ObservedTerm<'_>) -> f64) -> Rgb {
     match term.term.source {
         TermSource::Ambient { .. } => term.times(factor(term)),
         _ => term.value(),
     }
 }
 
-fn sample_max_to_one(ray: &RayHeard<'_>) -> Rgb {
+fn sample_max_to_one(ray: &ObservedRay<'_>) -> Rgb {
     let arriving = ray.arriving();
     let largest = arriving.max();
     match ray.ray.kind {
@@ -130,7 +130,7 @@ fn sample_max_to_one(ray: &RayHeard<'_>) -> Rgb {
     }
 }
 
-fn lamp_of_receiver(term: &TermHeard<'_>) -> Rgb {
+fn lamp_of_receiver(term: &ObservedTerm<'_>) -> Rgb {
     match (term.term.source, term.lamp()) {
         (TermSource::Direct { lobe: groundtruth::lobes::Lobe::Lambertian(matte), .. }, Some(_)) => {
             matte.reflectance * term.value()

@@ -10,9 +10,9 @@
 mod changes;
 mod films;
 mod glass_terms;
-mod heard;
 mod light_terms;
 pub mod local;
+mod observed;
 mod page;
 mod path_terms;
 mod recorder;
@@ -27,7 +27,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 
 pub use films::{Films, films, pixel};
-pub use heard::{RayHeard, SurfaceHeard, TermHeard};
+pub use observed::{ObservedRay, ObservedSurface, ObservedTerm};
 pub use page::page;
 pub use recorder::Reweighing;
 pub use replicas::{replica, replicas};
@@ -55,14 +55,14 @@ pub struct Mistake {
 #[derive(Clone, Copy, Debug)]
 pub enum How {
     /// Each term has another value.
-    Term(fn(&TermHeard<'_>) -> Rgb),
+    Term(fn(&ObservedTerm<'_>) -> Rgb),
     /// The radiance that arrives along each ray is another.
-    Ray(fn(&RayHeard<'_>) -> Rgb),
+    Ray(fn(&ObservedRay<'_>) -> Rgb),
     /// The scene is another; `None` if the mistake does not apply to it. The files that the scene names are in the
     /// folder.
     Scene(fn(&Scene, &Path) -> Option<Scene>),
     /// The scene is another, and in its picture each term has another value.
-    Both(fn(&Scene, &Path) -> Option<Scene>, fn(&TermHeard<'_>) -> Rgb),
+    Both(fn(&Scene, &Path) -> Option<Scene>, fn(&ObservedTerm<'_>) -> Rgb),
 }
 
 impl Mistake {
@@ -70,7 +70,7 @@ impl Mistake {
         chapter: u32,
         name: &'static str,
         words: &'static str,
-        value: fn(&TermHeard<'_>) -> Rgb,
+        value: fn(&ObservedTerm<'_>) -> Rgb,
     ) -> Self {
         Self { name, words, chapter, how: How::Term(value), form: None }
     }
@@ -79,7 +79,7 @@ impl Mistake {
         chapter: u32,
         name: &'static str,
         words: &'static str,
-        arriving: fn(&RayHeard<'_>) -> Rgb,
+        arriving: fn(&ObservedRay<'_>) -> Rgb,
     ) -> Self {
         Self { name, words, chapter, how: How::Ray(arriving), form: None }
     }

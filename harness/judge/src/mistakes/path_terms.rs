@@ -4,7 +4,7 @@ use groundtruth::lobes::Lobe;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::TermSource;
 
-use super::{How, Mistake, TermHeard};
+use super::{How, Mistake, ObservedTerm};
 
 const COSINE_TWICE: Mistake = Mistake::term(
     26,
@@ -88,12 +88,12 @@ pub(super) const ALL: &[Mistake] = &[
 ];
 
 /// Of the angle of the ray along which the light arrives.
-fn cosine(term: &TermHeard<'_>) -> f64 {
+fn cosine(term: &ObservedTerm<'_>) -> f64 {
     term.cosine_of_ray().map_or(1.0, f64::abs)
 }
 
 /// Takes off the weights by which sampled lights and paths that hit them share the same light.
-fn light_counted_twice(term: &TermHeard<'_>) -> Rgb {
+fn light_counted_twice(term: &ObservedTerm<'_>) -> Rgb {
     match term.term.source {
         TermSource::Emission { mis: Some(_) } | TermSource::Background { mis: Some(_) } => {
             term.arriving

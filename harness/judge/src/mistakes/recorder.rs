@@ -10,7 +10,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::{Outcome, RayKind, Recorder, ShadingPoint, Term, TermSource};
 use groundtruth::world::World;
 
-use super::heard::{RayHeard, RaySoFar, SurfaceHeard, TermHeard};
+use super::observed::{ObservedRay, ObservedSurface, ObservedTerm, RaySoFar};
 use super::{How, Mistake};
 
 /// A ray that is under way.
@@ -90,7 +90,7 @@ impl Recorder for Reweighing<'_> {
 
     fn surface(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
         let frame = self.frames.last_mut().expect("a ray is under way");
-        frame.ray.surface = Some(SurfaceHeard::of(point, lobes));
+        frame.ray.surface = Some(ObservedSurface::of(point, lobes));
     }
 
     fn term(&mut self, term: Term) {
@@ -102,7 +102,7 @@ impl Recorder for Reweighing<'_> {
         for (index, mistake) in (1..).zip(self.mistakes) {
             let arriving = arriving(index);
             sums[index] += match mistake.how {
-                How::Term(value) | How::Both(_, value) => value(&TermHeard {
+                How::Term(value) | How::Both(_, value) => value(&ObservedTerm {
                     world: self.world,
                     ray,
                     term: &term,
@@ -120,7 +120,7 @@ impl Recorder for Reweighing<'_> {
         let is_last_sample = self.is_last_sample;
         sums[0] = transmittance * sums[0];
         for (sum, mistake) in sums[1..].iter_mut().zip(self.mistakes) {
-            let heard = RayHeard { ray: &ray, transmittance, sum: *sum, is_last_sample };
+            let heard = ObservedRay { ray: &ray, transmittance, sum: *sum, is_last_sample };
             *sum = match mistake.how {
                 How::Ray(arriving) => arriving(&heard),
                 How::Term(_) | How::Both(..) | How::Scene(_) => heard.arriving(),

@@ -7,7 +7,7 @@ use groundtruth::math::{Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::TermSource;
 
-use super::{Mistake, TermHeard};
+use super::{Mistake, ObservedTerm};
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::term(
@@ -118,7 +118,7 @@ pub(super) const ALL: &[Mistake] = &[
     ),
 ];
 
-fn cosine_of_viewer(term: &TermHeard<'_>) -> Rgb {
+fn cosine_of_viewer(term: &ObservedTerm<'_>) -> Rgb {
     match (term.direct(), &term.ray.surface) {
         (Some((_, cos_i)), Some(surface)) => {
             term.times(surface.normals.shading.dot(surface.wo).max(0.0) / cos_i)
@@ -127,13 +127,13 @@ fn cosine_of_viewer(term: &TermHeard<'_>) -> Rgb {
     }
 }
 
-fn cosine_of_ray(term: &TermHeard<'_>) -> f64 {
+fn cosine_of_ray(term: &ObservedTerm<'_>) -> f64 {
     term.cosine_of_ray().map_or(1.0, f64::abs)
 }
 
 /// Where `r·ω_o` is negative, our highlight is black and no term of it is heard, but Blinn's may not be. So it is added
 /// to the Lambertian term, which comes first; materials without one lack that part of Blinn's highlight.
-fn highlight_of_half_vector(term: &TermHeard<'_>) -> Rgb {
+fn highlight_of_half_vector(term: &ObservedTerm<'_>) -> Rgb {
     let (Some((lobe, _)), Some(surface)) = (term.direct(), &term.ray.surface) else {
         return term.value();
     };

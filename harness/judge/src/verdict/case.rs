@@ -7,13 +7,13 @@ use groundtruth::samplers;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
-use super::plants::brighter;
+use super::planted::brighter;
 use super::sampling::Sampling;
 use super::verdict::{Explanation, REGIONS, Region, Shown, Verdict};
 use super::{
-    Area, Areas, Decision, Edge, Evidence, Factors, Judged, Map, Plant, Reference, Renders,
-    Replicas, Stored, Strictness, Subject, Suspects, factors, is_alike, is_nearer, noise, planted,
-    plausible, set_apart, several, smallest_gains, terms,
+    Area, Areas, Decision, Evaluation, Evidence, Factors, Map, PlantedDefect, RayTolerance,
+    Reference, Renders, Replicas, Stored, Strictness, Subject, Suspects, exclude, factors,
+    is_alike, is_nearer, noise, planted, plausible, several, smallest_gains, terms,
 };
 use pictures::compare::{
     Change, Decoded, Picture, Transfer, changes_that_explain, distance_of, half_pixel_directions,
@@ -31,7 +31,7 @@ pub struct Case<'a> {
     /// Whether the user interrupted.
     pub is_interrupted: &'a dyn Fn() -> bool,
     /// Is told what is known so far, before more replicas are rendered.
-    pub so_far: &'a dyn Fn(&Judged),
+    pub so_far: &'a dyn Fn(&Evaluation),
     /// How strictly.
     pub strictness: Strictness,
     /// The transfer function of pictures for display, if the user or the file says it.
@@ -43,7 +43,7 @@ pub struct Case<'a> {
     /// A mean of other pictures of ours, if one was rendered before.
     pub reference: Option<&'a Reference>,
     /// How far the rays of the other renderer may be from ours.
-    pub edge: Edge,
+    pub tolerance: RayTolerance,
 }
 
 /// The gain that is planted everywhere, and the one in an object.
@@ -70,8 +70,9 @@ impl Case<'_> {
         let (transfer, tone) = (self.transfer, self.tone);
         let mut replicas = Replicas::new(self.world, seed, renders);
         replicas.fill(strictness.first);
-        let (so_far, reference, edge) = (self.so_far, self.reference, self.edge);
-        let judge = Judge { areas: &areas, strictness, transfer, tone, so_far, reference, edge };
+        let (so_far, reference, tolerance) = (self.so_far, self.reference, self.tolerance);
+        let judge =
+            Judge { areas: &areas, strictness, transfer, tone, so_far, reference, tolerance };
         let independent = judge.match_noise(theirs, &mut replicas);
         let Attempt { judged, mut verdict, known } = judge.judged(theirs, &mut replicas)?;
         let stored = judged.pool.stored;
@@ -107,7 +108,7 @@ impl Case<'_> {
                 }
             }
             Decision::Agrees if !judged.is_fixed => {
-                verdict.plants = judge.plants(&mut replicas, &known, &judged);
+                verdict.plants = judge.planted_defects(&mut replicas, &known, &judged);
                 verdict.gains = smallest_gains(&judged.pool, &areas, &judged.ranking);
             }
             _ => {}
@@ -189,7 +190,7 @@ fn equal_to(films: &[Film], theirs: &Picture, stored: Stored) -> Option<usize> {
 
 /// A picture judged, its values stored in one of the ways that are possible.
 struct Attempt {
-    judged: Judged,
+    judged: Evaluation,
     verdict: Verdict,
     /// Our replicas, stored alike.
     known: Vec<Vec<f32>>,
@@ -201,9 +202,9 @@ struct Judge<'a> {
     strictness: Strictness,
     transfer: Option<Transfer>,
     tone: (f64, OutOfGamut),
-    so_far: &'a dyn Fn(&Judged),
+    so_far: &'a dyn Fn(&Evaluation),
     reference: Option<&'a Reference>,
-    edge: Edge,
+    tolerance: RayTolerance,
 }
 
 impl Judge<'_> {
@@ -265,8 +266,8 @@ impl Judge<'_> {
         let mut values = read(theirs, stored);
         // it is no mean of pictures whose film points are off
         let reference = self.reference.filter(|_| replicas.direction == [0, 0]);
-        let apart = set_apart(&mut values, replicas.world, &known, stored, self.edge);
-        let next = |so_far: Option<&Judged>| {
+        let apart = exclude(&mut values, replicas.world, &known, stored, self.tolerance);
+        let next = |so_far: Option<&Evaluation>| {
             so_far.into_iter().for_each(self.so_far);
             let film = replicas.render()?;
             let values = stored.values(&film);
@@ -276,9 +277,9 @@ impl Judge<'_> {
             Some(values)
         };
         let subject = Subject { areas: self.areas, stored, reference };
-        let judged = Judged::of(&values, subject, self.strictness, &mut known, next)?;
+        let judged = Evaluation::of(&values, subject, self.strictness, &mut known, next)?;
         let as_read = read(theirs, stored);
-        let shown = Shown { values: &as_read, apart: &apart };
+        let shown = Shown { values: &as_read, excluded: &apart };
         let mut verdict = Verdict::of(&judged, self.areas, self.strictness, shown, &slack);
         verdict.weigh_negative(std::slice::from_ref(theirs), &judged.pool, self.areas);
         Some(Attempt { judged, verdict, known })
@@ -370,19 +371,19 @@ impl Judge<'_> {
     }
 
     /// Whether defects in our first replica are found.
-    fn plants(
+    fn planted_defects(
         &self,
         replicas: &mut Replicas<'_, '_>,
         known: &[Vec<f32>],
-        judged: &Judged,
-    ) -> Vec<Plant> {
+        judged: &Evaluation,
+    ) -> Vec<PlantedDefect> {
         let (areas, stored, from) =
             (self.areas, judged.pool.stored, if judged.is_coarse { 2 } else { 0 });
         let found = |film: &Film| planted(known, stored.values(film), (areas, &judged.pool), from);
         let film = &replicas.films[0];
         let percent = |factor: f64| format!("{:.0} %", 100.0 * (factor - 1.0));
         let whole = Area::Tile { corner: [0, 0], side: areas.size[0].max(areas.size[1]) };
-        let mut plants = vec![Plant {
+        let mut plants = vec![PlantedDefect {
             what: format!("all {} brighter", percent(PLANTED[0])),
             found: found(&brighter(film, areas, whole, PLANTED[0])),
         }];
@@ -395,13 +396,16 @@ impl Judge<'_> {
             let brightness = |film: &Film| film.pixels().iter().map(|it| it.max()).sum::<f64>();
             // of an object that is black there is nothing to see
             if brightness(&changed) > LEAST_GAIN * brightness(film) {
-                plants.push(Plant { what, found: found(&changed) });
+                plants.push(PlantedDefect { what, found: found(&changed) });
             }
         }
         if replicas.world.view.stereo().is_none() {
             (replicas.direction, replicas.next) = ([1, 1], replicas.next + 1);
             if let Some(shifted) = replicas.render() {
-                plants.push(Plant { what: "half a pixel off".to_owned(), found: found(&shifted) });
+                plants.push(PlantedDefect {
+                    what: "half a pixel off".to_owned(),
+                    found: found(&shifted),
+                });
             }
             replicas.direction = [0, 0];
         }
@@ -427,14 +431,14 @@ fn transfer_of(stored: Stored, theirs: &Picture) -> Transfer {
 }
 
 /// Where the picture differs, the farthest out first; no two regions share a pixel.
-fn regions(judged: &Judged, areas: &Areas, shown: &[f32]) -> Vec<Region> {
+fn regions(judged: &Evaluation, areas: &Areas, shown: &[f32]) -> Vec<Region> {
     let theirs = judged.pool.count() - 1;
     let map = Map::of(&judged.pool, areas, theirs, judged.ranking.noise[theirs]);
     let mut taken = vec![false; areas.object_of.len()];
     let mut regions = Vec::new();
-    let alone: Vec<usize> = map.alone().collect();
-    if judged.is_fixed && !alone.is_empty() {
-        regions.push(Region::of_pixels(&judged.pool, areas, &alone, shown));
+    let outliers: Vec<usize> = map.outliers().collect();
+    if judged.is_fixed && !outliers.is_empty() {
+        regions.push(Region::of_pixels(&judged.pool, areas, &outliers, shown));
     }
     for difference in judged.ranking.differences(&judged.pool, areas, theirs) {
         let pixels = areas.pixels(difference.area);
@@ -444,8 +448,8 @@ fn regions(judged: &Judged, areas: &Areas, shown: &[f32]) -> Vec<Region> {
         pixels.iter().for_each(|pixel| taken[*pixel] = true);
         regions.push(Region::of_area(&judged.pool, areas, &map, (difference, shown)));
     }
-    if regions.is_empty() && !alone.is_empty() {
-        regions.push(Region::of_pixels(&judged.pool, areas, &alone, shown));
+    if regions.is_empty() && !outliers.is_empty() {
+        regions.push(Region::of_pixels(&judged.pool, areas, &outliers, shown));
     }
     regions
 }

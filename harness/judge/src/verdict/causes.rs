@@ -11,7 +11,7 @@ use super::evidence::Evidence;
 use super::place::Place;
 use super::share::Share;
 use super::suspects::{Suspect, Suspects};
-use super::{Decision, Edge, Judged, Strictness, Subject, set_apart};
+use super::{Decision, Evaluation, RayTolerance, Strictness, Subject, exclude};
 
 /// A mistake that explains a picture.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -111,7 +111,7 @@ impl Suspects<'_> {
         let noise = evidence.squares_of_noise();
         let of = |(suspect, tiles): (Suspect, Vec<Vec<f64>>)| {
             let ends = [&tiles[0], &tiles[tiles.len() - 1]];
-            let [first, last] = ends.map(|change| apart(&difference, change));
+            let [first, last] = ends.map(|change| difference_of(&difference, change));
             let share = Share::of(&difference, [&first, &last], weights, &noise);
             let mean = ends[0].iter().zip(ends[1]).map(|(a, b)| 0.5 * (a + b)).collect();
             Change { suspect, tiles: mean, share }
@@ -141,9 +141,9 @@ impl Suspects<'_> {
         if known.len() < strictness.first {
             return false;
         }
-        set_apart(&mut theirs, self.world, &known, *stored, Edge::DOUBLE);
+        exclude(&mut theirs, self.world, &known, *stored, RayTolerance::DOUBLE);
         let subject = Subject { areas, stored: *stored, reference: None };
-        let judged = Judged::of(&theirs, subject, strictness, &mut known, |_| replicas());
+        let judged = Evaluation::of(&theirs, subject, strictness, &mut known, |_| replicas());
         judged.is_some_and(|judged| judged.decision == Decision::Agrees)
     }
 }
@@ -176,10 +176,10 @@ fn squared(values: &[f64], weights: &[f64]) -> f64 {
     values.iter().zip(weights).map(|(value, weight)| weight * value * value).sum()
 }
 
-fn apart(a: &[f64], b: &[f64]) -> Vec<f64> {
+fn difference_of(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
 fn are_alike(a: &Change, b: &Change, weights: &[f64], most: f64) -> bool {
-    squared(&apart(&a.tiles, &b.tiles), weights) <= most * squared(&a.tiles, weights)
+    squared(&difference_of(&a.tiles, &b.tiles), weights) <= most * squared(&a.tiles, weights)
 }

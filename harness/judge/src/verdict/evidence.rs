@@ -2,7 +2,7 @@
 
 use super::areas::Areas;
 use super::residuals::{Residuals, around};
-use super::{Judged, Stored};
+use super::{Evaluation, Stored};
 
 /// A picture beside ours: three values a pixel, as radiance.
 #[derive(Clone, Debug)]
@@ -35,7 +35,7 @@ const LEVEL: usize = 2;
 impl<'a> Evidence<'a> {
     /// That of a judgement; `theirs` is the judged picture with no pixel set apart. A wrong picture's finest details are
     /// no noise, so the variance is that of ours.
-    pub fn of(judged: &Judged, areas: &'a Areas, theirs: &[f32]) -> Self {
+    pub fn of(judged: &Evaluation, areas: &'a Areas, theirs: &[f32]) -> Self {
         let (pool, last) = (&judged.pool, judged.pool.count() - 1);
         let theirs: Vec<f64> = theirs.iter().map(|value| f64::from(*value)).collect();
         let mean: Vec<f64> = (0..theirs.len()).map(|at| pool.mean_of_others(last, at)).collect();
@@ -44,8 +44,8 @@ impl<'a> Evidence<'a> {
         let factor = own * own + pool.variance_of_mean();
         let (mut variances, mut noise) = (vec![0.0; theirs.len()], vec![0.0; theirs.len()]);
         for channel in 0..3 {
-            let alone = &mut vec![0.0; theirs.len() / 3];
-            let Residuals { variance, varied, .. } = Residuals::of(pool, last, channel, alone);
+            let outliers = &mut vec![0.0; theirs.len() / 3];
+            let Residuals { variance, varied, .. } = Residuals::of(pool, last, channel, outliers);
             let around = around(&variance, areas.size);
             for pixel in 0..variance.len() {
                 let at = 3 * pixel + channel;

@@ -15,20 +15,20 @@ pub struct Map {
     /// The differences times the fine structure of the others, and the variances of these products.
     structure: [[Vec<f64>; 2]; 3],
     /// The number of values in which all others agree against it, in each pixel.
-    alone: Vec<f64>,
+    outliers: Vec<f64>,
 }
 
 impl Map {
     /// That of one picture, whose noise is this times that of the pool.
     pub fn of(pool: &Pool, areas: &Areas, picture: usize, noise: f64) -> Self {
         let pixels = areas.size[0] * areas.size[1];
-        let mut alone = vec![0.0; pixels];
+        let mut outliers = vec![0.0; pixels];
         // its own noise, and that of the mean of the others
         let factor = noise * noise + pool.variance_of_mean();
         let (mut differences, mut variances, mut of_others) = (Vec::new(), Vec::new(), Vec::new());
         for channel in 0..3 {
             let Residuals { difference, variance, varied } =
-                Residuals::of(pool, picture, channel, &mut alone);
+                Residuals::of(pool, picture, channel, &mut outliers);
             let around = around(&variance, areas.size);
             let own = own_variance(&difference, areas.size);
             let value = |pixel: usize| {
@@ -58,15 +58,15 @@ impl Map {
                 ]
             })
         });
-        Self { differences, variances, structure, alone }
+        Self { differences, variances, structure, outliers }
     }
 
     /// The largest difference of each level, in standard deviations.
     pub fn largest(&self, areas: &Areas, levels: &[Level]) -> Vec<f64> {
         let root_of = |counts: &[f64]| 2.0 * counts.iter().sum::<f64>().sqrt();
         let largest = |sums: Sums| match sums.level {
-            Level::Alone => root_of(&self.alone),
-            Level::AloneInside => root_of(&inside(&self.alone, areas.size)),
+            Level::Outliers => root_of(&self.outliers),
+            Level::InnerOutliers => root_of(&inside(&self.outliers, areas.size)),
             _ => sums.differences(areas).map(|it| it.z.abs()).fold(0.0, f64::max),
         };
         self.sums(areas, levels).into_iter().map(largest).collect()
@@ -95,7 +95,7 @@ impl Map {
                     .structure
                     .each_ref()
                     .map(|both| both.each_ref().map(|values| areas.by_object(values))),
-                Level::Alone | Level::AloneInside => Default::default(),
+                Level::Outliers | Level::InnerOutliers => Default::default(),
             };
             Sums { level: *level, channels }
         };
@@ -103,8 +103,8 @@ impl Map {
     }
 
     /// The pixels in which all others agree against this picture.
-    pub fn alone(&self) -> impl Iterator<Item = usize> + '_ {
-        self.alone.iter().enumerate().filter(|(_, count)| **count > 0.0).map(|(pixel, _)| pixel)
+    pub fn outliers(&self) -> impl Iterator<Item = usize> + '_ {
+        self.outliers.iter().enumerate().filter(|(_, count)| **count > 0.0).map(|(pixel, _)| pixel)
     }
 
     /// The largest difference of each pixel's channels, in standard deviations, with its sign.
@@ -115,7 +115,7 @@ impl Map {
         };
         let farther = |a: f64, b: f64| if b.abs() > a.abs() { b } else { a };
         let largest = |pixel| (0..3).map(|channel| z(pixel, channel)).fold(0.0, farther);
-        (0..self.alone.len()).map(largest).collect()
+        (0..self.outliers.len()).map(largest).collect()
     }
 
     /// The variance of the sum over an area, of a channel.

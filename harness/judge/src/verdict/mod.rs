@@ -4,11 +4,11 @@
 //! each is. More replicas are rendered only while theirs is among the farthest. Scenes without random numbers, and
 //! values on which all replicas agree, are judged by rounding.
 
-mod apart;
 mod areas;
 mod case;
 mod causes;
 mod evidence;
+mod excluded;
 mod factors;
 mod judgeable;
 mod linear;
@@ -17,7 +17,7 @@ mod means;
 mod negative;
 mod page;
 mod place;
-mod plants;
+mod planted;
 mod plausible;
 mod pool;
 mod quantiser;
@@ -35,11 +35,11 @@ mod text;
 #[expect(clippy::module_inception, reason = "the file of the type of this name")]
 mod verdict;
 
-pub use apart::{Edge, set_apart};
 pub use areas::{Area, Areas};
 pub use case::Case;
 pub use causes::{Cause, Causes, Nearest};
 pub use evidence::Evidence;
+pub use excluded::{RayTolerance, exclude};
 pub use factors::{Factor, Factors, factors};
 pub use judgeable::{refusal, refusal_of_seed};
 pub use map::Map;
@@ -47,7 +47,7 @@ pub use means::{Answer, Means, Relative};
 pub use negative::Negative;
 pub use page::{map_film, page};
 pub use place::Place;
-pub use plants::{Plant, planted, smallest_gains};
+pub use planted::{PlantedDefect, planted, smallest_gains};
 pub use plausible::plausible;
 pub use pool::{Against, Pool};
 pub use quantiser::Quantiser;
@@ -88,7 +88,7 @@ pub struct Subject<'a> {
 
 /// A picture held against replicas.
 #[derive(Clone, Debug)]
-pub struct Judged {
+pub struct Evaluation {
     /// The replicas, and the judged picture as the last.
     pub pool: Pool,
     /// Its ranks.
@@ -152,7 +152,7 @@ impl Strictness {
     }
 }
 
-impl Judged {
+impl Evaluation {
     /// Judges a picture by its stored values; `replicas` gives the next of our pictures, stored alike, or `None` if the
     /// user interrupts; it is told what is known so far. `known` are those that exist already. `None` if there are too few
     /// to say anything.

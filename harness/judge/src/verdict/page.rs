@@ -36,7 +36,7 @@ pub fn page(verdict: &Verdict, name: &str, words: &str) -> String {
         escaped(words)
     );
     html += &views([&verdict.shown.ours, &verdict.shown.theirs]);
-    html += &apart(&verdict.shown);
+    html += &excluded(&verdict.shown);
     html += &map(verdict);
     html += &table(verdict);
     html + "</html>\n"
@@ -54,16 +54,16 @@ fn views(pictures: [&Picture; 2]) -> String {
 }
 
 /// Their picture with hatching over the pixels that are set apart, if there are any.
-fn apart(shown: &Pictures) -> String {
-    if shown.apart.is_empty() {
+fn excluded(shown: &Pictures) -> String {
+    if shown.excluded.is_empty() {
         return String::new();
     }
     let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
     format!(
-        "<h3>Set apart</h3>\n<p>Theirs. Hatched pixels do not count: all of ours agree there, and a correct picture may \
+        "<h3>Set excluded</h3>\n<p>Theirs. Hatched pixels do not count: all of ours agree there, and a correct picture may \
          have this value.</p>\n<div class=\"map\"><img alt=\"theirs, hatched where it is set apart\" src=\"{}\">{}</div>\n",
         data_uri(&shown.theirs.radiance(), &tone),
-        hatching(&shown.apart, shown.theirs.size)
+        hatching(&shown.excluded, shown.theirs.size)
     )
 }
 
@@ -95,14 +95,14 @@ pub fn map_film(z: &[f64], [width, height]: [u32; 2]) -> Film {
 
 /// The map of z, with the regions framed.
 fn map(verdict: &Verdict) -> String {
-    let (size, apart) = (verdict.shown.theirs.size, &verdict.shown.apart);
+    let (size, excluded) = (verdict.shown.theirs.size, &verdict.shown.excluded);
     let film = map_film(&verdict.shown.z, size);
     let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
     let frames: String = verdict.regions.iter().map(|region| frame(region, size)).collect();
-    let hatching = if apart.is_empty() { String::new() } else { hatching(apart, size) };
+    let hatching = if excluded.is_empty() { String::new() } else { hatching(excluded, size) };
     format!(
         "<h3>Map of z</h3>\n<p>The difference of each pixel in standard deviations: grey is 0, white and black are \
-         ±{FARTHEST} and more, brighter where theirs is larger. Regions are framed; what is set apart is hatched.</p>\n\
+         ±{FARTHEST} and more, brighter where theirs is larger. Regions are framed; what is set excluded is hatched.</p>\n\
          <div class=\"map\"><img alt=\"map of z\" src=\"{}\">{hatching}{frames}</div>\n",
         data_uri(&film, &plain)
     )
@@ -125,7 +125,7 @@ fn table(verdict: &Verdict) -> String {
     let mut html = "<h3>Means</h3>\n<table>\n<tr><th>area<th>pixels<th>ours<th>theirs<th>relative difference</tr>\n".to_owned();
     for means in &verdict.means {
         let mean = |color: [f64; 3]| color.map(groundtruth::explain::brief).join(", ");
-        let relative = match text::apart(means) {
+        let relative = match text::differences(means) {
             none if none.is_empty() => "ours is black".to_owned(),
             relative => relative,
         };

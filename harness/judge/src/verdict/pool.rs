@@ -46,7 +46,7 @@ pub enum Against {
     /// All others have the same value, and this one too.
     Same,
     /// All others have the same value, and this one another.
-    Alone,
+    Outlier,
     /// Left out.
     Nothing,
 }
@@ -104,7 +104,7 @@ impl Pool {
         match self.agreement[index] {
             Agreement::NotFinite => Against::Nothing,
             Agreement::All => Against::Same,
-            Agreement::AllBut(other) if other as usize == picture => Against::Alone,
+            Agreement::AllBut(other) if other as usize == picture => Against::Outlier,
             Agreement::AllBut(_) | Agreement::Few => {
                 let n = self.count() as f64;
                 let own = f64::from(self.pictures[picture][index]) - self.mean[index];

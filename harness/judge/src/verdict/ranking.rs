@@ -35,10 +35,10 @@ pub enum Level {
     /// The fine structure of objects: noise of any kind has none of ours, a texture of other colours has its negative.
     Structure,
     /// The number of values in which a picture differs from what all others agree on.
-    Alone,
+    Outliers,
     /// As `Alone`, but only pixels count whose neighbours differ so too: noise that is unlike that of the others
     /// reaches a little farther than theirs.
-    AloneInside,
+    InnerOutliers,
 }
 
 /// An area in which a picture differs from the others.
@@ -70,8 +70,8 @@ impl Ranking {
         };
         let noise: Vec<f64> = details.iter().map(factor).collect();
         let mut levels: Vec<Level> = (from..areas.levels()).map(Level::Tiles).collect();
-        let alone = if from == 0 { Level::Alone } else { Level::AloneInside };
-        levels.extend([Level::Objects, Level::Structure, alone]);
+        let outliers = if from == 0 { Level::Outliers } else { Level::InnerOutliers };
+        levels.extend([Level::Objects, Level::Structure, outliers]);
         let largest: Vec<Vec<f64>> = all
             .into_par_iter()
             .map(|picture| {
@@ -146,7 +146,7 @@ fn scores(largest: &[Vec<f64>], levels: &[Level], of: &[usize]) -> Vec<f64> {
         let deviation = (squares / (values.len() as f64 - 1.0)).sqrt();
         let deviation = match level {
             // twice the root of a rare event's count has the standard deviation 1
-            Level::Alone | Level::AloneInside => deviation.max(1.0),
+            Level::Outliers | Level::InnerOutliers => deviation.max(1.0),
             _ => deviation,
         };
         for (score, largest) in scores.iter_mut().zip(largest) {

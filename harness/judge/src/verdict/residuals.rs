@@ -17,7 +17,7 @@ pub struct Residuals {
 
 impl Residuals {
     /// `alone` counts the values in which all others agree against the picture.
-    pub fn of(pool: &Pool, picture: usize, channel: usize, alone: &mut [f64]) -> Self {
+    pub fn of(pool: &Pool, picture: usize, channel: usize, outliers: &mut [f64]) -> Self {
         let pixels = pool.size[0] * pool.size[1];
         let (mut difference, mut variance, mut varied) =
             (vec![0.0; pixels], vec![0.0; pixels], vec![false; pixels]);
@@ -26,7 +26,7 @@ impl Residuals {
                 Against::Varied { difference: d, variance: v } => {
                     (difference[pixel], variance[pixel], varied[pixel]) = (d, v, true);
                 }
-                Against::Alone => alone[pixel] += 1.0,
+                Against::Outlier => outliers[pixel] += 1.0,
                 Against::Same | Against::Nothing => {}
             }
         }

@@ -16,7 +16,7 @@ impl fmt::Display for Verdict {
         }
         if let Some(whole) = self.means.first() {
             let [theirs, ours] = [whole.theirs, whole.ours].map(color);
-            writeln!(f, "mean: {theirs}, ours {ours}{}", and_apart(whole))?;
+            writeln!(f, "mean: {theirs}, ours {ours}{}", and_differences(whole))?;
         }
         if !self.fixed {
             writeln!(f, "noise: {:.2} of that of our pictures{}", self.noise, self.about_noise())?;
@@ -62,7 +62,7 @@ impl Verdict {
         }
         match &self.decided_by {
             Some(DecidedBy::Mean(name)) => {
-                let means = self.means.iter().find(|means| means.name == *name).map(apart);
+                let means = self.means.iter().find(|means| means.name == *name).map(differences);
                 return format!(
                     "differs: the mean of {name} is outside its interval{}",
                     means.unwrap_or_default()
@@ -111,7 +111,7 @@ impl Verdict {
         };
         writeln!(f, "margin of {}: {words}", percent::short(margin))?;
         for means in self.means.iter().filter(|it| it.is_beyond(margin)) {
-            writeln!(f, "  {}{}", means.name, and_apart(means))?;
+            writeln!(f, "  {}{}", means.name, and_differences(means))?;
         }
         Ok(())
     }
@@ -234,7 +234,7 @@ impl fmt::Display for Place {
 }
 
 /// Relative differences and their intervals: one, or one of each channel if they differ.
-pub fn apart(means: &Means) -> String {
+pub fn differences(means: &Means) -> String {
     let words = |relative: f64, half: f64| {
         format!("{} ± {}", percent::signed(relative, 2), percent::percent(half, 2))
     };
@@ -249,8 +249,8 @@ pub fn apart(means: &Means) -> String {
 }
 
 /// The same after a comma, if there is anything to say.
-fn and_apart(means: &Means) -> String {
-    let words = apart(means);
+fn and_differences(means: &Means) -> String {
+    let words = differences(means);
     if words.is_empty() { words } else { format!(", {words}") }
 }
 

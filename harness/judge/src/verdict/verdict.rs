@@ -6,8 +6,8 @@ use serde::Serialize;
 use pictures::compare::Picture;
 
 use super::{
-    Answer, Area, Areas, Causes, Decision, Difference, Factors, Judged, Map, Means, Negative,
-    Plant, Pool, Ranking, Stored, Strictness, WelchTest,
+    Answer, Area, Areas, Causes, Decision, Difference, Evaluation, Factors, Map, Means, Negative,
+    PlantedDefect, Pool, Ranking, Stored, Strictness, WelchTest,
 };
 
 /// What is said of a picture.
@@ -56,7 +56,7 @@ pub struct Verdict {
     /// The known mistakes that explain the difference.
     pub causes: Causes,
     /// Defects that would have been found or not.
-    pub plants: Vec<Plant>,
+    pub plants: Vec<PlantedDefect>,
     /// For tiles of each side, the gain that would stand out.
     pub gains: Vec<(usize, Option<f64>)>,
     /// The pictures.
@@ -70,7 +70,7 @@ pub struct Shown<'a> {
     /// Three values a pixel.
     pub values: &'a [f32],
     /// The pixels that are set apart: in the pool they have our values.
-    pub apart: &'a [usize],
+    pub excluded: &'a [usize],
 }
 
 /// What alone decided that a picture differs.
@@ -91,7 +91,7 @@ pub struct Pictures {
     /// Theirs, as it is in the file.
     pub theirs: Picture,
     /// The pixels of theirs that are set apart, row by row.
-    pub apart: Vec<usize>,
+    pub excluded: Vec<usize>,
     /// For each pixel, the largest difference of a channel, in standard deviations.
     pub z: Vec<f64>,
 }
@@ -102,9 +102,9 @@ impl Pictures {
         let mean: Vec<f32> = (0..pool.picture(theirs).len())
             .map(|at| pool.mean_of_others(theirs, at) as f32)
             .collect();
-        let (z, apart) = (Map::of(pool, areas, theirs, noise).pixels(), shown.apart.to_vec());
+        let (z, excluded) = (Map::of(pool, areas, theirs, noise).pixels(), shown.excluded.to_vec());
         let [ours, theirs] = [&*mean, shown.values].map(|it| Picture::of_radiance(it, size));
-        Self { ours, theirs, apart, z }
+        Self { ours, theirs, excluded, z }
     }
 }
 
@@ -139,7 +139,7 @@ pub struct Region {
 impl Verdict {
     /// That of a judgement; `slack` is that of our values ([`Stored::slack`]).
     pub fn of(
-        judged: &Judged,
+        judged: &Evaluation,
         areas: &Areas,
         strictness: Strictness,
         shown: Shown<'_>,
@@ -168,7 +168,7 @@ impl Verdict {
             reference: judged.pool.reference().map(|mean| mean.pictures as u64),
             level: strictness.level,
             fixed: judged.is_fixed,
-            set_apart: shown.apart.len(),
+            set_apart: shown.excluded.len(),
             margin: None,
             regions: Vec::new(),
             explained: None,
@@ -265,7 +265,7 @@ impl Verdict {
         let with_mean = pictures[..ours].iter().cloned().chain([mean.collect()]).collect();
         let pool = Pool::new(areas.size, stored, with_mean);
         let noise = Ranking::of(&pool, areas, 0).noise[ours];
-        let shown = Shown { values: pool.picture(ours), apart: &[] };
+        let shown = Shown { values: pool.picture(ours), excluded: &[] };
         let is_off = |test: &&WelchTest| test.probability <= strictness.level;
         let mut regions: Vec<Region> = Vec::new();
         let mut taken = vec![false; areas.object_of.len()];

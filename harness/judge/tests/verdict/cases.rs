@@ -6,7 +6,8 @@ use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::{Pcg32, power};
 use groundtruth::scene::Scene;
 use judge::verdict::{
-    Answer, Areas, Case, Decision, Edge, Means, Relative, Strictness, Subject, Verdict, noise,
+    Answer, Areas, Case, Decision, Means, RayTolerance, Relative, Strictness, Subject, Verdict,
+    noise,
 };
 use pictures::compare::{Picture, Transfer};
 
@@ -42,7 +43,7 @@ fn interrupted(
         tone: (scene.image.gamma, scene.image.out_of_gamut),
         seed: 1,
         reference: None,
-        edge: Edge::DOUBLE,
+        tolerance: RayTolerance::DOUBLE,
     };
     let renders = &mut |world: &_, canvas: &groundtruth::render::Canvas| {
         canvas.render(world);

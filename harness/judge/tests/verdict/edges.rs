@@ -12,7 +12,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Image, Light, Material, Object, Scene};
 use groundtruth::shapes::Sphere;
 use groundtruth::world::World;
-use judge::verdict::{Edge, Stored, set_apart};
+use judge::verdict::{RayTolerance, Stored, exclude};
 
 /// A matte ball of this radius before a black background, 16 × 16 pixels without noise.
 fn ball(radius: f64, ls: f64) -> World {
@@ -31,10 +31,10 @@ fn ball(radius: f64, ls: f64) -> World {
 const STORED: Stored = Stored::Floats { bits: 24 };
 
 /// The number of pixels of a picture that are set apart, and of those that still differ.
-fn apart(theirs: &Film, ours: &World, edge: Edge) -> (usize, usize) {
+fn apart(theirs: &Film, ours: &World, tolerance: RayTolerance) -> (usize, usize) {
     let known = vec![STORED.values(&render::render(ours)); 3];
     let mut values = STORED.values(theirs);
-    let apart = set_apart(&mut values, ours, &known, STORED, edge);
+    let apart = exclude(&mut values, ours, &known, STORED, tolerance);
     let differ = |(x, y): &(&f32, &f32)| (**x - **y).abs() > 1e-4 * y.abs();
     (apart.len(), values.iter().zip(&known[0]).filter(differ).count())
 }
@@ -45,13 +45,13 @@ fn apart(theirs: &Film, ours: &World, edge: Edge) -> (usize, usize) {
 fn only_values_between_those_of_near_rays_are_set_apart() {
     // a pixel is 10/16 units wide at the ball
     let (ours, larger) = (ball(4.0, PI), render::render(&ball(4.0 + 0.01 * 10.0 / 16.0, PI)));
-    let (some, differ) = apart(&larger, &ours, Edge::SINGLE);
+    let (some, differ) = apart(&larger, &ours, RayTolerance::SINGLE);
     assert!(some > 50, "the shading differs everywhere: {some}");
     assert_eq!(differ, 0);
-    let (_, differ) = apart(&larger, &ours, Edge::DOUBLE);
+    let (_, differ) = apart(&larger, &ours, RayTolerance::DOUBLE);
     assert!(differ > 50, "{differ}");
     let brighter = render::render(&ball(4.0, 1.01 * PI));
-    let (_, differ) = apart(&brighter, &ours, Edge::SINGLE);
+    let (_, differ) = apart(&brighter, &ours, RayTolerance::SINGLE);
     assert!(differ > 50, "{differ}");
 }
 
@@ -64,9 +64,9 @@ fn a_value_that_no_near_ray_has_is_not_set_apart() {
     let mut impossible = STORED.values(&larger);
     let changed = known[0].iter().zip(&mut impossible).filter(|(ours, theirs)| ours != theirs);
     changed.for_each(|(_, theirs)| *theirs = 0.9);
-    let apart = set_apart(&mut impossible, &ours, &known, STORED, Edge::SINGLE);
+    let apart = exclude(&mut impossible, &ours, &known, STORED, RayTolerance::SINGLE);
     assert_eq!(apart, Vec::<usize>::new());
     // 1e-6 pixels from ours, the shading differs by more than rounding nowhere
-    let apart = set_apart(&mut STORED.values(&larger), &ours, &known, STORED, Edge::DOUBLE);
+    let apart = exclude(&mut STORED.values(&larger), &ours, &known, STORED, RayTolerance::DOUBLE);
     assert_eq!(apart, Vec::<usize>::new());
 }

@@ -10,7 +10,8 @@ use groundtruth::samplers;
 use groundtruth::scene::{Image, Light, Material, Object, Scene};
 use groundtruth::shapes::Rectangle;
 use judge::verdict::{
-    Areas, Bright, Decision, Edge, Judged, Quantiser, Stored, Strictness, Subject, set_apart,
+    Areas, Bright, Decision, Evaluation, Quantiser, RayTolerance, Stored, Strictness, Subject,
+    exclude,
 };
 use pictures::compare::{Picture, Transfer};
 
@@ -62,7 +63,7 @@ fn pixels_with_one_mean_in_all_of_our_sets_are_set_apart() {
         let mut theirs = FLOATS.values(&film);
         assert!(column(&theirs, 8) > 0, "theirs has others");
         (0..3).for_each(|channel| theirs[at(6, 3) + channel] *= 1.01);
-        set_apart(&mut theirs, &ours, &known, FLOATS, Edge::DOUBLE);
+        exclude(&mut theirs, &ours, &known, FLOATS, RayTolerance::DOUBLE);
         assert_eq!((column(&theirs, 8), column(&theirs, 6)), (0, 1));
     }
 }
@@ -96,7 +97,7 @@ fn noise_below_a_step_is_no_difference() {
             let theirs = picture();
             let subject = Subject { areas: &areas, stored, reference: None };
             let judged =
-                Judged::of(&theirs, subject, STRICTNESS, &mut Vec::new(), |_| Some(picture()));
+                Evaluation::of(&theirs, subject, STRICTNESS, &mut Vec::new(), |_| Some(picture()));
             alarms += u32::from(judged.expect("enough").decision == Decision::Differs);
         }
         lines.push(format!("{noise}, {brightest}: {}", alarms - before));

@@ -63,7 +63,7 @@ fn theirs_is_shown_as_it_is_in_the_file() {
     let (index, film) = ((HORIZON * SIDE + at[0]) as usize, with(1.5));
     let possible = judged(&scene, &film);
     assert!(!possible.fixed, "the ball's edge has noise");
-    assert_eq!((possible.set_apart, &*possible.shown.apart), (1, &[index][..]), "{possible}");
+    assert_eq!((possible.set_apart, &*possible.shown.excluded), (1, &[index][..]), "{possible}");
     assert_eq!(possible.shown.theirs.values, Picture::of_film(&film).values);
     let red = film.pixels().iter().map(|it| it.to_array()[0]).sum::<f64>() / f64::from(SIDE * SIDE);
     assert!((possible.means[0].theirs[0] - red).abs() < 1e-6, "{possible}");

@@ -6,8 +6,8 @@ use groundtruth::math::Pcg32;
 use groundtruth::samplers;
 use groundtruth::world::World;
 use judge::verdict::{
-    Areas, Bright, Decision, Edge, Judged, Quantiser, Shown, Stored, Strictness, Subject, Verdict,
-    is_alike, is_nearer, noise, plausible, set_apart,
+    Areas, Bright, Decision, Evaluation, Quantiser, RayTolerance, Shown, Stored, Strictness,
+    Subject, Verdict, exclude, is_alike, is_nearer, noise, plausible,
 };
 use pictures::compare::{Picture, Transfer};
 
@@ -71,14 +71,14 @@ impl Shared {
                 theirs.values.iter().flatten().map(|it| stored.read(*it)).collect();
             let (judged, apart) = self.held(world, values.clone(), stored, seed);
             let (slack, shown) =
-                (stored.slack(&first[0]), Shown { values: &values, apart: &apart });
+                (stored.slack(&first[0]), Shown { values: &values, excluded: &apart });
             let verdict = Verdict::of(&judged, &self.areas, STRICTNESS, shown, &slack);
             verdict.decision == Decision::Differs
         })
     }
 
     /// The verdict on a picture, with replicas in an order that follows from a seed.
-    pub fn judged(&self, world: &World, theirs: &Film, stored: Stored, seed: u64) -> Judged {
+    pub fn judged(&self, world: &World, theirs: &Film, stored: Stored, seed: u64) -> Evaluation {
         self.held(world, stored.values(theirs), stored, seed).0
     }
 
@@ -89,7 +89,7 @@ impl Shared {
         mut theirs: Vec<f32>,
         stored: Stored,
         seed: u64,
-    ) -> (Judged, Vec<usize>) {
+    ) -> (Evaluation, Vec<usize>) {
         let order = self.order(seed);
         let subject = Subject { areas: &self.areas, stored, reference: None };
         let first = |films: &[Film]| -> Vec<Vec<f32>> {
@@ -105,8 +105,8 @@ impl Shared {
         }
         let mut known = first(films);
         let mut next = order[STRICTNESS.first..].iter().map(|index| stored.values(&films[*index]));
-        let apart = set_apart(&mut theirs, world, &known, stored, Edge::DOUBLE);
-        let judged = Judged::of(&theirs, subject, STRICTNESS, &mut known, |_| next.next());
+        let apart = exclude(&mut theirs, world, &known, stored, RayTolerance::DOUBLE);
+        let judged = Evaluation::of(&theirs, subject, STRICTNESS, &mut known, |_| next.next());
         (judged.expect("enough"), apart)
     }
 }

@@ -3,7 +3,7 @@
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::Pcg32;
 use judge::verdict::{
-    Area, Areas, Bright, Evidence, Factor, Judged, Level, Map, Mean, Pool, Quantiser, Ranking,
+    Area, Areas, Bright, Evaluation, Evidence, Factor, Level, Map, Mean, Pool, Quantiser, Ranking,
     Stored, Strictness, Subject, TermFilm, factors, terms,
 };
 use pictures::compare::{Picture, Transfer};
@@ -186,7 +186,7 @@ fn factors_of(
     }
     let strictness = Strictness { level: 0.05, first: 16 };
     let subject = Subject { areas: &areas, stored: FLOATS, reference: None };
-    let judged = Judged::of(&theirs, subject, strictness, &mut known, |_| None);
+    let judged = Evaluation::of(&theirs, subject, strictness, &mut known, |_| None);
     let evidence = Evidence::of(&judged.expect("enough"), &areas, &theirs);
     factors(&terms(&mut world, 1..5), &evidence).expect("factors explain it").factors
 }

@@ -12,12 +12,12 @@ use super::stored::Stored;
 
 /// How far the rays of a renderer may be from ours by its rounding.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Edge {
+pub struct RayTolerance {
     /// So far our rays are moved, in pixels.
     pub width: f64,
 }
 
-impl Edge {
+impl RayTolerance {
     /// Of double precision.
     pub const DOUBLE: Self = Self { width: 1e-6 };
     /// Of single precision: hits are wrong by about 1e-7 of their coordinates, and shadow rays start off the surface by
@@ -30,12 +30,12 @@ impl Edge {
 /// - because each ray is moved by the rounding of a renderer, or
 /// - because the samples of the pixel have other weights: in each of our stratified sets they have the same mean, in
 ///   others any mean from the least to the largest of them.
-pub fn set_apart(
+pub fn exclude(
     theirs: &mut [f32],
     world: &World,
     known: &[Vec<f32>],
     stored: Stored,
-    edge: Edge,
+    tolerance: RayTolerance,
 ) -> Vec<usize> {
     let width = world.picture_size()[0] as usize;
     let ours = &known[0];
@@ -46,22 +46,22 @@ pub fn set_apart(
     let is_agreed = |at: usize| known.iter().all(|it| is_same(ours[at], it[at]));
     let is_fixed = (0..ours.len()).all(is_agreed);
     let differs = |at: usize| !is_same(ours[at], theirs[at]) && is_agreed(at);
-    let apart: Vec<usize> =
+    let excluded: Vec<usize> =
         (0..theirs.len() / 3).filter(|pixel| (3 * pixel..3 * pixel + 3).any(differs)).collect();
-    let apart: Vec<usize> = apart
+    let excluded: Vec<usize> = excluded
         .into_par_iter()
         .filter(|pixel| {
             let at = [pixel % width, pixel / width].map(|x| x as u32);
             let theirs = &theirs[3 * pixel..][..3];
             let is_taken = |range: Range| range.takes(theirs, world, stored);
-            is_taken(Range::of_moved(world, at, edge))
+            is_taken(Range::of_moved(world, at, tolerance))
                 || !is_fixed && is_taken(Range::of_samples(world, at))
         })
         .collect();
-    for pixel in &apart {
+    for pixel in &excluded {
         theirs[3 * pixel..3 * pixel + 3].copy_from_slice(&ours[3 * pixel..3 * pixel + 3]);
     }
-    apart
+    excluded
 }
 
 /// The least and the largest colour that a pixel of ours can have, channel by channel, before exposure.
@@ -70,9 +70,9 @@ struct Range([Rgb; 2]);
 impl Range {
     /// If each ray through the pixel is moved by itself, by the width of an edge in one of eight directions or not at
     /// all: on which side of an edge it falls, a renderer's rounding decides.
-    fn of_moved(world: &World, pixel: [u32; 2], edge: Edge) -> Self {
+    fn of_moved(world: &World, pixel: [u32; 2], tolerance: RayTolerance) -> Self {
         let steps = [-1.0, 0.0, 1.0].into_iter().flat_map(|x| [-1.0, 0.0, 1.0].map(|y| [x, y]));
-        let moved: Vec<[f64; 2]> = steps.map(|step| step.map(|x| x * edge.width)).collect();
+        let moved: Vec<[f64; 2]> = steps.map(|step| step.map(|x| x * tolerance.width)).collect();
         let of_sample =
             |index| Self::around(moved.iter().map(|by| sample_moved(world, pixel, index, *by)));
         let each: Vec<Self> = (0..world.samples_per_pixel()).map(of_sample).collect();

@@ -9,7 +9,7 @@ use groundtruth::world::World;
 
 /// A surface that a ray met.
 #[derive(Clone, Debug)]
-pub struct SurfaceHeard {
+pub struct ObservedSurface {
     /// Along the ray, whose direction is unit.
     pub t: f64,
     /// The point.
@@ -30,12 +30,12 @@ pub struct RaySoFar {
     /// The ray.
     pub ray: Ray,
     /// `None` if it met nothing, or is a shadow ray.
-    pub surface: Option<SurfaceHeard>,
+    pub surface: Option<ObservedSurface>,
 }
 
 /// A term, for a mistake that changes its value.
 #[derive(Clone, Copy, Debug)]
-pub struct TermHeard<'a> {
+pub struct ObservedTerm<'a> {
     /// The world.
     pub world: &'a World,
     /// The ray along which the term is sent.
@@ -52,7 +52,7 @@ pub struct TermHeard<'a> {
 
 /// A ray that ends, for a mistake that changes what arrives along it.
 #[derive(Clone, Copy, Debug)]
-pub struct RayHeard<'a> {
+pub struct ObservedRay<'a> {
     /// The ray.
     pub ray: &'a RaySoFar,
     /// The transmittance of its medium.
@@ -63,7 +63,7 @@ pub struct RayHeard<'a> {
     pub is_last_sample: bool,
 }
 
-impl RayHeard<'_> {
+impl ObservedRay<'_> {
     /// What arrives without a mistake.
     pub fn arriving(&self) -> Rgb {
         self.transmittance * self.sum
@@ -79,7 +79,7 @@ pub struct LampHeard {
     pub distance_squared: f64,
 }
 
-impl SurfaceHeard {
+impl ObservedSurface {
     pub(super) fn of(point: &ShadingPoint<'_>, lobes: &Lobes) -> Self {
         let (t, normals, wo) = (point.hit.t, point.normals, point.wo);
         Self { t, point: point.hit.surface.point, normals, wo, lobes: lobes.clone() }
@@ -106,7 +106,7 @@ impl SurfaceHeard {
     }
 }
 
-impl TermHeard<'_> {
+impl ObservedTerm<'_> {
     /// Its value without a mistake at this surface.
     pub fn value(&self) -> Rgb {
         self.term.weight * self.arriving

@@ -9,7 +9,7 @@ use super::ranking::Ranking;
 
 /// A planted defect.
 #[derive(Clone, Debug, serde::Serialize)]
-pub struct Plant {
+pub struct PlantedDefect {
     /// What was changed.
     pub what: String,
     /// Whether the changed picture was farther out than all others.
