@@ -75,19 +75,19 @@ impl Report {
         Ok(Exit::Yes)
     }
 
-    fn pages(&self) -> Result<Vec<&'static dyn Page>, String> {
+    fn pages(&self) -> Result<Vec<Page>, String> {
         if self.only.is_empty() {
             return Ok(PAGES.to_vec());
         }
         let unknown = |name: &str| {
-            let known: Vec<&str> = PAGES.iter().map(|page| page.name()).collect();
+            let known: Vec<&str> = PAGES.iter().map(|page| page.name).collect();
             format!("no page `{name}`; the pages are: {}", known.join(", "))
         };
         for name in &self.only {
             report::page(name).ok_or_else(|| unknown(name))?;
         }
         // each once, in the order of the report
-        let wanted = |page: &&dyn Page| self.only.iter().any(|name| name == page.name());
+        let wanted = |page: &Page| self.only.iter().any(|name| name == page.name);
         Ok(PAGES.iter().copied().filter(wanted).collect())
     }
 

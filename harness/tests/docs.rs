@@ -135,7 +135,7 @@ fn the_document_of_the_report_asks_the_questions_of_its_pages() {
         let cells: Vec<&str> = row.split('|').map(str::trim).collect();
         [cells[1].trim_matches('`'), cells[2]].map(str::to_owned)
     };
-    let pages = PAGES.iter().map(|page| [page.name(), page.question()].map(str::to_owned));
+    let pages = PAGES.iter().map(|page| [page.name, page.question].map(str::to_owned));
     assert_eq!(rows.map(cells).collect::<Vec<_>>(), pages.collect::<Vec<_>>());
 }
 

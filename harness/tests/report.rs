@@ -100,7 +100,7 @@ fn help_speaks_of_every_option_and_page() {
     let run = report(Path::new("."), &["--help"]);
     let text = String::from_utf8_lossy(&run.stdout).into_owned();
     let options = ["--output", "--only", "--quick", "--cases", "--objects", "--seed", "--threads"];
-    let pages = report::PAGES.iter().map(|page| page.name());
+    let pages = report::PAGES.iter().map(|page| page.name);
     for word in options.into_iter().chain(pages) {
         assert!(text.contains(word), "{word} in\n{text}");
     }

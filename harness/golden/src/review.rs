@@ -1,4 +1,4 @@
-//! Golden images on one HTML page that needs nothing beside it: each pair is drawn as by `compare`.
+//! Golden images on one HTML page: each pair is drawn as by `compare`.
 
 use std::fmt::Write;
 use std::path::Path;
@@ -9,30 +9,22 @@ use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
 use groundtruth::printable;
 use pictures::compare::pair::{self, Pair};
 use pictures::compare::{Comparison, Picture};
-use pictures::html::escaped;
+use pictures::html::{self, escaped};
 use pictures::shell;
 
 const STYLE: &str = "\
-body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 80em; padding: 0 1em; }
 section { border-top: 1px solid #999; break-inside: avoid; }
 @media print { body { margin: 0; max-width: none; font-size: 10pt; } }
 ";
 
 /// The page for these goldens.
 pub fn page(findings: &[Finding]) -> String {
-    let mut html = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n\
-         <title>Golden images</title>\n<style>\n{STYLE}{}</style>\n<h1>Golden images</h1>\n",
-        pair::STYLE
-    );
+    let mut body = "<h1>Golden images</h1>\n".to_owned();
     if findings.is_empty() {
-        html.push_str("<p>All are the same.</p>\n");
+        body.push_str("<p>All are the same.</p>\n");
     }
-    for finding in findings {
-        section(&mut html, finding);
-    }
-    html.push_str("</html>\n");
-    html
+    findings.iter().for_each(|finding| section(&mut body, finding));
+    html::page("Golden images", &[STYLE, pair::STYLE], &body)
 }
 
 fn section(html: &mut String, finding: &Finding) {

@@ -1,6 +1,23 @@
-//! Text in HTML pages.
+//! HTML pages that need nothing beside them, and no script.
 
 use groundtruth::printable;
+
+/// The rules that all pages have in common.
+const STYLE: &str = "\
+body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 80em; padding: 0 1em; }
+pre { overflow-x: auto; }
+table { border-collapse: collapse; }
+";
+
+/// A whole page: its title (escaped), the rules that it adds to the common style, and its body.
+pub fn page(title: &str, rules: &[&str], body: &str) -> String {
+    let rules = rules.concat();
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <title>{title}</title>\n<style>\n{STYLE}{rules}</style>\n</head>\n<body>\n\
+         {body}</body>\n</html>\n"
+    )
+}
 
 /// For text, and for attributes between double quotes: the text with the characters of markup escaped, and what a reader's program may obey instead of showing it (control
 /// characters, direction marks) as `\u{202e}`. Ends of lines and tabs stay.

@@ -21,6 +21,15 @@ impl Time {
     pub fn is_disturbed(self) -> bool {
         (self.wall - self.cpu).abs() > 0.1 * self.wall.max(self.cpu)
     }
+
+    /// The median of both times.
+    pub fn median(times: &[Self]) -> Self {
+        let median = |of: fn(&Self) -> f64| {
+            let values: Vec<f64> = times.iter().map(of).collect();
+            quantile(&values, 0.5).unwrap_or(f64::NAN)
+        };
+        Self { cpu: median(|time| time.cpu), wall: median(|time| time.wall) }
+    }
 }
 
 /// The time of a job on this thread.
@@ -40,9 +49,5 @@ pub fn medians(rounds: usize, jobs: &mut [&mut dyn FnMut()]) -> Vec<Time> {
             times.push(time(job).1);
         }
     }
-    let median = |times: &[Time], of: fn(&Time) -> f64| {
-        let values: Vec<f64> = times.iter().map(of).collect();
-        quantile(&values, 0.5).unwrap_or(f64::NAN)
-    };
-    times.iter().map(|t| Time { cpu: median(t, |t| t.cpu), wall: median(t, |t| t.wall) }).collect()
+    times.iter().map(|times| Time::median(times)).collect()
 }

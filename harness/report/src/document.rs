@@ -3,20 +3,20 @@
 use std::io;
 use std::path::{Path, PathBuf};
 
-use super::html::escaped;
-use super::{Provenance, Report};
+use super::{Findings, Page, Provenance, Report};
 use groundtruth::film::{TEMPORARY, replace_all};
+use pictures::html::{escaped, page};
 
 const STYLE: &str = "\
 body { font: 16px/1.45 Georgia, 'Times New Roman', serif; color: #111; background: #fff; \
-margin: 2em auto; max-width: 66em; padding: 0 1em; }
+max-width: 66em; }
 h1, h2, h3 { line-height: 1.2; break-after: avoid; }
 section { border-top: 2px solid #111; margin-top: 3em; }
 p { max-width: 44em; }
 .question { font-style: italic; font-size: 1.1em; }
 .pick { border-left: 4px solid #111; padding-left: 0.8em; }
 .about { color: #333; font-size: 0.9em; }
-table { border-collapse: collapse; margin: 1.2em 0; font: 12px/1.35 system-ui, sans-serif; \
+table { margin: 1.2em 0; font: 12px/1.35 system-ui, sans-serif; \
 font-variant-numeric: tabular-nums; break-inside: avoid; }
 caption { text-align: left; font-weight: bold; padding: 0.3em 0; }
 thead { border-bottom: 1px solid #111; }
@@ -51,26 +51,22 @@ figcaption { font-size: 0.9em; max-width: 48em; color: #333; }
 
 /// The whole page.
 pub(super) fn html(report: &Report) -> String {
-    let mut html = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
-         <title>Groundtruth: report</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n\
-         <h1>Choose by evidence</h1>\n"
-    );
+    let mut html = "<h1>Choose by evidence</h1>\n".to_owned();
     html += &measured(&report.provenance, report.settings.seed);
     html.push_str("<ul>\n");
-    for (page, _) in &report.chapters {
-        let (name, title, question) = (page.name(), page.title(), escaped(page.question()));
+    for (Page { name, title, question, .. }, _) in &report.chapters {
+        let question = escaped(question);
         html += &format!("<li><a href=\"#{name}\">{title}</a>: {question}</li>\n");
     }
     html.push_str("</ul>\n");
-    for (page, findings) in &report.chapters {
-        let (name, title, question) = (page.name(), page.title(), escaped(page.question()));
+    for (Page { name, title, question, .. }, Findings { section, .. }) in &report.chapters {
+        let question = escaped(question);
         html += &format!(
-            "<section id=\"{name}\">\n<h2>{title}</h2>\n<p class=\"question\">{question}</p>\n{}</section>\n",
-            findings.drawing()
+            "<section id=\"{name}\">\n<h2>{title}</h2>\n<p class=\"question\">{question}</p>\n\
+             {section}</section>\n"
         );
     }
-    html + "</body>\n</html>\n"
+    page("Groundtruth: report", &[STYLE], &html)
 }
 
 fn measured(provenance: &Provenance, seed: u64) -> String {
@@ -97,11 +93,10 @@ fn measured(provenance: &Provenance, seed: u64) -> String {
 /// # Errors
 /// If a file or folder cannot be written.
 pub fn write(report: &Report, folder: &Path) -> io::Result<[PathBuf; 2]> {
-    let json = report.json().map_err(io::Error::other)?;
+    let (html, json) = (report.html(), report.json());
     std::fs::create_dir_all(folder).map_err(|e| unwritable(folder, &e))?;
     let files = ["index.html", "report.json"].map(|name| folder.join(name));
     let [page, data] = &files;
-    let html = report.html();
     // the data first, so that nobody sees a new page beside old data
     let texts: [(&Path, &[u8]); 2] = [(data, json.as_bytes()), (page, html.as_bytes())];
     replace_all(&texts).map_err(|(index, e)| unwritable(texts[index].0, &e))?;

@@ -2,58 +2,95 @@
 
 use std::fmt::Write;
 
+use groundtruth::film::{Film, Tone, data_uri};
 pub use pictures::html::escaped;
 
-/// A table; its cells are HTML.
-#[derive(Debug, Default)]
-pub struct Table {
-    /// The caption above the table.
-    pub caption: String,
-    /// Headings of groups of columns, with the number of columns; none if empty.
-    pub groups: Vec<(String, usize)>,
-    /// The headings of the columns.
-    pub headings: Vec<String>,
-    /// The rows; the first cell of a row is its name.
-    pub rows: Vec<Vec<String>>,
+/// A table whose rows are drawn from values `R`; its caption, headings and cells are HTML.
+pub struct Table<'a, R> {
+    caption: String,
+    groups: Vec<Group>,
+    columns: Vec<Column<'a, R>>,
 }
 
-impl Table {
+/// Neighbouring columns.
+struct Group {
+    /// The heading above those of the columns; may be empty.
+    heading: String,
+    columns: usize,
+}
+
+struct Column<'a, R> {
+    heading: String,
+    /// The attribute of its cells.
+    class: &'static str,
+    cell: Box<dyn Fn(&R) -> String + 'a>,
+}
+
+impl<'a, R> Table<'a, R> {
+    /// A table with this caption above it, and no columns.
+    pub fn new(caption: impl Into<String>) -> Self {
+        Self { caption: caption.into(), groups: Vec::new(), columns: Vec::new() }
+    }
+
+    /// The table with a heading above its next columns.
+    pub fn group(mut self, heading: impl Into<String>) -> Self {
+        self.groups.push(Group { heading: heading.into(), columns: 0 });
+        self
+    }
+
+    /// The table with one more column. The cells of the first one are the names of the rows.
+    pub fn column(mut self, heading: impl ToString, cell: impl Fn(&R) -> String + 'a) -> Self {
+        let mut class = "";
+        let is_later = self.groups.len() > 1;
+        if let Some(group) = self.groups.last_mut() {
+            if is_later && group.columns == 0 {
+                class = " class=\"start\"";
+            }
+            group.columns += 1;
+        }
+        let heading = heading.to_string();
+        self.columns.push(Column { heading, class, cell: Box::new(cell) });
+        self
+    }
+
     /// The table as markup.
-    pub fn html(&self) -> String {
+    pub fn html<'r>(&self, rows: impl IntoIterator<Item = &'r R>) -> String
+    where
+        R: 'r,
+    {
         let mut html = format!("<table>\n<caption>{}</caption>\n<thead>\n", self.caption);
         if !self.groups.is_empty() {
             html.push_str("<tr>");
-            for (heading, columns) in &self.groups {
+            for Group { heading, columns } in &self.groups {
                 let _ = write!(html, "<th class=\"group\" colspan=\"{columns}\">{heading}</th>");
             }
             html.push_str("</tr>\n");
         }
-        let starts = self.starts();
-        let class = |column: usize| if starts.contains(&column) { " class=\"start\"" } else { "" };
         html.push_str("<tr>");
-        for (column, heading) in self.headings.iter().enumerate() {
-            let _ = write!(html, "<th{}>{heading}</th>", class(column));
+        for Column { heading, class, .. } in &self.columns {
+            let _ = write!(html, "<th{class}>{heading}</th>");
         }
         html.push_str("</tr>\n</thead>\n<tbody>\n");
-        for row in &self.rows {
+        for row in rows {
             html.push_str("<tr>");
-            for (column, cell) in row.iter().enumerate() {
-                let tag = if column == 0 { "th" } else { "td" };
-                let _ = write!(html, "<{tag}{}>{cell}</{tag}>", class(column));
+            for (index, Column { class, cell, .. }) in self.columns.iter().enumerate() {
+                let tag = if index == 0 { "th" } else { "td" };
+                let _ = write!(html, "<{tag}{class}>{}</{tag}>", cell(row));
             }
             html.push_str("</tr>\n");
         }
         html + "</tbody>\n</table>\n"
     }
+}
 
-    /// The columns at which a group starts, except the first.
-    fn starts(&self) -> Vec<usize> {
-        let ends = self.groups.iter().scan(0, |end, (_, columns)| {
-            *end += columns;
-            Some(*end)
-        });
-        ends.collect()
-    }
+/// A heading, and a description below it.
+pub fn heading(name: &str, about: &str) -> String {
+    format!("<h3>{}</h3>\n<p>{}</p>\n", capital(name), escaped(about))
+}
+
+/// A recommendation, and the words before it.
+pub fn pick(before: &str, words: &str) -> String {
+    format!("<p class=\"pick\"><strong>{before}</strong> {words}</p>\n")
 }
 
 /// Content that is hidden below a summary line until a click.
@@ -64,6 +101,17 @@ pub fn folded(summary: &str, content: &str) -> String {
 /// A picture with a caption below it.
 pub fn figure(svg: &str, caption: &str) -> String {
     format!("<figure>\n{svg}\n<figcaption>{caption}</figcaption>\n</figure>\n")
+}
+
+/// A rendered picture with a caption below it.
+pub fn film(film: &Film, tone: &Tone, alt: &str, caption: &str) -> String {
+    let data = data_uri(film, tone);
+    figure(&format!("<img alt=\"{}\" src=\"{data}\"/>", escaped(alt)), caption)
+}
+
+/// Figures beside each other: diagrams (`pictures`) or small pictures (`crops`).
+pub fn row(class: &str, figures: &[String]) -> String {
+    format!("<div class=\"{class}\">\n{}</div>\n", figures.concat())
 }
 
 /// The words with a capital first letter.
@@ -81,16 +129,23 @@ pub fn short(x: f64) -> String {
     let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     match exponent.parse::<i32>().unwrap_or(0) {
         4.. | ..-3 => format!("{digits}·10{}", superscript(exponent)),
-        2.. => format!("{x:.0}"),
-        1 => format!("{x:.0}"),
+        1.. => format!("{x:.0}"),
         0 => digits.to_owned(),
         below => format!("{x:.*}", (1 - below) as usize),
     }
 }
 
+/// What stands in the place of a number that does not exist.
+pub const DASH: &str = "–";
+
 /// A number to two digits, or a dash for `None`.
 pub fn short_or_dash(x: Option<f64>) -> String {
-    x.map_or_else(|| "–".to_owned(), short)
+    x.map_or_else(|| DASH.to_owned(), short)
+}
+
+/// A text with minus signs instead of hyphens.
+pub fn with_minus(number: &str) -> String {
+    number.replace('-', "−")
 }
 
 /// An integer in superscript, for powers of ten: `⁻⁷`.
@@ -150,5 +205,13 @@ pub fn listed(words: &[String]) -> String {
         [] => "none".to_owned(),
         [one] => one.clone(),
         [first @ .., last] => format!("{} and {last}", first.join(", ")),
+    }
+}
+
+/// ` (or a and b, about as good)`; nothing for none.
+pub fn or_as_good(words: &[String]) -> String {
+    match words {
+        [] => String::new(),
+        words => format!(" (or {}, about as good)", listed(words)),
     }
 }

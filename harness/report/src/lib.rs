@@ -1,22 +1,25 @@
 //! The report: measurements on this machine as a basis for choices, as one HTML page and its data.
 //!
-//! A [`Page`] answers one question. It measures and returns [`Findings`]: the data for JSON, and
-//! the HTML made from these data alone. A new page is a folder here and a line in [`PAGES`].
+//! A [`Page`] answers one question. It measures, and returns the data for JSON and the HTML made
+//! from these data alone. A new page is a folder here and an entry in [`PAGES`]. What pages share:
+//! [`html`] and `plot` draw, `errors` is error against samples and time, `pictures` renders.
 //! Everything except the times is determined by the seed.
 
 pub mod acceleration;
 pub mod clock;
 mod document;
+mod errors;
 pub mod html;
 mod intersections;
 pub mod light;
-mod picture;
+mod pictures;
 mod plot;
 mod progress;
 mod provenance;
 pub mod samplers;
 mod textures;
 
+use serde::Serialize;
 use serde_json::{Value, json};
 
 pub use document::{check_folder, write};
@@ -24,55 +27,43 @@ pub use progress::{Interrupted, Progress};
 pub use provenance::Provenance;
 
 /// A part of the report that answers one question by measurements.
-pub trait Page: Sync {
+#[derive(Clone, Copy)]
+pub struct Page {
     /// Its name for `--only`.
-    fn name(&self) -> &'static str;
-
+    pub name: &'static str,
     /// Its heading.
-    fn title(&self) -> &'static str;
-
+    pub title: &'static str,
     /// The question that it answers.
-    fn question(&self) -> &'static str;
-
-    /// The number of progress steps of [`Page::run`].
-    fn steps(&self, settings: &Settings) -> u64;
-
+    pub question: &'static str,
+    /// The number of progress steps of `measure`.
+    pub steps: fn(&Settings) -> u64,
     /// Measures, with calls of [`Progress::step`] in between.
-    ///
-    /// # Errors
-    /// [`Interrupted`].
-    fn run(
-        &self,
-        settings: &Settings,
-        progress: &Progress,
-    ) -> Result<Box<dyn Findings>, Interrupted>;
+    measure: fn(&Settings, &Progress) -> Result<Findings, Interrupted>,
 }
 
 /// The results of a page.
-pub trait Findings: Send {
+struct Findings {
     /// For `report.json`.
-    ///
-    /// # Errors
-    /// If the data cannot be serialised.
-    fn data(&self) -> serde_json::Result<Value>;
-
+    data: Value,
     /// For `index.html`: the content of a section below its heading and question. It describes what
     /// is compared, how to read the results, and what to choose.
-    fn drawing(&self) -> String;
+    section: String,
+}
+
+impl Findings {
+    fn new<T: Serialize>(data: &T, section: fn(&T) -> String) -> Self {
+        let json = serde_json::to_value(data).expect("the keys of all data are texts");
+        Self { data: json, section: section(data) }
+    }
 }
 
 /// All pages, in their order.
-pub const PAGES: &[&dyn Page] = &[
-    &intersections::Intersections,
-    &acceleration::Acceleration,
-    &samplers::Samplers,
-    &light::Light,
-    &textures::Textures,
-];
+pub const PAGES: &[Page] =
+    &[intersections::PAGE, acceleration::PAGE, samplers::PAGE, light::PAGE, textures::PAGE];
 
 /// The page of this name.
-pub fn page(name: &str) -> Option<&'static dyn Page> {
-    PAGES.iter().copied().find(|page| page.name() == name)
+pub fn page(name: &str) -> Option<Page> {
+    PAGES.iter().copied().find(|page| page.name == name)
 }
 
 /// The extent of the measurements.
@@ -126,7 +117,7 @@ impl Settings {
 pub struct Report {
     provenance: Provenance,
     settings: Settings,
-    chapters: Vec<(&'static dyn Page, Box<dyn Findings>)>,
+    chapters: Vec<(Page, Findings)>,
 }
 
 /// Measures these pages.
@@ -134,34 +125,29 @@ pub struct Report {
 /// # Errors
 /// [`Interrupted`].
 pub fn run(
-    pages: &[&'static dyn Page],
+    pages: &[Page],
     settings: &Settings,
     progress: &Progress,
 ) -> Result<Report, Interrupted> {
-    progress.begin(pages.iter().map(|page| page.steps(settings)).sum());
+    progress.begin(pages.iter().map(|page| (page.steps)(settings)).sum());
     let mut chapters = Vec::new();
-    for &page in pages {
-        chapters.push((page, page.run(settings, progress)?));
+    for page in pages {
+        chapters.push((*page, (page.measure)(settings, progress)?));
     }
     Ok(Report { provenance: Provenance::current(), settings: settings.clone(), chapters })
 }
 
 impl Report {
     /// The provenance and the seed, and the data of each page under its name.
-    ///
-    /// # Errors
-    /// If the data cannot be serialised.
-    pub fn json(&self) -> serde_json::Result<String> {
-        let mut pages = serde_json::Map::new();
-        for (page, findings) in &self.chapters {
-            pages.insert(page.name().to_owned(), findings.data()?);
-        }
+    pub fn json(&self) -> String {
+        let data = |(page, found): &(Page, Findings)| (page.name.to_owned(), found.data.clone());
+        let pages: serde_json::Map<String, Value> = self.chapters.iter().map(data).collect();
         let whole = json!({
             "provenance": self.provenance,
             "seed": self.settings.seed,
             "pages": pages,
         });
-        Ok(serde_json::to_string_pretty(&whole)? + "\n")
+        format!("{whole:#}\n")
     }
 
     /// The HTML page; it is self-contained.

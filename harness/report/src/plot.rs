@@ -3,10 +3,11 @@
 use std::error::Error;
 
 use plotters::coord::Shift;
-use plotters::coord::combinators::BindKeyPoints;
+use plotters::coord::combinators::{BindKeyPoints, WithKeyPoints};
+use plotters::element::ComposedElement;
 use plotters::prelude::*;
 
-use super::html::superscript;
+use super::html::{figure, superscript};
 use groundtruth::math::{exp, ln, power};
 use statistics::slope::PowerLaw;
 
@@ -19,23 +20,45 @@ pub struct Series {
     pub points: Vec<(f64, f64)>,
     /// Labels beside the points; none, or one for each.
     pub labels: Vec<String>,
-    /// A fitted line between these two `x`.
-    pub fit: Option<(PowerLaw, [f64; 2])>,
+    /// A fitted line.
+    pub fit: Option<Fit>,
     /// Whether points are joined by a line, if there is no fit.
     pub joined: bool,
 }
 
+/// A fitted line, and the smallest and largest `x` that it is drawn for.
+#[derive(Clone, Copy, Debug)]
+pub struct Fit {
+    pub law: PowerLaw,
+    pub ends: [f64; 2],
+}
+
+impl Series {
+    /// Points joined by a line.
+    pub fn joined(name: &str, points: impl IntoIterator<Item = (f64, f64)>) -> Self {
+        let points = points.into_iter().collect();
+        Self { name: name.to_owned(), points, joined: true, ..Self::default() }
+    }
+}
+
 /// A plot with logarithmic axes.
-#[derive(Clone, Debug, Default)]
-pub struct Plot {
+#[derive(Clone, Debug)]
+pub struct Plot<'a> {
     /// The quantity and unit of x.
-    pub x: String,
+    pub x: &'a str,
     /// The quantity and unit of y.
-    pub y: String,
+    pub y: &'a str,
     /// At most five series, distinguished by marker and colour.
     pub series: Vec<Series>,
-    /// A horizontal line at this value, and its label.
-    pub limit: Option<(f64, String)>,
+    /// A horizontal line.
+    pub limit: Option<Limit<'a>>,
+}
+
+/// A horizontal line at this value, and its label.
+#[derive(Clone, Copy, Debug)]
+pub struct Limit<'a> {
+    pub y: f64,
+    pub label: &'a str,
 }
 
 const SIZE: (u32, u32) = (640, 440);
@@ -51,20 +74,25 @@ const COLORS: [RGBColor; 5] = [
 const GRID: RGBColor = RGBColor(205, 205, 205);
 
 type Area<'a> = DrawingArea<SVGBackend<'a>, Shift>;
+type Axis = WithKeyPoints<LogCoord<f64>>;
+type Chart<'a, 'b> = ChartContext<'a, SVGBackend<'b>, Cartesian2d<Axis, Axis>>;
+type Marker<'a, At> =
+    ComposedElement<At, SVGBackend<'a>, Polygon<(i32, i32)>, PathElement<(i32, i32)>>;
+type Drawn = Result<(), Box<dyn Error + Send + Sync>>;
 
-impl Plot {
-    /// The plot as an `svg` element.
-    pub fn svg(&self) -> String {
-        let mut text = String::new();
-        let drawn = self.draw(&SVGBackend::with_string(&mut text, SIZE).into_drawing_area());
+impl Plot<'_> {
+    /// The plot with a caption below it.
+    pub fn figure(&self, caption: &str) -> String {
+        let mut svg = String::new();
+        let drawn = self.draw(&SVGBackend::with_string(&mut svg, SIZE).into_drawing_area());
         drawn.expect("writing to a string does not fail");
-        text
+        figure(&svg, caption)
     }
 
-    fn draw(&self, area: &Area<'_>) -> Result<(), Box<dyn Error + Send + Sync>> {
+    fn draw(&self, area: &Area<'_>) -> Drawn {
         let points: Vec<(f64, f64)> =
             self.series.iter().flat_map(|series| visible(&series.points)).collect();
-        let limit = self.limit.as_ref().map(|(y, _)| *y);
+        let limit = self.limit.map(|limit| limit.y);
         let [x0, x1] = range(points.iter().map(|p| p.0), 0.06);
         let [y0, y1] = range(points.iter().map(|p| p.1).chain(limit), 0.06);
         let mut chart = ChartBuilder::on(area)
@@ -76,57 +104,16 @@ impl Plot {
                 (x0..x1).log_scale().with_key_points(ticks(x0, x1)),
                 (y0..y1).log_scale().with_key_points(ticks(y0, y1)),
             )?;
-        chart
-            .configure_mesh()
-            .bold_line_style(GRID)
-            .light_line_style(TRANSPARENT)
-            .axis_style(BLACK)
-            .x_labels(8)
-            .y_labels(8)
-            .x_desc(&self.x)
-            .y_desc(&self.y)
-            .axis_desc_style((FONT, 14))
-            .label_style((FONT, 13))
-            .x_label_formatter(&|x| tick(*x))
-            .y_label_formatter(&|y| tick(*y))
-            .draw()?;
-        if let Some((y, words)) = &self.limit {
-            let ends = [(x0, *y), (x1, *y)];
+        self.draw_axes(&mut chart)?;
+        if let Some(Limit { y, label }) = self.limit {
+            let ends = [(x0, y), (x1, y)];
             chart.draw_series(DashedLineSeries::new(ends, 6, 4, BLACK.stroke_width(1)))?;
-            let style = (FONT, 12).into_font();
-            let words = Text::new(words.clone(), (4, -16), style);
-            chart.draw_series([EmptyElement::at((x0, *y)) + words])?;
+            let label = Text::new(label.to_owned(), (4, -16), (FONT, 12).into_font());
+            chart.draw_series([EmptyElement::at((x0, y)) + label])?;
         }
         let mut labels = Labels { x: [x0, x1], y: [y0, y1], positions: Vec::new() };
         for (index, series) in self.series.iter().enumerate() {
-            let color = COLORS[index % COLORS.len()];
-            let line: Vec<(f64, f64)> = match series.fit {
-                Some((law, ends)) => ends.map(|x| (x, law.factor * power(x, law.exponent))).into(),
-                None if series.joined => visible(&series.points).collect(),
-                None => Vec::new(),
-            };
-            chart.draw_series(LineSeries::new(line, color.stroke_width(1)))?;
-            let (outline, filled) = marker(index);
-            let fill = if filled { color } else { WHITE }.filled();
-            let drawn = {
-                let outline = outline.clone();
-                move |at: (f64, f64)| {
-                    EmptyElement::at(at)
-                        + Polygon::new(outline.clone(), fill)
-                        + PathElement::new(outline.clone(), color.stroke_width(2))
-                }
-            };
-            let marks = visible(&series.points).map(drawn);
-            chart.draw_series(marks)?.label(&series.name).legend(move |at| {
-                EmptyElement::at(at)
-                    + Polygon::new(shifted(&outline), fill)
-                    + PathElement::new(shifted(&outline), color.stroke_width(2))
-            });
-            let words = series.points.iter().zip(&series.labels).map(|(&at, label)| {
-                let style = (FONT, 11).into_font().color(&color);
-                EmptyElement::at(at) + Text::new(label.clone(), labels.offset(at), style)
-            });
-            chart.draw_series(words)?;
+            series.draw(&mut chart, Mark::of(index), &mut labels)?;
         }
         chart
             .configure_series_labels()
@@ -137,6 +124,89 @@ impl Plot {
             .draw()?;
         area.present()?;
         Ok(())
+    }
+
+    fn draw_axes(&self, chart: &mut Chart<'_, '_>) -> Drawn {
+        chart
+            .configure_mesh()
+            .bold_line_style(GRID)
+            .light_line_style(TRANSPARENT)
+            .axis_style(BLACK)
+            .x_labels(8)
+            .y_labels(8)
+            .x_desc(self.x)
+            .y_desc(self.y)
+            .axis_desc_style((FONT, 14))
+            .label_style((FONT, 13))
+            .x_label_formatter(&|x| tick(*x))
+            .y_label_formatter(&|y| tick(*y))
+            .draw()?;
+        Ok(())
+    }
+}
+
+impl Series {
+    fn draw<'a, 'b: 'a>(
+        &self,
+        chart: &mut Chart<'a, 'b>,
+        mark: Mark,
+        labels: &mut Labels,
+    ) -> Drawn {
+        let color = mark.color;
+        let line: Vec<(f64, f64)> = match self.fit {
+            Some(Fit { law, ends }) => {
+                ends.map(|x| (x, law.factor * power(x, law.exponent))).into()
+            }
+            None if self.joined => visible(&self.points).collect(),
+            None => Vec::new(),
+        };
+        chart.draw_series(LineSeries::new(line, color.stroke_width(1)))?;
+        let marks = visible(&self.points).map(|at| mark.at(at, 0));
+        // in the middle of a line of the legend
+        chart.draw_series(marks)?.label(&self.name).legend(move |at| mark.at(at, 10));
+        let words = self.points.iter().zip(&self.labels).map(|(&at, label)| {
+            let style = (FONT, 11).into_font().color(&color);
+            EmptyElement::at(at) + Text::new(label.clone(), labels.offset(at), style)
+        });
+        chart.draw_series(words)?;
+        Ok(())
+    }
+}
+
+/// The marker of a series.
+#[derive(Clone, Copy)]
+struct Mark {
+    /// The outline in pixels.
+    outline: &'static [(i32, i32)],
+    color: RGBColor,
+    fill: RGBColor,
+}
+
+impl Mark {
+    /// The marker of the series with this index.
+    fn of(index: usize) -> Self {
+        const DISK: &[(i32, i32)] =
+            &[(4, 0), (3, 3), (0, 4), (-3, 3), (-4, 0), (-3, -3), (0, -4), (3, -3), (4, 0)];
+        const SQUARE: &[(i32, i32)] = &[(-4, -4), (4, -4), (4, 4), (-4, 4), (-4, -4)];
+        const TRIANGLE: &[(i32, i32)] = &[(0, -5), (5, 4), (-5, 4), (0, -5)];
+        const DIAMOND: &[(i32, i32)] = &[(0, -6), (5, 0), (0, 6), (-5, 0), (0, -6)];
+        let (outline, filled) = match index % 5 {
+            0 => (DISK, true),
+            1 => (SQUARE, false),
+            2 => (TRIANGLE, true),
+            3 => (DIAMOND, false),
+            _ => (DISK, false),
+        };
+        let color = COLORS[index % COLORS.len()];
+        Self { outline, color, fill: if filled { color } else { WHITE } }
+    }
+
+    /// The marker at a point, moved to the right by this number of pixels.
+    fn at<'a, C>(self, at: C, right: i32) -> Marker<'a, C> {
+        let outline: Vec<_> = self.outline.iter().map(|(x, y)| (x + right, *y)).collect();
+        EmptyElement::at(at)
+            + Polygon::new(outline.clone(), self.fill.filled())
+            + PathElement::new(outline, self.color.stroke_width(2))
     }
 }
 
@@ -190,13 +260,13 @@ fn emptiest_corner(
         points.iter().filter(here).count()
     };
     let corners = [
-        (inside(true, true), SeriesLabelPosition::UpperLeft),
-        (inside(false, true), SeriesLabelPosition::UpperRight),
-        (inside(false, false), SeriesLabelPosition::LowerRight),
-        (inside(true, false), SeriesLabelPosition::LowerLeft),
+        (true, true, SeriesLabelPosition::UpperLeft),
+        (false, true, SeriesLabelPosition::UpperRight),
+        (false, false, SeriesLabelPosition::LowerRight),
+        (true, false, SeriesLabelPosition::LowerLeft),
     ];
-    let [first, others @ ..] = corners;
-    others.into_iter().fold(first, |best, other| if other.0 < best.0 { other } else { best }).1
+    let emptiest = corners.into_iter().min_by_key(|(left, upper, _)| inside(*left, *upper));
+    emptiest.expect("there are four").2
 }
 
 /// Powers of ten; if there are fewer than four, also 2 and 5 times these.
@@ -224,26 +294,6 @@ fn tick(x: f64) -> String {
         }
         _ => format!("{x}"),
     }
-}
-
-/// The outline of the marker of a series in pixels, and whether it is filled.
-fn marker(index: usize) -> (Vec<(i32, i32)>, bool) {
-    let disk = [(4, 0), (3, 3), (0, 4), (-3, 3), (-4, 0), (-3, -3), (0, -4), (3, -3), (4, 0)];
-    let square = [(-4, -4), (4, -4), (4, 4), (-4, 4), (-4, -4)];
-    let triangle = [(0, -5), (5, 4), (-5, 4), (0, -5)];
-    let diamond = [(0, -6), (5, 0), (0, 6), (-5, 0), (0, -6)];
-    match index % 5 {
-        0 => (disk.into(), true),
-        1 => (square.into(), false),
-        2 => (triangle.into(), true),
-        3 => (diamond.into(), false),
-        _ => (disk.into(), false),
-    }
-}
-
-/// The outline moved to the middle of a line of the legend.
-fn shifted(outline: &[(i32, i32)]) -> Vec<(i32, i32)> {
-    outline.iter().map(|(x, y)| (x + 10, *y)).collect()
 }
 
 fn visible(points: &[(f64, f64)]) -> impl Iterator<Item = (f64, f64)> + '_ {

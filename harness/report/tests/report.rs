@@ -21,7 +21,7 @@ use std::time::{Duration, UNIX_EPOCH};
 use exact::backward_error::ALLOWED;
 use exact::composites;
 use oracle::hard::{Family, Kind};
-use report::{self, Interrupted, PAGES, Progress, Settings};
+use report::{Interrupted, PAGES, Page, Progress, Settings};
 use serde_json::Value;
 
 /// Small, but large enough for the laws to judge.
@@ -42,25 +42,37 @@ struct Small {
     html: String,
 }
 
-fn measure(settings: &Settings) -> Small {
-    let report = report::run(PAGES, settings, &Progress::default()).expect("nobody interrupts");
-    let json = report.json().expect("its data are JSON");
-    Small { json: serde_json::from_str(&json).expect("JSON"), html: report.html() }
+fn measure(pages: &[Page], settings: &Settings) -> Small {
+    let report = report::run(pages, settings, &Progress::default()).expect("nobody interrupts");
+    Small { json: serde_json::from_str(&report.json()).expect("JSON"), html: report.html() }
 }
 
 /// Measured once for all tests.
-static REPORT: LazyLock<Small> = LazyLock::new(|| measure(&SMALL));
+static REPORT: LazyLock<Small> = LazyLock::new(|| measure(PAGES, &SMALL));
 
 fn list(value: &Value) -> &[Value] {
     value.as_array().expect("a list")
 }
 
+fn text(value: &Value) -> &str {
+    value.as_str().expect("a text")
+}
+
+fn number(value: &Value) -> f64 {
+    value.as_f64().expect("a number")
+}
+
+/// Every scene and choice of a page.
+fn choices(page: &str) -> impl Iterator<Item = (&'static Value, &'static Value)> {
+    let scenes = list(&REPORT.json["pages"][page]["scenes"]);
+    scenes.iter().flat_map(|scene| list(&scene["choices"]).iter().map(move |c| (scene, c)))
+}
+
 /// Every kind and family of page 1.
 fn families() -> impl Iterator<Item = (&'static str, &'static str, &'static Value)> {
     list(&REPORT.json["pages"]["intersections"]["kinds"]).iter().flat_map(|kind| {
-        let name = kind["kind"].as_str().expect("a name");
         let families = list(&kind["families"]).iter();
-        families.map(move |family| (name, family["family"].as_str().expect("a name"), family))
+        families.map(move |family| (text(&kind["kind"]), text(&family["family"]), family))
     })
 }
 
@@ -158,15 +170,14 @@ fn acceleration_is_measured_or_left_out_for_a_reason() {
         assert_eq!((of("list"), of("bvh")), (3, 3), "{}", stage["stage"]);
         assert!(skipped.iter().all(|s| s["why"].as_str().is_some_and(|why| !why.is_empty())));
         for run in runs {
-            let objects = run["objects"].as_f64().expect("a count");
-            let tests = run["tests_per_ray"].as_f64().expect("a number");
+            let [objects, tests] = ["objects", "tests_per_ray"].map(|key| number(&run[key]));
             match run["structure"].as_str() {
                 Some("list") => assert_eq!(tests, objects, "{run}"),
                 Some("bvh") => assert!(tests < 0.3 * objects, "{run}"),
                 _ => assert!(tests <= 3.0 * objects, "{run}"),
             }
-            let times = ["build_seconds", "picture_seconds"].map(|key| run[key].as_f64());
-            assert!(times.iter().all(|time| time.is_some_and(|t| t > 0.0)), "{run}");
+            let times = ["build_seconds", "picture_seconds"].map(|key| number(&run[key]));
+            assert!(times.iter().all(|time| *time > 0.0), "{run}");
         }
     }
 }
@@ -192,8 +203,8 @@ fn timeless(value: &Value) -> Value {
 fn a_report_is_the_same_each_time_but_for_the_times() {
     let tiny =
         Settings { cases: 8, objects: 316, samples: 16, pixels: 3, seeds: 2, width: 4, ..SMALL };
-    let [first, again] = [(); 2].map(|()| measure(&tiny).json["pages"].clone());
-    for page in PAGES.iter().map(|page| page.name()) {
+    let [first, again] = [(); 2].map(|()| measure(PAGES, &tiny).json["pages"].clone());
+    for page in PAGES.iter().map(|page| page.name) {
         assert!(timeless(&again[page]) == timeless(&first[page]), "{page} differs");
         assert!(timeless(&again[page]) != again[page], "there are times in {page}");
     }
@@ -205,8 +216,8 @@ fn a_report_is_the_same_each_time_but_for_the_times() {
 fn a_report_says_where_it_comes_from() {
     let provenance = &REPORT.json["provenance"];
     for key in ["version", "commit", "processor", "platform"] {
-        let text = provenance[key].as_str().expect("a text");
-        assert!(!text.is_empty() && REPORT.html.contains(text), "{key}: {text}");
+        let words = text(&provenance[key]);
+        assert!(!words.is_empty() && REPORT.html.contains(words), "{key}: {words}");
     }
     assert_eq!(provenance["version"], env!("CARGO_PKG_VERSION"));
     let git = |words: &[&str]| {
@@ -215,7 +226,7 @@ fn a_report_says_where_it_comes_from() {
         output.status.success().then(|| String::from_utf8(output.stdout).expect("a text"))
     };
     if let Some(head) = git(&["log", "-1", "--format=%H %ct"]) {
-        let commit = provenance["commit"].as_str().expect("a text");
+        let commit = text(&provenance["commit"]);
         let (hash, time) = head.trim().split_once(' ').expect("two words");
         assert!(commit.starts_with(&hash[..12]), "{commit}, not {hash}");
         let time = UNIX_EPOCH + Duration::from_secs(time.parse().expect("seconds"));
@@ -234,7 +245,7 @@ fn an_interrupted_report_stops_at_the_next_step() {
         let progress = Progress::default();
         progress.interrupt();
         let result = report::run(&[*page], &SMALL, &progress);
-        assert_eq!(result.map(drop), Err(Interrupted), "{}", page.name());
+        assert_eq!(result.map(drop), Err(Interrupted), "{}", page.name);
         assert!(progress.steps().0 < progress.steps().1, "{:?}", progress.steps());
     }
 }
@@ -246,6 +257,6 @@ fn the_progress_ends_at_the_end() {
         let progress = Progress::default();
         let tiny = Settings { cases: 2, objects: 100, side: 4, samples: 16, width: 4, ..SMALL };
         assert!(report::run(&[*page], &tiny, &progress).is_ok());
-        assert_eq!(progress.steps(), (page.steps(&tiny), page.steps(&tiny)), "{}", page.name());
+        assert_eq!(progress.steps(), ((page.steps)(&tiny), (page.steps)(&tiny)), "{}", page.name);
     }
 }

@@ -1,28 +1,25 @@
-//! The card as one HTML page that needs nothing beside it, and no script.
+//! The card as one HTML page.
 
 use std::fmt::Write;
 
 use super::text::{conventions, failed};
 use super::{Card, Row, Status};
-use pictures::html::escaped;
+use pictures::html::{self, escaped};
 
 const STYLE: &str = "\
-body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 75em; padding: 0 1em; }
-table { border-collapse: collapse; }
 th, td { padding: 0.1em 0.8em; text-align: right; font-variant-numeric: tabular-nums; }
 th:first-child, td:first-child { text-align: left; }
 tr { border-bottom: 1px solid #ddd; }
 .failed { background: #fdd; }
 .quiet { color: #999; }
-pre { overflow-x: auto; background: #f4f4f4; padding: 0.5em; white-space: pre-wrap; overflow-wrap: anywhere; }
+pre { background: #f4f4f4; padding: 0.5em; white-space: pre-wrap; overflow-wrap: anywhere; }
 ";
 
 /// The page for a program with this command line.
 pub fn page(card: &Card, command: &str) -> String {
-    let command = escaped(command);
+    let title = format!("conform: {}", escaped(command));
     let mut html = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>conform: {command}</title>\n\
-         <style>\n{STYLE}</style>\n<h1>conform: {command}</h1>\n<p>Profile {}, seed {}{}.</p>\n",
+        "<h1>{title}</h1>\n<p>Profile {}, seed {}{}.</p>\n",
         card.profile.name(),
         card.seed,
         if card.is_whole { "" } else { "; interrupted" },
@@ -55,7 +52,7 @@ pub fn page(card: &Card, command: &str) -> String {
         let lines = escaped(&by_the_book);
         let _ = writeln!(html, "<h2>Conventions of the book</h2>\n<pre>{lines}</pre>");
     }
-    html + "</html>\n"
+    html::page(&title, &[STYLE], &html)
 }
 
 fn table(html: &mut String, rows: &[&Row]) {

@@ -1,4 +1,4 @@
-//! A verdict as one HTML page that needs nothing beside it, and no script.
+//! A verdict as one HTML page.
 
 use std::fmt::Write;
 
@@ -9,12 +9,10 @@ use super::text;
 use super::verdict::{Pictures, Region, Verdict};
 use pictures::compare::pair::{self, Pair};
 use pictures::compare::{Comparison, Picture};
-use pictures::html::escaped;
+use pictures::html::{self, escaped};
 
 const STYLE: &str = "\
-body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 80em; padding: 0 1em; }
-pre { overflow-x: auto; white-space: pre-wrap; }
-table { border-collapse: collapse; }
+pre { white-space: pre-wrap; }
 th, td { text-align: right; padding: 0.1em 0.8em; border-bottom: 1px solid #ddd; }
 th:first-child, td:first-child { text-align: left; }
 .map { position: relative; width: max-content; }
@@ -29,17 +27,12 @@ const FARTHEST: f64 = 6.0;
 /// The page of a verdict on a picture with this name; `words` are what the command prints.
 pub fn page(verdict: &Verdict, name: &str, words: &str) -> String {
     let title = escaped(name);
-    let mut html = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>{title}</title>\n\
-         <style>\n{STYLE}{}</style>\n<h1>{title}</h1>\n<pre>{}</pre>\n",
-        pair::STYLE,
-        escaped(words)
-    );
-    html += &views([&verdict.shown.ours, &verdict.shown.theirs]);
-    html += &excluded(&verdict.shown);
-    html += &map(verdict);
-    html += &table(verdict);
-    html + "</html>\n"
+    let mut body = format!("<h1>{title}</h1>\n<pre>{}</pre>\n", escaped(words));
+    body += &views([&verdict.shown.ours, &verdict.shown.theirs]);
+    body += &excluded(&verdict.shown);
+    body += &map(verdict);
+    body += &table(verdict);
+    html::page(&title, &[STYLE, pair::STYLE], &body)
 }
 
 /// Both pictures, flipped and side by side, and their difference.

@@ -21,18 +21,12 @@ const TESTS: f64 = 1e7;
 const ROUNDS: usize = 3;
 
 pub fn stage(
-    stage: &Stage,
+    stage: &'static Stage,
     settings: &Settings,
     progress: &Progress,
 ) -> Result<StageData, Interrupted> {
     let rays = stage.rays(settings.side);
-    let mut data = StageData {
-        stage: stage.name.to_owned(),
-        about: stage.about.to_owned(),
-        runs: Vec::new(),
-        skipped: Vec::new(),
-        agree: true,
-    };
+    let mut data = StageData { stage, runs: Vec::new(), skipped: Vec::new(), agree: true };
     for n in sizes(settings.objects) {
         let objects = (stage.objects)(n, settings.seed);
         let mut expected = None;

@@ -3,22 +3,29 @@
 use std::ops::Range;
 use std::sync::Arc;
 
+use serde::Serialize;
+
 use groundtruth::math::{Aabb, Frame, Pcg32, Point, Ray, Vector, atan2, power, sin};
 use groundtruth::shapes::{
     Context, Cuboid as Boxed, Kind, Shape, Sphere, TessellatedSphere, TriangleMesh,
 };
 
 /// A kind of scene.
+#[derive(Serialize)]
 pub struct Stage {
     /// Its name.
+    #[serde(rename = "stage")]
     pub name: &'static str,
     /// Its contents and purpose.
     pub about: &'static str,
     /// Builds approximately this number of objects from a seed.
+    #[serde(skip)]
     pub objects: fn(u32, u64) -> Objects,
     /// The position of the camera.
+    #[serde(skip)]
     pub eye: Point,
     /// Half the width of the picture, measured in the plane through the origin.
+    #[serde(skip)]
     pub half_width: f64,
 }
 
@@ -36,7 +43,7 @@ pub struct Objects {
 }
 
 /// All scenes.
-pub const STAGES: &[Stage] = &[
+pub static STAGES: [Stage; 4] = [
     Stage {
         name: "uniform spheres",
         about: "Random spheres in a cube, whose total volume is always the same fraction of it \

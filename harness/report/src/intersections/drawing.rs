@@ -1,8 +1,8 @@
 //! Page 1 as tables and a plot, from its data alone.
 
 use super::{Data, FamilyData, KindData, Routine};
-use crate::html::{Table, count, figure, flagged, folded, listed, short, short_or_dash};
-use crate::plot::{Plot, Series};
+use crate::html::{Table, count, flagged, folded, listed, pick, short, short_or_dash};
+use crate::plot::{Limit, Plot, Series};
 use exact::backward_error::ALLOWED;
 use statistics::quantile;
 
@@ -10,13 +10,13 @@ use statistics::quantile;
 const MIN_DRAWN: f64 = 0.01;
 
 pub fn page(data: &Data) -> String {
-    let mut html = explanation(data);
-    html += &format!("<p class=\"pick\"><strong>What to pick.</strong> {}</p>\n", pick(data));
-    html += &overview(data).html();
-    html += &figure(&picture(data).svg(), CAPTION);
-    html.push_str("<h3>Each shape and family</h3>\n<p>Click on a shape to see its table.</p>\n");
-    data.kinds.iter().for_each(|kind| html += &folded(&summary(kind), &details(kind).html()));
-    html
+    let all = summaries(data);
+    explanation(data)
+        + &pick("What to pick.", &advice(&all))
+        + &overview(&all)
+        + &plot(&all).figure(CAPTION)
+        + "<h3>Each shape and family</h3>\n<p>Click on a shape to see its table.</p>\n"
+        + &all.iter().map(details).collect::<String>()
 }
 
 const CAPTION: &str = "Speed against error. Each number is a shape of the table above. The x axis is \
@@ -49,37 +49,39 @@ fn explanation(data: &Data) -> String {
     )
 }
 
-/// One routine of one kind, over all families.
-fn routines<'a>(kind: &'a KindData, of: impl Fn(&'a FamilyData) -> &'a Routine) -> Option<Summary> {
-    let routines: Vec<&Routine> = kind.families.iter().map(&of).collect();
-    let largest = |values: Vec<Option<f64>>| values.into_iter().flatten().reduce(f64::max);
-    let ordinary = routines.first()?;
-    Some(Summary {
-        p999: largest(routines.iter().map(|r| r.p999).collect()),
-        worst: largest(routines.iter().map(|r| r.worst).collect()),
-        lost: routines.iter().map(|r| r.lost).sum(),
-        wrong: routines.iter().map(|r| r.wrong).sum(),
+/// A kind with both routines over all families: the largest errors, and the times on ordinary rays.
+struct Summary<'a> {
+    /// Its number in table and diagram.
+    number: usize,
+    kind: &'a KindData,
+    ours: Routine,
+    textbook: Routine,
+}
+
+fn summaries(data: &Data) -> Vec<Summary<'_>> {
+    let numbered = (1..).zip(&data.kinds);
+    let summaries = numbered.map(|(number, kind)| Summary {
+        number,
+        kind,
+        ours: over_all(kind, |family| &family.ours),
+        textbook: over_all(kind, |family| &family.textbook),
+    });
+    summaries.collect()
+}
+
+fn over_all(kind: &KindData, of: fn(&FamilyData) -> &Routine) -> Routine {
+    let all = || kind.families.iter().map(of);
+    let largest = |error: fn(&Routine) -> Option<f64>| all().filter_map(error).reduce(f64::max);
+    let ordinary = of(&kind.families[0]);
+    Routine {
+        median: None,
+        p999: largest(|r| r.p999),
+        worst: largest(|r| r.worst),
+        lost: all().map(|r| r.lost).sum(),
+        wrong: all().map(|r| r.wrong).sum(),
         hit_ns: ordinary.hit_ns,
         miss_ns: ordinary.miss_ns,
-    })
-}
-
-/// One routine over all families; times on ordinary rays.
-struct Summary {
-    p999: Option<f64>,
-    worst: Option<f64>,
-    lost: usize,
-    wrong: usize,
-    hit_ns: Option<f64>,
-    miss_ns: Option<f64>,
-}
-
-fn ours(kind: &KindData) -> Option<Summary> {
-    routines(kind, |family| &family.ours)
-}
-
-fn textbook(kind: &KindData) -> Option<Summary> {
-    routines(kind, |family| &family.textbook)
+    }
 }
 
 /// The name in the page: `open cylinder` for `OpenCylinder`.
@@ -91,141 +93,91 @@ fn words(name: &str) -> String {
 }
 
 /// The recommendation.
-fn pick(data: &Data) -> String {
-    let judged: usize = data.kinds.iter().flat_map(|k| &k.families).map(|f| f.judged).sum();
-    let judged = count(judged);
-    let sum = |of: fn(&KindData) -> Option<Summary>, what: fn(&Summary) -> usize| -> usize {
-        data.kinds.iter().filter_map(of).map(|summary| what(&summary)).sum()
-    };
-    let failed = |of| sum(of, |s| s.lost + s.wrong);
-    let worst = data.kinds.iter().filter_map(ours).filter_map(|s| s.worst).reduce(f64::max);
-    let sound = failed(ours) == 0 && worst.is_some_and(|worst| worst <= ALLOWED);
-    let both: Vec<(&KindData, Summary, Summary)> =
-        data.kinds.iter().filter_map(|kind| Some((kind, ours(kind)?, textbook(kind)?))).collect();
-    let costs: Vec<f64> =
-        both.iter().filter_map(|(_, ours, book)| Some(ours.hit_ns? / book.hit_ns?)).collect();
-    let mut text = if sound {
-        format!(
+fn advice(all: &[Summary<'_>]) -> String {
+    let judged = count(all.iter().map(|s| s.kind.judged()).sum());
+    let failed: usize = all.iter().map(|s| s.ours.failures()).sum();
+    let worst = all.iter().filter_map(|s| s.ours.worst).reduce(f64::max);
+    let error = short_or_dash(worst);
+    let ours = match failed == 0 && worst.is_some_and(|worst| worst <= ALLOWED) {
+        true => format!(
             "The library's routine, except for ordinary rays: of {judged} rays it had no lost and no \
-             wrong hit, and its worst error is {} u·cond. ",
-            short_or_dash(worst)
-        )
-    } else {
-        format!(
-            "Neither is safe: of {judged} rays the library's routine had {} lost or wrong hits, and \
-             its worst error is {} u·cond; please report this bug. ",
-            failed(ours),
-            short_or_dash(worst)
-        )
-    };
-    if both.is_empty() {
-        return text;
-    }
-    text += &format!("The textbook's had {} lost or wrong hits. ", count(failed(textbook)));
-    let [least, middle, most] = [0.0, 0.5, 1.0].map(|share| short_or_dash(quantile(&costs, share)));
-    text += &format!(
-        "An ordinary hit takes {middle} times the textbook's time in the median, {least} to {most}. "
-    );
-    let good: Vec<String> = both
-        .iter()
-        .filter(|(_, _, book)| book.lost + book.wrong == 0)
-        .filter(|(_, _, book)| book.worst.is_some_and(|worst| worst <= ALLOWED))
-        .map(|(kind, ..)| words(&kind.kind))
-        .collect();
-    text + &match &good[..] {
-        [] => "On no shape is the textbook's formula as safe.".to_owned(),
-        good => format!("The textbook's formula is as safe for: {}.", listed(good)),
-    }
-}
-
-fn overview(data: &Data) -> Table {
-    let columns = ["99.9 %", "worst", "lost", "wrong", "hit, ns", "miss, ns"];
-    let cells = |summary: Option<Summary>| match summary {
-        Some(s) => vec![
-            error(s.p999),
-            error(s.worst),
-            failures(s.lost),
-            failures(s.wrong),
-            short_or_dash(s.hit_ns),
-            short_or_dash(s.miss_ns),
-        ],
-        None => vec!["–".to_owned(); columns.len()],
-    };
-    let row = |(index, kind): (usize, &KindData)| {
-        let judged: usize = kind.families.iter().map(|family| family.judged).sum();
-        let name = format!("{} {}", index + 1, words(&kind.kind));
-        // the times of this table are of the first family
-        let disturbed = kind.families.first().is_some_and(|ordinary| ordinary.disturbed);
-        let mut row = vec![flagged(name, disturbed), count(judged)];
-        row.extend(cells(ours(kind)));
-        row.extend(cells(textbook(kind)));
-        row
-    };
-    Table {
-        caption: "All families: errors in u·cond of the family where they are largest; times on \
-                  ordinary rays"
-            .to_owned(),
-        groups: groups(2, columns.len()),
-        headings: headings(&["shape", "rays judged"], &columns),
-        rows: data.kinds.iter().enumerate().map(row).collect(),
-    }
-}
-
-/// One line for a shape: the worst error, the failures and the time of each routine.
-fn summary(kind: &KindData) -> String {
-    let one = |name: &str, found: Option<Summary>| match found {
-        Some(s) => format!(
-            "; {name}: worst error {}, {} lost or wrong, {} ns per hit",
-            error(s.worst),
-            failures(s.lost + s.wrong),
-            short_or_dash(s.hit_ns)
+             wrong hit, and its worst error is {error} u·cond."
         ),
-        None => String::new(),
+        false => format!(
+            "Neither is safe: of {judged} rays the library's routine had {failed} lost or wrong hits, \
+             and its worst error is {error} u·cond; please report this bug."
+        ),
     };
-    let mark = flagged(String::new(), kind.families.iter().any(|family| family.disturbed));
-    let name = words(&kind.kind);
+    let failed = count(all.iter().map(|s| s.textbook.failures()).sum());
+    let costs: Vec<f64> =
+        all.iter().filter_map(|s| Some(s.ours.hit_ns? / s.textbook.hit_ns?)).collect();
+    let [least, middle, most] = [0.0, 0.5, 1.0].map(|share| short_or_dash(quantile(&costs, share)));
+    let is_safe = |s: &&Summary<'_>| {
+        s.textbook.failures() == 0 && s.textbook.worst.is_some_and(|worst| worst <= ALLOWED)
+    };
+    let safe: Vec<String> = all.iter().filter(is_safe).map(|s| words(&s.kind.kind)).collect();
+    let safe = match &safe[..] {
+        [] => "On no shape is the textbook's formula as safe.".to_owned(),
+        safe => format!("The textbook's formula is as safe for: {}.", listed(safe)),
+    };
     format!(
-        "<strong>{name}</strong>{}{}{mark}",
-        one("ours", ours(kind)),
-        one("textbook", textbook(kind))
+        "{ours} The textbook's had {failed} lost or wrong hits. An ordinary hit takes {middle} times \
+         the textbook's time in the median, {least} to {most}. {safe}"
     )
 }
 
-fn details(kind: &KindData) -> Table {
-    let columns = ["median", "99.9 %", "worst", "lost", "wrong", "hit, ns", "miss, ns"];
-    let cells = |r: &Routine| {
-        vec![
-            error(r.median),
-            error(r.p999),
-            error(r.worst),
-            failures(r.lost),
-            failures(r.wrong),
-            short_or_dash(r.hit_ns),
-            short_or_dash(r.miss_ns),
-        ]
-    };
-    let row = |family: &FamilyData| {
-        let misses = family.judged - family.hits;
-        let name = flagged(words(&family.family), family.disturbed);
-        let mut row = vec![name, family.hits.to_string(), misses.to_string()];
-        row.extend(cells(&family.ours));
-        row.extend(cells(&family.textbook));
-        row
-    };
-    Table {
-        caption: words(&kind.kind),
-        groups: groups(3, columns.len()),
-        headings: headings(&["family", "hits", "misses"], &columns),
-        rows: kind.families.iter().map(row).collect(),
-    }
+/// The table with the columns of a routine.
+fn with_routine<'a, R: 'a>(table: Table<'a, R>, of: fn(&R) -> &Routine) -> Table<'a, R> {
+    table
+        .column("99.9 %", move |row| error(of(row).p999))
+        .column("worst", move |row| error(of(row).worst))
+        .column("lost", move |row| failures(of(row).lost))
+        .column("wrong", move |row| failures(of(row).wrong))
+        .column("hit, ns", move |row| short_or_dash(of(row).hit_ns))
+        .column("miss, ns", move |row| short_or_dash(of(row).miss_ns))
 }
 
-fn groups(before: usize, columns: usize) -> Vec<(String, usize)> {
-    vec![(String::new(), before), ("ours".to_owned(), columns), ("textbook".to_owned(), columns)]
+/// All kinds.
+fn overview(all: &[Summary<'_>]) -> String {
+    let caption = "All families: errors in u·cond of the family where they are largest; times on \
+                   ordinary rays";
+    let table = Table::new(caption)
+        .group("")
+        .column("shape", |Summary { number, kind, .. }| {
+            // the times of this table are of the first family
+            flagged(format!("{number} {}", words(&kind.kind)), kind.families[0].disturbed)
+        })
+        .column("rays judged", |summary| count(summary.kind.judged()));
+    let table = with_routine(table.group("ours"), |summary| &summary.ours);
+    with_routine(table.group("textbook"), |summary| &summary.textbook).html(all)
 }
 
-fn headings(before: &[&str], columns: &[&str]) -> Vec<String> {
-    [before, columns, columns].concat().into_iter().map(str::to_owned).collect()
+/// One kind: a line with the worst error, the failures and the time of each routine, and its table.
+fn details(Summary { kind, ours, textbook, .. }: &Summary<'_>) -> String {
+    let one = |routine: &Routine| {
+        format!(
+            "worst error {}, {} lost or wrong, {} ns per hit",
+            error(routine.worst),
+            failures(routine.failures()),
+            short_or_dash(routine.hit_ns)
+        )
+    };
+    let mark = flagged(String::new(), kind.families.iter().any(|family| family.disturbed));
+    let name = words(&kind.kind);
+    let line =
+        format!("<strong>{name}</strong>; ours: {}; textbook: {}{mark}", one(ours), one(textbook));
+    let table = Table::new(name)
+        .group("")
+        .column("family", |family: &FamilyData| flagged(words(&family.family), family.disturbed))
+        .column("hits", |family| family.hits.to_string())
+        .column("misses", |family| (family.judged - family.hits).to_string())
+        .group("ours")
+        .column("median", |family| error(family.ours.median));
+    let table = with_routine(table, |family| &family.ours)
+        .group("textbook")
+        .column("median", |family| error(family.textbook.median));
+    let table = with_routine(table, |family| &family.textbook);
+    folded(&line, &table.html(&kind.families))
 }
 
 /// An error; bold if it is larger than [`ALLOWED`].
@@ -241,22 +193,24 @@ fn failures(n: usize) -> String {
     if n == 0 { "0".to_owned() } else { format!("<span class=\"bad\">{n}</span>") }
 }
 
-fn picture(data: &Data) -> Plot {
-    let series = |name: &str, of: fn(&KindData) -> Option<Summary>| {
-        let numbered = data.kinds.iter().enumerate();
-        let (points, labels) = numbered
-            .filter_map(|(index, kind)| {
-                let summary = of(kind)?;
-                let error = summary.p999?.max(MIN_DRAWN);
-                Some(((summary.hit_ns?, error), (index + 1).to_string()))
+fn plot(all: &[Summary<'_>]) -> Plot<'static> {
+    let series = |name: &str, of: for<'s> fn(&'s Summary<'_>) -> &'s Routine| {
+        let (points, labels) = all
+            .iter()
+            .filter_map(|summary| {
+                let error = of(summary).p999?.max(MIN_DRAWN);
+                Some(((of(summary).hit_ns?, error), summary.number.to_string()))
             })
             .unzip();
         Series { name: name.to_owned(), points, labels, ..Series::default() }
     };
     Plot {
-        x: "nanoseconds for an ordinary hit".to_owned(),
-        y: "error in u·cond".to_owned(),
-        series: vec![series("ours", ours), series("textbook", textbook)],
-        limit: Some((ALLOWED, "good below this line".to_owned())),
+        x: "nanoseconds for an ordinary hit",
+        y: "error in u·cond",
+        series: vec![
+            series("ours", |summary| &summary.ours),
+            series("textbook", |summary| &summary.textbook),
+        ],
+        limit: Some(Limit { y: ALLOWED, label: "good below this line" }),
     }
 }

@@ -12,64 +12,86 @@ use self::judging::{Judged, Subject};
 use super::{Findings, Interrupted, Page, Progress, Settings};
 
 /// Compares intersection routines by error, lost and wrong hits, and time.
-pub struct Intersections;
+pub const PAGE: Page = Page {
+    name: "intersections",
+    title: "Intersections: speed against error",
+    question: "What is the cost of an intersection routine that is right on hard cases, compared with \
+               the book's formula?",
+    // one for each kind and family that is judged, and one for each kind that is timed
+    steps: |_| ((Family::ALL.len() + 1) * Subject::all().count()) as u64,
+    measure: |settings, progress| Ok(Findings::new(&measure(settings, progress)?, drawing::page)),
+};
 
 /// The data of the page.
-#[derive(Clone, Debug, Serialize)]
-pub struct Data {
+#[derive(Serialize)]
+struct Data {
     /// The number of rays for each shape and family, except those whose exact answer takes long.
-    pub cases: usize,
+    cases: usize,
     /// The kinds of shapes of the oracle, then the composite kinds.
-    pub kinds: Vec<KindData>,
+    kinds: Vec<KindData>,
 }
 
 /// One kind of shape.
-#[derive(Clone, Debug, Serialize)]
-pub struct KindData {
+#[derive(Serialize)]
+struct KindData {
     /// Its name.
-    pub kind: String,
+    kind: String,
     /// The number of rays for each family.
-    pub cases: usize,
+    cases: usize,
     /// The results for each family of hard cases.
-    pub families: Vec<FamilyData>,
+    families: Vec<FamilyData>,
 }
 
 /// One kind of shape on one family of hard cases.
-#[derive(Clone, Debug, Serialize)]
-pub struct FamilyData {
+#[derive(Serialize)]
+struct FamilyData {
     /// Its name.
-    pub family: String,
+    family: String,
     /// The number of shapes that the library rejects; their rays are skipped.
-    pub refused: usize,
+    refused: usize,
     /// The number of rays whose answer does not depend on rounding.
-    pub judged: usize,
+    judged: usize,
     /// The number of judged rays that hit.
-    pub hits: usize,
+    hits: usize,
     /// The library's routine.
-    pub ours: Routine,
+    ours: Routine,
     /// The textbook's routine.
-    pub textbook: Routine,
+    textbook: Routine,
     /// Whether other programs disturbed the measurement of any of the times.
-    pub disturbed: bool,
+    disturbed: bool,
 }
 
 /// The errors and times of one routine.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Routine {
+#[derive(Serialize)]
+struct Routine {
     /// The median error of the distance, in units of u · cond.
-    pub median: Option<f64>,
+    median: Option<f64>,
     /// The 99.9th percentile of the error; the worst error for fewer than 1000 hits.
-    pub p999: Option<f64>,
+    p999: Option<f64>,
     /// The worst error.
-    pub worst: Option<f64>,
+    worst: Option<f64>,
     /// The number of rays whose nearest hit was not found: a later one was found, or none.
-    pub lost: usize,
+    lost: usize,
     /// The number of rays that miss, for which a hit was found.
-    pub wrong: usize,
+    wrong: usize,
     /// Nanoseconds for a ray that hits.
-    pub hit_ns: Option<f64>,
+    hit_ns: Option<f64>,
     /// Nanoseconds for a ray that misses.
-    pub miss_ns: Option<f64>,
+    miss_ns: Option<f64>,
+}
+
+impl KindData {
+    /// The number of judged rays.
+    fn judged(&self) -> usize {
+        self.families.iter().map(|family| family.judged).sum()
+    }
+}
+
+impl Routine {
+    /// The number of lost and wrong hits.
+    fn failures(&self) -> usize {
+        self.lost + self.wrong
+    }
 }
 
 /// Shapes of degree 4 and above, or of several parts: their exact answers take ten times as long.
@@ -101,55 +123,20 @@ fn rays(kind: &str, settings: &Settings) -> usize {
     settings.cases.div_ceil(divisor)
 }
 
-impl Page for Intersections {
-    fn name(&self) -> &'static str {
-        "intersections"
-    }
-
-    fn title(&self) -> &'static str {
-        "Intersections: speed against error"
-    }
-
-    fn question(&self) -> &'static str {
-        "What is the cost of an intersection routine that is right on hard cases, compared with the \
-         book's formula?"
-    }
-
-    /// One step for each kind and family that is judged, and one for each kind that is timed.
-    fn steps(&self, _: &Settings) -> u64 {
-        ((Family::ALL.len() + 1) * Subject::all().count()) as u64
-    }
-
-    fn run(
-        &self,
-        settings: &Settings,
-        progress: &Progress,
-    ) -> Result<Box<dyn Findings>, Interrupted> {
-        let mut kinds = Vec::new();
-        for subject in Subject::all() {
-            let name = subject.name();
-            let cases = rays(&name, settings);
-            let judge = |&family: &Family| {
-                progress.step()?;
-                Ok(Judged::new(subject, family, settings.seed, cases))
-            };
-            let judged: Vec<Judged> =
-                Family::ALL.par_iter().map(judge).collect::<Result<_, _>>()?;
-            // after the parallel part, so that other threads do not disturb the times
-            let families = judged.into_iter().map(timing::timed).collect();
+fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
+    let mut kinds = Vec::new();
+    for subject in Subject::all() {
+        let kind = subject.name();
+        let cases = rays(&kind, settings);
+        let judge = |&family: &Family| {
             progress.step()?;
-            kinds.push(KindData { kind: name, cases, families });
-        }
-        Ok(Box::new(Data { cases: settings.cases, kinds }))
+            Ok(Judged::new(subject, family, settings.seed, cases))
+        };
+        let judged: Vec<Judged> = Family::ALL.par_iter().map(judge).collect::<Result<_, _>>()?;
+        // after the parallel part, so that other threads do not disturb the times
+        let families = judged.into_iter().map(timing::timed).collect();
+        progress.step()?;
+        kinds.push(KindData { kind, cases, families });
     }
-}
-
-impl Findings for Data {
-    fn data(&self) -> serde_json::Result<serde_json::Value> {
-        serde_json::to_value(self)
-    }
-
-    fn drawing(&self) -> String {
-        drawing::page(self)
-    }
+    Ok(Data { cases: settings.cases, kinds })
 }

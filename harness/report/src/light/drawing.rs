@@ -1,11 +1,13 @@
 //! Page 4 as tables and plots, from its data alone.
 
 use super::{BiasData, ChoiceData, Data, Level, SceneData};
+use crate::errors::{Curve, diagrams};
 use crate::html::{
-    Table, capital, escaped, figure, flagged, folded, listed, short, short_or_dash, time,
+    DASH, Table, capital, escaped, film, flagged, folded, listed, or_as_good, pick, row, short,
+    short_or_dash, time, with_minus,
 };
-use crate::plot::{Plot, Series};
-use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
+use crate::plot::Limit;
+use groundtruth::film::{OutOfGamut, Tone};
 use groundtruth::math::{exp, ln};
 use groundtruth::shapes::Sampling;
 use statistics::quantile;
@@ -14,11 +16,8 @@ use statistics::quantile;
 const AS_GOOD: f64 = 1.5;
 
 pub fn page(data: &Data) -> String {
-    let mut html = explanation(data);
-    html += &format!("<p class=\"pick\"><strong>What to pick.</strong> {}</p>\n", pick(data));
-    html += &summary(data);
-    data.scenes.iter().for_each(|scene| html += &section(scene));
-    html
+    let sections: String = data.scenes.iter().map(section).collect();
+    explanation(data) + &pick("What to pick.", &advice(data)) + &summary(data) + &sections
 }
 
 fn explanation(data: &Data) -> String {
@@ -112,7 +111,7 @@ fn records(data: &Data) -> Vec<Record<'_>> {
 
 /// One sentence for all scenes: the choice without bias that has the smallest mean time, the times
 /// of the others, and the bias of the biased ones.
-fn pick(data: &Data) -> String {
+fn advice(data: &Data) -> String {
     let records = records(data);
     let by_mean = |a: &&Record<'_>, b: &&Record<'_>| a.mean().total_cmp(&b.mean());
     let everywhere = records.iter().filter(|record| record.applies_everywhere());
@@ -158,49 +157,36 @@ fn words(choice: &ChoiceData) -> String {
 
 /// The table of the times for the same noise.
 fn summary(data: &Data) -> String {
-    let row = |choice: &ChoiceData| {
-        let of = |scene: &SceneData| match named(scene, choice) {
-            None => "–".to_owned(),
-            Some(here) if !here.unbiased => "biased".to_owned(),
-            Some(here) => short_or_dash(time_ratio(scene, here)),
-        };
-        std::iter::once(choice.choice.clone()).chain(data.scenes.iter().map(of)).collect()
-    };
-    Table {
-        caption: "Time for the same noise, as a multiple of the shortest".to_owned(),
-        headings: std::iter::once("choice".to_owned())
-            .chain(data.scenes.iter().map(|scene| scene.scene.clone()))
-            .collect(),
-        rows: all_choices(data).iter().map(row).collect(),
-        ..Table::default()
+    let mut table = Table::new("Time for the same noise, as a multiple of the shortest")
+        .column("choice", |choice: &ChoiceData| choice.choice.clone());
+    for scene in &data.scenes {
+        table = table.column(scene.subject.name, move |choice| match named(scene, choice) {
+            None => DASH.to_owned(),
+            Some(here) => ratio_or_biased(scene, here),
+        });
     }
-    .html()
+    table.html(all_choices(data))
+}
+
+fn ratio_or_biased(scene: &SceneData, choice: &ChoiceData) -> String {
+    match choice.unbiased {
+        true => short_or_dash(time_ratio(scene, choice)),
+        false => "biased".to_owned(),
+    }
 }
 
 fn section(scene: &SceneData) -> String {
-    let mut html = format!(
-        "<h3>{}</h3>\n<p>{} {}</p>\n",
-        capital(&scene.scene),
-        escaped(&scene.about),
-        reference(scene)
-    );
-    html += &format!("<p class=\"pick\"><strong>Here:</strong> {}</p>\n", pick_here(scene));
-    html.push_str("<div class=\"pictures\">\n");
-    let samples = |level: &Level| f64::from(level.samples);
-    html += &figure(
-        &picture(scene, "samples per pixel", samples).svg(),
-        "Relative error against samples.",
-    );
-    let seconds = |level: &Level| level.picture_seconds;
-    html += &figure(
-        &picture(scene, "seconds for the picture, on one thread", seconds).svg(),
-        "The same against time.",
-    );
-    html.push_str("</div>\n");
-    html += &equal_time(scene);
-    html += &table(scene).html();
-    html += &biases(scene).html();
-    html + &folded("Errors, noise and time for every number of samples", &levels(scene).html())
+    let curves: Vec<Curve<'_>> = drawn(scene).map(ChoiceData::curve).collect();
+    let own = scene.reference.relative_standard_error;
+    let limit = (own > 0.0).then_some(Limit { y: own, label: "error of the reference" });
+    let (name, about) = (capital(scene.subject.name), escaped(scene.subject.about));
+    format!("<h3>{name}</h3>\n<p>{about} {}</p>\n", reference(scene))
+        + &pick("Here:", &advice_here(scene))
+        + &diagrams(&curves, "relative error", limit)
+        + &equal_time(scene)
+        + &table(scene)
+        + &biases(scene)
+        + &folded("Errors, noise and time for every number of samples", &levels(scene))
 }
 
 fn reference(scene: &SceneData) -> String {
@@ -220,23 +206,16 @@ fn reference(scene: &SceneData) -> String {
 
 /// The best choice without bias, those that are as good, the time ratios of the others, and the
 /// bias of the biased ones.
-fn pick_here(scene: &SceneData) -> String {
+fn advice_here(scene: &SceneData) -> String {
     let ratio = |choice: &ChoiceData| time_ratio(scene, choice).unwrap_or(f64::INFINITY);
     let mut unbiased: Vec<&ChoiceData> = scene.choices.iter().filter(|c| c.unbiased).collect();
     unbiased.sort_by(|a, b| ratio(a).total_cmp(&ratio(b)));
     let Some((best, others)) = unbiased.split_first() else { return String::new() };
-    let as_good: Vec<String> = others
-        .iter()
-        .filter(|choice| ratio(choice) <= AS_GOOD)
-        .map(|choice| choice.choice.clone())
-        .collect();
-    let beside = match as_good.len() {
-        0 => String::new(),
-        _ => format!(" (or {}, about as good)", listed(&as_good)),
-    };
-    let slower = others.iter().filter(|choice| ratio(choice) > AS_GOOD);
+    let (as_good, slower): (Vec<&ChoiceData>, Vec<&ChoiceData>) =
+        others.iter().partition(|choice| ratio(choice) <= AS_GOOD);
+    let as_good: Vec<String> = as_good.iter().map(|choice| choice.choice.clone()).collect();
     let slower: Vec<String> =
-        slower.map(|c| format!("{} takes {} times", c.choice, short(ratio(c)))).collect();
+        slower.iter().map(|c| format!("{} takes {} times", c.choice, short(ratio(c)))).collect();
     let slower = match slower.len() {
         0 => String::new(),
         _ => format!("; for the same noise {} its time", listed(&slower)),
@@ -247,37 +226,17 @@ fn pick_here(scene: &SceneData) -> String {
         Some(format!("{} {} % {word}", choice.choice, short(100.0 * bias.abs())))
     };
     // both samplings of area lights have the same mean
-    let biased = scene.choices.iter().filter(|c| !c.unbiased && is_drawn(c));
-    let biased: Vec<String> = biased.filter_map(darker).collect();
+    let biased: Vec<String> = drawn(scene).filter(|c| !c.unbiased).filter_map(darker).collect();
     let biased = match biased.len() {
         0 => String::new(),
         _ => format!("; in the mean, {}", listed(&biased)),
     };
-    format!("the best is {}{beside}{slower}{biased}.", best.choice)
+    format!("the best is {}{}{slower}{biased}.", best.choice, or_as_good(&as_good))
 }
 
-/// Whether the choice is in the plots, which have at most five series: all but area sampling.
-fn is_drawn(choice: &ChoiceData) -> bool {
-    choice.sampling != Some(Sampling::Area)
-}
-
-fn picture(scene: &SceneData, x: &str, along: impl Fn(&Level) -> f64) -> Plot {
-    let series = |choice: &ChoiceData| {
-        let point = |level: &Level| Some((along(level), level.relative_rmse?));
-        Series {
-            name: choice.choice.clone(),
-            points: choice.levels.iter().filter_map(point).collect(),
-            joined: true,
-            ..Series::default()
-        }
-    };
-    let own = scene.reference.relative_standard_error;
-    Plot {
-        x: x.to_owned(),
-        y: "relative error".to_owned(),
-        series: scene.choices.iter().filter(|c| is_drawn(c)).map(series).collect(),
-        limit: (own > 0.0).then(|| (own, "error of the reference".to_owned())),
-    }
+/// The choices in the plots, which have at most five series: all but area sampling.
+fn drawn(scene: &SceneData) -> impl Iterator<Item = &ChoiceData> {
+    scene.choices.iter().filter(|choice| choice.sampling != Some(Sampling::Area))
 }
 
 fn equal_time(scene: &SceneData) -> String {
@@ -285,115 +244,74 @@ fn equal_time(scene: &SceneData) -> String {
     let brightnesses: Vec<f64> = truth.film.pixels().iter().map(|pixel| pixel.average()).collect();
     let bright = quantile(&brightnesses, 0.9).filter(|b| *b > 0.0).unwrap_or(1.0);
     let tone = Tone { exposure: 0.7 / bright, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
-    let image = |film: &Film, what: &str| {
-        format!("<img alt=\"{}\" src=\"{}\"/>", escaped(what), data_uri(film, &tone))
-    };
-    let mut html = format!(
-        "<p>About {} each, on one thread; the last one is the reference:</p>\n<div class=\"crops\">\n",
-        time(scene.equal_time.seconds)
-    );
-    for crop in &scene.equal_time.crops {
+    let crops = scene.equal_time.crops.iter().map(|crop| {
         let words = format!("{}: {} samples, {}", crop.choice, crop.samples, time(crop.seconds));
-        html += &figure(&image(&crop.film, &crop.choice), &words);
-    }
-    html + "</div>\n"
+        film(&crop.film, &tone, &crop.choice, &words)
+    });
+    format!(
+        "<p>About {} each, on one thread; the last one is the reference:</p>\n{}",
+        time(scene.equal_time.seconds),
+        row("crops", &crops.collect::<Vec<_>>())
+    )
 }
 
 /// In percent: `−12.3 (−12.9 … −11.7)`.
 fn percent(bias: &BiasData) -> String {
-    let Some(ends) = bias.difference else { return "–".to_owned() };
+    let Some(ends) = bias.difference else { return DASH.to_owned() };
     let [value, low, high] = ends.map(|end| 100.0 * end);
     let digits = if high - low < 0.2 { 2 } else { 1 };
-    format!("{value:+.digits$} ({low:+.digits$} … {high:+.digits$})")
-        .replace('-', "−")
+    with_minus(&format!("{value:+.digits$} ({low:+.digits$} … {high:+.digits$})"))
         .replace(' ', "\u{a0}")
 }
 
-fn table(scene: &SceneData) -> Table {
+fn table(scene: &SceneData) -> String {
     let most = scene.choices.iter().flat_map(|c| &c.levels).map(|l| l.samples).max().unwrap_or(1);
     let mut shown = vec![1, 16, 256, most];
     shown.dedup();
-    let row = |choice: &ChoiceData| {
-        let at = |n: &u32| {
-            let level = choice.levels.iter().find(|level| level.samples == *n);
+    let mut table = Table::new(format!("{}: error, time and bias", capital(scene.subject.name)))
+        .group("")
+        .column("choice", |choice: &ChoiceData| choice.choice.clone())
+        .group("relative error in %, by samples");
+    for samples in shown {
+        table = table.column(samples, move |choice| {
+            let level = choice.levels.iter().find(|level| level.samples == samples);
             short_or_dash(level.and_then(|level| level.relative_rmse).map(|e| 100.0 * e))
-        };
-        let disturbed = choice.levels.iter().any(|level| level.disturbed);
-        let mut cells = vec![choice.choice.clone()];
-        cells.extend(shown.iter().map(at));
-        cells.extend([
-            flagged(time(choice.sample_seconds()), disturbed),
-            short_or_dash(choice.efficiency()),
-            match choice.unbiased {
-                true => short_or_dash(time_ratio(scene, choice)),
-                false => "biased".to_owned(),
-            },
-            percent(&choice.bias),
-        ]);
-        cells
-    };
-    let mut headings = vec!["choice".to_owned()];
-    headings.extend(shown.iter().map(u32::to_string));
-    let rest = ["time per sample of all pixels", "efficiency, 1/s", "time for the same noise"];
-    headings.extend(rest.map(str::to_owned));
-    headings.push("bias, %".to_owned());
-    Table {
-        caption: format!("{}: error, time and bias", capital(&scene.scene)),
-        groups: vec![
-            (String::new(), 1),
-            ("relative error in %, by samples".to_owned(), shown.len()),
-            (format!("with {most} samples"), 3),
-            ("in the mean".to_owned(), 1),
-        ],
-        headings,
-        rows: scene.choices.iter().map(row).collect(),
+        });
     }
+    table
+        .group(format!("with {most} samples"))
+        .column("time per sample of all pixels", |choice| {
+            let disturbed = choice.levels.iter().any(|level| level.disturbed);
+            flagged(time(choice.sample_seconds()), disturbed)
+        })
+        .column("efficiency, 1/s", |choice| short_or_dash(choice.efficiency()))
+        .column("time for the same noise", |choice| ratio_or_biased(scene, choice))
+        .group("in the mean")
+        .column("bias, %", |choice| percent(&choice.bias))
+        .html(&scene.choices)
 }
 
-fn biases(scene: &SceneData) -> Table {
-    let against = |other: &str| {
-        let other = other.to_owned();
-        move |bias: &BiasData| vec![bias.name.clone(), other.clone(), percent(bias)]
-    };
+fn biases(scene: &SceneData) -> String {
     let deepest = format!("max_depth {}", scene.deepest);
-    let depths = scene.depths.iter().map(against(&deepest));
-    let rules = scene.rules.iter().map(against("the book's rule"));
-    Table {
-        caption: "Bias of depth limits and rules: difference of the mean, %".to_owned(),
-        headings: ["choice", "compared with", "bias, %"].map(str::to_owned).to_vec(),
-        rows: depths.chain(rules).collect(),
-        ..Table::default()
-    }
+    let depths = scene.depths.iter().map(|bias| (bias, &*deepest));
+    let rules = scene.rules.iter().map(|bias| (bias, "the book's rule"));
+    Table::<(&BiasData, &str)>::new("Bias of depth limits and rules: difference of the mean, %")
+        .column("choice", |(bias, _)| bias.name.clone())
+        .column("compared with", |(_, other)| (*other).to_owned())
+        .column("bias, %", |(bias, _)| percent(bias))
+        .html(&Vec::from_iter(depths.chain(rules)))
 }
 
-fn levels(scene: &SceneData) -> Table {
-    let row = |(choice, level): (&ChoiceData, &Level)| {
-        vec![
-            choice.choice.clone(),
-            level.samples.to_string(),
-            level.pictures.to_string(),
-            short_or_dash(level.rmse),
-            short_or_dash(level.relative_rmse),
-            short_or_dash(level.relative_variance),
-            flagged(time(level.picture_seconds), level.disturbed),
-            short_or_dash(level.efficiency),
-        ]
-    };
-    let all = scene.choices.iter().flat_map(|c| c.levels.iter().map(move |level| (c, level)));
-    let headings = [
-        "choice",
-        "samples",
-        "pictures",
-        "RMSE",
-        "relative RMSE",
-        "relative variance",
-        "time of a picture",
-        "efficiency, 1/s",
-    ];
-    Table {
-        caption: "Errors, noise and time".to_owned(),
-        headings: headings.map(str::to_owned).to_vec(),
-        rows: all.map(row).collect(),
-        ..Table::default()
-    }
+fn levels(scene: &SceneData) -> String {
+    let all = scene.choices.iter().flat_map(|c| c.levels.iter().map(|level| (&*c.choice, level)));
+    Table::<(&str, &Level)>::new("Errors, noise and time")
+        .column("choice", |(choice, _)| (*choice).to_owned())
+        .column("samples", |(_, level)| level.samples.to_string())
+        .column("pictures", |(_, level)| level.pictures.to_string())
+        .column("RMSE", |(_, level)| short_or_dash(level.rmse))
+        .column("relative RMSE", |(_, level)| short_or_dash(level.relative_rmse))
+        .column("relative variance", |(_, level)| short_or_dash(level.relative_variance))
+        .column("time of a picture", |(_, l)| flagged(time(l.picture_seconds), l.disturbed))
+        .column("efficiency, 1/s", |(_, level)| short_or_dash(level.efficiency))
+        .html(&Vec::from_iter(all))
 }

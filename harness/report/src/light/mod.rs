@@ -1,106 +1,117 @@
 //! Page 4: tracers and the sampling of area lights, error against samples and time.
 
 mod drawing;
-pub mod measuring;
+mod measuring;
 pub mod pictures;
 mod scenes;
 
 use serde::Serialize;
 
-use super::{Findings, Interrupted, Page, Progress, Settings};
+use self::scenes::Subject;
+use super::errors::{CONFIDENCE, Curve, Point};
+use super::{Findings, Page};
 use groundtruth::film::Film;
 use groundtruth::shapes::Sampling;
+use statistics::means::{difference, interval};
 
 /// Compares tracers and the sampling of area lights by error, time and bias, in scenes of the book.
-pub struct Light;
+pub const PAGE: Page = Page {
+    name: "light",
+    title: "Light: error against samples and time",
+    question: "Which tracer, and which sampling of area lights, has the smallest error for the time, \
+               and what light does each leave out?",
+    steps: measuring::steps,
+    measure: |settings, progress| {
+        Ok(Findings::new(&measuring::measure(settings, progress)?, drawing::page))
+    },
+};
 
 /// The data of the page.
-#[derive(Clone, Debug, Serialize)]
-pub struct Data {
+#[derive(Serialize)]
+struct Data {
     /// The `max_depth` of every tracer that has one, except where depths are compared.
-    pub depth: u32,
+    depth: u32,
     /// The results for each scene.
-    pub scenes: Vec<SceneData>,
+    scenes: Vec<SceneData>,
 }
 
 /// One scene.
-#[derive(Clone, Debug, Serialize)]
-pub struct SceneData {
-    /// Its name.
-    pub scene: String,
-    /// A description.
-    pub about: String,
+#[derive(Serialize)]
+struct SceneData {
+    /// Its name and description.
+    #[serde(flatten)]
+    subject: &'static Subject,
     /// The number of pixel columns.
-    pub width: u32,
+    width: u32,
     /// The number of pixel rows.
-    pub height: u32,
+    height: u32,
     /// The reference for errors.
-    pub reference: ReferenceData,
+    reference: ReferenceData,
     /// The results for each tracer and sampling of area lights.
-    pub choices: Vec<ChoiceData>,
+    choices: Vec<ChoiceData>,
     /// The bias of depth limits of `path`, compared with `deepest`.
-    pub depths: Vec<BiasData>,
+    depths: Vec<BiasData>,
     /// The largest depth limit.
-    pub deepest: u32,
+    deepest: u32,
     /// The normalised rule of glossy reflection compared with the book's, by tracer; empty without
     /// glossy materials.
-    pub rules: Vec<BiasData>,
+    rules: Vec<BiasData>,
     /// Pictures of equal rendering time.
-    pub equal_time: EqualTime,
+    equal_time: EqualTime,
 }
 
 /// A picture with many samples.
-#[derive(Clone, Debug, Serialize)]
-pub struct ReferenceData {
+#[derive(Serialize)]
+struct ReferenceData {
     /// Its tracer and sampling.
-    pub choice: String,
+    choice: String,
     /// The number of samples per pixel, in all replicas together.
-    pub samples: u32,
+    samples: u32,
     /// The mean of its channels.
-    pub mean: f64,
+    mean: f64,
     /// The root mean square of the standard errors of its channels, estimated from its replicas.
-    pub standard_error: f64,
+    standard_error: f64,
     /// The same, with each error relative to the brightness of its pixel.
-    pub relative_standard_error: f64,
+    relative_standard_error: f64,
 }
 
 /// One tracer and sampling of area lights.
-#[derive(Clone, Debug, Serialize)]
-pub struct ChoiceData {
+#[derive(Serialize)]
+struct ChoiceData {
     /// The names of tracer and sampling.
-    pub choice: String,
+    choice: String,
     /// The name of the tracer.
-    pub tracer: String,
+    tracer: String,
     /// How area lights are sampled; `None` if they are not.
-    pub sampling: Option<Sampling>,
+    sampling: Option<Sampling>,
     /// Whether it includes all light paths of the scene up to the depth limit.
-    pub unbiased: bool,
+    unbiased: bool,
     /// Its mean compared with that of the reference.
-    pub bias: BiasData,
+    bias: BiasData,
     /// The results, by increasing number of samples.
-    pub levels: Vec<Level>,
+    levels: Vec<Level>,
 }
 
 /// The result for a number of samples.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Level {
+#[derive(Serialize)]
+struct Level {
     /// The number of samples per pixel.
-    pub samples: u32,
+    samples: u32,
     /// The number of pictures.
-    pub pictures: u32,
+    pictures: u32,
     /// The root mean square error of channels, with the error of the reference subtracted (in
     /// squares); `None` if the rest is smaller than the error of the reference.
-    pub rmse: Option<f64>,
+    rmse: Option<f64>,
     /// The same, with each error relative to the brightness of its pixel.
-    pub relative_rmse: Option<f64>,
+    relative_rmse: Option<f64>,
     /// The variance between pictures, relative to the square of the brightness of each pixel.
-    pub relative_variance: Option<f64>,
+    relative_variance: Option<f64>,
     /// The time for one picture on one thread.
-    pub picture_seconds: f64,
+    picture_seconds: f64,
     /// `1/(relative_variance · picture_seconds)`, per second.
-    pub efficiency: Option<f64>,
+    efficiency: Option<f64>,
     /// Whether other programs disturbed the measurement of `picture_seconds`.
-    pub disturbed: bool,
+    disturbed: bool,
 }
 
 /// The difference of two mean radiances of a picture.
@@ -114,26 +125,26 @@ pub struct BiasData {
 }
 
 /// Pictures of equal rendering time. They depend on the speed of the machine.
-#[derive(Clone, Debug, Serialize)]
-pub struct EqualTime {
+#[derive(Serialize)]
+struct EqualTime {
     /// The approximate time of each, on one thread.
-    pub seconds: f64,
+    seconds: f64,
     /// A picture for each choice, and one by the last choice with many samples and a longer time.
-    pub crops: Vec<Crop>,
+    crops: Vec<Crop>,
 }
 
 /// A picture of equal time.
-#[derive(Clone, Debug, Serialize)]
-pub struct Crop {
+#[derive(Serialize)]
+struct Crop {
     /// The names of tracer and sampling, or `many samples` for the reference.
-    pub choice: String,
+    choice: String,
     /// The number of samples per pixel.
-    pub samples: u32,
+    samples: u32,
     /// The rendering time.
-    pub seconds: f64,
+    seconds: f64,
     /// The picture.
     #[serde(skip)]
-    pub film: Film,
+    film: Film,
 }
 
 impl ChoiceData {
@@ -146,41 +157,31 @@ impl ChoiceData {
     fn efficiency(&self) -> Option<f64> {
         self.levels.last()?.efficiency
     }
-}
 
-impl Page for Light {
-    fn name(&self) -> &'static str {
-        "light"
-    }
-
-    fn title(&self) -> &'static str {
-        "Light: error against samples and time"
-    }
-
-    fn question(&self) -> &'static str {
-        "Which tracer, and which sampling of area lights, has the smallest error for the time, and what \
-         light does each leave out?"
-    }
-
-    fn steps(&self, settings: &Settings) -> u64 {
-        measuring::steps(settings)
-    }
-
-    fn run(
-        &self,
-        settings: &Settings,
-        progress: &Progress,
-    ) -> Result<Box<dyn Findings>, Interrupted> {
-        Ok(Box::new(measuring::measure(settings, progress)?))
+    fn curve(&self) -> Curve<'_> {
+        let point = |level: &Level| Point {
+            samples: level.samples,
+            seconds: level.picture_seconds,
+            error: level.relative_rmse,
+        };
+        Curve { name: &self.choice, points: self.levels.iter().map(point).collect() }
     }
 }
 
-impl Findings for Data {
-    fn data(&self) -> serde_json::Result<serde_json::Value> {
-        serde_json::to_value(self)
+impl BiasData {
+    /// The difference of the means of `values` and `truth`, relative to the mean of `truth`.
+    pub fn new(name: String, values: &[f64], truth: &[f64]) -> Self {
+        Self::relative(name, difference(values, truth, CONFIDENCE), truth)
     }
 
-    fn drawing(&self) -> String {
-        drawing::page(self)
+    /// The same for pairs of pictures with the same seed, whose noise is correlated.
+    pub fn paired(name: String, values: &[f64], truth: &[f64]) -> Self {
+        let differences: Vec<f64> = values.iter().zip(truth).map(|(a, b)| a - b).collect();
+        Self::relative(name, interval(&differences, CONFIDENCE), truth)
+    }
+
+    fn relative(name: String, difference: Option<[f64; 3]>, truth: &[f64]) -> Self {
+        let mean = truth.iter().sum::<f64>() / truth.len() as f64;
+        Self { name, difference: difference.map(|ends| ends.map(|end| end / mean)) }
     }
 }

@@ -40,6 +40,8 @@ pub struct Reference {
     pub film: Film,
     /// The mean of all its channels.
     pub mean: f64,
+    /// The mean of all channels of each replica.
+    pub brightnesses: Vec<f64>,
     /// The mean square of its own standard error, absolute and relative.
     own: Squares,
     /// For each pixel the factor that makes squared errors relative.
@@ -54,6 +56,18 @@ pub struct Squares {
     pub radiance: f64,
     /// The mean of the squares relative to `brightness² + (FLOOR · mean)²` of the reference.
     pub relative: f64,
+}
+
+impl Squares {
+    /// The means of these squares, one for each pixel.
+    fn mean(squares: &[Rgb], weights: &[f64]) -> Self {
+        let count = squares.len() as f64;
+        let weighted = squares.iter().zip(weights).map(|(s, w)| w * s.average());
+        Self {
+            radiance: squares.iter().map(|s| s.average()).sum::<f64>() / count,
+            relative: weighted.sum::<f64>() / count,
+        }
+    }
 }
 
 impl Reference {
@@ -73,21 +87,11 @@ impl Reference {
             let brightness = pixel.average();
             1.0 / (brightness * brightness + floor * floor)
         };
-        let weights = film.pixels().iter().map(weight).collect();
-        let none = Squares { radiance: 0.0, relative: 0.0 };
-        let mut reference = Self { film, mean, own: none, weights };
+        let weights: Vec<f64> = film.pixels().iter().map(weight).collect();
         let of_mean: Vec<Rgb> = variances.iter().map(|v| *v / films.len() as f64).collect();
-        reference.own = reference.averaged(&of_mean);
-        reference
-    }
-
-    fn averaged(&self, squares: &[Rgb]) -> Squares {
-        let count = squares.len() as f64;
-        let weighted = squares.iter().zip(&self.weights).map(|(s, w)| w * s.average());
-        Squares {
-            radiance: squares.iter().map(|s| s.average()).sum::<f64>() / count,
-            relative: weighted.sum::<f64>() / count,
-        }
+        let own = Squares::mean(&of_mean, &weights);
+        let brightnesses = films.iter().map(brightness).collect();
+        Self { film, mean, brightnesses, own, weights }
     }
 
     /// The standard error of the reference.
@@ -101,7 +105,7 @@ impl Reference {
         let of_film = |film: &Film| {
             let differences = film.pixels().iter().zip(self.film.pixels());
             let squares: Vec<Rgb> = differences.map(|(a, b)| squared(*a + -1.0 * *b)).collect();
-            self.averaged(&squares)
+            Squares::mean(&squares, &self.weights)
         };
         let all: Vec<Squares> = films.iter().map(of_film).collect();
         let left = |of: fn(&Squares) -> f64| {
@@ -113,6 +117,6 @@ impl Reference {
 
     /// The relative variance of one picture, estimated from replicas; `None` for fewer than two.
     pub fn relative_variance(&self, films: &[Film]) -> Option<f64> {
-        Some(self.averaged(&variances(films)?).relative)
+        Some(Squares::mean(&variances(films)?, &self.weights).relative)
     }
 }

@@ -1,6 +1,7 @@
 //! The scenes of the page, and the tracers and samplings that are compared in each.
 
-use gallery::{self};
+use serde::Serialize;
+
 use groundtruth::lights::{Area, Kind as LightKind};
 use groundtruth::lobes::GlossyRule;
 use groundtruth::materials::{Dielectric, Emissive, Kind as MaterialKind, Medium};
@@ -15,24 +16,29 @@ use groundtruth::shapes::{Rectangle, Sampling};
 use groundtruth::trace::Strategy;
 
 /// A scene of the page.
+#[derive(Serialize)]
 pub struct Subject {
     /// Its name.
+    #[serde(rename = "scene")]
     pub name: &'static str,
     /// A description, and its difficulty.
     pub about: &'static str,
     /// Builds the scene.
+    #[serde(skip)]
     pub scene: fn() -> Scene,
     /// Whether it has mirrors, glossy or transparent materials: without them `whitted` is
     /// `ray_cast`.
+    #[serde(skip)]
     pub has_mirrors: bool,
     /// The width of its pictures is divided by this number, for slow scenes.
+    #[serde(skip)]
     pub part: u32,
 }
 
 /// The `max_depth` of every tracer and of the reference.
 pub const DEPTH: u32 = 10;
 
-pub const SUBJECTS: [Subject; 5] = [
+pub static SUBJECTS: [Subject; 5] = [
     Subject {
         name: "Cornell box",
         about: "Matte walls and blocks under a small area light (figure 26.12), with light reflected \
@@ -123,6 +129,11 @@ impl Subject {
         ];
         let applies = |tracer: &Tracer| self.has_mirrors || !matches!(tracer, Tracer::Whitted(_));
         tracers.into_iter().filter(applies).flat_map(of_tracer).collect()
+    }
+
+    /// The last choice.
+    pub fn best(&self) -> Choice {
+        *self.choices().last().expect("every scene has choices")
     }
 
     /// The scene with this choice, `width` (divided by `part`) pixels wide.

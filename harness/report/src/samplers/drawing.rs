@@ -1,8 +1,12 @@
 //! Page 3 as tables and plots, from its data alone.
 
-use super::{CONFIDENCE, Data, FITTED_FROM, IntegrandData, SamplerData};
-use crate::html::{Table, capital, count, escaped, figure, flagged, listed, short, time};
-use crate::plot::{Plot, Series};
+use super::{Data, FITTED_FROM, IntegrandData, SamplerData};
+use crate::errors::CONFIDENCE;
+use crate::html::{
+    DASH, Table, capital, count, flagged, heading, or_as_good, pick, row, short, short_or_dash,
+    time, with_minus,
+};
+use crate::plot::{Limit, Plot, Series};
 
 /// A sampler is as good as the best if it needs at most this multiple of its samples.
 const AS_GOOD: f64 = 1.2;
@@ -11,23 +15,23 @@ const AS_GOOD: f64 = 1.2;
 const BOOKS: [&str; 5] = ["random", "regular", "jittered", "n rooks", "multi jittered"];
 
 pub fn page(data: &Data) -> String {
-    let mut html = explanation(data) + &summary(data);
-    for integrand in &data.integrands {
-        let heading = capital(&integrand.name);
-        html += &format!("<h3>{heading}</h3>\n<p>{}</p>\n", escaped(&integrand.about));
-        html +=
-            &format!("<p class=\"pick\"><strong>What to pick.</strong> {}</p>\n", pick(integrand));
-        html += "<div class=\"pictures\">\n";
-        let of_book = |s: &&SamplerData| BOOKS.contains(&&*s.sampler);
-        let (book, others): (Vec<_>, Vec<_>) = integrand.samplers.iter().partition(of_book);
-        let first = book.iter().filter(|s| s.sampler == BOOKS[0]).copied();
-        html += &figure(&picture(&book).svg(), "Five of the book's samplers.");
-        let others: Vec<&SamplerData> = first.chain(others).collect();
-        html += &figure(&picture(&others).svg(), "Random samples again, and the other samplers.");
-        html += "</div>\n";
-        html += &table(integrand);
-    }
-    html
+    let sections: String = data.integrands.iter().map(section).collect();
+    explanation(data) + &summary(data) + &sections
+}
+
+fn section(data: &IntegrandData) -> String {
+    let of_book = |s: &&SamplerData| BOOKS.contains(&&*s.sampler);
+    let (book, others): (Vec<_>, Vec<_>) = data.samplers.iter().partition(of_book);
+    let first = book.iter().filter(|s| s.sampler == BOOKS[0]).copied();
+    let others: Vec<&SamplerData> = first.chain(others).collect();
+    let plots = [
+        plot(&book).figure("Five of the book's samplers."),
+        plot(&others).figure("Random samples again, and the other samplers."),
+    ];
+    heading(data.integrand.name, data.integrand.about)
+        + &pick("What to pick.", &advice(data))
+        + &row("pictures", &plots)
+        + &table(data)
 }
 
 fn explanation(data: &Data) -> String {
@@ -49,20 +53,13 @@ fn explanation(data: &Data) -> String {
 
 /// The table of the samples for an error of 1 %.
 fn summary(data: &Data) -> String {
-    let Some(first) = data.integrands.first() else { return String::new() };
-    let row = |(i, sampler): (usize, &SamplerData)| {
-        let of = |integrand: &IntegrandData| samples_needed(&integrand.samplers[i]);
-        let cells = data.integrands.iter().map(of);
-        std::iter::once(sampler.sampler.clone()).chain(cells).collect()
-    };
-    let names = data.integrands.iter().map(|integrand| integrand.name.clone());
-    Table {
-        caption: "Samples per pixel for an error of 1 %".to_owned(),
-        headings: std::iter::once("sampler".to_owned()).chain(names).collect(),
-        rows: first.samplers.iter().enumerate().map(row).collect(),
-        ..Table::default()
+    let samplers = &data.integrands[0].samplers;
+    let mut table = Table::new("Samples per pixel for an error of 1 %")
+        .column("sampler", |index: &usize| samplers[*index].sampler.clone());
+    for IntegrandData { integrand, samplers } in &data.integrands {
+        table = table.column(integrand.name, move |index| samples_needed(&samplers[*index]));
     }
-    .html()
+    table.html(&Vec::from_iter(0..samplers.len()))
 }
 
 fn samples_needed(s: &SamplerData) -> String {
@@ -70,18 +67,15 @@ fn samples_needed(s: &SamplerData) -> String {
     s.samples_for_one_percent.map_or(format!("&gt; {}", count(most as usize)), short)
 }
 
-fn picture(samplers: &[&SamplerData]) -> Plot {
-    let series = |s: &&SamplerData| Series {
-        name: s.sampler.clone(),
-        points: s.errors.iter().map(|e| (f64::from(e.samples), e.rms)).collect(),
-        joined: true,
-        ..Series::default()
+fn plot(samplers: &[&SamplerData]) -> Plot<'static> {
+    let series = |s: &&SamplerData| {
+        Series::joined(&s.sampler, s.errors.iter().map(|e| (f64::from(e.samples), e.rms)))
     };
     Plot {
-        x: "samples per pixel".to_owned(),
-        y: "root mean square error".to_owned(),
+        x: "samples per pixel",
+        y: "root mean square error",
         series: samplers.iter().map(series).collect(),
-        limit: Some((super::ONE_PERCENT, "1 %".to_owned())),
+        limit: Some(Limit { y: super::ONE_PERCENT, label: "1 %" }),
     }
 }
 
@@ -91,90 +85,65 @@ const FIXED: [&str; 2] = ["regular", "hammersley"];
 
 /// One sentence: the sampler with the fewest samples for 1 %, those that are as good, the number of
 /// random samples, and a fixed sampler that needs even fewer.
-fn pick(integrand: &IntegrandData) -> String {
-    let needs = |s: &&SamplerData| s.samples_for_one_percent;
-    let by_need = |fixed: bool| {
-        let of_kind = |s: &&SamplerData| FIXED.contains(&&*s.sampler) == fixed;
-        let all = integrand.samplers.iter().filter(of_kind);
-        let mut known: Vec<&SamplerData> = all.filter(|s| needs(s).is_some()).collect();
-        known.sort_by(|a, b| {
-            let [a, b] = [a, b].map(|s| s.samples_for_one_percent.unwrap_or(f64::INFINITY));
-            a.total_cmp(&b)
-        });
-        known
-    };
-    let known = by_need(false);
-    let Some(best) = known.first() else {
+fn advice(data: &IntegrandData) -> String {
+    let known = by_need(data, false);
+    let Some(&(best, fewest)) = known.first() else {
         let last = |s: &SamplerData| s.errors.last().map_or(f64::INFINITY, |e| e.rms);
-        let all = integrand.samplers.iter();
-        let best = all.min_by(|a, b| last(a).total_cmp(&last(b)));
+        let best = data.samplers.iter().min_by(|a, b| last(a).total_cmp(&last(b)));
         return best.map_or(String::new(), |best| {
             format!("None reaches 1 %; {} has the smallest error.", best.sampler)
         });
     };
-    let fewest = needs(best).unwrap_or(f64::NAN);
-    let as_good = known[1..].iter().filter(|s| needs(s).is_some_and(|n| n <= AS_GOOD * fewest));
-    let as_good: Vec<String> = as_good.map(|s| s.sampler.clone()).collect();
-    let beside = match as_good.len() {
-        0 => String::new(),
-        _ => format!(" (or {}, about as good)", listed(&as_good)),
-    };
-    let random = integrand.samplers.iter().find(|s| s.sampler == "random");
-    let random = match random.and_then(|s| needs(&s)) {
-        Some(n) => format!("random samples need {}", short(n)),
+    let as_good = known[1..].iter().filter(|(_, samples)| *samples <= AS_GOOD * fewest);
+    let as_good: Vec<String> = as_good.map(|(s, _)| s.sampler.clone()).collect();
+    let random = match known.iter().find(|(s, _)| s.sampler == "random") {
+        Some((_, samples)) => format!("random samples need {}", short(*samples)),
         None => "random samples do not reach it".to_owned(),
     };
-    let fixed = match by_need(true).first() {
-        Some(fixed) if needs(fixed).is_some_and(|n| n < fewest) => format!(
+    let fixed = match by_need(data, true).first() {
+        Some((fixed, samples)) if *samples < fewest => format!(
             "; {} needs only {}, but has the same error in all pixels, which is visible as patterns",
             fixed.sampler,
-            needs(fixed).map_or(String::new(), short),
+            short(*samples),
         ),
         _ => String::new(),
     };
-    let best = capital(&best.sampler);
-    format!("{best}{beside}: {} samples make the error 1 %; {random}{fixed}.", short(fewest))
+    format!(
+        "{}{}: {} samples make the error 1 %; {random}{fixed}.",
+        capital(&best.sampler),
+        or_as_good(&as_good),
+        short(fewest)
+    )
 }
 
-fn table(integrand: &IntegrandData) -> String {
-    let row = |s: &SamplerData| {
-        let at = |n: u32| {
-            let error = s.errors.iter().find(|e| e.samples == n);
-            error.map_or(
-                "–".to_owned(),
-                |e| if e.rms == 0.0 { "0".to_owned() } else { short(e.rms) },
-            )
-        };
-        let slope = match s.slope {
-            Some([slope, low, high]) => {
-                format!("{slope:.2} ({low:.2} … {high:.2})").replace('-', "−")
-            }
-            None => "–".to_owned(),
-        };
-        vec![
-            s.sampler.clone(),
-            at(16),
-            at(256),
-            at(4096),
-            slope,
-            samples_needed(s),
-            flagged(s.seconds_for_one_percent().map_or("–".to_owned(), time), s.disturbed),
-        ]
+/// The samplers that are fixed, or those that are not, with the samples that each needs for 1 %,
+/// the fewest first; without those that do not reach 1 %.
+fn by_need(data: &IntegrandData, fixed: bool) -> Vec<(&SamplerData, f64)> {
+    let of_kind = data.samplers.iter().filter(|s| FIXED.contains(&&*s.sampler) == fixed);
+    let mut known: Vec<(&SamplerData, f64)> =
+        of_kind.filter_map(|s| Some((s, s.samples_for_one_percent?))).collect();
+    known.sort_by(|a, b| a.1.total_cmp(&b.1));
+    known
+}
+
+fn table(data: &IntegrandData) -> String {
+    let error = |samples: u32| {
+        move |s: &SamplerData| {
+            let found = s.errors.iter().find(|e| e.samples == samples);
+            short_or_dash(found.map(|e| e.rms))
+        }
     };
-    let headings = [
-        "sampler",
-        "error, 16 samples",
-        "256",
-        "4096",
-        "slope",
-        "samples for 1 %",
-        "seconds for 1 %",
-    ];
-    Table {
-        caption: format!("{}: error and cost", capital(&integrand.name)),
-        headings: headings.map(str::to_owned).to_vec(),
-        rows: integrand.samplers.iter().map(row).collect(),
-        ..Table::default()
-    }
-    .html()
+    let slope =
+        |[slope, low, high]: [f64; 3]| with_minus(&format!("{slope:.2} ({low:.2} … {high:.2})"));
+    Table::new(format!("{}: error and cost", capital(data.integrand.name)))
+        .column("sampler", |s: &SamplerData| s.sampler.clone())
+        .column("error, 16 samples", error(16))
+        .column("256", error(256))
+        .column("4096", error(4096))
+        .column("slope", |s| s.slope.map_or(DASH.to_owned(), slope))
+        .column("samples for 1 %", samples_needed)
+        .column("seconds for 1 %", |s| {
+            flagged(s.seconds_for_one_percent().map_or(DASH.to_owned(), time), s.disturbed)
+        })
+        .html(&data.samplers)
 }

@@ -2,17 +2,22 @@
 
 use std::f64::consts::PI;
 
+use serde::Serialize;
+
 use groundtruth::math::{Pcg32, acos, cos_degrees, exp, exp_m1, floor, maps, power, sin_degrees};
 
 /// A family of functions, one for each pixel.
+#[derive(Serialize)]
 pub struct Integrand {
     /// Its name.
     pub name: &'static str,
     /// A description, and the case in a picture that it represents.
     pub about: &'static str,
     /// Whether it needs a second sample, for the lens.
+    #[serde(skip)]
     pub four_dimensional: bool,
     /// The function of a pixel, from random numbers.
+    #[serde(skip)]
     pub problem: fn(&mut Pcg32) -> Problem,
 }
 
@@ -46,7 +51,7 @@ impl Problem {
 }
 
 /// All integrands.
-pub const INTEGRANDS: [Integrand; 7] = [
+pub static INTEGRANDS: [Integrand; 7] = [
     Integrand {
         name: "edge",
         about: "A straight edge through the pixel, at any angle: the outline of an object.",

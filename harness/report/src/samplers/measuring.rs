@@ -3,29 +3,27 @@
 use rayon::prelude::*;
 
 use super::integrands::{INTEGRANDS, Integrand, Problem};
-use super::{Data, Error, IntegrandData, Interrupted, Progress, SamplerData, Settings};
+use super::{Data, Error, IntegrandData, SamplerData};
 use crate::clock;
+use crate::errors::counts;
+use crate::{Interrupted, Progress, Settings};
 use groundtruth::math::{Pcg32, hash};
 use groundtruth::samplers::{self, Key, Kind, Purpose, SampleSets};
 
-/// 1, 4, 16 … up to `max`: squares, and powers of two.
-fn counts(max: u32) -> impl Iterator<Item = u32> {
-    (0..=8).map(|k| 1_u32 << (2 * k)).filter(move |&n| n <= max.max(4))
+/// The numbers of samples per pixel: at least 1 and 4.
+fn samples(settings: &Settings) -> impl Iterator<Item = u32> {
+    counts(settings.samples.max(4))
 }
 
-/// How many steps of progress there are.
-pub fn steps(settings: &Settings) -> u64 {
-    (samplers::named().len() * counts(settings.samples).count() + INTEGRANDS.len()) as u64
+/// The number of measurements.
+pub(super) fn steps(settings: &Settings) -> u64 {
+    (samplers::named().len() * samples(settings).count() + INTEGRANDS.len()) as u64
 }
 
 /// A problem of each integrand for each pixel.
 pub type Problems = Vec<Vec<Problem>>;
 
-/// Measures all of it.
-///
-/// # Errors
-/// [`Interrupted`] by the user.
-pub fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
+pub(super) fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
     let problem = |integrand: &Integrand, pixel: u32| {
         (integrand.problem)(&mut Pcg32::new(hash(&[settings.seed, pixel.into()]), 1))
     };
@@ -33,35 +31,19 @@ pub fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interru
         .iter()
         .map(|integrand| (0..settings.pixels).map(|pixel| problem(integrand, pixel)).collect())
         .collect();
-    let mut data: Vec<IntegrandData> = INTEGRANDS
-        .iter()
-        .map(|integrand| IntegrandData {
-            name: integrand.name.to_owned(),
-            about: integrand.about.to_owned(),
-            samplers: Vec::new(),
-        })
-        .collect();
+    let empty = |integrand| IntegrandData { integrand, samplers: Vec::new() };
+    let mut data: Vec<IntegrandData> = INTEGRANDS.iter().map(empty).collect();
     for (sampler, kind) in samplers::named() {
         let mut errors = vec![Vec::new(); INTEGRANDS.len()];
-        for n in counts(settings.samples) {
-            for (errors, rms) in errors.iter_mut().zip(rms_errors(&kind, n, &problems, settings)) {
-                errors.push(Error { samples: n, rms });
+        for samples in samples(settings) {
+            let found = rms_errors(&kind, samples, &problems, settings);
+            for (errors, rms) in errors.iter_mut().zip(found) {
+                errors.push(Error { samples, rms });
             }
             progress.step()?;
         }
         for (data, errors) in data.iter_mut().zip(errors) {
-            let samples_for_one_percent = SamplerData::samples_for_one_percent(&errors);
-            let (sampler, sample_seconds) = (sampler.clone(), f64::NAN);
-            let mut found = SamplerData {
-                sampler,
-                errors,
-                sample_seconds,
-                disturbed: false,
-                slope: None,
-                samples_for_one_percent,
-            };
-            found.slope = found.law().map(|l| [l.exponent, l.interval[0], l.interval[1]]);
-            data.samplers.push(found);
+            data.samplers.push(SamplerData::new(sampler.clone(), errors));
         }
     }
     time_samples(&mut data, &problems, settings, progress)?;
@@ -127,9 +109,8 @@ fn time_samples(
             std::hint::black_box((0..).zip(problems).map(each).sum::<f64>());
         };
         let mut jobs: Vec<_> = all.iter().map(|sets| move || job(sets)).collect();
-        let mut all_jobs: Vec<&mut dyn FnMut()> = Vec::new();
-        jobs.iter_mut().for_each(|job| all_jobs.push(job));
-        let times = clock::medians(ROUNDS, &mut all_jobs);
+        let mut jobs: Vec<&mut dyn FnMut()> = jobs.iter_mut().map(|job| job as _).collect();
+        let times = clock::medians(ROUNDS, &mut jobs);
         for ((found, sets), time) in data.samplers.iter_mut().zip(&all).zip(times) {
             found.disturbed = time.is_disturbed();
             found.sample_seconds = time.cpu / (f64::from(sets.per_set()) * problems.len() as f64);

@@ -6,110 +6,99 @@ mod scenes;
 
 use serde::Serialize;
 
-use super::{Findings, Interrupted, Page, Progress, Settings};
+use self::scenes::Subject;
+use super::errors::{Curve, Point};
+use super::{Findings, Page};
 use groundtruth::film::Film;
 use groundtruth::textures::Filtering;
 
 /// Compares nearest and bilinear image look-up by error and time.
-pub struct Textures;
+pub const PAGE: Page = Page {
+    name: "textures",
+    title: "Textures: error against samples and time",
+    question: "Does bilinear image look-up save samples, and how many samples does an image need?",
+    steps: measuring::steps,
+    measure: |settings, progress| {
+        Ok(Findings::new(&measuring::measure(settings, progress)?, drawing::page))
+    },
+};
 
 /// The data of the page.
-#[derive(Clone, Debug, Serialize)]
-pub struct Data {
+#[derive(Serialize)]
+struct Data {
     /// The results for each scene.
-    pub scenes: Vec<SceneData>,
+    scenes: Vec<SceneData>,
 }
 
 /// One scene.
-#[derive(Clone, Debug, Serialize)]
-pub struct SceneData {
-    /// Its name.
-    pub scene: String,
-    /// A description.
-    pub about: String,
+#[derive(Serialize)]
+struct SceneData {
+    /// Its name and description.
+    #[serde(flatten)]
+    subject: &'static Subject,
     /// The number of pixel columns.
-    pub width: u32,
+    width: u32,
     /// The number of pixel rows.
-    pub height: u32,
+    height: u32,
     /// The number of frames of the animation.
-    pub moments: u32,
+    moments: u32,
     /// The number of samples per pixel of the references.
-    pub reference_samples: u32,
+    reference_samples: u32,
     /// The root mean square difference of the references of the two look-ups: the difference that
     /// no number of samples removes.
-    pub difference: f64,
+    difference: f64,
     /// Nearest, then bilinear.
-    pub choices: Vec<ChoiceData>,
+    choices: [ChoiceData; 2],
 }
 
 /// One way to look up an image.
-#[derive(Clone, Debug, Serialize)]
-pub struct ChoiceData {
+#[derive(Serialize)]
+struct ChoiceData {
     /// Nearest or bilinear.
-    pub filtering: Filtering,
+    filtering: Filtering,
     /// The results, by increasing number of samples.
-    pub levels: Vec<Level>,
+    levels: Vec<Level>,
     /// The slope of log error over log samples, and its interval of 95 % confidence.
-    pub slope: Option<[f64; 3]>,
+    slope: Option<[f64; 3]>,
     /// The first frame with one sample, and its reference.
     #[serde(skip)]
-    pub pictures: [Film; 2],
+    pictures: [Film; 2],
 }
 
 /// The result for a number of samples.
-#[derive(Clone, Copy, Debug, Serialize)]
-pub struct Level {
+#[derive(Serialize)]
+struct Level {
     /// The number of samples per pixel.
-    pub samples: u32,
+    samples: u32,
     /// The number of pictures.
-    pub pictures: u32,
+    pictures: u32,
     /// The root mean square error of channels against the reference of the same look-up.
-    pub rmse: f64,
+    rmse: f64,
     /// The time for one picture on one thread.
-    pub picture_seconds: f64,
+    picture_seconds: f64,
     /// Whether other programs disturbed the measurement of `picture_seconds`.
-    pub disturbed: bool,
+    disturbed: bool,
 }
 
 impl ChoiceData {
+    fn name(&self) -> &'static str {
+        match self.filtering {
+            Filtering::Nearest => "nearest",
+            Filtering::Bilinear => "bilinear",
+        }
+    }
+
     /// The time for one sample of every pixel.
     fn sample_seconds(&self) -> f64 {
         self.levels.last().map_or(f64::NAN, |l| l.picture_seconds / f64::from(l.samples))
     }
-}
 
-impl Page for Textures {
-    fn name(&self) -> &'static str {
-        "textures"
-    }
-
-    fn title(&self) -> &'static str {
-        "Textures: error against samples and time"
-    }
-
-    fn question(&self) -> &'static str {
-        "Does bilinear image look-up save samples, and how many samples does an image need?"
-    }
-
-    fn steps(&self, settings: &Settings) -> u64 {
-        measuring::steps(settings)
-    }
-
-    fn run(
-        &self,
-        settings: &Settings,
-        progress: &Progress,
-    ) -> Result<Box<dyn Findings>, Interrupted> {
-        Ok(Box::new(measuring::measure(settings, progress)?))
-    }
-}
-
-impl Findings for Data {
-    fn data(&self) -> serde_json::Result<serde_json::Value> {
-        serde_json::to_value(self)
-    }
-
-    fn drawing(&self) -> String {
-        drawing::page(self)
+    fn curve(&self) -> Curve<'_> {
+        let point = |level: &Level| Point {
+            samples: level.samples,
+            seconds: level.picture_seconds,
+            error: Some(level.rmse),
+        };
+        Curve { name: self.name(), points: self.levels.iter().map(point).collect() }
     }
 }

@@ -9,39 +9,38 @@ use groundtruth::samplers::MultiJittered;
 use groundtruth::scene::{self, Material, Object, Scene};
 use groundtruth::shapes::{Instance, Kind as Shape, Plane, Sphere};
 use groundtruth::textures::{Filtering, Image, Mapping, Wrap};
+use serde::Serialize;
 
 /// A scene of the page.
+#[derive(Serialize)]
 pub struct Subject {
+    #[serde(rename = "scene")]
     pub name: &'static str,
     pub about: &'static str,
     /// The number of frames that are rendered.
+    #[serde(skip)]
     pub moments: u32,
-    build: fn(Filtering, u32, u32) -> Scene,
+    /// A frame of the scene with this look-up, width in pixels and moment.
+    #[serde(skip)]
+    pub frame: fn(Filtering, u32, u32) -> Scene,
 }
 
-pub const SUBJECTS: [Subject; 2] = [
+pub static SUBJECTS: [Subject; 2] = [
     Subject {
         name: "checker to the horizon",
         about: "A checker of 8 × 8 squares, an image of 64 × 64 texels, repeated to the horizon: texels \
                 are larger than pixels in the foreground, and much smaller in the background.",
         moments: 1,
-        build: checker,
+        frame: checker,
     },
     Subject {
         name: "turning globe",
         about: "A globe of 256 × 128 texels, rotated a little from frame to frame: errors are visible as \
                 flicker in an animation.",
         moments: 4,
-        build: globe,
+        frame: globe,
     },
 ];
-
-impl Subject {
-    /// A frame of the scene, `width` pixels wide.
-    pub fn scene(&self, filtering: Filtering, width: u32, moment: u32) -> Scene {
-        (self.build)(filtering, width, moment)
-    }
-}
 
 /// A scene with one shape whose emission is an image.
 fn emissive_image(

@@ -86,14 +86,14 @@ fn the_page_needs_nothing_beside_it() {
 #[test]
 fn every_page_says_what_to_pick() {
     for page in PAGES {
-        let start = format!("<section id=\"{}\">", page.name());
+        let start = format!("<section id=\"{}\">", page.name);
         let (_, rest) = REPORT.html.split_once(&start).expect("its section is there");
         let (section, _) = rest.split_once("</section>").expect("it ends");
-        let question = format!("<p class=\"question\">{}</p>", page.question());
-        for part in [page.title(), &question, "What to pick.", "<svg", "<table>"] {
-            assert!(section.contains(part), "{}: {part}", page.name());
+        let question = format!("<p class=\"question\">{}</p>", page.question);
+        for part in [page.title, &question, "What to pick.", "<svg", "<table>"] {
+            assert!(section.contains(part), "{}: {part}", page.name);
         }
         let text = section.split("</style>").last().unwrap_or_default();
-        assert!(!text.contains("NaN") && !text.contains(">inf"), "{}", page.name());
+        assert!(!text.contains("NaN") && !text.contains(">inf"), "{}", page.name);
     }
 }

@@ -7,7 +7,7 @@ use report::samplers::integrands::*;
 /// errors, for 7 × 24 problems (level 1e-4 together).
 #[test]
 fn means_are_exact() {
-    for integrand in INTEGRANDS {
+    for integrand in &INTEGRANDS {
         for pixel in 0..24 {
             let problem = (integrand.problem)(&mut Pcg32::new(pixel, 7));
             let mut random = Pcg32::new(pixel, 8);

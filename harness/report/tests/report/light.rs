@@ -2,31 +2,18 @@
 
 use std::collections::BTreeSet;
 
-use report::{self, Progress, Settings};
+use report::Settings;
 use serde_json::Value;
 
-use super::{REPORT, SMALL, list, timeless};
+use super::{REPORT, SMALL, choices, list, measure, number, text, timeless};
 
 fn scenes() -> &'static [Value] {
     list(&REPORT.json["pages"]["light"]["scenes"])
 }
 
-fn text(value: &Value) -> &str {
-    value.as_str().expect("a text")
-}
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
-
 /// Value, lower and upper end of its interval.
 fn ends(value: &Value) -> [f64; 3] {
     [0, 1, 2].map(|i| number(&value["difference"][i]))
-}
-
-/// Every scene and choice.
-fn choices() -> impl Iterator<Item = (&'static Value, &'static Value)> {
-    scenes().iter().flat_map(|scene| list(&scene["choices"]).iter().map(move |c| (scene, c)))
 }
 
 /// Law: five scenes, each with every tracer that applies and both ways to sample lamps, from 1 sample to
@@ -55,7 +42,7 @@ fn every_scene_and_choice_is_there() {
         let crops = list(&scene["equal_time"]["crops"]);
         assert_eq!(crops.len(), wanted.len() + 1, "{name}");
     }
-    for (scene, choice) in choices() {
+    for (scene, choice) in choices("light") {
         let levels = list(&choice["levels"]);
         let samples: Vec<f64> = levels.iter().map(|level| number(&level["samples"])).collect();
         let name = (&scene["scene"], &choice["choice"]);
@@ -67,7 +54,7 @@ fn every_scene_and_choice_is_there() {
 /// Law: efficiency is 1/(variance · time). Oracle: the formula, from the numbers beside it.
 #[test]
 fn efficiency_is_one_over_variance_and_time() {
-    for (scene, choice) in choices() {
+    for (scene, choice) in choices("light") {
         for level in list(&choice["levels"]) {
             let (v, t) = (number(&level["relative_variance"]), number(&level["picture_seconds"]));
             assert!(v >= 0.0 && t > 0.0, "{} {level}", scene["scene"]);
@@ -89,7 +76,7 @@ fn efficiency_is_one_over_variance_and_time() {
 #[test]
 fn choices_without_bias_have_the_mean_of_the_reference() {
     let mut halves = Vec::new();
-    for (scene, choice) in choices() {
+    for (scene, choice) in choices("light") {
         let [value, low, high] = ends(&choice["bias"]);
         let half = 0.5 * (high - low);
         let name = (text(&scene["scene"]), text(&choice["choice"]));
@@ -162,7 +149,7 @@ fn the_normalised_rule_is_darker() {
 fn the_error_without_bias_is_the_noise() {
     /// Half of the ratios are within 4 % of 1; a wrong factor would change the square by √2 at least.
     const ALLOWED: f64 = 0.1;
-    let unbiased = choices().filter(|(_, choice)| choice["unbiased"] == true);
+    let unbiased = choices("light").filter(|(_, choice)| choice["unbiased"] == true);
     let levels = unbiased.flat_map(|(_, choice)| list(&choice["levels"]));
     let ratio = |level: &Value| {
         let error = level["relative_rmse"].as_f64()?;
@@ -210,20 +197,14 @@ fn errors_without_bias_fall() {
 #[test]
 fn light_is_the_same_on_one_thread_and_two() {
     let tiny = Settings { samples: 4, seeds: 2, width: 4, ..SMALL };
+    let page = report::page("light").expect("the page");
+    let of = |settings: &Settings| timeless(&measure(&[page], settings).json["pages"]);
     let [one, two] = [1, 2].map(|threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool");
-        let page = report::page("light").expect("the page");
-        let run = || report::run(&[page], &tiny, &Progress::default()).expect("nobody interrupts");
-        let json = pool.install(run).json().expect("its data are JSON");
-        serde_json::from_str::<Value>(&json).expect("JSON")["pages"].clone()
+        pool.install(|| of(&tiny))
     });
-    assert!(timeless(&one) == timeless(&two));
-    let other = Settings { seed: 6, ..tiny };
-    let page = report::page("light").expect("the page");
-    let json =
-        report::run(&[page], &other, &Progress::default()).expect("nobody interrupts").json();
-    let other: Value = serde_json::from_str(&json.expect("JSON")).expect("JSON");
-    assert!(timeless(&one) != timeless(&other["pages"]), "another seed is another report");
+    assert!(one == two);
+    assert!(one != of(&Settings { seed: 6, ..tiny }), "another seed is another report");
 }
 
 /// Law: every choice of every scene has an equal-time picture on the page, with its samples below.

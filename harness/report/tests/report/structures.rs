@@ -9,7 +9,7 @@ use report::acceleration::structures::*;
 /// its triangles. Oracle: the list.
 #[test]
 fn structures_give_equal_answers() {
-    for stage in STAGES {
+    for stage in &STAGES {
         let objects = (stage.objects)(300, 7);
         let rays = stage.rays(24);
         let list = Structure::Plain(Method::List).build(&objects);

@@ -2,17 +2,7 @@
 
 use serde_json::Value;
 
-use super::{REPORT, list};
-
-fn number(value: &Value) -> f64 {
-    value.as_f64().expect("a number")
-}
-
-/// Every scene and look-up.
-fn choices() -> impl Iterator<Item = (&'static Value, &'static Value)> {
-    let scenes = list(&REPORT.json["pages"]["textures"]["scenes"]);
-    scenes.iter().flat_map(|scene| list(&scene["choices"]).iter().map(move |c| (scene, c)))
-}
+use super::{choices, list, number};
 
 fn errors(choice: &Value) -> Vec<f64> {
     list(&choice["levels"]).iter().map(|level| number(&level["rmse"])).collect()
@@ -21,7 +11,7 @@ fn errors(choice: &Value) -> Vec<f64> {
 /// Law: two scenes, each with both texture filters, from 1 to 256 samples.
 #[test]
 fn every_scene_and_look_up_is_there() {
-    let found: Vec<_> = choices()
+    let found: Vec<_> = choices("textures")
         .map(|(scene, choice)| (scene["scene"].as_str(), choice["filtering"].as_str()))
         .collect();
     let names = ["checker to the horizon", "turning globe"];
@@ -29,7 +19,7 @@ fn every_scene_and_look_up_is_there() {
     let expected: Vec<_> =
         names.iter().flat_map(|s| filterings.iter().map(|f| (Some(*s), Some(*f)))).collect();
     assert_eq!(found, expected);
-    for (scene, choice) in choices() {
+    for (scene, choice) in choices("textures") {
         let samples: Vec<f64> =
             list(&choice["levels"]).iter().map(|level| number(&level["samples"])).collect();
         assert_eq!(samples, [1.0, 4.0, 16.0, 64.0, 256.0], "{}", scene["scene"]);
@@ -42,7 +32,7 @@ fn every_scene_and_look_up_is_there() {
 /// ratio of two errors is known to 25 %.
 #[test]
 fn errors_fall_as_samples_are_spent() {
-    for (scene, choice) in choices() {
+    for (scene, choice) in choices("textures") {
         let errors = errors(choice);
         let name = (&scene["scene"], &choice["filtering"]);
         assert!(errors[0] > 0.01 && errors[0] <= 0.5, "{name:?}, one sample: {}", errors[0]);
@@ -57,7 +47,7 @@ fn errors_fall_as_samples_are_spent() {
 /// texels has a smaller variance than one of them.
 #[test]
 fn a_blurred_image_errs_no_more() {
-    let all: Vec<_> = choices().collect();
+    let all: Vec<_> = choices("textures").collect();
     for pair in all.chunks(2) {
         let [nearest, bilinear] = [0, 1].map(|i| errors(pair[i].1)[0]);
         assert!(
