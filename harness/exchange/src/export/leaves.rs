@@ -115,7 +115,10 @@ impl<'a> Leaves<'a> {
                 let count = parts::leaves(kind);
                 self.refuse(&at.path, format!("{count} shapes, and {MOST_SHAPES} are the most"));
             }
-            kind => self.parts(parts(kind), at),
+            kind => match parts(kind) {
+                Some(parts) => self.parts(parts, at),
+                None => self.leaf(kind, at),
+            },
         }
     }
 

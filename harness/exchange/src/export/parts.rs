@@ -35,9 +35,9 @@ pub fn apart(kind: &Kind, target: Target) -> Option<How> {
     })
 }
 
-/// The parts of a shape, in order; of a lattice its copies.
-pub fn parts(kind: &Kind) -> Vec<Part> {
-    match kind {
+/// The parts of a shape, in order, of a lattice its copies; `None` if it has none.
+pub fn parts(kind: &Kind) -> Option<Vec<Part>> {
+    Some(match kind {
         Kind::Compound(it) => {
             let parts = it.parts.iter().map(|part| (part.material.clone(), part.shape.clone()));
             numbered("parts", parts)
@@ -49,8 +49,8 @@ pub fn parts(kind: &Kind) -> Vec<Part> {
             numbered("spheres", it.spheres().into_iter().map(|sphere| (None, sphere.into())))
         }
         Kind::Lattice(it) => copies(it),
-        _ => Vec::new(),
-    }
+        _ => return None,
+    })
 }
 
 fn copies(it: &Lattice) -> Vec<Part> {
