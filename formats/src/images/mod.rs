@@ -5,7 +5,7 @@
 
 mod exr;
 mod exr_layers;
-mod guard;
+pub mod guard;
 mod hdr;
 mod jpeg;
 mod pfm;

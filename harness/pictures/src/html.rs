@@ -19,8 +19,9 @@ pub fn page(title: &str, rules: &[&str], body: &str) -> String {
     )
 }
 
-/// For text, and for attributes between double quotes: the text with the characters of markup escaped, and what a reader's program may obey instead of showing it (control
-/// characters, direction marks) as `\u{202e}`. Ends of lines and tabs stay.
+/// The text as markup shows it, also between the double quotes of an attribute: characters of markup are escaped, and
+/// what a reader's program may obey instead of showing it (control characters, direction marks) becomes `\u{202e}`. Ends
+/// of lines and tabs stay.
 pub fn escaped(text: &str) -> String {
     let mut html = String::with_capacity(text.len());
     for c in text.chars() {

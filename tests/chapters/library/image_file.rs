@@ -5,6 +5,7 @@
 mod exr;
 mod field;
 mod files;
+mod guard;
 mod hdr;
 mod jpeg;
 mod png;
