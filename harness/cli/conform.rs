@@ -1,13 +1,14 @@
 //! `conform`.
 
 use std::collections::BTreeMap;
+use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use conform::family::Family;
-use conform::{self, Card, Limits, Options, Profile, Program, Row, card};
+use conform::{self, Card, Known, Limits, Options, Profile, Program, Row, card};
 use groundtruth::math::hash;
 use groundtruth::printable;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -86,23 +87,10 @@ impl Conform {
         if let Some(language) = self.init {
             return print(language.template());
         }
-        let mut families = conform::suite::all();
-        for word in &self.what {
-            if !families.iter().any(|family| family.is_selected_by(word)) {
-                return Err(conform::suite::unknown(word, &families).into());
-            }
-        }
-        families.retain(|family| {
-            let named =
-                self.what.is_empty() || self.what.iter().any(|word| family.is_selected_by(word));
-            named && self.only.as_ref().is_none_or(|only| only.matches(&family.name))
-        });
-        if families.is_empty() {
-            return Err("no family matches --only; the names are those on the card".into());
-        }
+        let families = self.families()?;
         output::once(self.files(), "output")?;
         self.files().try_for_each(output::writable)?;
-        let known = self.known.as_deref().map(conform::Known::read).transpose()?;
+        let known = self.known.as_deref().map(Known::read).transpose()?;
         let interrupted = interrupt::flag()?;
         let profile = match self.profile {
             Exact::Careful => Profile::Careful,
@@ -156,16 +144,27 @@ impl Conform {
         if card.is_not_judged() || card.rows.iter().all(Row::is_unsupported) {
             return Ok(Exit::Unanswered);
         }
-        let failed = match known {
-            Some(known) => {
-                let (new, passed) = known.compare(&card);
-                new.iter().for_each(|name| eprintln!("not known to fail: {name}"));
-                passed.iter().for_each(|name| eprintln!("known to fail, but does not: {name}"));
-                !new.is_empty() || !passed.is_empty()
+        let is_failed = known.map_or(card.is_failed(), |known| is_new(&known, &card));
+        Ok(if is_failed { Exit::No } else { Exit::Yes })
+    }
+
+    /// The families that the arguments select; at least one.
+    fn families(&self) -> Result<Vec<Family>, Box<dyn Error>> {
+        let mut families = conform::suite::all();
+        for word in &self.what {
+            if !families.iter().any(|family| family.is_selected_by(word)) {
+                return Err(conform::suite::unknown(word, &families).into());
             }
-            None => card.is_failed(),
-        };
-        Ok(if failed { Exit::No } else { Exit::Yes })
+        }
+        families.retain(|family| {
+            let named =
+                self.what.is_empty() || self.what.iter().any(|word| family.is_selected_by(word));
+            named && self.only.as_ref().is_none_or(|only| only.matches(&family.name))
+        });
+        match families.is_empty() {
+            true => Err("no family matches --only; the names are those on the card".into()),
+            false => Ok(families),
+        }
     }
 
     /// The files that are written.
@@ -230,7 +229,15 @@ impl Chapters {
     }
 }
 
-/// From the clock: anything that was not chosen.
+/// Prints how a card differs from the failures that are known; whether it does.
+fn is_new(known: &Known, card: &Card) -> bool {
+    let (new, passed) = known.compare(card);
+    new.iter().for_each(|name| eprintln!("not known to fail: {name}"));
+    passed.iter().for_each(|name| eprintln!("known to fail, but does not: {name}"));
+    !new.is_empty() || !passed.is_empty()
+}
+
+/// A seed from the clock: anything that was not chosen.
 fn fresh_seed() -> u64 {
     let now =
         std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default();

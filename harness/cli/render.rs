@@ -1,15 +1,17 @@
 //! `groundtruth render`.
 
+use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use clap::{Args, ValueEnum};
 use groundtruth::explain;
-use groundtruth::film::{self, Format, Tone};
+use groundtruth::film::{self, Film, Format, Tone};
 use groundtruth::printable;
 use groundtruth::render::{self, Canvas};
 use groundtruth::render::{MAX_COUNTED, RaysPerSample};
+use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 
@@ -67,41 +69,26 @@ const GRACE_PERIOD: Duration = Duration::from_secs(1);
 
 impl Render {
     pub fn run(&self) -> Outcome {
-        let start = Instant::now();
         start_threads(self.threads)?;
         let is_sums = self.output.extension().is_some_and(|end| end == "sums");
-        if let Some(replicas) = self.replicas {
-            if !is_sums {
-                let problem = "--replicas writes sums: end the name with .sums; `merge` makes a picture of them";
-                return Err(format!("{}: {problem}", self.output.display()).into());
+        let problem = match self.replicas {
+            Some(replicas) if is_sums => {
+                let part = self.part.unwrap_or_default();
+                return replicas::render(&self.scene, replicas, part, &self.output);
             }
-            return replicas::render(
-                &self.scene,
-                replicas,
-                self.part.unwrap_or_default(),
-                &self.output,
-            );
-        }
-        if is_sums {
-            let problem = "sums need --replicas R";
-            return Err(format!("{}: {problem}", self.output.display()).into());
-        }
-        let (scene, world) = self.scene.load()?;
-        let pair = self.pair(&world)?;
-        let files = match pair {
-            Pair::TwoFiles if output::is_standard(&self.output) => {
-                return Err("two files cannot go to the standard output; name a file by -o".into());
+            None if !is_sums => return self.picture(),
+            Some(_) => {
+                "--replicas writes sums: end the name with .sums; `merge` makes a picture of them"
             }
-            Pair::TwoFiles => ["-left", "-right"].map(|end| named(&self.output, end)).to_vec(),
-            _ => vec![self.output.clone()],
+            None => "sums need --replicas R",
         };
-        let format = output::format(&self.output, self.format)?;
-        let inputs = self.scene.files_of(&scene);
-        output::check_distinct(
-            files.iter().map(PathBuf::as_path),
-            inputs.iter().map(PathBuf::as_path),
-        )?;
-        files.iter().try_for_each(|file| output::writable(file))?;
+        Err(format!("{}: {problem}", self.output.display()).into())
+    }
+
+    fn picture(&self) -> Outcome {
+        let start = Instant::now();
+        let (scene, world) = self.scene.load()?;
+        let files = self.files(&scene, &world)?;
         let canvas = Arc::new(match self.crop {
             Some(crop) => Canvas::cropped(crop.inside(&world)?),
             None => Canvas::new(&world),
@@ -111,61 +98,37 @@ impl Render {
         let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
         rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));
         let loaded = start.elapsed();
-
-        let on_interrupt = Arc::clone(&canvas);
-        ctrlc::set_handler(move || on_interrupt.cancel())?;
-        let bar = ProgressBar::new(canvas.progress().1);
-        let style = "{bar:40} {percent}%  {elapsed} elapsed, {eta} to go";
-        bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
-        std::thread::scope(|scope| {
-            let rendering = scope.spawn(|| canvas.render(&world));
-            let mut interrupted: Option<Instant> = None;
-            while !rendering.is_finished() {
-                if canvas.is_cancelled()
-                    && interrupted.get_or_insert_with(Instant::now).elapsed() > GRACE_PERIOD
-                {
-                    // a pixel whose number of rays doubles at every depth may take too long
-                    bar.finish_and_clear();
-                    eprintln!("interrupted; nothing was written");
-                    std::process::exit(130);
-                }
-                bar.set_position(canvas.progress().0);
-                // returns early when the rendering ends
-                std::thread::park_timeout(Duration::from_millis(5));
-            }
-        });
-        bar.finish_and_clear();
-        if canvas.is_cancelled() {
-            eprintln!("interrupted; nothing was written");
+        if !is_finished(&canvas, &world)? {
             return Ok(Exit::Interrupted);
         }
-
         let rendered = start.elapsed() - loaded;
-        let image = &scene.image;
-        let tone = Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut };
-        let film = canvas.film();
-        let films = match (pair, render::eye_images(&world, &film)) {
-            (Pair::Anaglyph, Some([left, right])) => vec![film::anaglyph(&left, &right)],
-            (Pair::TwoFiles, Some(images)) => images.to_vec(),
-            _ => vec![film],
-        };
-        let mut made = self.scene.provenance(&scene, &world)?;
-        let parts = match (pair, self.crop) {
-            (Pair::TwoFiles, _) => ["left", "right"].map(|eye| Some(format!("{eye} eye"))),
-            (Pair::Anaglyph, _) => [Some("anaglyph".to_owned()), None],
-            (Pair::SideBySide, crop) => [crop.map(|crop| format!("crop {crop}")), None],
-        };
-        for ((film, file), part) in films.iter().zip(&files).zip(parts) {
-            made.part = part;
-            output::write(file, &film::encode(film, &tone, format, &made)?)?;
-        }
-        let paths = files.iter().map(|file| printable::name(&file.display().to_string()));
-        let paths: Vec<String> = paths.collect();
-        let (paths, loaded, rendered) =
-            (paths.join(", "), loaded.as_secs_f64(), rendered.as_secs_f64());
+        files.write(self, (&scene, &world), canvas.film())?;
+        let paths = files.paths.iter().map(|file| printable::name(&file.display().to_string()));
+        let paths = paths.collect::<Vec<String>>().join(", ");
+        let (loaded, rendered) = (loaded.as_secs_f64(), rendered.as_secs_f64());
         eprintln!("{paths}: loaded in {loaded:.2} s, rendered in {rendered:.2} s");
-        eprintln!("{paths}: {}", transfer(format, tone.gamma));
+        eprintln!("{paths}: {}", transfer(files.format, scene.image.gamma));
         Ok(Exit::Yes)
+    }
+
+    /// The files to be written; fails if one of them cannot be, or is read.
+    fn files(&self, scene: &Scene, world: &World) -> Result<Files, Box<dyn Error>> {
+        let pair = self.pair(world)?;
+        let paths = match pair {
+            Pair::TwoFiles if output::is_standard(&self.output) => {
+                return Err("two files cannot go to the standard output; name a file by -o".into());
+            }
+            Pair::TwoFiles => ["-left", "-right"].map(|end| named(&self.output, end)).to_vec(),
+            _ => vec![self.output.clone()],
+        };
+        let format = output::format(&self.output, self.format)?;
+        let inputs = self.scene.files_of(scene);
+        output::check_distinct(
+            paths.iter().map(PathBuf::as_path),
+            inputs.iter().map(PathBuf::as_path),
+        )?;
+        paths.iter().try_for_each(|file| output::writable(file))?;
+        Ok(Files { pair, paths, format })
     }
 
     /// How a stereo pair is written; fails if the scene or the crop does not allow it.
@@ -181,6 +144,72 @@ impl Render {
             Some(pair) => Ok(pair),
         }
     }
+}
+
+/// The files of a picture, or of the two of a stereo pair.
+struct Files {
+    pair: Pair,
+    paths: Vec<PathBuf>,
+    format: Format,
+}
+
+impl Files {
+    fn write(
+        &self,
+        render: &Render,
+        (scene, world): (&Scene, &World),
+        film: Film,
+    ) -> Result<(), Box<dyn Error>> {
+        let image = &scene.image;
+        let tone = Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut };
+        let films = match (self.pair, render::eye_images(world, &film)) {
+            (Pair::Anaglyph, Some([left, right])) => vec![film::anaglyph(&left, &right)],
+            (Pair::TwoFiles, Some(images)) => images.to_vec(),
+            _ => vec![film],
+        };
+        let mut made = render.scene.provenance(scene, world)?;
+        let parts = match (self.pair, render.crop) {
+            (Pair::TwoFiles, _) => ["left", "right"].map(|eye| Some(format!("{eye} eye"))),
+            (Pair::Anaglyph, _) => [Some("anaglyph".to_owned()), None],
+            (Pair::SideBySide, crop) => [crop.map(|crop| format!("crop {crop}")), None],
+        };
+        for ((film, file), part) in films.iter().zip(&self.paths).zip(parts) {
+            made.part = part;
+            output::write(file, &film::encode(film, &tone, self.format, &made)?)?;
+        }
+        Ok(())
+    }
+}
+
+/// Renders with a progress bar; false if the user interrupted it.
+fn is_finished(canvas: &Arc<Canvas>, world: &World) -> Result<bool, Box<dyn Error>> {
+    let on_interrupt = Arc::clone(canvas);
+    ctrlc::set_handler(move || on_interrupt.cancel())?;
+    let bar = ProgressBar::new(canvas.progress().1);
+    let style = "{bar:40} {percent}%  {elapsed} elapsed, {eta} to go";
+    bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
+    std::thread::scope(|scope| {
+        let rendering = scope.spawn(|| canvas.render(world));
+        let mut interrupted: Option<Instant> = None;
+        while !rendering.is_finished() {
+            if canvas.is_cancelled()
+                && interrupted.get_or_insert_with(Instant::now).elapsed() > GRACE_PERIOD
+            {
+                // a pixel whose number of rays doubles at every depth may take too long
+                bar.finish_and_clear();
+                eprintln!("interrupted; nothing was written");
+                std::process::exit(130);
+            }
+            bar.set_position(canvas.progress().0);
+            // returns early when the rendering ends
+            std::thread::park_timeout(Duration::from_millis(5));
+        }
+    });
+    bar.finish_and_clear();
+    if canvas.is_cancelled() {
+        eprintln!("interrupted; nothing was written");
+    }
+    Ok(!canvas.is_cancelled())
 }
 
 /// What the values of a picture mean, and how `compare` and `verify` know.

@@ -111,16 +111,7 @@ impl Verify {
             return mistakes::of_chapter_named(chapter);
         }
         let arguments = self.scene.as_ref().expect("only --scenes goes without a scene");
-        let rendered = match self.by {
-            Some(by) => {
-                let (program, without) = (self.program.clone(), &self.without);
-                let limit = Duration::from_secs(self.time_limit.into());
-                let samples = self.their_samples;
-                Request { by, program, without, samples, limit }.render(arguments)?
-            }
-            None => Some(self.given(arguments)?),
-        };
-        let Some(witnessed) = rendered else { return Ok(Exit::Unanswered) };
+        let Some(witnessed) = self.witnessed(arguments)? else { return Ok(Exit::Unanswered) };
         let Witnessed { scene, mut world, pictures, words: witness, explained_with } = witnessed;
         let named = arguments.files_of(&scene);
         output::check_distinct(self.output.as_deref(), named.iter().map(PathBuf::as_path))?;
@@ -161,13 +152,7 @@ impl Verify {
         if let Some(margin) = self.margin {
             verdict.hold_to(margin);
         }
-        // of a stereo pair: that of each eye's image
-        let [width, height] = [scene.image.width, scene.image.height];
-        let given = arguments.arguments();
-        let given =
-            given[1..].chunks(2).filter(|pair| !["--size", "--samples"].contains(&&*pair[0]));
-        let given = given.map(|pair| format!(" {}", pair.join(" "))).collect::<String>();
-        let explained_with = format!(" --size {width}x{height}{given}{explained_with}");
+        let explained_with = explained_with_size(arguments, &scene) + &explained_with;
         let words =
             witness + &verdict.to_string() + &advice(arguments.name(), &verdict, &explained_with);
         if let Some(file) = &self.output {
@@ -180,14 +165,15 @@ impl Verify {
             true => say(&(serde_json::to_string_pretty(&verdict)? + "\n"))?,
             false => say(&words)?,
         };
-        Ok(match (verdict.margin, verdict.decision) {
-            _ if watch.is_interrupted() => Exit::Interrupted,
-            (Some((_, Answer::Agrees)), _) => Exit::Yes,
-            (Some(_), _) => Exit::No,
-            (None, Decision::Agrees) => Exit::Yes,
-            (None, Decision::Differs) => Exit::No,
-            (None, Decision::Undecided) => Exit::Interrupted,
-        })
+        Ok(if watch.is_interrupted() { Exit::Interrupted } else { exit(&verdict) })
+    }
+
+    /// The pictures to be judged, rendered by another program or read; `None` if the scene cannot be exported.
+    fn witnessed(&self, arguments: &SceneArguments) -> Result<Option<Witnessed>, Box<dyn Error>> {
+        let Some(by) = self.by else { return Ok(Some(self.given(arguments)?)) };
+        let (program, without) = (self.program.clone(), &self.without);
+        let limit = Duration::from_secs(self.time_limit.into());
+        Request { by, program, without, samples: self.their_samples, limit }.render(arguments)
     }
 
     /// The mean that pictures are held against, if there is one.
@@ -339,4 +325,21 @@ impl Watch {
         self.bar.inc(1);
         !canvas.is_cancelled()
     }
+}
+
+/// The exit status of a verdict; by the margin, if there is one.
+fn exit(verdict: &Verdict) -> Exit {
+    match (verdict.margin, verdict.decision) {
+        (Some((_, Answer::Agrees)), _) | (None, Decision::Agrees) => Exit::Yes,
+        (Some(_), _) | (None, Decision::Differs) => Exit::No,
+        (None, Decision::Undecided) => Exit::Interrupted,
+    }
+}
+
+/// The arguments of `explain` for the scene as it was rendered; of a stereo pair, the size of each eye's image.
+fn explained_with_size(arguments: &SceneArguments, scene: &Scene) -> String {
+    let given = arguments.arguments();
+    let given = given[1..].chunks(2).filter(|pair| !["--size", "--samples"].contains(&&*pair[0]));
+    let given = given.map(|pair| format!(" {}", pair.join(" "))).collect::<String>();
+    format!(" --size {}x{}{given}", scene.image.width, scene.image.height)
 }
