@@ -53,7 +53,7 @@ fn excluded(shown: &Pictures) -> String {
     }
     let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
     format!(
-        "<h3>Set excluded</h3>\n<p>Theirs. Hatched pixels do not count: all of ours agree there, and a correct picture may \
+        "<h3>Set apart</h3>\n<p>Theirs. Hatched pixels do not count: all of ours agree there, and a correct picture may \
          have this value.</p>\n<div class=\"map\"><img alt=\"theirs, hatched where it is set apart\" src=\"{}\">{}</div>\n",
         data_uri(&shown.theirs.radiance(), &tone),
         hatching(&shown.excluded, shown.theirs.size)
@@ -95,7 +95,7 @@ fn map(verdict: &Verdict) -> String {
     let hatching = if excluded.is_empty() { String::new() } else { hatching(excluded, size) };
     format!(
         "<h3>Map of z</h3>\n<p>The difference of each pixel in standard deviations: grey is 0, white and black are \
-         ±{FARTHEST} and more, brighter where theirs is larger. Regions are framed; what is set excluded is hatched.</p>\n\
+         ±{FARTHEST} and more, brighter where theirs is larger. Regions are framed; what is set apart is hatched.</p>\n\
          <div class=\"map\"><img alt=\"map of z\" src=\"{}\">{hatching}{frames}</div>\n",
         data_uri(&film, &plain)
     )
