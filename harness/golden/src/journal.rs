@@ -1,7 +1,7 @@
 //! Many files changed as one: all of the changes, or none, wherever the machine stops.
 //!
 //! The new files are written into a folder of their own, each under the path it will have. Renaming
-//! that folder to [`ACCEPTED`] decides: before it, nothing has happened; after it, what is left in
+//! that folder to `.accepted` decides: before it, nothing has happened; after it, what is left in
 //! the folder is moved to its place, now or when the goldens are opened next.
 
 use std::fs::File;
