@@ -1,28 +1,16 @@
-//! Two pictures compared: what counts as a difference, which changes are named, and the exit status.
+//! Two pictures compared: what counts as a difference, and which changes are named.
 
 mod encoded;
-
-use std::path::Path;
+mod films;
 
 use groundtruth::film::Film;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use groundtruth::trace;
-use groundtruth::world::World;
 use pictures::compare::{
     Comparison, Differences, Picture, SizesDiffer, Transfer, half_pixel_shifts, noise_note,
 };
 
-const SIZE: [u32; 2] = [60, 40];
-
-/// A small picture of a scene, from this seed.
-fn rendered(name: &str, seed: u64) -> Film {
-    let mut scene = gallery::find(name).map(|entry| (entry.build)()).expect("listed");
-    scene.image.resize(SIZE[0], SIZE[1]);
-    scene.image.samples = 4;
-    let world = World::build_seeded(&scene, Path::new(""), seed).expect("gallery scenes are valid");
-    render::render(&world)
-}
+use self::films::{SIZE, film_through, rendered, world};
 
 fn picture() -> Picture {
     Picture::of_film(&rendered("ch24/hall-of-mirrors", 1))
@@ -106,26 +94,6 @@ fn honest_pairs_are_explained_by_nothing() {
     }
     let other = Picture::of_film(&rendered("ch14/set", 1));
     assert_eq!(explanation(&ours, &other), "none");
-}
-
-/// A scene as a world of one sample per pixel.
-fn world(name: &str) -> World {
-    let mut scene = gallery::find(name).map(|entry| (entry.build)()).expect("listed");
-    scene.image.resize(SIZE[0], SIZE[1]);
-    scene.image.samples = 1;
-    World::build(&scene).expect("gallery scenes are valid")
-}
-
-/// The picture of a world from rays through these points of its pixels, in pixels from the lower left corners.
-fn film_through(world: &World, point: [f64; 2]) -> Film {
-    let mut film = Film::new(SIZE[0], SIZE[1]);
-    for pixel in (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y])) {
-        let ray =
-            world.view.eyes()[0].ray(render::film_point(&world.image, pixel, point), [0.0; 2]);
-        let radiance = |ray| trace::radiance(world, &ray, world.draws(pixel, 0), &mut ());
-        film.set(pixel, ray.map_or(Rgb::BLACK, radiance));
-    }
-    film
 }
 
 /// Law: film points that are off by half a pixel are named with their directions, for every camera without noise,
