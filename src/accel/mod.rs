@@ -32,17 +32,6 @@ pub enum Method {
     Bvh,
 }
 
-/// Primitives, by index, for the query of one ray.
-pub trait Primitives {
-    /// The nearest hit of primitive `index` inside the span; its `t` must not depend on the span.
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate>;
-
-    /// Some hit of primitive `index` inside the span.
-    fn shadow_hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        self.hit(index, span)
-    }
-}
-
 /// Counts the cost of a search. `()` counts nothing and costs nothing.
 pub trait Counter {
     /// A primitive was tested.
@@ -121,27 +110,28 @@ impl Accel {
         Self { unbounded, bounded, largest }
     }
 
-    /// The first hit along the ray, and the index of its primitive.
+    /// The first hit along the ray, and the index of its primitive. `hit` finds the nearest hit of the primitive
+    /// of an index inside a span; its `t` must not depend on the span.
     pub fn nearest(
         &self,
-        primitives: &impl Primitives,
         ray: &Ray,
         span: Span,
+        hit: impl Fn(u32, Span) -> Option<Candidate>,
     ) -> Option<(u32, Candidate)> {
-        self.nearest_counted(primitives, ray, span, &mut ())
+        self.nearest_counted(ray, span, &mut (), hit)
     }
 
     /// The same; `counter` counts the cost.
     pub fn nearest_counted(
         &self,
-        primitives: &impl Primitives,
         ray: &Ray,
         mut span: Span,
         counter: &mut impl Counter,
+        hit: impl Fn(u32, Span) -> Option<Candidate>,
     ) -> Option<(u32, Candidate)> {
         let mut nearest: Option<(u32, Candidate)> = None;
         self.visit(ray, span, counter, |index| {
-            if let Some(hit) = primitives.hit(index, span)
+            if let Some(hit) = hit(index, span)
                 && nearest.is_none_or(|(first, best)| hit.t < best.t || index < first)
             {
                 nearest = Some((index, hit));
@@ -152,17 +142,17 @@ impl Accel {
         nearest
     }
 
-    /// Any hit along the ray, and the index of its primitive. Whether there is one does not depend on the
-    /// method, but which one is found may.
-    pub fn any(
+    /// Any hit along the ray, and the index of its primitive; `hit` finds some hit of the primitive of an index.
+    /// Whether there is one does not depend on the method, but which one is found may.
+    pub fn any<T>(
         &self,
-        primitives: &impl Primitives,
         ray: &Ray,
         span: Span,
-    ) -> Option<(u32, Candidate)> {
+        hit: impl Fn(u32) -> Option<T>,
+    ) -> Option<(u32, T)> {
         let mut found = None;
         self.visit(ray, span, &mut (), |index| {
-            found = primitives.shadow_hit(index, span).map(|hit| (index, hit));
+            found = hit(index).map(|hit| (index, hit));
             if found.is_some() { f64::NEG_INFINITY } else { span.max }
         });
         found

@@ -14,7 +14,7 @@ use std::sync::Arc;
 
 pub use crate::candidate::Candidate;
 use crate::invalid::{Invalid, LENGTHS, lengths, shown};
-use crate::math::{Aabb, Normal, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector};
+use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 
 /// The surface at a hit.
 #[derive(Clone, Debug, PartialEq)]
@@ -92,15 +92,6 @@ impl Surface {
     }
 }
 
-/// A triangle that is hit, and where.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Facet {
-    /// Its corners, in the coordinates of the innermost shape.
-    pub corners: [Point; 3],
-    /// The barycentric coordinates β and γ of the point: the shares of the second and the third corner.
-    pub barycentric: [f64; 2],
-}
-
 /// Something a ray can hit.
 ///
 /// `t` depends on the ray and the shape alone, never on the span: accelerators rely on it to give
@@ -124,39 +115,16 @@ pub trait Shape: Debug + Send + Sync {
         self.hit(ray, span).into_iter().collect()
     }
 
-    /// The texture coordinates at a hit, if the surface has any. Called only if a texture needs them.
-    fn uv(&self, _: &Candidate) -> Option<[f64; 2]> {
-        None
+    /// What of the shape is hit: a shape nested in it, or a part of its own. Called only where a texture or an
+    /// explanation needs it.
+    fn within(&self, _: &Candidate) -> Within<'_> {
+        Within::Whole
     }
 
     /// A material (its index in the scene) that needs texture coordinates where the shape has none, if
     /// there is one. `own` is the material of parts that name none. Called once, when a world is built.
     fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
         needs_uv(own).then_some(own)
-    }
-
-    /// The triangle that is hit, if it is one. Called only where one is needed.
-    fn facet(&self, _: &Candidate) -> Option<Facet> {
-        None
-    }
-
-    /// The hit moved by a short vector along the surface, in the coordinates of [`Surface::local`], for
-    /// [`Shape::uv`] there; shapes without texture coordinates do not move it. Called only to
-    /// measure a slope.
-    fn shifted(&self, at: &Candidate, _: Vector) -> Candidate {
-        *at
-    }
-
-    /// The map from the coordinates of [`Surface::local`] to those of [`Surface::point`] at a hit. Called
-    /// only where a bump turns the normal.
-    fn texture_space(&self, _: &Candidate) -> Transform {
-        Transform::IDENTITY
-    }
-
-    /// The path through nested shapes to the hit, and the part of the innermost that it is on. Called only
-    /// to explain a hit.
-    fn path(&self, _: &Candidate) -> PartPath {
-        PartPath::default()
     }
 
     /// The surface as one on which points are drawn in this way, for area lights; `None` if that cannot
@@ -207,8 +175,10 @@ fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
 // shared by the kinds
 mod border;
 mod context;
+mod facet;
 mod sampled;
 pub mod textbook;
+mod within;
 
 mod composite;
 mod meshes;
@@ -227,9 +197,11 @@ pub use composite::assembly::Materials;
 pub use composite::compound::Part;
 pub use composite::part_path::{Face, Level, PartPath};
 pub use context::{Context, PartMaterial};
+pub use facet::Facet;
 pub use plain::algebraic::Term;
 pub use sampled::{SampledSurface, Sampling};
 pub use solid::boundaries::BoundaryMaterials;
+pub use within::{Role, Within};
 
 pub use composite::instance::transform_of;
 pub use meshes::triangle_mesh::{AcceleratedMesh, TriangleMesh};

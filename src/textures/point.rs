@@ -60,17 +60,15 @@ impl<'a> TexturePoint<'a> {
     pub fn uv(&self) -> Option<[f64; 2]> {
         match self.details {
             Details::Known(uv) => uv,
-            Details::Of(shape, at, Vector::ZERO) => shape.uv(at),
-            Details::Of(shape, at, by) => shape.uv(&shape.shifted(at, by)),
+            Details::Of(shape, at, by) => shape.facet(at, by)?.uv(),
         }
     }
 
-    /// The triangle of the point, if the shape is a mesh.
+    /// The triangle of the point, if one is hit.
     pub fn facet(&self) -> Option<Facet> {
         match self.details {
             Details::Known(_) => None,
-            Details::Of(shape, at, Vector::ZERO) => shape.facet(at),
-            Details::Of(shape, at, by) => shape.facet(&shape.shifted(at, by)),
+            Details::Of(shape, at, by) => shape.facet(at, by),
         }
     }
 

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::placing::{placed_lights, placed_materials, placed_objects, reflectance_notes};
-use super::{Names, Objects, World};
+use super::{Names, World};
 use crate::accel::{Accel, Method};
 use crate::cameras::View;
 use crate::invalid::{Invalid, positive, shown};
@@ -63,14 +63,13 @@ impl World {
         let view = scene.camera.build(scene.image.plane()).map_err(|e| e.inside("camera"))?;
         check_view(&view, &scene.image)?;
         let materials = placed_materials(scene, &mut resources)?;
-        let (objects, mut notes) = placed_objects(scene, resources, &materials)?;
+        let (mut objects, mut notes) = placed_objects(scene, resources, &materials)?;
         notes.extend(reflectance_notes(&materials));
-        let mut objects = Objects(objects);
-        let lights = placed_lights(scene, &background, &materials, &mut objects.0)?;
-        let bounds: Vec<Aabb> = objects.0.iter().map(|object| object.bounds).collect();
-        let all_cast_shadows = objects.0.iter().all(|object| object.all_cast_shadows);
+        let lights = placed_lights(scene, &background, &materials, &mut objects)?;
+        let bounds: Vec<Aabb> = objects.iter().map(|object| object.bounds).collect();
+        let all_cast_shadows = objects.iter().all(|object| object.all_cast_shadows);
         let all_boundaries_cast_shadows =
-            objects.0.iter().all(|object| object.all_boundaries_cast_shadows);
+            objects.iter().all(|object| object.all_boundaries_cast_shadows);
         let has_boundaries = materials.iter().any(|it| it.recipe.boundary().is_some());
         // a single object needs no structure
         let method = if bounds.len() == 1 { Method::List } else { scene.accel };

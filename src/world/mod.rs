@@ -7,7 +7,7 @@ mod placing;
 
 use std::sync::Arc;
 
-use crate::accel::{Accel, Primitives};
+use crate::accel::Accel;
 use crate::background::Sky;
 use crate::bumps::Bump;
 use crate::cameras::View;
@@ -52,7 +52,7 @@ pub struct World {
     pub notes: Vec<String>,
     /// The names of lights and objects, for those who record rays.
     pub names: Arc<Names>,
-    objects: Objects,
+    objects: Vec<PlacedObject>,
     accel: Accel,
     /// Whether every part of every object casts shadows.
     pub(crate) all_cast_shadows: bool,
@@ -186,9 +186,10 @@ impl World {
 
     /// The first hit along the ray.
     pub fn hit(&self, ray: &Ray, span: Span) -> Option<Hit<'_>> {
-        let query = RayQuery { objects: &self.objects, ray };
-        let (index, candidate) = self.accel.nearest(&query, ray, span)?;
-        let object = &self.objects.0[index as usize];
+        let of = |index: u32| &self.objects[index as usize];
+        let (index, candidate) =
+            self.accel.nearest(ray, span, |index, span| of(index).shape.hit(ray, span))?;
+        let object = of(index);
         let surface = object.shape.surface(ray, &candidate);
         let front = surface.is_front(ray.direction);
         let material = &self.materials[surface.material.unwrap_or(object.material) as usize];
@@ -197,14 +198,17 @@ impl World {
 
     /// An object that blocks light along the ray, if there is one.
     pub fn occluder(&self, ray: &Ray, span: Span) -> Option<&PlacedObject> {
-        let query = RayQuery { objects: &self.objects, ray };
-        let (index, _) = self.accel.any(&query, ray, span)?;
-        Some(&self.objects.0[index as usize])
+        let of = |index: u32| &self.objects[index as usize];
+        let (index, _) = self.accel.any(ray, span, |index| {
+            let object = of(index);
+            if object.casts_shadows { object.shape.shadow_hit(ray, span) } else { None }
+        })?;
+        Some(of(index))
     }
 
     /// The objects that are on.
     pub fn objects(&self) -> &[PlacedObject] {
-        &self.objects.0
+        &self.objects
     }
 
     /// Pixels across and down of the whole picture: of a stereo pair both images and the gap.
@@ -216,28 +220,5 @@ impl World {
     /// Samples for each pixel.
     pub fn samples_per_pixel(&self) -> u32 {
         self.samples.per_set()
-    }
-}
-
-#[derive(Debug)]
-struct Objects(Vec<PlacedObject>);
-
-/// The objects, for the query of one ray.
-struct RayQuery<'a> {
-    objects: &'a Objects,
-    ray: &'a Ray,
-}
-
-impl Primitives for RayQuery<'_> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        self.objects.0[index as usize].shape.hit(self.ray, span)
-    }
-
-    fn shadow_hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        let object = &self.objects.0[index as usize];
-        if !object.casts_shadows {
-            return None;
-        }
-        object.shape.shadow_hit(self.ray, span).map(Candidate::at)
     }
 }

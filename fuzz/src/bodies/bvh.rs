@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use groundtruth::accel::{Accel, Method, Primitives};
+use groundtruth::accel::{Accel, Method};
 use groundtruth::math::{Aabb, Ray, Span};
 use groundtruth::shapes::{Candidate, Shape};
 
@@ -16,18 +16,6 @@ const MAX_RAYS: usize = 16;
 const FARTHEST: f64 = (1 << 20) as f64;
 const LENGTHS: std::ops::Range<f64> = 1e-100..1e100;
 
-/// The query of one ray against all shapes.
-struct RayQuery<'a> {
-    shapes: &'a [Arc<dyn Shape>],
-    ray: &'a Ray,
-}
-
-impl Primitives for RayQuery<'_> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        self.shapes[index as usize].hit(self.ray, span)
-    }
-}
-
 /// Reads some shapes, then rays until the bytes end.
 pub fn run(data: &[u8]) {
     let mut input = Input::new(data);
@@ -38,25 +26,25 @@ pub fn run(data: &[u8]) {
     let whole = bounds.iter().filter(|b| b.is_bounded()).fold(Aabb::EMPTY, |all, b| all.union(*b));
     for _ in 0..MAX_RAYS {
         let ray = input.ray();
-        let query = RayQuery { shapes: &shapes, ray: &ray };
+        let hit = |index: u32, span| shapes[index as usize].hit(&ray, span);
         let away = (ray.origin - whole.center()).max_abs();
         let is_near = away <= FARTHEST * whole.extent().max_abs()
             && LENGTHS.contains(&ray.direction.max_abs());
         for span in [Span::AHEAD, Span::LINE, Span { min: input.number(), max: input.number() }] {
-            let by_list = list.nearest(&query, &ray, span);
-            let by_bvh = bvh.nearest(&query, &ray, span);
+            let by_list = list.nearest(&ray, span, hit);
+            let by_bvh = bvh.nearest(&ray, span, hit);
             assert!(by_bvh.is_none_or(|(_, hit)| span.contains(hit.t)));
             if !is_near {
                 continue;
             }
             assert_eq!(by_list.map(bits), by_bvh.map(bits), "{ray:?} {span:?}");
             assert!(by_list.is_none_or(|(_, hit)| span.contains(hit.t)));
-            let some = [&list, &bvh].map(|accel| accel.any(&query, &ray, span));
+            let some = [&list, &bvh].map(|accel| accel.any(&ray, span, |index| hit(index, span)));
             assert!(some.iter().all(|hit| hit.is_some() == by_list.is_some()), "{ray:?} {span:?}");
             if input.mode == Mode::Grid {
                 assert_eq!(
                     by_list.map(bits),
-                    loop_over(&query, span).map(bits),
+                    loop_over(&shapes, &ray, span).map(bits),
                     "{ray:?} {span:?}"
                 );
             }
@@ -68,8 +56,8 @@ pub fn run(data: &[u8]) {
 }
 
 /// The hit with the smallest `t`; of equal hits, the first.
-fn loop_over(query: &RayQuery<'_>, span: Span) -> Option<(u32, Candidate)> {
-    let hits = (0..).zip(query.shapes).map(|(i, shape)| Some((i, shape.hit(query.ray, span)?)));
+fn loop_over(shapes: &[Arc<dyn Shape>], ray: &Ray, span: Span) -> Option<(u32, Candidate)> {
+    let hits = (0..).zip(shapes).map(|(i, shape)| Some((i, shape.hit(ray, span)?)));
     hits.flatten().min_by(|(_, a), (_, b)| a.t.partial_cmp(&b.t).expect("t is a number"))
 }
 

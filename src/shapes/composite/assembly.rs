@@ -2,17 +2,17 @@
 //!
 //! A ray hits the nearest hit of all parts, if it meets the box around them (Suffern, ch. 19). Which of all
 //! nested shapes it is on is one number, [`Candidate::leaf`]: the leaves of the first part are counted first,
-//! then those of the second. So a candidate stays as small as that of a sphere, however deep the nesting (a
+//! then those of the second. So a candidate stays as small as that of a sphere, however deep the role (a
 //! hundred instances eight levels deep are 10¹⁶ leaves), and of equal hits the first object wins.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use crate::accel::{Accel, Method, Primitives};
+use crate::accel::{Accel, Method};
 use crate::invalid::{Invalid, Key};
-use crate::math::{Aabb, Ray, Span, Transform, Vector};
+use crate::math::{Aabb, Ray, Span};
 use crate::printable;
-use crate::shapes::{Candidate, Context, Facet, Kind, Level, PartPath, Shape, Surface};
+use crate::shapes::{Candidate, Context, Kind, Role, Shape, Surface, Within};
 
 /// Up to this many parts are tried one after the other unless the scene says how.
 const FEW: usize = 8;
@@ -130,29 +130,9 @@ impl Assembly {
 
 impl Assembly {
     /// The index of the part that is hit, and the hit in the coordinates of the part.
-    fn within(&self, at: &Candidate) -> (usize, Candidate) {
+    fn part(&self, at: &Candidate) -> (usize, Candidate) {
         let index = self.leaves.partition_point(|&first| first <= at.leaf) - 1;
         (index, Candidate { leaf: at.leaf - self.leaves[index], ..*at })
-    }
-}
-
-/// The parts for the query of one ray.
-struct RayQuery<'a> {
-    parts: &'a [Part],
-    ray: &'a Ray,
-}
-
-impl Primitives for RayQuery<'_> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        self.parts[index as usize].shape.hit(self.ray, span)
-    }
-
-    fn shadow_hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        let part = &self.parts[index as usize];
-        if !part.casts_shadows {
-            return None;
-        }
-        part.shape.shadow_hit(self.ray, span).map(Candidate::at)
     }
 }
 
@@ -161,7 +141,9 @@ impl Shape for Assembly {
         if !self.bounds.may_meet(ray, span.min) {
             return None;
         }
-        let (index, at) = self.accel.nearest(&RayQuery { parts: &self.parts, ray }, ray, span)?;
+        let (index, at) = self
+            .accel
+            .nearest(ray, span, |index, span| self.parts[index as usize].shape.hit(ray, span))?;
         Some(Candidate { leaf: self.leaves[index as usize] + at.leaf, ..at })
     }
 
@@ -169,47 +151,30 @@ impl Shape for Assembly {
         if !self.bounds.may_meet(ray, span.min) {
             return None;
         }
-        self.accel.any(&RayQuery { parts: &self.parts, ray }, ray, span).map(|(_, at)| at.t)
+        let blocked = |index: u32| {
+            let part = &self.parts[index as usize];
+            if part.casts_shadows { part.shape.shadow_hit(ray, span) } else { None }
+        };
+        self.accel.any(ray, span, blocked).map(|(_, t)| t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let (index, within) = self.within(at);
+        let (index, within) = self.part(at);
         let part = &self.parts[index];
         let surface = part.shape.surface(ray, &within);
         Surface { material: surface.material.or(part.material), ..surface }
     }
 
-    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
-        let (index, within) = self.within(at);
-        self.parts[index].shape.uv(&within)
+    fn within(&self, at: &Candidate) -> Within<'_> {
+        let (index, within) = self.part(at);
+        let Part { name, shape, .. } = &self.parts[index];
+        Within::Nested(&**shape, within, Role::Part(index as u32, name))
     }
 
     fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
         self.parts
             .iter()
             .find_map(|part| part.shape.material_without_uv(part.material.unwrap_or(own), needs_uv))
-    }
-
-    fn facet(&self, at: &Candidate) -> Option<Facet> {
-        let (index, within) = self.within(at);
-        self.parts[index].shape.facet(&within)
-    }
-
-    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
-        let (index, within) = self.within(at);
-        let moved = self.parts[index].shape.shifted(&within, by);
-        Candidate { leaf: at.leaf, ..moved }
-    }
-
-    fn texture_space(&self, at: &Candidate) -> Transform {
-        let (index, within) = self.within(at);
-        self.parts[index].shape.texture_space(&within)
-    }
-
-    fn path(&self, at: &Candidate) -> PartPath {
-        let (index, within) = self.within(at);
-        let Part { name, shape, .. } = &self.parts[index];
-        shape.path(&within).inside(Level::Part { index: index as u32, name: name.to_string() })
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

@@ -13,8 +13,7 @@ use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, le
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
 use crate::shapes::{
-    Candidate, Context, Facet, Kind, Level, PartPath, SampledSurface, Sampling, Shape, Surface,
-    normal_along,
+    Candidate, Context, Kind, Role, SampledSurface, Sampling, Shape, Surface, Within, normal_along,
 };
 
 /// A shape transformed by a list of steps, first to last.
@@ -155,36 +154,14 @@ impl Shape for Placed {
         Surface { local, ..surface }
     }
 
-    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
-        self.shape.uv(at)
+    fn within(&self, at: &Candidate) -> Within<'_> {
+        let role =
+            Role::Instance { transform: &self.transform, with_texture: self.transform_texture };
+        Within::Nested(&*self.shape, *at, role)
     }
 
     fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
         self.shape.material_without_uv(own, needs_uv)
-    }
-
-    fn facet(&self, at: &Candidate) -> Option<Facet> {
-        self.shape.facet(at)
-    }
-
-    /// With a texture that does not move, local coordinates are those outside of this instance.
-    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
-        if self.transform_texture {
-            return self.shape.shifted(at, by);
-        }
-        let whole = self.transform.after(&self.shape.texture_space(at));
-        self.shape.shifted(at, whole.inverse().vector(by))
-    }
-
-    fn texture_space(&self, at: &Candidate) -> Transform {
-        match self.transform_texture {
-            true => self.transform.after(&self.shape.texture_space(at)),
-            false => Transform::IDENTITY,
-        }
-    }
-
-    fn path(&self, at: &Candidate) -> PartPath {
-        self.shape.path(at).inside(Level::Instance {})
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

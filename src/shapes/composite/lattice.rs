@@ -10,11 +10,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::instance::surface_seen_through;
-use crate::accel::{Accel, Method, Primitives};
+use crate::accel::{Accel, Method};
 use crate::invalid::{Invalid, finite_vector};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector, lists};
-use crate::shapes::{Candidate, Context, Facet, Kind, Level, PartPath, Shape, Surface};
+use crate::shapes::{Candidate, Context, Kind, Role, Shape, Surface, Within};
 
 /// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All share
 /// what is copied, so that a lattice of lattices can hold more copies than there are atoms.
@@ -137,26 +137,9 @@ impl Places {
     }
 }
 
-/// The copies for the query of one ray.
-struct RayQuery<'a> {
-    lattice: &'a LatticeShape,
-    ray: &'a Ray,
-}
-
-impl Primitives for RayQuery<'_> {
-    fn hit(&self, copy: u32, span: Span) -> Option<Candidate> {
-        self.lattice.shape.hit(&self.lattice.places.ray_back(copy, self.ray), span)
-    }
-
-    fn shadow_hit(&self, copy: u32, span: Span) -> Option<Candidate> {
-        let ray = self.lattice.places.ray_back(copy, self.ray);
-        self.lattice.shape.shadow_hit(&ray, span).map(Candidate::at)
-    }
-}
-
 impl LatticeShape {
     /// The number of the copy that is hit, and the same hit of the first copy.
-    fn within(&self, at: &Candidate) -> (u32, Candidate) {
+    fn copy(&self, at: &Candidate) -> (u32, Candidate) {
         let (copy, leaf) = (at.leaf / self.leaves, at.leaf % self.leaves);
         (copy as u32, Candidate { leaf, ..*at })
     }
@@ -164,46 +147,31 @@ impl LatticeShape {
 
 impl Shape for LatticeShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let (copy, at) = self.accel.nearest(&RayQuery { lattice: self, ray }, ray, span)?;
+        let (copy, at) = self.accel.nearest(ray, span, |copy, span| {
+            self.shape.hit(&self.places.ray_back(copy, ray), span)
+        })?;
         Some(Candidate { leaf: u64::from(copy) * self.leaves + at.leaf, ..at })
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
-        self.accel.any(&RayQuery { lattice: self, ray }, ray, span).map(|(_, at)| at.t)
+        let copy = |copy| self.shape.shadow_hit(&self.places.ray_back(copy, ray), span);
+        self.accel.any(ray, span, copy).map(|(_, t)| t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let (copy, within) = self.within(at);
+        let (copy, within) = self.copy(at);
         let place = Transform::translation(self.places.shift(copy));
         surface_seen_through(&place, &*self.shape, ray, &within)
     }
 
-    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
-        self.shape.uv(&self.within(at).1)
+    fn within(&self, at: &Candidate) -> Within<'_> {
+        let (copy, within) = self.copy(at);
+        let role = Role::Copy(self.places.indices(copy), self.places.shift(copy));
+        Within::Nested(&*self.shape, within, role)
     }
 
     fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
         self.shape.material_without_uv(own, needs_uv)
-    }
-
-    fn facet(&self, at: &Candidate) -> Option<Facet> {
-        self.shape.facet(&self.within(at).1)
-    }
-
-    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
-        let moved = self.shape.shifted(&self.within(at).1, by);
-        Candidate { leaf: at.leaf, ..moved }
-    }
-
-    fn texture_space(&self, at: &Candidate) -> Transform {
-        let (copy, within) = self.within(at);
-        let place = Transform::translation(self.places.shift(copy));
-        place.after(&self.shape.texture_space(&within))
-    }
-
-    fn path(&self, at: &Candidate) -> PartPath {
-        let (copy, within) = self.within(at);
-        self.shape.path(&within).inside(Level::Copy(self.places.indices(copy)))
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

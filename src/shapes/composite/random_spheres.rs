@@ -8,11 +8,11 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use crate::accel::{Accel, Method, Primitives};
+use crate::accel::{Accel, Method};
 use crate::invalid::{Invalid, length};
 use crate::kinds::{self, Specification};
 use crate::math::{Aabb, Length, Pcg32, Point, Ray, Span};
-use crate::shapes::{Candidate, Context, Level, PartPath, Shape, Sphere, Surface, textbook};
+use crate::shapes::{Candidate, Context, Shape, Sphere, Surface, Within, textbook};
 
 /// Equal spheres whose centres are uniform in the cube `[−half_side, half_side]³`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -88,36 +88,25 @@ impl RandomSpheres {
     }
 }
 
-/// The spheres for the query of one ray.
-struct RayQuery<'a> {
-    spheres: &'a [Sphere],
-    ray: &'a Ray,
-}
-
-impl Primitives for RayQuery<'_> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        let hit = self.spheres[index as usize].hit(self.ray, span)?;
-        Some(Candidate { leaf: index.into(), ..hit })
-    }
-}
-
 impl Shape for RandomSpheresShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let query = RayQuery { spheres: &self.spheres, ray };
-        self.accel.nearest(&query, ray, span).map(|(_, at)| at)
+        let (index, at) = self
+            .accel
+            .nearest(ray, span, |index, span| self.spheres[index as usize].hit(ray, span))?;
+        Some(Candidate { leaf: index.into(), ..at })
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
-        let query = RayQuery { spheres: &self.spheres, ray };
-        self.accel.any(&query, ray, span).map(|(_, at)| at.t)
+        let sphere = |index: u32| self.spheres[index as usize].shadow_hit(ray, span);
+        self.accel.any(ray, span, sphere).map(|(_, t)| t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         self.spheres[at.leaf as usize].surface(ray, at)
     }
 
-    fn path(&self, at: &Candidate) -> PartPath {
-        PartPath::to(Level::Sphere(at.leaf as u32))
+    fn within(&self, at: &Candidate) -> Within<'_> {
+        Within::Sphere(at.leaf as u32)
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

@@ -13,14 +13,13 @@
 use std::sync::Arc;
 
 use super::vertex_normals::{mean_normals, reverse_winding};
-use crate::accel::{self, Accel, Counter, Primitives};
+use crate::accel::{self, Accel, Counter};
 use crate::math::watertight::{self, ShearedRay};
-use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, Vector, exact_cross, maps};
+use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, exact_cross, maps};
 use crate::mesh_bvh::{Kernel, MeshBvh};
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{
-    Border, Candidate, Context, Facet, Level, PartPath, SampledSurface, Sampling, Shape, Surface,
-    textbook,
+    Border, Candidate, Context, Facet, SampledSurface, Sampling, Shape, Surface, Within, textbook,
 };
 
 /// Triangles on shared vertices. Triangles of area zero are removed: no ray hits them.
@@ -160,24 +159,16 @@ enum Structure {
     General(Accel),
 }
 
-/// The triangles, prepared for one ray.
-struct RayQuery<'a> {
-    mesh: &'a TriangleMesh,
-    ray: ShearedRay,
-}
-
-impl Primitives for RayQuery<'_> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        let corners = self.mesh.corners(self.mesh.triangles[index as usize]);
-        let meeting = self.ray.meet(&corners).filter(|meeting| span.contains(meeting.t))?;
-        let (part, parameters) = (index, meeting.barycentric);
-        Some(Candidate { part, parameters, ..Candidate::at(meeting.t) })
-    }
-}
-
 impl AcceleratedMesh {
-    fn query(&self, ray: &Ray) -> RayQuery<'_> {
-        RayQuery { mesh: &self.mesh, ray: ShearedRay::new(ray) }
+    /// The hit of a triangle by a ray, which is prepared once for all of them.
+    fn tested(&self, ray: &Ray) -> impl Fn(u32, Span) -> Option<Candidate> {
+        let ray = ShearedRay::new(ray);
+        move |index, span| {
+            let corners = self.mesh.corners(self.mesh.triangles[index as usize]);
+            let meeting = ray.meet(&corners).filter(|meeting| span.contains(meeting.t))?;
+            let (part, parameters) = (index, meeting.barycentric);
+            Some(Candidate { part, parameters, ..Candidate::at(meeting.t) })
+        }
     }
 
     /// The first hit; `counter` counts the tests.
@@ -190,7 +181,7 @@ impl AcceleratedMesh {
         match &self.structure {
             Structure::Mesh(tree) => tree.nearest(ray, span, counter),
             Structure::General(accel) => {
-                let first = accel.nearest_counted(&self.query(ray), ray, span, counter);
+                let first = accel.nearest_counted(ray, span, counter, self.tested(ray));
                 first.map(|(_, candidate)| candidate)
             }
         }
@@ -214,7 +205,8 @@ impl Shape for AcceleratedMesh {
         match &self.structure {
             Structure::Mesh(tree) => tree.any(ray, span).map(|candidate| candidate.t),
             Structure::General(accel) => {
-                accel.any(&self.query(ray), ray, span).map(|(_, candidate)| candidate.t)
+                let test = self.tested(ray);
+                accel.any(ray, span, |index| test(index, span)).map(|(_, at)| at.t)
             }
         }
     }
@@ -223,41 +215,23 @@ impl Shape for AcceleratedMesh {
         self.mesh.surface_at(at.part as usize, at.parameters)
     }
 
-    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
-        let uvs = self.mesh.uvs.as_ref()?;
-        let [a, b, c] = self.mesh.triangles[at.part as usize].map(|vertex| uvs[vertex as usize]);
-        let [beta, gamma] = at.parameters;
-        Some([0, 1].map(|i| a[i] + beta * (b[i] - a[i]) + gamma * (c[i] - a[i])))
+    fn within(&self, at: &Candidate) -> Within<'_> {
+        let mesh = &self.mesh;
+        let triangle = mesh.triangles[at.part as usize];
+        let corners = mesh.corners(triangle);
+        let uvs = mesh.uvs.as_ref().map(|uvs| triangle.map(|vertex| uvs[vertex as usize]));
+        let facet = Facet { corners, uvs, barycentric: at.parameters };
+        Within::Triangle(Some(mesh.original_index(at.part)), facet)
     }
 
     fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
         (self.mesh.uvs.is_none() && needs_uv(own)).then_some(own)
     }
 
-    fn facet(&self, at: &Candidate) -> Option<Facet> {
-        let corners = self.mesh.corners(self.mesh.triangles[at.part as usize]);
-        Some(Facet { corners, barycentric: at.parameters })
-    }
-
-    /// The barycentric coordinates are linear in the plane of the triangle, also beyond its edges:
-    /// `by = β (b − a) + γ (c − a)`, solved with the normal `N = (b − a) × (c − a)`.
-    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
-        let [a, b, c] = self.mesh.corners(self.mesh.triangles[at.part as usize]);
-        let normal = exact_cross(a, b, c);
-        let [beta, gamma] = at.parameters;
-        let square = normal.length_squared();
-        let moved = [by.cross(c - a), (b - a).cross(by)].map(|part| part.dot(normal) / square);
-        Candidate { parameters: [beta + moved[0], gamma + moved[1]], ..*at }
-    }
-
-    fn path(&self, at: &Candidate) -> PartPath {
-        PartPath::to(Level::Triangle(self.mesh.original_index(at.part)))
-    }
-
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        let query = self.query(ray);
+        let test = self.tested(ray);
         let all = 0..self.mesh.triangles.len() as u32;
-        let mut roots: Vec<_> = all.filter_map(|index| query.hit(index, span)).collect();
+        let mut roots: Vec<_> = all.filter_map(|index| test(index, span)).collect();
         roots.sort_by(|a, b| a.t.total_cmp(&b.t));
         roots
     }

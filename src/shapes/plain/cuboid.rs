@@ -16,7 +16,7 @@ use crate::invalid::{Invalid, finite_point};
 use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::shapes::border::Border;
-use crate::shapes::{Candidate, Context, Face, Level, PartPath, Shape, Surface};
+use crate::shapes::{Candidate, Context, Face, Shape, Surface, Within};
 
 /// The surface of the box between two corners; normals point outward.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -119,9 +119,9 @@ impl Shape for Cuboid {
         Surface::new(point, 4.0 * UNIT_ROUNDOFF * face.abs(), normal).within(border)
     }
 
-    fn path(&self, at: &Candidate) -> PartPath {
+    fn within(&self, at: &Candidate) -> Within<'_> {
         let faces = [Face::MinX, Face::MaxX, Face::MinY, Face::MaxY, Face::MinZ, Face::MaxZ];
-        PartPath::to(Level::Face(faces[at.part as usize]))
+        Within::Face(faces[at.part as usize])
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {

@@ -17,7 +17,7 @@ use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross, lists, ma
 use crate::shapes::border::Border;
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{
-    Candidate, Context, Facet, SampledSurface, Sampling, Shape, Surface, size_problem,
+    Candidate, Context, Facet, SampledSurface, Sampling, Shape, Surface, Within, size_problem,
 };
 
 /// A triangle; its normal is `(v1 − v0) × (v2 − v0)` normalised, the one that shading uses may be
@@ -105,8 +105,9 @@ impl Shape for TriangleShape {
         self.surface_at(at.parameters)
     }
 
-    fn facet(&self, at: &Candidate) -> Option<Facet> {
-        Some(Facet { corners: self.vertices, barycentric: at.parameters })
+    fn within(&self, at: &Candidate) -> Within<'_> {
+        let facet = Facet { corners: self.vertices, uvs: None, barycentric: at.parameters };
+        Within::Triangle(None, facet)
     }
 
     fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {

@@ -38,8 +38,8 @@ use std::sync::Arc;
 pub use quartic::{cubic_roots, quartic_roots};
 pub(super) use searched::{mesh, spheres};
 
-use super::{Candidate, Facet, Kind, PartPath, SampledSurface, Sampling, Shape, Surface};
-use crate::math::{Aabb, Point, Ray, Span, Transform, Vector, atan2, to_radians};
+use super::{Candidate, Kind, Role, SampledSurface, Sampling, Shape, Surface, Within};
+use crate::math::{Aabb, Point, Ray, Span, Vector, atan2, to_radians};
 
 /// Where a hit is too near to the ray's origin to count, as a distance: the book's `kEpsilon` of most
 /// shapes, here of all (its tori, cones and part objects have a tenth of it).
@@ -175,28 +175,12 @@ impl<F: Form> Shape for Textbook<F> {
         std::iter::successors(next(span.min), |at| next(at.t)).collect()
     }
 
-    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
-        self.ours.uv(at)
+    fn within(&self, at: &Candidate) -> Within<'_> {
+        Within::Nested(&*self.ours, *at, Role::Same)
     }
 
     fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
         self.ours.material_without_uv(own, needs_uv)
-    }
-
-    fn facet(&self, at: &Candidate) -> Option<Facet> {
-        self.ours.facet(at)
-    }
-
-    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
-        self.ours.shifted(at, by)
-    }
-
-    fn texture_space(&self, at: &Candidate) -> Transform {
-        self.ours.texture_space(at)
-    }
-
-    fn path(&self, at: &Candidate) -> PartPath {
-        self.ours.path(at)
     }
 
     fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {

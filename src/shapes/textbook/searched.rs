@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::{Form, Textbook, grown};
-use crate::accel::{Accel, Method, Primitives};
+use crate::accel::{Accel, Method};
 use crate::math::{Aabb, Ray, Span};
 use crate::shapes::{Candidate, Shape, Sphere, Triangle, TriangleMesh};
 
@@ -15,27 +15,17 @@ struct Searched<F> {
     numbered: fn(u32, Candidate) -> Candidate,
 }
 
-/// The forms for the query of one ray.
-struct RayQuery<'a, F> {
-    of: &'a Searched<F>,
-    ray: &'a Ray,
-}
-
-impl<F: Form> Primitives for RayQuery<'_, F> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        let at = self.of.forms[index as usize].first(self.ray, span)?;
-        Some((self.of.numbered)(index, at))
-    }
-}
-
 impl<F: Form> Form for Searched<F> {
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let (_, at) = self.accel.nearest(&RayQuery { of: self, ray }, ray, span)?;
-        Some(at)
+        let (index, at) = self
+            .accel
+            .nearest(ray, span, |index, span| self.forms[index as usize].first(ray, span))?;
+        Some((self.numbered)(index, at))
     }
 
     fn shadow(&self, ray: &Ray, span: Span) -> Option<f64> {
-        self.accel.any(&RayQuery { of: self, ray }, ray, span).map(|(_, at)| at.t)
+        let first = |index: u32| self.forms[index as usize].first(ray, span);
+        self.accel.any(ray, span, first).map(|(_, at)| at.t)
     }
 }
 

@@ -13,7 +13,7 @@ use groundtruth::shapes::{
     TriangleMesh,
 };
 
-use super::searched::{Both, FARTHEST, Seen, agree, built, some_rays, spheres};
+use super::searched::{Both, FARTHEST, agree, built, hits, some_rays, spheres};
 
 /// For each law a short test, and a thorough one with a million rays.
 macro_rules! laws {
@@ -73,7 +73,7 @@ fn coincident_objects(rays: usize) {
     let both = Both::new(objects.clone());
     for ray in some_rays(2212, rays, 1.0) {
         for accel in both.others() {
-            let found = accel.nearest(&Seen(&objects, &ray), &ray, Span::AHEAD);
+            let found = accel.nearest(&ray, Span::AHEAD, hits(&objects, &ray));
             assert_eq!(found.map(|(i, hit)| (i, hit.t)), both.first(&ray), "{ray:?}");
         }
     }

@@ -3,17 +3,13 @@
 use std::sync::Arc;
 
 use exact::Draw;
-use groundtruth::accel::{Accel, Method, Primitives};
+use groundtruth::accel::{Accel, Method};
 use groundtruth::math::{Aabb, Ray, Span};
 use groundtruth::shapes::{Candidate, Context, Kind, Shape, Sphere};
 
-/// Objects in order, and the ray to intersect them with.
-pub struct Seen<'a>(pub &'a [Arc<dyn Shape>], pub &'a Ray);
-
-impl Primitives for Seen<'_> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        self.0[index as usize].hit(self.1, span)
-    }
+/// The hits of the ray with the objects.
+pub fn hits(objects: &[Arc<dyn Shape>], ray: &Ray) -> impl Fn(u32, Span) -> Option<Candidate> {
+    |index, span| objects[index as usize].hit(ray, span)
 }
 
 /// The greatest distance of a ray's origin, in sizes of the scene, at which all methods find the same:
@@ -57,9 +53,9 @@ impl Both {
 
     /// Whether anything is hit; fails if the methods disagree on a ray that starts near.
     pub fn check(&self, ray: &Ray, span: Span, case: &str) -> bool {
-        let seen = Seen(&self.objects, ray);
+        let hit = hits(&self.objects, ray);
         let find = |accel: &Accel| {
-            let found = accel.nearest(&seen, ray, span);
+            let found = accel.nearest(ray, span, &hit);
             found.map(|(i, hit)| (i, hit.t.to_bits(), hit.part, hit.parameters.map(f64::to_bits)))
         };
         let first = find(&self.list);
@@ -72,7 +68,7 @@ impl Both {
         for accel in self.others() {
             assert_eq!(find(accel), first, "{case}: {ray:?} in {span:?}");
         }
-        let any = |accel: &Accel| accel.any(&seen, ray, span).map(|(_, hit)| hit.t);
+        let any = |accel: &Accel| accel.any(ray, span, |i| hit(i, span)).map(|(_, at)| at.t);
         let shadows: Vec<_> = [&self.list].into_iter().chain(self.others()).map(any).collect();
         let same = shadows.iter().all(|t| t.is_some() == first.is_some());
         assert!(same, "{case}: shadow of {ray:?} in {span:?}");

@@ -9,7 +9,7 @@ use groundtruth::math::{Aabb, Point, Ray, Span, power};
 use groundtruth::mesh_bvh::Kernel;
 use groundtruth::shapes::{self, Context, Kind, Shape, Sphere, Triangle, TriangleMesh};
 
-use super::searched::{self, Both, Seen, built};
+use super::searched::{self, Both, built, hits};
 
 /// Small spheres, triangles and boxes, all within `size` of a point.
 fn teapot(draw: &mut Draw, count: usize, middle: Point, size: f64) -> Vec<Arc<dyn Shape>> {
@@ -143,7 +143,7 @@ fn a_teapot_costs_the_same_in_a_stadium() {
                 let accel = Accel::build(Method::Bvh, &bounds);
                 let mut counts = Counts::default();
                 for ray in &rays {
-                    accel.nearest_counted(&Seen(objects, ray), ray, Span::AHEAD, &mut counts);
+                    accel.nearest_counted(ray, Span::AHEAD, &mut counts, hits(objects, ray));
                 }
                 counts.tests + counts.steps
             };

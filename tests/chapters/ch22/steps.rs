@@ -1,19 +1,11 @@
 //! The cost of a search, counted rather than timed.
 
 use exact::Draw;
-use groundtruth::accel::{Accel, Counts, Method, Primitives};
+use groundtruth::accel::{Accel, Counts, Method};
 use groundtruth::math::{Aabb, Point, Ray, Span, Vector, cbrt};
-use groundtruth::shapes::{Candidate, RandomSpheres, Shape, Sphere};
+use groundtruth::shapes::{RandomSpheres, Shape};
 
 use super::searched::{self, Both, some_rays};
-
-struct Seen<'a>(&'a [Sphere], &'a Ray);
-
-impl Primitives for Seen<'_> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        Shape::hit(&self.0[index as usize], self.1, span)
-    }
-}
 
 const RAYS: usize = 400;
 
@@ -31,7 +23,8 @@ fn cost(method: Method, count: u32, radius: f64) -> [f64; 3] {
         let mut place = || draw.between(-1.0, 1.0);
         let (from, to) = (Point::new(place(), place(), -1.0), Point::new(place(), place(), 1.0));
         let ray = Ray::new(from - 2.0 * (to - from), to - from);
-        let _ = accel.nearest_counted(&Seen(&spheres, &ray), &ray, Span::AHEAD, &mut counts);
+        let hit = |index, span| Shape::hit(&spheres[index as usize], &ray, span);
+        let _ = accel.nearest_counted(&ray, Span::AHEAD, &mut counts, hit);
         let cells = 2.0 * cbrt(f64::from(count));
         let way: Vector = to - from;
         planes += way.to_array().iter().map(|x| x.abs() * cells / 2.0).sum::<f64>();
@@ -81,11 +74,11 @@ fn a_counted_search_finds_the_same() {
     let both = Both::new(searched::spheres(&mut Draw::new(2255), 300));
     let (mut tests, mut steps) = (0, 0);
     for ray in some_rays(2256, 1_000, 1.0) {
-        let seen = searched::Seen(&both.objects, &ray);
+        let hit = searched::hits(&both.objects, &ray);
         let (mut by_list, mut by_tree) = (Counts::default(), Counts::default());
-        let found = both.list.nearest_counted(&seen, &ray, Span::AHEAD, &mut by_list);
-        assert_eq!(found, both.list.nearest(&seen, &ray, Span::AHEAD));
-        assert_eq!(found, both.tree.nearest_counted(&seen, &ray, Span::AHEAD, &mut by_tree));
+        let found = both.list.nearest_counted(&ray, Span::AHEAD, &mut by_list, &hit);
+        assert_eq!(found, both.list.nearest(&ray, Span::AHEAD, &hit));
+        assert_eq!(found, both.tree.nearest_counted(&ray, Span::AHEAD, &mut by_tree, &hit));
         assert_eq!([by_list.steps, by_list.tests], [0, 300]);
         tests += by_tree.tests;
         steps += by_tree.steps;

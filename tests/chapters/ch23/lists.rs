@@ -58,7 +58,12 @@ fn a_mesh_of_lists_is_the_mesh_of_the_file_with_them() {
             let ray = Ray::new(from, to - from);
             let [of_file, of_lists] = shapes.each_ref().map(|shape| {
                 let at = shape.hit(&ray, Span::AHEAD)?;
-                Some((at, shape.surface(&ray, &at), shape.uv(&at), shape.path(&at)))
+                Some((
+                    at,
+                    shape.surface(&ray, &at),
+                    shape.facet(&at, Vector::ZERO),
+                    shape.path(&at),
+                ))
             });
             assert_eq!(of_file, of_lists);
             hits += u32::from(of_file.is_some());

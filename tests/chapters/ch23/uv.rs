@@ -71,7 +71,7 @@ fn texture_coordinates_are_interpolated_where_the_file_has_them() {
             let ray = Ray::new(Point::new(x + offset, 5.0, z), -Vector::Y);
             let at = shape.hit(&ray, Span::AHEAD).expect("above the sheet");
             let expected = (name != "without").then(|| uv_at(x, z));
-            let found = shape.uv(&at);
+            let found = shape.facet(&at, Vector::ZERO).and_then(|facet| facet.uv());
             assert_eq!(found.is_some(), expected.is_some(), "{name}");
             for (a, b) in found.into_iter().flatten().zip(expected.into_iter().flatten()) {
                 assert!((a - b).abs() <= ROUNDING, "{name}: {found:?}, not {expected:?}");
@@ -79,5 +79,5 @@ fn texture_coordinates_are_interpolated_where_the_file_has_them() {
         }
     }
     let ball = Kind::from(ball).build(&mut Context::default()).expect("valid");
-    assert_eq!(ball.uv(&Candidate::at(1.0)), None);
+    assert_eq!(ball.facet(&Candidate::at(1.0), Vector::ZERO), None);
 }

@@ -15,6 +15,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{
     self, Candidate, Compound, Instance, Mesh, Part, Rectangle, Sampling, Shape, Sphere, Surface,
+    Within,
 };
 use groundtruth::textures::{Amount, Checker3d, Filtering, Image, Mapping, Paint};
 use groundtruth::world::World;
@@ -124,9 +125,9 @@ impl Shape for Counted {
         self.shape.surface(ray, at)
     }
 
-    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
+    fn within(&self, at: &Candidate) -> Within<'_> {
         self.asked.fetch_add(1, Relaxed);
-        self.shape.uv(at)
+        self.shape.within(at)
     }
 
     fn material_without_uv(&self, _: u32, _: &dyn Fn(u32) -> bool) -> Option<u32> {

@@ -9,7 +9,9 @@ use groundtruth::math::{Aabb, Pcg32, Point, Ray, Span, Step, Transform, Vector, 
 use groundtruth::noise::Noise;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
-use groundtruth::shapes::{self, Candidate, Context, Instance, Shape, Surface, TessellatedSphere};
+use groundtruth::shapes::{
+    self, Candidate, Context, Instance, Shape, Surface, TessellatedSphere, Within,
+};
 use groundtruth::textures::{Constant, Fbm};
 use groundtruth::world::World;
 
@@ -75,9 +77,9 @@ impl Shape for Counted {
         self.shape.surface(ray, at)
     }
 
-    fn texture_space(&self, at: &Candidate) -> Transform {
+    fn within(&self, at: &Candidate) -> Within<'_> {
         self.asked.fetch_add(1, Ordering::Relaxed);
-        self.shape.texture_space(at)
+        self.shape.within(at)
     }
 
     fn bounds(&self) -> Aabb {

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use exact::backward_error::{ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error};
 pub use exact::backward_error::{Pair, instanced, pair};
 use exact::{backward_error, composites};
-use groundtruth::accel::{Accel, Method, Primitives};
+use groundtruth::accel::{Accel, Method};
 use groundtruth::math::{Ray, Span, Vector};
 use groundtruth::shapes::{self, Candidate};
 use oracle::Answer;
@@ -234,12 +234,6 @@ fn is_consistent(shape: &dyn shapes::Shape, ray: &Ray, span: Span) -> Result<(),
 
 /// The first hit of a scene with this shape alone.
 fn through_accelerator(shape: &dyn shapes::Shape, ray: &Ray, span: Span) -> Option<Candidate> {
-    struct Alone<'a>(&'a dyn shapes::Shape, &'a Ray);
-    impl Primitives for Alone<'_> {
-        fn hit(&self, _: u32, span: Span) -> Option<Candidate> {
-            self.0.hit(self.1, span)
-        }
-    }
     let accel = Accel::build(Method::List, &[shape.bounds()]);
-    accel.nearest(&Alone(shape, ray), ray, span).map(|(_, candidate)| candidate)
+    accel.nearest(ray, span, |_, span| shape.hit(ray, span)).map(|(_, candidate)| candidate)
 }

@@ -100,8 +100,12 @@ impl Intersect {
 
     fn hit(&self, shape: &dyn Shape, ray: &Ray, at: &Candidate) -> Hit {
         let surface = shape.surface(ray, at);
-        let uv = shape.uv(at).map(|uv| uv.map(Real));
-        Hit { uv, path: shape.path(at), ..self.of_surface(at.t, &surface, ray) }
+        let uv = shape.facet(at, Vector::ZERO).and_then(|facet| facet.uv());
+        Hit {
+            uv: uv.map(|uv| uv.map(Real)),
+            path: shape.path(at),
+            ..self.of_surface(at.t, &surface, ray)
+        }
     }
 
     fn of_surface(&self, t: f64, surface: &Surface, ray: &Ray) -> Hit {

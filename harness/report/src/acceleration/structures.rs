@@ -3,7 +3,7 @@
 use std::cell::Cell;
 
 use super::stages::Objects;
-use groundtruth::accel::{self, Accel, Method, Primitives};
+use groundtruth::accel::{self, Accel, Method};
 use groundtruth::math::{Aabb, Ray, Span};
 use groundtruth::shapes::{Candidate, Shape};
 
@@ -101,12 +101,15 @@ impl BuiltStructure {
         let hit = match self {
             Self::Mesh(shape) => return shape.hit(ray, Span::AHEAD).map(|hit| hit.t),
             Self::Plain(accel) => {
-                let query = RayQuery { objects, first: 0, ray, counts };
-                search(accel, &query, ray, Span::AHEAD, counts)
+                search(accel, ray, Span::AHEAD, counts, tested(objects, 0, ray, counts))
             }
             Self::Nested { outer, inner } => {
-                let groups = GroupQuery { objects, inner, ray, counts };
-                search(outer, &groups, ray, Span::AHEAD, counts)
+                let group = |index: u32, span| {
+                    let index = index as usize;
+                    let first = objects.groups[index].start;
+                    search(&inner[index], ray, span, counts, tested(objects, first, ray, counts))
+                };
+                search(outer, ray, Span::AHEAD, counts, group)
             }
         };
         hit.map(|hit| hit.t)
@@ -129,53 +132,34 @@ fn memory_bytes(accel: &Accel) -> u64 {
     accel.memory_bytes() as u64
 }
 
-/// One traversal of one structure. This counts nodes and cells; the queries count tests of objects.
+/// One traversal of one structure. This counts nodes and cells; `hit` counts tests of objects.
 fn search(
     accel: &Accel,
-    primitives: &impl Primitives,
     ray: &Ray,
     span: Span,
     counts: Option<&Counts>,
+    hit: impl Fn(u32, Span) -> Option<Candidate>,
 ) -> Option<Candidate> {
     let Some(counts) = counts else {
-        return accel.nearest(primitives, ray, span).map(|(_, hit)| hit);
+        return accel.nearest(ray, span, hit).map(|(_, hit)| hit);
     };
     let mut here = accel::Counts::default();
-    let found = accel.nearest_counted(primitives, ray, span, &mut here);
+    let found = accel.nearest_counted(ray, span, &mut here, hit);
     counts.steps.set(Some(counts.steps.get().unwrap_or(0) + here.steps));
     found.map(|(_, hit)| hit)
 }
 
-/// The objects from `first` on, for one ray.
-struct RayQuery<'a> {
+/// The hits of a ray with the objects from `first` on.
+fn tested<'a>(
     objects: &'a Objects,
     first: usize,
     ray: &'a Ray,
     counts: Option<&'a Counts>,
-}
-
-impl Primitives for RayQuery<'_> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        if let Some(counts) = self.counts {
+) -> impl Fn(u32, Span) -> Option<Candidate> + 'a {
+    move |index, span| {
+        if let Some(counts) = counts {
             counts.tests.set(counts.tests.get() + 1);
         }
-        self.objects.shapes[self.first + index as usize].hit(self.ray, span)
-    }
-}
-
-/// The groups, for one ray.
-struct GroupQuery<'a> {
-    objects: &'a Objects,
-    inner: &'a [Accel],
-    ray: &'a Ray,
-    counts: Option<&'a Counts>,
-}
-
-impl Primitives for GroupQuery<'_> {
-    fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
-        let Self { objects, ray, counts, .. } = *self;
-        let first = objects.groups[index as usize].start;
-        let query = RayQuery { objects, first, ray, counts };
-        search(&self.inner[index as usize], &query, ray, span, counts)
+        objects.shapes[first + index as usize].hit(ray, span)
     }
 }

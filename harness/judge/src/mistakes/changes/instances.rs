@@ -7,7 +7,7 @@ use groundtruth::kinds::{Custom, Resources};
 use groundtruth::math::{Aabb, Normal, Ray, Span, Transform, Vector};
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{
-    Candidate, Context, Facet, Instance, Kind, PartPath, SampledSurface, Sampling, Shape, Surface,
+    Candidate, Context, Instance, Kind, Role, SampledSurface, Sampling, Shape, Surface, Within,
 };
 
 use super::changed;
@@ -77,28 +77,12 @@ impl Shape for Wrong {
         self.instance.roots(ray, span)
     }
 
-    fn uv(&self, at: &Candidate) -> Option<[f64; 2]> {
-        self.instance.uv(at)
+    fn within(&self, at: &Candidate) -> Within<'_> {
+        Within::Nested(&*self.instance, *at, Role::Same)
     }
 
     fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
         self.instance.material_without_uv(own, needs_uv)
-    }
-
-    fn facet(&self, at: &Candidate) -> Option<Facet> {
-        self.instance.facet(at)
-    }
-
-    fn shifted(&self, at: &Candidate, by: Vector) -> Candidate {
-        self.instance.shifted(at, by)
-    }
-
-    fn texture_space(&self, at: &Candidate) -> Transform {
-        self.instance.texture_space(at)
-    }
-
-    fn path(&self, at: &Candidate) -> PartPath {
-        self.instance.path(at)
     }
 
     fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
