@@ -77,10 +77,8 @@ impl Compare {
         for ((side, name), built) in sides.into_iter().zip([&self.a, &self.b]).zip(&mut worlds) {
             match side {
                 Side::Picture(picture) => {
-                    picture
-                        .notes
-                        .iter()
-                        .for_each(|note| eprintln!("note: {}: {note}", printable::name(name)));
+                    let name = printable::name(name);
+                    picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
                     pictures.push(picture);
                 }
                 Side::Scene(scene, source) => {

@@ -138,14 +138,7 @@ impl Conform {
                 self.say(&(chapters.unfinished(&card) + &card::rest(&card) + &verdict))?
             }
         };
-        if !card.is_whole {
-            return Ok(Exit::Interrupted);
-        }
-        if card.is_not_judged() || card.rows.iter().all(Row::is_unsupported) {
-            return Ok(Exit::Unanswered);
-        }
-        let is_failed = known.map_or(card.is_failed(), |known| is_new(&known, &card));
-        Ok(if is_failed { Exit::No } else { Exit::Yes })
+        Ok(exit(&card, known.as_ref()))
     }
 
     /// The families that the arguments select; at least one.
@@ -227,6 +220,17 @@ impl Chapters {
         self.head.clone()
             + &open.map(|(chapter, rows)| card::line(chapter, rows)).collect::<String>()
     }
+}
+
+fn exit(card: &Card, known: Option<&Known>) -> Exit {
+    if !card.is_whole {
+        return Exit::Interrupted;
+    }
+    if card.is_not_judged() || card.rows.iter().all(Row::is_unsupported) {
+        return Exit::Unanswered;
+    }
+    let is_failed = known.map_or(card.is_failed(), |known| is_new(known, card));
+    if is_failed { Exit::No } else { Exit::Yes }
 }
 
 /// Prints how a card differs from the failures that are known; whether it does.

@@ -155,17 +155,22 @@ impl Verify {
         let explained_with = explained_with_size(arguments, &scene) + &explained_with;
         let words =
             witness + &verdict.to_string() + &advice(arguments.name(), &verdict, &explained_with);
+        self.tell(&verdict, &words, arguments.name())?;
+        Ok(if watch.is_interrupted() { Exit::Interrupted } else { exit(&verdict) })
+    }
+
+    /// Writes the page and prints the verdict.
+    fn tell(&self, verdict: &Verdict, words: &str, scene: &str) -> Result<(), Box<dyn Error>> {
         if let Some(file) = &self.output {
-            let name = format!("{} and {}", self.name(), arguments.name());
-            let html = verdict::page(&verdict, &name, &words);
-            output::write(file, html.as_bytes())?;
+            let name = format!("{} and {scene}", self.name());
+            output::write(file, verdict::page(verdict, &name, words).as_bytes())?;
         }
         let say = |text: &str| output::say(text, self.output.as_deref());
         match self.json {
-            true => say(&(serde_json::to_string_pretty(&verdict)? + "\n"))?,
-            false => say(&words)?,
+            true => say(&(serde_json::to_string_pretty(verdict)? + "\n"))?,
+            false => say(words)?,
         };
-        Ok(if watch.is_interrupted() { Exit::Interrupted } else { exit(&verdict) })
+        Ok(())
     }
 
     /// The pictures to be judged, rendered by another program or read; `None` if the scene cannot be exported.

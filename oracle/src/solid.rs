@@ -276,40 +276,10 @@ pub(crate) fn parts(solid: &Solid<Real>) -> Vec<Part> {
         }
         Solid::BeveledBox { min, max, bevel } => beveled::beveled_box([min, max], bevel),
         Solid::BeveledCylinder { y0, y1, radius, bevel } => {
-            let (flat, [low, high]) = (radius - bevel, [y0 + bevel, y1 - bevel]);
-            let mut parts = Vec::new();
-            for ((y, up), edge) in ends(y0, y1).into_iter().zip([&low, &high]) {
-                let round = if sign(&flat).is_gt() {
-                    parts.push(disk(y, up, flat.clone()));
-                    tube(&flat, bevel, turn(), quarter(0.0))
-                } else {
-                    zone(zero(), bevel, quarter(0.0))
-                };
-                parts.push(round.level(edge.clone(), up));
-            }
-            if low < high {
-                parts.push(wall(low, high, radius));
-            }
-            parts
+            beveled::beveled_cylinder([y0, y1], radius, bevel)
         }
         Solid::BeveledRing { y0, y1, inner, outer, bevel } => {
-            let ([low, high], [near, far]) =
-                ([y0 + bevel, y1 - bevel], [inner + bevel, outer - bevel]);
-            let mut parts = Vec::new();
-            for ((y, up), edge) in ends(y0, y1).into_iter().zip([&low, &high]) {
-                if near < far {
-                    parts.push(annulus(y, up, near.clone(), far.clone()));
-                }
-                for (swept, theta) in [(&far, 0.0), (&near, 90.0)] {
-                    let round = tube(swept, bevel, turn(), quarter(theta));
-                    parts.push(round.level(edge.clone(), up));
-                }
-            }
-            if low < high {
-                parts.push(wall(low.clone(), high.clone(), inner).hollow());
-                parts.push(wall(low, high, outer));
-            }
-            parts
+            beveled::beveled_ring([y0, y1], [inner, outer], bevel)
         }
         Solid::BeveledWedge { y0, y1, inner, outer, phi, bevel } => {
             beveled::beveled_wedge([y0, y1], [inner, outer], phi, bevel)

@@ -27,8 +27,13 @@ pub enum Role<'a> {
     Part(u32, &'a str),
     /// A copy: how many times it is moved along each axis, and by which vector in all.
     Copy([u32; 3], Vector),
-    /// What an instance transforms, with its textures or without.
-    Instance { transform: &'a Transform, with_texture: bool },
+    /// What an instance transforms.
+    Instance {
+        /// The map to the coordinates outside.
+        transform: &'a Transform,
+        /// Whether textures are transformed, too.
+        with_texture: bool,
+    },
 }
 
 impl dyn Shape + '_ {

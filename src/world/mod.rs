@@ -186,10 +186,10 @@ impl World {
 
     /// The first hit along the ray.
     pub fn hit(&self, ray: &Ray, span: Span) -> Option<Hit<'_>> {
-        let of = |index: u32| &self.objects[index as usize];
-        let (index, candidate) =
-            self.accel.nearest(ray, span, |index, span| of(index).shape.hit(ray, span))?;
-        let object = of(index);
+        let objects = &*self.objects;
+        let hit = move |index: u32, span| objects[index as usize].shape.hit(ray, span);
+        let (index, candidate) = self.accel.nearest(ray, span, hit)?;
+        let object = &objects[index as usize];
         let surface = object.shape.surface(ray, &candidate);
         let front = surface.is_front(ray.direction);
         let material = &self.materials[surface.material.unwrap_or(object.material) as usize];
@@ -198,12 +198,13 @@ impl World {
 
     /// An object that blocks light along the ray, if there is one.
     pub fn occluder(&self, ray: &Ray, span: Span) -> Option<&PlacedObject> {
-        let of = |index: u32| &self.objects[index as usize];
-        let (index, _) = self.accel.any(ray, span, |index| {
-            let object = of(index);
+        let objects = &*self.objects;
+        let blocked = move |index: u32| {
+            let object = &objects[index as usize];
             if object.casts_shadows { object.shape.shadow_hit(ray, span) } else { None }
-        })?;
-        Some(of(index))
+        };
+        let (index, _) = self.accel.any(ray, span, blocked)?;
+        Some(&objects[index as usize])
     }
 
     /// The objects that are on.

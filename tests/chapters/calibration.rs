@@ -1,15 +1,9 @@
 //! Pictures of small shining spheres, and where the cameras say that they are (ch. 8–12).
 
-use groundtruth::cameras::{Kind, Viewpoint};
-use groundtruth::math::{Point, Vector};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::Regular;
-use groundtruth::scene::{Image, Scene};
-use groundtruth::shapes::Sphere;
-use groundtruth::world::World;
+use groundtruth::cameras::Kind;
 
-use crate::pictures::studio::{add_flat, built};
+use crate::pictures::studio::built;
+use crate::prelude::*;
 
 /// Pixels across. Only windows of the picture are rendered: with so many pixels for the view, a
 /// sphere is so small that its image is as good as an ellipse about the projected centre. The

@@ -1,13 +1,10 @@
 //! Chapter 6: mapping samples to a disk.
 
-use std::f64::consts::PI;
-
-use groundtruth::math::{ONE_MINUS, Pcg32, atan2, maps};
-use groundtruth::samplers::Jittered;
+use groundtruth::math::{ONE_MINUS, maps};
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::samples::{assert_once_each, assert_uniform, built, occupied, random_points};
-use crate::support::{U, laws};
 
 /// Points of the square: anywhere, on the axes and diagonals, at the ends and next to the centre.
 fn square_point() -> impl Strategy<Value = [f64; 2]> {

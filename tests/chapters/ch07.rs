@@ -1,13 +1,10 @@
 //! Chapter 7: mapping samples to a hemisphere, and to a sphere.
 
-use std::f64::consts::PI;
-
-use groundtruth::math::{ONE_MINUS, Pcg32, Vector, acos, atan2, maps, power};
-use groundtruth::samplers::Jittered;
+use groundtruth::math::{ONE_MINUS, maps};
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::samples::{assert_once_each, assert_uniform, built, random_points};
-use crate::support::{U, laws};
 
 /// Exponents of the book's lobes, values between them and much larger ones.
 const EXPONENTS: [f64; 8] = [0.0, 0.5, 1.0, 2.5, 10.0, 100.0, 1e4, 1e6];

@@ -1,15 +1,12 @@
 //! Chapter 8: perspective viewing.
 
-use groundtruth::cameras::{Orthographic, Pinhole, View, ViewPlane, Viewpoint};
-use groundtruth::math::{Point, Vector, atan2, sin, tan, to_degrees};
-use groundtruth::math::{Span, acos};
-use groundtruth::render;
-use groundtruth::shapes::{self, Sphere};
+use groundtruth::cameras::{View, ViewPlane};
 use proptest::prelude::*;
 
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
-use crate::pictures::studio::{RED, add_flat, bits, built, from_front, pixels};
-use crate::support::{ANY_FILM, Seen, U, laws, point};
+use crate::pictures::studio::{RED, bits, built};
+use crate::prelude::*;
+use crate::support::{ANY_FILM, Seen};
 
 /// A view from the z axis, along −z.
 fn pinhole(eye: f64, distance: f64) -> View {

@@ -1,15 +1,12 @@
 //! Chapter 9: a practical viewing system.
 
-use groundtruth::cameras::{Orthographic, Pinhole, View, Viewpoint};
-use groundtruth::math::{Point, Ray, Vector};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::shapes::Sphere;
+use groundtruth::cameras::View;
 use proptest::prelude::*;
 
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
-use crate::pictures::studio::{RED, add_flat, built, from_front, small};
-use crate::support::{ANY_FILM, Seen, U, laws, point};
+use crate::pictures::studio::{RED, built};
+use crate::prelude::*;
+use crate::support::{ANY_FILM, Seen};
 
 const LENS: Pinhole = Pinhole { distance: 500.0, zoom: 1.0 };
 

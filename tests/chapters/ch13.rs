@@ -2,18 +2,14 @@
 
 pub mod albedo;
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::FRAC_PI_2;
 
-use groundtruth::lights::Directional;
-use groundtruth::lobes::{GlossySpecular, Lambertian, Lobe};
-use groundtruth::materials::{Emissive, Matte};
-use groundtruth::math::{Normal, Pcg32, Point, Step, Vector, cos, sin};
-use groundtruth::rgb::Rgb;
-use groundtruth::shapes::{Cuboid, Instance, Kind as Shape, Sphere};
+use groundtruth::lobes::{GlossySpecular, Lambertian};
+use groundtruth::shapes::Kind as Shape;
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::stage::*;
-use crate::support::{U, laws, unit};
 
 /// Steps of a quadrature in each of two angles.
 const STEPS: u32 = 400;

@@ -2,19 +2,12 @@
 
 mod sources;
 
-use std::f64::consts::{FRAC_1_PI, PI};
-
 use groundtruth::film::{OutOfGamut, Tone};
-use groundtruth::lights::{Ambient, Directional, PointLight as Lamp};
-use groundtruth::materials::{Emissive, Matte};
-use groundtruth::math::{Normal, Point, Vector, power};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{Plane, Rectangle, Sphere};
+use groundtruth::lights::PointLight as Lamp;
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::stage::*;
-use crate::support::{U, laws, point, unit};
 
 /// A few products and one sum of positive terms: each rounds once or twice.
 const PRODUCTS: f64 = 12.0 * U;

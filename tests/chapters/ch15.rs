@@ -1,19 +1,13 @@
 //! Chapter 15: specular reflection.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::FRAC_PI_2;
 
-use groundtruth::lights::Directional;
-use groundtruth::lobes::{GlossySpecular, Lobe};
-use groundtruth::materials::{Matte, Phong};
-use groundtruth::math::{Normal, Point, Vector, cos, power, sin, to_degrees};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{Plane, Sphere};
-use groundtruth::{cameras, render};
+use groundtruth::cameras;
+use groundtruth::lobes::GlossySpecular;
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::stage::*;
-use crate::support::{U, laws, unit};
 
 fn lobe(ks: f64, exponent: f64) -> Lobe {
     GlossySpecular { reflectance: Rgb::grey(ks), exponent }.into()

@@ -4,19 +4,13 @@ mod acne;
 mod media;
 mod segments;
 
-use groundtruth::lights::{Directional, PointLight as Lamp};
-use groundtruth::materials::Matte;
-use groundtruth::math::{Point, Span, Vector, cos, power_of_two, sin};
+use groundtruth::cameras;
+use groundtruth::lights::PointLight as Lamp;
 use groundtruth::render::{pixel, render};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{Cuboid, Disk, Plane, Sphere, TessellatedSphere};
-use groundtruth::{cameras, lights, shapes};
 use proptest::prelude::*;
-use std::f64::consts::{FRAC_1_PI, TAU};
 
+use crate::prelude::*;
 use crate::support::stage::*;
-use crate::support::{U, camera_ray, laws, point, unit};
 
 fn white() -> Matte {
     Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }

@@ -3,10 +3,9 @@
 mod matrix;
 
 use dashu_ratio::RBig;
-use groundtruth::math::{Axis, Point, Step, Transform, Vector, cos_degrees, sin_degrees};
 use proptest::prelude::*;
 
-use crate::support::{U, laws, point, unit};
+use crate::prelude::*;
 
 /// Tolerance for a composition: each step adds a few roundings, and rotates or stretches the errors of
 /// earlier steps. Ten steps stay well below this, times the condition of the whole.

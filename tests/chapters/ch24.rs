@@ -2,21 +2,13 @@
 
 mod pictures;
 
-use std::f64::consts::TAU;
-
 use groundtruth::explain::omissions;
-use groundtruth::lights::{Ambient, Directional, PointLight as Lamp};
-use groundtruth::lobes::{Lobe, PerfectSpecular};
-use groundtruth::materials::{Emissive, Matte, Phong, Reflective};
-use groundtruth::math::{Point, Vector, power};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Scene, Tracer, Whitted};
-use groundtruth::shapes::{Cuboid, Plane, Sphere, TessellatedSphere};
-use groundtruth::trace::{RayKind, RayTree};
+use groundtruth::lights::PointLight as Lamp;
+use groundtruth::lobes::PerfectSpecular;
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::stage::*;
-use crate::support::{U, laws, point, unit};
 
 const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
 

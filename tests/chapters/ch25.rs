@@ -2,19 +2,11 @@
 
 mod pictures;
 
-use groundtruth::lobes::{GlossyReflection, GlossyRule, Lobe};
-use groundtruth::materials::{Emissive, GlossyReflector, Matte, Phong, Reflective};
-use groundtruth::math::{Frame, Normal, Pcg32, Point, Vector, cos, power, sin};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Scene, Tracer};
-use groundtruth::shapes::{Plane, Sphere, Triangle};
-use groundtruth::trace::radiance;
-use groundtruth::world::World;
-use statistics::means;
-use statistics::significance::sidak;
+use groundtruth::lobes::GlossyReflection;
+use groundtruth::math::Frame;
 
-use crate::support::stage::{built, counted, deep_stage, look, put, ray, recorded, shine, stage};
+use crate::prelude::*;
+use crate::support::stage::{counted, ray, recorded};
 
 /// The probability, over the choice of seeds, that at least one statistical test of this file fails
 /// although all its laws hold.

@@ -8,18 +8,10 @@ mod paths;
 mod roulette;
 
 use groundtruth::explain::omissions;
-use groundtruth::lights::{Ambient, Area, PointLight};
-use groundtruth::materials::{Emissive, Matte};
-use groundtruth::math::{Pcg32, Point, Vector, power};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Scene, Tracer};
-use groundtruth::shapes::{Disk, Plane, Sphere};
 use groundtruth::trace::TermSource;
-use statistics::means;
-use statistics::significance::sidak;
 
-use crate::support::stage::{built, counted, look, put, recorded, shine, stage};
+use crate::prelude::*;
+use crate::support::stage::{counted, recorded};
 
 /// The chance, over the choice of seeds, that the comparisons of means in this file report a failure although
 /// every law holds.

@@ -3,22 +3,13 @@
 mod pictures;
 mod ray_budget;
 
-use std::f64::consts::TAU;
-
-use groundtruth::lights::Directional;
 use groundtruth::lobes::{PerfectTransmitter, refract};
-use groundtruth::materials::{Matte, Phong, Transparent};
-use groundtruth::math::{
-    Normal, Pcg32, Point, Vector, acos, cos, power, sin, to_degrees, to_radians,
-};
-use groundtruth::rgb::Rgb;
-use groundtruth::shapes::{self, Cuboid, Disk, Plane, Sphere, TessellatedSphere};
-use groundtruth::textures::{Checker3d, Kind as Texture, Paint};
-use groundtruth::trace::{RayKind, RayTree, RecordedRay};
+use groundtruth::textures::{Checker3d, Kind as Texture};
+use groundtruth::trace::RecordedRay;
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::stage::*;
-use crate::support::{U, laws, point, unit};
 
 /// cosθ_t² is divided by η² ≥ 0.16: a few u become about 18u in the length; twice that is allowed.
 const ROUNDING: f64 = 36.0 * U;

@@ -7,20 +7,14 @@ mod recorded_optics;
 mod shadows;
 mod vessels;
 
-use std::f64::consts::TAU;
-
-use groundtruth::materials::{Dielectric, Emissive, Medium};
-use groundtruth::math::{Normal, Pcg32, Point, Vector, cos, exp, power, sin};
 use groundtruth::render::{pixel, render};
-use groundtruth::rgb::Rgb;
-use groundtruth::shapes::{Cuboid, Plane, Sphere, TessellatedSphere};
-use groundtruth::trace::{RayKind, RecordedRay};
+use groundtruth::trace::RecordedRay;
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::optics;
 use crate::support::scaling::scaled_scene;
 use crate::support::stage::*;
-use crate::support::{U, camera_ray, laws, point, unit};
 
 const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
 

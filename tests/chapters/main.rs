@@ -41,3 +41,4 @@ mod ch30;
 mod ch31;
 mod library;
 mod pictures;
+mod prelude;

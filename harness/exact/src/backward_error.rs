@@ -108,12 +108,25 @@ pub fn instanced(
 /// The library's description of a shape, and the oracle's shape with the library's matrices. `None` if the
 /// library has no such shape.
 pub fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
-    let kind = match exact.clone() {
+    if let oracle::Shape::Instance { matrix, of } = exact {
+        let (inner, exact_inner) = ours(of)?;
+        let transform = steps(matrix)?;
+        let matrix = Transform::from_steps(&transform).ok()?.rows();
+        let instance = Instance::new(inner, transform);
+        return Some((
+            instance.into(),
+            oracle::Shape::Instance { matrix, of: Box::new(exact_inner) },
+        ));
+    }
+    let kind = flat(exact.clone()).or_else(|| curved(exact.clone()))?;
+    Some((kind, exact.clone()))
+}
+
+/// The library's description of a flat shape, or of one with flat faces.
+fn flat(exact: oracle::Shape) -> Option<shapes::Kind> {
+    Some(match exact {
         oracle::Shape::Plane { point, normal } => {
             shapes::Plane { point: point.into(), normal: normal.into() }.into()
-        }
-        oracle::Shape::Sphere { center, radius } => {
-            shapes::Sphere { center: center.into(), radius, inward: false }.into()
         }
         oracle::Shape::Cuboid { min, max } => {
             shapes::Cuboid { min: min.into(), max: max.into() }.into()
@@ -126,9 +139,6 @@ pub fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
         }
         oracle::Shape::Disk { center, normal, radius } => {
             shapes::Disk { center: center.into(), normal: normal.into(), radius }.into()
-        }
-        oracle::Shape::OpenCylinder { y0, y1, radius } => {
-            shapes::OpenCylinder { y0, y1, radius, inward: false }.into()
         }
         oracle::Shape::Annulus { center, normal, inner, outer } => shapes::Annulus {
             center: center.into(),
@@ -145,6 +155,20 @@ pub fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
             phi,
         }
         .into(),
+        oracle::Shape::CutFace { size, radius } => shapes::CutFace { size, radius }.into(),
+        _ => return None,
+    })
+}
+
+/// The library's description of a shape with a curved surface.
+fn curved(exact: oracle::Shape) -> Option<shapes::Kind> {
+    Some(match exact {
+        oracle::Shape::Sphere { center, radius } => {
+            shapes::Sphere { center: center.into(), radius, inward: false }.into()
+        }
+        oracle::Shape::OpenCylinder { y0, y1, radius } => {
+            shapes::OpenCylinder { y0, y1, radius, inward: false }.into()
+        }
         oracle::Shape::Cone { height, radius } => {
             shapes::Cone { height, radius, inward: false }.into()
         }
@@ -168,20 +192,17 @@ pub fn ours(exact: &oracle::Shape) -> Option<(shapes::Kind, oracle::Shape)> {
             let terms = terms.into_iter().map(term).collect();
             shapes::Algebraic { terms, min: min.into(), max: max.into() }.into()
         }
-        oracle::Shape::CutFace { size, radius } => shapes::CutFace { size, radius }.into(),
         oracle::Shape::Solid(of) => solid(of),
-        oracle::Shape::Instance { matrix, of } => {
-            let (inner, exact_inner) = ours(&of)?;
-            let transform = steps(&matrix)?;
-            let rows = Transform::from_steps(&transform).ok()?.rows();
-            let instance = Instance::new(inner, transform);
-            return Some((
-                instance.into(),
-                oracle::Shape::Instance { matrix: rows, of: Box::new(exact_inner) },
-            ));
-        }
-    };
-    Some((kind, exact.clone()))
+        oracle::Shape::Plane { .. }
+        | oracle::Shape::Cuboid { .. }
+        | oracle::Shape::Triangle { .. }
+        | oracle::Shape::Rectangle { .. }
+        | oracle::Shape::Disk { .. }
+        | oracle::Shape::Annulus { .. }
+        | oracle::Shape::PartAnnulus { .. }
+        | oracle::Shape::CutFace { .. }
+        | oracle::Shape::Instance { .. } => return None,
+    })
 }
 
 /// The library's description of a solid.

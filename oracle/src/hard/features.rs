@@ -174,19 +174,7 @@ pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
             (point, out, true)
         }
         Shape::PartTorus { swept_radius, tube_radius, phi, theta } => {
-            let radii = [*swept_radius, *tube_radius];
-            let (last, inner) = (rng.coin(), quarter(rng));
-            let (step, angles) = if rng.coin() {
-                let end = phi[usize::from(last)];
-                ([1.0, 0.0], [end, between(theta, inner)])
-            } else {
-                let end = theta[usize::from(last)];
-                ([0.0, 1.0], [between(phi, inner), end])
-            };
-            let side = if last { 1.0 } else { -1.0 };
-            let beyond = [angles[0] + side * step[0], angles[1] + side * step[1]];
-            let (point, _) = on_tube(radii, angles);
-            (point, unit(minus(on_tube(radii, beyond).0, point)), false)
+            border_of_part_torus([*swept_radius, *tube_radius], [phi, theta], rng)
         }
         Shape::CutFace { size, radius } => {
             let (point, out) = solids::border_of_cut_face(*size, *radius, rng);
@@ -202,6 +190,26 @@ pub(super) fn border(shape: &Shape, rng: &mut SplitMix64) -> Feature {
         _ => parts::border(shape, rng),
     };
     Feature { point, out, silhouette }
+}
+
+/// A point of an end of the part, and the way out of it.
+fn border_of_part_torus(
+    radii: [f64; 2],
+    [phi, theta]: [&[f64; 2]; 2],
+    rng: &mut SplitMix64,
+) -> (V, V, bool) {
+    let (last, inner) = (rng.coin(), 0.25 * rng.below(5) as f64);
+    let (step, angles) = if rng.coin() {
+        let end = phi[usize::from(last)];
+        ([1.0, 0.0], [end, between(theta, inner)])
+    } else {
+        let end = theta[usize::from(last)];
+        ([0.0, 1.0], [between(phi, inner), end])
+    };
+    let side = if last { 1.0 } else { -1.0 };
+    let beyond = [angles[0] + side * step[0], angles[1] + side * step[1]];
+    let (point, _) = on_tube(radii, angles);
+    (point, unit(minus(on_tube(radii, beyond).0, point)), false)
 }
 
 /// A direction parallel to a plane, a generator or an axis of the shape.

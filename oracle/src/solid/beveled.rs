@@ -1,6 +1,8 @@
 //! The parts of beveled boxes and wedges: faces, edges and corners.
 
-use super::{Form, Part, axis, degrees, disk, ends, quarter, tube, v, zero};
+use super::{
+    Form, Part, annulus, axis, degrees, disk, ends, quarter, tube, turn, v, wall, zero, zone,
+};
 use crate::{
     angle::sin_cos,
     real::{Real, real, sign},
@@ -49,15 +51,48 @@ pub(super) fn beveled_box([min, max]: [&[Real; 3]; 2], b: &Real) -> Vec<Part> {
             for z in SIDES {
                 let origin = v(end(0, x), end(1, y), end(2, z));
                 let axes = [axis(0, x), axis(1, y), axis(2, z)];
-                let eighth = Shape::PartSphere {
-                    center: [zero(), zero(), zero()],
-                    radius: b.clone(),
-                    phi: quarter(0.0),
-                    theta: quarter(0.0),
-                };
-                parts.push(Part { axes, ..Part::new(eighth).at(origin) });
+                parts.push(Part { axes, ..ball_part(b, quarter(0.0)).at(origin) });
             }
         }
+    }
+    parts
+}
+
+/// Caps, wall, and between them quarters of tubes; of a sphere if nothing of the caps is left.
+pub(super) fn beveled_cylinder(y: [&Real; 2], radius: &Real, b: &Real) -> Vec<Part> {
+    let (flat, [low, high]) = (radius - b, [y[0] + b, y[1] - b]);
+    let mut parts = Vec::new();
+    for ((y, up), edge) in ends(y[0], y[1]).into_iter().zip([&low, &high]) {
+        let round = if sign(&flat).is_gt() {
+            parts.push(disk(y, up, flat.clone()));
+            tube(&flat, b, turn(), quarter(0.0))
+        } else {
+            zone(zero(), b, quarter(0.0))
+        };
+        parts.push(round.level(edge.clone(), up));
+    }
+    if low < high {
+        parts.push(wall(low, high, radius));
+    }
+    parts
+}
+
+/// Caps, inner and outer wall, and between them quarters of tubes.
+pub(super) fn beveled_ring(y: [&Real; 2], r: [&Real; 2], b: &Real) -> Vec<Part> {
+    let ([low, high], [near, far]) = ([y[0] + b, y[1] - b], [r[0] + b, r[1] - b]);
+    let mut parts = Vec::new();
+    for ((y, up), edge) in ends(y[0], y[1]).into_iter().zip([&low, &high]) {
+        if near < far {
+            parts.push(annulus(y, up, near.clone(), far.clone()));
+        }
+        for (swept, theta) in [(&far, 0.0), (&near, 90.0)] {
+            let round = tube(swept, b, turn(), quarter(theta));
+            parts.push(round.level(edge.clone(), up));
+        }
+    }
+    if low < high {
+        parts.push(wall(low.clone(), high.clone(), r[0]).hollow());
+        parts.push(wall(low, high, r[1]));
     }
     parts
 }
@@ -125,13 +160,8 @@ pub(super) fn beveled_wedge(y: [&Real; 2], r: [&Real; 2], phi: &[Real; 2], b: &R
                 parts.push(Part { axes: frame(1.0), ..post.at(place(along, b, &low)) });
             }
             for (up, y) in [(-1.0, &low), (1.0, &high)] {
-                let corner = Part::new(Shape::PartSphere {
-                    center: [zero(), zero(), zero()],
-                    radius: b.clone(),
-                    phi: phi.clone(),
-                    theta: quarter(0.0),
-                });
-                parts.push(Part { axes: frame(up), ..corner.at(place(along, b, y)) });
+                let corner = ball_part(b, phi.clone()).at(place(along, b, y));
+                parts.push(Part { axes: frame(up), ..corner });
             }
         }
         if s0 < s1 {
@@ -145,4 +175,10 @@ pub(super) fn beveled_wedge(y: [&Real; 2], r: [&Real; 2], phi: &[Real; 2], b: &R
         }
     }
     parts
+}
+
+/// The upper half of a ball about the origin, between these azimuths.
+fn ball_part(radius: &Real, phi: [Real; 2]) -> Part {
+    let (center, radius) = ([zero(), zero(), zero()], radius.clone());
+    Part::new(Shape::PartSphere { center, radius, phi, theta: quarter(0.0) })
 }

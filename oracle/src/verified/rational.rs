@@ -112,35 +112,7 @@ fn normal(vertices: &[[f64; 3]; 3]) -> Q3 {
 /// The number of roots with t > 0, from signs at rational points; a double root counts twice.
 fn count(shape: &Shape, line: &Line) -> usize {
     let zero = Q::ZERO;
-    let on_plane = |c: &[f64; 3], n: &Q3| {
-        let slope = dot(&line.d, n);
-        let t = (slope != zero).then(|| dot(&minus(&c.map(q), &line.o), n) / slope)?;
-        (t > zero).then(|| line.at(&t))
-    };
     match shape {
-        Shape::Plane { point, normal } => usize::from(on_plane(point, &normal.map(q)).is_some()),
-        Shape::Disk { center, normal, radius } => {
-            usize::from(on_plane(center, &normal.map(q)).is_some_and(|p| {
-                let w = minus(&p, &center.map(q));
-                dot(&w, &w) <= q(*radius) * q(*radius)
-            }))
-        }
-        Shape::Rectangle { corner, a, b } => {
-            let (a, b) = (a.map(q), b.map(q));
-            usize::from(on_plane(corner, &cross(&a, &b)).is_some_and(|p| {
-                let x = minus(&p, &corner.map(q));
-                [&a, &b].iter().all(|s| dot(&x, s) >= zero && dot(&x, s) <= dot(s, s))
-            }))
-        }
-        Shape::Triangle { vertices } => {
-            let n = normal(vertices);
-            usize::from(on_plane(&vertices[0], &n).is_some_and(|p| {
-                (0..3).all(|k| {
-                    let (a, b) = (vertices[k].map(q), vertices[(k + 1) % 3].map(q));
-                    dot(&cross(&minus(&b, &a), &minus(&p, &a)), &n) >= zero
-                })
-            }))
-        }
         Shape::Cuboid { min, max } => {
             let Some((start, end)) = span(line, &[0, 1, 2], min, max) else { return 0 };
             usize::from(start > zero) + usize::from(end > zero)
@@ -187,34 +159,70 @@ fn count(shape: &Shape, line: &Line) -> usize {
             if end < zero { 0 } else { sturm::count_between(&polynomial, &start.max(zero), &end) }
         }
         Shape::Instance { matrix, of } => count(of, &line.moved_back(matrix)),
-        Shape::Annulus { center, normal, inner, outer } => {
-            usize::from(on_plane(center, &normal.map(q)).is_some_and(|p| {
+        _ => flat_count(shape, line).unwrap_or_else(|| parts::count(shape, line)),
+    }
+}
+
+/// The same for a shape that is a part of a plane; `None` for others.
+fn flat_count(shape: &Shape, line: &Line) -> Option<usize> {
+    let zero = Q::ZERO;
+    let on_plane = |c: &[f64; 3], n: &Q3| {
+        let slope = dot(&line.d, n);
+        let t = (slope != zero).then(|| dot(&minus(&c.map(q), &line.o), n) / slope)?;
+        (t > zero).then(|| line.at(&t))
+    };
+    let is_hit = match shape {
+        Shape::Plane { point, normal } => on_plane(point, &normal.map(q)).is_some(),
+        Shape::Disk { center, normal, radius } => {
+            on_plane(center, &normal.map(q)).is_some_and(|p| {
+                let w = minus(&p, &center.map(q));
+                dot(&w, &w) <= q(*radius) * q(*radius)
+            })
+        }
+        Shape::Rectangle { corner, a, b } => {
+            let (a, b) = (a.map(q), b.map(q));
+            on_plane(corner, &cross(&a, &b)).is_some_and(|p| {
+                let x = minus(&p, &corner.map(q));
+                [&a, &b].iter().all(|s| dot(&x, s) >= zero && dot(&x, s) <= dot(s, s))
+            })
+        }
+        Shape::Triangle { vertices } => {
+            let n = normal(vertices);
+            on_plane(&vertices[0], &n).is_some_and(|p| {
+                (0..3).all(|k| {
+                    let (a, b) = (vertices[k].map(q), vertices[(k + 1) % 3].map(q));
+                    dot(&cross(&minus(&b, &a), &minus(&p, &a)), &n) >= zero
+                })
+            })
+        }
+        Shape::Annulus { center, normal, inner, outer } => on_plane(center, &normal.map(q))
+            .is_some_and(|p| {
                 let w = minus(&p, &center.map(q));
                 let square = dot(&w, &w);
                 q(*inner) * q(*inner) <= square && square <= q(*outer) * q(*outer)
-            }))
-        }
+            }),
         Shape::PartAnnulus { center, inner, outer, phi } => {
             let up = [0.0, 1.0, 0.0].map(q);
-            usize::from(on_plane(center, &up).is_some_and(|p| {
+            on_plane(center, &up).is_some_and(|p| {
                 let w = minus(&p, &center.map(q));
                 let square = dot(&w, &w);
                 q(*inner) * q(*inner) <= square
                     && square <= q(*outer) * q(*outer)
                     && parts::in_wedge(phi, &w)
-            }))
+            })
         }
         Shape::CutFace { size, radius } => {
             let up = [0.0, 1.0, 0.0].map(q);
-            usize::from(on_plane(&[0.0; 3], &up).is_some_and(|p| {
+            on_plane(&[0.0; 3], &up).is_some_and(|p| {
                 let half = q(*size) / q(2.0);
                 let inside = |x: &Q| *x <= half && -x <= half;
                 let square = &p[0] * &p[0] + &p[2] * &p[2];
                 inside(&p[0]) && inside(&p[2]) && square >= q(*radius) * q(*radius)
-            }))
+            })
         }
-        _ => parts::count(shape, line),
-    }
+        _ => return None,
+    };
+    Some(usize::from(is_hit))
 }
 
 /// The roots of the whole torus whose angles, by the arc tangent, are in the ranges. (Angles in `f64` are

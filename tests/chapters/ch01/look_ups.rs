@@ -1,20 +1,12 @@
 //! What textures and samplers cost: a scene pays only for what it uses.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-use groundtruth::kinds::Custom;
-use groundtruth::lights::{Ambient, Directional};
-use groundtruth::materials::Matte;
-use groundtruth::math::{Pcg32, Point, Vector};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{self, Sampler};
-use groundtruth::scene::{Light, Material, Object, Scene};
-use groundtruth::shapes::Sphere;
-use groundtruth::textures::{self, Paint, Texture, TexturePoint};
+use groundtruth::textures::{self, Texture};
 
-use crate::pictures::studio::{built, from_front};
+use crate::pictures::studio::built;
+use crate::prelude::*;
 
 #[derive(Debug, Default)]
 struct Watched(AtomicU32);

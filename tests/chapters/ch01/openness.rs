@@ -1,21 +1,14 @@
 //! User-defined kinds, unknown to the library, work like the built-in ones.
 
-use std::sync::Arc;
-
 use groundtruth::cameras::{self, Camera};
-use groundtruth::kinds::Custom;
-use groundtruth::lights::{self, Directional, Light as LightKind, LightContext, LightSample};
-use groundtruth::materials::{self, Emission, Material as MaterialKind, Matte, Response};
-use groundtruth::math::{Aabb, Normal, Pcg32, Point, Ray, Span, Step, Vector};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
+use groundtruth::lights::{Light as LightKind, LightContext, LightSample};
+use groundtruth::materials::{Emission, Material as MaterialKind, Response};
 use groundtruth::samplers::{self, Sampler};
-use groundtruth::scene::{Light, Material, Object, Scene, to_toml};
-use groundtruth::shapes::{self, Candidate, Instance, Plane, Shape, Surface};
-use groundtruth::textures::{self, Color, Paint, Texture, TexturePoint, Value};
-use groundtruth::trace::RayTree;
+use groundtruth::scene::to_toml;
+use groundtruth::textures::{self, Color, Texture, Value};
 
-use crate::pictures::studio::{RED, add_flat, built, from_front, pixels};
+use crate::pictures::studio::{RED, built};
+use crate::prelude::*;
 
 /// The square |x| < 1, |y| < 1 of the plane z = 0, facing +z.
 #[derive(Debug)]

@@ -1,27 +1,13 @@
 //! Whole pictures and parts of them: threads, crops, single pixels, unfinished pictures, seeds.
 
-use std::path::Path;
+use std::sync::OnceLock;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
-use std::sync::{Arc, OnceLock};
 
-use groundtruth::cameras::{Pinhole, Viewpoint};
-use groundtruth::film::Film;
-use groundtruth::kinds::Custom;
-use groundtruth::lights::Ambient;
-use groundtruth::math::{Aabb, Point, Ray, Span, Vector};
-use groundtruth::render::{self, Canvas, Crop};
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::{Jittered, Random, Regular};
-use groundtruth::scene::{Image, Scene};
-use groundtruth::shapes::{self, Candidate, Plane, Shape, Surface};
-use groundtruth::textures::Paint;
-use groundtruth::trace::RayTree;
-use groundtruth::world::World;
+use groundtruth::render::{Canvas, Crop};
 use serde::Deserialize;
 
-use crate::pictures::studio::{
-    RED, add_flat, assert_same_bits, bits, built, from_front, pixels, small,
-};
+use crate::pictures::studio::{RED, assert_same_bits, bits, built};
+use crate::prelude::*;
 
 fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
     let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();

@@ -1,19 +1,9 @@
 //! The separate, cheap path of shadow rays, and how many rays there are.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-use groundtruth::kinds::Custom;
-use groundtruth::lights::{Ambient, PointLight};
-use groundtruth::materials::Matte;
-use groundtruth::math::{Aabb, Point, Ray, Span};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Light, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::shapes::{self, Candidate, Shape, Sphere, Surface};
-use groundtruth::trace::RayCounts;
-
-use crate::pictures::studio::{built, from_front, pixels};
+use crate::pictures::studio::built;
+use crate::prelude::*;
 
 /// The rays of all samples of a picture.
 fn counts(scene: &Scene) -> RayCounts {

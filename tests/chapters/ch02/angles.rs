@@ -1,14 +1,11 @@
 //! Degrees and radians, spherical coordinates, solid angles, integrals over the hemisphere.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::FRAC_PI_2;
 
-use groundtruth::math::{
-    Frame, Normal, Vector, acos, atan2, cos, cos_degrees, power, sin, sin_degrees, tan, to_degrees,
-    to_radians,
-};
+use groundtruth::math::Frame;
 use proptest::prelude::*;
 
-use crate::support::{U, laws, unit};
+use crate::prelude::*;
 
 /// Law: 180° = π, 1 rad = 57.295 779 513 082 32°. (The book prints the inverse factor.)
 #[test]

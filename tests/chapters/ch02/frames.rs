@@ -1,9 +1,9 @@
 //! Orthonormal frames.
 
-use groundtruth::math::{Frame, Normal, Vector};
+use groundtruth::math::Frame;
 use proptest::prelude::*;
 
-use crate::support::{U, laws, unit};
+use crate::prelude::*;
 
 /// Duff et al. show that the entries are off by about 4u; each scalar product sums three terms.
 const ORTHONORMAL: f64 = 8.0 * U;

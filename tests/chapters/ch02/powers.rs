@@ -1,9 +1,9 @@
 //! Powers, exponentials, and the geometric series.
 
-use groundtruth::math::{exp, floor, ln, power, power_of_two};
+use groundtruth::math::{floor, ln};
 use proptest::prelude::*;
 
-use crate::support::{U, laws};
+use crate::prelude::*;
 
 proptest! {
     #![proptest_config(laws())]

@@ -1,10 +1,10 @@
 //! Random numbers: published vectors, and uniform where it matters.
 
-use groundtruth::math::{Pcg32, hash, splitmix};
+use groundtruth::math::{hash, splitmix};
 use proptest::prelude::*;
 
-use crate::support::laws;
-use crate::support::statistics::{assert_all_equal, moments, most_sigmas, sigmas};
+use crate::prelude::*;
+use crate::support::statistics::{assert_all_equal, moments};
 
 /// Law: PCG32 is the published generator. Oracle: the demo of O'Neill's minimal C library (seed 42,
 /// stream 54).

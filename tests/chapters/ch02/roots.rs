@@ -1,9 +1,9 @@
 //! Roots of quadratics, which the hits of spheres, cylinders and cones need.
 
-use groundtruth::math::{Vector, perpendicular_roots, power_of_two, quadratic};
+use groundtruth::math::{perpendicular_roots, quadratic};
 use proptest::prelude::*;
 
-use crate::support::{U, laws, unit};
+use crate::prelude::*;
 
 /// `a t² + 2 b t + c` with these roots; their sum must be even.
 fn with_roots(a: i64, [r, s]: [i64; 2]) -> [f64; 3] {

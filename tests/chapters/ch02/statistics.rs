@@ -1,6 +1,7 @@
 //! The statistical tests of the chapters, tested.
 
-use crate::support::statistics::{all_equal, assert_all_equal, most_sigmas, sigmas};
+use crate::prelude::*;
+use crate::support::statistics::{all_equal, assert_all_equal};
 
 /// Law: the tests accept deviations just below their limits and refuse those just above. Oracle: tables
 /// of quantiles.

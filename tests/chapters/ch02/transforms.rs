@@ -1,9 +1,8 @@
 //! Points, vectors and normals transform each in their own way; chapter 20 has the rest.
 
-use groundtruth::math::{Axis, Normal, Point, Step, Transform, Vector};
 use proptest::prelude::*;
 
-use crate::support::{U, laws, point, unit};
+use crate::prelude::*;
 
 /// Transformations of every kind, well-conditioned.
 fn transform() -> impl Strategy<Value = Transform> {

@@ -1,9 +1,9 @@
 //! Points, vectors, normals. Whole numbers make every product exact, so that laws hold to the bit.
 
-use groundtruth::math::{Normal, Point, Vector, exact_cross, power_of_two};
+use groundtruth::math::exact_cross;
 use proptest::prelude::*;
 
-use crate::support::{U, laws, unit};
+use crate::prelude::*;
 
 /// Whole coordinates: products of four of them and their sums fit into 53 bits.
 fn whole() -> impl Strategy<Value = [i64; 3]> {

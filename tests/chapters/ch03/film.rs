@@ -1,12 +1,9 @@
 //! From radiance to the screen and to files.
 
-use groundtruth::film::{Film, ImageError, OutOfGamut, Tone, read_exr, write};
-use groundtruth::math::power;
-use groundtruth::rgb::Rgb;
+use groundtruth::film::{ImageError, OutOfGamut, Tone, read_exr, write};
 use proptest::prelude::*;
 
-use crate::pictures::studio::pixels;
-use crate::support::{U, laws};
+use crate::prelude::*;
 
 const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
 

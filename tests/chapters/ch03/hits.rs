@@ -1,12 +1,8 @@
 //! What a ray hits: planes and spheres.
 
-use std::sync::Arc;
-
-use groundtruth::math::{Point, Ray, Span, Vector};
-use groundtruth::shapes::{Context, Kind, Plane, Shape, Sphere};
 use proptest::prelude::*;
 
-use crate::support::{U, laws, point, unit};
+use crate::prelude::*;
 
 fn built(shape: impl Into<Kind>) -> Arc<dyn Shape> {
     shape.into().build(&mut Context::default()).expect("a valid shape")

@@ -1,14 +1,7 @@
 //! Whole pictures of chapter 3: which pixels see what.
-use groundtruth::math::{Point, Span, Vector};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::Regular;
-use groundtruth::shapes::{Plane, Sphere};
-use groundtruth::trace::RayTree;
-use groundtruth::world::World;
 
-use crate::pictures::studio::{RED, add_flat, assert_same_bits, built, from_front, pixels};
-use crate::support::camera_ray;
+use crate::pictures::studio::{RED, assert_same_bits, built};
+use crate::prelude::*;
 
 /// Law: the pixel in column c and row r (counted up) looks from `(s (c − (w − 1)/2), s (r − (h −
 /// 1)/2), 100)` along −z, also where the number of pixels is odd. Oracle: the book's formula in

@@ -1,11 +1,10 @@
 //! How fast each sampler's estimate of the area beside an edge converges.
 
-use groundtruth::math::{Pcg32, cos, ln, sin};
-use groundtruth::samplers::{Jittered, Kind, MultiJittered, Random, Regular, Sampler};
-use std::f64::consts::TAU;
-use std::sync::Arc;
+use groundtruth::math::ln;
+use groundtruth::samplers::{Kind, Sampler};
 
-use crate::support::statistics::{moments, most_sigmas, sigmas};
+use crate::prelude::*;
+use crate::support::statistics::moments;
 
 /// The half plane `a x + b y < c`.
 #[derive(Clone, Copy)]

@@ -2,20 +2,12 @@
 
 use groundtruth::background::Background;
 use groundtruth::filters::{Box, Filter, Gaussian, Kind, Mitchell, Tent};
-use groundtruth::math::{Point, erf, exp};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::{Jittered, MultiJittered, Random};
-use groundtruth::scene::Scene;
-use groundtruth::shapes;
-use groundtruth::trace::RayTree;
-use groundtruth::world::World;
+use groundtruth::math::erf;
 use proptest::prelude::*;
 use std::f64::consts::SQRT_2;
-use std::path::Path;
 
-use crate::pictures::studio::{add_flat, bits, built, from_front, pixels};
-use crate::support::{U, camera_ray, laws};
+use crate::pictures::studio::{bits, built};
+use crate::prelude::*;
 
 /// The polynomials have coefficients up to 60, at |x| up to 2: terms of up to 240/6, each with several
 /// rounding errors.

@@ -1,23 +1,12 @@
 //! What a pixel is: the mean of its samples, and where they are.
 
-use std::sync::Arc;
-
-use groundtruth::kinds::Custom;
-use groundtruth::materials::Emissive;
-use groundtruth::math::{Point, Vector, sin};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::{Jittered, Kind, MultiJittered, Random, Regular};
-use groundtruth::scene::{Material, Object, Scene};
-use groundtruth::shapes::{self, Plane};
-use groundtruth::textures::{self, Paint, Texture, TexturePoint};
-use groundtruth::trace::RayCounts;
+use groundtruth::samplers::Kind;
+use groundtruth::textures::{self, Texture};
 use proptest::prelude::*;
 use statistics::means::one_sample;
-use statistics::significance::sidak;
 
-use crate::pictures::studio::{RED, add_flat, built, from_front, pixels};
-use crate::support::{camera_ray, laws};
+use crate::pictures::studio::{RED, built};
+use crate::prelude::*;
 
 /// Law: one regular sample, which is the default, is the centre of its pixel, exactly.
 #[test]

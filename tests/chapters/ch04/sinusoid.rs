@@ -1,17 +1,9 @@
 //! The test function sin(x² y²), which needs no object, and what sampling makes of it.
 
-use std::f64::consts::{PI, TAU};
-
 use groundtruth::background::{Background, Pattern, Sinusoid};
-use groundtruth::cameras::{Orthographic, Pinhole, Viewpoint};
-use groundtruth::math::{Point, Vector, power_of_two, sin};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::{Jittered, Random};
-use groundtruth::scene::{Image, Scene};
-use groundtruth::trace::RayCounts;
 
-use crate::pictures::studio::{bits, built, pixels};
+use crate::pictures::studio::{bits, built};
+use crate::prelude::*;
 use crate::support::scaling::scaled_scene;
 
 /// The side of the book's square: figure 4.2 shows `[0, 10.83]²`.

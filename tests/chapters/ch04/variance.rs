@@ -1,14 +1,11 @@
 //! How fast errors of known integrals fall with the number of samples.
 
-use std::f64::consts::PI;
-
-use groundtruth::math::{Pcg32, power};
 use groundtruth::samplers::{Key, Kind, Purpose, SETS, SampleSets};
 use statistics::means::one_sample;
-use statistics::significance::sidak;
 use statistics::slope::power_law;
 
 use super::edges::Edge;
+use crate::prelude::*;
 
 /// The probability, over random seeds, that at least one rate is rejected although all are right.
 const LEVEL: f64 = 0.01;

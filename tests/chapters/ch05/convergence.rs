@@ -1,14 +1,12 @@
 //! How fast the mean over a set converges to the integral.
 
-use groundtruth::math::{Pcg32, exp};
 use groundtruth::samplers::{
-    CorrelatedMultiJittered, Hammersley, Jittered, Key, Kind, MultiJittered, NRooks, Purpose,
-    Random, SampleSets, Sobol,
+    CorrelatedMultiJittered, Hammersley, Key, Kind, NRooks, Purpose, SampleSets, Sobol,
 };
 use statistics::slope::power_law;
 
+use crate::prelude::*;
 use crate::support::samples::built;
-use crate::support::statistics::{most_sigmas, sigmas};
 
 const COUNTS: [u32; 5] = [4, 16, 64, 256, 1024];
 

@@ -1,13 +1,9 @@
 //! How evenly and how far apart the points of a set lie.
 
-use groundtruth::math::{Pcg32, power_of_two};
-use groundtruth::samplers::{
-    CorrelatedMultiJittered, Hammersley, Jittered, Kind, MultiJittered, NRooks, Random, Regular,
-    Sobol,
-};
+use groundtruth::samplers::{CorrelatedMultiJittered, Hammersley, Kind, NRooks, Sobol};
 
+use crate::prelude::*;
 use crate::support::samples::built;
-use crate::support::statistics::{most_sigmas, sigmas};
 
 /// The star discrepancy: the largest difference between the share of points in a box at the origin and its
 /// area. It occurs where a point lies on each upper side of the box, counted as inside or as outside.

@@ -3,18 +3,13 @@
 use std::collections::{HashMap, HashSet};
 
 use groundtruth::lobes::Branch;
-use groundtruth::math::power_of_two;
-use groundtruth::samplers::{
-    Hammersley, Jittered, Key, Kind, MultiJittered, PathKey, Purpose, Random, Regular, SampleSets,
-    Sobol,
-};
-use groundtruth::scene::Scene;
+use groundtruth::samplers::{Hammersley, Key, Kind, PathKey, Purpose, SampleSets, Sobol};
 use proptest::prelude::*;
 
-use crate::pictures::studio::{built as world, from_front, pixels};
+use crate::pictures::studio::built as world;
+use crate::prelude::*;
 use crate::support::samples::{assert_once_each, built};
-use crate::support::statistics::{assert_all_equal, most_sigmas};
-use crate::support::{camera_ray, laws};
+use crate::support::statistics::assert_all_equal;
 
 fn sets(kind: impl Into<Kind>, n: u32, seed: u64) -> SampleSets {
     SampleSets::new(&*built(kind), n, seed)

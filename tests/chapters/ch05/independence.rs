@@ -7,8 +7,8 @@ use groundtruth::lobes::Branch;
 use groundtruth::samplers::{Key, Kind, PathKey, Purpose, SampleSets};
 use statistics::chi_square::independence;
 use statistics::correlation::pearson;
-use statistics::means;
-use statistics::significance::sidak;
+
+use crate::prelude::*;
 
 /// The probability, over random seeds, that at least one law of this file is rejected although all hold.
 const LEVEL: f64 = 1e-3;

@@ -2,18 +2,14 @@
 
 use std::collections::HashMap;
 
-use groundtruth::lights::Area;
 use groundtruth::lobes::Branch;
-use groundtruth::materials::{Emissive, Matte, Phong, Transparent};
-use groundtruth::math::{Point, Vector};
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::{Key, PathKey, Purpose, Random, SampleSets};
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{Rectangle, Sampling, Sphere};
-use groundtruth::trace::{RayKind, RayTree, RecordedRay, radiance};
+use groundtruth::samplers::{Key, PathKey, Purpose, SampleSets};
+use groundtruth::shapes::Sampling;
+use groundtruth::trace::RecordedRay;
 
+use crate::prelude::*;
 use crate::support::samples::built as sampler;
-use crate::support::stage::{built, deep_stage, put, ray, shine};
+use crate::support::stage::ray;
 
 const BRANCHES: [Branch; 5] =
     [Branch::Diffuse, Branch::Highlight, Branch::Mirror, Branch::Gloss, Branch::Refraction];

@@ -1,14 +1,10 @@
 //! The patterns of single sets.
 
-use groundtruth::math::Pcg32;
-use groundtruth::samplers::{
-    CorrelatedMultiJittered, Jittered, Kind, MultiJittered, NRooks, Random, Regular, Sobol,
-};
+use groundtruth::samplers::{CorrelatedMultiJittered, Kind, NRooks, Sobol};
 use proptest::prelude::*;
 
-use crate::support::laws;
+use crate::prelude::*;
 use crate::support::samples::{assert_once_each, built};
-use crate::support::statistics::{most_sigmas, sigmas};
 
 proptest! {
     #![proptest_config(laws())]

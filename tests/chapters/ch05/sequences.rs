@@ -1,10 +1,10 @@
 //! Hammersley's and Sobol's points, digit by digit.
 
-use groundtruth::math::Pcg32;
 use groundtruth::samplers::{Hammersley, Key, Purpose, SampleSets, Sobol};
 
+use crate::prelude::*;
 use crate::support::samples::{assert_once_each, built, occupied};
-use crate::support::statistics::{assert_all_equal, most_sigmas, sigmas};
+use crate::support::statistics::assert_all_equal;
 
 fn hammersley(n: u32) -> Vec<[f64; 2]> {
     built(Hammersley { shifted: false }).fill(n, &mut Pcg32::new(0, 0))

@@ -1,19 +1,12 @@
 //! Pictures out of focus: their total light, their lens samples, and what is sharp in them.
 
-use groundtruth::cameras::{Eye, Kind, Pinhole, ThinLens, Viewpoint};
-use groundtruth::materials::Reflective;
-use groundtruth::math::{Point, Ray, Vector};
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::{Jittered, Random};
-use groundtruth::scene::{Image, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Disk, Rectangle};
-use groundtruth::{render, trace};
-use std::f64::consts::TAU;
+use groundtruth::cameras::{Eye, Kind, ThinLens};
+use groundtruth::trace;
 
 use super::rays::rim;
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
-use crate::pictures::studio::{add_flat, assert_same_bits, built, pixels, small};
-use crate::support::statistics::{most_sigmas, sigmas};
+use crate::pictures::studio::{assert_same_bits, built};
+use crate::prelude::*;
 
 /// Law: the whole picture of a lens of radius 0 is the pinhole's, bit for bit, and no lens samples are drawn.
 #[test]

@@ -1,13 +1,10 @@
 //! The thin lens: rays, the circle of confusion, `project`, and lenses that are refused.
 
-use groundtruth::cameras::{Camera, Kind, Pinhole, ThinLens, ViewPlane, Viewpoint};
-use groundtruth::math::{Point, Vector, cos, sin};
-use groundtruth::scene::{Image, Scene};
+use groundtruth::cameras::{Camera, Kind, ThinLens, ViewPlane};
 use proptest::prelude::*;
-use std::f64::consts::TAU;
-use std::sync::Arc;
 
-use crate::support::{ANY_FILM, laws};
+use crate::prelude::*;
+use crate::support::ANY_FILM;
 
 fn camera(lens: &ThinLens) -> Arc<dyn Camera> {
     Kind::from(lens.clone()).build(&mut ANY_FILM.clone()).expect("a valid lens")

@@ -1,14 +1,13 @@
 //! Laws that hold for the fisheye and both panoramas.
 
 use groundtruth::cameras::{
-    CylindricalPanorama, Fisheye, Kind, Pinhole, SphericalPanorama, View, ViewPlane,
+    CylindricalPanorama, Fisheye, Kind, SphericalPanorama, View, ViewPlane,
 };
-use groundtruth::math::{cos, sin, to_radians};
 use proptest::prelude::*;
 
 use super::views::{FILM, cylindrical, fisheye, looking, on_film, spherical};
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
-use crate::support::laws;
+use crate::prelude::*;
 
 /// The solid angle of a small square of the normalised film, by the cross product of two sides, divided by
 /// its area.

@@ -1,16 +1,11 @@
 //! The fisheye: angles from the line of sight.
 
-use groundtruth::cameras::{Fisheye, Viewpoint};
-use groundtruth::math::{Point, Vector, acos, atan2, cos, sin, to_degrees};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Scene};
-use groundtruth::shapes::Sphere;
+use groundtruth::cameras::Fisheye;
 use proptest::prelude::*;
 
 use super::views::{FILM, fisheye, looking, on_film, rectangular, seen};
-use crate::pictures::studio::{add_flat, built, pixels, small};
-use crate::support::{U, laws};
+use crate::pictures::studio::built;
+use crate::prelude::*;
 
 /// The angle from the line of sight in degrees, by lengths: accurate for all angles, also small and near
 /// 180°.

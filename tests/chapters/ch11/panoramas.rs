@@ -1,10 +1,9 @@
 //! The panoramas: longitude and latitude.
 
-use groundtruth::math::{Vector, atan2, cos, sin, tan, to_degrees, to_radians};
 use proptest::prelude::*;
 
 use super::views::{cylindrical, looking, seen, spherical};
-use crate::support::{U, laws};
+use crate::prelude::*;
 
 fn horizontal() -> impl Strategy<Value = f64> {
     prop_oneof![4 => 1.0..360.0_f64, 1 => 1e-9..1.0_f64, 1 => Just(360.0)]

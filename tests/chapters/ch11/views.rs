@@ -1,9 +1,10 @@
 //! What the chapter's tests share: cameras with a given film, and their rays and projections.
 
 use groundtruth::cameras::{
-    CylindricalPanorama, Fisheye, Kind, SphericalPanorama, View, ViewPlane, Viewpoint,
+    CylindricalPanorama, Fisheye, Kind, SphericalPanorama, View, ViewPlane,
 };
-use groundtruth::math::{Point, Vector};
+
+use crate::prelude::*;
 
 /// A film that is not square, and whose sides are not powers of two.
 pub const FILM: ViewPlane = ViewPlane { width: 6.0, height: 5.0 };

@@ -1,14 +1,13 @@
 //! Where the eyes are, and where each sees a point.
 
 use groundtruth::cameras::{
-    CylindricalPanorama, Fisheye, Kind, Orthographic, Pinhole, Side, SphericalPanorama, Stereo,
-    ThinLens, View, ViewPlane, Viewing, Viewpoint,
+    CylindricalPanorama, Fisheye, Kind, Side, SphericalPanorama, Stereo, ThinLens, View, ViewPlane,
+    Viewing,
 };
-use groundtruth::math::{Point, Vector, tan, to_radians};
 use proptest::prelude::*;
 
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
-use crate::support::{U, laws, point};
+use crate::prelude::*;
 
 const FILM: ViewPlane = ViewPlane { width: 40.0, height: 30.0 };
 

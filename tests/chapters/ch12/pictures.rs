@@ -1,17 +1,13 @@
 //! Two images in one picture.
 
-use groundtruth::cameras::{Fisheye, Kind, Pinhole, Side, Stereo, Viewing, Viewpoint};
-use groundtruth::explain;
-use groundtruth::film::{self, Film};
-use groundtruth::math::Point;
-use groundtruth::render::{self, Canvas, Crop};
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::Regular;
-use groundtruth::scene::{Image, Scene, to_toml};
-use groundtruth::shapes::Sphere;
-use groundtruth::world::{World, from_toml};
+use groundtruth::cameras::{Fisheye, Kind, Side, Stereo, Viewing};
+use groundtruth::film;
+use groundtruth::render::{Canvas, Crop};
+use groundtruth::scene::to_toml;
+use groundtruth::world::from_toml;
 
-use crate::pictures::studio::{add_flat, assert_same_bits, bits, built, pixels, small};
+use crate::pictures::studio::{assert_same_bits, bits, built};
+use crate::prelude::*;
 use crate::support::scaling::scaled_scene;
 
 const WIDTH: u32 = 26;

@@ -1,12 +1,11 @@
 //! The albedo of lobes, against integrals of the same accuracy.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::FRAC_PI_2;
 
-use groundtruth::lobes::{Branch, GlossyRule, GlossySpecular, Lobe};
-use groundtruth::math::{Normal, Vector, acos};
-use groundtruth::rgb::Rgb;
+use groundtruth::lobes::{Branch, GlossySpecular};
 
 use super::{QUADRATURE, every_lobe, projected_integral};
+use crate::prelude::*;
 use crate::support::optics::acos_of_one_minus;
 use crate::support::optics::albedo_about_the_mirror_direction;
 use crate::support::optics::by_angles;

@@ -1,18 +1,10 @@
 //! Point and spot lights: how they fade with distance, and the edges of a spot.
 
-use std::f64::consts::{FRAC_1_PI, TAU};
-
 use groundtruth::lights::{Kind, PointLight as Lamp, Spot};
-use groundtruth::materials::Matte;
-use groundtruth::math::{Normal, Point, Vector, cos, power, sin, to_radians};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{Plane, Sphere};
-use groundtruth::trace::RayCounts;
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::stage::*;
-use crate::support::{U, laws};
 
 /// Angles by the arc tangent, a polynomial of them, a power, and products: some roundings each.
 const ROUNDING: f64 = 64.0 * U;

@@ -1,10 +1,7 @@
 //! Surface acne: the effect of an epsilon that is too small for its scene.
 
-use groundtruth::math::{Point, Span, Vector};
-use groundtruth::render;
-
-use crate::pictures::studio::{bits, built, pixels, small};
-use crate::support::camera_ray;
+use crate::pictures::studio::{bits, built};
+use crate::prelude::*;
 
 /// Law: where the sun lights the planet, the book's routines put it into its own shadow in many pixels, the
 /// library's in none. Oracle: sphere and shadow by their equations, in coordinates around the planet's

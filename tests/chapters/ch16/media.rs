@@ -1,19 +1,13 @@
 //! Shadow rays through absorbing media.
 
-use std::f64::consts::FRAC_1_PI;
-
-use groundtruth::lights::{Ambient, AmbientOccluder, Directional, Kind, PointLight as Lamp};
-use groundtruth::materials::{Dielectric, Matte, Medium, Phong};
-use groundtruth::math::{Point, Vector, exp};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Scene, Tracer, TransparentShadows, Whitted};
-use groundtruth::shapes::{Cuboid, Plane, Sphere};
-use groundtruth::trace::{RayKind, RayTree, RecordedRay, TermSource, radiance};
+use groundtruth::lights::{AmbientOccluder, Kind, PointLight as Lamp};
+use groundtruth::scene::TransparentShadows;
+use groundtruth::trace::{RecordedRay, TermSource};
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::lamps::all_lights;
 use crate::support::stage::*;
-use crate::support::{U, laws};
 
 /// Per unit of length; blue is not absorbed.
 const SIGMA: Rgb = Rgb::new(0.3, 0.7, 0.0);

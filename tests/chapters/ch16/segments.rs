@@ -1,19 +1,10 @@
 //! Where shadow rays begin and end.
 
-use std::f64::consts::{FRAC_1_PI, TAU};
-
-use groundtruth::lights::{
-    Directional, FakeSpherical, JitteredDirectional, Kind, PointLight as Lamp,
-};
-use groundtruth::materials::Matte;
-use groundtruth::math::{Normal, Point, Vector, power, power_of_two};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{Disk, Plane, Sphere, Triangle};
+use groundtruth::lights::{FakeSpherical, JitteredDirectional, Kind, PointLight as Lamp};
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::stage::*;
-use crate::support::{U, laws, point, unit};
 
 fn white() -> Matte {
     Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }

@@ -1,21 +1,12 @@
 //! Laws that hold for each single sample.
 
-use std::f64::consts::TAU;
-
-use groundtruth::lights::{Ambient, AmbientOccluder, Directional};
-use groundtruth::materials::Matte;
-use groundtruth::math::{Normal, Point, Step, Vector};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{
-    Cuboid, Instance, Kind as Shape, Materials, Plane, SolidCylinder, Sphere, TessellatedSphere,
-};
-use groundtruth::trace::{Outcome, RayCounts, RayKind, RayTree, radiance};
+use groundtruth::lights::AmbientOccluder;
+use groundtruth::shapes::{Kind as Shape, Materials, SolidCylinder};
+use groundtruth::trace::Outcome;
 use proptest::prelude::*;
 
 use super::*;
-use crate::support::replicas::with_samples;
-use crate::support::{U, laws, point, unit};
+use crate::prelude::*;
 
 /// Samples of a pixel: all of them are tested.
 const SAMPLES: u32 = 64;

@@ -1,16 +1,11 @@
 //! The visible share of the sky, where it has a closed form.
 
-use std::f64::consts::{PI, TAU};
-
 use groundtruth::lights::AmbientOccluder;
-use groundtruth::materials::{Phong, Reflective};
-use groundtruth::math::{Frame, Normal, Pcg32, Point, Step, Vector, acos, atan2, cos, sin};
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::{Kind as Sampler, MultiJittered, Random};
-use groundtruth::scene::{Scene, Tracer, Whitted};
-use groundtruth::shapes::{Cuboid, Disk, Instance, Plane, Rectangle, TessellatedSphere, Triangle};
+use groundtruth::math::Frame;
+use groundtruth::samplers::Kind as Sampler;
 
 use super::*;
+use crate::prelude::*;
 use crate::support::replicas::*;
 
 /// Samples of a pixel.

@@ -4,12 +4,8 @@ mod exact;
 mod mean;
 
 use groundtruth::lights::AmbientOccluder;
-use groundtruth::materials::Matte;
-use groundtruth::math::{Point, Vector};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{Plane, Sphere};
 
+use crate::prelude::*;
 use crate::support::stage::*;
 
 /// The ambient coefficient and the colour of the surfaces.

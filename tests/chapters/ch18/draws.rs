@@ -1,16 +1,13 @@
 //! The draws of lights, and how many rays they cast.
 
 use groundtruth::cameras::ThinLens;
-use groundtruth::lights::{Ambient, Directional, PointLight};
-use groundtruth::math::Ray;
 use groundtruth::render::{camera_sample, sample};
-use groundtruth::trace::{RayCounts, RayKind, RayTree, RecordedRay, TermSource, radiance};
-use groundtruth::world::World;
+use groundtruth::trace::{RecordedRay, TermSource};
 use proptest::prelude::*;
 
 use super::*;
+use crate::prelude::*;
 use crate::support::lamps::all_lights;
-use crate::support::{laws, point, unit};
 
 /// The recorded samples of a pixel at some points of the scene.
 fn trees(world: &World) -> Vec<RayTree> {

@@ -1,12 +1,10 @@
 //! Lamps and skies that are refused, and the error messages.
 
 use groundtruth::background::{Background, Pattern, Sinusoid};
-use groundtruth::lights::Environment;
-use groundtruth::math::Step;
 use groundtruth::shapes::Torus;
-use groundtruth::world::World;
 
 use super::*;
+use crate::prelude::*;
 
 /// A lamp over a floor, its light last.
 fn scene() -> Scene {

@@ -1,13 +1,9 @@
 //! From far away a lamp is a point light, and the radiance of a lamp seen directly does not fade.
 
-use groundtruth::lights::PointLight;
-use groundtruth::materials::Emissive;
-use groundtruth::math::{Normal, power};
 use proptest::prelude::*;
 
 use super::*;
-use crate::support::replicas::assert_color;
-use crate::support::{U, laws, unit};
+use crate::prelude::*;
 
 /// The size of the lamps divided by their distance from the lit point: each sample has an error of a few
 /// times that, the mean one of its square.

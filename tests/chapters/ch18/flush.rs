@@ -1,12 +1,10 @@
 //! Lamps that lie on another object's surface, or in its plane.
 
-use groundtruth::math::{Normal, Pcg32, power, power_of_two};
 use proptest::prelude::*;
 
 use super::*;
-use crate::support::replicas::assert_color;
+use crate::prelude::*;
 use crate::support::scaling::scaled_scene;
-use crate::support::{laws, unit};
 
 const SAMPLES: u32 = 1024;
 /// The largest standard error that a mean may have here.

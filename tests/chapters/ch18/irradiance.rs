@@ -1,13 +1,11 @@
 //! The light of disks and spheres, in closed form.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
 use groundtruth::lights::Kind as Light;
-use groundtruth::materials::Emissive;
-use groundtruth::math::{acos, cos, sin};
 
 use super::*;
-use crate::support::replicas::assert_color;
+use crate::prelude::*;
 
 const SAMPLES: u32 = 1024;
 const POWER: f64 = 4e-3;

@@ -1,15 +1,10 @@
 //! Fake spherical lights and jittered directional ones: cubes of points and directions.
 
-use std::f64::consts::FRAC_1_PI;
-
-use groundtruth::lights::{Directional, FakeSpherical, JitteredDirectional, Kind, PointLight};
-use groundtruth::math::power;
-use groundtruth::trace::{RayTree, radiance};
+use groundtruth::lights::{FakeSpherical, JitteredDirectional, Kind};
 use proptest::prelude::*;
 
 use super::*;
-use crate::support::replicas::{assert_color, assert_mean};
-use crate::support::{U, laws, point, unit};
+use crate::prelude::*;
 
 const SAMPLES: u32 = 1024;
 

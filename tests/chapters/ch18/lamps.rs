@@ -1,13 +1,10 @@
 //! Lamps as objects: what they shadow, which side emits, and their switches.
 
-use groundtruth::lights::{Directional, Kind};
-use groundtruth::materials::Emissive;
-use groundtruth::math::{Pcg32, power_of_two};
-use groundtruth::trace::{Outcome, RayKind, RayTree, radiance};
+use groundtruth::lights::Kind;
+use groundtruth::trace::Outcome;
 
 use super::*;
-use crate::support::U;
-use crate::support::replicas::assert_color;
+use crate::prelude::*;
 use crate::support::scaling::scaled_scene;
 
 const SAMPLES: u32 = 64;

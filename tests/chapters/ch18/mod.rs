@@ -12,15 +12,7 @@ mod polygon;
 mod sky;
 mod sphere;
 
-use groundtruth::lights::Area;
-use groundtruth::materials::Matte;
-use groundtruth::math::{Normal, Point, Vector};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{
-    self, Disk, Instance, Plane, Rectangle, Sampling, Sphere, TessellatedSphere,
-};
+use groundtruth::shapes::Sampling;
 
 use crate::support::lamps::*;
-use crate::support::replicas::{replicas, view, with_samples};
 use crate::support::stage::*;

@@ -1,11 +1,9 @@
 //! Soft shadows: umbra and penumbra by similar triangles.
 
-use groundtruth::materials::Matte;
-use groundtruth::shapes::Cuboid;
-use groundtruth::trace::{Outcome, RayKind, RayTree, radiance};
-use groundtruth::world::World;
+use groundtruth::trace::Outcome;
 
 use super::*;
+use crate::prelude::*;
 
 /// A narrow lamp of this width at height `LAMP`, and a long beam across it at height `BEAM`.
 const WIDTH: f64 = 0.6;

@@ -1,14 +1,10 @@
 //! Lambert's formula for the light of a polygon, and lamps that are polygons.
 
-use std::f64::consts::TAU;
-
-use groundtruth::materials::Emissive;
-use groundtruth::math::{Pcg32, Point, Step, Transform, Vector, atan2};
-use groundtruth::shapes::{Instance, Kind as Shape, Mesh, TessellatedSphere, Triangle};
-use groundtruth::textures::{Checker3d, Paint};
+use groundtruth::shapes::Kind as Shape;
+use groundtruth::textures::Checker3d;
 
 use super::*;
-use crate::support::replicas::assert_color;
+use crate::prelude::*;
 
 const SAMPLES: u32 = 1024;
 const POWER: f64 = 4e-3;

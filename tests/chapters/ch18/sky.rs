@@ -1,16 +1,9 @@
 //! The environment light.
 
-use std::f64::consts::TAU;
-
-use groundtruth::lights::Environment;
-use groundtruth::materials::Phong;
-use groundtruth::shapes::Plane;
-use groundtruth::trace::{RayTree, radiance};
 use proptest::prelude::*;
 
 use super::*;
-use crate::support::replicas::{assert_color, assert_mean};
-use crate::support::{U, laws, unit};
+use crate::prelude::*;
 
 const SKY: Rgb = Rgb::new(0.9, 0.6, 1.8);
 

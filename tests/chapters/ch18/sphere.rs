@@ -2,15 +2,11 @@
 
 use dashu_ratio::RBig;
 use groundtruth::lights::{LightContext, Target};
-use groundtruth::materials::Emissive;
-use groundtruth::math::{Step, cos, power};
-use groundtruth::shapes::Surface;
 use proptest::prelude::*;
 
 use super::irradiance::sphere_share;
 use super::*;
-use crate::support::replicas::assert_color;
-use crate::support::{U, laws, point, unit};
+use crate::prelude::*;
 
 /// The sphere as an instance that is turned, mirrored and enlarged.
 fn mirrored_and_moved(center: Point, radius: f64, inward: bool) -> Instance {

@@ -1,13 +1,9 @@
 //! Algebraic surfaces: zero sets of polynomials that the user gives.
 
-use std::sync::Arc;
-
-use exact::Draw;
-use groundtruth::math::{Point, Ray, Span, Vector};
-use groundtruth::shapes::{Algebraic, Context, Kind, Shape, Sphere, Surface, Term};
+use groundtruth::shapes::{Algebraic, Term};
 
 use super::torus::{built, torus, ts};
-use crate::support::U;
+use crate::prelude::*;
 
 fn surface(terms: &[(f64, [u32; 3])], half: f64) -> Algebraic {
     let terms = terms.iter().map(|&(coefficient, powers)| Term { coefficient, powers }).collect();

@@ -1,7 +1,6 @@
 //! The bounding box of a compound: a ray that misses it needs no further tests.
 
-use exact::Draw;
-use groundtruth::math::{Aabb, Point, Ray, Vector};
+use crate::prelude::*;
 
 /// A box, a corner of it, the direction of a line that touches the box only in this corner (or runs
 /// along an edge or a face), and a direction perpendicular to the line that points away from the box.

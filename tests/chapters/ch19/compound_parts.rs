@@ -1,12 +1,11 @@
 //! The parts of solids: their materials, and the error messages for wrong input.
 
-use std::sync::Arc;
-
-use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::{
-    ConcaveLens, Context, CutFace, FlatRimmedBowl, Kind, Materials, PartMaterial, RoundRimmedBowl,
-    Shape, SolidCone, ThickRing,
+    ConcaveLens, CutFace, FlatRimmedBowl, Materials, PartMaterial, RoundRimmedBowl, SolidCone,
+    ThickRing,
 };
+
+use crate::prelude::*;
 
 /// A ring whose parts may have the materials `red` (index 0) or `glass` (index 1), which casts no
 /// shadows.

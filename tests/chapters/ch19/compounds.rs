@@ -1,10 +1,9 @@
 //! Solids of several parts: they are closed, and they are the sets that their inequalities describe.
 
+use crate::prelude::*;
 use crate::support::solids::built;
 use crate::support::solids::check_pieces;
 use crate::support::solids::from_axis;
-use exact::Draw;
-use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
     ConcaveLens, CutFace, FlatRimmedBowl, Materials, RoundRimmedBowl, SolidCone, SolidCylinder,
     ThickRing,

@@ -2,10 +2,7 @@
 
 use std::ops::Range;
 
-use exact::Draw;
-use groundtruth::math::{Point, Ray, Span, Vector};
-use groundtruth::shapes::{Shape, Surface};
-
+use crate::prelude::*;
 use crate::support::bodies::built;
 use crate::support::edged::{BODIES, Edged, edged};
 

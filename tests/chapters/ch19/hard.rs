@@ -1,8 +1,8 @@
 //! Every shape against exact arithmetic, on hard cases.
 
-use exact::Draw;
 use oracle::hard::Kind;
 
+use crate::prelude::*;
 use crate::support::hard_cases::{Pair, judge_all, pair, sweep};
 
 /// A law and its thorough form for each kind.

@@ -1,14 +1,9 @@
 //! Inward normals: the book's concave objects.
 
-use std::sync::Arc;
-
-use exact::Draw;
-use groundtruth::math::{Normal, Point, Span};
-use groundtruth::shapes::{
-    Cone, OpenCylinder, Paraboloid, PartCylinder, PartSphere, Shape, Sphere,
-};
+use groundtruth::shapes::{Cone, OpenCylinder, Paraboloid, PartCylinder, PartSphere};
 
 use super::parts::{CENTER, built, part_cylinder, part_sphere, some_ray};
+use crate::prelude::*;
 
 /// Law: convex and concave twins are hit at the same points, with opposite normals. Oracle: each
 /// other, bit for bit.

@@ -2,13 +2,8 @@
 //! next surface.
 
 use std::ops::Range;
-use std::sync::Arc;
 
-use exact::Draw;
-use groundtruth::math::{Ray, Span};
-use groundtruth::shapes::{Plane, Shape};
-
-use crate::support::U;
+use crate::prelude::*;
 use crate::support::bodies::Form;
 use crate::support::bodies::body;
 use crate::support::bodies::built;

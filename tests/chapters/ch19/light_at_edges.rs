@@ -1,15 +1,8 @@
 //! Light at the edges of closed bodies: rooms stay dark, and a furnace is seen through glass.
 
-use exact::Draw;
-use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::lights::{Directional, Environment, PointLight};
-use groundtruth::materials::{self, Dielectric, Matte, Medium, Phong, Reflective};
-use groundtruth::math::{Point, Ray, Span, Vector};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer, Whitted};
 use groundtruth::trace;
-use groundtruth::world::World;
 
+use crate::prelude::*;
 use crate::support::edged::{BODIES, Edged, edged};
 
 /// Bodies of each kind; every other one is placed by instances.

@@ -1,14 +1,8 @@
 //! Part objects: ranges of angles and their seams.
 
-use std::sync::Arc;
+use groundtruth::shapes::{Annulus, OpenCylinder, PartAnnulus, PartCylinder, PartSphere};
 
-use exact::Draw;
-use groundtruth::math::{
-    Normal, Point, Ray, Span, Vector, acos, atan2, cos_degrees, sin_degrees, to_degrees,
-};
-use groundtruth::shapes::{
-    Annulus, Context, Kind, OpenCylinder, PartAnnulus, PartCylinder, PartSphere, Shape, Sphere,
-};
+use crate::prelude::*;
 
 pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

@@ -1,10 +1,8 @@
 //! Roots of polynomials of small degree, which tori and algebraic surfaces need.
 
-use exact::Draw;
 use groundtruth::math::polynomial::{real_roots, roots_between};
-use groundtruth::math::power_of_two;
 
-use crate::support::U;
+use crate::prelude::*;
 
 /// The largest allowed residual of a root, relative to its terms: such a root is exact for slightly
 /// different coefficients (`numerics.md`).

@@ -2,11 +2,10 @@
 
 use std::fs;
 
-use exact::Draw;
-use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, sin_degrees};
-use groundtruth::shapes::{Annulus, Cone, Disk, Kind, Paraboloid, Surface};
+use groundtruth::shapes::{Annulus, Cone, Paraboloid};
 
 use super::parts::{built, some_ray, ts};
+use crate::prelude::*;
 
 /// Tolerance for coordinates near 1: less than a thousand roundings.
 const CLOSE: f64 = 1e-13;

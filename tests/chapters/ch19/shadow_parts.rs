@@ -1,19 +1,9 @@
 //! Compounds of which some parts cast shadows and others do not, in a scene with a light.
 
-use std::f64::consts::FRAC_1_PI;
+use groundtruth::scene::{Transparency, TransparentShadows};
+use groundtruth::shapes::Part;
 
-use groundtruth::accel::Method;
-use groundtruth::lights::{Directional, Environment};
-use groundtruth::materials::{Dielectric, Matte, Medium};
-use groundtruth::math::{Point, Step, Vector, exp};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{
-    Depth, Material, Object, Scene, Tracer, Transparency, TransparentShadows, Whitted,
-};
-use groundtruth::shapes::{Compound, Instance, Kind, Part, Plane, Sphere};
-
-use crate::support::replicas::{view, with_samples};
-use crate::support::stage::{built, look, put, shine, stage};
+use crate::prelude::*;
 
 /// The materials that a part may have, and whether they cast shadows. Of the last two one is opaque and one a
 /// boundary between media, for which shadow rays have ways of their own.

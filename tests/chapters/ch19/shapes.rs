@@ -1,15 +1,9 @@
 //! The shapes of chapter 19, checked against their equations and against each other.
 
-use std::sync::Arc;
+use groundtruth::math::exact_cross;
+use groundtruth::shapes::OpenCylinder;
 
-use exact::Draw;
-use groundtruth::math::{Normal, Point, Ray, Span, Vector, exact_cross};
-use groundtruth::shapes::{
-    Candidate, Context, Cuboid, Disk, Kind, OpenCylinder, Rectangle, Shape, Sphere, Surface,
-    Triangle,
-};
-
-use crate::support::U;
+use crate::prelude::*;
 use crate::support::bodies::body;
 use crate::support::scaling::scaled;
 

@@ -1,13 +1,11 @@
 //! The book's intersection routines, which a scene may choose instead of the library's.
 
 use exact::backward_error::by_the_book;
-use groundtruth::math::{Pcg32, Point, Ray, Span, Vector};
-use groundtruth::scene::{Intersect, Scene};
+use groundtruth::scene::Intersect;
 use groundtruth::shapes::textbook::EPSILON;
-use groundtruth::shapes::{Context, Kind, Shape, Sphere};
 
-use crate::pictures::studio::{RED, add_flat, built, from_front, pixels, small};
-use crate::support::camera_ray;
+use crate::pictures::studio::{RED, built};
+use crate::prelude::*;
 
 /// The rounding error of the book's formulas from a distance of a few sizes; it is largest for quartics.
 const LOST_BY_ROUNDING: f64 = 1e-9;

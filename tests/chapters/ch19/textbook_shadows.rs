@@ -1,16 +1,11 @@
 //! The book's routines for shadows: they find what they find for other rays, in every span.
 
 use exact::backward_error::by_the_book;
-use groundtruth::lights::PointLight;
-use groundtruth::math::{Pcg32, Point, Ray, Span, Step, Vector, power};
-use groundtruth::rgb::Rgb;
 use groundtruth::scene::Intersect;
-use groundtruth::shapes::{Context, Instance, Kind};
-use groundtruth::world::World;
 
 use super::textbook::easy_rays;
+use crate::prelude::*;
 use crate::support::lamps::{floor, white};
-use crate::support::stage::{built, look, put, shine, stage};
 
 /// The name of every kind, and its specimens.
 fn specimens() -> impl Iterator<Item = (&'static str, Vec<Kind>)> {

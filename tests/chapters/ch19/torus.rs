@@ -1,12 +1,8 @@
 //! The torus: its equation, its closed forms, and rays that leave it.
 
-use std::sync::Arc;
+use groundtruth::shapes::Torus;
 
-use exact::Draw;
-use groundtruth::math::{Normal, Point, Ray, Span, Vector, cos_degrees, power, sin_degrees};
-use groundtruth::shapes::{Context, Kind, Shape, Surface, Torus};
-
-use crate::support::U;
+use crate::prelude::*;
 use crate::support::bodies::random_hit;
 
 pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {

@@ -1,10 +1,9 @@
 //! Parts of a torus: ranges that cross a seam, that leave no gap, and that add up to the whole.
 
-use exact::Draw;
-use groundtruth::math::{Point, Ray, Span, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
-use groundtruth::shapes::{Context, Kind, PartTorus};
+use groundtruth::shapes::PartTorus;
 
 use super::torus::{built, torus, ts};
+use crate::prelude::*;
 
 /// The part of the torus of radii 2 and 0.5 in these ranges.
 fn part(phi: [f64; 2], theta: [f64; 2]) -> PartTorus {

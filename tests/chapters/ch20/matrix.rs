@@ -1,13 +1,10 @@
 //! The transformation step that is given as a matrix.
 
-use exact::Draw;
-use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
-use groundtruth::shapes::{Context, Cuboid, Instance, Kind};
 use proptest::prelude::*;
 
 use super::{linear, product, size, steps, transform};
+use crate::prelude::*;
 use crate::support::scaling::scaled;
-use crate::support::{U, laws, point};
 
 /// The matrix of these steps as a step.
 fn as_matrix(t: &Transform) -> Step {

@@ -1,15 +1,9 @@
 //! Beveled solids: the points at most the bevel away from a smaller solid.
 
-use std::f64::consts::PI;
-
-use exact::Draw;
-use groundtruth::math::{Point, Ray, Span, Step, Vector};
-use groundtruth::shapes::{
-    BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Context, Instance, Kind, Materials,
-    Shape, Sphere,
-};
+use groundtruth::shapes::{BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Materials};
 
 use super::bevels::{Case, KINDS};
+use crate::prelude::*;
 use crate::support::solids::{built, check_pieces, line};
 
 /// Law: along a line, inside and outside alternate exactly as the distance from the smaller solid is at

@@ -2,14 +2,9 @@
 //! left if all that is within the bevel of the surface is removed. The distance is in closed form and
 //! does not use the code under test.
 
-use std::f64::consts::PI;
+use groundtruth::shapes::{BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Materials};
 
-use exact::Draw;
-use groundtruth::math::{Point, Vector, atan2, cos_degrees, sin_degrees};
-use groundtruth::shapes::{
-    BeveledBox, BeveledCylinder, BeveledRing, BeveledWedge, Kind, Materials,
-};
-
+use crate::prelude::*;
 use crate::support::solids::from_axis;
 
 /// A solid, and the distance of a point from its inset (0 inside the inset).

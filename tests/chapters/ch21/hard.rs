@@ -1,11 +1,10 @@
 //! Instances against exact arithmetic, on hard cases.
 
-use exact::{Draw, backward_error};
-use groundtruth::math::{Point, Step, Transform, Vector, cos_degrees, sin_degrees};
-use groundtruth::shapes::{Context, Instance, Kind, Rectangle};
+use exact::backward_error;
 use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 
+use crate::prelude::*;
 use crate::support::hard_cases::{Pair, instanced, judge_all, pair, sweep, sweep_as};
 
 /// Law: hits of an instance are as exact as the condition of its matrix allows. Oracle: 512-bit

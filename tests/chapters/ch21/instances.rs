@@ -1,12 +1,6 @@
 //! Instances, checked against the transformed shapes that they represent.
 
-use std::sync::Arc;
-
-use exact::Draw;
-use groundtruth::math::{Axis, Point, Ray, Span, Step, Transform, Vector};
-use groundtruth::shapes::{self, Context, Instance, Kind, Shape, Sphere};
-
-use crate::support::U;
+use crate::prelude::*;
 
 fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

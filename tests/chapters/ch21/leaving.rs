@@ -2,11 +2,9 @@
 
 use std::ops::Range;
 
-use exact::Draw;
-use groundtruth::math::{Axis, Point, Step, Transform, Vector};
-use groundtruth::shapes::{Cone, Context, Instance, Kind};
+use groundtruth::shapes::Cone;
 
-use crate::support::U;
+use crate::prelude::*;
 use crate::support::bodies::{Form, body, check_leaving, is_thin, random_hit};
 use crate::support::exact::{oracle_shape, walls_along_normal};
 use crate::support::leaving::check_kinds;

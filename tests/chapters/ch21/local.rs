@@ -1,15 +1,6 @@
 //! The points at which textures are evaluated, and the memory of copies of one mesh.
 
-use std::sync::Arc;
-
-use exact::Draw;
-use groundtruth::kinds::Custom;
-use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
-use groundtruth::shapes::{
-    Compound, Context, Instance, Kind, Lattice, Sphere, Surface, TessellatedSphere,
-};
-
-use crate::support::U;
+use crate::prelude::*;
 
 fn sphere() -> Kind {
     Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }.into()

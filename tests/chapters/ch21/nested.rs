@@ -1,13 +1,8 @@
 //! Compounds of compounds against the same shapes in one list.
 
-use std::sync::Arc;
+use groundtruth::shapes::{Part, PartMaterial};
 
-use exact::Draw;
-use groundtruth::accel::Method;
-use groundtruth::math::{Point, Ray, Span, Vector};
-use groundtruth::shapes::{
-    Compound, Context, Kind, Lattice, Part, PartMaterial, Shape, Sphere, Surface,
-};
+use crate::prelude::*;
 
 /// Whether each of the materials, by its index, casts shadows.
 const CASTS_SHADOWS: [bool; 3] = [true, false, true];

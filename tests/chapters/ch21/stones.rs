@@ -1,13 +1,9 @@
 //! Rosettes and archways: the number and the position of their stones, the joints between them, and the
 //! same hits with every search method.
 
-use exact::Draw;
-use groundtruth::accel::Method;
-use groundtruth::math::{Point, Ray, Span, Step, Vector, cos_degrees, sin_degrees};
-use groundtruth::shapes::{
-    Archway, BeveledBox, Context, Instance, Kind, Materials, Rosette, Shape,
-};
+use groundtruth::shapes::{Archway, BeveledBox, Materials, Rosette};
 
+use crate::prelude::*;
 use crate::support::scaling::scaled;
 use crate::support::solids::{built, from_axis, line};
 

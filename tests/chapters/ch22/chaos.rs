@@ -1,16 +1,12 @@
 //! Any finite numbers: nothing panics, nothing is NaN, and the tree still equals the list.
 
-use std::sync::Arc;
-
-use exact::Draw;
-use groundtruth::math::{Point, Ray, Span, Step, Vector, power_of_two};
 use groundtruth::shapes::{
-    Annulus, Cone, Context, Cuboid, Disk, Instance, Kind, OpenCylinder, Paraboloid, PartCylinder,
-    PartSphere, PartTorus, Plane, Rectangle, RoundRimmedBowl, Shape, SolidCylinder, Sphere, Torus,
-    Triangle,
+    Annulus, Cone, OpenCylinder, Paraboloid, PartCylinder, PartSphere, PartTorus, RoundRimmedBowl,
+    SolidCylinder, Torus,
 };
 
 use super::searched::Both;
+use crate::prelude::*;
 
 /// A finite number with an exponent from −`widest` to `widest`; some are zeros of either sign or
 /// subnormal.

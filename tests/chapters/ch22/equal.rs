@@ -1,19 +1,12 @@
 //! The grid and the tree of boxes give the same answer as the list: the same object at the same
 //! distance, bit for bit. Each law takes the number of rays to test.
 
-use std::sync::Arc;
-
-use exact::Draw;
-use groundtruth::accel::{Accel, Method};
-use groundtruth::kinds::Custom;
-use groundtruth::math::{Aabb, Point, Ray, Span, Step, Vector};
+use groundtruth::accel::Accel;
 use groundtruth::mesh_bvh::Kernel;
-use groundtruth::shapes::{
-    self, Disk, Instance, Kind, Plane, Rectangle, Shape, Sphere, TessellatedSphere, Triangle,
-    TriangleMesh,
-};
+use groundtruth::shapes::TriangleMesh;
 
 use super::searched::{Both, FARTHEST, agree, built, hits, some_rays, spheres};
+use crate::prelude::*;
 
 /// For each law a short test, and a thorough one with a million rays.
 macro_rules! laws {

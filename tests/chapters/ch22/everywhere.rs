@@ -1,18 +1,10 @@
 //! A shape has the same hits whichever method searches its parts, at every level.
 
-use std::sync::Arc;
-
-use exact::Draw;
-use groundtruth::accel::Method;
 use groundtruth::kinds::Resources;
-use groundtruth::math::{Point, Ray, Span, Step, Vector};
-use groundtruth::shapes::{
-    Compound, Context, Cuboid, Disk, Instance, Kind, Lattice, Mesh, Part, Plane, RandomSpheres,
-    Shape, Sphere, TessellatedSphere,
-};
+use groundtruth::shapes::{Part, RandomSpheres};
 
 use super::searched::ray;
-use crate::support::U;
+use crate::prelude::*;
 
 /// The same shape with every level searched by this method, or by its default one for `None`.
 fn searched(kind: &Kind, by: Option<Method>) -> Kind {

@@ -1,20 +1,11 @@
 //! Lattices and random spheres, checked against the lists of shapes that they represent.
 
-use std::sync::Arc;
-
-use exact::Draw;
-use groundtruth::accel::Method;
 use groundtruth::kinds::Resources;
-use groundtruth::math::{Point, Ray, Span, Step, Vector, power_of_two};
-use groundtruth::shapes::{
-    Candidate, Compound, Context, Cuboid, Instance, Kind, Lattice, Plane, RandomSpheres, Shape,
-    Sphere, Surface,
-};
-use groundtruth::textures::TexturePoint;
+use groundtruth::shapes::RandomSpheres;
 use groundtruth::textures::{self, RandomColors};
 
 use super::searched::ray;
-use crate::support::U;
+use crate::prelude::*;
 
 fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

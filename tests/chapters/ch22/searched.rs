@@ -1,11 +1,8 @@
 //! The same objects searched by every method, and random rays to test them with.
 
-use std::sync::Arc;
+use groundtruth::accel::Accel;
 
-use exact::Draw;
-use groundtruth::accel::{Accel, Method};
-use groundtruth::math::{Aabb, Ray, Span};
-use groundtruth::shapes::{Candidate, Context, Kind, Shape, Sphere};
+use crate::prelude::*;
 
 /// The hits of the ray with the objects.
 pub fn hits(objects: &[Arc<dyn Shape>], ray: &Ray) -> impl Fn(u32, Span) -> Option<Candidate> {

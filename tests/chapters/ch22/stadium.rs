@@ -1,15 +1,12 @@
 //! A teapot in a stadium: objects so small compared with the scene that single precision cannot tell
 //! them apart.
 
-use std::sync::Arc;
-
-use exact::Draw;
-use groundtruth::accel::{Accel, Counts, Method};
-use groundtruth::math::{Aabb, Point, Ray, Span, power};
+use groundtruth::accel::{Accel, Counts};
 use groundtruth::mesh_bvh::Kernel;
-use groundtruth::shapes::{self, Context, Kind, Shape, Sphere, Triangle, TriangleMesh};
+use groundtruth::shapes::TriangleMesh;
 
 use super::searched::{self, Both, built, hits};
+use crate::prelude::*;
 
 /// Small spheres, triangles and boxes, all within `size` of a point.
 fn teapot(draw: &mut Draw, count: usize, middle: Point, size: f64) -> Vec<Arc<dyn Shape>> {

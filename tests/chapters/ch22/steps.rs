@@ -1,11 +1,11 @@
 //! The cost of a search, counted rather than timed.
 
-use exact::Draw;
-use groundtruth::accel::{Accel, Counts, Method};
-use groundtruth::math::{Aabb, Point, Ray, Span, Vector, cbrt};
-use groundtruth::shapes::{RandomSpheres, Shape};
+use groundtruth::accel::{Accel, Counts};
+use groundtruth::math::cbrt;
+use groundtruth::shapes::RandomSpheres;
 
 use super::searched::{self, Both, some_rays};
+use crate::prelude::*;
 
 const RAYS: usize = 400;
 

@@ -1,12 +1,10 @@
 //! Tessellated spheres with bumps.
 
 use std::collections::HashMap;
-use std::f64::consts::PI;
 
-use exact::Draw;
-use groundtruth::accel::Method;
-use groundtruth::math::{Point, Ray, Span, Vector, cos, sin};
-use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, TriangleMesh};
+use groundtruth::shapes::TriangleMesh;
+
+use crate::prelude::*;
 
 fn bumpy(horizontal: u32, vertical: u32, bumps: f64) -> TessellatedSphere {
     TessellatedSphere { bumps, ..TessellatedSphere::new(horizontal, vertical, true) }

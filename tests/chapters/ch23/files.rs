@@ -1,9 +1,8 @@
 //! Meshes from files: the encoding does not matter.
 
-use exact::Draw;
-use formats::meshes::{Encoding, MeshData, parse_ply, write_ply};
-use groundtruth::math::{Point, Ray, Span};
-use groundtruth::shapes::{Context, Kind, Mesh, Shape, TessellatedSphere, Triangle};
+use formats::meshes::{parse_ply, write_ply};
+
+use crate::prelude::*;
 
 /// Law: the three encodings of PLY give the same mesh, and the same hits and shading normals, bit
 /// for bit, with the file's normals and with mean ones. Oracle: each other, and the mesh that was

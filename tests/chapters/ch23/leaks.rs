@@ -1,9 +1,7 @@
 //! Leaks: gaps between triangles that do not compute their common edge in the same way.
 
-use groundtruth::math::{atan2, cos_degrees, to_degrees};
-use groundtruth::render;
-
-use crate::pictures::studio::{bits, built, pixels, small};
+use crate::pictures::studio::{bits, built};
+use crate::prelude::*;
 
 /// Law: the background shines through the book's triangles along their edges, and nowhere through the
 /// library's. Oracle: the outline of the umbrella in the picture, a regular octagon.

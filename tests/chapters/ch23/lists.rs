@@ -1,9 +1,8 @@
 //! Meshes whose vertices and triangles are listed in the scene instead of in a file.
 
-use exact::Draw;
-use formats::meshes::{Encoding, MeshData, write_ply};
-use groundtruth::math::{Point, Ray, Span, Vector};
-use groundtruth::shapes::{Context, Kind, Mesh};
+use formats::meshes::write_ply;
+
+use crate::prelude::*;
 
 /// A bumpy sheet with everything a file can have; one triangle of it has no area.
 fn sheet(draw: &mut Draw) -> MeshData {

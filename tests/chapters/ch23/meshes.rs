@@ -1,17 +1,11 @@
 //! Tessellated spheres, flat and smooth shading, vertex normals, winding.
 
 use std::collections::HashMap;
-use std::f64::consts::PI;
 
-use exact::Draw;
-use groundtruth::accel::Method;
-use groundtruth::math::{Normal, Point, Ray, Span, Vector};
-use groundtruth::shapes::{
-    Context, Kind, Shape, Surface, TessellatedSphere, Triangle, TriangleMesh,
-};
+use groundtruth::shapes::TriangleMesh;
 
 use super::watertight::knot;
-use crate::support::U;
+use crate::prelude::*;
 
 fn sphere(horizontal: u32, vertical: u32, smooth: bool) -> TriangleMesh {
     TessellatedSphere::new(horizontal, vertical, smooth).mesh()

@@ -1,12 +1,9 @@
 //! Vertex normals of mesh files: which side is outside, and which normals shading uses where the file
 //! has none.
 
-use std::path::Path;
+use formats::meshes::write_ply;
 
-use exact::Draw;
-use formats::meshes::{Encoding, MeshData, write_ply};
-use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
-use groundtruth::shapes::{Context, Kind, Mesh};
+use crate::prelude::*;
 
 type Triangles = Vec<[u32; 3]>;
 

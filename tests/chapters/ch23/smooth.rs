@@ -1,21 +1,9 @@
 //! Normals at vertices: the stand-alone smooth triangle, and meshes.
 
-use std::f64::consts::FRAC_1_PI;
-use std::sync::Arc;
+use groundtruth::shapes::TriangleMesh;
 
-use exact::Draw;
-use groundtruth::accel::Method;
-use groundtruth::kinds::Custom;
-use groundtruth::lights::Directional;
-use groundtruth::materials::Phong;
-use groundtruth::math::{Normal, Point, Ray, Span, Step, Vector, cos_degrees, power, sin_degrees};
-use groundtruth::rgb::Rgb;
-use groundtruth::shapes::{
-    Context, Instance, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh,
-};
-
-use crate::support::U;
-use crate::support::stage::{built, put, recorded, shine, stage};
+use crate::prelude::*;
+use crate::support::stage::recorded;
 
 const VERTICES: [Point; 3] =
     [Point::new(-1.0, -0.5, 0.25), Point::new(1.0, -0.75, 0.0), Point::new(0.25, 1.0, -0.25)];

@@ -1,11 +1,8 @@
 //! Texture coordinates of meshes, where the file has them.
 
-use exact::Draw;
-use formats::meshes::{Encoding, MeshData, write_ply};
-use groundtruth::math::{Point, Ray, Span, Step, Vector};
-use groundtruth::shapes::{Candidate, Compound, Context, Instance, Kind, Lattice, Mesh};
+use formats::meshes::write_ply;
 
-use crate::support::U;
+use crate::prelude::*;
 
 /// A bumpy sheet over `[0, 4]²` in x and z, whose u and v are affine in them.
 fn sheet(with_uvs: bool, draw: &mut Draw) -> MeshData {

@@ -1,11 +1,10 @@
 //! No ray slips between the triangles of a closed mesh.
 
-use exact::Draw;
 use formats::meshes;
-use groundtruth::accel::Method;
-use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::mesh_bvh::Kernel;
-use groundtruth::shapes::{Context, Kind, Shape, TessellatedSphere, Triangle, TriangleMesh};
+use groundtruth::shapes::TriangleMesh;
+
+use crate::prelude::*;
 
 /// A tessellated sphere stretched along the axes and moved.
 fn sphere([h, v]: [u32; 2], stretch: Vector, shift: Vector) -> TriangleMesh {

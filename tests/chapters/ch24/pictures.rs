@@ -1,16 +1,10 @@
 //! Whole pictures with mirrors: each equals the picture of the unfolded room without mirrors.
 
-use groundtruth::cameras::{Pinhole, Viewpoint};
-use groundtruth::materials::Emissive;
-use groundtruth::math::{Point, Vector, exp, power};
 use groundtruth::render::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Plane, Sphere};
 
 use super::mirror;
-use crate::support::U;
-use crate::support::stage::{built, counted, look, put};
+use crate::prelude::*;
+use crate::support::stage::counted;
 
 const KR: f64 = 0.8;
 const CR: Rgb = Rgb::new(1.0, 0.75, 0.5);

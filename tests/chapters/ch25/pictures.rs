@@ -1,17 +1,9 @@
 //! The blur of glossy surfaces on whole pictures, against closed forms.
 
-use groundtruth::lights::Area;
-use groundtruth::lobes::GlossyRule;
-use groundtruth::materials::{Emissive, GlossyReflector};
-use groundtruth::math::{Point, Vector, cos, power, tan, to_radians};
 use groundtruth::render::{pixel, render};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Disk, Plane};
 
 use super::glossy;
-use crate::support::replicas::{assert_mean, replicas, with_samples};
-use crate::support::stage::{built, deep_stage, put, shine};
+use crate::prelude::*;
 
 /// The distance of the lamp: from all points of the floor it is seen at the same angle, up to 1e-9.
 const FAR: f64 = 1e9;

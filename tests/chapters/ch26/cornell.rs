@@ -1,18 +1,10 @@
 //! The Cornell box, against a reference picture and against its mirror image.
 
-use groundtruth::math::{Point, Vector};
 use groundtruth::render::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Scene, Tracer};
-use groundtruth::shapes::{Kind, Rectangle};
-use statistics::means;
-use statistics::significance::sidak;
 use std::fmt::Write as _;
 
-use crate::support::replicas::{
-    LEVEL, REPLICAS, assert_known, mean_and_error, replicas, with_samples,
-};
-use crate::support::stage::built;
+use crate::prelude::*;
+use crate::support::replicas::{LEVEL, REPLICAS, assert_known, mean_and_error};
 
 /// Pixels across and down.
 const SIDE: u32 = 16;

@@ -1,18 +1,10 @@
 //! Direct light: all estimators give the same picture.
 
-use groundtruth::cameras::{Pinhole, Viewpoint};
-use groundtruth::lights::Area;
-use groundtruth::materials::{Emissive, Matte};
-use groundtruth::math::{Point, Vector};
 use groundtruth::render::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Image, Scene, Tracer};
-use groundtruth::shapes::{Plane, Rectangle, Sampling, Sphere};
-use statistics::means;
-use statistics::significance::sidak;
+use groundtruth::shapes::Sampling;
 
-use crate::support::replicas::{LEVEL, REPLICAS, replicas, with_samples};
-use crate::support::stage::{put, shine};
+use crate::prelude::*;
+use crate::support::replicas::{LEVEL, REPLICAS};
 
 const WIDTH: u32 = 6;
 const HEIGHT: u32 = 4;

@@ -1,26 +1,15 @@
 //! Uniform light: what each material shows of it under each tracer, and the sum of reflections in a closed
 //! room.
 
-use std::f64::consts::TAU;
-
-use groundtruth::lights::{Area, Environment};
-use groundtruth::materials::{
-    Dielectric, Emissive, GlossyReflector, Kind, Matte, Medium, Phong, Transparent,
-};
-use groundtruth::math::{Pcg32, Point, Step, Vector, exp, power};
+use groundtruth::materials::Kind;
 use groundtruth::render::sample;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Scene, Tracer};
-use groundtruth::shapes::{self, Cuboid, Instance, SolidCylinder, Sphere, Torus};
-use groundtruth::textures::Paint;
-use groundtruth::trace::RayCounts;
+use groundtruth::shapes::{SolidCylinder, Torus};
 
 use super::tracers;
+use crate::prelude::*;
 use crate::support::number;
 use crate::support::optics;
 use crate::support::optics::albedo_about_the_mirror_direction;
-use crate::support::replicas::{assert_color, assert_mean, replicas, view, with_samples};
-use crate::support::stage::{built, put, shine, stage};
 
 /// The maximum depth of the tracers here: so small that the part that is cut off can be seen.
 const DEPTH: u32 = 3;

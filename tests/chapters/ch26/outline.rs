@@ -1,19 +1,8 @@
 //! The outline of a smooth mesh, where the interpolated normal faces away from a viewer who sees the surface.
 
-use groundtruth::lights::Environment;
-use groundtruth::lobes::GlossyRule;
-use groundtruth::materials::{self, GlossyReflector, Matte, Phong};
-use groundtruth::math::{Point, Vector};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
-use groundtruth::shapes::Triangle;
-use groundtruth::world::World;
-use statistics::means;
-use statistics::significance::sidak;
-
 use super::tracers;
-use crate::support::replicas::{LEVEL, assert_mean, replicas, view, with_samples};
-use crate::support::stage::{put, shine, stage};
+use crate::prelude::*;
+use crate::support::replicas::LEVEL;
 
 /// The shading normal of the triangle, not unit; its true normal is y.
 const SHADING: Vector = Vector::new(-0.9, 0.5, 0.0);

@@ -1,25 +1,14 @@
 //! Path tracers: their mean, their variance and their cost.
 
-use groundtruth::lights::{Area, Environment, PointLight};
-use groundtruth::lobes::GlossyRule;
-use groundtruth::materials::{
-    Dielectric, Emissive, GlossyReflector, Matte, Medium, Phong, Reflective,
-};
-use groundtruth::math::{Point, Vector, power};
 use groundtruth::render::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::Random;
-use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Plane, Sphere};
-use groundtruth::trace::{RayKind, TermSource};
-use statistics::means;
-use statistics::significance::sidak;
+use groundtruth::trace::TermSource;
 use statistics::slope::power_law;
 
 use super::{room, tracers};
+use crate::prelude::*;
 use crate::support::number;
-use crate::support::replicas::{LEVEL, assert_mean, mean_and_error, replicas, view, with_samples};
-use crate::support::stage::{built, counted, look, put, recorded, shine, stage};
+use crate::support::replicas::{LEVEL, mean_and_error};
+use crate::support::stage::{counted, recorded};
 
 /// Law: a lamp at the centre of a matte sphere lights all of it by E = I/r²; the k-th reflection adds
 /// `ρ E/π · ρᵏ`, so that in the limit the wall absorbs all that the lamp emits (the integrating sphere).

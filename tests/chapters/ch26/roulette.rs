@@ -1,15 +1,7 @@
 //! Russian roulette and the choice of a lobe: two decisions that do not depend on each other.
 
-use groundtruth::materials::{Phong, Transparent};
-use groundtruth::math::{Point, Vector, power};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Scene, Tracer};
-use groundtruth::shapes::Sphere;
-use groundtruth::trace::{RayCounts, radiance};
-use groundtruth::world::World;
-
-use crate::support::replicas::{assert_mean, replicas, with_samples};
-use crate::support::stage::{put, ray, stage};
+use crate::prelude::*;
+use crate::support::stage::ray;
 
 /// So many reflections are told apart; all longer paths are counted together.
 const SHORT: usize = 7;

@@ -1,16 +1,10 @@
 //! What glass does to whole pictures, against closed forms of geometrical optics.
 
-use groundtruth::materials::Emissive;
-use groundtruth::math::{Point, Step, Vector, acos, atan2, cos, sin, tan};
 use groundtruth::render::{film_point, render};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{Cuboid, Instance, Plane};
-use groundtruth::textures::{Checker3d, Kind as Texture, Paint};
+use groundtruth::textures::{Checker3d, Kind as Texture};
 
 use super::{ball, glass};
-use crate::support::U;
-use crate::support::stage::{built, deep_stage, look, put};
+use crate::prelude::*;
 
 /// Emissive cubes in two colours. They are not their own mirror image, as no border passes through the
 /// origin.

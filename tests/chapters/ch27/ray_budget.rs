@@ -1,15 +1,10 @@
 //! The ray budget: the number of rays of a picture is estimated before it is rendered.
-use groundtruth::materials::{Dielectric, Medium, Phong, Reflective};
-use groundtruth::math::{Point, Vector};
-use groundtruth::render;
 use groundtruth::render::{MAX_COUNTED, RaysPerSample};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Cuboid, Plane, Sphere};
-use groundtruth::trace::{Outcome, RayBudget, RayCounts, RayKind, RayTree};
+use groundtruth::trace::{Outcome, RayBudget};
 
 use super::glass;
-use crate::support::stage::{built, counted, deep_stage, put};
+use crate::prelude::*;
+use crate::support::stage::counted;
 
 fn ball(radius: f64) -> Sphere {
     Sphere { center: Point::ORIGIN, radius, inward: false }

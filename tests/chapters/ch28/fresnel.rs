@@ -1,13 +1,11 @@
 //! Fresnel's equations and Beer's law by themselves.
 
-use groundtruth::lobes::{FresnelReflector, FresnelTransmitter, Lobe, fresnel, refract};
-use groundtruth::math::{Normal, Vector, cos, power};
-use groundtruth::rgb::Rgb;
+use groundtruth::lobes::{FresnelReflector, FresnelTransmitter, fresnel, refract};
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::optics::by_angles;
 use crate::support::stage::*;
-use crate::support::{U, laws};
 
 /// Ratios of indices from a tenth to ten, many near 1.
 fn eta() -> impl Strategy<Value = f64> {

@@ -1,17 +1,11 @@
 //! Dielectrics on whole pictures and under path tracers, against closed forms.
 
 use groundtruth::cameras::Fisheye;
-use groundtruth::materials::{Emissive, Medium};
-use groundtruth::math::{Normal, Point, Step, Vector, cos, exp, power, sin, to_radians};
 use groundtruth::render::{film_point, pixel, render};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Tracer, Whitted};
-use groundtruth::shapes::{Cuboid, Instance, Plane};
 
 use super::{ball, clear, glass, slab, tinted};
-use crate::support::U;
+use crate::prelude::*;
 use crate::support::optics;
-use crate::support::replicas::{assert_color, assert_mean, replicas, view, with_samples};
 use crate::support::stage::*;
 
 fn path_tracers(max_depth: u32) -> [Tracer; 3] {

@@ -2,10 +2,9 @@
 
 use dashu_ratio::RBig;
 use groundtruth::lobes::{fresnel, polarised};
-use groundtruth::math::power;
 use proptest::prelude::*;
 
-use crate::support::{U, laws};
+use crate::prelude::*;
 
 fn exact(x: f64) -> RBig {
     RBig::try_from(x).expect("finite")

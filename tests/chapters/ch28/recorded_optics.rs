@@ -1,18 +1,10 @@
 //! What the recorder reports about refraction: the numbers that `explain` and the inspector show.
 
-use std::f64::consts::{FRAC_1_PI, TAU};
-
-use groundtruth::lobes::Lobe;
-use groundtruth::materials::{Matte, Medium, Transparent};
-use groundtruth::math::{Normal, Point, Vector, cos, sin, to_radians};
-use groundtruth::rgb::Rgb;
-use groundtruth::shapes::Plane;
-use groundtruth::trace::{RayKind, RayTree, RecordedHit, RecordedRay, TermSource};
-use groundtruth::{lights, materials};
+use groundtruth::trace::{RecordedHit, RecordedRay, TermSource};
 use proptest::prelude::*;
 
 use super::{child, glass, tinted};
-use crate::support::laws;
+use crate::prelude::*;
 use crate::support::optics;
 use crate::support::stage::*;
 

@@ -1,15 +1,11 @@
 //! Shadow rays that pass straight through what is transparent, and pictures of basic radiance: the two
 //! switches of a scene's `transparency`.
 
-use groundtruth::lights::{Area, Directional, PointLight};
-use groundtruth::materials::{Dielectric, Emissive, Matte, Medium, Transparent};
-use groundtruth::math::{Point, Vector, atan2, cos, exp, sin, tan, to_radians};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Scene, Tracer, Transparency, TransparentShadows};
-use groundtruth::shapes::{Cuboid, Disk, Sphere};
+use groundtruth::scene::{Transparency, TransparentShadows};
 use groundtruth::trace::Outcome;
 
-use crate::support::stage::{built, deep_stage, look, put, recorded, shine};
+use crate::prelude::*;
+use crate::support::stage::recorded;
 
 const STRAIGHT: Transparency =
     Transparency { shadows: TransparentShadows::Attenuated, scales_radiance: true };

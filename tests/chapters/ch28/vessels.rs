@@ -2,16 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use groundtruth::materials::{Boundary, Dielectric, Medium};
-use groundtruth::math::{
-    Pcg32, Point, Ray, Span, Vector, atan2, cos, exp, power, sin, to_degrees, to_radians,
-};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Material, Object, Scene};
-use groundtruth::shapes::{BoundaryMaterials, FishBowl, GlassOfWater, Kind};
-use groundtruth::world::World;
+use groundtruth::materials::Boundary;
+use groundtruth::shapes::{BoundaryMaterials, FishBowl, GlassOfWater};
 
-use crate::support::stage::{built, deep_stage, look, ray};
+use crate::prelude::*;
+use crate::support::stage::ray;
 
 const AIR: Medium = Medium::clear(1.0);
 const WATER: Medium = Medium::clear(1.33);

@@ -1,12 +1,9 @@
 //! From points to texture coordinates.
 
-use std::f64::consts::{PI, TAU};
-
-use groundtruth::math::{Point, cos, sin};
 use groundtruth::textures::Mapping;
 use proptest::prelude::*;
 
-use crate::support::{U, laws};
+use crate::prelude::*;
 
 /// An angle by `atan2` and its share of a turn: a few roundings, and those of the point that was made for
 /// it, magnified no more than by 4 where the sine is above 1/4.

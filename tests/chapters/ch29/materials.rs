@@ -1,30 +1,16 @@
 //! Materials with images: pictures, the number of look-ups, and errors.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-use groundtruth::explain;
-use groundtruth::kinds::Custom;
-use groundtruth::lights::{Ambient, Directional};
-use groundtruth::materials::{
-    Emissive, GlossyReflector, Kind, Matte, Phong, Reflective, Transparent,
-};
-use groundtruth::math::{Aabb, Point, Ray, Span, Step, Vector};
+use groundtruth::materials::Kind;
 use groundtruth::render::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{
-    self, Candidate, Compound, Instance, Mesh, Part, Rectangle, Sampling, Shape, Sphere, Surface,
-    Within,
-};
-use groundtruth::textures::{Amount, Checker3d, Filtering, Image, Mapping, Paint};
-use groundtruth::world::World;
+use groundtruth::shapes::{Part, Sampling, Within};
+use groundtruth::textures::{Amount, Checker3d, Filtering, Image, Mapping};
 
 use super::{by_uv, image_file, linear};
+use crate::prelude::*;
 use crate::support::lamps::share;
 use crate::support::lamps::{LS, floor, hang, seen, up};
-use crate::support::replicas::assert_color;
-use crate::support::stage::{built, deep_stage, look, put, shine, stage};
 
 const UNIT: Sphere = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
 

@@ -8,13 +8,11 @@ mod sky_light;
 mod texels;
 
 use std::io::Write;
-use std::sync::Arc;
 
 use groundtruth::kinds::Resources;
-use groundtruth::math::{Normal, Point};
-use groundtruth::rgb::Rgb;
-use groundtruth::shapes::Surface;
-use groundtruth::textures::{Image, Kind, Mapping, Texture, TexturePoint};
+use groundtruth::textures::{Image, Kind, Mapping, Texture};
+
+use crate::prelude::*;
 
 /// A linear image whose texel at a column from the left and a row from the bottom has this colour, in steps
 /// of 1/65535; the file is deleted when the value is dropped.

@@ -1,10 +1,9 @@
 //! Skies that are black except for one texel: where it shines, light is looked for.
 
 use groundtruth::background::{Directions, Dome, Image};
-use groundtruth::math::{Pcg32, Step, Transform};
-use groundtruth::rgb::Rgb;
 
 use super::sky::{DOMES, FILTERINGS, sky, written};
+use crate::prelude::*;
 
 /// Columns and rows: few, since each texel has a sky of its own.
 const FEW: [u32; 2] = [6, 5];

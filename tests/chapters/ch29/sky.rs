@@ -1,17 +1,14 @@
 //! Skies by image: their radiance, and the directions that are sampled from them.
 
-use std::f64::consts::{PI, TAU};
-use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::path::PathBuf;
 
 use groundtruth::background::{Background, Directions, Dome, Image, ImageSky, Sky};
-use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::film::{self, OutOfGamut, Tone};
 use groundtruth::kinds::Resources;
-use groundtruth::math::{Normal, Pcg32, Point, Ray, Step, Transform, Vector, cos, sin};
-use groundtruth::rgb::Rgb;
 use groundtruth::textures::{Filtering, Mapping};
 use statistics::chi_square::goodness_of_fit;
-use statistics::significance::sidak;
+
+use crate::prelude::*;
 
 pub const DOMES: [Dome; 4] =
     [Dome::Spherical, Dome::Hemispherical, Dome::LightProbe, Dome::Panoramic];

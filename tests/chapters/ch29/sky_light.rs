@@ -1,24 +1,12 @@
 //! The light of skies by image, under every tracer.
 
-use std::f64::consts::{PI, TAU};
-
 use groundtruth::background::{Dome, Image};
-use groundtruth::lights::Environment;
-use groundtruth::lobes::GlossyRule;
-use groundtruth::materials::{GlossyReflector, Kind as MaterialKind, Matte, Phong};
-use groundtruth::math::{Normal, Point, Vector, cos};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Scene, Tracer};
-use groundtruth::shapes::Plane;
+use groundtruth::materials::Kind as MaterialKind;
 use groundtruth::textures::Filtering;
-use statistics::means;
-use statistics::significance::sidak;
 
 use super::sky::{DOMES, SIZE, all_around, image, ragged, texel, written};
-use crate::support::replicas::{
-    LEVEL, assert_color, assert_mean, mean_and_error, replicas, view, with_samples,
-};
-use crate::support::stage::{put, shine, stage};
+use crate::prelude::*;
+use crate::support::replicas::{LEVEL, mean_and_error};
 
 /// A plane of this normal under the sky.
 fn under(sky: Image, normal: Vector, recipe: impl Into<MaterialKind>) -> Scene {

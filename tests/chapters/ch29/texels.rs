@@ -3,14 +3,12 @@
 use std::sync::LazyLock;
 
 use groundtruth::kinds::Resources;
-use groundtruth::math::{Normal, Pcg32, Point, floor};
-use groundtruth::rgb::Rgb;
-use groundtruth::shapes::Surface;
-use groundtruth::textures::{Filtering, Image, Kind, Rule, TexturePoint, Wrap};
+use groundtruth::math::floor;
+use groundtruth::textures::{Filtering, Image, Kind, Rule, Wrap};
 use proptest::prelude::*;
 
 use super::{by_uv, image_file, linear, texel_by_uv};
-use crate::support::laws;
+use crate::prelude::*;
 
 /// Texels are stored in single precision, and interpolated three times.
 const SINGLE: f64 = 4.0 * f32::EPSILON as f64;

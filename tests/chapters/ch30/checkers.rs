@@ -1,14 +1,12 @@
 //! Checkers on curved and on flat shapes: cells, lines, seams and poles.
 
-use std::f64::consts::{PI, TAU};
-
-use groundtruth::math::{cos, sin};
 use groundtruth::textures::{
     ConeChecker, CylinderChecker, DiskChecker, Lines, RectangleChecker, SphereChecker,
     SphereTextures,
 };
 
 use super::*;
+use crate::prelude::*;
 
 /// The least distance of a point from a border, as a share of a checker, at which rounding of angles does not
 /// matter.

@@ -1,16 +1,14 @@
 //! Textures that are moved relative to their objects, and objects that move while their texture stays.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use groundtruth::kinds::Custom;
-use groundtruth::math::{Axis, Transform, cos, sin, to_radians};
 use groundtruth::textures::{
     CylinderChecker, Lines, Ramp, SphereChecker, SphereTextures, Stripes, Texture as Asked,
     TextureInstance, Wireframe, Wrap,
 };
 
 use super::*;
+use crate::prelude::*;
 
 /// A texture whose colour is the local point at which it is evaluated.
 #[derive(Debug)]
@@ -186,7 +184,7 @@ proptest! {
             ray(from, to - from)
         };
         for (shape, map, inside) in [
-            (Shape::from(still(moves.clone())), map, Transform::IDENTITY),
+            (Kind::from(still(moves.clone())), map, Transform::IDENTITY),
             (Instance::new(still(moves.clone()), outer.clone()).into(), around.after(&map), around),
         ] {
             let mut scene = gallery();
@@ -215,7 +213,7 @@ fn at_hit(world: &groundtruth::world::World, ray: &groundtruth::math::Ray) -> Po
 /// one (figure 30.11). Oracle: the long box with the plain texture, pixel by pixel, bit for bit.
 #[test]
 fn a_texture_instance_undoes_the_stretch_of_its_object() {
-    let picture = |shape: Shape, texture: Texture| {
+    let picture = |shape: Kind, texture: Texture| {
         let mut scene = gallery();
         painted(&mut scene, shape, texture);
         scene.camera.eye = Point::new(4.0, 5.0, 9.0);

@@ -1,16 +1,11 @@
 //! Lamps whose radiance is a texture: light samples and rays see the same.
 
-use std::sync::Arc;
-
-use groundtruth::kinds::Custom;
-use groundtruth::lights::{Area, LightContext, Segment};
-use groundtruth::materials::Emissive;
-use groundtruth::shapes::Mesh;
+use groundtruth::lights::{LightContext, Segment};
 use groundtruth::trace::RecordedHit;
-use groundtruth::world::World;
 
 use super::instances::local_point;
 use super::*;
+use crate::prelude::*;
 use crate::support::lamps::{every_lamp, samplings};
 
 /// A texture whose colour is made of all else that a texture may ask of a point: the surface's own coordinates,
@@ -31,7 +26,7 @@ fn coordinates() -> Texture {
 }
 
 /// A lamp of two triangles with texture coordinates.
-fn mapped() -> Shape {
+fn mapped() -> Kind {
     let corner = |x, z| Point::new(x, 3.0 + 0.1 * x * z, z);
     let vertices = vec![corner(-0.5, -0.4), corner(0.6, -0.3), corner(0.1, 0.6), corner(-0.7, 0.5)];
     let uvs = Some(vec![[0.1, 0.2], [0.9, 0.3], [0.7, 1.0], [0.0, 0.8]]);
@@ -48,10 +43,10 @@ fn recipes() -> [Emissive; 3] {
 }
 
 /// The shape as it is, and in instances whose textures move with it or stay, one in another.
-fn placed(shape: &Shape) -> [(&'static str, Shape); 7] {
+fn placed(shape: &Kind) -> [(&'static str, Kind); 7] {
     let inner = vec![Step::RotateX(35.0), Step::Translate(Vector::new(0.3, -0.4, 0.6))];
     let outer = vec![Step::Scale(Vector::new(1.4, 1.4, 1.4)), Step::RotateZ(-50.0)];
-    let instance = |of: Shape, steps: &[Step], transform_texture| -> Shape {
+    let instance = |of: Kind, steps: &[Step], transform_texture| -> Kind {
         Instance { transform_texture, ..Instance::new(of, steps.to_vec()) }.into()
     };
     let one = |moves| instance(shape.clone(), &inner, moves);

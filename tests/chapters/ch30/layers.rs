@@ -1,9 +1,9 @@
 //! Stripes and ramps.
 
-use groundtruth::math::Axis;
 use groundtruth::textures::{Ramp, Stripes, Wrap};
 
 use super::*;
+use crate::prelude::*;
 
 const AXES: [Axis; 3] = [Axis::X, Axis::Y, Axis::Z];
 

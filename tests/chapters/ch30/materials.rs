@@ -1,18 +1,13 @@
 //! A material for each checker of a sphere, and errors.
 
-use groundtruth::lights::Directional;
-use groundtruth::lobes::GlossyRule;
-use groundtruth::materials::{
-    Dielectric, Emissive, GlossyReflector, Kind as Recipe, Medium, Phong, Reflective,
-    SphereMaterials, Transparent,
-};
-use groundtruth::math::{Axis, cos, sin};
+use groundtruth::materials::{Kind as Recipe, SphereMaterials};
 use groundtruth::textures::{
     DiskChecker, Lines, Ramp, SphereChecker, SphereTextures, Stripes, TextureInstance, Wireframe,
     Wrap,
 };
 
 use super::*;
+use crate::prelude::*;
 use crate::support::stage::recorded;
 
 fn plain(cd: Rgb) -> Matte {

@@ -8,20 +8,13 @@ mod materials;
 mod wires;
 
 use groundtruth::kinds::Resources;
-use groundtruth::lights::Ambient;
-use groundtruth::materials::Matte;
-use groundtruth::math::{Normal, Pcg32, Point, Step, Vector, power_of_two};
 use groundtruth::render::pixel;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{Cuboid, Instance, Kind as Shape, Plane, Sphere, Surface};
-use groundtruth::textures::TexturePoint;
-use groundtruth::textures::{Checker3d, Kind as Texture, Paint, PlaneChecker};
+use groundtruth::textures::{Checker3d, Kind as Texture, PlaneChecker};
 use proptest::prelude::*;
 
+use crate::prelude::*;
 use crate::support::scaling::scaled;
 use crate::support::stage::*;
-use crate::support::{U, camera_ray, laws, point, unit};
 
 const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);
 const TWO: Rgb = Rgb::new(0.0, 0.25, 0.5);
@@ -82,7 +75,7 @@ fn even(coordinates: &[f64], size: f64) -> bool {
     coordinates.iter().map(|&x| crossed(x)).sum::<u32>().is_multiple_of(2)
 }
 
-fn painted(scene: &mut Scene, shape: impl Into<Shape>, texture: Texture) {
+fn painted(scene: &mut Scene, shape: impl Into<Kind>, texture: Texture) {
     put(scene, shape, Matte { ka: 1.0.into(), kd: 0.0.into(), cd: Paint::from(texture) });
 }
 

@@ -1,11 +1,9 @@
 //! Wireframes: lines along the edges of triangles.
 
-use groundtruth::lights::Area;
-use groundtruth::materials::Emissive;
-use groundtruth::shapes::{Compound, Lattice, Mesh, TessellatedSphere, Triangle};
 use groundtruth::textures::{TextureInstance, Wireframe};
 
 use super::*;
+use crate::prelude::*;
 
 fn wires(line_width: f64) -> Texture {
     Wireframe { line_width, line_color: LINE.into(), color: ONE.into() }.into()
@@ -45,7 +43,7 @@ fn mesh([a, b, c]: [Point; 3]) -> Mesh {
 }
 
 /// The colour seen at a point of the scene's surfaces, from the front (+z).
-fn seen(shape: impl Into<Shape>, texture: &Texture, p: Point) -> Rgb {
+fn seen(shape: impl Into<Kind>, texture: &Texture, p: Point) -> Rgb {
     let mut scene = gallery();
     painted(&mut scene, shape, texture.clone());
     let eye = p.with(2, 50.0);
@@ -76,9 +74,9 @@ proptest! {
         let expected = if distance < 0.5 * width { LINE } else { ONE };
         let texture = wires(width);
         let far = 40.0 * Vector::X;
-        let plain = Shape::from(mesh(corners));
-        let ball = || Shape::from(Sphere { center: p + 0.5 * far, radius: 1.0, inward: false });
-        let with_ball = Shape::from(Compound::of([ball(), plain.clone()]));
+        let plain = Kind::from(mesh(corners));
+        let ball = || Kind::from(Sphere { center: p + 0.5 * far, radius: 1.0, inward: false });
+        let with_ball = Kind::from(Compound::of([ball(), plain.clone()]));
         let row = Lattice {
             of: Box::new(with_ball.clone()),
             counts: [3, 1, 1],
@@ -87,7 +85,7 @@ proptest! {
         };
         let stretch = vec![Step::Scale(Vector::new(0.5, 3.0, 2.0)), Step::Translate(far)];
         let stretched = Point::new(40.0 + 0.5 * p.x(), 3.0 * p.y(), 2.0 * p.z());
-        let shapes: [(Shape, Point); 5] = [
+        let shapes: [(Kind, Point); 5] = [
             (Triangle { vertices: corners, normals: None }.into(), p),
             (plain.clone(), p),
             (row.into(), p + 2.0 * far),

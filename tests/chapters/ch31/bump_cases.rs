@@ -1,22 +1,13 @@
 //! Bumps: turned objects, flat bumps, calls of the shape, and errors.
 
-use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use groundtruth::bumps::{self, Height, Kind as Bump};
-use groundtruth::kinds::Custom;
-use groundtruth::math::{Aabb, Pcg32, Point, Ray, Span, Step, Transform, Vector, power_of_two};
-use groundtruth::noise::Noise;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{
-    self, Candidate, Context, Instance, Shape, Surface, TessellatedSphere, Within,
-};
+use groundtruth::shapes::Within;
 use groundtruth::textures::{Constant, Fbm};
-use groundtruth::world::World;
 
 use super::bumps::{apart, ball, bumped, met, white};
-use crate::support::stage::{built, put, stage};
+use crate::prelude::*;
 
 /// Law: bumps turn with their object. Oracle: the turned normal of the object that is not turned.
 #[test]

@@ -3,22 +3,14 @@
 use groundtruth::bumps::{self, Height, Kind as Bump};
 use groundtruth::images::{Drawn, Picture};
 use groundtruth::lobes::{Lobes, Normals};
-use groundtruth::materials::Matte;
-use groundtruth::math::{Normal, Point, Ray, Step, Transform, Vector};
-use groundtruth::noise::Noise;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{
-    self, Compound, Instance, Lattice, Mesh, Part, Plane, Sphere, Surface, TessellatedSphere,
-};
+use groundtruth::shapes::Part;
 use groundtruth::textures::{Fbm, Filtering, Image};
-use groundtruth::trace::{Outcome, RayKind, Recorder, ShadingPoint, Term, radiance};
-use groundtruth::world::World;
+use groundtruth::trace::{Outcome, Recorder, ShadingPoint, Term};
 use proptest::prelude::*;
 
 use super::oracle::{self, built as noise};
-use crate::support::stage::{built, put, ray, stage};
-use crate::support::{laws, point, unit};
+use crate::prelude::*;
+use crate::support::stage::ray;
 
 pub fn white() -> Matte {
     Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }

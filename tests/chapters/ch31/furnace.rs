@@ -1,19 +1,10 @@
 //! Bumped surfaces in uniform light.
 
-use std::f64::consts::TAU;
-
 use groundtruth::bumps::{self, Height, Kind as Bump};
-use groundtruth::lights::Environment;
-use groundtruth::materials::{self, Matte, Phong, Reflective};
-use groundtruth::math::{Point, Vector};
-use groundtruth::noise::Noise;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Scene, Tracer};
-use groundtruth::shapes::Sphere;
 use groundtruth::textures::Fbm;
 
-use crate::support::replicas::{mean_and_error, replicas, view, with_samples};
-use crate::support::stage::{put, shine, stage};
+use crate::prelude::*;
+use crate::support::replicas::mean_and_error;
 
 /// A bumped ball of radius 1 in white light from all sides. The background is a light as well, so that
 /// tracers which sample lights meet it.

@@ -3,22 +3,16 @@
 
 use groundtruth::bumps;
 use groundtruth::lobes::{
-    Bsdf, GlossyReflection, GlossyRule, GlossySpecular, Lambertian, Lobe, LobeSet, Lobes,
-    NormalKind, Normals,
+    Bsdf, GlossyReflection, GlossySpecular, Lambertian, LobeSet, Lobes, NormalKind, Normals,
 };
-use groundtruth::materials::{
-    Dielectric, GlossyReflector, Kind as Recipe, Medium, Phong, Transparent,
-};
-use groundtruth::math::{Normal, Pcg32, Point, Vector, ln_1p, power};
-use groundtruth::noise::Noise;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Plane, TessellatedSphere, Triangle};
-use groundtruth::trace::{RayKind, RayTree, RecordedHit, RecordedRay, radiance};
+use groundtruth::materials::Kind as Recipe;
+use groundtruth::math::ln_1p;
+use groundtruth::trace::{RecordedHit, RecordedRay};
 use proptest::prelude::*;
 
-use crate::support::stage::{built, deep_stage, put, ray};
-use crate::support::{U, laws, optics, point, unit};
+use crate::prelude::*;
+use crate::support::optics;
+use crate::support::stage::ray;
 
 /// The surface of a triangle in the plane y = 0 whose normals all lean this way, of a bumped plane, and of a
 /// ball of smooth triangles, all of one material and around the origin.

@@ -2,12 +2,11 @@
 
 use std::collections::BTreeSet;
 
-use groundtruth::math::{Pcg32, Point, Vector, power_of_two};
-use groundtruth::noise::{Lattice, Noise};
+use groundtruth::noise::Lattice;
 use proptest::prelude::*;
 
 use super::oracle::{self, built, index, linear};
-use crate::support::{laws, point};
+use crate::prelude::*;
 
 /// Sums of 64 products, whose weights add up to at most 2, with about ten roundings each.
 const ROUNDING: f64 = 2e-14;

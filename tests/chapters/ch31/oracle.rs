@@ -1,8 +1,9 @@
 //! A second implementation of noise, straight from its definition: all knots, each with its weight.
 
-use groundtruth::math::{Point, Vector};
-use groundtruth::noise::{Interpolation, Lattice, LatticeNoise, Noise};
+use groundtruth::noise::{Interpolation, Lattice, LatticeNoise};
 use proptest::prelude::*;
+
+use crate::prelude::*;
 
 /// The noise with these parameters.
 pub fn built(noise: Noise) -> LatticeNoise {

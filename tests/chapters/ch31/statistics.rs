@@ -1,11 +1,9 @@
 //! Statistics of noise: moments at lattice points and between them, and the spectrum of octaves.
 
-use std::f64::consts::TAU;
-
-use groundtruth::math::{Pcg32, Point, cos, sin};
-use groundtruth::noise::{LatticeNoise, Noise};
+use groundtruth::noise::LatticeNoise;
 
 use super::oracle::{self, built, linear};
+use crate::prelude::*;
 
 /// The mean of the values, and their variance.
 fn moments(values: &[f64]) -> [f64; 2] {

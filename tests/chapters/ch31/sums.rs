@@ -1,11 +1,10 @@
 //! Sums of octaves: fractal sum, turbulence, fBm, and their bounds.
 
-use groundtruth::math::{Pcg32, Point};
-use groundtruth::noise::{MAX_OCTAVES, Noise};
+use groundtruth::noise::MAX_OCTAVES;
 use proptest::prelude::*;
 
 use super::oracle::{self, built};
-use crate::support::{laws, point};
+use crate::prelude::*;
 
 /// A coordinate of 20 times 5⁵ is rounded to 7e-12; noise has a slope of at most 7. The slope of a sum grows
 /// with the gain, which the bound divides out.

@@ -1,21 +1,18 @@
 //! The noise-based textures, each against its formula.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::FRAC_PI_2;
 
 use groundtruth::kinds::Resources;
-use groundtruth::math::{Normal, Point, sin};
-use groundtruth::noise::{LatticeNoise, Noise};
-use groundtruth::rgb::Rgb;
-use groundtruth::shapes::Surface;
+use groundtruth::noise::LatticeNoise;
 use groundtruth::textures::{
-    ColorTable, Fbm, Kind, RampFbm, Rule, Stripes, TextureInstance, TexturePoint, ThreeColors,
-    Turbulence, TwoColors, WrappedFbm, WrappedRamp,
+    ColorTable, Fbm, Kind, RampFbm, Rule, Stripes, TextureInstance, ThreeColors, Turbulence,
+    TwoColors, WrappedFbm, WrappedRamp,
 };
 use proptest::prelude::*;
 
 use super::oracle::{self, built};
+use crate::prelude::*;
 use crate::support::scaling::scaled;
-use crate::support::{laws, point};
 
 const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);
 const TWO: Rgb = Rgb::new(0.0, 0.25, 0.5);

@@ -1,14 +1,12 @@
 //! Wood, step by step.
 
-use groundtruth::math::{Point, Vector};
-use groundtruth::noise::{LatticeNoise, Noise};
-use groundtruth::rgb::Rgb;
+use groundtruth::noise::LatticeNoise;
 use groundtruth::textures::Wood;
 use proptest::prelude::*;
 
 use super::oracle::{self, built};
 use super::textures::at;
-use crate::support::{laws, point};
+use crate::prelude::*;
 
 /// The rings amplify the rounding of noise at frequency 50 to about 1e-9 at most.
 const ROUNDING: f64 = 1e-8;

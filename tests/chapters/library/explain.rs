@@ -7,14 +7,9 @@ mod shares;
 mod sources;
 mod unlit;
 
-use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::explain::{self, Outline, RecordedRay, Row};
-use groundtruth::materials::{Dielectric, Matte, Medium};
-use groundtruth::math::Point;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::shapes::Sphere;
-use groundtruth::world::World;
+use groundtruth::explain::{Outline, RecordedRay, Row};
+
+use crate::prelude::*;
 
 /// Compares snapshots up to the rounding of their numbers.
 #[derive(Clone)]

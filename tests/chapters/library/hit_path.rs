@@ -1,15 +1,10 @@
 //! The path of a hit: the nested shapes that contain it, and the part of the innermost shape that is hit.
 
-use exact::Draw;
-use formats::meshes::{self, Encoding, MeshData, write_ply};
-use groundtruth::math::{Point, Ray, Span, Step, Transform, Vector};
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{
-    Candidate, Compound, Context, Cuboid, Face, Instance, Kind, Lattice, Level, Mesh, Part,
-    PartPath, RandomSpheres, Rectangle, Sphere, TessellatedSphere, Triangle,
-};
-use groundtruth::world::World;
+use formats::meshes::{self, write_ply};
+use groundtruth::shapes::{Face, Level, Part, PartPath, RandomSpheres};
 use serde_json::json;
+
+use crate::prelude::*;
 
 /// A few hundred rounding errors of `t` below 100, in transformations of moderate condition number.
 const ROUNDING: f64 = 1e-11;

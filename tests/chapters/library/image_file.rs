@@ -13,7 +13,8 @@ mod pnm;
 mod scenes;
 
 use formats::images::{Encoding, Texels, decode};
-use groundtruth::math::power;
+
+use crate::prelude::*;
 
 /// More texels than any image here should have.
 const MAX: u64 = 1 << 20;

@@ -1,16 +1,9 @@
 //! Regressions: each test is named after the symptom, its comment gives the cause.
 
-use groundtruth::cameras::{Pinhole, Viewpoint};
-use groundtruth::lights::{self, Area, Environment};
-use groundtruth::materials::{Emissive, Matte, Medium, Transparent};
-use groundtruth::math::{Point, Ray, Step, Vector, exp};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
 use groundtruth::samplers::Hammersley;
-use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::shapes::{self, Disk, Instance, Plane, Rectangle, Sphere};
 use groundtruth::trace;
-use groundtruth::world::World;
+
+use crate::prelude::*;
 
 /// A camera at z = 5 that looks along −z, with these objects of one matte material.
 fn scene(objects: Vec<shapes::Kind>) -> Scene {

@@ -11,10 +11,9 @@ mod not_finite;
 mod shape_errors;
 mod too_deep;
 
-use std::path::Path;
-
 use groundtruth::scene;
-use groundtruth::world;
+
+use crate::prelude::*;
 
 /// A valid scene.
 const SCENE: &str = r#"about = "x"

@@ -2,20 +2,14 @@
 
 use std::collections::HashSet;
 use std::mem::{Discriminant, discriminant};
-use std::path::Path;
 
-use groundtruth::accel::Method;
-use groundtruth::explain;
-use groundtruth::film::Film;
-use groundtruth::render::{self, render};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Material, Scene, Tracer, to_toml};
-use groundtruth::trace::{RayKind, RayTree};
+use groundtruth::render::render;
+use groundtruth::scene::to_toml;
 use groundtruth::world::from_toml;
-use groundtruth::{lights, materials, shapes};
 
 use super::random_scenes::{scene, textured_scene};
 use super::studio::{assert_same_bits, bits, built, pixels};
+use crate::prelude::*;
 use crate::support::number;
 use crate::support::scaling::scaled_scene;
 

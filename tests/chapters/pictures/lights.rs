@@ -1,18 +1,9 @@
 //! Light is linear: it adds up, and lights are independent of one another.
 
-use groundtruth::cameras::{Pinhole, Viewpoint};
-use groundtruth::lights::Ambient;
-use groundtruth::materials::{Phong, Reflective};
-use groundtruth::math::{Point, Ray};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::shapes::{self, Sphere};
-use groundtruth::trace::{RayKind, RayTree};
 use proptest::prelude::*;
 
 use super::studio::{built, pixels, small};
-use crate::support::laws;
+use crate::prelude::*;
 
 /// Sums of some ten terms in two orders.
 const ROUNDING: f64 = 1e-12;

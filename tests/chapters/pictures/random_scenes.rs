@@ -1,21 +1,11 @@
 //! Random scenes, with every kind of light, material and shape.
 
-use groundtruth::cameras::{Orthographic, Pinhole, Viewpoint};
-use groundtruth::lights::{
-    self, Ambient, AmbientOccluder, Area, Directional, Environment, FakeSpherical,
-    JitteredDirectional, Spot,
-};
-use groundtruth::lobes::GlossyRule;
-use groundtruth::materials::{
-    self, Dielectric, Emissive, GlossyReflector, Matte, Medium, Phong, Reflective, SphereMaterials,
-    Transparent,
-};
-use groundtruth::math::{Pcg32, Point, Step, Vector, power};
-use groundtruth::rgb::Rgb;
+use groundtruth::lights::{AmbientOccluder, FakeSpherical, JitteredDirectional, Spot};
+use groundtruth::materials::SphereMaterials;
 use groundtruth::samplers;
-use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::shapes::{self, Disk, Instance, Plane, Rectangle, Sphere, TessellatedSphere};
-use groundtruth::textures::{self, Checker3d, Paint};
+use groundtruth::textures::{self, Checker3d};
+
+use crate::prelude::*;
 
 /// A source of random choices, and a function that is applied to every colour.
 struct Die<'a> {

@@ -1,12 +1,7 @@
 //! Recording changes nothing, and what is recorded adds up to the picture.
 
-use groundtruth::explain;
-use groundtruth::film::Film;
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::trace::{RayKind, RayTree};
-
 use super::studio::{assert_same_bits, bits, built, gallery_in_small, pixels, small};
+use crate::prelude::*;
 
 /// Law: a recorded sample has the same bits as an unrecorded one, for every pixel of every scene. It is the
 /// radiance along the camera's ray times the filter's weight, and black without a ray. At every ray the

@@ -1,15 +1,10 @@
 //! Changes of a scene that must not change any bit of its picture, or only a few.
 
-use std::path::Path;
-
-use groundtruth::accel::Method;
-use groundtruth::math::{Point, Step, Vector};
-use groundtruth::render;
-use groundtruth::scene::{Image, Scene, to_toml};
-use groundtruth::shapes::{self, Instance};
+use groundtruth::scene::to_toml;
 use groundtruth::world::from_toml;
 
 use super::studio::{assert_same_bits, built, gallery_in_small, pixels, small};
+use crate::prelude::*;
 use crate::support::scaling::scaled_scene;
 
 /// Law: no absolute length matters: every scene gives the same picture with all lengths multiplied by a power

@@ -1,13 +1,6 @@
 //! Shared by the laws on pictures: small scenes, and the comparison of pictures bit for bit.
 
-use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::film::Film;
-use groundtruth::materials::Emissive;
-use groundtruth::math::Point;
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Material, Object, Scene};
-use groundtruth::shapes;
-use groundtruth::world::World;
+use crate::prelude::*;
 
 pub const RED: Rgb = Rgb::new(1.0, 0.0, 0.0);
 

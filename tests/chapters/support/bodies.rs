@@ -1,16 +1,11 @@
 //! Simple shapes of random sizes, and the rays that leave them.
 
-use std::sync::Arc;
-
-use exact::Draw;
-use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
-    Annulus, Cone, Context, Cuboid, Disk, Kind, OpenCylinder, Paraboloid, PartAnnulus,
-    PartCylinder, PartSphere, Plane, Rectangle, Shape, Sphere, Surface, TessellatedSphere,
-    Triangle,
+    Annulus, Cone, OpenCylinder, Paraboloid, PartAnnulus, PartCylinder, PartSphere,
 };
 
 use super::exact::{oracle_shape, walls_along_normal};
+use crate::prelude::*;
 
 /// How often a ray that leaves the surface hits the shape again.
 #[derive(Clone, Copy, Debug, PartialEq)]

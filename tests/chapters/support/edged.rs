@@ -1,13 +1,12 @@
 //! Closed bodies with sharp or rounded edges, and points on these edges.
 
-use exact::Draw;
-use groundtruth::math::{Point, Step, Transform, Vector, cos_degrees, sin_degrees};
 use groundtruth::shapes::{
-    Annulus, BeveledBox, BeveledCylinder, BeveledRing, Compound, ConcaveLens, Cuboid, Disk,
-    FlatRimmedBowl, Instance, Kind, Materials, Mesh, OpenCylinder, Paraboloid, PartAnnulus,
-    PartCylinder, PartSphere, Rectangle, RoundRimmedBowl, SolidCone, SolidCylinder, ThickRing,
-    Triangle,
+    Annulus, BeveledBox, BeveledCylinder, BeveledRing, ConcaveLens, FlatRimmedBowl, Materials,
+    OpenCylinder, Paraboloid, PartAnnulus, PartCylinder, PartSphere, RoundRimmedBowl, SolidCone,
+    SolidCylinder, ThickRing,
 };
+
+use crate::prelude::*;
 
 /// A closed body.
 pub struct Edged {

@@ -1,9 +1,9 @@
 //! The exact counterparts of library shapes, for laws that need exact intersections.
 
 pub use exact::oracle_shape;
-use groundtruth::math::Vector;
-use groundtruth::shapes::Surface;
 use oracle::Shape;
+
+use crate::prelude::*;
 
 /// The exact intersections of the shape with the line along the normal of a hit, within `reach` of the hit;
 /// distances above the surface are positive.

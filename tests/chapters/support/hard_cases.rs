@@ -6,18 +6,16 @@
 //! [`exact::backward_error`].
 
 use std::fmt;
-use std::sync::Arc;
 
 use exact::backward_error::{ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error};
 pub use exact::backward_error::{Pair, instanced, pair};
 use exact::{backward_error, composites};
-use groundtruth::accel::{Accel, Method};
-use groundtruth::math::{Ray, Span, Vector};
-use groundtruth::shapes::{self, Candidate};
+use groundtruth::accel::Accel;
 use oracle::Answer;
 use oracle::hard::{Family, Kind, cases};
 
 use super::U;
+use crate::prelude::*;
 
 /// The largest errors found, and their cases.
 #[derive(Default)]

@@ -4,8 +4,7 @@
 use std::fmt::Debug;
 use std::ops::Sub;
 
-use groundtruth::math::Vector;
-use groundtruth::rgb::Rgb;
+use crate::prelude::*;
 
 /// How large a difference is.
 pub trait Size {

@@ -1,21 +1,11 @@
 //! Lamps over a floor.
 
-use std::f64::consts::TAU;
-
-use groundtruth::lights::{
-    Ambient, AmbientOccluder, Area, Directional, Environment, FakeSpherical, JitteredDirectional,
-    Kind, PointLight, Spot,
-};
-use groundtruth::materials::{Emissive, Matte};
-use groundtruth::math::{Normal, Point, Vector, atan2};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::shapes::{
-    self, Disk, Instance, Mesh, Plane, Rectangle, Sampling, Sphere, TessellatedSphere,
-};
+use groundtruth::lights::{AmbientOccluder, FakeSpherical, JitteredDirectional, Kind, Spot};
+use groundtruth::shapes::Sampling;
 
 use super::replicas::{replicas, view, with_samples};
 use super::stage::*;
+use crate::prelude::*;
 
 /// The radiance of lamps is `LS` times `CE`.
 pub const LS: f64 = 2.5;

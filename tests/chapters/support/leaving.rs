@@ -1,12 +1,9 @@
 //! Rays that leave a surface, for all kinds of a chapter at all scales. Stricter laws for single kinds are in
 //! their chapters.
 
-use exact::Draw;
-use groundtruth::math::{Aabb, Ray, Span, Step, Vector};
-use groundtruth::shapes::{Context, Instance, Kind, Shape, Surface};
-
 use super::bodies::check_next;
 use super::scaling::scaled;
+use crate::prelude::*;
 
 /// A shape that rays leave: its bounding box, and whether it has an inside.
 struct Body<'a> {

@@ -1,8 +1,10 @@
 //! Integrals and formulas of optics, computed differently from the library.
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::FRAC_PI_2;
 
-use groundtruth::math::{acos, atan2, cos, exp, ln, ln_1p, sin, tan};
+use groundtruth::math::{ln, ln_1p};
+
+use crate::prelude::*;
 
 /// The reflected share by sums and differences of the angles, for light from the rarer side (`eta > 1`)
 /// whose angle has this sine: `½ (sin²(i − t)/sin²(i + t) + tan²(i − t)/tan²(i + t))`.

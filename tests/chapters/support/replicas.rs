@@ -1,15 +1,9 @@
 //! Estimates judged by replicas: the same view, computed repeatedly with independent random choices.
 
-use groundtruth::math::{Point, Vector};
-use groundtruth::rgb::Rgb;
 use groundtruth::samplers;
-use groundtruth::scene::Scene;
-use groundtruth::trace::radiance;
-use groundtruth::world::World;
-use statistics::means;
-use statistics::significance::sidak;
 
 use super::stage::{built, ray};
+use crate::prelude::*;
 
 /// The number of independently seeded replicas: more than the 16 that a t test of nearly normal values needs.
 pub const REPLICAS: u64 = 24;

@@ -1,11 +1,10 @@
 //! Points of the unit square: samplers, strata, and whether points are uniform.
 
-use std::sync::Arc;
-
-use groundtruth::math::{Pcg32, floor};
+use groundtruth::math::floor;
 use groundtruth::samplers::{Kind, Sampler};
-use statistics::significance::sidak;
 use statistics::{chi_square, ks};
+
+use crate::prelude::*;
 
 /// The probability of a false alarm for each statistical law that uses this level.
 pub const LEVEL: f64 = 1e-3;

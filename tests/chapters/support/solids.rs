@@ -1,10 +1,6 @@
 //! Solids: tests by lines that cross them and by the points inside.
 
-use std::sync::Arc;
-
-use exact::Draw;
-use groundtruth::math::{Point, Ray, Span, Vector};
-use groundtruth::shapes::{Context, Kind, Shape};
+use crate::prelude::*;
 
 pub fn built(kind: &Kind) -> Arc<dyn Shape> {
     kind.build(&mut Context::default()).expect("valid")

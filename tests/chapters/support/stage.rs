@@ -1,17 +1,10 @@
 //! Small scenes for the laws of light: a few objects in uniform surroundings, and rays into them.
 
-use std::f64::consts::TAU;
-
-use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::math::{Frame, Normal, Point, Ray, Vector, cos, power, sin};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::trace::{RayCounts, RayTree, radiance};
-use groundtruth::world::World;
-use groundtruth::{lights, materials, shapes};
+use groundtruth::math::Frame;
 use proptest::prelude::*;
 
 use super::unit;
+use crate::prelude::*;
 
 /// An empty stage for ray casting.
 pub fn stage(background: Rgb) -> Scene {

@@ -1,8 +1,9 @@
 //! The statistical tests of the chapters: with fixed seeds, at one significance level for all tests of a law
 //! together (Šidák), and without retries.
 
-use groundtruth::math::power;
 use statrs::distribution::{ChiSquared, ContinuousCDF, Normal};
+
+use crate::prelude::*;
 
 /// The probability, over the choice of seeds, that a law that holds is reported as broken.
 const SIGNIFICANCE: f64 = 1e-3;

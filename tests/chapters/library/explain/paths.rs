@@ -1,20 +1,11 @@
 //! Paths: a flat list of bounces, each with its densities and MIS shares.
 
-use std::f64::consts::PI;
-
-use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::explain::{self, Outline, RecordedRay, RecordedTerm, Row};
-use groundtruth::lights::Area;
-use groundtruth::lobes::Lobe;
-use groundtruth::materials::{Emissive, Phong};
-use groundtruth::math::{Point, Vector, power};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer};
-use groundtruth::shapes::{Rectangle, Sampling, Sphere};
-use groundtruth::trace::{RayKind, TermSource};
-use groundtruth::world::World;
+use groundtruth::explain::{Outline, RecordedRay, RecordedTerm, Row};
+use groundtruth::shapes::Sampling;
+use groundtruth::trace::TermSource;
 
 use super::{all, nested_glass, reads_as_before};
+use crate::prelude::*;
 
 /// The side of the lamp, and its height.
 const SIDE: f64 = 2.0;

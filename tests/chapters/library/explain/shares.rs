@@ -1,14 +1,12 @@
 //! What each term adds to its sample, and where the path of the light ends.
 
-use std::path::Path;
-
-use groundtruth::explain::{self, RecordedRay};
-use groundtruth::math::{acos, sin_cos, to_degrees, to_radians};
-use groundtruth::rgb::Rgb;
+use groundtruth::explain::RecordedRay;
+use groundtruth::math::sin_cos;
 use groundtruth::trace::RecordedTerm;
 use groundtruth::world::from_toml;
 
 use super::{UNDER_WATER, all, nested_glass_of};
+use crate::prelude::*;
 
 /// The tree of the only pixel of a scene file.
 fn tree_of(text: &str) -> RecordedRay {

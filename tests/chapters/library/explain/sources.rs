@@ -1,25 +1,12 @@
 //! What each light and each lobe adds to a pixel.
 
-use std::f64::consts::PI;
-use std::path::Path;
-
-use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::explain::{
-    self, RecordedRay, RecordedTerm, Source, SourceExplanation, TooManyRays,
-};
+use groundtruth::explain::{RecordedRay, RecordedTerm, Source, SourceExplanation, TooManyRays};
 use groundtruth::filters::Mitchell;
-use groundtruth::lights::{Ambient, Directional};
-use groundtruth::materials::{Emissive, Kind, Matte, Phong, Reflective};
-use groundtruth::math::{Point, Vector};
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
-use groundtruth::samplers::Random;
-use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::shapes::Plane;
-use groundtruth::trace::{RayCounts, TermSource};
-use groundtruth::world::{self, World};
+use groundtruth::materials::Kind;
+use groundtruth::trace::TermSource;
 
 use super::paths::room;
+use crate::prelude::*;
 
 /// The rounding of products of about ten factors that are multiplied in another order.
 const ROUNDING: f64 = 1e-12;

@@ -1,18 +1,13 @@
 //! The lights that add nothing at a hit, and the sentence about a black ray.
 
-use std::f64::consts::PI;
-
-use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::explain::{self, RecordedRay};
-use groundtruth::lights::{self, Ambient, Area, Directional, Spot, Unlit};
-use groundtruth::materials::{self, Dielectric, Emissive, Matte, Medium, Phong, Reflective};
-use groundtruth::math::{Point, Vector, acos, sin_cos, to_degrees};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Disk, Rectangle, Sampling, Sphere, Triangle};
-use groundtruth::world::World;
+use groundtruth::explain::RecordedRay;
+use groundtruth::lights::{Spot, Unlit};
+use groundtruth::math::sin_cos;
+use groundtruth::shapes::Sampling;
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
+
+use crate::prelude::*;
 
 /// A few operations on unit vectors and on points near the origin.
 const ROUNDING: f64 = 1e-12;

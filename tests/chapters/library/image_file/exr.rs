@@ -1,13 +1,13 @@
 //! OpenEXR.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use formats::images::decode_layer;
-use groundtruth::film::{self, Film, OutOfGamut, Tone};
-use groundtruth::rgb::Rgb;
+use groundtruth::film::{self, OutOfGamut, Tone};
 use pictures::compare::Picture;
 
 use super::*;
+use crate::prelude::*;
 
 /// A tone that changes nothing: EXR files store radiance.
 const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };

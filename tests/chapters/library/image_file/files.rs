@@ -2,13 +2,13 @@
 
 use std::fs::File;
 use std::io::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use formats::images::read;
-use groundtruth::film::{self, Film, OutOfGamut, Tone};
-use groundtruth::rgb::Rgb;
+use groundtruth::film::{self, OutOfGamut, Tone};
 
 use super::*;
+use crate::prelude::*;
 
 fn folder() -> tempfile::TempDir {
     tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).expect("the folder can be made")

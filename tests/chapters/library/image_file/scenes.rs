@@ -1,9 +1,8 @@
 //! Images named by scene files: the positions of errors, and where files are found.
 
-use std::path::Path;
-
 use groundtruth::scene;
-use groundtruth::world;
+
+use crate::prelude::*;
 
 fn folder(name: &str) -> tempfile::TempDir {
     let folder = tempfile::Builder::new().prefix(name).tempdir_in(env!("CARGO_TARGET_TMPDIR"));

@@ -2,7 +2,8 @@
 
 use super::obj::soup;
 use super::samples::*;
-use formats::meshes::{MeshData, parse_obj, parse_ply};
+use crate::prelude::*;
+use formats::meshes::{parse_obj, parse_ply};
 
 const SQUARE: &str = "v 0 0 0\nv 2 0 0\nv 2 2 0\nv 0 2 0\n";
 

@@ -2,7 +2,8 @@
 
 use super::obj::soup;
 use super::samples::*;
-use formats::meshes::{Encoding, MeshData, MeshFileError, parse_obj, parse_ply};
+use crate::prelude::*;
+use formats::meshes::{MeshFileError, parse_obj, parse_ply};
 
 /// The module's promise, in bytes of memory for each byte of the file.
 const MEMORY_FACTOR: usize = 64;

@@ -1,7 +1,8 @@
 //! OBJ: the three indices of a corner (position, texture coordinates, normal) become one.
 
 use super::samples::*;
-use formats::meshes::{MeshData, parse_obj, parse_ply};
+use crate::prelude::*;
+use formats::meshes::{parse_obj, parse_ply};
 
 /// Four points of a square in the plane z = 0.
 const SQUARE: &str = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";

@@ -1,8 +1,8 @@
 //! Every error message for a missing or bad OBJ file, in full.
 
 use super::samples::*;
-use formats::meshes::{Encoding, parse_obj, read};
-use std::path::Path;
+use crate::prelude::*;
+use formats::meshes::{parse_obj, read};
 
 #[track_caller]
 fn assert_obj_error(text: &str, message: &str) {

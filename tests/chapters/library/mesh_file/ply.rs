@@ -1,7 +1,8 @@
 //! PLY: the same mesh in three encodings.
 
 use super::samples::*;
-use formats::meshes::{Encoding, MeshData, parse_ply, write_ply};
+use crate::prelude::*;
+use formats::meshes::{parse_ply, write_ply};
 use proptest::prelude::*;
 
 /// Oracle: the test builds the bytes itself, and the expected mesh is written out in full.

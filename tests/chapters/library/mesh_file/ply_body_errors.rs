@@ -2,7 +2,8 @@
 
 use super::ply_header_errors::{TRIANGLE, assert_ply_error, assert_spoilt};
 use super::samples::*;
-use formats::meshes::{Encoding, MeshData, write_ply};
+use crate::prelude::*;
+use formats::meshes::write_ply;
 
 #[test]
 fn a_line_of_the_body_that_is_wrong_has_its_number() {

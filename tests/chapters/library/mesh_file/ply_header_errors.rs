@@ -1,7 +1,8 @@
 //! Every error message for a bad PLY header, in full.
 
 use super::samples::*;
-use formats::meshes::{Encoding, parse_ply};
+use crate::prelude::*;
+use formats::meshes::parse_ply;
 
 /// A correct ASCII file of one triangle, which the tests damage.
 pub const TRIANGLE: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\

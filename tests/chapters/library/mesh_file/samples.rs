@@ -1,6 +1,6 @@
 //! Small files, built here byte by byte, and the meshes they hold.
 
-use formats::meshes::{Encoding, MeshData};
+use crate::prelude::*;
 
 pub const ENCODINGS: [Encoding; 3] = [Encoding::Ascii, Encoding::LittleEndian, Encoding::BigEndian];
 

@@ -1,10 +1,7 @@
 //! Scene files with mistakes that people make: the error says what to write.
 
-use std::path::Path;
-
-use groundtruth::world;
-
 use super::{error_of, with};
+use crate::prelude::*;
 
 /// Mistakes that people make: the replaced text, its replacement, and the error.
 const ADVICE: &[(&str, &str, &str)] = &[

@@ -1,14 +1,13 @@
 //! Names that a terminal would obey, in every place of a scene file that carries a name or a key.
 
-use std::path::Path;
-
-use groundtruth::{cameras, explain, printable, scene, world};
+use groundtruth::{cameras, printable, scene};
 use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
 use rayon::prelude::*;
 use toml::Value;
 
 use super::not_finite::everything;
+use crate::prelude::*;
 
 /// The most characters of a line: the longest message, the steps of its path, file and line.
 const LONGEST_LINE: usize = printable::LONGEST_TEXT + 17 * (printable::LONGEST_NAME + 8) + 100;

@@ -1,12 +1,9 @@
 //! Numbers of light: those that no picture can hold are refused, those that create light are noted.
 
-use std::path::Path;
-
-use groundtruth::film::{self, Film, OutOfGamut, Tone};
-use groundtruth::rgb::Rgb;
-use groundtruth::{render, world};
+use groundtruth::film::{self, OutOfGamut, Tone};
 
 use super::{error_of, with};
+use crate::prelude::*;
 
 /// The scene with this recipe in place of the matte one.
 fn with_recipe(recipe: &str) -> String {

@@ -1,14 +1,13 @@
 //! Lists in place of tables, which the reader alone would take: as the values of the fields, in the order of their
 //! declaration.
 
-use std::path::Path;
-
 use groundtruth::kinds::Entry;
-use groundtruth::{bumps, cameras, filters, lights, materials, samplers, scene, shapes, textures};
+use groundtruth::{bumps, cameras, filters, samplers, scene, textures};
 use serde::Serialize;
 use toml::{Table, Value};
 
 use super::SCENE;
+use crate::prelude::*;
 
 /// A step from a value to one inside it.
 #[derive(Clone, Debug)]

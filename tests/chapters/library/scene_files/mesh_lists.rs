@@ -1,13 +1,10 @@
 //! Meshes whose lists are in the scene file itself.
 
-use std::path::Path;
-
-use groundtruth::math::Point;
 use groundtruth::scene::{self, to_toml};
-use groundtruth::shapes::{Kind, Mesh};
 use groundtruth::world::from_toml;
 
 use super::{error_of, with};
+use crate::prelude::*;
 
 const SPHERE: &str = "[objects.shape.sphere]\ncenter = [0, 0, 0]\nradius = 1\n";
 

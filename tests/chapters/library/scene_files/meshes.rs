@@ -1,8 +1,7 @@
 //! Scenes with missing or damaged mesh files.
 
-use groundtruth::world;
-
 use super::{SCENE, with};
+use crate::prelude::*;
 
 const PLY: &str = "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n\
     property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n\

@@ -1,19 +1,11 @@
 //! NaN and infinity, which TOML can express, are refused in every field.
 
-use std::path::Path;
-
-use groundtruth::cameras::Viewpoint;
 use groundtruth::kinds::Entry;
-use groundtruth::materials::{Emissive, Matte, Medium};
-use groundtruth::math::{Axis, Point, Step, Vector};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Light, Material, Object, Scene, Tracer, Whitted};
-use groundtruth::shapes::{Instance, Sphere};
-use groundtruth::textures::Paint;
-use groundtruth::world;
-use groundtruth::{cameras, lights, materials, samplers, shapes, textures};
+use groundtruth::{cameras, samplers, textures};
 use rayon::prelude::*;
 use toml::Value;
+
+use crate::prelude::*;
 
 fn specimens<Kind>(entries: &[Entry<Kind>]) -> Vec<Kind> {
     entries.iter().flat_map(|entry| (entry.specimens)()).collect()

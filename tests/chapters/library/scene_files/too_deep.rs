@@ -1,16 +1,12 @@
 //! Excessive nesting and recursion depth.
 
-use std::path::Path;
-
-use groundtruth::cameras::{Orthographic, Viewpoint};
 use groundtruth::invalid::MAX_NESTING;
-use groundtruth::math::{Point, Step, Vector};
-use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Material, Object, Scene, Tracer, Whitted, to_toml};
-use groundtruth::shapes::{Compound, Instance, Kind, Lattice, Mesh, Part, Sphere};
-use groundtruth::world::{World, from_toml};
+use groundtruth::scene::to_toml;
+use groundtruth::shapes::Part;
+use groundtruth::world::from_toml;
 
 use super::{error_of, with};
+use crate::prelude::*;
 
 fn sphere() -> Kind {
     Kind::from(Sphere { center: Point::ORIGIN, radius: 1.0, inward: false })

@@ -24,6 +24,45 @@ impl Sense {
     }
 }
 
+/// The shape of POV-Ray that is the same solid or surface: its word, its numbers, and where its normal points.
+fn words(shape: &Kind) -> Option<(&'static str, String, Sense)> {
+    Some(match shape {
+        Kind::Sphere(it) => {
+            let words = format!("{}, {}", vector(it.center.to_array()), number(it.radius));
+            ("sphere", words, Sense::of(it.inward))
+        }
+        Kind::Cuboid(it) => {
+            let [min, max] = [it.min, it.max].map(|corner| vector(corner.to_array()));
+            ("box", format!("{min}, {max}"), Sense::Same)
+        }
+        Kind::OpenCylinder(it) => {
+            let [y0, y1, radius] = [it.y0, it.y1, it.radius].map(number);
+            let words = format!("<0, {y0}, 0>, <0, {y1}, 0>, {radius} open");
+            ("cylinder", words, Sense::of(it.inward))
+        }
+        Kind::Cone(it) => {
+            let [radius, height] = [it.radius, it.height].map(number);
+            let words = format!("<0, 0, 0>, {radius}, <0, {height}, 0>, 0 open");
+            ("cone", words, Sense::of(it.inward))
+        }
+        // Sturm sequences find the roots of the quartic more accurately than its solution by radicals
+        Kind::Torus(it) => {
+            let words = format!("{}, {} sturm", number(it.swept_radius), number(it.tube_radius));
+            ("torus", words, Sense::of(it.inward))
+        }
+        // x² + z² − (r²/h) y = 0 up to y = h; the gradient points outward, as our normal
+        Kind::Paraboloid(it) => {
+            let slope = number(-it.radius * it.radius / it.height);
+            let height = number(it.height);
+            let words = format!(
+                "<1, 0, 1>, <0, 0, 0>, <0, {slope}, 0>, 0 clipped_by {{ plane {{ <0, 1, 0>, {height} }} }}"
+            );
+            ("quadric", words, Sense::of(it.inward))
+        }
+        _ => return None,
+    })
+}
+
 impl Writer<'_> {
     /// All objects, in leaves.
     pub(super) fn objects(&mut self, leaves: &Leaves<'_>) {
@@ -35,16 +74,12 @@ impl Writer<'_> {
 
     /// One shape that is not taken apart.
     pub(super) fn shape(&mut self, at: &Leaf) -> How {
+        if let Some((word, words, sense)) = words(&at.shape) {
+            self.leaf(word, &words, sense, at);
+            return How::Exact("");
+        }
         match &at.shape {
             Kind::Plane(plane) => self.plane(plane, at),
-            Kind::Sphere(it) => {
-                let words = format!("{}, {}", vector(it.center.to_array()), number(it.radius));
-                self.leaf("sphere", &words, Sense::of(it.inward), at);
-            }
-            Kind::Cuboid(it) => {
-                let [min, max] = [it.min, it.max].map(|corner| vector(corner.to_array()));
-                self.leaf("box", &format!("{min}, {max}"), Sense::Same, at);
-            }
             Kind::Triangle(triangle) => {
                 self.triangle(triangle, at);
                 return How::Exact("flat");
@@ -56,38 +91,6 @@ impl Writer<'_> {
             Kind::Disk(it) => self.disc(it.center, it.normal, [0.0, it.radius], at),
             Kind::Annulus(it) => {
                 self.disc(it.center, it.normal, [it.inner_radius, it.outer_radius], at);
-            }
-            Kind::OpenCylinder(it) => {
-                let words = format!(
-                    "<0, {}, 0>, <0, {}, 0>, {} open",
-                    number(it.y0),
-                    number(it.y1),
-                    number(it.radius)
-                );
-                self.leaf("cylinder", &words, Sense::of(it.inward), at);
-            }
-            Kind::Cone(it) => {
-                let words = format!(
-                    "<0, 0, 0>, {}, <0, {}, 0>, 0 open",
-                    number(it.radius),
-                    number(it.height)
-                );
-                self.leaf("cone", &words, Sense::of(it.inward), at);
-            }
-            // Sturm sequences find the roots of the quartic more accurately than its solution by radicals
-            Kind::Torus(it) => {
-                let words =
-                    format!("{}, {} sturm", number(it.swept_radius), number(it.tube_radius));
-                self.leaf("torus", &words, Sense::of(it.inward), at);
-            }
-            // x² + z² − (r²/h) y = 0 up to y = h; the gradient points outward, as our normal
-            Kind::Paraboloid(it) => {
-                let slope = number(-it.radius * it.radius / it.height);
-                let height = number(it.height);
-                let words = format!(
-                    "<1, 0, 1>, <0, 0, 0>, <0, {slope}, 0>, 0 clipped_by {{ plane {{ <0, 1, 0>, {height} }} }}"
-                );
-                self.leaf("quadric", &words, Sense::of(it.inward), at);
             }
             Kind::TessellatedSphere(it) => {
                 self.mesh(&it.mesh(), at);
