@@ -1,6 +1,7 @@
 //! The structures that are compared, built over the same objects.
 
 use std::cell::Cell;
+use std::sync::Arc;
 
 use super::stages::Objects;
 use groundtruth::accel::{self, Accel, Method, Primitives};
@@ -91,8 +92,8 @@ pub enum BuiltStructure {
 pub struct Counts {
     /// The number of objects tested.
     pub tests: Cell<u64>,
-    /// The number of nodes or cells visited, if counted.
-    pub steps: Cell<Option<u64>>,
+    /// The number of nodes or cells visited.
+    pub steps: Cell<u64>,
 }
 
 impl BuiltStructure {
@@ -101,7 +102,7 @@ impl BuiltStructure {
         let hit = match self {
             Self::Mesh(shape) => return shape.hit(ray, Span::AHEAD).map(|hit| hit.t),
             Self::Plain(accel) => {
-                let query = RayQuery { objects, first: 0, ray, counts };
+                let query = RayQuery { shapes: &objects.shapes, ray, counts };
                 search(accel, &query, ray, Span::AHEAD, counts)
             }
             Self::Nested { outer, inner } => {
@@ -142,14 +143,13 @@ fn search(
     };
     let mut here = accel::Counts::default();
     let found = accel.nearest_counted(primitives, ray, span, &mut here);
-    counts.steps.set(Some(counts.steps.get().unwrap_or(0) + here.steps));
+    counts.steps.set(counts.steps.get() + here.steps);
     found.map(|(_, hit)| hit)
 }
 
-/// The objects from `first` on, for one ray.
+/// The objects, or those of one group, for one ray.
 struct RayQuery<'a> {
-    objects: &'a Objects,
-    first: usize,
+    shapes: &'a [Arc<dyn Shape>],
     ray: &'a Ray,
     counts: Option<&'a Counts>,
 }
@@ -159,7 +159,7 @@ impl Primitives for RayQuery<'_> {
         if let Some(counts) = self.counts {
             counts.tests.set(counts.tests.get() + 1);
         }
-        self.objects.shapes[self.first + index as usize].hit(self.ray, span)
+        self.shapes[index as usize].hit(self.ray, span)
     }
 }
 
@@ -174,8 +174,8 @@ struct GroupQuery<'a> {
 impl Primitives for GroupQuery<'_> {
     fn hit(&self, index: u32, span: Span) -> Option<Candidate> {
         let Self { objects, ray, counts, .. } = *self;
-        let first = objects.groups[index as usize].start;
-        let query = RayQuery { objects, first, ray, counts };
+        let shapes = &objects.shapes[objects.groups[index as usize].clone()];
+        let query = RayQuery { shapes, ray, counts };
         search(&self.inner[index as usize], &query, ray, span, counts)
     }
 }
