@@ -1,11 +1,13 @@
 //! Cells of alternating colours with lines along their borders, shared by the checkers (Suffern,
 //! ch. 30).
 
+use std::sync::Arc;
+
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Color, Paint};
-use crate::invalid::{Invalid, within};
+use super::{Chooser, Color, Paint, Texture, TexturePoint};
+use crate::invalid::{Invalid, length, within};
 use crate::kinds::Resources;
 use crate::math::floor;
 use crate::rgb::Rgb;
@@ -99,9 +101,19 @@ impl BuiltLines {
     }
 }
 
-/// A built checker: the colours of even and of odd cells, and lines.
+/// The column and the row of a local point, in units of the checker, among these numbers of columns
+/// and rows.
+pub type Division = fn([f64; 3], [f64; 2]) -> [Cell; 2];
+
+/// The built texture of all checkers with lines.
 #[derive(Debug)]
 pub struct Checkers {
+    /// The length of one unit.
+    pub unit: f64,
+    /// The numbers of columns and of rows.
+    pub counts: [f64; 2],
+    /// The shape of the cells.
+    pub division: Division,
     /// The colours where column + row is even, and where it is odd.
     pub colors: [Color; 2],
     /// The lines along the borders.
@@ -109,30 +121,38 @@ pub struct Checkers {
 }
 
 impl Checkers {
-    /// Checks the fields that the checkers share.
+    /// Checks the fields that the checkers share: `unit`, the two counts by their names, `color1`,
+    /// `color2` and `lines`.
     pub(super) fn build(
+        (unit, counts, division): (f64, [(&str, u32); 2], Division),
         [color1, color2]: [&Paint; 2],
         lines: &Lines,
         resources: &mut Resources,
-    ) -> Result<Self, Invalid> {
+    ) -> Result<Arc<dyn Texture>, Invalid> {
+        let unit = length("unit", unit)?;
+        let counts = self::counts(counts)?;
         let colors = [color1.build("color1", resources)?, color2.build("color2", resources)?];
-        Ok(Self { colors, lines: lines.build(resources)? })
+        let lines = lines.build(resources)?;
+        Ok(Arc::new(Self { unit, counts, division, colors, lines }))
     }
+}
 
-    /// The colour at a point in these cells.
-    pub fn color(&self, cells @ [column, row]: [Cell; 2]) -> &Color {
+impl Chooser for Checkers {
+    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
+        let point = at.local.to_array().map(|c| c / self.unit);
+        let cells @ [column, row] = (self.division)(point, self.counts);
         let [even, odd] = &self.colors;
         let in_cell = || if is_even(column.index + row.index) { even } else { odd };
         self.lines.on(cells).unwrap_or_else(in_cell)
     }
 }
 
-/// Checks a number of columns or rows: at least 1.
-pub(super) fn count(field: &str, count: u32) -> Result<f64, Invalid> {
-    if count == 0 {
-        return Err(Invalid::field(field, "found 0, but at least 1 is needed"));
+/// Checks the numbers of columns and of rows, by their names: at least 1.
+pub(super) fn counts(fields: [(&str, u32); 2]) -> Result<[f64; 2], Invalid> {
+    match fields.into_iter().find(|(_, count)| *count == 0) {
+        Some((field, _)) => Err(Invalid::field(field, "found 0, but at least 1 is needed")),
+        None => Ok(fields.map(|(_, count)| count.into())),
     }
-    Ok(count.into())
 }
 
 /// The default of the second colour in scene files.

@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Cell, Checkers};
 use super::mapping::azimuth;
-use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
-use crate::invalid::{Invalid, length};
-use crate::kinds::{self, Resources, Specification};
+use super::{Lines, Paint, Texture};
+use crate::invalid::Invalid;
+use crate::kinds::{Resources, Specification};
 use crate::math::Length;
 use crate::rgb::Rgb;
 
@@ -17,26 +17,20 @@ use crate::rgb::Rgb;
 /// rows of height 2/num_vertical. Above and below the cone the rows continue. With an odd
 /// num_horizontal, the two columns beside φ = 0 have the same colour.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct ConeChecker {
     /// The length of one unit: half the height of the cone; positive.
-    #[serde(default = "kinds::one")]
     #[schemars(with = "Length")]
     pub unit: f64,
     /// The number of checkers around the y axis, from the +z axis towards +x; at least 1.
-    #[serde(default = "cells::twenty")]
     pub num_horizontal: u32,
     /// The number of checkers from y = 0 to y = 2; at least 1.
-    #[serde(default = "cells::ten")]
     pub num_vertical: u32,
     /// The colour of the first checker, at the base and at φ = 0.
-    #[serde(default = "kinds::white::<Paint>")]
     pub color1: Paint,
     /// The colour of the other checkers.
-    #[serde(default = "cells::half_grey")]
     pub color2: Paint,
     /// Lines along the borders; half a line at each end of the cone. None if left out.
-    #[serde(default)]
     pub lines: Lines,
 }
 
@@ -54,26 +48,14 @@ impl Default for ConeChecker {
     }
 }
 
-#[derive(Debug)]
-struct ConeCheckerTexture {
-    unit: f64,
-    columns: f64,
-    rows: f64,
-    checkers: Checkers,
-}
-
 impl Specification for ConeChecker {
     type Built = Arc<dyn Texture>;
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        let counts = [("num_horizontal", self.num_horizontal), ("num_vertical", self.num_vertical)];
         let colors = [&self.color1, &self.color2];
-        Ok(Arc::new(ConeCheckerTexture {
-            unit: length("unit", self.unit)?,
-            columns: cells::count("num_horizontal", self.num_horizontal)?,
-            rows: cells::count("num_vertical", self.num_vertical)?,
-            checkers: Checkers::build(colors, &self.lines, resources)?,
-        }))
+        Checkers::build((self.unit, counts, division), colors, &self.lines, resources)
     }
 
     fn specimens() -> Vec<Self> {
@@ -82,11 +64,6 @@ impl Specification for ConeChecker {
     }
 }
 
-impl Chooser for ConeCheckerTexture {
-    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
-        let [x, y, z] = at.local.to_array().map(|c| c / self.unit);
-        let column = Cell::of_range(azimuth(x, z), self.columns);
-        let row = Cell::at(self.rows * (0.5 * y));
-        self.checkers.color([column, row])
-    }
+fn division([x, y, z]: [f64; 3], [columns, rows]: [f64; 2]) -> [Cell; 2] {
+    [Cell::of_range(azimuth(x, z), columns), Cell::at(rows * (0.5 * y))]
 }

@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Cell, Checkers};
 use super::mapping::{azimuth, distance};
-use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
-use crate::invalid::{Invalid, length};
-use crate::kinds::{self, Resources, Specification};
+use super::{Lines, Paint, Texture};
+use crate::invalid::Invalid;
+use crate::kinds::{Resources, Specification};
 use crate::math::Length;
 use crate::rgb::Rgb;
 
@@ -17,27 +17,21 @@ use crate::rgb::Rgb;
 /// 1/num_radial. Outside the rim the rings continue; the colour does not depend on y. With an odd
 /// num_angular, the two columns beside φ = 0 have the same colour.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct DiskChecker {
     /// The length of one unit: the radius of the disk; positive.
-    #[serde(default = "kinds::one")]
     #[schemars(with = "Length")]
     pub unit: f64,
     /// The number of checkers around the y axis, from the +z axis towards +x; at least 1.
-    #[serde(default = "cells::twenty")]
     pub num_angular: u32,
     /// The number of checkers from the centre to the rim; at least 1.
-    #[serde(default = "cells::ten")]
     pub num_radial: u32,
     /// The colour of the first checker, in the middle and at φ = 0.
-    #[serde(default = "kinds::white::<Paint>")]
     pub color1: Paint,
     /// The colour of the other checkers.
-    #[serde(default = "cells::half_grey")]
     pub color2: Paint,
     /// Lines along the borders: the horizontal ones are circles, the vertical ones radial. Half a
     /// line at the centre and at the rim. None if left out.
-    #[serde(default)]
     pub lines: Lines,
 }
 
@@ -55,26 +49,14 @@ impl Default for DiskChecker {
     }
 }
 
-#[derive(Debug)]
-struct DiskCheckerTexture {
-    unit: f64,
-    columns: f64,
-    rows: f64,
-    checkers: Checkers,
-}
-
 impl Specification for DiskChecker {
     type Built = Arc<dyn Texture>;
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        let counts = [("num_angular", self.num_angular), ("num_radial", self.num_radial)];
         let colors = [&self.color1, &self.color2];
-        Ok(Arc::new(DiskCheckerTexture {
-            unit: length("unit", self.unit)?,
-            columns: cells::count("num_angular", self.num_angular)?,
-            rows: cells::count("num_radial", self.num_radial)?,
-            checkers: Checkers::build(colors, &self.lines, resources)?,
-        }))
+        Checkers::build((self.unit, counts, division), colors, &self.lines, resources)
     }
 
     fn specimens() -> Vec<Self> {
@@ -83,11 +65,6 @@ impl Specification for DiskChecker {
     }
 }
 
-impl Chooser for DiskCheckerTexture {
-    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
-        let [x, _, z] = at.local.to_array().map(|c| c / self.unit);
-        let column = Cell::of_range(azimuth(x, z), self.columns);
-        let row = Cell::at(self.rows * distance(x, z));
-        self.checkers.color([column, row])
-    }
+fn division([x, _, z]: [f64; 3], [columns, rows]: [f64; 2]) -> [Cell; 2] {
+    [Cell::of_range(azimuth(x, z), columns), Cell::at(rows * distance(x, z))]
 }

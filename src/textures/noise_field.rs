@@ -1,9 +1,10 @@
 //! Noise in the coordinates of a texture, shared by the noise textures (Suffern, ch. 31).
 
-use super::TexturePoint;
-use crate::invalid::{Invalid, length, strength};
+use super::{Color, Texture, TexturePoint};
+use crate::invalid::{Invalid, length, positive, strength};
 use crate::math::{Point, floor};
 use crate::noise::{LatticeNoise, Noise};
+use crate::rgb::Rgb;
 
 /// Noise with lattice cells of edge `size`.
 #[derive(Debug)]
@@ -49,7 +50,48 @@ impl Range {
     }
 }
 
-/// The fractional part of a noise, in `[0, 1)`.
-pub(super) fn wrapped(noise: f64) -> f64 {
-    noise - floor(noise)
+/// Noise with values from 0 to the book's expansion number, of which textures use the fractional
+/// part.
+#[derive(Debug)]
+pub(super) struct Expanded {
+    field: NoiseField,
+    expansion: f64,
+}
+
+impl Expanded {
+    /// Checks the fields `noise`, `size` and `expansion` of a texture.
+    pub fn build(noise: &Noise, size: f64, expansion: f64) -> Result<Self, Invalid> {
+        let field = NoiseField::build(noise, size)?;
+        Ok(Self { field, expansion: positive("expansion", expansion)? })
+    }
+
+    /// `expansion · fBm`, and its fractional part in `[0, 1)`.
+    pub fn at(&self, at: &TexturePoint<'_>) -> [f64; 2] {
+        let noise = self.expansion * self.field.fbm(at);
+        [noise, noise - floor(noise)]
+    }
+}
+
+/// The built texture of wrapped noise in one or more colours.
+#[derive(Debug)]
+pub(super) struct Wrapped {
+    pub noise: Expanded,
+    pub range: Range,
+    /// The noise from which on the next colour is used; ascending.
+    pub thresholds: Vec<f64>,
+    /// One colour more than thresholds.
+    pub colors: Vec<Color>,
+}
+
+impl Texture for Wrapped {
+    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
+        let [noise, fraction] = self.noise.at(at);
+        let passed = self.thresholds.iter().filter(|threshold| noise >= **threshold).count();
+        self.range.scaled(fraction) * self.colors[passed].at(at)
+    }
+}
+
+/// The default expansion number in scene files.
+pub(super) fn two() -> f64 {
+    2.0
 }

@@ -5,8 +5,8 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::cells::{BuiltLines, Cell, Checkers};
-use super::{Chooser, Color, Paint, Texture, TexturePoint};
+use super::cells::{BuiltLines, Cell, Checkers, Division};
+use super::{Paint, Texture};
 use crate::invalid::{Invalid, not_negative, positive};
 use crate::kinds::{Resources, Specification};
 use crate::math::Length;
@@ -37,12 +37,6 @@ fn black() -> Paint {
     Rgb::BLACK.into()
 }
 
-#[derive(Debug)]
-struct PlaneCheckerTexture {
-    size: f64,
-    checkers: Checkers,
-}
-
 impl Specification for PlaneChecker {
     type Built = Arc<dyn Texture>;
     type Context = Resources;
@@ -54,7 +48,9 @@ impl Specification for PlaneChecker {
         let half_line = 0.5 * not_negative("outline_width", self.outline_width)? / size;
         let color = self.outline_color.build("outline_color", resources)?;
         let lines = BuiltLines { half_widths: [half_line; 2], color };
-        Ok(Arc::new(PlaneCheckerTexture { size, checkers: Checkers { colors, lines } }))
+        // squares without end: their numbers do not matter
+        let division: Division = |[x, _, z], _| [Cell::at(x), Cell::at(z)];
+        Ok(Arc::new(Checkers { unit: size, counts: [1.0; 2], division, colors, lines }))
     }
 
     fn specimens() -> Vec<Self> {
@@ -66,12 +62,5 @@ impl Specification for PlaneChecker {
             outline_color: Rgb::BLACK.into(),
         };
         vec![Self { outline_width: 0.0, ..outlined.clone() }, outlined]
-    }
-}
-
-impl Chooser for PlaneCheckerTexture {
-    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
-        let cells = [at.local.x(), at.local.z()].map(|x| Cell::at(x / self.size));
-        self.checkers.color(cells)
     }
 }

@@ -6,36 +6,30 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Cell, Checkers};
-use super::{Chooser, Color, Lines, Paint, Texture, TexturePoint};
-use crate::invalid::{Invalid, length};
-use crate::kinds::{self, Resources, Specification};
+use super::{Lines, Paint, Texture};
+use crate::invalid::Invalid;
+use crate::kinds::{Resources, Specification};
 use crate::math::Length;
 use crate::rgb::Rgb;
 
 /// Checkers on the rectangle −1 … 1 in x and z: columns by `x/2 + 1/2`, rows by `z/2 + 1/2`.
 /// Outside the rectangle they continue; the colour does not depend on y.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct RectangleChecker {
     /// The length of one unit: half the side of the rectangle; positive.
-    #[serde(default = "kinds::one")]
     #[schemars(with = "Length")]
     pub unit: f64,
     /// The number of checkers from x = −1 to x = 1; at least 1.
-    #[serde(default = "cells::twenty")]
     pub num_horizontal: u32,
     /// The number of checkers from z = −1 to z = 1; at least 1.
-    #[serde(default = "cells::ten")]
     pub num_vertical: u32,
     /// The colour of the first checker, in the corner x = z = −1.
-    #[serde(default = "kinds::white::<Paint>")]
     pub color1: Paint,
     /// The colour of the other checkers.
-    #[serde(default = "cells::half_grey")]
     pub color2: Paint,
     /// Lines along the borders: the horizontal ones run along x, the vertical ones along z. Half a
     /// line at each side of the rectangle. None if left out.
-    #[serde(default)]
     pub lines: Lines,
 }
 
@@ -53,26 +47,14 @@ impl Default for RectangleChecker {
     }
 }
 
-#[derive(Debug)]
-struct RectangleCheckerTexture {
-    unit: f64,
-    columns: f64,
-    rows: f64,
-    checkers: Checkers,
-}
-
 impl Specification for RectangleChecker {
     type Built = Arc<dyn Texture>;
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
+        let counts = [("num_horizontal", self.num_horizontal), ("num_vertical", self.num_vertical)];
         let colors = [&self.color1, &self.color2];
-        Ok(Arc::new(RectangleCheckerTexture {
-            unit: length("unit", self.unit)?,
-            columns: cells::count("num_horizontal", self.num_horizontal)?,
-            rows: cells::count("num_vertical", self.num_vertical)?,
-            checkers: Checkers::build(colors, &self.lines, resources)?,
-        }))
+        Checkers::build((self.unit, counts, division), colors, &self.lines, resources)
     }
 
     fn specimens() -> Vec<Self> {
@@ -81,11 +63,6 @@ impl Specification for RectangleChecker {
     }
 }
 
-impl Chooser for RectangleCheckerTexture {
-    fn chosen(&self, at: &TexturePoint<'_>) -> &Color {
-        let [x, _, z] = at.local.to_array().map(|c| c / self.unit);
-        let column = Cell::at(self.columns * (0.5 * x + 0.5));
-        let row = Cell::at(self.rows * (0.5 * z + 0.5));
-        self.checkers.color([column, row])
-    }
+fn division([x, _, z]: [f64; 3], [columns, rows]: [f64; 2]) -> [Cell; 2] {
+    [Cell::at(columns * (0.5 * x + 0.5)), Cell::at(rows * (0.5 * z + 0.5))]
 }

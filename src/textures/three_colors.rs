@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::noise_field::{NoiseField, Range, wrapped};
-use super::{Color, Paint, Texture, TexturePoint};
-use crate::invalid::{Invalid, finite, positive};
+use super::noise_field::{Expanded, Range, Wrapped};
+use super::{Paint, Texture};
+use crate::invalid::{Invalid, finite};
 use crate::kinds::{self, Resources, Specification};
 use crate::math::{Length, lists};
 use crate::noise::Noise;
@@ -61,15 +61,6 @@ impl ThreeColors {
     }
 }
 
-#[derive(Debug)]
-struct ThreeColorsTexture {
-    field: NoiseField,
-    expansion: f64,
-    thresholds: [f64; 2],
-    range: Range,
-    colors: [Color; 3],
-}
-
 impl Specification for ThreeColors {
     type Built = Arc<dyn Texture>;
     type Context = Resources;
@@ -82,12 +73,11 @@ impl Specification for ThreeColors {
             let problem = format!("found {found:?}, but the second has to be at least the first");
             return Err(Invalid::field("thresholds", problem));
         }
-        Ok(Arc::new(ThreeColorsTexture {
-            field: NoiseField::build(&self.noise, self.size)?,
-            expansion: positive("expansion", self.expansion)?,
-            thresholds: self.thresholds,
+        Ok(Arc::new(Wrapped {
+            noise: Expanded::build(&self.noise, self.size, self.expansion)?,
             range: Range::build(self.min, self.max)?,
-            colors: [
+            thresholds: self.thresholds.into(),
+            colors: vec![
                 self.color1.build("color1", resources)?,
                 self.color2.build("color2", resources)?,
                 self.color3.build("color3", resources)?,
@@ -99,18 +89,5 @@ impl Specification for ThreeColors {
         let noise = Noise { lacunarity: 4.0, ..Noise::of_octaves(4) };
         let colors = [Rgb::new(1.0, 0.75, 0.0), Rgb::new(0.5, 0.0, 0.5), Rgb::new(0.0, 0.6, 0.3)];
         vec![Self::new(noise, 0.75, 3.25, colors.map(Paint::from))]
-    }
-}
-
-impl Texture for ThreeColorsTexture {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
-        let noise = self.expansion * self.field.fbm(at);
-        let [color1, color2, color3] = &self.colors;
-        let color = match noise {
-            _ if noise < self.thresholds[0] => color1,
-            _ if noise < self.thresholds[1] => color2,
-            _ => color3,
-        };
-        self.range.scaled(wrapped(noise)) * color.at(at)
     }
 }

@@ -6,9 +6,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::noise_field::{NoiseField, Range, wrapped};
-use super::{Color, Paint, Texture, TexturePoint, WrappedFbm};
-use crate::invalid::{Invalid, positive};
+use super::noise_field::{self, Expanded, Range, Wrapped};
+use super::{Paint, Texture, WrappedFbm};
+use crate::invalid::Invalid;
 use crate::kinds::{self, Resources, Specification};
 use crate::math::Length;
 use crate::noise::Noise;
@@ -27,7 +27,7 @@ pub struct TwoColors {
     #[schemars(with = "Length")]
     pub size: f64,
     /// The book's expansion number: the noise has values from 0 to this number; positive.
-    #[serde(default = "two")]
+    #[serde(default = "noise_field::two")]
     pub expansion: f64,
     /// The brightness where the fractional part is 0; not negative.
     #[serde(default)]
@@ -41,10 +41,6 @@ pub struct TwoColors {
     pub color2: Paint,
 }
 
-fn two() -> f64 {
-    2.0
-}
-
 impl TwoColors {
     /// Two colours, each mixed with black, in cells of this size.
     pub fn new(noise: Noise, size: f64, expansion: f64, colors: [Paint; 2]) -> Self {
@@ -53,26 +49,19 @@ impl TwoColors {
     }
 }
 
-#[derive(Debug)]
-struct TwoColorsTexture {
-    field: NoiseField,
-    expansion: f64,
-    range: Range,
-    color1: Color,
-    color2: Color,
-}
-
 impl Specification for TwoColors {
     type Built = Arc<dyn Texture>;
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(TwoColorsTexture {
-            field: NoiseField::build(&self.noise, self.size)?,
-            expansion: positive("expansion", self.expansion)?,
+        Ok(Arc::new(Wrapped {
+            noise: Expanded::build(&self.noise, self.size, self.expansion)?,
             range: Range::build(self.min, self.max)?,
-            color1: self.color1.build("color1", resources)?,
-            color2: self.color2.build("color2", resources)?,
+            thresholds: vec![1.0],
+            colors: vec![
+                self.color1.build("color1", resources)?,
+                self.color2.build("color2", resources)?,
+            ],
         }))
     }
 
@@ -82,13 +71,5 @@ impl Specification for TwoColors {
         let plain = Self::new(noise, 0.75, 2.0, [gold.clone(), jade]);
         let inner = WrappedFbm::new(Noise::of_octaves(6), 0.25, 3.0);
         vec![plain, Self::new(noise, 1.0, 2.0, [gold, inner.into()])]
-    }
-}
-
-impl Texture for TwoColorsTexture {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
-        let noise = self.expansion * self.field.fbm(at);
-        let color = if noise < 1.0 { &self.color1 } else { &self.color2 };
-        self.range.scaled(wrapped(noise)) * color.at(at)
     }
 }

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::noise_field::{NoiseField, Range, wrapped};
-use super::{Color, Paint, Texture, TexturePoint};
-use crate::invalid::{Invalid, positive};
+use super::noise_field::{self, Expanded, Range, Wrapped};
+use super::{Paint, Texture};
+use crate::invalid::Invalid;
 use crate::kinds::{self, Resources, Specification};
 use crate::math::Length;
 use crate::noise::Noise;
@@ -26,7 +26,7 @@ pub struct WrappedFbm {
     #[schemars(with = "Length")]
     pub size: f64,
     /// The book's expansion number: the noise has values from 0 to this number; positive.
-    #[serde(default = "two")]
+    #[serde(default = "noise_field::two")]
     pub expansion: f64,
     /// The brightness where the fractional part is 0; not negative.
     #[serde(default)]
@@ -39,10 +39,6 @@ pub struct WrappedFbm {
     pub color: Paint,
 }
 
-fn two() -> f64 {
-    2.0
-}
-
 impl WrappedFbm {
     /// Black to white, in cells of this size.
     pub fn new(noise: Noise, size: f64, expansion: f64) -> Self {
@@ -50,36 +46,21 @@ impl WrappedFbm {
     }
 }
 
-#[derive(Debug)]
-struct WrappedFbmTexture {
-    field: NoiseField,
-    expansion: f64,
-    range: Range,
-    color: Color,
-}
-
 impl Specification for WrappedFbm {
     type Built = Arc<dyn Texture>;
     type Context = Resources;
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
-        Ok(Arc::new(WrappedFbmTexture {
-            field: NoiseField::build(&self.noise, self.size)?,
-            expansion: positive("expansion", self.expansion)?,
+        Ok(Arc::new(Wrapped {
+            noise: Expanded::build(&self.noise, self.size, self.expansion)?,
             range: Range::build(self.min, self.max)?,
-            color: self.color.build("color", resources)?,
+            thresholds: Vec::new(),
+            colors: vec![self.color.build("color", resources)?],
         }))
     }
 
     fn specimens() -> Vec<Self> {
         let noise = Noise { lacunarity: 4.0, ..Noise::of_octaves(2) };
         vec![Self::new(noise, 1.0, 10.0)]
-    }
-}
-
-impl Texture for WrappedFbmTexture {
-    fn color(&self, at: &TexturePoint<'_>) -> Rgb {
-        let value = wrapped(self.expansion * self.field.fbm(at));
-        self.range.scaled(value) * self.color.at(at)
     }
 }

@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::color_table::{ColorTable, Columns};
-use super::noise_field::{NoiseField, wrapped};
+use super::noise_field::{self, Expanded};
 use super::{Texture, TexturePoint};
-use crate::invalid::{Invalid, positive};
+use crate::invalid::Invalid;
 use crate::kinds::{self, Resources, Specification};
 use crate::math::Length;
 use crate::noise::Noise;
@@ -28,19 +28,14 @@ pub struct WrappedRamp {
     #[schemars(with = "Length")]
     pub size: f64,
     /// The book's expansion number: the noise has values from 0 to this number; positive.
-    #[serde(default = "two")]
+    #[serde(default = "noise_field::two")]
     pub expansion: f64,
-}
-
-fn two() -> f64 {
-    2.0
 }
 
 #[derive(Debug)]
 struct WrappedRampTexture {
     columns: Columns,
-    field: NoiseField,
-    expansion: f64,
+    noise: Expanded,
 }
 
 impl Specification for WrappedRamp {
@@ -50,8 +45,7 @@ impl Specification for WrappedRamp {
     fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(WrappedRampTexture {
             columns: self.ramp.build("ramp")?,
-            field: NoiseField::build(&self.noise, self.size)?,
-            expansion: positive("expansion", self.expansion)?,
+            noise: Expanded::build(&self.noise, self.size, self.expansion)?,
         }))
     }
 
@@ -68,6 +62,7 @@ impl Specification for WrappedRamp {
 
 impl Texture for WrappedRampTexture {
     fn color(&self, at: &TexturePoint<'_>) -> Rgb {
-        self.columns.color(wrapped(self.expansion * self.field.fbm(at)))
+        let [_, fraction] = self.noise.at(at);
+        self.columns.color(fraction)
     }
 }

@@ -4,7 +4,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use super::{Findings, Page, Provenance, Report};
-use groundtruth::film::{TEMPORARY, replace_all};
+use groundtruth::film::{TEMPORARY, folder_of, replace_all};
 use pictures::html::{escaped, page};
 
 const STYLE: &str = "\
@@ -109,13 +109,9 @@ pub fn write(report: &Report, folder: &Path) -> io::Result<[PathBuf; 2]> {
 /// If a file or folder cannot be written.
 pub fn check_folder(folder: &Path) -> io::Result<()> {
     // the nearest existing ancestor: missing folders below it will be created
-    let here = || if folder.as_os_str().is_empty() { Path::new(".") } else { folder };
-    let mut known = here();
+    let mut known = folder;
     while !known.exists() {
-        known = match known.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => parent,
-            _ => Path::new("."),
-        };
+        known = folder_of(known);
     }
     if !known.is_dir() {
         let problem = io::Error::other(format!("{} is a file", known.display()));

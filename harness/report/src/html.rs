@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use groundtruth::film::{Film, Tone, data_uri};
+use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
 pub use pictures::html::escaped;
 
 /// A table whose rows are drawn from values `R`; its caption, headings and cells are HTML.
@@ -104,8 +104,9 @@ pub fn figure(svg: &str, caption: &str) -> String {
 }
 
 /// A rendered picture with a caption below it.
-pub fn film(film: &Film, tone: &Tone, alt: &str, caption: &str) -> String {
-    let data = data_uri(film, tone);
+pub fn film(film: &Film, exposure: f64, alt: &str, caption: &str) -> String {
+    let tone = Tone { exposure, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
+    let data = data_uri(film, &tone);
     figure(&format!("<img alt=\"{}\" src=\"{data}\"/>", escaped(alt)), caption)
 }
 
@@ -150,14 +151,8 @@ pub fn with_minus(number: &str) -> String {
 
 /// An integer in superscript, for powers of ten: `⁻⁷`.
 pub fn superscript(integer: &str) -> String {
-    let raised = |c: char| match c {
-        '-' => '⁻',
-        '0' => '⁰',
-        '1' => '¹',
-        '2' => '²',
-        '3' => '³',
-        _ => c.to_digit(10).and_then(|d| char::from_u32('⁰' as u32 + d)).unwrap_or(c),
-    };
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
     integer.chars().map(raised).collect()
 }
 

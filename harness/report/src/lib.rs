@@ -2,13 +2,14 @@
 //!
 //! A [`Page`] answers one question. It measures, and returns the data for JSON and the HTML made
 //! from these data alone. A new page is a folder here and an entry in [`PAGES`]. What pages share:
-//! [`html`] and `plot` draw, `errors` is error against samples and time, `pictures` renders.
-//! Everything except the times is determined by the seed.
+//! [`html`] and `plot` draw, `pictures` renders, `reference` measures the error of pictures, and
+//! `convergence` is error against samples and time. Everything except the times is determined by
+//! the seed.
 
 pub mod acceleration;
 pub mod clock;
+mod convergence;
 mod document;
-mod errors;
 pub mod html;
 mod intersections;
 pub mod light;
@@ -16,6 +17,7 @@ mod pictures;
 mod plot;
 mod progress;
 mod provenance;
+pub mod reference;
 pub mod samplers;
 mod textures;
 
@@ -54,6 +56,23 @@ impl Findings {
     fn new<T: Serialize>(data: &T, section: fn(&T) -> String) -> Self {
         let json = serde_json::to_value(data).expect("the keys of all data are texts");
         Self { data: json, section: section(data) }
+    }
+
+    /// The findings without the numbers of these names, which the page does not report.
+    fn without(mut self, names: &[&str]) -> Self {
+        remove(&mut self.data, names);
+        self
+    }
+}
+
+fn remove(data: &mut Value, names: &[&str]) {
+    match data {
+        Value::Object(map) => {
+            map.retain(|name, _| !names.contains(&&**name));
+            map.values_mut().for_each(|value| remove(value, names));
+        }
+        Value::Array(items) => items.iter_mut().for_each(|item| remove(item, names)),
+        _ => {}
     }
 }
 

@@ -13,14 +13,15 @@ use groundtruth::world::World;
 
 /// Pictures of one number of samples: each scene with each seed.
 pub struct Series {
-    /// The number of samples per pixel.
-    pub samples: u32,
+    samples: u32,
     scenes: Vec<Scene>,
     seeds: Vec<u64>,
 }
 
 /// The pictures of a series.
 pub struct Pictures {
+    /// The number of samples per pixel.
+    pub samples: u32,
     /// The pictures of the first scene by all seeds, then those of the next scene.
     pub films: Vec<Film>,
     /// The median time for one picture on one thread.
@@ -68,7 +69,7 @@ pub fn rendered(series: &[Series], progress: &Progress) -> Result<Vec<Pictures>,
     let of_series = |series: &Series| {
         let (films, times): (Vec<Film>, Vec<Time>) =
             shots.by_ref().take(series.count() as usize).unzip();
-        Pictures { films, time: Time::median(&times) }
+        Pictures { samples: series.samples, films, time: Time::median(&times) }
     };
     Ok(series.iter().map(of_series).collect())
 }

@@ -249,10 +249,10 @@ fn emptiest_corner(
     lines: usize,
 ) -> SeriesLabelPosition {
     let (width, height) = (0.35, 0.05 + 0.06 * lines as f64);
-    let inside = |left: bool, upper: bool| {
-        let near_end = |fraction: f64, low: bool, size: f64| {
-            if low { fraction < size } else { fraction > 1.0 - size }
-        };
+    let near_end = |fraction: f64, low: bool, size: f64| {
+        if low { fraction < size } else { fraction > 1.0 - size }
+    };
+    let inside = |&(left, upper, _): &(bool, bool, SeriesLabelPosition)| {
         let here = |&&(x, y): &&(f64, f64)| {
             near_end(axis_fraction(x, x_range), left, width)
                 && near_end(axis_fraction(y, y_range), !upper, height)
@@ -265,8 +265,7 @@ fn emptiest_corner(
         (false, false, SeriesLabelPosition::LowerRight),
         (true, false, SeriesLabelPosition::LowerLeft),
     ];
-    let emptiest = corners.into_iter().min_by_key(|(left, upper, _)| inside(*left, *upper));
-    emptiest.expect("there are four").2
+    corners.into_iter().min_by_key(inside).expect("there are four").2
 }
 
 /// Powers of ten; if there are fewer than four, also 2 and 5 times these.

@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use super::{Data, Run, StageData};
-use crate::errors::CONFIDENCE;
+use crate::convergence::CONFIDENCE;
 use crate::html::{
-    DASH, Table, bytes, capital, count, escaped, flagged, heading, listed, pick, row, short,
-    short_or_dash, time, with_minus,
+    DASH, Table, bytes, capital, count, escaped, flagged, heading, listed, pick, row, short, time,
+    with_minus,
 };
 use crate::plot::{Fit, Plot, Series};
 use statistics::slope::power_law;
@@ -169,9 +169,9 @@ fn lists(data: &Data, pick: &str) -> String {
     format!("A list is the fastest for few objects of: {}.", listed(&scenes))
 }
 
-/// Tests, and nodes or cells if they are counted.
+/// Tests, and nodes or cells.
 fn work(run: &Run) -> f64 {
-    run.tests_per_ray + run.steps_per_ray.unwrap_or(0.0)
+    run.tests_per_ray + run.steps_per_ray
 }
 
 /// The power law of points of numbers of objects.
@@ -221,7 +221,7 @@ fn table(stage: &StageData) -> String {
         .column("memory", |run| run.memory_bytes.map_or(DASH.to_owned(), |n| bytes(n as f64)))
         .column("picture", |run| flagged(time(run.picture_seconds), run.disturbed))
         .column("tests per ray", |run| short(run.tests_per_ray))
-        .column("nodes or cells per ray", |run| short_or_dash(run.steps_per_ray))
+        .column("nodes or cells per ray", |run| short(run.steps_per_ray))
         .column("rays timed", |run| count(run.timed_rays))
         .html(all.filter(|run| shown.contains(&run.objects)))
 }

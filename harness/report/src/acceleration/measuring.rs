@@ -63,13 +63,13 @@ fn run(structure: Structure, objects: &Objects, rays: &[Ray]) -> Result<(Run, An
     let (built, building) = time(|| structure.build(objects));
     let counted = structure.build_counted(objects);
     let probes = spread(rays, PROBES);
-    let (mut tests, mut steps) = count(&counted, objects, &probes);
+    let [mut tests, mut steps] = count(&counted, objects, &probes);
     if tests > MAX_TESTS {
         return Err(many(tests));
     }
     let answers = probes.iter().map(|ray| built.nearest(objects, ray, None)).collect();
     if tests * (COUNTED as f64) < TESTS {
-        (tests, steps) = count(&counted, objects, &spread(rays, COUNTED));
+        [tests, steps] = count(&counted, objects, &spread(rays, COUNTED));
     }
 
     let affordable = (TESTS / tests.max(1.0)) as usize;
@@ -107,11 +107,10 @@ fn spread(rays: &[Ray], max: usize) -> Vec<&Ray> {
 }
 
 /// Tests, and nodes or cells, per ray.
-fn count(built: &BuiltStructure, objects: &Objects, rays: &[&Ray]) -> (f64, Option<f64>) {
+fn count(built: &BuiltStructure, objects: &Objects, rays: &[&Ray]) -> [f64; 2] {
     let counts = Counts::default();
     for ray in rays {
         built.nearest(objects, ray, Some(&counts));
     }
-    let each = |total: u64| total as f64 / rays.len() as f64;
-    (each(counts.tests.get()), counts.steps.get().map(each))
+    [counts.tests, counts.steps].map(|total| total.get() as f64 / rays.len() as f64)
 }

@@ -71,7 +71,7 @@ struct Run {
     /// The number of objects tested per ray.
     tests_per_ray: f64,
     /// The number of nodes or cells visited per ray.
-    steps_per_ray: Option<f64>,
+    steps_per_ray: f64,
 }
 
 /// A structure that was not measured.

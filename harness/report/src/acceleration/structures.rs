@@ -1,6 +1,7 @@
 //! The structures that are compared, built over the same objects.
 
 use std::cell::Cell;
+use std::sync::Arc;
 
 use super::stages::Objects;
 use groundtruth::accel::{self, Accel, Method};
@@ -91,8 +92,8 @@ pub enum BuiltStructure {
 pub struct Counts {
     /// The number of objects tested.
     pub tests: Cell<u64>,
-    /// The number of nodes or cells visited, if counted.
-    pub steps: Cell<Option<u64>>,
+    /// The number of nodes or cells visited.
+    pub steps: Cell<u64>,
 }
 
 impl BuiltStructure {
@@ -101,13 +102,13 @@ impl BuiltStructure {
         let hit = match self {
             Self::Mesh(shape) => return shape.hit(ray, Span::AHEAD).map(|hit| hit.t),
             Self::Plain(accel) => {
-                search(accel, ray, Span::AHEAD, counts, tested(objects, 0, ray, counts))
+                search(accel, ray, Span::AHEAD, counts, tested(&objects.shapes, ray, counts))
             }
             Self::Nested { outer, inner } => {
                 let group = |index: u32, span| {
                     let index = index as usize;
-                    let first = objects.groups[index].start;
-                    search(&inner[index], ray, span, counts, tested(objects, first, ray, counts))
+                    let shapes = &objects.shapes[objects.groups[index].clone()];
+                    search(&inner[index], ray, span, counts, tested(shapes, ray, counts))
                 };
                 search(outer, ray, Span::AHEAD, counts, group)
             }
@@ -145,14 +146,13 @@ fn search(
     };
     let mut here = accel::Counts::default();
     let found = accel.nearest_counted(ray, span, &mut here, hit);
-    counts.steps.set(Some(counts.steps.get().unwrap_or(0) + here.steps));
+    counts.steps.set(counts.steps.get() + here.steps);
     found.map(|(_, hit)| hit)
 }
 
-/// The hits of a ray with the objects from `first` on.
+/// The hits of a ray with the objects, or with those of one group.
 fn tested<'a>(
-    objects: &'a Objects,
-    first: usize,
+    shapes: &'a [Arc<dyn Shape>],
     ray: &'a Ray,
     counts: Option<&'a Counts>,
 ) -> impl Fn(u32, Span) -> Option<Candidate> + 'a {
@@ -160,6 +160,6 @@ fn tested<'a>(
         if let Some(counts) = counts {
             counts.tests.set(counts.tests.get() + 1);
         }
-        objects.shapes[first + index as usize].hit(ray, span)
+        shapes[index as usize].hit(ray, span)
     }
 }

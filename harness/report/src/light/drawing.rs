@@ -1,13 +1,13 @@
 //! Page 4 as tables and plots, from its data alone.
 
-use super::{BiasData, ChoiceData, Data, Level, SceneData};
-use crate::errors::{Curve, diagrams};
+use super::scenes::Subject;
+use super::{BiasData, Choice, Data, SceneData};
+use crate::convergence::{Level, diagrams, error_columns};
 use crate::html::{
-    DASH, Table, capital, escaped, film, flagged, folded, listed, or_as_good, pick, row, short,
+    DASH, Table, capital, film, flagged, folded, heading, listed, or_as_good, pick, row, short,
     short_or_dash, time, with_minus,
 };
 use crate::plot::Limit;
-use groundtruth::film::{OutOfGamut, Tone};
 use groundtruth::math::{exp, ln};
 use groundtruth::shapes::Sampling;
 use statistics::quantile;
@@ -45,27 +45,28 @@ fn explanation(data: &Data) -> String {
 }
 
 /// The same choice in a scene, or that of its tracer if the tracer does not sample lights there.
-fn named<'a>(scene: &'a SceneData, choice: &ChoiceData) -> Option<&'a ChoiceData> {
-    let same = |c: &&ChoiceData| {
-        c.tracer == choice.tracer && (c.sampling == choice.sampling || c.sampling.is_none())
+fn named<'a>(scene: &'a SceneData, choice: &Choice) -> Option<&'a Choice> {
+    let same = |c: &&Choice| {
+        c.kind.tracer == choice.kind.tracer
+            && (c.kind.sampling == choice.kind.sampling || c.kind.sampling.is_none())
     };
     scene.choices.iter().find(same)
 }
 
 /// The highest efficiency of a choice without bias.
 fn highest(scene: &SceneData) -> Option<f64> {
-    let unbiased = scene.choices.iter().filter(|choice| choice.unbiased);
-    unbiased.filter_map(ChoiceData::efficiency).reduce(f64::max)
+    let unbiased = scene.choices.iter().filter(|choice| choice.kind.unbiased);
+    unbiased.filter_map(Choice::efficiency).reduce(f64::max)
 }
 
 /// The ratio of a choice's time to that of the best, for the same noise.
-fn time_ratio(scene: &SceneData, choice: &ChoiceData) -> Option<f64> {
+fn time_ratio(scene: &SceneData, choice: &Choice) -> Option<f64> {
     Some(highest(scene)? / choice.efficiency()?)
 }
 
 /// One choice in all scenes.
 struct Record<'a> {
-    choice: &'a ChoiceData,
+    choice: &'a Choice,
     /// The time ratio in each scene; `None` where it does not apply or has bias.
     ratios: Vec<Option<f64>>,
 }
@@ -92,7 +93,7 @@ impl Record<'_> {
 }
 
 /// The choices of the scene that has the largest number of them.
-fn all_choices(data: &Data) -> &[ChoiceData] {
+fn all_choices(data: &Data) -> &[Choice] {
     let most = data.scenes.iter().max_by_key(|scene| scene.choices.len());
     most.map_or(&[], |scene| &scene.choices)
 }
@@ -101,7 +102,7 @@ fn all_choices(data: &Data) -> &[ChoiceData] {
 fn records(data: &Data) -> Vec<Record<'_>> {
     let record = |choice| {
         let ratio = |scene| {
-            let here = named(scene, choice).filter(|here| here.unbiased)?;
+            let here = named(scene, choice).filter(|here| here.kind.unbiased)?;
             time_ratio(scene, here)
         };
         Record { choice, ratios: data.scenes.iter().map(ratio).collect() }
@@ -120,14 +121,14 @@ fn advice(data: &Data) -> String {
     };
     let others = ["path_trace", "global_trace", "path"].into_iter().filter_map(|tracer| {
         let of_tracer =
-            |r: &&Record<'_>| r.choice.tracer == tracer && r.choice.choice != best.choice.choice;
+            |r: &&Record<'_>| r.choice.kind.tracer == tracer && r.choice.name != best.choice.name;
         let other = records.iter().filter(of_tracer).min_by(by_mean)?;
         Some(format!("{} {} times", words(other.choice), short(other.mean())))
     });
     let others = listed(&others.collect::<Vec<String>>());
     let missed = ["ray_cast", "whitted"].into_iter().filter_map(|tracer| {
         let all = data.scenes.iter().flat_map(|scene| &scene.choices);
-        let biases = all.filter(|c| c.tracer == tracer).filter_map(|c| c.bias.difference);
+        let biases = all.filter(|c| c.kind.tracer == tracer).filter_map(|c| c.kind.bias.difference);
         let largest = biases.map(|[bias, ..]| bias.abs()).reduce(f64::max)?;
         Some(format!("{} % with {tracer}", short(100.0 * largest)))
     });
@@ -146,19 +147,19 @@ fn advice(data: &Data) -> String {
 }
 
 /// The words for a choice in a sentence.
-fn words(choice: &ChoiceData) -> String {
-    let measure = match choice.sampling {
-        None => return choice.tracer.clone(),
+fn words(choice: &Choice) -> String {
+    let measure = match choice.kind.sampling {
+        None => return choice.kind.tracer.to_owned(),
         Some(Sampling::Area) => "area",
         Some(Sampling::SolidAngle) => "solid-angle",
     };
-    format!("{} with {measure} sampling of lights", choice.tracer)
+    format!("{} with {measure} sampling of lights", choice.kind.tracer)
 }
 
 /// The table of the times for the same noise.
 fn summary(data: &Data) -> String {
     let mut table = Table::new("Time for the same noise, as a multiple of the shortest")
-        .column("choice", |choice: &ChoiceData| choice.choice.clone());
+        .column("choice", |choice: &Choice| choice.name.clone());
     for scene in &data.scenes {
         table = table.column(scene.subject.name, move |choice| match named(scene, choice) {
             None => DASH.to_owned(),
@@ -168,21 +169,20 @@ fn summary(data: &Data) -> String {
     table.html(all_choices(data))
 }
 
-fn ratio_or_biased(scene: &SceneData, choice: &ChoiceData) -> String {
-    match choice.unbiased {
+fn ratio_or_biased(scene: &SceneData, choice: &Choice) -> String {
+    match choice.kind.unbiased {
         true => short_or_dash(time_ratio(scene, choice)),
         false => "biased".to_owned(),
     }
 }
 
 fn section(scene: &SceneData) -> String {
-    let curves: Vec<Curve<'_>> = drawn(scene).map(ChoiceData::curve).collect();
     let own = scene.reference.relative_standard_error;
     let limit = (own > 0.0).then_some(Limit { y: own, label: "error of the reference" });
-    let (name, about) = (capital(scene.subject.name), escaped(scene.subject.about));
-    format!("<h3>{name}</h3>\n<p>{about} {}</p>\n", reference(scene))
+    let Subject { name, about, .. } = scene.subject;
+    heading(name, &format!("{about} {}", reference(scene)))
         + &pick("Here:", &advice_here(scene))
-        + &diagrams(&curves, "relative error", limit)
+        + &diagrams(drawn(scene), ("relative error", |level| level.relative_rmse), limit)
         + &equal_time(scene)
         + &table(scene)
         + &biases(scene)
@@ -207,46 +207,46 @@ fn reference(scene: &SceneData) -> String {
 /// The best choice without bias, those that are as good, the time ratios of the others, and the
 /// bias of the biased ones.
 fn advice_here(scene: &SceneData) -> String {
-    let ratio = |choice: &ChoiceData| time_ratio(scene, choice).unwrap_or(f64::INFINITY);
-    let mut unbiased: Vec<&ChoiceData> = scene.choices.iter().filter(|c| c.unbiased).collect();
+    let ratio = |choice: &Choice| time_ratio(scene, choice).unwrap_or(f64::INFINITY);
+    let mut unbiased: Vec<&Choice> = scene.choices.iter().filter(|c| c.kind.unbiased).collect();
     unbiased.sort_by(|a, b| ratio(a).total_cmp(&ratio(b)));
     let Some((best, others)) = unbiased.split_first() else { return String::new() };
-    let (as_good, slower): (Vec<&ChoiceData>, Vec<&ChoiceData>) =
+    let (as_good, slower): (Vec<&Choice>, Vec<&Choice>) =
         others.iter().partition(|choice| ratio(choice) <= AS_GOOD);
-    let as_good: Vec<String> = as_good.iter().map(|choice| choice.choice.clone()).collect();
+    let as_good: Vec<String> = as_good.iter().map(|choice| choice.name.clone()).collect();
     let slower: Vec<String> =
-        slower.iter().map(|c| format!("{} takes {} times", c.choice, short(ratio(c)))).collect();
+        slower.iter().map(|c| format!("{} takes {} times", c.name, short(ratio(c)))).collect();
     let slower = match slower.len() {
         0 => String::new(),
         _ => format!("; for the same noise {} its time", listed(&slower)),
     };
-    let darker = |choice: &ChoiceData| {
-        let [bias, ..] = choice.bias.difference?;
+    let darker = |choice: &Choice| {
+        let [bias, ..] = choice.kind.bias.difference?;
         let word = if bias < 0.0 { "too dark" } else { "too bright" };
-        Some(format!("{} {} % {word}", choice.choice, short(100.0 * bias.abs())))
+        Some(format!("{} {} % {word}", choice.name, short(100.0 * bias.abs())))
     };
     // both samplings of area lights have the same mean
-    let biased: Vec<String> = drawn(scene).filter(|c| !c.unbiased).filter_map(darker).collect();
+    let biased: Vec<String> =
+        drawn(scene).filter(|c| !c.kind.unbiased).filter_map(darker).collect();
     let biased = match biased.len() {
         0 => String::new(),
         _ => format!("; in the mean, {}", listed(&biased)),
     };
-    format!("the best is {}{}{slower}{biased}.", best.choice, or_as_good(&as_good))
+    format!("the best is {}{}{slower}{biased}.", best.name, or_as_good(&as_good))
 }
 
 /// The choices in the plots, which have at most five series: all but area sampling.
-fn drawn(scene: &SceneData) -> impl Iterator<Item = &ChoiceData> {
-    scene.choices.iter().filter(|choice| choice.sampling != Some(Sampling::Area))
+fn drawn(scene: &SceneData) -> impl Iterator<Item = &Choice> + Clone {
+    scene.choices.iter().filter(|choice| choice.kind.sampling != Some(Sampling::Area))
 }
 
 fn equal_time(scene: &SceneData) -> String {
     let Some(truth) = scene.equal_time.crops.last() else { return String::new() };
     let brightnesses: Vec<f64> = truth.film.pixels().iter().map(|pixel| pixel.average()).collect();
     let bright = quantile(&brightnesses, 0.9).filter(|b| *b > 0.0).unwrap_or(1.0);
-    let tone = Tone { exposure: 0.7 / bright, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
     let crops = scene.equal_time.crops.iter().map(|crop| {
         let words = format!("{}: {} samples, {}", crop.choice, crop.samples, time(crop.seconds));
-        film(&crop.film, &tone, &crop.choice, &words)
+        film(&crop.film, 0.7 / bright, &crop.choice, &words)
     });
     format!(
         "<p>About {} each, on one thread; the last one is the reference:</p>\n{}",
@@ -268,26 +268,17 @@ fn table(scene: &SceneData) -> String {
     let most = scene.choices.iter().flat_map(|c| &c.levels).map(|l| l.samples).max().unwrap_or(1);
     let mut shown = vec![1, 16, 256, most];
     shown.dedup();
-    let mut table = Table::new(format!("{}: error, time and bias", capital(scene.subject.name)))
+    let table = Table::new(format!("{}: error, time and bias", capital(scene.subject.name)))
         .group("")
-        .column("choice", |choice: &ChoiceData| choice.choice.clone())
+        .column("choice", |choice: &Choice| choice.name.clone())
         .group("relative error in %, by samples");
-    for samples in shown {
-        table = table.column(samples, move |choice| {
-            let level = choice.levels.iter().find(|level| level.samples == samples);
-            short_or_dash(level.and_then(|level| level.relative_rmse).map(|e| 100.0 * e))
-        });
-    }
-    table
+    error_columns(table, shown, |level| level.relative_rmse.map(|e| 100.0 * e))
         .group(format!("with {most} samples"))
-        .column("time per sample of all pixels", |choice| {
-            let disturbed = choice.levels.iter().any(|level| level.disturbed);
-            flagged(time(choice.sample_seconds()), disturbed)
-        })
+        .column("time per sample of all pixels", Choice::sample_time)
         .column("efficiency, 1/s", |choice| short_or_dash(choice.efficiency()))
         .column("time for the same noise", |choice| ratio_or_biased(scene, choice))
         .group("in the mean")
-        .column("bias, %", |choice| percent(&choice.bias))
+        .column("bias, %", |choice| percent(&choice.kind.bias))
         .html(&scene.choices)
 }
 
@@ -303,7 +294,7 @@ fn biases(scene: &SceneData) -> String {
 }
 
 fn levels(scene: &SceneData) -> String {
-    let all = scene.choices.iter().flat_map(|c| c.levels.iter().map(|level| (&*c.choice, level)));
+    let all = scene.choices.iter().flat_map(|c| c.levels.iter().map(|level| (&*c.name, level)));
     Table::<(&str, &Level)>::new("Errors, noise and time")
         .column("choice", |(choice, _)| (*choice).to_owned())
         .column("samples", |(_, level)| level.samples.to_string())

@@ -2,13 +2,12 @@
 
 mod drawing;
 mod measuring;
-pub mod pictures;
 mod scenes;
 
 use serde::Serialize;
 
 use self::scenes::Subject;
-use super::errors::{CONFIDENCE, Curve, Point};
+use super::convergence::{self, CONFIDENCE};
 use super::{Findings, Page};
 use groundtruth::film::Film;
 use groundtruth::shapes::Sampling;
@@ -22,7 +21,9 @@ pub const PAGE: Page = Page {
                and what light does each leave out?",
     steps: measuring::steps,
     measure: |settings, progress| {
-        Ok(Findings::new(&measuring::measure(settings, progress)?, drawing::page))
+        let data = measuring::measure(settings, progress)?;
+        // errors with bias become constant: they are no power of the number of samples
+        Ok(Findings::new(&data, drawing::page).without(&["slope"]))
     },
 };
 
@@ -48,7 +49,7 @@ struct SceneData {
     /// The reference for errors.
     reference: ReferenceData,
     /// The results for each tracer and sampling of area lights.
-    choices: Vec<ChoiceData>,
+    choices: Vec<Choice>,
     /// The bias of depth limits of `path`, compared with `deepest`.
     depths: Vec<BiasData>,
     /// The largest depth limit.
@@ -75,43 +76,20 @@ struct ReferenceData {
     relative_standard_error: f64,
 }
 
-/// One tracer and sampling of area lights.
+/// One tracer and sampling of area lights in one scene.
+type Choice = convergence::Choice<MethodData>;
+
+/// A tracer and a sampling of area lights, and its bias in a scene.
 #[derive(Serialize)]
-struct ChoiceData {
-    /// The names of tracer and sampling.
-    choice: String,
+struct MethodData {
     /// The name of the tracer.
-    tracer: String,
+    tracer: &'static str,
     /// How area lights are sampled; `None` if they are not.
     sampling: Option<Sampling>,
     /// Whether it includes all light paths of the scene up to the depth limit.
     unbiased: bool,
     /// Its mean compared with that of the reference.
     bias: BiasData,
-    /// The results, by increasing number of samples.
-    levels: Vec<Level>,
-}
-
-/// The result for a number of samples.
-#[derive(Serialize)]
-struct Level {
-    /// The number of samples per pixel.
-    samples: u32,
-    /// The number of pictures.
-    pictures: u32,
-    /// The root mean square error of channels, with the error of the reference subtracted (in
-    /// squares); `None` if the rest is smaller than the error of the reference.
-    rmse: Option<f64>,
-    /// The same, with each error relative to the brightness of its pixel.
-    relative_rmse: Option<f64>,
-    /// The variance between pictures, relative to the square of the brightness of each pixel.
-    relative_variance: Option<f64>,
-    /// The time for one picture on one thread.
-    picture_seconds: f64,
-    /// `1/(relative_variance · picture_seconds)`, per second.
-    efficiency: Option<f64>,
-    /// Whether other programs disturbed the measurement of `picture_seconds`.
-    disturbed: bool,
 }
 
 /// The difference of two mean radiances of a picture.
@@ -145,27 +123,6 @@ struct Crop {
     /// The picture.
     #[serde(skip)]
     film: Film,
-}
-
-impl ChoiceData {
-    /// The time for one sample of every pixel.
-    fn sample_seconds(&self) -> f64 {
-        self.levels.last().map_or(f64::NAN, |l| l.picture_seconds / f64::from(l.samples))
-    }
-
-    /// The efficiency with the largest number of samples.
-    fn efficiency(&self) -> Option<f64> {
-        self.levels.last()?.efficiency
-    }
-
-    fn curve(&self) -> Curve<'_> {
-        let point = |level: &Level| Point {
-            samples: level.samples,
-            seconds: level.picture_seconds,
-            error: level.relative_rmse,
-        };
-        Curve { name: &self.choice, points: self.levels.iter().map(point).collect() }
-    }
 }
 
 impl BiasData {

@@ -84,14 +84,14 @@ pub static SUBJECTS: [Subject; 5] = [
 
 /// A tracer and a sampling of area lights.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Choice {
+pub struct Method {
     /// The tracer.
     pub tracer: Tracer,
     /// How area lights are sampled; `None` if they are not.
     pub sampling: Option<Sampling>,
 }
 
-impl Choice {
+impl Method {
     /// Whether it includes all light paths up to the depth limit (every light of these scenes is a
     /// surface).
     pub fn is_unbiased(self) -> bool {
@@ -110,14 +110,14 @@ impl Choice {
 }
 
 impl Subject {
-    /// All choices for the scene; the last one has no bias and the least noise.
-    pub fn choices(&self) -> Vec<Choice> {
+    /// All methods for the scene; the last one has no bias and the least noise.
+    pub fn methods(&self) -> Vec<Method> {
         let of_tracer = |tracer: Tracer| {
             let samplings = match tracer {
                 Tracer::PathTrace(_) => vec![None],
                 _ => vec![Some(Sampling::Area), Some(Sampling::SolidAngle)],
             };
-            samplings.into_iter().map(move |sampling| Choice { tracer, sampling })
+            samplings.into_iter().map(move |sampling| Method { tracer, sampling })
         };
         let depth = Depth { max_depth: DEPTH };
         let tracers = [
@@ -131,22 +131,22 @@ impl Subject {
         tracers.into_iter().filter(applies).flat_map(of_tracer).collect()
     }
 
-    /// The last choice.
-    pub fn best(&self) -> Choice {
-        *self.choices().last().expect("every scene has choices")
+    /// The last method.
+    pub fn best(&self) -> Method {
+        *self.methods().last().expect("every scene has methods")
     }
 
-    /// The scene with this choice, `width` (divided by `part`) pixels wide.
-    pub fn scene(&self, choice: Choice, width: u32) -> Scene {
+    /// The scene with this method, `width` (divided by `part`) pixels wide.
+    pub fn scene(&self, method: Method, width: u32) -> Scene {
         let mut scene = (self.scene)();
         let width = (width / self.part).max(1);
         let height = (width * scene.image.height).div_ceil(scene.image.width);
         scene.image.resize(width, height);
         scene.image.sampler = Some(MultiJittered {}.into());
-        scene.tracer = choice.tracer;
+        scene.tracer = method.tracer;
         for light in &mut scene.lights {
             if let LightKind::Area(area) = &mut light.source {
-                area.sampling = choice.sampling;
+                area.sampling = method.sampling;
             }
         }
         scene

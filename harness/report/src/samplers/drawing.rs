@@ -1,7 +1,7 @@
 //! Page 3 as tables and plots, from its data alone.
 
 use super::{Data, FITTED_FROM, IntegrandData, SamplerData};
-use crate::errors::CONFIDENCE;
+use crate::convergence::CONFIDENCE;
 use crate::html::{
     DASH, Table, capital, count, flagged, heading, or_as_good, pick, row, short, short_or_dash,
     time, with_minus,

@@ -2,24 +2,29 @@
 
 mod drawing;
 pub mod integrands;
-pub mod measuring;
 
+use std::hint::black_box;
+
+use rayon::prelude::*;
 use serde::Serialize;
 
-use self::integrands::Integrand;
-use super::errors::slope;
-use super::{Findings, Page};
-use groundtruth::math::{exp, ln};
+use self::integrands::{INTEGRANDS, Integrand, Problem};
+use super::clock::{Time, medians};
+use super::convergence::{counts, slope};
+use super::{Findings, Interrupted, Page, Progress, Settings};
+use groundtruth::math::{Pcg32, exp, hash, ln};
+use groundtruth::samplers::{self, Key, Kind, Purpose, SampleSets};
 
 /// Compares samplers by error and time, on integrands whose mean is known.
 pub const PAGE: Page = Page {
     name: "samplers",
     title: "Samplers: error against number of samples",
     question: "Which sampler has the smallest error, with how many samples, in how much time?",
-    steps: measuring::steps,
-    measure: |settings, progress| {
-        Ok(Findings::new(&measuring::measure(settings, progress)?, drawing::page))
+    // one for each sampler and number of samples, and one for the times of each integrand
+    steps: |settings| {
+        (samplers::named().len() * samples(settings).count() + INTEGRANDS.len()) as u64
     },
+    measure: |settings, progress| Ok(Findings::new(&measure(settings, progress)?, drawing::page)),
 };
 
 /// The data of the page.
@@ -77,13 +82,12 @@ const ONE_PERCENT: f64 = 0.01;
 const FITTED_FROM: u32 = 16;
 
 impl SamplerData {
-    /// The errors of a sampler, which is not timed yet.
-    fn new(sampler: String, errors: Vec<Error>) -> Self {
+    fn new(sampler: String, errors: Vec<Error>, (sample_seconds, disturbed): (f64, bool)) -> Self {
         let far = errors.iter().filter(|e| e.samples >= FITTED_FROM);
         Self {
             sampler,
-            sample_seconds: f64::NAN,
-            disturbed: false,
+            sample_seconds,
+            disturbed,
             slope: slope(far.map(|e| (e.samples, e.rms))),
             samples_for_one_percent: samples_for_one_percent(&errors),
             errors,
@@ -107,4 +111,109 @@ fn samples_for_one_percent(errors: &[Error]) -> Option<f64> {
     let [(x_a, y_a), (x_b, y_b)] = [a, *b].map(|e| (ln(f64::from(e.samples)), ln(e.rms)));
     let t = (y_a - ln(ONE_PERCENT)) / (y_a - y_b);
     Some(exp(x_a + t * (x_b - x_a)))
+}
+
+/// The numbers of samples per pixel: at least 1 and 4.
+fn samples(settings: &Settings) -> impl Iterator<Item = u32> {
+    counts(settings.samples.max(4))
+}
+
+/// A problem of each integrand for each pixel.
+pub type Problems = Vec<Vec<Problem>>;
+
+fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
+    let problem = |integrand: &Integrand, pixel: u32| {
+        (integrand.problem)(&mut Pcg32::new(hash(&[settings.seed, pixel.into()]), 1))
+    };
+    let problems: Problems = INTEGRANDS
+        .iter()
+        .map(|integrand| (0..settings.pixels).map(|pixel| problem(integrand, pixel)).collect())
+        .collect();
+    let samplers = samplers::named();
+    // for each sampler: the numbers of samples, and the error of each integrand
+    let mut errors: Vec<Vec<(u32, Vec<f64>)>> = Vec::new();
+    for (_, kind) in &samplers {
+        let error = |n| {
+            let found = rms_errors(kind, n, &problems, settings);
+            progress.step().map(|()| (n, found))
+        };
+        errors.push(samples(settings).map(error).collect::<Result<_, _>>()?);
+    }
+    let timed = settings.samples.min(256);
+    let all: Vec<SampleSets> =
+        samplers.iter().map(|(_, kind)| sets(kind, timed, settings.seed)).collect();
+    let of_integrand = |(i, integrand): (usize, &'static Integrand)| {
+        let times = sample_times(integrand, &problems[i], &all, settings.seed);
+        let samplers = samplers.iter().zip(&errors).zip(times);
+        let samplers = samplers.map(|(((name, _), errors), time)| {
+            let errors =
+                errors.iter().map(|(samples, rms)| Error { samples: *samples, rms: rms[i] });
+            SamplerData::new(name.clone(), errors.collect(), time)
+        });
+        let samplers = samplers.collect();
+        progress.step().map(|()| IntegrandData { integrand, samplers })
+    };
+    let integrands = INTEGRANDS.iter().enumerate().map(of_integrand).collect::<Result<_, _>>()?;
+    Ok(Data { pixels: settings.pixels, seeds: settings.seeds, integrands })
+}
+
+fn sets(kind: &Kind, n: u32, seed: u64) -> SampleSets {
+    let sampler = kind.build(&mut ()).expect("specimens are valid");
+    SampleSets::new(&*sampler, n, seed)
+}
+
+/// The root mean square error of each integrand with `n` samples, over pixels and seeds.
+pub fn rms_errors(kind: &Kind, n: u32, problems: &Problems, settings: &Settings) -> Vec<f64> {
+    let of_seed = |seed: u64| -> Vec<f64> {
+        let sets = sets(kind, n, seed);
+        let squares = |(integrand, problems): (&Integrand, &Vec<Problem>)| {
+            let error = |(pixel, problem): (u32, &Problem)| {
+                let mean = sum(integrand, problem, &sets, seed, pixel) / f64::from(sets.per_set());
+                (mean - problem.exact) / problem.scale
+            };
+            (0..).zip(problems).map(error).map(|e| e * e).sum()
+        };
+        INTEGRANDS.iter().zip(problems).map(squares).collect()
+    };
+    // in the order of the seeds, so that the sum does not depend on the number of threads
+    let seeds: Vec<Vec<f64>> = (0..u64::from(settings.seeds))
+        .into_par_iter()
+        .map(|i| of_seed(hash(&[settings.seed, i])))
+        .collect();
+    let count = f64::from(settings.seeds) * f64::from(settings.pixels);
+    let of_integrand = |i: usize| seeds.iter().map(|squares| squares[i]).sum::<f64>();
+    (0..INTEGRANDS.len()).map(|i| (of_integrand(i) / count).sqrt()).collect()
+}
+
+/// The sum over the samples of a pixel, drawn as in a renderer.
+fn sum(integrand: &Integrand, problem: &Problem, sets: &SampleSets, seed: u64, pixel: u32) -> f64 {
+    let key = |purpose| Key::new(seed, [pixel, 0], purpose);
+    let (film, lens) = (key(Purpose::Pixel), key(Purpose::Lens));
+    let value = |i| {
+        let lens = if integrand.four_dimensional { sets.draw(lens, i) } else { [0.0; 2] };
+        (problem.value)(sets.draw(film, i), lens)
+    };
+    (0..sets.per_set()).map(value).sum()
+}
+
+/// The seconds for a sample of an integrand by each sampler on one thread, and whether the
+/// measurement was disturbed: the median of rounds that run all samplers.
+fn sample_times(
+    integrand: &Integrand,
+    problems: &[Problem],
+    all: &[SampleSets],
+    seed: u64,
+) -> Vec<(f64, bool)> {
+    const ROUNDS: usize = 9;
+    let job = |sets: &SampleSets| {
+        let each = |(pixel, problem)| sum(integrand, problem, sets, seed, pixel);
+        black_box((0..).zip(problems).map(each).sum::<f64>());
+    };
+    let mut jobs: Vec<_> = all.iter().map(|sets| move || job(sets)).collect();
+    let mut jobs: Vec<&mut dyn FnMut()> = jobs.iter_mut().map(|job| job as _).collect();
+    let of_sample = |(sets, time): (&SampleSets, Time)| {
+        let seconds = time.cpu / (f64::from(sets.per_set()) * problems.len() as f64);
+        (seconds, time.is_disturbed())
+    };
+    all.iter().zip(medians(ROUNDS, &mut jobs)).map(of_sample).collect()
 }

@@ -1,12 +1,11 @@
 //! Page 5 as tables and plots, from its data alone.
 
-use super::{ChoiceData, Data, SceneData};
-use crate::errors::diagrams;
+use super::scenes::Subject;
+use super::{Choice, Data, SceneData};
+use crate::convergence::{diagrams, error_columns};
 use crate::html::{
-    Table, capital, escaped, film, flagged, listed, pick, row, short, short_or_dash, time,
-    with_minus,
+    Table, capital, film, heading, listed, pick, row, short, short_or_dash, with_minus,
 };
-use groundtruth::film::{OutOfGamut, Tone};
 
 pub fn page(data: &Data) -> String {
     let sections: String = data.scenes.iter().map(section).collect();
@@ -28,7 +27,7 @@ fn explanation() -> String {
 /// those of nearest look-up.
 fn ratios(scene: &SceneData) -> Option<[f64; 2]> {
     let [nearest, bilinear] = &scene.choices;
-    let error = bilinear.levels.last()?.rmse / nearest.levels.last()?.rmse;
+    let error = bilinear.levels.last()?.rmse? / nearest.levels.last()?.rmse?;
     Some([error, bilinear.sample_seconds() / nearest.sample_seconds()])
 }
 
@@ -56,30 +55,27 @@ fn advice(data: &Data) -> String {
 }
 
 fn section(scene: &SceneData) -> String {
-    let curves = scene.choices.each_ref().map(ChoiceData::curve);
-    format!(
-        "<h3>{}</h3>\n<p>{} {} × {} pixels{}; references of {} samples, which differ by {} between the \
-         look-ups.</p>\n{}{}{}",
-        capital(scene.subject.name),
-        escaped(scene.subject.about),
+    let Subject { name, about, moments, .. } = scene.subject;
+    let about = format!(
+        "{about} {} × {} pixels{}; references of {} samples, which differ by {} between the look-ups.",
         scene.width,
         scene.height,
-        if scene.moments == 1 { String::new() } else { format!(", {} frames", scene.moments) },
+        if *moments == 1 { String::new() } else { format!(", {moments} frames") },
         scene.reference_samples,
         short(scene.difference),
-        diagrams(&curves, "error", None),
-        pictures(scene),
-        table(scene),
-    )
+    );
+    heading(name, &about)
+        + &diagrams(&scene.choices, ("error", |level| level.rmse), None)
+        + &pictures(scene)
+        + &table(scene)
 }
 
 fn pictures(scene: &SceneData) -> String {
-    let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
-    let of_choice = |choice: &ChoiceData| {
-        let [one, reference] = &choice.pictures;
+    let of_choice = |choice: &Choice| {
+        let [one, reference] = &choice.kind.pictures;
         let image = |picture, count: &str| {
-            let words = format!("{}, {count}", choice.name());
-            film(picture, &tone, &words, &words)
+            let words = format!("{}, {count}", choice.name);
+            film(picture, 1.0, &words, &words)
         };
         let many = format!("{} samples", scene.reference_samples);
         [image(one, "1 sample"), image(reference, &many)]
@@ -88,19 +84,14 @@ fn pictures(scene: &SceneData) -> String {
 }
 
 fn table(scene: &SceneData) -> String {
-    let mut table = Table::new(format!("{}: error and time", capital(scene.subject.name)))
+    let table = Table::new(format!("{}: error and time", capital(scene.subject.name)))
         .group("")
-        .column("look-up", |choice: &ChoiceData| choice.name().to_owned())
+        .column("look-up", |choice: &Choice| choice.name.clone())
         .group("error, by samples");
-    for (index, level) in scene.choices[0].levels.iter().enumerate() {
-        table = table.column(level.samples, move |choice| short(choice.levels[index].rmse));
-    }
-    table
+    let samples = scene.choices[0].levels.iter().map(|level| level.samples);
+    error_columns(table, samples, |level| level.rmse)
         .group("")
-        .column("time per sample of all pixels", |choice| {
-            let disturbed = choice.levels.iter().any(|level| level.disturbed);
-            flagged(time(choice.sample_seconds()), disturbed)
-        })
+        .column("time per sample of all pixels", Choice::sample_time)
         .column("slope", |choice| with_minus(&short_or_dash(choice.slope.map(|[slope, ..]| slope))))
         .html(&scene.choices)
 }

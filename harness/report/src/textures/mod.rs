@@ -1,25 +1,38 @@
 //! Page 5: image look-up, error against samples and time.
 
 mod drawing;
-mod measuring;
 mod scenes;
+
+use std::ops::RangeInclusive;
 
 use serde::Serialize;
 
-use self::scenes::Subject;
-use super::errors::{Curve, Point};
-use super::{Findings, Page};
+use self::scenes::{SUBJECTS, Subject};
+use super::convergence::{self, counts};
+use super::pictures::{Pictures, Series, rendered};
+use super::reference::Reference;
+use super::{Findings, Interrupted, Page, Progress, Settings};
 use groundtruth::film::Film;
+use groundtruth::math::hash;
 use groundtruth::textures::Filtering;
+use groundtruth::world::MAX_SAMPLES;
 
 /// Compares nearest and bilinear image look-up by error and time.
 pub const PAGE: Page = Page {
     name: "textures",
     title: "Textures: error against samples and time",
     question: "Does bilinear image look-up save samples, and how many samples does an image need?",
-    steps: measuring::steps,
+    steps: |settings| {
+        let pictures = 1 + samples(settings).count() as u64 * u64::from(replicas(settings));
+        let moments: u64 = SUBJECTS.iter().map(|subject| u64::from(subject.moments)).sum();
+        2 * moments * pictures
+    },
     measure: |settings, progress| {
-        Ok(Findings::new(&measuring::measure(settings, progress)?, drawing::page))
+        let scenes = (0..).zip(&SUBJECTS).map(|scene| measure(scene, settings, progress));
+        let data = Data { scenes: scenes.collect::<Result<_, _>>()? };
+        // radiance is from 0 to 1: the absolute error is enough
+        let unused = ["choice", "relative_rmse", "relative_variance", "efficiency"];
+        Ok(Findings::new(&data, drawing::page).without(&unused))
     },
 };
 
@@ -48,57 +61,75 @@ struct SceneData {
     /// no number of samples removes.
     difference: f64,
     /// Nearest, then bilinear.
-    choices: [ChoiceData; 2],
+    choices: [Choice; 2],
 }
 
-/// One way to look up an image.
+/// One way to look up an image, in one scene.
+type Choice = convergence::Choice<LookUp>;
+
+/// A way to look up an image.
 #[derive(Serialize)]
-struct ChoiceData {
-    /// Nearest or bilinear.
+struct LookUp {
     filtering: Filtering,
-    /// The results, by increasing number of samples.
-    levels: Vec<Level>,
-    /// The slope of log error over log samples, and its interval of 95 % confidence.
-    slope: Option<[f64; 3]>,
     /// The first frame with one sample, and its reference.
     #[serde(skip)]
     pictures: [Film; 2],
 }
 
-/// The result for a number of samples.
-#[derive(Serialize)]
-struct Level {
-    /// The number of samples per pixel.
-    samples: u32,
-    /// The number of pictures.
-    pictures: u32,
-    /// The root mean square error of channels against the reference of the same look-up.
-    rmse: f64,
-    /// The time for one picture on one thread.
-    picture_seconds: f64,
-    /// Whether other programs disturbed the measurement of `picture_seconds`.
-    disturbed: bool,
+/// The numbers of samples per pixel: 1, 4, 16, 64, 256 in a full report.
+fn samples(settings: &Settings) -> impl Iterator<Item = u32> + Clone {
+    counts(settings.samples.clamp(16, 256))
 }
 
-impl ChoiceData {
-    fn name(&self) -> &'static str {
-        match self.filtering {
-            Filtering::Nearest => "nearest",
-            Filtering::Bilinear => "bilinear",
-        }
-    }
+/// The number of samples of a reference: 65 536 in a full report.
+fn reference_samples(settings: &Settings) -> u32 {
+    (16 * settings.samples.max(64)).min(MAX_SAMPLES)
+}
 
-    /// The time for one sample of every pixel.
-    fn sample_seconds(&self) -> f64 {
-        self.levels.last().map_or(f64::NAN, |l| l.picture_seconds / f64::from(l.samples))
-    }
+/// The number of pictures of each frame, with different seeds.
+fn replicas(settings: &Settings) -> u32 {
+    settings.seeds.clamp(2, 8)
+}
 
-    fn curve(&self) -> Curve<'_> {
-        let point = |level: &Level| Point {
-            samples: level.samples,
-            seconds: level.picture_seconds,
-            error: Some(level.rmse),
+fn measure(
+    (index, subject): (u64, &'static Subject),
+    settings: &Settings,
+    progress: &Progress,
+) -> Result<SceneData, Interrupted> {
+    let by = |filtering| {
+        let series = |samples: u32, replicas: RangeInclusive<u32>| {
+            let frame = |moment| (subject.frame)(filtering, settings.width, moment);
+            // seeds do not depend on the look-up: both use the same sample points
+            let seed = |replica: u32| {
+                hash(&[settings.seed, 5, index, u64::from(samples), u64::from(replica)])
+            };
+            Series::new(samples, (0..subject.moments).map(frame), replicas.map(seed))
         };
-        Curve { name: self.name(), points: self.levels.iter().map(point).collect() }
-    }
+        let reference = series(reference_samples(settings), 0..=0);
+        let levels = samples(settings).map(|samples| series(samples, 1..=replicas(settings)));
+        let series: Vec<Series> = std::iter::once(reference).chain(levels).collect();
+        let mut pictures = rendered(&series, progress)?;
+        let references: Vec<_> = pictures.remove(0).films.chunks(1).map(Reference::new).collect();
+        Ok((pictures, references))
+    };
+    let (nearest, of_nearest) = by(Filtering::Nearest)?;
+    let (bilinear, of_bilinear) = by(Filtering::Bilinear)?;
+    let choice = |filtering, name: &str, pictures: &[Pictures], references: &[Reference]| {
+        let shown = [&pictures[0].films[0], &references[0].film].map(Film::clone);
+        Choice::new(name.to_owned(), LookUp { filtering, pictures: shown }, pictures, references)
+    };
+    let films: Vec<Film> = of_bilinear.iter().map(|reference| reference.film.clone()).collect();
+    let [difference, _] = Reference::squared_error(&of_nearest, &films);
+    Ok(SceneData {
+        subject,
+        width: films[0].width(),
+        height: films[0].height(),
+        moments: subject.moments,
+        reference_samples: reference_samples(settings),
+        difference: difference.map_or(0.0, f64::sqrt),
+        choices: [
+            choice(Filtering::Nearest, "nearest", &nearest, &of_nearest),
+            choice(Filtering::Bilinear, "bilinear", &bilinear, &of_bilinear),
+        ],
+    })
 }

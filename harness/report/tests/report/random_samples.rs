@@ -7,7 +7,7 @@ use groundtruth::math::power;
 use groundtruth::samplers;
 use report::Settings;
 use report::samplers::integrands::*;
-use report::samplers::measuring::*;
+use report::samplers::{Problems, rms_errors};
 use statistics::significance::sidak;
 
 /// The chance of a false alarm, were the seed drawn anew.
