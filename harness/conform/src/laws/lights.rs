@@ -61,7 +61,7 @@ pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
         return Ok(match sample.is_null() {
             true => Judgement::Right(0.0),
             false => Judgement::wrong("light from the dark side", f64::INFINITY, text)
-                .with([&mistakes::DARK_SIDE]),
+                .with([&mistakes::LAMP_TWO_SIDED]),
         });
     }
     if sample.is_null() {
@@ -107,10 +107,10 @@ pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
         wrong.ratio = Some(pdf / density);
         let by_area = meeting.t * meeting.t / (cosine * lamp.area());
         let mut others = vec![
-            (&mistakes::LAMP_NO_COSINE, density * cosine),
-            (&mistakes::LAMP_NO_DISTANCE, density / (meeting.t * meeting.t)),
+            (&mistakes::NO_LAMP_COSINE, density * cosine),
+            (&mistakes::NO_LAMP_DISTANCE, density / (meeting.t * meeting.t)),
             (&mistakes::LAMP_PER_AREA, 1.0 / lamp.area()),
-            (&mistakes::LAMP_NO_AREA, density * lamp.area()),
+            (&mistakes::NO_LAMP_AREA, density * lamp.area()),
             (&mistakes::LAMP_BY_AREA, by_area),
             (&mistakes::LAMP_INNER_AREA, density * lamp.area() / lamp.inner_area()),
         ];

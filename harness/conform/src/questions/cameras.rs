@@ -245,7 +245,7 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::MIRRORED, MIRRORED_ROLL),
             (&m::TURNED_BY_HALF, TURNED_BY_HALF),
             (&m::AXES_SWAPPED, AXES_SWAPPED),
-            (&m::CORNERS, CORNERS),
+            (&m::PIXEL_CORNER, CORNERS),
             (&m::INTEGER_HALF, INTEGER_HALF),
             (&m::PLACE_DOWN, |question| change(data(question)?, "/place/1", |v| 1.0 - v)),
             (&m::NO_PIXEL_SIZE, NO_PIXEL_SIZE),
@@ -256,7 +256,7 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::ZOOM_INVERTED, ZOOM_INVERTED),
             (&m::LENS_POINT, |question| lens_radius(question, 0.0)),
             (&m::LENS_DIAMETER, |question| lens_radius(question, 0.5)),
-            (&m::LENS_RADIUS, |question| lens_radius(question, 2.0)),
+            (&m::LENS_RADIUS_DOUBLED, |question| lens_radius(question, 2.0)),
             (&m::LENS_UNSCALED, |question| {
                 let lens = data(question)?.pointer_mut("/camera/lens/thin_lens")?;
                 lens["focal_distance"] = lens["distance"].clone();
@@ -264,8 +264,12 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             }),
         ],
         answers: &[
-            (&m::WHOLE_ANGLE, |question, field, right| with_angle(question, field, right, 2.0)),
-            (&m::QUARTER_ANGLE, |question, field, right| with_angle(question, field, right, 0.5)),
+            (&m::WHOLE_FIELD_OF_VIEW, |question, field, right| {
+                with_angle(question, field, right, 2.0)
+            }),
+            (&m::HALF_FIELD_OF_VIEW, |question, field, right| {
+                with_angle(question, field, right, 0.5)
+            }),
             (&m::DIVIDED_BY_ZERO_ANGLE, |question, field, right| {
                 question["camera_ray"]["camera"]["lens"].get("fisheye")?;
                 let is_middle = numbers(&right["film"])?.iter().all(|x| *x == 0.0);
@@ -335,7 +339,7 @@ fn project(question: &Value, answer: &Value, profile: Profile) -> Judgement {
                     ["width", "height"].map(|it| question["project"]["image"][it].as_f64());
                 (field == "image").then(|| Some(vec![width? - x, height? - y]))?
             }),
-            (&m::CORNERS, |_, field, right| {
+            (&m::PIXEL_CORNER, |_, field, right| {
                 let moved = numbers(&right["image"])?.into_iter().map(|x| x - 0.5).collect();
                 (field == "image").then_some(moved)
             }),

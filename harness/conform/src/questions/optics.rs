@@ -61,8 +61,10 @@ fn fresnel(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             super::change(data(question)?, "/eta", |eta| 1.0 / eta)
         })],
         answers: &[
-            (&m::ONLY_S, |_, field, right| component(field, right, "r_s", "t_s")),
-            (&m::ONLY_P, |_, field, right| component(field, right, "r_p", "t_p")),
+            (&m::FRESNEL_PERPENDICULAR_ONLY, |_, field, right| {
+                component(field, right, "r_s", "t_s")
+            }),
+            (&m::FRESNEL_PARALLEL_ONLY, |_, field, right| component(field, right, "r_p", "t_p")),
             (&m::SCHLICK, |question, field, _| schlick(question, field)),
             (&m::MEAN_OF_AMPLITUDES, |_, field, right| {
                 let mean = 0.5 * (number(&right["r_s"])?.sqrt() + number(&right["r_p"])?.sqrt());
@@ -189,7 +191,7 @@ fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
                     if wo.z() < 0.0 { (-Vector::Z, 1.0 / eta) } else { (Vector::Z, eta) };
                 (field == "sample.wi").then(|| wrong_sign(wo, n, eta))?
             }),
-            (&m::HALF_VECTOR, |question, field, right| {
+            (&m::HIGHLIGHT_OF_HALF_VECTOR, |question, field, right| {
                 let asked = &question["lobe"];
                 let e = asked["lobe"]["glossy_specular"]["exponent"].as_f64()?;
                 let [wi, wo] = ["wi", "wo"].map(|it| triple(&asked[it]).map(Vector::from));

@@ -149,7 +149,7 @@ fn texture(question: &Value, answer: &Value, profile: Profile) -> Judgement {
         needed: &[],
         free: &[],
         questions: &[
-            (&m::SWAPPED_COLORS, |question| {
+            (&m::TEXTURE_COLOURS_EXCHANGED, |question| {
                 swap(only(&mut data(question)?["texture"])?, "/color1", "/color2")
             }),
             (&m::NO_SIZE, |question| {
@@ -172,7 +172,7 @@ fn texture(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::FLIP_Y, |question| change(data(question)?, "/point/1", |x| -x)),
             (&m::FLIP_Z, |question| change(data(question)?, "/point/2", |x| -x)),
         ],
-        answers: &[(&m::TRUNCATED_FLOOR, |question, _, _| {
+        answers: &[(&m::CHECKER_TRUNCATED, |question, _, _| {
             let asked = &question["texture"];
             truncated(&asked["texture"], triple(&asked["point"])?)
         })],

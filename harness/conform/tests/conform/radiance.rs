@@ -262,19 +262,23 @@ const PLANTED: &[Planted] = &[
         let depth = &mut data["scene"]["tracer"]["path_trace"]["max_depth"];
         *depth = json!(depth.as_u64().unwrap_or(0) + 1);
     }),
-    ("radiance.transparent.box", Some("kr and kt are exchanged"), |data| {
-        of_kind(data, "materials", "recipe", "transparent", |it| {
-            let (kr, kt) = (it["kr"].take(), it["kt"].take());
-            it["kr"] = kt;
-            it["kt"] = kr;
-        });
-    }),
+    (
+        "radiance.transparent.box",
+        Some("k_r and k_t of transparent surfaces are exchanged"),
+        |data| {
+            of_kind(data, "materials", "recipe", "transparent", |it| {
+                let (kr, kt) = (it["kr"].take(), it["kt"].take());
+                it["kr"] = kt;
+                it["kt"] = kr;
+            });
+        },
+    ),
     ("radiance.dielectric.nested", Some("taken for air"), |data| {
         of_kind(data, "materials", "recipe", "dielectric", |it| {
             it.as_object_mut().map(|it| it.remove("outside"));
         });
     }),
-    ("radiance.lights.several", Some("by kd instead of ka"), |data| {
+    ("radiance.lights.several", Some("k_d instead of k_a"), |data| {
         for kind in ["matte", "phong"] {
             of_kind(data, "materials", "recipe", kind, |it| it["ka"] = it["kd"].clone());
         }

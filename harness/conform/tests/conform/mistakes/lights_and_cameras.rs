@@ -57,7 +57,7 @@ pub fn planted_here() -> Vec<Planted> {
         planted(
             "the whole angle of a fisheye",
             &["camera_ray.fisheye.values"],
-            Some(&m::WHOLE_ANGLE),
+            Some(&m::WHOLE_FIELD_OF_VIEW),
             |q, mut a| {
                 let mut axis = q.clone();
                 axis["camera_ray"]["image"] = json!({"width": 1, "height": 1});
@@ -94,7 +94,7 @@ pub fn planted_here() -> Vec<Planted> {
                 }
             })
         }),
-        planted("corners of pixels", PINHOLE, Some(&m::CORNERS), |q, _| moved_half(q)),
+        planted("corners of pixels", PINHOLE, Some(&m::PIXEL_CORNER), |q, _| moved_half(q)),
         planted("rows from the bottom", PINHOLE, Some(&m::UPSIDE_DOWN), |q, _| {
             instead(q, |data| {
                 let height = data["image"]["height"].as_u64().unwrap_or(1);
@@ -181,10 +181,15 @@ pub fn planted_here() -> Vec<Planted> {
                 a
             },
         ),
-        planted("seen half a pixel off", &["project.pinhole"], Some(&m::CORNERS), |_, mut a| {
-            at(&mut a, "/image", |x| x - 0.5);
-            a
-        }),
+        planted(
+            "seen half a pixel off",
+            &["project.pinhole"],
+            Some(&m::PIXEL_CORNER),
+            |_, mut a| {
+                at(&mut a, "/image", |x| x - 0.5);
+                a
+            },
+        ),
         planted("seen upside down", &["project.pinhole"], Some(&m::UPSIDE_DOWN), |q, mut a| {
             let height = data(q)["image"]["height"].as_f64().unwrap_or(1.0);
             at(&mut a, "/image/1", |y| height - y);

@@ -21,13 +21,13 @@ pub fn planted_here() -> Vec<Planted> {
         planted(
             "one polarisation (s)",
             FRESNEL,
-            Some(&m::ONLY_S),
+            Some(&m::FRESNEL_PERPENDICULAR_ONLY),
             |_, a| json!({"reflected": a["r_s"], "transmitted": a["t_s"]}),
         ),
         planted(
             "one polarisation (p)",
             FRESNEL,
-            Some(&m::ONLY_P),
+            Some(&m::FRESNEL_PARALLEL_ONLY),
             |_, a| json!({"reflected": a["r_p"], "transmitted": a["t_p"]}),
         ),
         planted("Schlick", &["fresnel.cosine"], Some(&m::SCHLICK), |q, _| {

@@ -339,7 +339,7 @@ pub fn planted_here() -> Vec<Planted> {
         planted(
             "occluders beyond the lamp",
             &["occluded.sphere", "occluded.triangle"],
-            Some(&m::OCCLUDER_BEYOND),
+            Some(&m::SHADOW_RAYS_WITHOUT_END),
             |q, _| {
                 instead(q, |data| {
                     let [from, to] = ["from", "to"].map(|end| vector(&data["segment"][end]));

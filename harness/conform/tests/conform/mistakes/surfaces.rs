@@ -13,7 +13,7 @@ pub fn planted_here() -> Vec<Planted> {
         planted(
             "colours of the checker exchanged",
             &["texture.checker3d"],
-            Some(&m::SWAPPED_COLORS),
+            Some(&m::TEXTURE_COLOURS_EXCHANGED),
             |q, _| {
                 instead(q, |data| {
                     let it = only(&mut data["texture"]);
@@ -26,7 +26,7 @@ pub fn planted_here() -> Vec<Planted> {
         planted(
             "truncated for rounded down",
             &["texture.checker3d"],
-            Some(&m::TRUNCATED_FLOOR),
+            Some(&m::CHECKER_TRUNCATED),
             |q, _| {
                 let checker = &data(q)["texture"]["checker3d"];
                 let size = checker["size"].as_f64().unwrap_or(1.0);
@@ -42,7 +42,7 @@ pub fn planted_here() -> Vec<Planted> {
         planted(
             "truncated in the plane",
             &["texture.plane_checker.values"],
-            Some(&m::TRUNCATED_FLOOR),
+            Some(&m::CHECKER_TRUNCATED),
             |q, a| {
                 let checker = &data(q)["texture"]["plane_checker"];
                 let size = checker["size"].as_f64().unwrap_or(1.0);
