@@ -28,25 +28,7 @@ pub fn families() -> Vec<Family> {
         };
         let middles = move |draw: &mut Draw| middle_question(draw, &for_middles);
         let rays = move |draw: &mut Draw| ray_question(draw, &for_rays);
-        let points = move |draw: &mut Draw| {
-            let mut question = ray_question(draw, &for_points)["camera_ray"].take();
-            if draw.coin() {
-                question["camera"]["roll"] = json!(round(draw.between(-90.0, 90.0)));
-            }
-            // through the centre of the lens
-            question.as_object_mut().map(|fields| fields.remove("lens"));
-            // on the ray of a pixel; some behind the camera, some beside
-            let ray = ours(&json!({"camera_ray": question})).unwrap_or_default();
-            let [origin, along] =
-                ["origin", "direction"].map(|it| triple(&ray[it]).unwrap_or_default());
-            let ahead = draw.between(1.0, 8.0) * draw.pick(&[1.0, 1.0, 1.0, 1.0, 1.0, -1.0]);
-            let reach = draw.pick(&[0.0, 0.0, 0.0, 1.0]);
-            let aside = draw.vector(reach).to_array();
-            let point: [f64; 3] =
-                std::array::from_fn(|i| origin[i] + ahead * along[i] + ahead * aside[i]);
-            let (camera, image) = (question["camera"].take(), question["image"].take());
-            json!({"project": {"camera": camera, "image": image, "point": point}})
-        };
+        let points = move |draw: &mut Draw| point_question(draw, &for_points);
         let ray = Judge::Answer(camera_ray);
         let point = Judge::Answer(project);
         all.push(family(&format!("camera_ray.{tag}.values"), &about, chapter, ray, rays));
@@ -58,24 +40,39 @@ pub fn families() -> Vec<Family> {
         }
         all.push(family(&format!("project.{tag}.values"), &about, chapter, point, points));
     }
-    let pinhole = [json!({"pinhole": {"distance": 4.0}})];
-    all.push(family(
-        "camera_ray.stereo.values",
-        "cameras/stereo",
-        "ch12",
-        Judge::Answer(camera_ray),
-        move |draw| {
-            let mut question = ray_question(draw, &pinhole);
-            let [viewing, eye] =
-                [["parallel", "transverse"], ["left", "right"]].map(|of| draw.pick(&of));
-            let data = &mut question["camera_ray"];
-            data["camera"]["stereo"] =
-                json!({"viewing": viewing, "separation": round(draw.between(1.0, 8.0))});
-            data["eye"] = json!(eye);
-            question
-        },
-    ));
+    let stereo = Judge::Answer(camera_ray);
+    all.push(family("camera_ray.stereo.values", "cameras/stereo", "ch12", stereo, stereo_question));
     all
+}
+
+/// A ray of one eye.
+fn stereo_question(draw: &mut Draw) -> Value {
+    let pinhole = [json!({"pinhole": {"distance": 4.0}})];
+    let mut question = ray_question(draw, &pinhole);
+    let [viewing, eye] = [["parallel", "transverse"], ["left", "right"]].map(|of| draw.pick(&of));
+    let data = &mut question["camera_ray"];
+    data["camera"]["stereo"] =
+        json!({"viewing": viewing, "separation": round(draw.between(1.0, 8.0))});
+    data["eye"] = json!(eye);
+    question
+}
+
+/// Where a point is seen: most are on the ray of a pixel, some behind the camera, some beside.
+fn point_question(draw: &mut Draw, lenses: &[Value]) -> Value {
+    let mut question = ray_question(draw, lenses)["camera_ray"].take();
+    if draw.coin() {
+        question["camera"]["roll"] = json!(round(draw.between(-90.0, 90.0)));
+    }
+    // through the centre of the lens
+    question.as_object_mut().map(|fields| fields.remove("lens"));
+    let ray = ours(&json!({"camera_ray": question})).unwrap_or_default();
+    let [origin, along] = ["origin", "direction"].map(|it| triple(&ray[it]).unwrap_or_default());
+    let ahead = draw.between(1.0, 8.0) * draw.pick(&[1.0, 1.0, 1.0, 1.0, 1.0, -1.0]);
+    let reach = draw.pick(&[0.0, 0.0, 0.0, 1.0]);
+    let aside = draw.vector(reach).to_array();
+    let point: [f64; 3] = std::array::from_fn(|i| origin[i] + ahead * along[i] + ahead * aside[i]);
+    let (camera, image) = (question["camera"].take(), question["image"].take());
+    json!({"project": {"camera": camera, "image": image, "point": point}})
 }
 
 /// A ray through a pixel of a small picture, most of them through its middle.
