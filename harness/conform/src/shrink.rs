@@ -196,25 +196,37 @@ fn candidates(question: &Value) -> Vec<Value> {
             with(path, &|slot| *slot = of.clone());
         }
     }
-    for (path, value) in &paths {
-        match value {
-            Value::Object(fields) if path.matches('/').count() > 0 => {
-                for key in fields.keys() {
-                    with(path, &|slot| {
-                        slot.as_object_mut().map(|fields| fields.remove(key));
-                    });
-                }
+    paths.iter().for_each(|(path, value)| without_parts(path, value, &mut with));
+    paths.iter().for_each(|(path, value)| simpler_triples(path, value, &mut with));
+    paths.iter().for_each(|(path, value)| simpler_numbers(path, value, &mut with));
+    all
+}
+
+/// Takes the path of a value in the question, and a change of it.
+type With<'a> = dyn FnMut(&str, &dyn Fn(&mut Value)) + 'a;
+
+/// A table without one of its fields, a list without one of its items.
+fn without_parts(path: &str, value: &Value, with: &mut With<'_>) {
+    match value {
+        Value::Object(fields) if path.matches('/').count() > 0 => {
+            for key in fields.keys() {
+                with(path, &|slot| {
+                    slot.as_object_mut().map(|fields| fields.remove(key));
+                });
             }
-            Value::Array(items) if triple(value).is_none() => {
-                for i in 0..items.len() {
-                    with(path, &|slot| {
-                        slot.as_array_mut().map(|items| items.remove(i));
-                    });
-                }
-            }
-            _ => {}
         }
+        Value::Array(items) if triple(value).is_none() => {
+            for i in 0..items.len() {
+                with(path, &|slot| {
+                    slot.as_array_mut().map(|items| items.remove(i));
+                });
+            }
+        }
+        _ => {}
     }
+}
+
+fn simpler_triples(path: &str, value: &Value, with: &mut With<'_>) {
     const DIRECTIONS: [[f64; 3]; 8] = [
         [0.0, 0.0, 0.0],
         [0.0, 0.0, 1.0],
@@ -226,23 +238,21 @@ fn candidates(question: &Value) -> Vec<Value> {
         [1.0, 1.0, 1.0],
     ];
     let rank = |v: &[f64; 3]| v.iter().map(|x| weight(*x)).sum::<u32>();
-    for (path, value) in &paths {
-        let Some(vector) = triple(value) else { continue };
-        for simple in DIRECTIONS.iter().filter(|simple| rank(simple) < rank(&vector)) {
-            with(path, &|slot| *slot = json!(simple));
-        }
+    let Some(vector) = triple(value) else { return };
+    for simple in DIRECTIONS.iter().filter(|simple| rank(simple) < rank(&vector)) {
+        with(path, &|slot| *slot = json!(simple));
     }
-    for (path, value) in &paths {
-        let Value::Number(number) = value else { continue };
-        let is_whole = number.is_u64() || number.is_i64();
-        let Some(x) = number.as_f64() else { continue };
-        let simple = [0.0, 1.0, -1.0, x.trunc(), x.round()].into_iter();
-        let decimals = [10.0, 100.0, 1000.0].into_iter().map(|scale| (x * scale).round() / scale);
-        for y in simple.chain(decimals).filter(|y| weight(*y) < weight(x)) {
-            with(path, &|slot| *slot = if is_whole { json!(y as i64) } else { json!(y) });
-        }
+}
+
+fn simpler_numbers(path: &str, value: &Value, with: &mut With<'_>) {
+    let Value::Number(number) = value else { return };
+    let is_whole = number.is_u64() || number.is_i64();
+    let Some(x) = number.as_f64() else { return };
+    let simple = [0.0, 1.0, -1.0, x.trunc(), x.round()].into_iter();
+    let decimals = [10.0, 100.0, 1000.0].into_iter().map(|scale| (x * scale).round() / scale);
+    for y in simple.chain(decimals).filter(|y| weight(*y) < weight(x)) {
+        with(path, &|slot| *slot = if is_whole { json!(y as i64) } else { json!(y) });
     }
-    all
 }
 
 /// How much a number has to be read: 0, then ±1, then the number of its digits.

@@ -7,6 +7,7 @@ mod exact;
 mod harmless;
 mod lines;
 mod mistakes;
+mod planted_scenes;
 mod radiance;
 mod runs;
 mod scenes;

@@ -127,7 +127,7 @@ pub fn is_turned_by_the_book(shape: &Shape) -> bool {
 /// What explains an occluder where none is between the ends.
 pub fn of_occlusion(question: &Question) -> Clues {
     let is_beyond = roots_of_line(question).iter().any(|t| *t > 1.0);
-    if is_beyond { vec![&m::OCCLUDER_BEYOND] } else { Vec::new() }
+    if is_beyond { vec![&m::SHADOW_RAYS_WITHOUT_END] } else { Vec::new() }
 }
 
 /// Whether the shape is closed, or curved with a concave side: not a flat sheet.

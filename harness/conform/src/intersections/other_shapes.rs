@@ -9,7 +9,7 @@ use super::super::subject::ours;
 type Other = (Mistake, fn(&mut Map<String, Value>) -> Option<()>);
 
 const fn mistake(name: &'static str, place: &'static str) -> Mistake {
-    Mistake { name, place, scene: None }
+    Mistake::of_answers(name, place, None)
 }
 
 static OTHERS: [Other; 14] = [

@@ -69,7 +69,7 @@ pub fn interpolates(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Fou
             let mut named: Vec<&Mistake> =
                 other_fractions(fractions).into_iter().filter(gives).map(|(it, _)| it).collect();
             if is_truncated(ask, case, (first, weights), of, theirs)? {
-                named.push(&m::TRUNCATED_FLOOR);
+                named.push(&m::CHECKER_TRUNCATED);
             }
             return Ok(judged.with(named));
         }

@@ -61,7 +61,7 @@ pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
         return Ok(match sample.is_null() {
             true => Judgement::Right(0.0),
             false => Judgement::wrong("light from the dark side", f64::INFINITY, text)
-                .with([&mistakes::DARK_SIDE]),
+                .with([&mistakes::LAMP_TWO_SIDED]),
         });
     }
     if sample.is_null() {
@@ -79,8 +79,7 @@ pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
     let Some(distance) = number(&sample["distance"]) else { return missing("distance") };
     let slack = if profile == Profile::Book { 1e-3 } else { 1e-6 };
     let Some(meeting) = lamp.meeting(from, direction, distance, slack) else {
-        let text = "a direction towards the lamp";
-        return Ok(Judgement::wrong("direction", f64::INFINITY, text));
+        return Ok(Judgement::wrong("direction", f64::INFINITY, "a direction towards the lamp"));
     };
     // the sample moves its end off the lamp by a few roundings of coordinates
     let off = (meeting.t - distance).abs() / (meeting.t + 10.0) / 4096.0;
@@ -98,28 +97,40 @@ pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
         Some(angle) => 1.0 / angle,
         None => return Ok(Judgement::Undecided),
     };
+    match lamp_density(&lamp, (pdf, density), (cosine, meeting.t), profile) {
+        Judgement::Right(_) => {
+            Ok(lamp_radiance(asked, &sample, &meeting.local.to_array(), profile))
+        }
+        wrong => Ok(wrong),
+    }
+}
+
+/// Whether the pdf is this density, of a sample at distance `t`, whose cosine at the lamp is this; and which mistakes
+/// give it if not.
+fn lamp_density(
+    lamp: &Lamp,
+    (pdf, density): (f64, f64),
+    (cosine, t): (f64, f64),
+    profile: Profile,
+) -> Judgement {
     // roundings of the direction over the cosine; those of angles over a small solid angle
     let off = (pdf - density).abs() / density / (64.0 / cosine + 64.0 * density);
     let right = || format!("pdf = {density:?}, per steradian");
     let mut judgement =
         within(profile, "pdf", if off.is_nan() { f64::INFINITY } else { off }, right);
-    if let Judgement::Wrong(wrong) = &mut judgement {
-        wrong.ratio = Some(pdf / density);
-        let by_area = meeting.t * meeting.t / (cosine * lamp.area());
-        let mut others = vec![
-            (&mistakes::LAMP_NO_COSINE, density * cosine),
-            (&mistakes::LAMP_NO_DISTANCE, density / (meeting.t * meeting.t)),
-            (&mistakes::LAMP_PER_AREA, 1.0 / lamp.area()),
-            (&mistakes::LAMP_NO_AREA, density * lamp.area()),
-            (&mistakes::LAMP_BY_AREA, by_area),
-            (&mistakes::LAMP_INNER_AREA, density * lamp.area() / lamp.inner_area()),
-        ];
-        others
-            .extend(lamp.area_ratios().map(|ratio| (&mistakes::LAMP_ROUND_AREA, density * ratio)));
-        others.retain(|(_, other)| mistakes::same(&[pdf], &[*other]));
-        return Ok(judgement.with(others.into_iter().map(|(mistake, _)| mistake)));
-    }
-    Ok(lamp_radiance(asked, &sample, &meeting.local.to_array(), profile))
+    let Judgement::Wrong(wrong) = &mut judgement else { return judgement };
+    wrong.ratio = Some(pdf / density);
+    let mut others = vec![
+        (&mistakes::NO_LAMP_COSINE, density * cosine),
+        (&mistakes::NO_LAMP_DISTANCE, density / (t * t)),
+        (&mistakes::LAMP_PER_AREA, 1.0 / lamp.area()),
+        (&mistakes::NO_LAMP_AREA, density * lamp.area()),
+        (&mistakes::LAMP_BY_AREA, t * t / (cosine * lamp.area())),
+        (&mistakes::LAMP_INNER_AREA, density * lamp.area() / lamp.inner_area()),
+    ];
+    others.extend(lamp.area_ratios().map(|ratio| (&mistakes::LAMP_ROUND_AREA, density * ratio)));
+    others.retain(|(_, other)| mistakes::same(&[pdf], &[*other]));
+    judgement.with(others.into_iter().map(|(mistake, _)| mistake))
 }
 
 /// Whether there is a sample for some of all `u`.

@@ -12,14 +12,102 @@ use super::{Found, color, missing, relative, within};
 use groundtruth::math::{Normal, Vector, floor, sin};
 
 /// The name of a sum, its right value, and what mistakes make of it.
-type Expected<'a> = (&'static str, f64, &'a [(&'static Mistake, f64)]);
+type Expected = (&'static str, f64, Vec<(&'static Mistake, f64)>);
+
+/// `bʲ`.
+fn power(base: f64, j: i32) -> f64 {
+    (0..j).fold(1.0, |product, _| product * base)
+}
+
+/// `Σ gʲ xⱼ`.
+fn sum(gain: f64, values: &[f64]) -> f64 {
+    (0..).zip(values).map(|(j, value)| power(gain, j) * value).sum()
+}
+
+/// From −bound … bound to 0 … 1.
+fn shifted(sum: f64, bound: f64) -> f64 {
+    (sum + bound) / (2.0 * bound)
+}
+
+/// The values of a program's single octaves at a point.
+struct Octaves<'a> {
+    gain: f64,
+    lacunarity: f64,
+    /// `noise(2ʲ p)`.
+    halves: &'a [f64],
+    /// `noise(lʲ p)` with the lacunarity l.
+    others: &'a [f64],
+    /// `noise(gʲ p)` with the gain g.
+    by_gain: &'a [f64],
+}
+
+impl Octaves<'_> {
+    /// The largest sum that values within ±1 can have.
+    fn bound(&self, gain: f64) -> f64 {
+        sum(gain, &vec![1.0; self.halves.len()])
+    }
+
+    /// The sum of all octaves but the last, and the bound of such a sum.
+    fn less(&self, gain: f64, values: &[f64]) -> [f64; 2] {
+        let last = values.len() - 1;
+        [sum(gain, &values[..last]), sum(gain, &vec![1.0; last])]
+    }
+
+    fn fractal_sum(&self) -> Expected {
+        let (bare, bound) = (sum(0.5, self.halves), self.bound(0.5));
+        let [less, bound_of_less] = self.less(0.5, self.halves);
+        let mistaken = vec![
+            (&m::SUM_NOT_SCALED, bare),
+            (&m::SCALED_BY_MAX, (bare + bound) / bound),
+            (&m::ONE_OCTAVE, shifted(self.halves[0], 1.0)),
+            (&m::ONE_OCTAVE_LESS, shifted(less, bound)),
+            (&m::ONE_OCTAVE_LESS, shifted(less, bound_of_less)),
+        ];
+        ("fractal_sum", shifted(bare, bound), mistaken)
+    }
+
+    fn turbulence(&self) -> Expected {
+        let absolute: Vec<f64> = self.halves.iter().map(|x| x.abs()).collect();
+        let (bare, bound) = (sum(0.5, self.halves), self.bound(0.5));
+        let [less, bound_of_less] = self.less(0.5, &absolute);
+        let mistaken = vec![
+            (&m::NO_ABSOLUTE, bare / bound),
+            (&m::NO_ABSOLUTE, shifted(bare, bound)),
+            (&m::SUM_NOT_SCALED, sum(0.5, &absolute)),
+            (&m::ONE_OCTAVE_LESS, less / bound),
+            (&m::ONE_OCTAVE_LESS, less / bound_of_less),
+        ];
+        ("turbulence", sum(0.5, &absolute) / bound, mistaken)
+    }
+
+    fn fbm(&self) -> Expected {
+        let &Self { gain, lacunarity, halves, others, by_gain } = self;
+        let (bare, bound) = (sum(gain, others), self.bound(gain));
+        let [less, bound_of_less] = self.less(gain, others);
+        let exchanged = sum(lacunarity, by_gain);
+        let mistaken = vec![
+            (&m::NO_GAIN, shifted(sum(0.5, others), self.bound(0.5))),
+            (&m::NO_GAIN, shifted(sum(0.5, others), bound)),
+            (&m::NO_LACUNARITY, shifted(sum(gain, halves), bound)),
+            (&m::SUM_NOT_SCALED, bare),
+            (&m::SCALED_BY_MAX, (bare + bound) / bound),
+            (&m::ONE_OCTAVE, shifted(others[0], 1.0)),
+            (&m::ONE_OCTAVE_LESS, shifted(less, bound)),
+            (&m::ONE_OCTAVE_LESS, shifted(less, bound_of_less)),
+            (&m::NO_EXPONENT_OF_GAIN, shifted(bare, self.bound(0.5))),
+            (&m::GAIN_FOR_LACUNARITY, shifted(exchanged, self.bound(lacunarity))),
+            (&m::GAIN_FOR_LACUNARITY, shifted(exchanged, bound)),
+        ];
+        ("fbm", shifted(bare, bound), mistaken)
+    }
+}
 
 /// Law: sums of octaves, from single octaves: `Σ gʲ noise(lʲ p)`, with g = 1/2 and l = 2 but for fBm, scaled from their
 /// bounds to 0 … 1. The case is a `noise`.
 pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
     let noise = &case["noise"]["noise"];
     let Some(point) = triple(&case["noise"]["point"]) else { return Ok(Judgement::Undecided) };
-    let octaves = noise["octaves"].as_u64().unwrap_or(1) as i32;
+    let octaves = noise["octaves"].as_u64().unwrap_or(1) as usize;
     let field = |name: &str, other: f64| noise[name].as_f64().unwrap_or(other);
     let (gain, lacunarity) = (field("gain", 0.5), field("lacunarity", 2.0));
     let single = |frequency: f64| {
@@ -28,100 +116,52 @@ pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
         question["noise"]["point"] = json!(point.map(|x| frequency * x));
         question
     };
-    let power = |base: f64, j: i32| (0..j).fold(1.0, |product, _| product * base);
     let mut questions = vec![case.clone()];
     for base in [2.0, lacunarity, gain] {
-        questions.extend((0..octaves).map(|j| single(power(base, j))));
+        questions.extend((0..octaves as i32).map(|j| single(power(base, j))));
     }
     let answers = ask.ask_all(&questions)?;
     ask.asked.truncate(1);
     let values: Option<Vec<f64>> =
         answers[1..].iter().map(|answer| number(&answer["value"])).collect();
     let Some(values) = values else { return missing("value") };
-    let lists: Vec<&[f64]> = values.chunks(octaves as usize).collect();
+    let lists: Vec<&[f64]> = values.chunks(octaves).collect();
     let [halves, others, by_gain] = lists[..] else { return missing("value") };
-    let sum = |gain: f64, values: &[f64]| -> f64 {
-        (0..octaves).zip(values).map(|(j, value)| power(gain, j) * value).sum()
-    };
-    let ones = vec![1.0; octaves as usize];
-    let bound = |gain: f64| sum(gain, &ones);
-    let absolute: Vec<f64> = halves.iter().map(|x| x.abs()).collect();
-    let shifted = |sum: f64, bound: f64| (sum + bound) / (2.0 * bound);
-    let bare = sum(0.5, halves);
-    let of_fbm = sum(gain, others);
-    // without the last octave
-    let less = |list: &[f64], gain: f64| {
-        sum(gain, list) - power(gain, octaves - 1) * list[octaves as usize - 1]
-    };
-    let expected: [Expected<'_>; 3] = [
-        (
-            "fractal_sum",
-            shifted(bare, bound(0.5)),
-            &[
-                (&m::SUM_NOT_SCALED, bare),
-                (&m::SCALED_BY_MAX, (bare + bound(0.5)) / bound(0.5)),
-                (&m::ONE_OCTAVE, shifted(halves[0], 1.0)),
-                (&m::OCTAVE_LESS, shifted(less(halves, 0.5), bound(0.5))),
-                (&m::OCTAVE_LESS, shifted(less(halves, 0.5), less(&ones, 0.5))),
-            ],
-        ),
-        (
-            "turbulence",
-            sum(0.5, &absolute) / bound(0.5),
-            &[
-                (&m::NO_ABSOLUTE, bare / bound(0.5)),
-                (&m::NO_ABSOLUTE, shifted(bare, bound(0.5))),
-                (&m::SUM_NOT_SCALED, sum(0.5, &absolute)),
-                (&m::OCTAVE_LESS, less(&absolute, 0.5) / bound(0.5)),
-                (&m::OCTAVE_LESS, less(&absolute, 0.5) / less(&ones, 0.5)),
-            ],
-        ),
-        (
-            "fbm",
-            shifted(of_fbm, bound(gain)),
-            &[
-                (&m::NO_GAIN, shifted(sum(0.5, others), bound(0.5))),
-                (&m::NO_GAIN, shifted(sum(0.5, others), bound(gain))),
-                (&m::NO_LACUNARITY, shifted(sum(gain, halves), bound(gain))),
-                (&m::SUM_NOT_SCALED, of_fbm),
-                (&m::SCALED_BY_MAX, (of_fbm + bound(gain)) / bound(gain)),
-                (&m::ONE_OCTAVE, shifted(others[0], 1.0)),
-                (&m::OCTAVE_LESS, shifted(less(others, gain), bound(gain))),
-                (&m::OCTAVE_LESS, shifted(less(others, gain), less(&ones, gain))),
-                (&m::NO_EXPONENT_OF_GAIN, shifted(of_fbm, bound(0.5))),
-                (&m::GAIN_FOR_LACUNARITY, shifted(sum(lacunarity, by_gain), bound(lacunarity))),
-                (&m::GAIN_FOR_LACUNARITY, shifted(sum(lacunarity, by_gain), bound(gain))),
-            ],
-        ),
-    ];
-    for (name, right, others) in expected {
+    let its = Octaves { gain, lacunarity, halves, others, by_gain };
+    for (name, right, mistaken) in [its.fractal_sum(), its.turbulence(), its.fbm()] {
         let Some(theirs) = answers[0].get(name) else { continue };
         let theirs = number(theirs).unwrap_or(f64::NAN);
         let judged = within(profile, name, (theirs - right).abs() / TERMS, || {
             format!("{name} = {right:?}, of {octaves} octaves of its own")
         });
         if !judged.is_right() {
-            let gives = others.iter().filter(|(_, other)| m::same(&[theirs], &[*other]));
+            let gives = mistaken.iter().filter(|(_, other)| m::same(&[theirs], &[*other]));
             return Ok(judged.with(gives.map(|(mistake, _)| *mistake)));
         }
     }
-    let vectors: Option<Vec<[f64; 3]>> = answers[1 + octaves as usize..][..octaves as usize]
-        .iter()
-        .map(|answer| triple(&answer["vector"]))
-        .collect();
-    if let (Some(vectors), Some(theirs)) = (vectors, answers[0].get("vector_fbm")) {
-        let theirs = triple(theirs).unwrap_or([f64::NAN; 3]);
-        let along = |i: usize| sum(gain, &vectors.iter().map(|v| v[i]).collect::<Vec<_>>());
-        let right: [f64; 3] = std::array::from_fn(along);
-        let off = farthest(theirs, right);
-        let judged = within(profile, "vector_fbm", off / (TERMS * bound(gain)), || {
-            format!("vector_fbm = {right:?}, of {octaves} octaves of its own")
-        });
-        if !judged.is_right() {
-            return Ok(judged);
-        }
-    }
-    Ok(Judgement::Right(0.0))
+    let single_vectors = &answers[1 + octaves..][..octaves];
+    Ok(vectors_add_up(&answers[0], single_vectors, (gain, its.bound(gain)), profile))
+}
+
+/// As [`octaves_add_up`], of `vector_fbm` and the vectors of single octaves; right if the answer has none.
+fn vectors_add_up(
+    answer: &Value,
+    octaves: &[Value],
+    (gain, bound): (f64, f64),
+    profile: Profile,
+) -> Judgement {
+    let vectors: Option<Vec<[f64; 3]>> =
+        octaves.iter().map(|answer| triple(&answer["vector"])).collect();
+    let (Some(vectors), Some(theirs)) = (vectors, answer.get("vector_fbm")) else {
+        return Judgement::Right(0.0);
+    };
+    let theirs = triple(theirs).unwrap_or([f64::NAN; 3]);
+    let along = |i: usize| sum(gain, &vectors.iter().map(|v| v[i]).collect::<Vec<_>>());
+    let right: [f64; 3] = std::array::from_fn(along);
+    let judged = within(profile, "vector_fbm", farthest(theirs, right) / (TERMS * bound), || {
+        format!("vector_fbm = {right:?}, of {} octaves of its own", vectors.len())
+    });
+    if judged.is_right() { Judgement::Right(0.0) } else { judged }
 }
 
 /// A noise texture's noise at a point of its `texture` question, as this program answers it.

@@ -1,37 +1,96 @@
 //! Mistakes that people make, each with its place in the book; and how wrong answers give them away.
 //!
+//! Those of which a picture can be made are entries of the catalogue, [`judge::mistakes::known`]; the others are told by
+//! numbers alone.
+//!
 //! A judge lists, for one wrong answer, the mistakes that give exactly this answer. A family is named by the few
 //! mistakes that explain most of its wrong answers, each with how many it explains.
 
 mod clues;
 mod names;
 
+use judge::mistakes::known::{self, Known};
+use judge::mistakes::{find, scenes_that_show};
+
 pub use clues::{clues, clues_of_color, ratio, same};
 pub use names::{Name, always, names};
 
 /// A mistake.
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
 pub struct Mistake {
     /// What was done.
     pub name: &'static str,
     /// Where the book has it right, or what to read.
     pub place: &'static str,
-    /// A scene of the gallery in whose picture it shows.
+    /// A scene of the gallery in whose picture it shows; of entries of the catalogue the table has it.
     pub scene: Option<&'static str>,
+    /// The name of its entry in the catalogue, as `verify` and `mistakes` print it.
+    pub picture: Option<&'static str>,
+}
+
+impl Mistake {
+    /// A mistake that only answers tell.
+    pub const fn of_answers(
+        name: &'static str,
+        place: &'static str,
+        scene: Option<&'static str>,
+    ) -> Self {
+        Self { name, place, scene, picture: None }
+    }
+
+    /// An entry of the catalogue, as answers of single functions tell it.
+    pub const fn of_pictures(known: &Known) -> Self {
+        let Known { name, words, place, clue, .. } = *known;
+        let told = match clue {
+            Some(clue) => clue,
+            None => words,
+        };
+        Self { name: told, place, scene: None, picture: Some(name) }
+    }
+
+    /// The scene of the gallery that shows it, or shows it best.
+    pub fn seen_in(&self) -> Option<&'static str> {
+        let best = |name| Some(scenes_that_show(find(name)?).first()?.scene);
+        self.scene.or_else(|| best(self.picture?))
+    }
+}
+
+/// Two are the same if they are of one entry of the catalogue, in whichever words they are told.
+impl PartialEq for Mistake {
+    fn eq(&self, other: &Self) -> bool {
+        match (self.picture, other.picture) {
+            (None, None) => (self.name, self.place) == (other.name, other.place),
+            (ours, theirs) => ours == theirs,
+        }
+    }
+}
+
+/// Entries of the catalogue that answers of single functions give away.
+macro_rules! known {
+    ($($name:ident)*) => {$(
+        #[doc = concat!("As [`known::", stringify!($name), "`].")]
+        pub static $name: Mistake = Mistake::of_pictures(&known::$name);
+    )*};
+}
+
+known! {
+    CHECKER_TRUNCATED ETA_INVERTED FLAT_SHADING FRESNEL_PARALLEL_ONLY FRESNEL_PERPENDICULAR_ONLY
+    HALF_FIELD_OF_VIEW HIGHLIGHT_OF_HALF_VECTOR LAMP_TWO_SIDED LENS_RADIUS_DOUBLED NORMAL_BY_MATRIX
+    NO_AMBIENT NO_ETA_SQUARED NO_FALL_OFF NO_LAMP_AREA NO_LAMP_COSINE NO_LAMP_DISTANCE NO_SHADOWS
+    ONE_OCTAVE_LESS PIXEL_CORNER ROLL_REVERSED SCHLICK SHADOW_RAYS_WITHOUT_END SUN_NOT_NORMALISED
+    TEXTURE_COLOURS_EXCHANGED TEXTURE_MIRRORED TEXTURE_NEAREST TEXTURE_OF_OTHER_RULE
+    TEXTURE_UPSIDE_DOWN WHOLE_FIELD_OF_VIEW
 }
 
 macro_rules! mistakes {
     ($($name:ident: $text:literal, $place:literal $(, $scene:literal)?;)*) => {
         $(
             #[doc = $text]
-            pub static $name: Mistake = Mistake {
-                name: $text,
-                place: $place,
-                scene: [$(Some($scene),)? None][0],
-            };
+            pub static $name: Mistake =
+                Mistake::of_answers($text, $place, [$(Some($scene),)? None][0]);
         )*
 
-        /// All of them.
+        /// All that only answers tell.
         pub static ALL: &[&Mistake] = &[$(&$name),*];
     };
 }
@@ -44,7 +103,6 @@ mistakes! {
     NOT_NORMALISED_LENGTH: "a direction is not normalised", "ch. 3, 9: normals and camera rays are unit";
     NEGATED: "the sign is wrong", "the sign of every component";
     TO_VIEWER: "the normal is turned to the viewer", "docs/probe.md: `normal` is geometric, never turned", "ch28/glass-sphere";
-    NORMAL_BY_MATRIX: "the normal is transformed as a vector", "ch. 21: normals go by the inverse transpose", "ch21/ellipsoid";
     NORMAL_UNTRANSFORMED: "the normal is left in object space", "ch. 21: normals go by the inverse transpose";
     INSIDE_MISSED: "hits from inside are missed", "ch. 3: if the near root is behind, test the far root", "ch28/glass-sphere";
     ONE_SIDED: "back sides are missed", "ch. 3, 19: flat shapes are hit from both sides";
@@ -61,7 +119,6 @@ mistakes! {
     CENTER_FORGOTTEN: "the centre is left out of the normal", "ch. 3: normal = (o − c + t d) / r", "ch03/three-objects";
     NEAREST_ONLY: "the nearest hit alone", "docs/probe.md: `all` asks for every root";
     SPAN_IGNORED: "the span is ignored", "docs/probe.md: hits count if min < t < max";
-    OCCLUDER_BEYOND: "occluders beyond the end count", "ch. 16: shadow rays end at the light", "ch16/shadows";
     MISSED: "hits are missed", "ch. 3, 19: is a bound, a border or ε too strict?";
     // numbers
     ZERO: "0: the value is left out", "is a term missing, or a variable never set?";
@@ -104,34 +161,23 @@ mistakes! {
     // lobes and optics
     WITH_COS: "with the cosine of the incoming direction", "ch. 13: f has no cosine", "ch14/set";
     WITHOUT_COS: "without the cosine of the incoming direction", "ch. 13, 26: the weight is f cos θ / pdf", "ch26/cornell-box";
-    NO_ETA_SQUARED: "ours × η²: 1/η² is left out", "ch. 27: radiance is divided by η² when it enters", "ch28/snell-window";
     ETA_SQUARED_TWICE: "ours / η²: 1/η² twice", "ch. 27: radiance is divided by η² when it enters", "ch28/snell-window";
     ETA_ONCE: "ours × η: 1/η for 1/η²", "ch. 27: radiance is divided by η² when it enters", "ch28/snell-window";
     REFRACTED_SIGN: "−ωo/η − (cosθt + cosθi/η) n: a sign in the refracted direction", "ch. 27: t = −ωo/η − (cosθt − cosθi/η) n", "ch27/common-set";
     EXPONENT_FOR_DENSITY: "e for e + 1 in the density", "ch. 7, 25: (e + 1) cosᵉθ / 2π";
-    ETA_INVERTED: "η upside down", "ch. 27, 28: η = η_in / η_out, inverted when the ray is inside", "ch28/snell-window";
-    ONLY_S: "light polarised across the plane of incidence alone", "ch. 28: the mean of both polarisations";
     MEAN_OF_AMPLITUDES: "the mean of the amplitudes, not of their squares", "ch. 28: kr = (r∥² + r⊥²) / 2";
     REFLECTED_INSTEAD: "the reflected direction for the refracted one", "ch. 27: t leaves behind the surface";
     ETA_MULTIPLIED: "−η ωo for −ωo/η in the refracted direction", "ch. 27: t = −ωo/η − (cosθt − cosθi/η) n", "ch27/common-set";
     INDEX_ZERO: "the index is 0, or never set: everything is reflected", "ch. 27: the constructor sets η", "ch28/glass-sphere";
-    ONLY_P: "light polarised in the plane of incidence alone", "ch. 28: the mean of both polarisations";
-    SCHLICK: "Schlick's approximation", "ch. 28: Fresnel's equations";
     SWAPPED_DIRECTIONS: "wi and wo exchanged", "ch. 13: wo points to the viewer, wi to the light";
-    HALF_VECTOR: "the half vector, (n·h)ᵉ, for the mirror direction", "ch. 15: (r·ωo)ᵉ";
     EXPONENT_OFF: "the exponent is larger by 1", "ch. 7: cosᵉθ has the density (e + 1) cosᵉθ / 2π";
     NO_EXPONENT: "the exponent is 1", "ch. 7, 15";
     // lights
     FROM_LIGHT: "the direction goes away from the light", "ch. 14: wi points to the light", "ch14/set";
-    NO_FALL_OFF: "distance attenuation is left out", "ch. 14: radiance over dⁿ";
     TIMES_DISTANCE: "the direction is not made unit", "ch. 14: wi is unit";
     DISTANCE_SQUARED: "the square of the distance", "a root is left out";
-    SUN_NOT_NORMALISED: "the sun's direction is not normalised", "ch. 14: l is unit";
     // cameras
-    WHOLE_ANGLE: "the whole angle of view for half of it", "ch. 11: ψ_max is half of the field of view";
-    QUARTER_ANGLE: "half of the angle of view is halved again", "ch. 11: ψ_max is half of the field of view";
     TURNED_BY_HALF: "the picture is turned by 180°", "ch. 9: u = up × w, v = w × u";
-    CORNERS: "the corner of the pixel for its middle", "ch. 3: x = s (c − hres/2 + 0.5)", "ch03/three-objects";
     UPSIDE_DOWN: "rows from the bottom", "docs/probe.md: row 0 is at the top";
     MIRRORED: "the picture is mirrored: columns from the right", "ch. 9: u = up × w, not w × up";
     INTEGER_HALF: "half of an odd number of pixels is rounded down", "ch. 3: hres / 2 is a real number";
@@ -139,7 +185,6 @@ mistakes! {
     PLACE_DOWN: "the place in the pixel counts from the top", "docs/probe.md: `place` starts at the lower left corner";
     NO_PIXEL_SIZE: "the pixel size is left out", "ch. 3: x = s (c − hres/2 + 0.5)";
     NO_ROLL: "the roll angle is left out", "ch. 9";
-    ROLL_REVERSED: "the camera rolls in the opposite sense", "ch. 9: a positive roll turns the camera counterclockwise";
     ZOOM_INVERTED: "the zoom is upside down", "ch. 9: the pixel size is divided by the zoom";
     NO_ZOOM: "the zoom is left out", "ch. 9: the pixel size is divided by the zoom";
     BACKWARDS: "the camera looks along +w", "ch. 9: the camera looks along −w";
@@ -158,12 +203,6 @@ mistakes! {
     REVERSED_STEPS: "the steps are applied last to first", "ch. 20: the last matrix of a product acts first", "ch21/ellipsoid";
     INVERSE_FOR_MATRIX: "the inverse for the matrix", "ch. 21: the ray goes by the inverse";
     TURNED_BACKWARDS: "rotations turn the other way", "ch. 20: counterclockwise, seen against the axis";
-    SWAPPED_COLORS: "the two colours are exchanged", "ch. 30: color1 where the sum of the three floors is even", "ch30/solid-checkers";
-    TRUNCATED_FLOOR: "numbers are truncated instead of rounded down", "ch. 30: ⌊−0.3⌋ = −1", "ch30/solid-checkers";
-    IMAGE_UPSIDE_DOWN: "the image stands on its head", "ch. 29: row 0 of a texture is at the bottom, row 0 of a file at the top", "ch29/earth";
-    IMAGE_MIRRORED: "the image is mirrored", "ch. 29: u goes to the right";
-    NEAREST_FOR_BILINEAR: "the nearest texel, without interpolation", "ch. 29: filtering";
-    BOOK_RULE: "n for n − 1 of the columns and rows, or the other way round", "docs/book-card.md: ch. 29, texels";
     NO_HALF_TEXEL: "texels are at their corners, not their middles", "ch. 29: bilinear, x = n u − 1/2";
     MIRROR_REPEATS: "a mirrored wrap repeats", "docs/scene.md: wraps";
     PROBE_TWICE: "the angle of a light probe is taken for twice itself", "ch. 29: r = α/π";
@@ -172,7 +211,6 @@ mistakes! {
     WRAPS_SWAPPED: "the wraps of u and v are exchanged", "ch. 29: wraps";
     NO_UNIT: "the unit of the mapping is left out", "ch. 29: generic objects have radius 1";
     // meshes
-    FLAT_FOR_SMOOTH: "the normal of the face, not interpolated", "ch. 23: n = (1 − β − γ) n0 + β n1 + γ n2", "ch23/smooth-sphere";
     NO_VERTEX_NORMALS: "the normals of the vertices are left out", "ch. 23";
     OTHER_CORNERS: "what is interpolated belongs to other corners: β and γ are exchanged, for instance", "ch. 23: n = (1 − β − γ) n0 + β n1 + γ n2", "ch23/smooth-sphere";
     FIRST_CORNER: "what one corner of the triangle has, not interpolated", "ch. 23: n = (1 − β − γ) n0 + β n1 + γ n2", "ch23/smooth-sphere";
@@ -184,7 +222,6 @@ mistakes! {
     // noise
     NO_EXPONENT_OF_GAIN: "the sum is scaled as for the gain 1/2", "ch. 31: fBm lies within ± (1 − gainⁿ) / (1 − gain)";
     GAIN_FOR_LACUNARITY: "gain and lacunarity are exchanged", "ch. 31: gainʲ noise(lacunarityʲ p)";
-    OCTAVE_LESS: "the last octave is left out", "ch. 31: j from 0 to n − 1";
     THRESHOLDS: "the thresholds are compared with the noise before it is expanded", "ch. 31: noise = expansion · fBm";
     NO_GAIN: "the gain is 1/2, whatever it is", "ch. 31: fBm, gainʲ";
     NO_LACUNARITY: "the lacunarity is 2, whatever it is", "ch. 31: fBm, lacunarityʲ";
@@ -203,23 +240,16 @@ mistakes! {
     SMOOTHED_FRACTIONS: "the fraction is smoothed: f² (3 − 2 f)", "ch. 31: linear noise has f itself";
     OTHER_PERMUTATION: "the permutation takes the coordinates in another order", "ch. 31: PERM(ix + PERM(iy + PERM(iz)))";
     // lights and lenses
-    LAMP_NO_COSINE: "the pdf lacks the cosine at the lamp", "ch. 18: d² / (A cos θ')", "ch18/rectangle";
-    LAMP_NO_DISTANCE: "the pdf lacks the square of the distance", "ch. 18: d² / (A cos θ')", "ch18/rectangle";
     LAMP_PER_AREA: "the pdf is 1/A: that of an area, not of a solid angle", "ch. 18: d² / (A cos θ')", "ch18/rectangle";
-    LAMP_NO_AREA: "the pdf lacks the area of the lamp", "ch. 18: d² / (A cos θ')", "ch18/rectangle";
     LAMP_INNER_AREA: "the area of the lamp is that before its transformation", "ch. 18, 21", "ch18/stretched-lamp";
     LAMP_ROUND_AREA: "the formula of the area is that of something else", "ch. 18: π r², 4π r²", "ch18/disk";
     LAMP_BY_AREA: "the pdf is that of points that are even in area", "docs/scene.md: `sampling`";
     LEAST_WITHOUT_LS: "ls is left out of what is occluded", "ch. 17: min_amount · ls · color", "ch17/corner";
-    DARK_SIDE: "lamps shine from their dark side, too", "ch. 18: no light where n·ωi ≤ 0", "ch18/rectangle";
     LENS_POINT: "the lens is a point", "ch. 10: the ray starts at the point of the lens", "ch10/near-focus";
     LENS_DIAMETER: "the radius of the lens is taken for its diameter", "ch. 10", "ch10/near-focus";
-    LENS_RADIUS: "the diameter of the lens is taken for its radius", "ch. 10", "ch10/near-focus";
     LENS_UNSCALED: "the point of the lens is not scaled by d/f", "ch. 10: p + (p − l) …, d/f of the lens point", "ch10/near-focus";
     NO_SIZE: "the size is left out", "ch. 30: coordinates over the size";
     ONE_CELL_LESS: "one cell less along each axis", "ch. 22: n = ⌊m w / s⌋ + 1";
     NO_MULTIPLIER: "the multiplier is left out", "ch. 22: m = 2";
     IN_BLACK_SHADOW: "the light is left out", "ch. 14, 16", "ch16/shadows";
-    NO_SHADOWS: "shadows are left out", "ch. 16", "ch16/shadows";
-    NO_AMBIENT: "ambient light is left out", "ch. 14: ka cd L_a is added once", "ch14/set";
 }

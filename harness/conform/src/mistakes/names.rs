@@ -165,9 +165,11 @@ fn common_factor(wrong: &[Wrong]) -> Option<f64> {
 impl std::fmt::Display for Name {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::Known { mistake: Mistake { name, place, scene }, explains, of } => {
+            Self::Known { mistake, explains, of } => {
+                let Mistake { name, place, picture, .. } = mistake;
                 write!(f, "{name} ({place}")?;
-                scene.iter().try_for_each(|scene| write!(f, "; seen in {scene}"))?;
+                picture.iter().try_for_each(|name| write!(f, "; {name} in docs/mistakes.md"))?;
+                mistake.seen_in().iter().try_for_each(|scene| write!(f, "; seen in {scene}"))?;
                 write!(f, ")")?;
                 if explains < of { write!(f, ", explains {explains} of {of}") } else { Ok(()) }
             }

@@ -28,25 +28,7 @@ pub fn families() -> Vec<Family> {
         };
         let middles = move |draw: &mut Draw| middle_question(draw, &for_middles);
         let rays = move |draw: &mut Draw| ray_question(draw, &for_rays);
-        let points = move |draw: &mut Draw| {
-            let mut question = ray_question(draw, &for_points)["camera_ray"].take();
-            if draw.coin() {
-                question["camera"]["roll"] = json!(round(draw.between(-90.0, 90.0)));
-            }
-            // through the centre of the lens
-            question.as_object_mut().map(|fields| fields.remove("lens"));
-            // on the ray of a pixel; some behind the camera, some beside
-            let ray = ours(&json!({"camera_ray": question})).unwrap_or_default();
-            let [origin, along] =
-                ["origin", "direction"].map(|it| triple(&ray[it]).unwrap_or_default());
-            let ahead = draw.between(1.0, 8.0) * draw.pick(&[1.0, 1.0, 1.0, 1.0, 1.0, -1.0]);
-            let reach = draw.pick(&[0.0, 0.0, 0.0, 1.0]);
-            let aside = draw.vector(reach).to_array();
-            let point: [f64; 3] =
-                std::array::from_fn(|i| origin[i] + ahead * along[i] + ahead * aside[i]);
-            let (camera, image) = (question["camera"].take(), question["image"].take());
-            json!({"project": {"camera": camera, "image": image, "point": point}})
-        };
+        let points = move |draw: &mut Draw| point_question(draw, &for_points);
         let ray = Judge::Answer(camera_ray);
         let point = Judge::Answer(project);
         all.push(family(&format!("camera_ray.{tag}.values"), &about, chapter, ray, rays));
@@ -58,24 +40,39 @@ pub fn families() -> Vec<Family> {
         }
         all.push(family(&format!("project.{tag}.values"), &about, chapter, point, points));
     }
-    let pinhole = [json!({"pinhole": {"distance": 4.0}})];
-    all.push(family(
-        "camera_ray.stereo.values",
-        "cameras/stereo",
-        "ch12",
-        Judge::Answer(camera_ray),
-        move |draw| {
-            let mut question = ray_question(draw, &pinhole);
-            let [viewing, eye] =
-                [["parallel", "transverse"], ["left", "right"]].map(|of| draw.pick(&of));
-            let data = &mut question["camera_ray"];
-            data["camera"]["stereo"] =
-                json!({"viewing": viewing, "separation": round(draw.between(1.0, 8.0))});
-            data["eye"] = json!(eye);
-            question
-        },
-    ));
+    let stereo = Judge::Answer(camera_ray);
+    all.push(family("camera_ray.stereo.values", "cameras/stereo", "ch12", stereo, stereo_question));
     all
+}
+
+/// A ray of one eye.
+fn stereo_question(draw: &mut Draw) -> Value {
+    let pinhole = [json!({"pinhole": {"distance": 4.0}})];
+    let mut question = ray_question(draw, &pinhole);
+    let [viewing, eye] = [["parallel", "transverse"], ["left", "right"]].map(|of| draw.pick(&of));
+    let data = &mut question["camera_ray"];
+    data["camera"]["stereo"] =
+        json!({"viewing": viewing, "separation": round(draw.between(1.0, 8.0))});
+    data["eye"] = json!(eye);
+    question
+}
+
+/// Where a point is seen: most are on the ray of a pixel, some behind the camera, some beside.
+fn point_question(draw: &mut Draw, lenses: &[Value]) -> Value {
+    let mut question = ray_question(draw, lenses)["camera_ray"].take();
+    if draw.coin() {
+        question["camera"]["roll"] = json!(round(draw.between(-90.0, 90.0)));
+    }
+    // through the centre of the lens
+    question.as_object_mut().map(|fields| fields.remove("lens"));
+    let ray = ours(&json!({"camera_ray": question})).unwrap_or_default();
+    let [origin, along] = ["origin", "direction"].map(|it| triple(&ray[it]).unwrap_or_default());
+    let ahead = draw.between(1.0, 8.0) * draw.pick(&[1.0, 1.0, 1.0, 1.0, 1.0, -1.0]);
+    let reach = draw.pick(&[0.0, 0.0, 0.0, 1.0]);
+    let aside = draw.vector(reach).to_array();
+    let point: [f64; 3] = std::array::from_fn(|i| origin[i] + ahead * along[i] + ahead * aside[i]);
+    let (camera, image) = (question["camera"].take(), question["image"].take());
+    json!({"project": {"camera": camera, "image": image, "point": point}})
 }
 
 /// A ray through a pixel of a small picture, most of them through its middle.
@@ -245,7 +242,7 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::MIRRORED, MIRRORED_ROLL),
             (&m::TURNED_BY_HALF, TURNED_BY_HALF),
             (&m::AXES_SWAPPED, AXES_SWAPPED),
-            (&m::CORNERS, CORNERS),
+            (&m::PIXEL_CORNER, CORNERS),
             (&m::INTEGER_HALF, INTEGER_HALF),
             (&m::PLACE_DOWN, |question| change(data(question)?, "/place/1", |v| 1.0 - v)),
             (&m::NO_PIXEL_SIZE, NO_PIXEL_SIZE),
@@ -256,7 +253,7 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::ZOOM_INVERTED, ZOOM_INVERTED),
             (&m::LENS_POINT, |question| lens_radius(question, 0.0)),
             (&m::LENS_DIAMETER, |question| lens_radius(question, 0.5)),
-            (&m::LENS_RADIUS, |question| lens_radius(question, 2.0)),
+            (&m::LENS_RADIUS_DOUBLED, |question| lens_radius(question, 2.0)),
             (&m::LENS_UNSCALED, |question| {
                 let lens = data(question)?.pointer_mut("/camera/lens/thin_lens")?;
                 lens["focal_distance"] = lens["distance"].clone();
@@ -264,8 +261,12 @@ fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             }),
         ],
         answers: &[
-            (&m::WHOLE_ANGLE, |question, field, right| with_angle(question, field, right, 2.0)),
-            (&m::QUARTER_ANGLE, |question, field, right| with_angle(question, field, right, 0.5)),
+            (&m::WHOLE_FIELD_OF_VIEW, |question, field, right| {
+                with_angle(question, field, right, 2.0)
+            }),
+            (&m::HALF_FIELD_OF_VIEW, |question, field, right| {
+                with_angle(question, field, right, 0.5)
+            }),
             (&m::DIVIDED_BY_ZERO_ANGLE, |question, field, right| {
                 question["camera_ray"]["camera"]["lens"].get("fisheye")?;
                 let is_middle = numbers(&right["film"])?.iter().all(|x| *x == 0.0);
@@ -335,7 +336,7 @@ fn project(question: &Value, answer: &Value, profile: Profile) -> Judgement {
                     ["width", "height"].map(|it| question["project"]["image"][it].as_f64());
                 (field == "image").then(|| Some(vec![width? - x, height? - y]))?
             }),
-            (&m::CORNERS, |_, field, right| {
+            (&m::PIXEL_CORNER, |_, field, right| {
                 let moved = numbers(&right["image"])?.into_iter().map(|x| x - 0.5).collect();
                 (field == "image").then_some(moved)
             }),

@@ -97,15 +97,15 @@ fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
         needed: &[],
         free: &[],
         questions: &[
-            (&m::IMAGE_UPSIDE_DOWN, |question| of_rows(question, |rows| rows.reverse())),
-            (&m::IMAGE_MIRRORED, |question| {
+            (&m::TEXTURE_UPSIDE_DOWN, |question| of_rows(question, |rows| rows.reverse())),
+            (&m::TEXTURE_MIRRORED, |question| {
                 of_rows(question, |rows| {
                     rows.iter_mut().filter_map(Value::as_array_mut).for_each(|row| row.reverse());
                 })
             }),
             (&m::SWAP_U, |question| swap(data(question)?, "/uv/0", "/uv/1")),
-            (&m::NEAREST_FOR_BILINEAR, |question| remove(image(question)?, "filtering")),
-            (&m::BOOK_RULE, |question| {
+            (&m::TEXTURE_NEAREST, |question| remove(image(question)?, "filtering")),
+            (&m::TEXTURE_OF_OTHER_RULE, |question| {
                 let image = image(question)?;
                 image["rule"] = json!(if image["rule"] == "book" { "even" } else { "book" });
                 Some(())

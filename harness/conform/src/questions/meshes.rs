@@ -133,7 +133,7 @@ fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::OTHER_CORNERS, |question| given_to(question, [2, 1, 0])),
         ],
         answers: &[
-            (&m::FLAT_FOR_SMOOTH, |_, field, right| {
+            (&m::FLAT_SHADING, |_, field, right| {
                 (field == "shading_normal").then(|| triple(&right["normal"]).map(Vec::from))?
             }),
             (&m::REVERSED_FORGOTTEN, |question, field, right| {

@@ -53,53 +53,54 @@ pub fn outside(draw: &mut Draw) -> [f64; 3] {
     [sine * cos(phi), sine * sin(phi), z]
 }
 
+/// How answers to `fresnel` are compared.
+const FRESNEL: Rules = Rules {
+    needed: &["reflected"],
+    free: &[],
+    questions: &[(&m::ETA_INVERTED, |question| {
+        super::change(data(question)?, "/eta", |eta| 1.0 / eta)
+    })],
+    answers: &[
+        (&m::FRESNEL_PERPENDICULAR_ONLY, |_, field, right| component(field, right, "r_s", "t_s")),
+        (&m::FRESNEL_PARALLEL_ONLY, |_, field, right| component(field, right, "r_p", "t_p")),
+        (&m::SCHLICK, |question, field, _| schlick(question, field)),
+        (&m::MEAN_OF_AMPLITUDES, |_, field, right| {
+            let mean = 0.5 * (number(&right["r_s"])?.sqrt() + number(&right["r_p"])?.sqrt());
+            (field == "reflected").then_some(vec![mean])
+        }),
+        (&m::REFLECTED_INSTEAD, |question, field, _| {
+            let [wo, n] = ["wo", "n"].map(|it| triple(&question["fresnel"][it]).map(Vector::from));
+            let (wo, n) = (wo?, n?);
+            (field == "refracted").then(|| (2.0 * n.dot(wo) * n - wo).to_array().to_vec())
+        }),
+        (&m::ETA_MULTIPLIED, |question, field, _| {
+            let asked = &question["fresnel"];
+            let [wo, n] = ["wo", "n"].map(|it| triple(&asked[it]).map(Vector::from));
+            let multiplied = eta_multiplied(wo?, n?, asked["eta"].as_f64()?, false)?;
+            (field == "refracted").then_some(multiplied)
+        }),
+        (&m::ETA_MULTIPLIED, |question, field, _| {
+            let asked = &question["fresnel"];
+            let [wo, n] = ["wo", "n"].map(|it| triple(&asked[it]).map(Vector::from));
+            let multiplied = eta_multiplied(wo?, n?, asked["eta"].as_f64()?, true)?;
+            (field == "refracted").then_some(multiplied)
+        }),
+        (&m::REFRACTED_SIGN, |question, field, _| {
+            let asked = &question["fresnel"];
+            let [wo, n] = ["wo", "n"].map(|it| triple(&asked[it]).map(Vector::from));
+            let refracted = wrong_sign(wo?, n?, asked["eta"].as_f64()?)?;
+            (field == "refracted").then_some(refracted)
+        }),
+        (&m::INDEX_ZERO, |_, field, _| match field {
+            "reflected" => Some(vec![1.0]),
+            "transmitted" => Some(vec![0.0]),
+            _ => None,
+        }),
+    ],
+};
+
 fn fresnel(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    const RULES: Rules = Rules {
-        needed: &["reflected"],
-        free: &[],
-        questions: &[(&m::ETA_INVERTED, |question| {
-            super::change(data(question)?, "/eta", |eta| 1.0 / eta)
-        })],
-        answers: &[
-            (&m::ONLY_S, |_, field, right| component(field, right, "r_s", "t_s")),
-            (&m::ONLY_P, |_, field, right| component(field, right, "r_p", "t_p")),
-            (&m::SCHLICK, |question, field, _| schlick(question, field)),
-            (&m::MEAN_OF_AMPLITUDES, |_, field, right| {
-                let mean = 0.5 * (number(&right["r_s"])?.sqrt() + number(&right["r_p"])?.sqrt());
-                (field == "reflected").then_some(vec![mean])
-            }),
-            (&m::REFLECTED_INSTEAD, |question, field, _| {
-                let [wo, n] =
-                    ["wo", "n"].map(|it| triple(&question["fresnel"][it]).map(Vector::from));
-                let (wo, n) = (wo?, n?);
-                (field == "refracted").then(|| (2.0 * n.dot(wo) * n - wo).to_array().to_vec())
-            }),
-            (&m::ETA_MULTIPLIED, |question, field, _| {
-                let asked = &question["fresnel"];
-                let [wo, n] = ["wo", "n"].map(|it| triple(&asked[it]).map(Vector::from));
-                let multiplied = eta_multiplied(wo?, n?, asked["eta"].as_f64()?, false)?;
-                (field == "refracted").then_some(multiplied)
-            }),
-            (&m::ETA_MULTIPLIED, |question, field, _| {
-                let asked = &question["fresnel"];
-                let [wo, n] = ["wo", "n"].map(|it| triple(&asked[it]).map(Vector::from));
-                let multiplied = eta_multiplied(wo?, n?, asked["eta"].as_f64()?, true)?;
-                (field == "refracted").then_some(multiplied)
-            }),
-            (&m::REFRACTED_SIGN, |question, field, _| {
-                let asked = &question["fresnel"];
-                let [wo, n] = ["wo", "n"].map(|it| triple(&asked[it]).map(Vector::from));
-                let refracted = wrong_sign(wo?, n?, asked["eta"].as_f64()?)?;
-                (field == "refracted").then_some(refracted)
-            }),
-            (&m::INDEX_ZERO, |_, field, _| match field {
-                "reflected" => Some(vec![1.0]),
-                "transmitted" => Some(vec![0.0]),
-                _ => None,
-            }),
-        ],
-    };
-    values::judge(question, answer, profile, &RULES)
+    values::judge(question, answer, profile, &FRESNEL)
 }
 
 /// `−η ωo − (cosθt − cosθi/η) n`, with both terms as the book has them but for the first factor, or with `η cosθi` in
@@ -154,67 +155,67 @@ fn schlick(question: &Value, field: &str) -> Option<Vec<f64>> {
     }
 }
 
+/// How answers to `lobe` are compared.
+const LOBE: Rules = Rules {
+    needed: &["f", "sample"],
+    free: &[],
+    questions: &[
+        (&m::SWAPPED_DIRECTIONS, |question| super::swap(data(question)?, "/wi", "/wo")),
+        (&m::ETA_INVERTED, |question| {
+            let lobe = only(&mut data(question)?["lobe"])?;
+            super::change(lobe, "/eta", |eta| 1.0 / eta)
+        }),
+        (&m::EXPONENT_OFF, |question| {
+            let lobe = only(&mut data(question)?["lobe"])?;
+            super::change(lobe, "/exponent", |e| e + 1.0)
+        }),
+        (&m::NO_EXPONENT, |question| {
+            let lobe = only(&mut data(question)?["lobe"])?;
+            super::change(lobe, "/exponent", |_| 1.0)
+        }),
+    ],
+    answers: &[
+        (&m::WITH_COS, |question, field, right| by_cosine(question, field, right, 1.0)),
+        (&m::WITHOUT_COS, |question, field, right| by_cosine(question, field, right, -1.0)),
+        (&m::ETA_MULTIPLIED, |question, field, _| lobe_eta_multiplied(question, field, false)),
+        (&m::ETA_MULTIPLIED, |question, field, _| lobe_eta_multiplied(question, field, true)),
+        (&m::NO_ETA_SQUARED, |question, field, right| by_eta(question, field, right, 2.0)),
+        (&m::ETA_SQUARED_TWICE, |question, field, right| by_eta(question, field, right, -2.0)),
+        (&m::ETA_ONCE, |question, field, right| by_eta(question, field, right, 1.0)),
+        (&m::REFRACTED_SIGN, |question, field, _| {
+            let asked = &question["lobe"];
+            let eta = asked["lobe"].as_object()?.values().next()?["eta"].as_f64()?;
+            let wo = Vector::from(triple(&asked["wo"])?);
+            let (n, eta) = if wo.z() < 0.0 { (-Vector::Z, 1.0 / eta) } else { (Vector::Z, eta) };
+            (field == "sample.wi").then(|| wrong_sign(wo, n, eta))?
+        }),
+        (&m::HIGHLIGHT_OF_HALF_VECTOR, |question, field, right| {
+            let asked = &question["lobe"];
+            let e = asked["lobe"]["glossy_specular"]["exponent"].as_f64()?;
+            let [wi, wo] = ["wi", "wo"].map(|it| triple(&asked[it]).map(Vector::from));
+            let (wi, wo) = (wi?, wo?);
+            let mirrored = (2.0 * wi.z() * wo.z() - wi.dot(wo)).max(0.0);
+            let half = (wi + wo).unit()?.z();
+            (field == "f").then(|| times(power(half / mirrored, e), right, field))?
+        }),
+        (&m::EXPONENT_FOR_DENSITY, |question, field, right| {
+            let e = question["lobe"]["lobe"].as_object()?.values().next()?["exponent"].as_f64()?;
+            let factor = match field {
+                "pdf" => e / (e + 1.0),
+                "sample.weight" => (e + 1.0) / e,
+                _ => return None,
+            };
+            times(factor, right, field)
+        }),
+    ],
+};
+
 fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    const RULES: Rules = Rules {
-        needed: &["f", "sample"],
-        free: &[],
-        questions: &[
-            (&m::SWAPPED_DIRECTIONS, |question| super::swap(data(question)?, "/wi", "/wo")),
-            (&m::ETA_INVERTED, |question| {
-                let lobe = only(&mut data(question)?["lobe"])?;
-                super::change(lobe, "/eta", |eta| 1.0 / eta)
-            }),
-            (&m::EXPONENT_OFF, |question| {
-                let lobe = only(&mut data(question)?["lobe"])?;
-                super::change(lobe, "/exponent", |e| e + 1.0)
-            }),
-            (&m::NO_EXPONENT, |question| {
-                let lobe = only(&mut data(question)?["lobe"])?;
-                super::change(lobe, "/exponent", |_| 1.0)
-            }),
-        ],
-        answers: &[
-            (&m::WITH_COS, |question, field, right| by_cosine(question, field, right, 1.0)),
-            (&m::WITHOUT_COS, |question, field, right| by_cosine(question, field, right, -1.0)),
-            (&m::ETA_MULTIPLIED, |question, field, _| lobe_eta_multiplied(question, field, false)),
-            (&m::ETA_MULTIPLIED, |question, field, _| lobe_eta_multiplied(question, field, true)),
-            (&m::NO_ETA_SQUARED, |question, field, right| by_eta(question, field, right, 2.0)),
-            (&m::ETA_SQUARED_TWICE, |question, field, right| by_eta(question, field, right, -2.0)),
-            (&m::ETA_ONCE, |question, field, right| by_eta(question, field, right, 1.0)),
-            (&m::REFRACTED_SIGN, |question, field, _| {
-                let asked = &question["lobe"];
-                let eta = asked["lobe"].as_object()?.values().next()?["eta"].as_f64()?;
-                let wo = Vector::from(triple(&asked["wo"])?);
-                let (n, eta) =
-                    if wo.z() < 0.0 { (-Vector::Z, 1.0 / eta) } else { (Vector::Z, eta) };
-                (field == "sample.wi").then(|| wrong_sign(wo, n, eta))?
-            }),
-            (&m::HALF_VECTOR, |question, field, right| {
-                let asked = &question["lobe"];
-                let e = asked["lobe"]["glossy_specular"]["exponent"].as_f64()?;
-                let [wi, wo] = ["wi", "wo"].map(|it| triple(&asked[it]).map(Vector::from));
-                let (wi, wo) = (wi?, wo?);
-                let mirrored = (2.0 * wi.z() * wo.z() - wi.dot(wo)).max(0.0);
-                let half = (wi + wo).unit()?.z();
-                (field == "f").then(|| times(power(half / mirrored, e), right, field))?
-            }),
-            (&m::EXPONENT_FOR_DENSITY, |question, field, right| {
-                let e =
-                    question["lobe"]["lobe"].as_object()?.values().next()?["exponent"].as_f64()?;
-                let factor = match field {
-                    "pdf" => e / (e + 1.0),
-                    "sample.weight" => (e + 1.0) / e,
-                    _ => return None,
-                };
-                times(factor, right, field)
-            }),
-        ],
-    };
     if question["lobe"]["lobe"].to_string().contains("\"eta\"")
         && answer.get("sample").is_some_and(Value::is_null)
     {
         // a sample that is none: total reflection where there is none, as with an index of 0
-        return values::judge(question, answer, profile, &RULES).with([&m::INDEX_ZERO]);
+        return values::judge(question, answer, profile, &LOBE).with([&m::INDEX_ZERO]);
     }
     // only mirrors and refractions are asked for a sample here
     let is_specular = question["lobe"].get("u").is_some();
@@ -226,7 +227,7 @@ fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
         // mirrors have no density: some programs say 1, some 0, ours that it is infinite
         *pdf = json!("inf");
     }
-    values::judge(question, &answer, profile, &RULES)
+    values::judge(question, &answer, profile, &LOBE)
 }
 
 /// The value times this power of the cosine of `wi`.

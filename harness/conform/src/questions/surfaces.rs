@@ -14,6 +14,10 @@ use groundtruth::textures::Mapping;
 use groundtruth::{lights, textures};
 
 pub fn families() -> Vec<Family> {
+    [of_lights(), of_textures(), of_mappings()].into_iter().flatten().collect()
+}
+
+fn of_lights() -> Vec<Family> {
     let mut all = Vec::new();
     for (tag, chapter, specimens) in kinds(lights::Kind::ENTRIES) {
         if !["ambient", "directional", "point", "spot"].contains(&&*tag) {
@@ -32,6 +36,11 @@ pub fn families() -> Vec<Family> {
         };
         all.push(family(&name, &format!("lights/{tag}"), chapter, Judge::Answer(light), case));
     }
+    all
+}
+
+fn of_textures() -> Vec<Family> {
+    let mut all = Vec::new();
     for (tag, chapter, specimens) in kinds(textures::Kind::ENTRIES) {
         let specimens: Vec<Value> = specimens
             .into_iter()
@@ -55,6 +64,11 @@ pub fn families() -> Vec<Family> {
         };
         all.push(family(&name, &format!("textures/{tag}"), chapter, Judge::Answer(texture), case));
     }
+    all
+}
+
+fn of_mappings() -> Vec<Family> {
+    let mut all = Vec::new();
     for of in [
         Mapping::Square,
         Mapping::Cylindrical,
@@ -149,7 +163,7 @@ fn texture(question: &Value, answer: &Value, profile: Profile) -> Judgement {
         needed: &[],
         free: &[],
         questions: &[
-            (&m::SWAPPED_COLORS, |question| {
+            (&m::TEXTURE_COLOURS_EXCHANGED, |question| {
                 swap(only(&mut data(question)?["texture"])?, "/color1", "/color2")
             }),
             (&m::NO_SIZE, |question| {
@@ -172,7 +186,7 @@ fn texture(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::FLIP_Y, |question| change(data(question)?, "/point/1", |x| -x)),
             (&m::FLIP_Z, |question| change(data(question)?, "/point/2", |x| -x)),
         ],
-        answers: &[(&m::TRUNCATED_FLOOR, |question, _, _| {
+        answers: &[(&m::CHECKER_TRUNCATED, |question, _, _| {
             let asked = &question["texture"];
             truncated(&asked["texture"], triple(&asked["point"])?)
         })],

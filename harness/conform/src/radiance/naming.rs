@@ -21,30 +21,13 @@ const CLOSE: f64 = 1e-5;
 /// Samples of one seed for a first look at all mistakes; those that fit are asked in full.
 const FIRST_SAMPLES: u64 = 36;
 
-/// The mistakes of the catalogue that conform knows by another name.
-const SAME: [(&str, &Mistake); 6] = [
-    ("no-ambient", &m::NO_AMBIENT),
-    ("no-shadows", &m::NO_SHADOWS),
-    ("no-eta-squared", &m::NO_ETA_SQUARED),
-    ("no-fall-off", &m::NO_FALL_OFF),
-    ("schlick", &m::SCHLICK),
-    ("roll-reversed", &m::ROLL_REVERSED),
-];
-
-/// The catalogue, as mistakes of conform.
-static CATALOGUE: LazyLock<Vec<(&'static mistakes::Mistake, &'static Mistake)>> =
-    LazyLock::new(|| {
-        let known = |mistake: &'static mistakes::Mistake| {
-            let same = SAME.iter().find(|(name, _)| *name == mistake.name).map(|(_, same)| *same);
-            let place = || format!("ch. {}, {} in docs/mistakes.md", mistake.chapter, mistake.name);
-            let scene = mistakes::scenes_that_show(mistake).first().map(|best| best.scene);
-            let new = || -> &'static Mistake {
-                Box::leak(Box::new(Mistake { name: mistake.words, place: place().leak(), scene }))
-            };
-            (mistake, same.unwrap_or_else(new))
-        };
-        mistakes::all().into_iter().map(known).collect()
-    });
+/// The catalogue, as pictures of whole scenes tell it.
+static CATALOGUE: LazyLock<Vec<(&'static mistakes::Mistake, Mistake)>> = LazyLock::new(|| {
+    let told = |mistake: &'static mistakes::Mistake| {
+        (mistake, Mistake { name: mistake.words, ..Mistake::of_pictures(mistake.known) })
+    };
+    mistakes::all().into_iter().map(told).collect()
+});
 
 /// Factors of all light.
 const FACTORS: [(&Mistake, f64); 4] = [
@@ -113,7 +96,7 @@ fn fitting(question: &Value, theirs: &Estimate, right: &Estimate) -> Vec<&'stati
         by_terms = fits(question, &by_terms);
     }
     let known = |mistake: &&'static mistakes::Mistake| {
-        CATALOGUE.iter().find(|(known, _)| known == mistake).map(|(_, name)| *name)
+        CATALOGUE.iter().find(|(known, _)| known == mistake).map(|(_, told)| told)
     };
     let mut found: Vec<&'static Mistake> = by_terms.iter().filter_map(known).collect();
     for change in changes::all() {

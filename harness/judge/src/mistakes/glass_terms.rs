@@ -6,52 +6,37 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayKind;
 
 use super::changes::NOT_INVERTED;
-use super::{How, Mistake, ObservedRay, ObservedTerm};
+use super::{How, Mistake, ObservedRay, ObservedTerm, known};
 
-const SCHLICK: Mistake = Mistake::term(
-    28,
-    "schlick",
-    "Fresnel's equations are replaced by Schlick's approximation",
-    |term| with_fresnel(term, |cos_i, eta| shares(schlick(cos_i, eta))),
-);
+const SCHLICK: Mistake = Mistake::term(&known::SCHLICK, |term| {
+    with_fresnel(term, |cos_i, eta| shares(schlick(cos_i, eta)))
+});
 
-const NO_ABSORPTION: Mistake =
-    Mistake::ray(28, "no-absorption", "media do not absorb light", |ray| ray.sum);
+const NO_ABSORPTION: Mistake = Mistake::ray(&known::NO_ABSORPTION, |ray| ray.sum);
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::term(27, "no-eta-squared", "transmitted radiance lacks 1/η²", |term| {
+    Mistake::term(&known::NO_ETA_SQUARED, |term| {
         refracted(term).map_or(term.value(), |eta| term.times(eta * eta))
     }),
-    Mistake::term(
-        27,
-        "eta-squared-inverted",
-        "transmitted radiance is multiplied by η² instead of 1/η²",
-        |term| refracted(term).map_or(term.value(), |eta| term.times((eta * eta) * (eta * eta))),
-    ),
-    Mistake::term(27, "total-reflection-black", "total internal reflection is black", |term| {
+    Mistake::term(&known::ETA_SQUARED_INVERTED, |term| {
+        refracted(term).map_or(term.value(), |eta| term.times((eta * eta) * (eta * eta)))
+    }),
+    Mistake::term(&known::TOTAL_REFLECTION_BLACK, |term| {
         match is_mirrored(term) && is_total(term) {
             true => Rgb::BLACK,
             false => term.value(),
         }
     }),
-    Mistake::term(
-        27,
-        "glass-without-mirror",
-        "transparent surfaces reflect nothing but by total internal reflection",
-        |term| match is_mirrored(term) && is_transparent(term) && !is_total(term) {
+    Mistake::term(&known::GLASS_WITHOUT_MIRROR, |term| {
+        match is_mirrored(term) && is_transparent(term) && !is_total(term) {
             true => Rgb::BLACK,
             false => term.value(),
-        },
-    ),
-    Mistake::term(
-        27,
-        "transmission-without-kt",
-        "transmitted light is not multiplied by k_t",
-        |term| match term.traced() {
-            Some(Lobe::PerfectTransmitter(lobe)) => term.times(1.0 / lobe.transmittance),
-            _ => term.value(),
-        },
-    ),
+        }
+    }),
+    Mistake::term(&known::TRANSMISSION_WITHOUT_KT, |term| match term.traced() {
+        Some(Lobe::PerfectTransmitter(lobe)) => term.times(1.0 / lobe.transmittance),
+        _ => term.value(),
+    }),
     NOT_INVERTED.in_form("in Fresnel's equations alone", How::Term(fresnel_not_inverted)),
     NOT_INVERTED.in_form("in the factor 1/η² alone", How::Term(factor_not_inverted)),
     SCHLICK,
@@ -61,49 +46,27 @@ pub(super) const ALL: &[Mistake] = &[
             with_fresnel(term, |cos_i, eta| shares(schlick(cosine_in_air(cos_i, eta), eta)))
         }),
     ),
-    Mistake::term(
-        28,
-        "fresnel-swapped",
-        "the reflected and the transmitted share of Fresnel's equations are exchanged",
-        |term| {
-            with_fresnel(term, |cos_i, eta| {
-                let Fresnel { reflected, transmitted } = fresnel(cos_i, eta);
-                Fresnel { reflected: transmitted, transmitted: reflected }
-            })
-        },
-    ),
-    Mistake::term(
-        28,
-        "fresnel-perpendicular-only",
-        "only perpendicular polarisation counts in Fresnel's equations",
-        |term| with_fresnel(term, |cos_i, eta| polarised(cos_i, eta).s),
-    ),
-    Mistake::term(
-        28,
-        "fresnel-parallel-only",
-        "only parallel polarisation counts in Fresnel's equations",
-        |term| with_fresnel(term, |cos_i, eta| polarised(cos_i, eta).p),
-    ),
-    Mistake::term(
-        28,
-        "fresnel-without-half",
-        "the shares of both polarisations are added in Fresnel's equations, without 1/2",
-        |term| {
-            with_fresnel(term, |cos_i, eta| shares((2.0 * fresnel(cos_i, eta).reflected).min(1.0)))
-        },
-    ),
-    Mistake::term(
-        28,
-        "fresnel-transmits-all",
-        "transmitted light is not multiplied by what Fresnel's equations leave, 1 − R",
-        |term| with_fresnel(term, |cos_i, eta| Fresnel { transmitted: 1.0, ..fresnel(cos_i, eta) }),
-    ),
-    Mistake::term(
-        28,
-        "fresnel-index-inverted",
-        "Fresnel's equations have the index of refraction inverted",
-        |term| with_fresnel(term, |cos_i, eta| fresnel(cos_i, 1.0 / eta)),
-    ),
+    Mistake::term(&known::FRESNEL_SWAPPED, |term| {
+        with_fresnel(term, |cos_i, eta| {
+            let Fresnel { reflected, transmitted } = fresnel(cos_i, eta);
+            Fresnel { reflected: transmitted, transmitted: reflected }
+        })
+    }),
+    Mistake::term(&known::FRESNEL_PERPENDICULAR_ONLY, |term| {
+        with_fresnel(term, |cos_i, eta| polarised(cos_i, eta).s)
+    }),
+    Mistake::term(&known::FRESNEL_PARALLEL_ONLY, |term| {
+        with_fresnel(term, |cos_i, eta| polarised(cos_i, eta).p)
+    }),
+    Mistake::term(&known::FRESNEL_WITHOUT_HALF, |term| {
+        with_fresnel(term, |cos_i, eta| shares((2.0 * fresnel(cos_i, eta).reflected).min(1.0)))
+    }),
+    Mistake::term(&known::FRESNEL_TRANSMITS_ALL, |term| {
+        with_fresnel(term, |cos_i, eta| Fresnel { transmitted: 1.0, ..fresnel(cos_i, eta) })
+    }),
+    Mistake::term(&known::FRESNEL_INDEX_INVERTED, |term| {
+        with_fresnel(term, |cos_i, eta| fresnel(cos_i, 1.0 / eta))
+    }),
     NO_ABSORPTION,
     NO_ABSORPTION
         .in_form("along reflected rays", How::Ray(|ray| not_along(ray, RayKind::Reflected))),
@@ -111,15 +74,8 @@ pub(super) const ALL: &[Mistake] = &[
         .in_form("along transmitted rays", How::Ray(|ray| not_along(ray, RayKind::Transmitted))),
     NO_ABSORPTION
         .in_form("along the camera's rays", How::Ray(|ray| not_along(ray, RayKind::Camera))),
-    Mistake::ray(
-        28,
-        "absorption-without-distance",
-        "media absorb the same share of light over any distance, that of a unit length",
-        |ray| absorption_over(ray, |t| 1.0 / t),
-    ),
-    Mistake::ray(28, "absorption-twice", "media absorb light as over twice the distance", |ray| {
-        absorption_over(ray, |_| 2.0)
-    }),
+    Mistake::ray(&known::ABSORPTION_WITHOUT_DISTANCE, |ray| absorption_over(ray, |t| 1.0 / t)),
+    Mistake::ray(&known::ABSORPTION_TWICE, |ray| absorption_over(ray, |_| 2.0)),
 ];
 
 /// The index behind the surface over the one in front of it, of a term that was refracted.

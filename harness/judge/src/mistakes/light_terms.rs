@@ -6,74 +6,39 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::{RayKind, TermSource};
 
 use super::observed::LampHeard;
-use super::{How, Mistake, ObservedRay, ObservedTerm};
+use super::{How, Mistake, ObservedRay, ObservedTerm, known};
 
-const NO_DISTANCE: Mistake =
-    Mistake::term(18, "no-lamp-distance", "the light of area lights lacks 1/d²", |term| {
-        term.lamp().map_or(term.value(), |lamp| term.times(lamp.distance_squared))
-    });
+const NO_DISTANCE: Mistake = Mistake::term(&known::NO_LAMP_DISTANCE, |term| {
+    term.lamp().map_or(term.value(), |lamp| term.times(lamp.distance_squared))
+});
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::ray(
-        4,
-        "last-sample-left-out",
-        "the last of n samples of a pixel is left out of the sum, which is divided by n",
-        |ray| if ray.is_last_sample { Rgb::BLACK } else { ray.arriving() },
-    ),
-    Mistake::term(14, "no-ambient", "ambient light is left out", |term| ambient(term, |_| 0.0)),
-    Mistake::term(
-        14,
-        "ambient-for-each-light",
-        "the ambient term is added once for each light",
-        |term| {
-            ambient(term, |term| {
-                let lights = term.world.lights.iter().filter(|light| !light.light.is_ambient());
-                lights.count() as f64
-            })
-        },
-    ),
-    Mistake::term(14, "ambient-over-pi", "the ambient term is divided by π", |term| {
-        ambient(term, |_| 1.0 / PI)
+    Mistake::ray(&known::LAST_SAMPLE_LEFT_OUT, |ray| {
+        if ray.is_last_sample { Rgb::BLACK } else { ray.arriving() }
     }),
-    Mistake::ray(
-        14,
-        "sample-max-to-one",
-        "max-to-one maps each sample of a pixel, before their mean is taken",
-        sample_max_to_one,
-    ),
-    Mistake::term(
-        18,
-        "lamps-unseen",
-        "surfaces that shine are black where the camera sees them",
-        |term| emission(term, |kind| kind == RayKind::Camera),
-    ),
-    Mistake::term(
-        24,
-        "lamps-unseen-in-mirrors",
-        "surfaces that shine are black where reflected or refracted rays meet them",
-        |term| emission(term, |kind| kind != RayKind::Camera),
-    ),
-    Mistake::term(
-        24,
-        "no-background-in-mirrors",
-        "reflected and refracted rays that meet nothing are black instead of the background",
-        |term| match term.term.source {
-            TermSource::Background { .. } if term.ray.kind != RayKind::Camera => Rgb::BLACK,
-            _ => term.value(),
-        },
-    ),
-    Mistake::term(
-        18,
-        "no-lamp-cosine",
-        "the light of area lights lacks the cosine at the lamp",
-        |term| term.lamp().map_or(term.value(), |lamp| term.times(1.0 / lamp.cosine)),
-    ),
-    Mistake::term(
-        18,
-        "lamp-cosine-twice",
-        "the light of area lights has the cosine at the lamp twice",
-        |term| term.lamp().map_or(term.value(), |lamp| term.times(lamp.cosine)),
-    ),
+    Mistake::term(&known::NO_AMBIENT, |term| ambient(term, |_| 0.0)),
+    Mistake::term(&known::AMBIENT_FOR_EACH_LIGHT, |term| {
+        ambient(term, |term| {
+            let lights = term.world.lights.iter().filter(|light| !light.light.is_ambient());
+            lights.count() as f64
+        })
+    }),
+    Mistake::term(&known::AMBIENT_OVER_PI, |term| ambient(term, |_| 1.0 / PI)),
+    Mistake::ray(&known::SAMPLE_MAX_TO_ONE, sample_max_to_one),
+    Mistake::term(&known::LAMPS_UNSEEN, |term| emission(term, |kind| kind == RayKind::Camera)),
+    Mistake::term(&known::LAMPS_UNSEEN_IN_MIRRORS, |term| {
+        emission(term, |kind| kind != RayKind::Camera)
+    }),
+    Mistake::term(&known::NO_BACKGROUND_IN_MIRRORS, |term| match term.term.source {
+        TermSource::Background { .. } if term.ray.kind != RayKind::Camera => Rgb::BLACK,
+        _ => term.value(),
+    }),
+    Mistake::term(&known::NO_LAMP_COSINE, |term| {
+        term.lamp().map_or(term.value(), |lamp| term.times(1.0 / lamp.cosine))
+    }),
+    Mistake::term(&known::LAMP_COSINE_TWICE, |term| {
+        term.lamp().map_or(term.value(), |lamp| term.times(lamp.cosine))
+    }),
     NO_DISTANCE,
     NO_DISTANCE.in_form(
         "but has 1/d",
@@ -88,21 +53,11 @@ pub(super) const ALL: &[Mistake] = &[
             term.lamp().map_or(term.value(), factor)
         }),
     ),
-    Mistake::term(
-        18,
-        "lamp-of-receiver",
-        "the light of area lights is multiplied by the reflectance of the lit surface once more",
-        lamp_of_receiver,
-    ),
-    Mistake::term(
-        18,
-        "last-light-sample-left-out",
-        "the last of n samples of an area light or of the sky is left out of the sum, which is divided by n",
-        |term| match term.term.source {
-            TermSource::Direct { pdf: Some(_), .. } if term.is_last_sample => Rgb::BLACK,
-            _ => term.value(),
-        },
-    ),
+    Mistake::term(&known::LAMP_OF_RECEIVER, lamp_of_receiver),
+    Mistake::term(&known::LAST_LIGHT_SAMPLE_LEFT_OUT, |term| match term.term.source {
+        TermSource::Direct { pdf: Some(_), .. } if term.is_last_sample => Rgb::BLACK,
+        _ => term.value(),
+    }),
 ];
 
 /// The value of a term, black if it is emission that arrives along rays of this kind.

@@ -30,8 +30,8 @@ pub fn in_material(scene: &Scene, material: &str) -> Vec<Local> {
         let mut whole = whole.clone();
         let is_changed = edit_each(&mut whole["materials"][at], &change.edit);
         let scene = is_changed.then(|| serde_json::from_value(whole).ok())??;
-        let words = format!("in material {material} alone, {}", change.words);
-        Some(Local { words, scene, everywhere: Some(change.name) })
+        let words = format!("in material {material} alone, {}", change.known.words);
+        Some(Local { words, scene, everywhere: Some(change.known.name) })
     };
     CHANGES.iter().filter_map(changed).collect()
 }

@@ -1,4 +1,4 @@
-//! Known mistakes: the picture that a program with one mistake would render, for each of a list of mistakes.
+//! Known mistakes: the picture that a program with one mistake would render, for each of a catalogue ([`known`]).
 //!
 //! A picture that disagrees with ours may agree with that of a mistake, which is then named. No mistake is a switch
 //! of the tracer. Most change the values of the terms that a recorder hears ([`How::Term`], [`How::Ray`]), so that one
@@ -10,6 +10,7 @@
 mod changes;
 mod films;
 mod glass_terms;
+pub mod known;
 mod light_terms;
 pub mod local;
 mod observed;
@@ -25,6 +26,7 @@ use std::path::Path;
 
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
+use known::Known;
 
 pub use films::{Films, films, pixel};
 pub use observed::{ObservedRay, ObservedSurface, ObservedTerm};
@@ -35,15 +37,11 @@ pub use shown::{
     Cover, HEADING, Pair, TABLE, fewest_scenes, not_shown_by, pairs, scenes_that_show, shown_by,
 };
 
-/// A mistake of a ray tracer in the style of the book.
+/// A mistake of a ray tracer in the style of the book: its entry in the catalogue, and its picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Mistake {
-    /// Its name, in lower case with hyphens.
-    pub name: &'static str,
-    /// Completes the sentence "the picture agrees with ours if …".
-    pub words: &'static str,
-    /// The chapter of the book that has the right rule.
-    pub chapter: u32,
+    /// Its entry.
+    pub known: &'static Known,
     /// How its picture is made.
     pub how: How,
     /// In which other form people make it: a half sentence that follows the words. Only forms without one are in the
@@ -66,31 +64,16 @@ pub enum How {
 }
 
 impl Mistake {
-    const fn term(
-        chapter: u32,
-        name: &'static str,
-        words: &'static str,
-        value: fn(&ObservedTerm<'_>) -> Rgb,
-    ) -> Self {
-        Self { name, words, chapter, how: How::Term(value), form: None }
+    const fn term(known: &'static Known, value: fn(&ObservedTerm<'_>) -> Rgb) -> Self {
+        Self { known, how: How::Term(value), form: None }
     }
 
-    const fn ray(
-        chapter: u32,
-        name: &'static str,
-        words: &'static str,
-        arriving: fn(&ObservedRay<'_>) -> Rgb,
-    ) -> Self {
-        Self { name, words, chapter, how: How::Ray(arriving), form: None }
+    const fn ray(known: &'static Known, arriving: fn(&ObservedRay<'_>) -> Rgb) -> Self {
+        Self { known, how: How::Ray(arriving), form: None }
     }
 
-    const fn scene(
-        chapter: u32,
-        name: &'static str,
-        words: &'static str,
-        change: fn(&Scene, &Path) -> Option<Scene>,
-    ) -> Self {
-        Self { name, words, chapter, how: How::Scene(change), form: None }
+    const fn scene(known: &'static Known, change: fn(&Scene, &Path) -> Option<Scene>) -> Self {
+        Self { known, how: How::Scene(change), form: None }
     }
 
     /// The same mistake in another form.
@@ -109,6 +92,15 @@ impl Mistake {
     /// Whether its picture is made of the terms of ours.
     pub fn is_reweighed(&self) -> bool {
         matches!(self.how, How::Term(_) | How::Ray(_))
+    }
+}
+
+/// What the catalogue says of it: its name, chapter, words.
+impl std::ops::Deref for Mistake {
+    type Target = Known;
+
+    fn deref(&self) -> &Known {
+        self.known
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use super::known::Known;
 use super::local::CHANGES;
 use super::shown::{Cover, fewest_scenes, scenes_that_show};
 use super::table::{CHANGE, SAMPLES, SHARE, WIDTH};
@@ -40,7 +41,7 @@ pub fn page() -> String {
     }
     page += LOCAL;
     for change in CHANGES {
-        let _ = writeln!(page, "- {}", change.words);
+        let _ = writeln!(page, "- {}", change.known.words);
     }
     page += "\n## Few scenes that show all mistakes of a chapter\n\n";
     page += "| chapter | scenes | mistakes that no scene shows |\n| --- | --- | --- |\n";
@@ -76,15 +77,15 @@ pass glass. A material whose diffuse part is black lacks the part of Blinn's hig
 `groundtruth mistakes --table > harness/judge/src/mistakes/shown.csv` measures the table again, and
 `groundtruth mistakes --page > docs/mistakes.md` writes this page.
 
-| mistake | the picture agrees with ours if … | chapter | made by | scenes | best three |
+| mistake | the picture agrees with ours if … | in the book | made by | scenes | best three |
 | --- | --- | --- | --- | --- | --- |
 "
     )
 }
 
 fn row(mistake: &Mistake) -> String {
-    let Mistake { name, words, chapter, how, .. } = mistake;
-    let how = match how {
+    let Known { name, words, place, .. } = mistake.known;
+    let how = match mistake.how {
         How::Term(_) | How::Ray(_) => "terms",
         How::Scene(_) | How::Both(..) => "scene",
     };
@@ -94,5 +95,5 @@ fn row(mistake: &Mistake) -> String {
         .take(3)
         .map(|pair| format!("{} ({:.0} %)", pair.scene, 100.0 * pair.effect.share))
         .collect();
-    format!("| `{name}` | {words} | {chapter} | {how} | {} | {} |", scenes.len(), best.join(", "))
+    format!("| `{name}` | {words} | {place} | {how} | {} | {} |", scenes.len(), best.join(", "))
 }

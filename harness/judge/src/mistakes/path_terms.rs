@@ -4,24 +4,15 @@ use groundtruth::lobes::Lobe;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::TermSource;
 
-use super::{How, Mistake, ObservedTerm};
+use super::{How, Mistake, ObservedTerm, known};
 
-const COSINE_TWICE: Mistake = Mistake::term(
-    26,
-    "path-cosine-twice",
-    "diffuse paths have cosine-distributed directions and the cosine in their weight",
-    |term| match term.traced() {
+const COSINE_TWICE: Mistake =
+    Mistake::term(&known::PATH_COSINE_TWICE, |term| match term.traced() {
         Some(Lobe::Lambertian(_)) => term.times(cosine(term)),
         _ => term.value(),
-    },
-);
+    });
 
-const COUNTED_TWICE: Mistake = Mistake::term(
-    26,
-    "light-counted-twice",
-    "lamps and sky count in full both where they are sampled and where a path hits them",
-    light_counted_twice,
-);
+const COUNTED_TWICE: Mistake = Mistake::term(&known::LIGHT_COUNTED_TWICE, light_counted_twice);
 
 pub(super) const ALL: &[Mistake] = &[
     COUNTED_TWICE,
@@ -47,44 +38,24 @@ pub(super) const ALL: &[Mistake] = &[
             _ => term.value(),
         }),
     ),
-    Mistake::term(
-        26,
-        "path-without-reflectance",
-        "light that diffuse paths collect is not multiplied by the reflectance k_d c_d",
-        |term| match term.term.source {
-            TermSource::Traced {
-                lobe: Lobe::Lambertian(_), lobe_probability, survival, ..
-            } => (1.0 / (lobe_probability * survival)) * term.arriving,
-            _ => term.value(),
-        },
-    ),
-    Mistake::term(
-        26,
-        "path-without-density",
-        "diffuse paths count f cos θ, not divided by the density of their direction",
-        |term| match term.term.source {
-            TermSource::Traced { lobe: Lobe::Lambertian(_), pdf: Some(pdf), .. } => term.times(pdf),
-            _ => term.value(),
-        },
-    ),
-    Mistake::term(
-        26,
-        "choice-not-compensated",
-        "paths that choose one of several lobes are not divided by its probability",
-        |term| match term.term.source {
-            TermSource::Traced { lobe_probability, .. } => term.times(lobe_probability),
-            _ => term.value(),
-        },
-    ),
-    Mistake::term(
-        26,
-        "roulette-not-compensated",
-        "paths that survive Russian roulette are not divided by their probability of survival",
-        |term| match term.term.source {
-            TermSource::Traced { survival, .. } => term.times(survival),
-            _ => term.value(),
-        },
-    ),
+    Mistake::term(&known::PATH_WITHOUT_REFLECTANCE, |term| match term.term.source {
+        TermSource::Traced { lobe: Lobe::Lambertian(_), lobe_probability, survival, .. } => {
+            (1.0 / (lobe_probability * survival)) * term.arriving
+        }
+        _ => term.value(),
+    }),
+    Mistake::term(&known::PATH_WITHOUT_DENSITY, |term| match term.term.source {
+        TermSource::Traced { lobe: Lobe::Lambertian(_), pdf: Some(pdf), .. } => term.times(pdf),
+        _ => term.value(),
+    }),
+    Mistake::term(&known::CHOICE_NOT_COMPENSATED, |term| match term.term.source {
+        TermSource::Traced { lobe_probability, .. } => term.times(lobe_probability),
+        _ => term.value(),
+    }),
+    Mistake::term(&known::ROULETTE_NOT_COMPENSATED, |term| match term.term.source {
+        TermSource::Traced { survival, .. } => term.times(survival),
+        _ => term.value(),
+    }),
 ];
 
 /// Of the angle of the ray along which the light arrives.

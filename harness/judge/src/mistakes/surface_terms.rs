@@ -7,115 +7,59 @@ use groundtruth::math::{Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::TermSource;
 
-use super::{Mistake, ObservedTerm};
+use super::{Mistake, ObservedTerm, known};
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::term(
-        13,
-        "lambertian-without-pi",
-        "direct light that a Lambertian BRDF reflects lacks 1/π",
-        |term| match term.direct() {
-            Some((Lobe::Lambertian(_), _)) => term.times(PI),
-            _ => term.value(),
-        },
-    ),
-    Mistake::term(
-        13,
-        "lambertian-pi-twice",
-        "direct light that a Lambertian BRDF reflects has 1/π twice",
-        |term| match term.direct() {
-            Some((Lobe::Lambertian(_), _)) => term.times(1.0 / PI),
-            _ => term.value(),
-        },
-    ),
-    Mistake::term(
-        14,
-        "no-cosine",
-        "direct light lacks the cosine of its angle to the normal",
-        |term| term.direct().map_or(term.value(), |(_, cos_i)| term.times(1.0 / cos_i)),
-    ),
-    Mistake::term(
-        14,
-        "cosine-of-viewer",
-        "direct light has the cosine of the viewer's angle instead of the light's",
-        cosine_of_viewer,
-    ),
-    Mistake::term(
-        14,
-        "cosine-twice",
-        "direct light has the cosine of its angle to the normal twice",
-        |term| term.direct().map_or(term.value(), |(_, cos_i)| term.times(cos_i)),
-    ),
-    Mistake::term(15, "no-highlight", "highlights are left out", |term| match term.direct() {
+    Mistake::term(&known::LAMBERTIAN_WITHOUT_PI, |term| match term.direct() {
+        Some((Lobe::Lambertian(_), _)) => term.times(PI),
+        _ => term.value(),
+    }),
+    Mistake::term(&known::LAMBERTIAN_PI_TWICE, |term| match term.direct() {
+        Some((Lobe::Lambertian(_), _)) => term.times(1.0 / PI),
+        _ => term.value(),
+    }),
+    Mistake::term(&known::NO_COSINE, |term| {
+        term.direct().map_or(term.value(), |(_, cos_i)| term.times(1.0 / cos_i))
+    }),
+    Mistake::term(&known::COSINE_OF_VIEWER, cosine_of_viewer),
+    Mistake::term(&known::COSINE_TWICE, |term| {
+        term.direct().map_or(term.value(), |(_, cos_i)| term.times(cos_i))
+    }),
+    Mistake::term(&known::NO_HIGHLIGHT, |term| match term.direct() {
         Some((Lobe::GlossySpecular(_), _)) => Rgb::BLACK,
         _ => term.value(),
     }),
-    Mistake::term(
-        15,
-        "highlight-without-cosine",
-        "highlights lack the cosine of the light's angle to the normal",
-        |term| match term.direct() {
-            Some((Lobe::GlossySpecular(_), cos_i)) => term.times(1.0 / cos_i),
-            _ => term.value(),
-        },
-    ),
-    Mistake::term(15, "highlight-normalised", "highlights are multiplied by (e + 2)/2π", |term| {
-        match term.direct() {
-            Some((Lobe::GlossySpecular(lobe), _)) => term.times((lobe.exponent + 2.0) / (2.0 * PI)),
-            _ => term.value(),
-        }
+    Mistake::term(&known::HIGHLIGHT_WITHOUT_COSINE, |term| match term.direct() {
+        Some((Lobe::GlossySpecular(_), cos_i)) => term.times(1.0 / cos_i),
+        _ => term.value(),
     }),
-    Mistake::term(
-        15,
-        "highlight-of-half-vector",
-        "highlights are (n·h)^e of the half vector (Blinn) instead of (r·ω_o)^e",
-        highlight_of_half_vector,
-    ),
-    Mistake::term(
-        24,
-        "mirror-with-cosine",
-        "light from a mirror direction is multiplied by the cosine of its angle to the normal",
-        |term| match term.traced() {
-            Some(Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_)) => {
-                term.times(cosine_of_ray(term))
-            }
-            _ => term.value(),
-        },
-    ),
-    Mistake::term(
-        24,
-        "mirror-without-kr",
-        "light from a mirror direction is not multiplied by k_r c_r",
-        |term| match term.term.source {
-            TermSource::Traced {
-                lobe: Lobe::PerfectSpecular(_),
-                lobe_probability,
-                survival,
-                ..
-            } => (1.0 / (lobe_probability * survival)) * term.arriving,
-            _ => term.value(),
-        },
-    ),
-    Mistake::term(
-        25,
-        "gloss-with-cosine",
-        "glossy reflection has the cosine of the ray's angle in f cos θ, but not in the density",
-        |term| match term.traced() {
-            Some(Lobe::GlossyReflection(_)) => term.times(cosine_of_ray(term)),
-            _ => term.value(),
-        },
-    ),
-    Mistake::term(
-        25,
-        "gloss-without-density",
-        "the rays of glossy reflection count f cos θ, not divided by their density",
-        |term| match term.term.source {
-            TermSource::Traced { lobe: Lobe::GlossyReflection(_), pdf: Some(pdf), .. } => {
-                term.times(pdf)
-            }
-            _ => term.value(),
-        },
-    ),
+    Mistake::term(&known::HIGHLIGHT_NORMALISED, |term| match term.direct() {
+        Some((Lobe::GlossySpecular(lobe), _)) => term.times((lobe.exponent + 2.0) / (2.0 * PI)),
+        _ => term.value(),
+    }),
+    Mistake::term(&known::HIGHLIGHT_OF_HALF_VECTOR, highlight_of_half_vector),
+    Mistake::term(&known::MIRROR_WITH_COSINE, |term| match term.traced() {
+        Some(Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_)) => {
+            term.times(cosine_of_ray(term))
+        }
+        _ => term.value(),
+    }),
+    Mistake::term(&known::MIRROR_WITHOUT_KR, |term| match term.term.source {
+        TermSource::Traced {
+            lobe: Lobe::PerfectSpecular(_), lobe_probability, survival, ..
+        } => (1.0 / (lobe_probability * survival)) * term.arriving,
+        _ => term.value(),
+    }),
+    Mistake::term(&known::GLOSS_WITH_COSINE, |term| match term.traced() {
+        Some(Lobe::GlossyReflection(_)) => term.times(cosine_of_ray(term)),
+        _ => term.value(),
+    }),
+    Mistake::term(&known::GLOSS_WITHOUT_DENSITY, |term| match term.term.source {
+        TermSource::Traced { lobe: Lobe::GlossyReflection(_), pdf: Some(pdf), .. } => {
+            term.times(pdf)
+        }
+        _ => term.value(),
+    }),
 ];
 
 fn cosine_of_viewer(term: &ObservedTerm<'_>) -> Rgb {

@@ -5,6 +5,7 @@
 //! values on which all replicas agree, are judged by rounding.
 
 mod areas;
+mod attempt;
 mod case;
 mod causes;
 mod evidence;

@@ -3,11 +3,13 @@
 use groundtruth::math::Pcg32;
 use groundtruth::render;
 use groundtruth::world::{DEFAULT_SEED, World};
-use judge::mistakes::{self, How, Mistake, Pair, table};
+use judge::mistakes::known::{self, Known};
+use judge::mistakes::{self, How, Pair, table};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// Law: names are unique and of lower case with hyphens, chapters are the book's. Oracle: none.
+/// Law: names are unique and of lower case with hyphens, chapters are the book's, and each entry of the catalogue has a
+/// picture. Oracle: the catalogue.
 #[test]
 fn names_are_unique_and_chapters_exist() {
     let all = mistakes::all();
@@ -15,10 +17,14 @@ fn names_are_unique_and_chapters_exist() {
     let words: BTreeSet<&str> = all.iter().map(|mistake| mistake.words).collect();
     assert_eq!([names.len(), words.len()], [all.len(); 2]);
     assert!(all.len() >= 25);
-    for Mistake { name, words, chapter, .. } in &all {
+    let entries: BTreeSet<&str> = known::ALL.iter().map(|entry| entry.name).collect();
+    assert_eq!(names, entries);
+    for Known { name, words, chapter, place, .. } in known::ALL {
         assert!(name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{name}");
         assert!((1..=31).contains(chapter), "{name}: chapter {chapter}");
-        assert!(!words.ends_with('.') && !words.contains('|'), "{name}: {words}");
+        for text in [words, place] {
+            assert!(!text.ends_with('.') && !text.contains('|'), "{name}: {text}");
+        }
     }
 }
 

@@ -8,16 +8,11 @@ use super::{Change, Mistake, bases, changes, instead, items, lights, number, set
 pub(super) const ALL: &[Change] = changes! {
     "only the first lamp counts", "ch. 14: the sum over all lights" => |data| retain(data, |i, _| i == 0);
     "only the last lamp counts", "ch. 14: the sum over all lights" => |data| retain(data, |i, n| i + 1 == n);
-    "ambient light is reflected by kd instead of ka", "ch. 14: ka cd L_a" => |data| bases(data, |base| {
-        let kd = base.get("kd").cloned()?;
-        set(base, "ka", kd)
-    });
     "the light of lamps is reflected by ka instead of kd", "ch. 14: kd cd / π" => |data| bases(data, |base| {
         let ka = base.get("ka").cloned()?;
         set(base, "kd", ka)
     });
     "kd is left out", "ch. 14: kd cd / π" => |data| bases(data, |base| instead(base, "kd", json!(1.0)));
-    "ka is left out", "ch. 14: ka cd L_a" => |data| bases(data, |base| instead(base, "ka", json!(1.0)));
     "the colour of ambient light is left out", "ch. 14: ls · color" => |data| lights(data, |kind, light| {
         if is_ambient(kind) { without(light, "color") } else { None }
     });
@@ -27,17 +22,6 @@ pub(super) const ALL: &[Change] = changes! {
     "the factor ls of lights is left out", "ch. 14: ls · color" => |data| {
         lights(data, |_, light| without(light, "ls"))
     };
-    "the direction of a directional light is taken for the way of its light", "ch. 14: it points to the light" => |data| {
-        lights(data, |kind, light| if kind == "spot" { None } else { number(light, "direction", |x| -x) })
-    };
-    "the direction of a directional light is not made unit", "ch. 14" => |data| lights(data, |kind, light| {
-        if kind != "directional" {
-            return None;
-        }
-        let direction: Vec<f64> = light.get("direction")?.as_array()?.iter().filter_map(Value::as_f64).collect();
-        let length = direction.iter().map(|x| x * x).sum::<f64>().sqrt();
-        number(light, "ls", |ls| length * ls)
-    });
     "light falls off with 1/d² where it should not", "ch. 14: the exponent of the distance, 0 if left out" => |data| {
         lights(data, |kind, light| {
             let is_even = kind == "point" && light.get("attenuation").is_none_or(|k| k.as_f64() == Some(0.0));
@@ -49,12 +33,6 @@ pub(super) const ALL: &[Change] = changes! {
     };
     "the exponent of the distance is twice as large", "ch. 14: 1/dᵏ, where d is no square" => |data| {
         lights(data, |_, light| number(light, "attenuation", |k| 2.0 * k))
-    };
-    "the angles of a spot are taken for whole angles", "docs/scene.md: they are measured from its axis" => |data| {
-        lights(data, |_, light| {
-            number(light, "inner", |x| 0.5 * x)?;
-            number(light, "outer", |x| 0.5 * x)
-        })
     };
     "a spot shines in all directions", "docs/scene.md: none from `outer` on" => |data| lights(data, |_, light| {
         instead(light, "inner", json!(180.0))?;

@@ -28,7 +28,7 @@ pub fn all() -> impl Iterator<Item = &'static Change> {
 macro_rules! changes {
     ($($words:literal, $place:literal => $apply:expr;)*) => {
         &[$(Change {
-            mistake: &Mistake { name: $words, place: $place, scene: None },
+            mistake: &Mistake::of_answers($words, $place, None),
             apply: $apply,
         }),*]
     };
@@ -128,13 +128,6 @@ fn instead(fields: &mut Fields, field: &str, value: Value) -> Option<()> {
 /// Leaves a field out.
 fn without(fields: &mut Fields, field: &str) -> Option<()> {
     fields.remove(field).map(|_| ())
-}
-
-/// Exchanges two fields.
-fn exchanged(fields: &mut Fields, a: &str, b: &str) -> Option<()> {
-    let (x, y) = (fields.get(a)?.clone(), fields.get(b)?.clone());
-    set(fields, a, y)?;
-    set(fields, b, x)
 }
 
 /// Changes a number, or each number of a list.

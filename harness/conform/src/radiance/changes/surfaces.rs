@@ -4,8 +4,7 @@ use serde_json::{Value, json};
 
 use super::super::super::mistakes as m;
 use super::{
-    Change, Mistake, any, bases, changes, exchanged, instead, items, number, recipes, set, tables,
-    without,
+    Change, Mistake, any, bases, changes, instead, items, number, recipes, set, tables, without,
 };
 
 pub(super) const ALL: &[Change] = changes! {
@@ -13,14 +12,8 @@ pub(super) const ALL: &[Change] = changes! {
         let is_clear = ["transparent", "dielectric"].iter().any(|kind| material["recipe"].get(kind).is_some());
         if is_clear { None } else { set(material, "two_sided", json!(true)) }
     });
-    "highlights are left out", "ch. 15: ks cs (r·ωo)ᵉ" => |data| bases(data, |base| instead(base, "ks", json!(0.0)));
     "ks is left out", "ch. 15: ks cs (r·ωo)ᵉ" => |data| bases(data, |base| instead(base, "ks", json!(1.0)));
     "the colour cs of highlights is left out", "ch. 15: ks cs (r·ωo)ᵉ" => |data| bases(data, |base| without(base, "cs"));
-    "highlights have the colour of the surface", "ch. 15: cs is a colour of its own" => |data| bases(data, |base| {
-        let _ = base.get("ks")?;
-        let cd = base.get("cd").cloned()?;
-        set(base, "cs", cd)
-    });
     "the exponent of highlights is left out", "ch. 15: (r·ωo)ᵉ" => |data| bases(data, |base| without(base, "exponent"));
     "the exponent of highlights is a whole number", "ch. 15: (r·ωo)ᵉ" => |data| {
         bases(data, |base| number(base, "exponent", |e| e.trunc()))
@@ -60,9 +53,7 @@ pub(super) const ALL: &[Change] = changes! {
     "gloss is normalised", "ch. 25: f cos θ / pdf = ks cs there" => |data| {
         recipes(data, |kind, fields| if kind == "glossy_reflector" { set(fields, "rule", json!("normalised")) } else { None })
     };
-    "kr and kt are exchanged", "ch. 27" => |data| recipes(data, |_, fields| exchanged(fields, "kr", "kt"));
     "kr is left out", "ch. 27" => |data| of_kinds(data, &["transparent"], |fields| instead(fields, "kr", json!(1.0)));
-    "kt is left out", "ch. 27: kt / η²" => |data| recipes(data, |_, fields| instead(fields, "kt", json!(1.0)));
     "glass does not reflect", "ch. 27: two rays" => |data| of_kinds(data, &["transparent"], |fields| instead(fields, "kr", json!(0.0)));
     "glass lets nothing through", "ch. 27: two rays" => |data| recipes(data, |_, fields| instead(fields, "kt", json!(0.0)));
     "rays are not refracted", "ch. 27: Snell's law" => |data| recipes(data, |kind, fields| match kind {
@@ -133,12 +124,10 @@ pub(super) const ALL: &[Change] = changes! {
             set(bump, "height", json!(2.0 * height))
         })
     };
-    "bumps are dents", "ch. 31" => |data| tables(data, "materials", "height", &|bump| number(bump, "height", |x| -x));
     "textures have their first colour everywhere", "ch. 30" => |data| textures(data, |texture| {
         let first = texture.get("color1")?.clone();
         instead(texture, "color2", first)
     });
-    "outlines are left out", "ch. 30" => |data| textures(data, |texture| without(texture, "outline_width"));
     "textures are not transformed", "ch. 30: M⁻¹p" => |data| tables(data, "materials", "texture_instance", &|texture| {
         instead(texture, "transform", json!([]))
     });
@@ -151,34 +140,10 @@ pub(super) const ALL: &[Change] = changes! {
 };
 
 /// Mistakes that conform has known before.
-pub(super) const KNOWN: &[Change] = &[
-    Change {
-        mistake: &m::SWAPPED_COLORS,
-        apply: |data| textures(data, |texture| exchanged(texture, "color1", "color2")),
-    },
-    Change {
-        mistake: &m::NO_SIZE,
-        apply: |data| textures(data, |texture| instead(texture, "size", json!(1.0))),
-    },
-    Change {
-        mistake: &m::ETA_INVERTED,
-        apply: |data| {
-            recipes(data, |kind, fields| match kind {
-                "transparent" => number(fields, "eta", |eta| 1.0 / eta),
-                "dielectric" => {
-                    let of = |side: Option<&Value>| {
-                        side.and_then(|it| it["eta"].as_f64()).unwrap_or(1.0)
-                    };
-                    let (inside, outside) = (of(fields.get("inside")), of(fields.get("outside")));
-                    set(fields.get_mut("inside")?.as_object_mut()?, "eta", json!(outside))?;
-                    let side = fields.entry("outside").or_insert_with(|| json!({}));
-                    set(side.as_object_mut()?, "eta", json!(inside))
-                }
-                _ => None,
-            })
-        },
-    },
-];
+pub(super) const KNOWN: &[Change] = &[Change {
+    mistake: &m::NO_SIZE,
+    apply: |data| textures(data, |texture| instead(texture, "size", json!(1.0))),
+}];
 
 fn of_kinds(
     data: &mut Value,

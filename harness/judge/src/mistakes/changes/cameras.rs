@@ -9,81 +9,46 @@ use groundtruth::math::{Point, Vector};
 use groundtruth::scene::Scene;
 
 use super::changed;
-use crate::mistakes::Mistake;
+use crate::mistakes::{Mistake, known};
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene(
-        3,
-        "pixel-corner",
-        "samples are taken around the lower left corner of each pixel instead of its middle",
-        pixel_corner,
-    ),
-    Mistake::scene(
-        3,
-        "no-aspect",
-        "the picture's height is taken for as large as its width, so that all is stretched",
-        no_aspect,
-    ),
-    Mistake::scene(9, "roll-reversed", "the camera is rolled to the other side", |scene, _| {
+    Mistake::scene(&known::PIXEL_CORNER, pixel_corner),
+    Mistake::scene(&known::NO_ASPECT, no_aspect),
+    Mistake::scene(&known::ROLL_REVERSED, |scene, _| {
         changed(scene, |scene| {
             scene.camera.roll = -scene.camera.roll;
             scene.camera.roll != 0.0
         })
     }),
-    Mistake::scene(9, "no-exposure-time", "the exposure time is left out", |scene, _| {
+    Mistake::scene(&known::NO_EXPOSURE_TIME, |scene, _| {
         changed(scene, |scene| std::mem::replace(&mut scene.camera.exposure_time, 1.0) != 1.0)
     }),
-    Mistake::scene(
-        10,
-        "not-focused",
-        "the rays of a lens meet on the view plane instead of the focal plane",
-        |scene, _| {
-            changed(scene, |scene| match &mut scene.camera.lens {
-                Kind::ThinLens(lens) => {
-                    std::mem::replace(&mut lens.focal_distance, lens.distance) != lens.distance
-                }
-                _ => false,
-            })
-        },
-    ),
-    Mistake::scene(
-        10,
-        "lens-radius-doubled",
-        "the diameter of the lens is taken for its radius",
-        |scene, _| {
-            changed(scene, |scene| match &mut scene.camera.lens {
-                Kind::ThinLens(lens) => {
-                    lens.lens_radius *= 2.0;
-                    lens.lens_radius > 0.0
-                }
-                _ => false,
-            })
-        },
-    ),
-    Mistake::scene(
-        11,
-        "half-field-of-view",
-        "half of the field of view is taken for the whole",
-        |scene, _| with_field_of_view(scene, 0.5),
-    ),
-    Mistake::scene(
-        11,
-        "whole-field-of-view",
-        "the whole field of view is taken for its half",
-        |scene, _| with_field_of_view(scene, 2.0),
-    ),
-    Mistake::scene(
-        11,
-        "fisheye-without-circle",
-        "a fisheye fills its whole rectangle, not only the circle in it",
-        |scene, _| {
-            changed(scene, |scene| match &mut scene.camera.lens {
-                Kind::Fisheye(lens) => !std::mem::replace(&mut lens.rectangular, true),
-                _ => false,
-            })
-        },
-    ),
-    Mistake::scene(12, "eyes-exchanged", "the images of both eyes are exchanged", |scene, _| {
+    Mistake::scene(&known::NOT_FOCUSED, |scene, _| {
+        changed(scene, |scene| match &mut scene.camera.lens {
+            Kind::ThinLens(lens) => {
+                std::mem::replace(&mut lens.focal_distance, lens.distance) != lens.distance
+            }
+            _ => false,
+        })
+    }),
+    Mistake::scene(&known::LENS_RADIUS_DOUBLED, |scene, _| {
+        changed(scene, |scene| match &mut scene.camera.lens {
+            Kind::ThinLens(lens) => {
+                lens.lens_radius *= 2.0;
+                lens.lens_radius > 0.0
+            }
+            _ => false,
+        })
+    }),
+    Mistake::scene(&known::HALF_FIELD_OF_VIEW, |scene, _| with_field_of_view(scene, 0.5)),
+    Mistake::scene(&known::WHOLE_FIELD_OF_VIEW, |scene, _| with_field_of_view(scene, 2.0)),
+    Mistake::scene(&known::FISHEYE_WITHOUT_CIRCLE, |scene, _| {
+        changed(scene, |scene| match &mut scene.camera.lens {
+            Kind::Fisheye(lens) => !std::mem::replace(&mut lens.rectangular, true),
+            _ => false,
+        })
+    }),
+    Mistake::scene(&known::EYES_EXCHANGED, |scene, _| {
         changed(scene, |scene| {
             let Some(stereo) = &mut scene.camera.stereo else { return false };
             stereo.viewing = match stereo.viewing {

@@ -4,47 +4,26 @@
 use groundtruth::scene::Scene;
 use serde_json::{Map, Value};
 
-use crate::mistakes::{How, Mistake};
+use crate::mistakes::{How, Mistake, known};
 
 const AMBIENT_OF_KD: Mistake =
-    Mistake::scene(14, "ambient-of-kd", "the ambient term has k_d instead of k_a", |scene, _| {
-        with_ambient(scene, |_, kd| kd)
-    });
+    Mistake::scene(&known::AMBIENT_OF_KD, |scene, _| with_ambient(scene, |_, kd| kd));
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene(
-        14,
-        "ambient-without-ka",
-        "the ambient term is not multiplied by k_a",
-        |scene, _| with_ambient(scene, |_, _| 1.0),
-    ),
+    Mistake::scene(&known::AMBIENT_WITHOUT_KA, |scene, _| with_ambient(scene, |_, _| 1.0)),
     AMBIENT_OF_KD,
     AMBIENT_OF_KD
         .in_form("times k_a", How::Scene(|scene, _| with_ambient(scene, |ka, kd| ka * kd))),
-    Mistake::scene(
-        15,
-        "highlight-of-surface-colour",
-        "highlights have the diffuse colour of the surface instead of their own",
-        |scene, _| edited(scene, "materials", &highlight_of_surface_color),
-    ),
-    Mistake::scene(
-        23,
-        "flat-shading",
-        "smooth meshes are shaded by the normals of their faces",
-        |scene, _| edited(scene, "objects", &flat),
-    ),
-    Mistake::scene(
-        27,
-        "kr-kt-exchanged",
-        "k_r and k_t of transparent surfaces are exchanged",
-        |scene, _| edited(scene, "materials", &kr_kt_exchanged),
-    ),
-    Mistake::scene(
-        28,
-        "media-exchanged",
-        "the media inside and outside of dielectrics are exchanged",
-        |scene, _| edited(scene, "materials", &media_exchanged),
-    ),
+    Mistake::scene(&known::HIGHLIGHT_OF_SURFACE_COLOUR, |scene, _| {
+        edited(scene, "materials", &highlight_of_surface_color)
+    }),
+    Mistake::scene(&known::FLAT_SHADING, |scene, _| edited(scene, "objects", &flat)),
+    Mistake::scene(&known::KR_KT_EXCHANGED, |scene, _| {
+        edited(scene, "materials", &kr_kt_exchanged)
+    }),
+    Mistake::scene(&known::MEDIA_EXCHANGED, |scene, _| {
+        edited(scene, "materials", &media_exchanged)
+    }),
 ];
 
 /// The scene with this change of each table in its list of this name; `None` if it changes none, or if the scene cannot

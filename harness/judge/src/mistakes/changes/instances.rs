@@ -11,21 +11,15 @@ use groundtruth::shapes::{
 };
 
 use super::changed;
-use crate::mistakes::Mistake;
+use crate::mistakes::{Mistake, known};
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene(
-        21,
-        "normal-by-matrix",
-        "the normals of instances are transformed by the matrix instead of its inverse transpose",
-        |scene, folder| changed_instances(scene, folder, Part::Normals),
-    ),
-    Mistake::scene(
-        30,
-        "texture-not-in-instance",
-        "the textures of instances are not transformed with them: they are those of the points in the world",
-        |scene, folder| changed_instances(scene, folder, Part::Textures),
-    ),
+    Mistake::scene(&known::NORMAL_BY_MATRIX, |scene, folder| {
+        changed_instances(scene, folder, Part::Normals)
+    }),
+    Mistake::scene(&known::TEXTURE_NOT_IN_INSTANCE, |scene, folder| {
+        changed_instances(scene, folder, Part::Textures)
+    }),
 ];
 
 /// What of an instance is wrong.

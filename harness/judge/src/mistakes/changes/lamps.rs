@@ -13,16 +13,11 @@ use groundtruth::shapes::{self, SampledSurface, Sampling};
 
 use super::changed;
 use super::lights::with_samples;
-use crate::mistakes::Mistake;
+use crate::mistakes::{Mistake, known};
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene(
-        18,
-        "no-lamp-area",
-        "the light of area lights lacks the factor of the lamp's area (the density of its samples)",
-        no_lamp_area,
-    ),
-    Mistake::scene(18, "lamp-two-sided", "one-sided lamps shine from both sides", lamp_two_sided),
+    Mistake::scene(&known::NO_LAMP_AREA, no_lamp_area),
+    Mistake::scene(&known::LAMP_TWO_SIDED, lamp_two_sided),
 ];
 
 fn lamp_two_sided(scene: &Scene, _: &Path) -> Option<Scene> {

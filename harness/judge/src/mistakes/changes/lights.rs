@@ -15,70 +15,24 @@ use groundtruth::scene::Scene;
 
 use super::lamps::lamp_light;
 use super::{changed, has_tree_of_rays};
-use crate::mistakes::Mistake;
+use crate::mistakes::{Mistake, known};
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene(
-        14,
-        "no-fall-off",
-        "light of point lights does not fall off with distance",
-        |scene, _| with_exponent(scene, 0.0),
-    ),
-    Mistake::scene(
-        14,
-        "linear-fall-off",
-        "light of point lights falls off with 1/d instead of 1/d²",
-        |scene, _| with_exponent(scene, 1.0),
-    ),
-    Mistake::scene(
-        14,
-        "lit-from-behind",
-        "light without shadows that comes from behind a surface counts as light from the front",
-        lit_from_behind,
-    ),
-    Mistake::scene(
-        14,
-        "sun-reversed",
-        "directional light comes from the other side",
-        |scene, _| with_sun(scene, |sun| sun.direction = -sun.direction),
-    ),
-    Mistake::scene(
-        14,
-        "sun-not-normalised",
-        "the direction of directional light is not normalised, so that its length is a factor",
-        |scene, _| with_sun(scene, |sun| sun.ls *= sun.direction.length()),
-    ),
-    Mistake::scene(
-        14,
-        "spot-whole-angle",
-        "the angles from a spotlight's axis are taken for those across its whole cone",
-        spot_whole_angle,
-    ),
-    Mistake::scene(
-        16,
-        "shadow-switches-ignored",
-        "objects and materials that are said to cast no shadows do",
-        shadow_switches_ignored,
-    ),
-    Mistake::scene(16, "no-shadows", "objects cast no shadows", no_shadows),
-    Mistake::scene(
-        16,
-        "shadow-rays-without-end",
-        "shadow rays do not end at the lamp: objects behind it, and the lamp itself, block its light",
-        shadow_rays_without_end,
-    ),
-    Mistake::scene(
-        17,
-        "occluder-uniform",
-        "ambient occlusion draws directions evenly over the hemisphere instead of by the cosine",
-        occluder_uniform,
-    ),
-    Mistake::scene(
-        17,
-        "no-min-amount",
-        "ambient light is black where it is occluded, instead of its least amount",
-        no_min_amount,
-    ),
+    Mistake::scene(&known::NO_FALL_OFF, |scene, _| with_exponent(scene, 0.0)),
+    Mistake::scene(&known::LINEAR_FALL_OFF, |scene, _| with_exponent(scene, 1.0)),
+    Mistake::scene(&known::LIT_FROM_BEHIND, lit_from_behind),
+    Mistake::scene(&known::SUN_REVERSED, |scene, _| {
+        with_sun(scene, |sun| sun.direction = -sun.direction)
+    }),
+    Mistake::scene(&known::SUN_NOT_NORMALISED, |scene, _| {
+        with_sun(scene, |sun| sun.ls *= sun.direction.length())
+    }),
+    Mistake::scene(&known::SPOT_WHOLE_ANGLE, spot_whole_angle),
+    Mistake::scene(&known::SHADOW_SWITCHES_IGNORED, shadow_switches_ignored),
+    Mistake::scene(&known::NO_SHADOWS, no_shadows),
+    Mistake::scene(&known::SHADOW_RAYS_WITHOUT_END, shadow_rays_without_end),
+    Mistake::scene(&known::OCCLUDER_UNIFORM, occluder_uniform),
+    Mistake::scene(&known::NO_MIN_AMOUNT, no_min_amount),
 ];
 
 fn with_exponent(scene: &Scene, exponent: f64) -> Option<Scene> {

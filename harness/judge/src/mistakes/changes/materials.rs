@@ -16,29 +16,15 @@ use groundtruth::textures::{self, Paint, Texel, Texture, TexturePoint};
 
 use super::{changed, has_tree_of_rays};
 use crate::mistakes::glass_terms::{both_right, factor_right, fresnel_right, total_right};
-use crate::mistakes::{How, Mistake};
+use crate::mistakes::{How, Mistake, known};
 
 /// In refraction, in Fresnel's equations and in the factor 1/η².
-pub(in crate::mistakes) const NOT_INVERTED: Mistake = Mistake::scene(
-    27,
-    "eta-not-inverted",
-    "the index of refraction is not inverted for rays inside",
-    not_inverted,
-);
+pub(in crate::mistakes) const NOT_INVERTED: Mistake =
+    Mistake::scene(&known::ETA_NOT_INVERTED, not_inverted);
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene(
-        3,
-        "back-sides-black",
-        "the normal is not turned to the viewer on the back of two-sided surfaces",
-        back_sides_black,
-    ),
-    Mistake::scene(
-        27,
-        "glass-casts-no-shadow",
-        "transparent objects cast no shadow",
-        glass_casts_no_shadow,
-    ),
+    Mistake::scene(&known::BACK_SIDES_BLACK, back_sides_black),
+    Mistake::scene(&known::GLASS_CASTS_NO_SHADOW, glass_casts_no_shadow),
     NOT_INVERTED,
     NOT_INVERTED.in_form("in refraction alone", How::Both(not_inverted, both_right)),
     NOT_INVERTED
@@ -46,30 +32,14 @@ pub(super) const ALL: &[Mistake] = &[
     NOT_INVERTED.in_form("but right in the factor 1/η²", How::Both(not_inverted, factor_right)),
     NOT_INVERTED
         .in_form("but right where reflection is total", How::Both(not_inverted, total_right)),
-    Mistake::scene(
-        27,
-        "eta-inverted",
-        "the index of refraction is inverted on both sides of a surface",
-        |scene, folder| with_response(scene, folder, eta_inverted),
-    ),
-    Mistake::scene(
-        27,
-        "total-reflection-kr",
-        "total internal reflection is weighted by k_r instead of 1",
-        |scene, folder| with_response(scene, folder, total_reflection_kr),
-    ),
-    Mistake::scene(
-        31,
-        "bump-reversed",
-        "bumps turn normals to the other side, so that hills are dents",
-        bump_reversed,
-    ),
-    Mistake::scene(
-        30,
-        "checker-truncated",
-        "the cells of solid checkers are numbered by truncation instead of rounding down",
-        checker_truncated,
-    ),
+    Mistake::scene(&known::ETA_INVERTED, |scene, folder| {
+        with_response(scene, folder, eta_inverted)
+    }),
+    Mistake::scene(&known::TOTAL_REFLECTION_KR, |scene, folder| {
+        with_response(scene, folder, total_reflection_kr)
+    }),
+    Mistake::scene(&known::BUMP_REVERSED, bump_reversed),
+    Mistake::scene(&known::CHECKER_TRUNCATED, checker_truncated),
 ];
 
 fn back_sides_black(scene: &Scene, _: &Path) -> Option<Scene> {

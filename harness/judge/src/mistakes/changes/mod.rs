@@ -11,18 +11,14 @@ pub(super) mod textures;
 
 use groundtruth::scene::{Scene, Tracer};
 
-use super::Mistake;
+use super::{Mistake, known};
 
 pub(super) use materials::NOT_INVERTED;
 
 pub(super) const ALL: [&[Mistake]; 9] = [
     &[
-        Mistake::scene(24, "one-bounce-less", "rays are traced to one depth less", |scene, _| {
-            deeper_by(scene, -1)
-        }),
-        Mistake::scene(24, "one-bounce-more", "rays are traced to one depth more", |scene, _| {
-            deeper_by(scene, 1)
-        }),
+        Mistake::scene(&known::ONE_BOUNCE_LESS, |scene, _| deeper_by(scene, -1)),
+        Mistake::scene(&known::ONE_BOUNCE_MORE, |scene, _| deeper_by(scene, 1)),
     ],
     cameras::ALL,
     edits::ALL,

@@ -3,19 +3,14 @@
 use groundtruth::background::{Background, Pattern};
 
 use super::changed;
-use crate::mistakes::Mistake;
+use crate::mistakes::{Mistake, known};
 
-pub(super) const ALL: &[Mistake] = &[Mistake::scene(
-    29,
-    "sky-turned",
-    "the image of the sky is turned by 90°: its seam is at +x instead of +z",
-    |scene, _| {
-        changed(scene, |scene| match &mut scene.background {
-            Background::Pattern(Pattern::Image(image)) => {
-                image.rotate_y += 90.0;
-                true
-            }
-            _ => false,
-        })
-    },
-)];
+pub(super) const ALL: &[Mistake] = &[Mistake::scene(&known::SKY_TURNED, |scene, _| {
+    changed(scene, |scene| match &mut scene.background {
+        Background::Pattern(Pattern::Image(image)) => {
+            image.rotate_y += 90.0;
+            true
+        }
+        _ => false,
+    })
+})];

@@ -5,6 +5,7 @@ use serde_json::{Map, Value, json};
 
 use super::edits::edited;
 use crate::mistakes::Mistake;
+use crate::mistakes::known::{self, Known};
 
 /// A change of a table within a material; whether it changed something.
 pub type Edit = fn(&mut Map<String, Value>) -> bool;
@@ -12,43 +13,42 @@ pub type Edit = fn(&mut Map<String, Value>) -> bool;
 /// A change of textures.
 #[derive(Clone, Copy, Debug)]
 pub struct TextureChange {
-    /// The name of the mistake that makes it in all materials.
-    pub name: &'static str,
-    /// Completes the sentence "the picture agrees with ours if …".
-    pub words: &'static str,
+    /// The mistake that makes it in all materials.
+    pub known: &'static Known,
     /// What it does with a table.
     pub edit: Edit,
 }
 
+/// A list of mistakes with the change that each makes.
 macro_rules! texture_mistakes {
-    ($($chapter:literal $name:literal $edit:path: $words:literal;)*) => {
+    ($($known:ident: $edit:path;)*) => {
         /// The changes.
         pub const CHANGES: &[TextureChange] =
-            &[$(TextureChange { name: $name, words: $words, edit: $edit }),*];
+            &[$(TextureChange { known: &known::$known, edit: $edit }),*];
 
         pub(in crate::mistakes) const ALL: &[Mistake] = &[$(
-            Mistake::scene($chapter, $name, $words, |scene, _| edited(scene, "materials", &$edit))
+            Mistake::scene(&known::$known, |scene, _| edited(scene, "materials", &$edit))
         ),*];
     };
 }
 
 texture_mistakes! {
-    29 "texture-upside-down" upside_down: "rows of texture images are counted from the other end";
-    29 "texture-mirrored" mirrored: "columns of texture images are counted from the other end";
-    29 "texture-turned" turned: "texture images are turned by 90° about the y axis of their objects";
-    29 "texture-nearest" nearest: "texture images have the nearest texel instead of bilinear interpolation";
-    29 "texture-bilinear" bilinear: "texture images have bilinear interpolation instead of the nearest texel";
-    29 "texture-of-other-rule" other_rule: "texels cover 1/(n − 1) of the image for 1/n, or 1/n for 1/(n − 1)";
-    30 "texture-colours-exchanged" colors_exchanged: "the two colours of checkers, stripes and noise are exchanged";
-    30 "texture-offset" offset: "checkers and stripes are moved by half a cell along each axis";
-    30 "texture-size-doubled" size_doubled: "the cells of textures are twice as large";
-    30 "texture-size-halved" size_halved: "the cells of textures are half as large";
-    30 "no-outlines" without_outlines: "checkers have no outlines";
-    31 "one-octave-less" one_octave_less: "sums of several octaves of noise lack the last one";
-    31 "one-octave-more" one_octave_more: "sums of several octaves of noise have one more";
-    31 "octaves-without-gain" without_gain: "all octaves of noise have the same weight";
-    31 "octaves-without-lacunarity" without_lacunarity: "all octaves of noise have the same frequency";
-    31 "noise-linear" linear: "noise is interpolated linearly instead of by cubic splines";
+    TEXTURE_UPSIDE_DOWN: upside_down;
+    TEXTURE_MIRRORED: mirrored;
+    TEXTURE_TURNED: turned;
+    TEXTURE_NEAREST: nearest;
+    TEXTURE_BILINEAR: bilinear;
+    TEXTURE_OF_OTHER_RULE: other_rule;
+    TEXTURE_COLOURS_EXCHANGED: colors_exchanged;
+    TEXTURE_OFFSET: offset;
+    TEXTURE_SIZE_DOUBLED: size_doubled;
+    TEXTURE_SIZE_HALVED: size_halved;
+    NO_OUTLINES: without_outlines;
+    ONE_OCTAVE_LESS: one_octave_less;
+    ONE_OCTAVE_MORE: one_octave_more;
+    OCTAVES_WITHOUT_GAIN: without_gain;
+    OCTAVES_WITHOUT_LACUNARITY: without_lacunarity;
+    NOISE_LINEAR: linear;
 }
 
 /// The axis of a mapping along which u runs, or about which it is symmetric, and the same for v.

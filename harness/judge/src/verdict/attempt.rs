@@ -1,0 +1,286 @@
+//! A picture held against ours, its values stored in each way that is possible; and what is tried when it differs.
+
+use groundtruth::film::{Film, OutOfGamut};
+use groundtruth::samplers;
+
+use super::planted::brighter;
+use super::sampling::Sampling;
+use super::verdict::{Explanation, Shown, Verdict};
+use super::{
+    Area, Areas, Decision, Evaluation, PlantedDefect, RayTolerance, Reference, Replicas, Stored,
+    Strictness, Subject, exclude, is_alike, is_nearer, noise, planted, plausible,
+};
+use pictures::compare::{
+    Change, Decoded, Picture, Transfer, changes_that_explain, distance_of, half_pixel_directions,
+    half_pixel_words,
+};
+
+/// The gain that is planted everywhere, and the one in an object.
+const PLANTED: [f64; 2] = [1.02, 1.05];
+
+/// Objects in which a defect is planted have at least so many pixels.
+const SEEN: u32 = 100;
+
+/// A plant makes the picture at least this many times as bright.
+const LEAST_GAIN: f64 = 1.0001;
+
+/// Pictures with samples alike in all pixels are tried if ours with such are at most so far from theirs, as a part of the
+/// distance of our usual ones: a wrong picture is nearer to some of them by chance.
+const ALIKE: f64 = 0.9;
+
+/// A picture judged, its values stored in one of the ways that are possible.
+pub(super) struct Attempt {
+    pub judged: Evaluation,
+    pub verdict: Verdict,
+    /// Our replicas, stored alike.
+    pub known: Vec<Vec<f32>>,
+}
+
+/// How pictures are judged.
+pub(super) struct Judge<'a> {
+    pub areas: &'a Areas,
+    pub strictness: Strictness,
+    pub transfer: Option<Transfer>,
+    pub tone: (f64, OutOfGamut),
+    pub so_far: &'a dyn Fn(&Evaluation),
+    pub reference: Option<&'a Reference>,
+    pub tolerance: RayTolerance,
+}
+
+impl Judge<'_> {
+    /// If their noise is unlike ours, ours is made of independent samples if that is nearer to theirs; whether it is.
+    pub fn match_noise(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> bool {
+        let count = replicas.films.len();
+        if count < self.strictness.first || replicas.world.samples_per_pixel() == 1 {
+            return false;
+        }
+        let before = self.noise(theirs, &replicas.films);
+        if is_alike(before) {
+            return false;
+        }
+        let (usual, next) = (replicas.world.image.sampler.clone(), replicas.next);
+        let former = replicas.resample(Some(samplers::Random {}.into()));
+        let is_nearer =
+            replicas.films.len() == count && is_nearer(self.noise(theirs, &replicas.films), before);
+        if !is_nearer {
+            replicas.world.image.sampler = usual;
+            (replicas.films, replicas.next) = (former, next);
+        }
+        is_nearer
+    }
+
+    fn noise(&self, theirs: &Picture, films: &[Film]) -> f64 {
+        let candidates = Stored::candidates(theirs, self.transfer, self.tone);
+        let stored = plausible(&candidates, theirs, films)[0];
+        let known: Vec<Vec<f32>> = films.iter().map(|film| stored.values(film)).collect();
+        let subject = Subject { areas: self.areas, stored, reference: None };
+        noise(&read(theirs, stored), subject, &known)
+    }
+
+    /// The picture judged, stored in the likeliest way; if it differs so, in the other ways that its values leave open.
+    pub fn judged(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> Option<Attempt> {
+        if replicas.films.len() < 3 {
+            return None;
+        }
+        let candidates = Stored::candidates(theirs, self.transfer, self.tone);
+        let ways = plausible(&candidates, theirs, &replicas.films);
+        let is_last = |way: usize| way + 1 == ways.len();
+        let attempts = ways
+            .iter()
+            .enumerate()
+            .map_while(|(way, stored)| self.judged_as(theirs, *stored, replicas, !is_last(way)));
+        better(attempts, |attempt| attempt.verdict.decision)
+    }
+
+    /// The picture judged, stored in one way; `keeps` our films for the next.
+    fn judged_as(
+        &self,
+        theirs: &Picture,
+        stored: Stored,
+        replicas: &mut Replicas<'_, '_>,
+        keeps: bool,
+    ) -> Option<Attempt> {
+        let mut known: Vec<Vec<f32>> =
+            replicas.films.iter().map(|film| stored.values(film)).collect();
+        let slack = stored.slack(&replicas.films[0]);
+        let mut values = read(theirs, stored);
+        // it is no mean of pictures whose film points are off
+        let reference = self.reference.filter(|_| replicas.direction == [0, 0]);
+        let apart = exclude(&mut values, replicas.world, &known, stored, self.tolerance);
+        let next = |so_far: Option<&Evaluation>| {
+            so_far.into_iter().for_each(self.so_far);
+            let film = replicas.render()?;
+            let values = stored.values(&film);
+            if keeps {
+                replicas.films.push(film);
+            }
+            Some(values)
+        };
+        let subject = Subject { areas: self.areas, stored, reference };
+        let judged = Evaluation::of(&values, subject, self.strictness, &mut known, next)?;
+        let as_read = read(theirs, stored);
+        let shown = Shown { values: &as_read, excluded: &apart };
+        let mut verdict = Verdict::of(&judged, self.areas, self.strictness, shown, &slack);
+        verdict.weigh_negative(std::slice::from_ref(theirs), &judged.pool, self.areas);
+        Some(Attempt { judged, verdict, known })
+    }
+
+    /// The most harmless change that explains the difference, and whether the picture agrees after it.
+    pub fn explained(
+        &self,
+        theirs: &Picture,
+        replicas: &mut Replicas<'_, '_>,
+        known: &[Vec<f32>],
+        stored: Stored,
+    ) -> Option<Explanation> {
+        let mean: Vec<f32> = mean_of(known).into_iter().map(|value| value as f32).collect();
+        let [mean, alike] =
+            [&mean, &known[0]].map(|values| Picture::of_radiance(values, theirs.size));
+        let [ours, alike_decoded] = [&mean, &alike].map(Decoded::new);
+        let noise = distance_of(&ours, &alike_decoded);
+        let as_theirs = Picture { transfer: transfer_of(stored, theirs), ..theirs.clone() };
+        let theirs_decoded = Decoded::read_by(&as_theirs, |value| f64::from(stored.read(value)));
+        let names = ["ours", "theirs"];
+        let found = changes_that_explain(&ours, &theirs_decoded, noise).into_iter().next();
+        if let Some((change, _)) = found {
+            let what = change.words(names, as_theirs.transfer);
+            let changed = change.applied(&as_theirs);
+            let agrees = self.agrees(&changed, replicas);
+            // a factor that is not the whole difference says little
+            let is_gain = matches!(change, Change::Scaled(_));
+            if agrees || !is_gain {
+                return Some(Explanation { what, agrees, is_gain });
+            }
+        }
+        let direction = half_pixel_directions(replicas.world, &as_theirs, Some(&alike)).first()?.0;
+        replicas.direction = direction;
+        replicas.films.clear();
+        replicas.fill(self.strictness.first);
+        if replicas.films.len() < self.strictness.first {
+            return None;
+        }
+        let (what, agrees) =
+            (half_pixel_words(direction, "theirs"), self.agrees(&as_theirs, replicas));
+        Some(Explanation { what, agrees, is_gain: false })
+    }
+
+    /// The samples that are alike in all pixels with which ours are nearest to the picture, if it agrees with these.
+    pub fn alike_in_all_pixels(
+        &self,
+        theirs: &Picture,
+        replicas: &mut Replicas<'_, '_>,
+        stored: Stored,
+    ) -> Option<Explanation> {
+        let values = read(theirs, stored);
+        let apart = |film: &Film| -> f64 {
+            let pairs = stored.values(film).into_iter().zip(&values);
+            pairs.map(|(x, y)| f64::from((x - y).abs())).filter(|apart| apart.is_finite()).sum()
+        };
+        let (image, films, next) =
+            (replicas.world.image.clone(), replicas.films.clone(), replicas.next);
+        let own = replicas.world.samples_per_pixel();
+        let farthest = ALIKE * apart(films.first()?);
+        let mut nearest: Option<(f64, Sampling)> = None;
+        for candidate in Sampling::candidates(own) {
+            if candidate.is_that_of(replicas) {
+                continue;
+            }
+            let Some(film) = candidate.film(replicas) else { break };
+            let distance = apart(&film);
+            if distance < nearest.as_ref().map_or(farthest, |nearest| nearest.0) {
+                nearest = Some((distance, candidate));
+            }
+        }
+        let agrees = |candidate: &Sampling| {
+            candidate.film(replicas).is_some_and(|_| {
+                replicas.fill(self.strictness.first);
+                self.agrees(theirs, replicas)
+            })
+        };
+        let found = nearest.map(|(_, candidate)| candidate).filter(agrees);
+        replicas.world.image = image;
+        (replicas.films, replicas.next) = (films, next);
+        replicas.world.reseed(next - 1);
+        let what = found?.words(own);
+        Some(Explanation { what, agrees: true, is_gain: false })
+    }
+
+    fn agrees(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> bool {
+        let attempt = self.judged(theirs, replicas);
+        attempt.is_some_and(|attempt| attempt.verdict.decision == Decision::Agrees)
+    }
+
+    /// Whether defects in our first replica are found.
+    pub fn planted_defects(
+        &self,
+        replicas: &mut Replicas<'_, '_>,
+        known: &[Vec<f32>],
+        judged: &Evaluation,
+    ) -> Vec<PlantedDefect> {
+        let (areas, stored, from) =
+            (self.areas, judged.pool.stored, if judged.is_coarse { 2 } else { 0 });
+        let found = |film: &Film| planted(known, stored.values(film), (areas, &judged.pool), from);
+        let film = &replicas.films[0];
+        let percent = |factor: f64| format!("{:.0} %", 100.0 * (factor - 1.0));
+        let whole = Area::Tile { corner: [0, 0], side: areas.size[0].max(areas.size[1]) };
+        let mut plants = vec![PlantedDefect {
+            what: format!("all {} brighter", percent(PLANTED[0])),
+            found: found(&brighter(film, areas, whole, PLANTED[0])),
+        }];
+        let mut objects: Vec<usize> = (0..areas.objects.len()).collect();
+        objects.retain(|object| areas.objects[*object].1 >= SEEN);
+        objects.sort_by_key(|object| std::cmp::Reverse(areas.objects[*object].1));
+        for object in objects.into_iter().take(3) {
+            let what = format!("{} {} brighter", areas.objects[object].0, percent(PLANTED[1]));
+            let changed = brighter(film, areas, Area::Object(object), PLANTED[1]);
+            let brightness = |film: &Film| film.pixels().iter().map(|it| it.max()).sum::<f64>();
+            // of an object that is black there is nothing to see
+            if brightness(&changed) > LEAST_GAIN * brightness(film) {
+                plants.push(PlantedDefect { what, found: found(&changed) });
+            }
+        }
+        if replicas.world.view.stereo().is_none() {
+            (replicas.direction, replicas.next) = ([1, 1], replicas.next + 1);
+            if let Some(shifted) = replicas.render() {
+                plants.push(PlantedDefect {
+                    what: "half a pixel off".to_owned(),
+                    found: found(&shifted),
+                });
+            }
+            replicas.direction = [0, 0];
+        }
+        plants
+    }
+}
+
+/// The first that does not differ; else the first.
+pub(super) fn better<T>(
+    all: impl Iterator<Item = T>,
+    decision: impl Fn(&T) -> Decision,
+) -> Option<T> {
+    let mut first = None;
+    for one in all {
+        if decision(&one) != Decision::Differs {
+            return Some(one);
+        }
+        first.get_or_insert(one);
+    }
+    first
+}
+
+fn mean_of(all: &[Vec<f32>]) -> Vec<f64> {
+    let count = all.len() as f64;
+    (0..all[0].len()).map(|i| all.iter().map(|it| f64::from(it[i])).sum::<f64>() / count).collect()
+}
+
+/// The radiance of a picture whose values are stored in this way.
+pub(super) fn read(picture: &Picture, stored: Stored) -> Vec<f32> {
+    picture.values.as_flattened().iter().map(|value| stored.read(*value)).collect()
+}
+
+fn transfer_of(stored: Stored, theirs: &Picture) -> Transfer {
+    match stored {
+        Stored::Integers { transfer, .. } => transfer,
+        _ => theirs.transfer,
+    }
+}
