@@ -122,6 +122,7 @@ impl Accel {
     }
 
     /// The same; `counter` counts the cost.
+    #[inline]
     pub fn nearest_counted(
         &self,
         ray: &Ray,
@@ -144,6 +145,7 @@ impl Accel {
 
     /// Any hit along the ray, and the index of its primitive; `hit` finds some hit of the primitive of an index.
     /// Whether there is one does not depend on the method, but which one is found may.
+    #[inline]
     pub fn any<T>(
         &self,
         ray: &Ray,
