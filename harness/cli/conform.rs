@@ -4,15 +4,14 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::Duration;
 
 use clap::{Args, ValueEnum};
 use conform::family::Family;
-use conform::{self, Card, Known, Limits, Options, Profile, Program, Row, card};
-use groundtruth::math::hash;
+use conform::{self, Card, Known, Options, Profile, Row, card};
 use groundtruth::printable;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::asked::{Asked, fresh_seed, no_answer};
 use super::numbers::whole;
 use super::{Exit, Outcome, interrupt, output, print};
 
@@ -37,12 +36,6 @@ pub struct Conform {
     /// Only families whose names match, as "intersect.*.grazing"
     #[arg(long, value_name = "GLOB")]
     only: Option<glob::Pattern>,
-    /// Seconds for an answer
-    #[arg(long, value_name = "SECONDS", default_value_t = 5.0, value_parser = seconds)]
-    timeout: f64,
-    /// Seconds for the first answer after a start
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
-    start_timeout: f64,
     /// A file of families that may fail, one a line; one that does not fail is a failure, too
     #[arg(long, value_name = "FILE", conflicts_with = "write_known")]
     known: Option<PathBuf>,
@@ -61,9 +54,8 @@ pub struct Conform {
     /// Print an adapter to fill in, whose every question is a function that returns "unsupported"
     #[arg(long, value_name = "LANGUAGE", value_enum, exclusive = true)]
     init: Option<conform::Language>,
-    /// The program and its arguments
-    #[arg(last = true, required_unless_present = "init", value_name = "PROGRAM")]
-    program: Vec<String>,
+    #[command(flatten)]
+    asked: Asked,
 }
 
 /// The profiles by name.
@@ -73,13 +65,6 @@ enum Exact {
     Careful,
     /// Single precision and a constant ε: errors of at most 1e-4, ordinary cases only
     Book,
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(x) if (1e-3..=1e6).contains(&x) => Ok(x),
-        _ => Err("write a number of seconds, such as 5".to_owned()),
-    }
 }
 
 impl Conform {
@@ -104,9 +89,7 @@ impl Conform {
             shrink: true,
             interrupted: Arc::clone(&interrupted),
         };
-        let [answer, start] = [self.timeout, self.start_timeout].map(Duration::from_secs_f64);
-        let limits = Limits { answer, start: start.max(answer) };
-        let mut program = Program::new(self.program.clone(), limits, interrupted);
+        let mut program = self.asked.program(interrupted);
         let progress = progress(families.len() as u64);
         let mut chapters = Chapters::new(&families, profile);
         let card = conform::run(&mut program, &families, &options, &mut |row| {
@@ -125,7 +108,7 @@ impl Conform {
         let card = match card {
             Ok(card) => card,
             Err(error) => {
-                let text = no_answer(&error, &log);
+                let text = no_answer(&error.to_string(), &log);
                 text.lines().for_each(|line| eprintln!("{}", printable::text(line)));
                 return Ok(Exit::Unanswered);
             }
@@ -171,7 +154,7 @@ impl Conform {
     }
 
     fn write(&self, card: &Card) -> Result<(), Box<dyn std::error::Error>> {
-        let command = self.program.join(" ");
+        let command = self.asked.command();
         let write = |file: &Option<PathBuf>, text: &dyn Fn() -> String| match file {
             Some(file) => output::write(file, text().as_bytes()),
             None => Ok(()),
@@ -241,29 +224,7 @@ fn is_new(known: &Known, card: &Card) -> bool {
     !new.is_empty() || !passed.is_empty()
 }
 
-/// A seed from the clock: anything that was not chosen.
-fn fresh_seed() -> u64 {
-    let now =
-        std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default();
-    hash(&[now.as_nanos() as u64]) >> 16
-}
-
 fn progress(families: u64) -> ProgressBar {
     let style = ProgressStyle::with_template("{bar:30} {pos} of {len} families  {wide_msg}");
     ProgressBar::new(families).with_style(style.expect("the template is valid"))
-}
-
-/// What is to be done about a program that answers nothing.
-fn no_answer(error: &conform::NoAnswer, log: &str) -> String {
-    let text = format!("error: {error}");
-    let hint = if text.contains("no answer within") {
-        "\nhint: flush the output after each line (C and Python keep it back when writing to a pipe)"
-    } else if text.contains("not a JSON object") {
-        "\nhint: print nothing but answers to the standard output; banners belong to the standard error"
-    } else {
-        ""
-    };
-    let log =
-        if log.is_empty() { String::new() } else { format!("\nits standard error begins:\n{log}") };
-    text + hint + &log
 }

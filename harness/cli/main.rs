@@ -4,6 +4,7 @@
 //! interrupted the command.
 
 mod announce;
+mod asked;
 mod bounds;
 mod claim;
 mod columns;
@@ -15,6 +16,7 @@ mod export;
 mod goldens;
 mod interrupt;
 mod kinds;
+mod laws;
 mod list;
 mod merge;
 mod mistakes;
@@ -77,6 +79,12 @@ enum Command {
     /// answer; docs/conform.md describes it. The exit status is 0 if nothing failed, 1 if something did, 2 if the
     /// program answers nothing, or supports nothing of what is asked.
     Conform(conform::Conform),
+    /// Ask a program about its own lobes, and hold its answers to each other
+    ///
+    /// No answer of ours is needed: the program lists its BSDFs and what it claims of them; docs/laws.md describes the
+    /// questions, the claims and the laws. The exit status is 0 if no law is broken, 1 if one is, 2 if nothing could
+    /// be judged.
+    Laws(laws::Laws),
     /// Add the parts that `render --replicas R --part K/N` wrote, on any machines
     ///
     /// Writes the mean of the replicas, and its standard error: the same bits for any division into parts and any order
@@ -133,6 +141,7 @@ fn main() -> ExitCode {
     let outcome = match arguments.command {
         Command::List(command) => command.run(),
         Command::Kinds(command) => command.run(),
+        Command::Laws(command) => command.run(),
         Command::Render(command) => command.run(),
         Command::Explain(command) => command.run(),
         Command::Bounds(command) => command.run(),

@@ -6,6 +6,7 @@ mod conform;
 mod conform_adapters;
 mod docs;
 mod fuzz;
+mod laws;
 mod merge;
 mod probe;
 mod report;

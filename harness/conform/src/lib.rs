@@ -27,7 +27,7 @@ pub mod suite;
 mod values;
 
 pub use card::{Card, Row, Status};
-pub use judgement::{Judgement, Profile, Wrong};
+pub use judgement::{Judgement, Profile, Wrong, number, numbers, triple};
 pub use known::{Known, KnownError};
 pub use language::Language;
 pub use program::{Limits, Program};

@@ -1,0 +1,194 @@
+//! The card: in a terminal, as a page, and for continuous integration.
+
+use std::fmt::Write;
+
+use pictures::html::{self, escaped};
+use pictures::xml::held;
+use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
+
+use serde_json::{Value, json};
+
+use crate::laws::{Breach, LAWS, Law};
+use crate::lobe::Trouble;
+use crate::run::{Broken, Card, Row, Status};
+
+/// The verdict in one sentence, and the card below it.
+pub fn text(card: &Card) -> String {
+    let mut text = format!("{}\n\n", verdict(card));
+    let width = card.rows.iter().map(|row| row.name.chars().count()).max().unwrap_or(0).max(4);
+    let _ = writeln!(text, "{:width$}  held  undecided  broken", "lobe");
+    for row in &card.rows {
+        let held = row.laws.iter().filter(|status| matches!(status, Status::Holds(_))).count();
+        let open = row.laws.iter().filter(|it| matches!(it, Status::Undecided(_))).count();
+        let broken: Vec<_> = row.broken().map(|(law, _)| law.name).collect();
+        let broken = if broken.is_empty() { "·".to_owned() } else { broken.join(", ") };
+        let open = if open == 0 { "·".to_owned() } else { open.to_string() };
+        let _ = writeln!(text, "{:width$}  {held:>4}  {open:>9}  {broken}", row.name);
+    }
+    for row in &card.rows {
+        text += &details(row);
+    }
+    text
+}
+
+impl Card {
+    /// All of it, for programs.
+    pub fn json(&self) -> Value {
+        let law = |(law, status): (&Law, &Status)| {
+            let mut entry = json!({"law": law.name});
+            match status {
+                Status::Holds(cases) => {
+                    (entry["status"], entry["cases"]) = ("holds".into(), (*cases).into())
+                }
+                Status::NotClaimed => entry["status"] = "not claimed".into(),
+                Status::Undecided(why) => {
+                    (entry["status"], entry["why"]) = ("undecided".into(), why.as_str().into())
+                }
+                Status::Broken(Broken { parameters, wo, breach }) => {
+                    let Breach { found, expected, factor, questions } = breach;
+                    entry = json!({
+                        "law": law.name, "status": "broken", "sentence": law.sentence, "cause": law.cause,
+                        "found": found, "expected": expected, "factor": factor, "parameters": parameters,
+                        "wo": wo, "questions": questions,
+                    });
+                }
+            }
+            entry
+        };
+        let row = |row: &Row| {
+            let laws: Vec<Value> = LAWS.iter().zip(&row.laws).map(law).collect();
+            let trouble = row.trouble.as_ref().map(Trouble::text);
+            json!({"lobe": row.name, "laws": laws, "trouble": trouble, "failed": row.is_failed()})
+        };
+        json!({
+            "verdict": verdict(self), "seed": self.seed, "tests": self.tests, "whole": self.is_whole,
+            "lobes": self.rows.iter().map(row).collect::<Vec<_>>(),
+        })
+    }
+}
+
+/// One sentence.
+pub fn verdict(card: &Card) -> String {
+    let broken: Vec<&Row> = card.rows.iter().filter(|row| row.is_failed()).collect();
+    let (all, seed) = (card.rows.len(), card.seed);
+    let rest = format!("seed {seed}, {} tests of chance", card.tests);
+    match &broken[..] {
+        [] if !card.is_judged() => format!("nothing could be decided ({rest})"),
+        [] => format!("no law is broken by {} ({rest})", counted(all)),
+        [row, ..] => {
+            let what = match row.broken().next() {
+                Some((law, broken)) => {
+                    let more = broken.breach.factor.as_deref().unwrap_or(law.sentence);
+                    format!("{} breaks \"{}\": {more}", row.name, law.name)
+                }
+                None => format!("{} does not answer", row.name),
+            };
+            format!("{what} ({} of {} broken; {rest})", broken.len(), counted(all))
+        }
+    }
+}
+
+fn counted(lobes: usize) -> String {
+    if lobes == 1 { "1 lobe".to_owned() } else { format!("{lobes} lobes") }
+}
+
+/// What is wrong with a lobe: of the first law in full, as the others often follow from it.
+fn details(row: &Row) -> String {
+    let mut text = String::new();
+    if let Some(trouble) = row.trouble.as_ref().filter(|it| **it != Trouble::Interrupted) {
+        let what =
+            if row.is_unsupported() { "not supported" } else { "no answer that can be judged" };
+        let _ = writeln!(text, "\n{}: {what}: {}", row.name, trouble.text());
+    }
+    for (law, broken) in row.broken() {
+        let Broken { parameters, wo, breach } = broken;
+        let parameters = serde_json::Value::from(parameters.clone());
+        let _ = writeln!(text, "\n{} breaks \"{}\": {}", row.name, law.name, law.sentence);
+        let _ = writeln!(text, "  found       {}", breach.found);
+        let _ = writeln!(text, "  expected    {}", breach.expected);
+        let _ = writeln!(text, "  parameters  {parameters}, wo = {wo:?}");
+        match &breach.factor {
+            Some(factor) => {
+                let _ = writeln!(text, "  mistake     {factor}");
+            }
+            None => {
+                let _ = writeln!(text, "  usual cause {}", law.cause);
+            }
+        }
+        for question in &breach.questions {
+            let _ = writeln!(text, "  question    {question}");
+        }
+    }
+    text
+}
+
+const STYLE: &str = "\
+th, td { padding: 0.1em 0.8em; text-align: left; }
+tr { border-bottom: 1px solid #ddd; }
+.broken { background: #fdd; }
+.quiet { color: #999; }
+pre { background: #f4f4f4; padding: 0.5em; white-space: pre-wrap; overflow-wrap: anywhere; }
+";
+
+/// The page for a program with this command line.
+pub fn page(card: &Card, command: &str) -> String {
+    let title = format!("laws: {}", escaped(command));
+    let mut html =
+        format!("<h1>{title}</h1>\n<p>{}</p>\n<table>\n<tr><th>lobe</th>", escaped(&verdict(card)));
+    for law in &LAWS {
+        let _ = write!(html, "<th title=\"{}\">{}</th>", escaped(law.sentence), law.name);
+    }
+    html += "</tr>\n";
+    for row in &card.rows {
+        let _ = write!(html, "<tr><td>{}</td>", escaped(&row.name));
+        for status in &row.laws {
+            let (class, word) = match status {
+                Status::Holds(_) => ("", "holds"),
+                Status::Undecided(_) => ("quiet", "undecided"),
+                Status::Broken(_) => ("broken", "broken"),
+                Status::NotClaimed => ("quiet", "·"),
+            };
+            let _ = write!(html, "<td class=\"{class}\">{word}</td>");
+        }
+        html += "</tr>\n";
+    }
+    html += "</table>\n";
+    for row in &card.rows {
+        let details = details(row);
+        if !details.is_empty() {
+            let _ = writeln!(html, "<pre>{}</pre>", escaped(details.trim()));
+        }
+    }
+    html::page(&title, &[STYLE], &html)
+}
+
+/// JUnit's XML: a suite for each lobe, a case for each law.
+pub fn junit(card: &Card, command: &str) -> String {
+    let mut report = Report::new(held(&format!("groundtruth laws -- {command}")));
+    for row in &card.rows {
+        let mut suite = TestSuite::new(held(&row.name));
+        for (law, status) in LAWS.iter().zip(&row.laws) {
+            let status = match (status, &row.trouble) {
+                (Status::Broken(broken), _) => {
+                    let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
+                    let Broken { breach, .. } = broken;
+                    status.set_message(held(&format!(
+                        "{}; expected {}",
+                        breach.found, breach.expected
+                    )));
+                    status
+                }
+                (Status::Undecided(_), Some(Trouble::Refused(why) | Trouble::Fault(why))) => {
+                    let mut status = TestCaseStatus::non_success(NonSuccessKind::Error);
+                    status.set_message(held(why));
+                    status
+                }
+                (Status::NotClaimed | Status::Undecided(_), _) => TestCaseStatus::skipped(),
+                (Status::Holds(_), _) => TestCaseStatus::success(),
+            };
+            suite.add_test_case(TestCase::new(law.name, status));
+        }
+        report.add_test_suite(suite);
+    }
+    report.to_string().expect("a report of strings can be written")
+}

@@ -1,0 +1,238 @@
+//! Laws that hold value by value, to rounding.
+
+use groundtruth::math::{Vector, cos, sin};
+
+use super::{Breach, Finding};
+use crate::case::{Case, Measured};
+use crate::lobe::{Evaluated, Sampled, Trouble};
+use crate::naming::factor;
+
+/// Samples, or directions, that are compared one by one.
+const COMPARED: usize = 48;
+
+/// How two numbers that should be equal were found.
+struct Pair {
+    wi: Vector,
+    found: f64,
+    expected: f64,
+    slack: f64,
+}
+
+/// Broken where a pair differs by more than its slack; the worst is shown, and the factor between all of them is named.
+fn equal(case: &Case<'_>, pairs: &[Pair], found: &str, expected: &str) -> Finding {
+    let off = |pair: &Pair| {
+        let apart = (pair.found - pair.expected).abs() / pair.slack.max(f64::MIN_POSITIVE);
+        if apart.is_nan() { f64::INFINITY } else { apart }
+    };
+    let worst = pairs.iter().max_by(|a, b| off(a).total_cmp(&off(b)));
+    let Some(worst) = worst.filter(|pair| off(pair) > 1.0) else { return Finding::Holds };
+    let ratio = |pair: &Pair| (pair.found / pair.expected, case.wo, pair.wi);
+    let ratios: Vec<_> = pairs.iter().filter(|pair| off(pair) > 1.0).map(ratio).collect();
+    Finding::Broken(Breach {
+        found: format!("{found} = {:.6e} at wi = {:?}", worst.found, worst.wi.to_array()),
+        expected: format!("{expected} = {:.6e}", worst.expected),
+        factor: factor(&ratios, case.eta)
+            .map(|factor| format!("what is found is {factor} times what is expected")),
+        questions: vec![case.lobe.eval_question(case.wo, &[worst.wi])],
+    })
+}
+
+/// Samples with a density, and the values in their directions.
+fn valued(case: &mut Case<'_>) -> Result<Vec<(Sampled, f64, Measured)>, Trouble> {
+    let samples = case.samples(COMPARED)?.into_iter().flatten();
+    let samples: Vec<_> = samples.filter_map(|it| Some((it, it.pdf?))).collect();
+    let directions: Vec<Vector> = samples.iter().map(|(it, _)| it.wi).collect();
+    let values = case.measured(case.wo, &directions)?;
+    let all = samples.into_iter().zip(values).map(|((it, pdf), value)| (it, pdf, value));
+    let is_above = |(it, ..): &(Sampled, f64, Measured)| !case.is_level(it.wi);
+    Ok(all.filter(is_above).collect())
+}
+
+pub fn same_pdf(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+    let pair = |(it, pdf, value): (Sampled, f64, Measured)| Pair {
+        wi: it.wi,
+        found: pdf,
+        expected: value.value.pdf,
+        slack: value.pdf_slack,
+    };
+    let pairs: Vec<Pair> = valued(case)?.into_iter().map(pair).collect();
+    Ok(equal(case, &pairs, "the pdf of the sample", "the pdf of `eval`"))
+}
+
+pub fn weight(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+    let rounding = 64.0 * case.rounding;
+    let pairs: Vec<Pair> = valued(case)?
+        .into_iter()
+        .flat_map(|(it, pdf, value)| {
+            let cosine = it.wi.z().abs();
+            (0..3).map(move |k| Pair {
+                wi: it.wi,
+                found: it.weight[k] * pdf,
+                expected: value.value.f[k] * cosine,
+                slack: value.f_slack[k] * cosine
+                    + it.weight[k].abs() * value.pdf_slack
+                    // the cosine of a rounded direction
+                    + rounding * value.value.f[k].abs(),
+            })
+        })
+        .collect();
+    Ok(equal(case, &pairs, "weight × pdf", "f |cos θi|"))
+}
+
+pub fn reciprocal(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+    let mut directions: Vec<Vector> =
+        case.samples(COMPARED)?.into_iter().flatten().map(|it| it.wi).collect();
+    for side in [1.0, -1.0] {
+        directions.extend(case.directions(COMPARED, side));
+    }
+    // viewers below are asked for only where they are served
+    let is_asked = |wi: &Vector| {
+        case.is_served(*wi) && !case.is_level(*wi) && (wi.z() > 0.0 || case.claims.from_below)
+    };
+    directions.retain(is_asked);
+    let wo = case.wo;
+    let there = case.measured(wo, &directions)?;
+    let mut pairs = Vec::new();
+    for it in &there {
+        let back = case.measured(it.wi, &[wo])?[0];
+        let [mine, other] = [wo, it.wi].map(|w| case.index_at(w) * case.index_at(w));
+        pairs.extend((0..3).map(|k| Pair {
+            wi: it.wi,
+            found: it.value.f[k] / mine,
+            expected: back.value.f[k] / other,
+            slack: it.f_slack[k] / mine + back.f_slack[k] / other,
+        }));
+    }
+    let squared = if case.eta == 1.0 { "" } else { "/η²" };
+    let (found, expected) = (format!("f(wo, wi){squared}"), format!("f(wi, wo){squared}"));
+    Ok(equal(case, &pairs, &found, &expected))
+}
+
+pub fn turned(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+    let mut directions: Vec<Vector> =
+        case.samples(COMPARED)?.into_iter().flatten().map(|it| it.wi).collect();
+    directions.retain(|wi| !case.is_level(*wi));
+    let angle = case.draw.between(0.1, 3.0);
+    let turn = |w: Vector| {
+        let (s, c) = (sin(angle), cos(angle));
+        Vector::new(c * w.x() - s * w.y(), s * w.x() + c * w.y(), w.z())
+    };
+    let wo = case.wo;
+    let there = case.measured(wo, &directions)?;
+    let turned: Vec<Vector> = directions.iter().map(|w| turn(*w)).collect();
+    let turned = case.measured(turn(wo), &turned)?;
+    let pairs: Vec<Pair> = there
+        .iter()
+        .zip(&turned)
+        .flat_map(|(a, b)| {
+            let f = (0..3).map(|k| (b.value.f[k], a.value.f[k], a.f_slack[k] + b.f_slack[k]));
+            let pdf = [(b.value.pdf, a.value.pdf, a.pdf_slack + b.pdf_slack)];
+            f.chain(pdf).map(|(found, expected, slack)| Pair { wi: a.wi, found, expected, slack })
+        })
+        .collect();
+    Ok(equal(case, &pairs, "f or pdf, turned", "f or pdf"))
+}
+
+/// Cosines of directions that nearly lie in the surface.
+const LIMB: [f64; 2] = [1e-3, 1e-5];
+
+pub fn positive(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+    let mut directions: Vec<Vector> =
+        case.samples(COMPARED)?.into_iter().flatten().map(|it| it.wi).collect();
+    for side in [1.0, -1.0] {
+        directions.extend(case.directions(COMPARED, side));
+        let level = case.directions(COMPARED, side);
+        let lowered =
+            LIMB.into_iter().flat_map(|z| level.iter().map(move |w| lowered(*w, side * z)));
+        directions.extend(lowered);
+    }
+    let mut viewers = vec![case.wo];
+    viewers.extend(LIMB.map(|z| lowered(case.wo, z.copysign(case.wo.z()))));
+    for wo in viewers {
+        let values = case.lobe.eval(wo, &directions)?;
+        let is_bad = |x: f64| !x.is_finite() || x < 0.0;
+        for (wi, Evaluated { f, pdf }) in directions.iter().zip(values) {
+            if is_bad(pdf) || f.into_iter().any(is_bad) {
+                return Ok(Finding::Broken(Breach {
+                    found: format!("f = {f:?} and pdf = {pdf:e}"),
+                    expected: "finite numbers of at least 0".to_owned(),
+                    factor: None,
+                    questions: vec![case.lobe.eval_question(wo, &[*wi])],
+                }));
+            }
+        }
+    }
+    Ok(Finding::Holds)
+}
+
+/// The direction with the same azimuth and this cosine.
+fn lowered(w: Vector, z: f64) -> Vector {
+    let level = Vector::new(w.x(), w.y(), 0.0).unit().unwrap_or(Vector::X);
+    (1.0 - z * z).sqrt() * level + z * Vector::Z
+}
+
+pub fn sides(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+    let u = case.numbers(8 * COMPARED);
+    let samples = case.lobe.sample(case.wo, &u)?;
+    for (sample, u) in samples.iter().zip(&u).filter_map(|(it, u)| Some((it.as_ref()?, u))) {
+        let wi = sample.wi;
+        let length = wi.length();
+        let is_unit = (length - 1.0).abs() <= 64.0 * case.rounding;
+        if is_unit && (case.is_served(wi) || case.is_level(wi)) {
+            continue;
+        }
+        let expected = match is_unit {
+            true => "a sample on the side that is claimed".to_owned(),
+            false => format!("a unit direction; its length is {length}"),
+        };
+        return Ok(Finding::Broken(Breach {
+            found: format!("the sample wi = {:?}", wi.to_array()),
+            expected,
+            factor: None,
+            questions: vec![case.lobe.sample_question(case.wo, &[*u])],
+        }));
+    }
+    if case.claims.delta {
+        return Ok(Finding::Holds);
+    }
+    let mut others = case.directions(COMPARED, 1.0);
+    others.extend(case.directions(COMPARED, -1.0));
+    others.retain(|wi| !case.is_served(*wi));
+    let values = case.lobe.eval(case.wo, &others)?;
+    let lit = others.iter().zip(values).find(|(_, it)| it.pdf != 0.0 || it.f != [0.0; 3]);
+    Ok(lit.map_or(Finding::Holds, |(wi, it)| {
+        Finding::Broken(Breach {
+            found: format!("f = {:?} and pdf = {:e} at wi = {:?}", it.f, it.pdf, wi.to_array()),
+            expected: "0 on the side that is not claimed".to_owned(),
+            factor: None,
+            questions: vec![case.lobe.eval_question(case.wo, &[*wi])],
+        })
+    }))
+}
+
+pub fn repeated(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+    let u = case.numbers(4);
+    let wi = case.directions(4, case.wo.z().signum());
+    let between = case.directions(4, case.wo.z().signum());
+    let first = case.lobe.sample(case.wo, &u)?;
+    let value = case.lobe.eval(case.wo, &wi)?;
+    // another viewer, so that what is kept of the last call is another's
+    case.lobe.eval(between[0], &between)?;
+    let other = case.numbers(4);
+    case.lobe.sample(between[0], &other)?;
+    let (again, value_again) = (case.lobe.sample(case.wo, &u)?, case.lobe.eval(case.wo, &wi)?);
+    // as text, in which NaN is NaN
+    let pairs = [
+        (!case.claims.random, format!("{first:?}"), format!("{again:?}")),
+        (!case.claims.delta, format!("{value:?}"), format!("{value_again:?}")),
+    ];
+    let questions = [case.lobe.sample_question(case.wo, &u), case.lobe.eval_question(case.wo, &wi)];
+    for ((is_asked, expected, again), question) in pairs.into_iter().zip(questions) {
+        if is_asked && expected != again {
+            let found = format!("asked again: {again}");
+            let questions = vec![question];
+            return Ok(Finding::Broken(Breach { found, expected, factor: None, questions }));
+        }
+    }
+    Ok(Finding::Holds)
+}

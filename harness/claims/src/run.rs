@@ -1,0 +1,328 @@
+//! A run: every lobe in several cases, each case held to every law; and what chance may have done.
+
+use std::f64::consts::PI;
+
+use conform::Subject;
+use exact::Draw;
+use groundtruth::math::{Vector, cos, hash, sin};
+use serde_json::{Map, Value, json};
+
+use crate::case::Case;
+use crate::description::Description;
+use crate::laws::{Breach, Finding, LAWS, Law};
+use crate::lobe::{Lobe, Trouble, answer};
+
+/// The probability that chance calls any right lobe of a card wrong, before it is asked again.
+pub const LEVEL: f64 = 1e-2;
+/// So improbable numbers are judged at once, and no further case of the law is asked.
+const AT_ONCE: f64 = 1e-12;
+/// How many times the samples are drawn when a law of chance is asked again.
+const AGAIN: usize = 10;
+
+/// How lobes are asked.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// Cases of each lobe.
+    pub cases: usize,
+    /// Of the cases.
+    pub seed: u64,
+}
+
+/// What became of a law for a lobe.
+#[derive(Clone, Debug)]
+pub enum Status {
+    /// It holds in so many cases.
+    Holds(usize),
+    /// It was not decided in any case, and why.
+    Undecided(String),
+    /// It is broken.
+    Broken(Broken),
+    /// The lobe does not claim it.
+    NotClaimed,
+}
+
+/// The first case in which a law is broken.
+#[derive(Clone, Debug)]
+pub struct Broken {
+    /// The parameters of the lobe.
+    pub parameters: Map<String, Value>,
+    /// The direction to the viewer.
+    pub wo: [f64; 3],
+    /// What was found.
+    pub breach: Breach,
+}
+
+/// What became of a lobe.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Its name.
+    pub name: String,
+    /// Of each of [`LAWS`].
+    pub laws: Vec<Status>,
+    /// Why it could not be judged further, if so.
+    pub trouble: Option<Trouble>,
+}
+
+impl Row {
+    /// The laws that it breaks.
+    pub fn broken(&self) -> impl Iterator<Item = (&'static Law, &Broken)> {
+        self.laws.iter().zip(&LAWS).filter_map(|(status, law)| match status {
+            Status::Broken(broken) => Some((law, broken)),
+            _ => None,
+        })
+    }
+
+    /// Whether the program does not have it.
+    pub fn is_unsupported(&self) -> bool {
+        matches!(self.trouble, Some(Trouble::Unsupported(_)))
+    }
+
+    /// Whether it breaks a law, or does not answer.
+    pub fn is_failed(&self) -> bool {
+        let is_silent = matches!(self.trouble, Some(Trouble::Refused(_) | Trouble::Fault(_)));
+        is_silent || self.broken().next().is_some()
+    }
+}
+
+/// What was found of all lobes.
+#[derive(Clone, Debug)]
+pub struct Card {
+    /// The lobes, in the program's order.
+    pub rows: Vec<Row>,
+    /// Of the cases.
+    pub seed: u64,
+    /// Tests that chance decides.
+    pub tests: usize,
+    /// Whether it was not interrupted.
+    pub is_whole: bool,
+}
+
+impl Card {
+    /// Whether a lobe breaks a law.
+    pub fn is_failed(&self) -> bool {
+        self.rows.iter().any(Row::is_failed)
+    }
+
+    /// Whether a law was decided for any lobe.
+    pub fn is_judged(&self) -> bool {
+        let is_decided = |status: &Status| matches!(status, Status::Holds(_) | Status::Broken(_));
+        self.rows.iter().any(|row| row.laws.iter().any(is_decided))
+    }
+}
+
+/// The lobes that a program lists.
+///
+/// # Errors
+/// Says why there are none.
+pub fn listed(subject: &mut dyn Subject) -> Result<Vec<Description>, Trouble> {
+    let reply = subject.ask(&[json!({"list": {}})]).pop();
+    let list = answer(reply.ok_or(Trouble::Interrupted)?)?;
+    let refused = |problem: String| Trouble::Refused(format!("the answer to `list`: {problem}"));
+    let list: Vec<Description> =
+        serde_json::from_value(list).map_err(|error| refused(error.to_string()))?;
+    if list.is_empty() {
+        return Err(refused("it names no lobe".to_owned()));
+    }
+    for (index, lobe) in list.iter().enumerate() {
+        if list[..index].iter().any(|other| other.name == lobe.name) {
+            return Err(refused(format!("`{}` is listed twice", lobe.name)));
+        }
+        if let Some(problem) = lobe.problem() {
+            return Err(refused(format!("`{}`: {problem}", lobe.name)));
+        }
+    }
+    Ok(list)
+}
+
+/// A test of chance, to be judged when all are known.
+struct Test {
+    row: usize,
+    law: usize,
+    case: usize,
+    p: f64,
+}
+
+/// Holds lobes to the laws; `finished` hears of each lobe before chance is judged.
+pub fn run(
+    subject: &mut dyn Subject,
+    lobes: &[Description],
+    options: Options,
+    finished: &mut dyn FnMut(&str),
+) -> Card {
+    let (mut rows, mut tests) = (Vec::new(), Vec::new());
+    let mut is_whole = true;
+    for (index, lobe) in lobes.iter().enumerate() {
+        let mut judge = Judge { subject, lobe, options, row: index, tests: &mut tests };
+        let row = judge.row();
+        is_whole &= row.trouble != Some(Trouble::Interrupted);
+        rows.push(row);
+        if !is_whole {
+            break;
+        }
+        finished(&lobe.name);
+    }
+    let planned = tests.len();
+    for test in rejected(tests) {
+        let lobe = &lobes[test.row];
+        let mut none = Vec::new();
+        let mut judge = Judge { subject, lobe, options, row: test.row, tests: &mut none };
+        match judge.again(test.law, test.case, planned) {
+            Ok(Some(status)) => {
+                let status_of = &mut rows[test.row].laws[test.law];
+                if !matches!(status_of, Status::Broken(_)) {
+                    *status_of = status;
+                }
+            }
+            Ok(None) => {}
+            Err(trouble) => {
+                is_whole &= trouble != Trouble::Interrupted;
+                rows[test.row].trouble = Some(trouble);
+            }
+        }
+    }
+    Card { rows, seed: options.seed, tests: planned, is_whole }
+}
+
+/// The tests that fail at the level of the card (Holm, "A Simple Sequentially Rejective Multiple Test Procedure",
+/// 1979), in the order of rows and cases.
+fn rejected(mut tests: Vec<Test>) -> Vec<Test> {
+    tests.sort_by(|a, b| a.p.total_cmp(&b.p));
+    let count = tests.len();
+    let holds = |(rank, test): (usize, &Test)| test.p > LEVEL / (count - rank) as f64;
+    let first = tests.iter().enumerate().position(holds).unwrap_or(count);
+    tests.truncate(first);
+    tests.sort_by_key(|test| (test.row, test.law, test.case));
+    tests
+}
+
+/// One lobe under the laws.
+struct Judge<'a> {
+    subject: &'a mut dyn Subject,
+    lobe: &'a Description,
+    options: Options,
+    row: usize,
+    tests: &'a mut Vec<Test>,
+}
+
+impl Judge<'_> {
+    fn row(&mut self) -> Row {
+        let status = |law: &Law| match (law.applies)(&self.lobe.claims) {
+            true => Status::Holds(0),
+            false => Status::NotClaimed,
+        };
+        let mut laws: Vec<Status> = LAWS.iter().map(status).collect();
+        let mut trouble = None;
+        for case in 0..self.options.cases {
+            if let Err(found) = self.case(case, &mut laws) {
+                trouble = Some(found);
+                break;
+            }
+        }
+        for status in &mut laws {
+            if let Status::Holds(0) = status {
+                *status = Status::Undecided("no case was asked".to_owned());
+            }
+        }
+        Row { name: self.lobe.name.clone(), laws, trouble }
+    }
+
+    /// Holds one case to all laws that are not broken yet.
+    fn case(&mut self, index: usize, laws: &mut [Status]) -> Result<(), Trouble> {
+        let (lobe, options, row) = (self.lobe, self.options, self.row);
+        let mut case = case(self.subject, lobe, options.seed, index);
+        let parameters = parameters(lobe, options.seed, index);
+        for (number, (law, status)) in LAWS.iter().zip(laws).enumerate() {
+            if matches!(status, Status::Broken(_) | Status::NotClaimed) {
+                continue;
+            }
+            let mut finding = (law.check)(&mut case, 1)?;
+            if let Finding::Chance(p, _) = finding
+                && p <= AT_ONCE
+            {
+                case.integrated = None;
+                finding = match (law.check)(&mut case, AGAIN)? {
+                    Finding::Chance(p, breach) if p <= AT_ONCE => Finding::Broken(breach),
+                    Finding::Chance(..) => Finding::Holds,
+                    other => other,
+                };
+                case.integrated = None;
+            }
+            match finding {
+                Finding::Holds => count(status),
+                Finding::Chance(p, _) => {
+                    self.tests.push(Test { row, law: number, case: index, p });
+                    count(status);
+                }
+                Finding::Undecided(why) => {
+                    if let Status::Holds(0) = status {
+                        *status = Status::Undecided(why);
+                    }
+                }
+                Finding::Broken(breach) => {
+                    let (parameters, wo) = (parameters.clone(), case.wo.to_array());
+                    *status = Status::Broken(Broken { parameters, wo, breach });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// What became of a law of chance that seemed broken, with more samples; `None` if it holds.
+    fn again(&mut self, law: usize, index: usize, tests: usize) -> Result<Option<Status>, Trouble> {
+        let seed = self.options.seed;
+        let mut case = case(self.subject, self.lobe, seed, index);
+        case.draw = Draw::new(hash(&[seed, index as u64, law as u64]));
+        Ok(match (LAWS[law].check)(&mut case, AGAIN)? {
+            Finding::Chance(p, breach) if p < LEVEL / tests.max(1) as f64 => {
+                Some((breach, case.wo))
+            }
+            Finding::Broken(breach) => Some((breach, case.wo)),
+            _ => None,
+        }
+        .map(|(breach, wo)| {
+            let parameters = parameters(self.lobe, seed, index);
+            Status::Broken(Broken { parameters, wo: wo.to_array(), breach })
+        }))
+    }
+}
+
+/// One case more in which a law holds.
+fn count(status: &mut Status) {
+    match status {
+        Status::Holds(cases) => *cases += 1,
+        other => *other = Status::Holds(1),
+    }
+}
+
+fn parameters(lobe: &Description, seed: u64, index: usize) -> Map<String, Value> {
+    lobe.parameters(index, &mut Draw::case(seed, index))
+}
+
+/// The angles, in degrees, that viewers of the first cases have with the normal: easy ones first.
+const EASY: [f64; 5] = [45.0, 45.0, 10.0, 75.0, 89.0];
+
+/// The case of an index.
+fn case<'a>(
+    subject: &'a mut dyn Subject,
+    lobe: &'a Description,
+    seed: u64,
+    index: usize,
+) -> Case<'a> {
+    let parameters = parameters(lobe, seed, index);
+    let mut draw = Draw::new(hash(&[seed, index as u64]));
+    let whole = |low: f64, high: f64, draw: &mut Draw| draw.between(low, high).floor();
+    let angle = EASY.get(index).copied().unwrap_or_else(|| whole(0.0, 88.0, &mut draw));
+    let azimuth = if index == 0 { 0.0 } else { whole(0.0, 360.0, &mut draw) };
+    let [theta, phi] = [angle, azimuth].map(|degrees| degrees * PI / 180.0);
+    let side = if lobe.claims.from_below && index % 2 == 1 { -1.0 } else { 1.0 };
+    let wo = Vector::new(sin(theta) * cos(phi), sin(theta) * sin(phi), side * cos(theta));
+    Case {
+        eta: lobe.eta(&parameters),
+        lobe: Lobe::new(subject, &lobe.name, parameters),
+        claims: &lobe.claims,
+        rounding: lobe.rounding(),
+        wo,
+        draw,
+        integrated: None,
+    }
+}

@@ -1,0 +1,87 @@
+//! Cells and integrals: whether narrow densities are seen, and their error is known.
+
+use std::convert::Infallible;
+
+use claims::cells::{Cells, integrals};
+use exact::Draw;
+use groundtruth::math::{Frame, Normal, Vector, cos, exp, sin};
+use libm::log;
+
+const TAU: f64 = std::f64::consts::TAU;
+
+/// Fisher's density on the sphere: `κ exp(κ (cos θ − 1)) / 2π (1 − exp(−2κ))` about an axis.
+fn fisher(axis: Vector, kappa: f64, w: Vector) -> f64 {
+    // 1 − cos θ as half of a square, which keeps its digits
+    let apart = 0.5 * (w - axis).length_squared();
+    kappa * exp(-kappa * apart) / (TAU * (1.0 - exp(-2.0 * kappa)))
+}
+
+/// A direction with that density, by inversion of its distribution in `1 − cos θ`.
+fn drawn(axis: Vector, kappa: f64, draw: &mut Draw) -> Vector {
+    let u = draw.between(0.0, 1.0);
+    let s = -log(1.0 - u * (1.0 - exp(-2.0 * kappa))) / kappa;
+    let (r, phi) = ((s * (2.0 - s)).max(0.0).sqrt(), draw.between(0.0, TAU));
+    let frame = Frame::around(Normal::new(axis).expect("a unit vector"));
+    frame.to_world(Vector::new(r * cos(phi), r * sin(phi), 1.0 - s))
+}
+
+/// Law: a density that is uniform, or as narrow as 10⁻⁴, has the integral 1, in cells that 2,000 of its directions place,
+/// wherever its axis is: on the normal, in the surface, where the azimuth begins. Oracle: 1, in closed form.
+#[test]
+fn narrow_densities_are_seen_whole() {
+    let mut draw = Draw::new(7601);
+    let mut axes: Vec<Vector> = (0..6).map(|_| Vector::from(draw.direction())).collect();
+    axes.extend([Vector::Z, -Vector::Z, Vector::X, Vector::Y]);
+    for kappa in [1e-3, 1.0, 1e2, 1e4, 1e6, 1e8] {
+        for axis in &axes {
+            let placing: Vec<Vector> = (0..2_000).map(|_| drawn(*axis, kappa, &mut draw)).collect();
+            let cells = Cells::around(&placing, 5);
+            let mut values = |directions: &[Vector]| {
+                let value = |w: &Vector| [fisher(*axis, kappa, *w)];
+                Ok::<_, Infallible>(directions.iter().map(value).collect())
+            };
+            let Ok(found) = integrals(&cells, [1e-4], 400_000, &mut values);
+            assert!(found.is_known, "κ = {kappa} about {axis:?}");
+            // each of up to 64 cells is known to 10⁻⁴, and their errors have both signs
+            let [whole] = found.whole.value;
+            assert!((whole - 1.0).abs() <= 1e-3, "κ = {kappa} about {axis:?}: {whole}");
+        }
+    }
+}
+
+/// Law: the integral over a cell is the share of directions in it. Oracle: 100,000 directions of the density, by
+/// their standard deviation.
+#[test]
+fn cells_hold_their_share() {
+    let mut draw = Draw::new(7602);
+    let (axis, kappa) = (Vector::from(draw.direction()), 300.0);
+    let placing: Vec<Vector> = (0..2_000).map(|_| drawn(axis, kappa, &mut draw)).collect();
+    let cells = Cells::around(&placing, 4);
+    let mut values = |directions: &[Vector]| {
+        let value = |w: &Vector| [fisher(axis, kappa, *w)];
+        Ok::<_, Infallible>(directions.iter().map(value).collect())
+    };
+    let Ok(found) = integrals(&cells, [1e-5], 400_000, &mut values);
+    let n = 100_000.0;
+    let mut counts = vec![0.0; cells.all.len()];
+    for _ in 0..n as usize {
+        counts[cells.index(drawn(axis, kappa, &mut draw))] += 1.0;
+    }
+    for (count, cell) in counts.iter().zip(&found.cells) {
+        let expected = n * cell.value[0];
+        // five standard deviations: once in a million
+        assert!((count - expected).abs() <= 5.0 * expected.sqrt() + 5.0, "{count} for {expected}");
+    }
+}
+
+/// Law: a function that no budget settles is not said to be known. Oracle: noise, whose pieces never agree.
+#[test]
+fn what_does_not_settle_is_not_known() {
+    let mut draw = Draw::new(7603);
+    let cells = Cells::around(&[], 4);
+    let mut values = |directions: &[Vector]| {
+        Ok::<_, Infallible>(directions.iter().map(|_| [draw.between(0.0, 1.0)]).collect())
+    };
+    let Ok(found) = integrals(&cells, [1e-6], 50_000, &mut values);
+    assert!(!found.is_known);
+}

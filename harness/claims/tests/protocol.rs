@@ -1,0 +1,95 @@
+//! What a program may answer that is no lobe, and what is said of it.
+
+use claims::{Options, Trouble, junit, listed, page, run, text};
+use conform::{Fault, Reply, Subject};
+use serde_json::{Value, json};
+
+/// Answers by a function.
+struct Answers<F>(F);
+
+impl<F: FnMut(&Value) -> Reply> Subject for Answers<F> {
+    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+        questions.iter().map(&mut self.0).collect()
+    }
+}
+
+fn refused(list: &Value) -> String {
+    match listed(&mut Answers(|_: &Value| Reply::Answer(list.clone()))) {
+        Err(Trouble::Refused(why)) => why,
+        other => panic!("{other:?}"),
+    }
+}
+
+/// Law: a list that is none is refused with what is wrong. Oracle: the words.
+#[test]
+fn bad_lists_are_refused() {
+    for (list, words) in [
+        (json!([]), "names no lobe"),
+        (json!([{"name": "a"}, {"name": "a"}]), "`a` is listed twice"),
+        (json!([{"name": "a", "parameters": {"x": [2, 1]}}]), "parameter `x`"),
+        (json!([{"name": "a", "parameters": {"x": {"one_of": []}}}]), "parameter `x`"),
+        (json!([{"name": "a", "claims": {"eta": "ior"}}]), "claims.eta names `ior`"),
+        (json!([{"name": "a", "claims": {"reciproc": true}}]), "reciproc"),
+        (json!({"name": "a"}), "list"),
+    ] {
+        let why = refused(&list);
+        assert!(why.contains(words), "{list}: {why}");
+    }
+}
+
+/// The card of one lobe whose `eval` and `sample` are answered by a function.
+fn card(answer: impl Fn(&Value) -> Reply) -> claims::Card {
+    let mut subject = Answers(|question: &Value| match question.get("list") {
+        Some(_) => Reply::Answer(json!([{"name": "<x> & y"}])),
+        None => answer(question),
+    });
+    let lobes = listed(&mut subject).expect("it lists one");
+    run(&mut subject, &lobes, Options { cases: 2, seed: 1 }, &mut |_| {})
+}
+
+/// Law: lobes without an answer that can be judged are not called right, and the reason is told on each form of the card.
+/// Oracle: the reason.
+#[test]
+fn troubles_are_told() {
+    let fault = || Reply::Fault(Fault::Died("the program ended".to_owned()));
+    for (reply, is_failed, words) in [
+        (Reply::Refused("no & such".to_owned()), true, "no & such"),
+        (Reply::Unsupported("later".to_owned()), false, "later"),
+        (fault(), true, "the program ended"),
+        (Reply::Answer(json!([1])), true, "no list of"),
+        (Reply::Answer(json!({"f": [], "pdf": []})), true, "no list of"),
+    ] {
+        let card = card(|_| reply.clone());
+        assert_eq!(card.is_failed(), is_failed, "{reply:?}");
+        assert!(!card.is_judged() && card.is_whole, "{reply:?}");
+        assert!(text(&card).contains(words), "{}", text(&card));
+        let html = page(&card, "./<b>");
+        assert!(html.contains("&lt;x&gt; &amp; y") && html.contains("./&lt;b&gt;"), "{html}");
+        let xml = junit(&card, "./<b>");
+        assert!(xml.contains("&lt;x&gt; &amp; y"), "{xml}");
+        assert_eq!(xml.contains("<error"), is_failed, "{xml}");
+    }
+}
+
+/// Law: an interrupted run is not whole.
+#[test]
+fn interrupted_runs_are_not_whole() {
+    assert!(!card(|_| Reply::NotAsked).is_whole);
+}
+
+/// Law: values that JSON has no numbers for are read, and break the law of finite values. Oracle: what was planted.
+#[test]
+fn values_that_are_not_finite_are_told() {
+    let card = card(|question| {
+        let count = |key: &str, list: &str| question[key][list].as_array().map_or(0, Vec::len);
+        Reply::Answer(match question.get("eval") {
+            Some(_) => {
+                let n = count("eval", "wi");
+                json!({"f": vec!["nan"; n], "pdf": vec![0.1; n]})
+            }
+            None => json!(vec![Value::Null; count("sample", "u")]),
+        })
+    });
+    let broken: Vec<_> = card.rows[0].broken().map(|(law, _)| law.name).collect();
+    assert_eq!(broken.first(), Some(&"positive"), "{broken:?}");
+}

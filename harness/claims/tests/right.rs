@@ -1,0 +1,48 @@
+//! Right lobes keep all laws, at every roughness, in single and in double precision.
+
+use claims::{Card, Options, Status, listed, run, text};
+use conform::Subject;
+use statistics::significance::proportion;
+
+use super::subject::{ALL, Adapter};
+
+pub fn card(subject: &mut dyn Subject, cases: usize, seed: u64) -> Card {
+    let lobes = listed(subject).expect("it lists its lobes");
+    run(subject, &lobes, Options { cases, seed }, &mut |_| {})
+}
+
+fn false_alarms(seeds: std::ops::Range<u64>, cases: usize, is_single: bool) -> u64 {
+    let mut alarms = 0;
+    for seed in seeds {
+        let card = card(&mut Adapter::new(&ALL, "", is_single), cases, seed);
+        if card.is_failed() {
+            alarms += 1;
+            println!("{}", text(&card));
+        }
+    }
+    alarms
+}
+
+/// Law: right lobes raise no alarm, and nearly all is decided. Oracle: lobes after the papers.
+#[test]
+fn right_lobes_keep_all_laws() {
+    for is_single in [false, true] {
+        let card = card(&mut Adapter::new(&ALL, "", is_single), 4, 0);
+        assert!(!card.is_failed(), "{}", text(&card));
+        for row in &card.rows {
+            let open = row.laws.iter().filter(|it| matches!(it, Status::Undecided(_))).count();
+            assert!(open <= 1, "{}: {:?}", row.name, row.laws);
+        }
+    }
+}
+
+/// Law: of 300 cards at most as many are wrong as the level says. Oracle: the binomial distribution at 99 %.
+#[test]
+#[ignore = "thorough: about half an hour in a release build"]
+fn false_alarms_are_as_rare_as_the_level_says() {
+    for is_single in [false, true] {
+        let alarms = false_alarms(1000..1150, 8, is_single);
+        println!("{alarms} of 150, single: {is_single}");
+        assert!(proportion(alarms, 150, 0.99)[0] <= 0.01, "{alarms} of 150 cards");
+    }
+}

@@ -1,0 +1,65 @@
+//! Programs that are asked questions: what `conform` and `laws` have in common.
+
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+use std::time::Duration;
+
+use clap::Args;
+use conform::{Limits, Program};
+use groundtruth::math::hash;
+
+/// A program, and how long it may take.
+#[derive(Args)]
+pub struct Asked {
+    /// Seconds for an answer
+    #[arg(long, value_name = "SECONDS", default_value_t = 5.0, value_parser = seconds)]
+    timeout: f64,
+    /// Seconds for the first answer after a start
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
+    start_timeout: f64,
+    /// The program and its arguments
+    #[arg(last = true, required_unless_present = "init", value_name = "PROGRAM")]
+    program: Vec<String>,
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(x) if (1e-3..=1e6).contains(&x) => Ok(x),
+        _ => Err("write a number of seconds, such as 5".to_owned()),
+    }
+}
+
+impl Asked {
+    /// The program, which starts at the first question.
+    pub fn program(&self, interrupted: Arc<AtomicBool>) -> Program {
+        let [answer, start] = [self.timeout, self.start_timeout].map(Duration::from_secs_f64);
+        Program::new(self.program.clone(), Limits { answer, start: start.max(answer) }, interrupted)
+    }
+
+    /// The program and its arguments, as they were typed.
+    pub fn command(&self) -> String {
+        self.program.join(" ")
+    }
+}
+
+/// A seed from the clock: anything that was not chosen.
+pub fn fresh_seed() -> u64 {
+    let now =
+        std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH).unwrap_or_default();
+    hash(&[now.as_nanos() as u64]) >> 16
+}
+
+/// What is to be done about a program that answers nothing.
+pub fn no_answer(error: &str, log: &str) -> String {
+    let text = format!("error: {error}");
+    let hint = if text.contains("no answer within") {
+        "\nhint: flush the output after each line (C and Python keep it back when writing to a pipe)"
+    } else if text.contains("not a JSON object") {
+        "\nhint: print nothing but answers to the standard output; banners belong to the standard error"
+    } else {
+        ""
+    };
+    let log =
+        if log.is_empty() { String::new() } else { format!("\nits standard error begins:\n{log}") };
+    text + hint + &log
+}

@@ -1,0 +1,126 @@
+//! `laws`.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use claims::{Card, Description, Options, Row, Trouble};
+use clap::Args;
+use groundtruth::printable;
+use indicatif::{ProgressBar, ProgressStyle};
+
+use super::asked::{Asked, fresh_seed, no_answer};
+use super::numbers::whole;
+use super::{Exit, Outcome, interrupt, output, print};
+
+#[derive(Args)]
+pub struct Laws {
+    /// Only lobes whose names match, as 'ggx*'; all that the program lists, if left out
+    only: Option<glob::Pattern>,
+    /// Of the cases
+    #[arg(long, default_value_t = 1, value_parser = whole::<u64>(0..=u64::MAX))]
+    seed: u64,
+    /// A seed that nobody has seen; the card prints it
+    #[arg(long, conflicts_with = "seed")]
+    fresh: bool,
+    /// Cases of each lobe
+    #[arg(long, value_name = "N", default_value_t = 8, value_parser = whole::<usize>(1..=10_000))]
+    cases: usize,
+    /// Write the results for continuous integration (JUnit's XML)
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Write the card as a page; - is the standard output, here and for the other file
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    /// Print a program to start from: name your lobes, and fill in two functions
+    #[arg(long, value_name = "LANGUAGE", value_enum, exclusive = true)]
+    init: Option<claims::Language>,
+    #[command(flatten)]
+    asked: Asked,
+}
+
+impl Laws {
+    pub fn run(self) -> Outcome {
+        if let Some(language) = self.init {
+            return print(&language.template());
+        }
+        output::once(self.files(), "output")?;
+        self.files().try_for_each(output::writable)?;
+        let mut program = self.asked.program(interrupt::flag()?);
+        let lobes = match claims::listed(&mut program) {
+            Ok(lobes) => self.chosen(lobes)?,
+            Err(Trouble::Interrupted) => return Ok(Exit::Interrupted),
+            Err(Trouble::Unsupported(why) | Trouble::Refused(why) | Trouble::Fault(why)) => {
+                let text = no_answer(&why, &program.log());
+                text.lines().for_each(|line| eprintln!("{}", printable::text(line)));
+                return Ok(Exit::Unanswered);
+            }
+        };
+        let seed = if self.fresh { fresh_seed() } else { self.seed };
+        let options = Options { cases: self.cases, seed };
+        let progress = progress(lobes.len() as u64);
+        let card = claims::run(&mut program, &lobes, options, &mut |name| {
+            progress.inc(1);
+            progress.set_message(printable::name(name).to_string());
+        });
+        progress.finish_and_clear();
+        drop(program);
+        self.write(&card)?;
+        self.say(&match self.json {
+            true => serde_json::to_string_pretty(&card.json())? + "\n",
+            false => claims::text(&card),
+        })?;
+        Ok(exit(&card))
+    }
+
+    fn chosen(&self, mut lobes: Vec<Description>) -> Result<Vec<Description>, Box<dyn Error>> {
+        let names: Vec<String> =
+            lobes.iter().map(|lobe| printable::name(&lobe.name).to_string()).collect();
+        lobes.retain(|lobe| self.only.as_ref().is_none_or(|only| only.matches(&lobe.name)));
+        match lobes.is_empty() {
+            true => Err(format!("no lobe matches; the program lists {}", names.join(", ")).into()),
+            false => Ok(lobes),
+        }
+    }
+
+    /// The files that are written.
+    fn files(&self) -> impl Iterator<Item = &Path> {
+        [&self.output, &self.junit].into_iter().flatten().map(PathBuf::as_path)
+    }
+
+    /// Prints what is said; to the standard error if a file goes to the standard output.
+    fn say(&self, text: &str) -> Outcome {
+        output::say(text, self.files().find(|file| output::is_standard(file)))
+    }
+
+    fn write(&self, card: &Card) -> Result<(), Box<dyn Error>> {
+        let command = self.asked.command();
+        if let Some(file) = &self.output {
+            output::write(file, claims::page(card, &command).as_bytes())?;
+        }
+        if let Some(file) = &self.junit {
+            output::write(file, claims::junit(card, &command).as_bytes())?;
+        }
+        Ok(())
+    }
+}
+
+fn exit(card: &Card) -> Exit {
+    if !card.is_whole {
+        return Exit::Interrupted;
+    }
+    if card.is_failed() {
+        return Exit::No;
+    }
+    match !card.is_judged() || card.rows.iter().all(Row::is_unsupported) {
+        true => Exit::Unanswered,
+        false => Exit::Yes,
+    }
+}
+
+fn progress(lobes: u64) -> ProgressBar {
+    let style = ProgressStyle::with_template("{bar:30} {pos} of {len} lobes  {wide_msg}");
+    ProgressBar::new(lobes).with_style(style.expect("the template is valid"))
+}

@@ -1,0 +1,100 @@
+//! The command line of `laws`: exit statuses, files, programs to start from, and its document.
+
+use std::process::{Command, Output};
+
+use claims::LAWS;
+use serde_json::Value;
+
+use super::structure::{read, root};
+
+const GROUNDTRUTH: &str = env!("CARGO_BIN_EXE_groundtruth");
+
+/// A program of Python's, started where the repository is.
+fn laws(arguments: &[&str]) -> Output {
+    let mut command = Command::new(GROUNDTRUTH);
+    command.current_dir(root()).arg("laws").args(arguments).output().expect("it starts")
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// Law: the command that docs/laws.md shows prints what it shows, and its table has every law. Oracle: the document.
+#[test]
+fn the_document_shows_what_is_printed() {
+    let page = read(&root().join("docs/laws.md"));
+    for law in &LAWS {
+        let row = format!("| {} | {} | {} |", law.name, law.sentence, law.cause);
+        assert!(page.contains(&row.replace("|cos θi|", "\\|cos θi\\|")), "no row for {}", law.name);
+    }
+    let (_, block) = page.split_once("$ groundtruth laws ").expect("an example");
+    let (line, rest) = block.split_once('\n').expect("a line");
+    let (shown, _) = rest.split_once("```").expect("the end of the block");
+    let arguments: Vec<&str> = line.split(' ').collect();
+    let output = laws(&arguments);
+    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+    assert_eq!(text(&output.stdout), shown);
+}
+
+/// Law: right lobes exit with 0, and files and JSON say so; a mistake exits with 1, nothing that can be judged with 2.
+#[test]
+fn the_exit_status_says_whether_a_law_is_broken() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [page, junit] = ["card.html", "junit.xml"].map(|name| folder.path().join(name));
+    let [shown_page, shown_junit] = [&page, &junit].map(|path| path.to_str().expect("text"));
+    let bsdfs = ["--", "python3", "examples/laws/bsdfs.py"];
+    let few = ["lambert", "--cases", "2"];
+    let right =
+        laws(&[&few[..], &["--json", "-o", shown_page, "--junit", shown_junit], &bsdfs].concat());
+    assert_eq!(right.status.code(), Some(0), "{}", text(&right.stderr));
+    let json: Value = serde_json::from_slice(&right.stdout).expect("JSON");
+    assert_eq!(json["lobes"][0]["failed"], Value::Bool(false));
+    assert!(read(&page).contains("no law is broken by 1 lobe"));
+    assert!(read(&junit).contains("testcase"));
+    let wrong = laws(&[&few[..], &bsdfs, &["cosine", "twice"]].concat());
+    assert_eq!(wrong.status.code(), Some(1));
+    assert!(
+        text(&wrong.stdout).contains("what is found is |cos θi| times"),
+        "{}",
+        text(&wrong.stdout)
+    );
+    for (arguments, words) in [
+        (&["nobody", "--", "python3", "examples/laws/bsdfs.py"][..], "the program lists lambert"),
+        (&["--", "true"], "ended"),
+        (&["--", "sh", "-c", "echo banner; cat"], "not a JSON object"),
+        (&["--start-timeout", "0.2", "--timeout", "0.2", "--", "sleep", "9"], "flush"),
+    ] {
+        let output = laws(arguments);
+        assert_eq!(output.status.code(), Some(2), "{arguments:?}");
+        assert!(text(&output.stderr).contains(words), "{words}: {}", text(&output.stderr));
+    }
+}
+
+/// Law: the programs to start from keep all laws as they are. Oracle: Lambert's lobe.
+#[test]
+fn programs_to_start_from_keep_all_laws() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let written = |language: &str, name: &str| {
+        let output = laws(&["--init", language]);
+        let path = folder.path().join(name);
+        std::fs::write(&path, output.stdout).expect("it can be written");
+        path.to_str().expect("text").to_owned()
+    };
+    let python = written("python", "my_bsdfs.py");
+    let mut programs = vec![vec!["python3".to_owned(), python]];
+    let source = written("cpp", "my_bsdfs.cpp");
+    let built = folder.path().join("my_bsdfs").to_str().expect("text").to_owned();
+    let compiler = ["-std=c++17", "-O1", "-Wall", "-o", &built, &source];
+    match Command::new("c++").args(compiler).status() {
+        Ok(status) => {
+            assert!(status.success());
+            programs.push(vec![built]);
+        }
+        Err(error) => eprintln!("not tried in C++: {error}"),
+    }
+    for program in programs {
+        let words: Vec<&str> = program.iter().map(String::as_str).collect();
+        let output = laws(&[&["--cases", "2", "--"], &words[..]].concat());
+        assert_eq!(output.status.code(), Some(0), "{words:?}: {}", text(&output.stdout));
+    }
+}
