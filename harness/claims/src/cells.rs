@@ -1,7 +1,8 @@
 //! Cells of directions that adapt to samples, and integrals over them whose error is known.
 //!
 //! Counts in fixed cells tell nothing of a narrow lobe, and a fixed quadrature calls it wrong. So the cells are
-//! divided where samples are, and each integral is refined until it no longer changes.
+//! divided where samples are, and each integral is refined until it no longer changes and could have given the samples
+//! in its piece: a rule that sees nothing of a spike agrees with itself, but not with them.
 
 use std::f64::consts::TAU;
 
@@ -17,8 +18,31 @@ pub struct Cell {
     phi: [f64; 2],
 }
 
+/// The azimuth from which φ is counted, as its cosine and sine: opposite to the samples, so that no lobe lies across it.
+#[derive(Clone, Copy, Debug)]
+struct Seam([f64; 2]);
+
+impl Seam {
+    fn opposite_to(directions: &[Vector]) -> Self {
+        let sum = directions.iter().fold(Vector::ZERO, |sum, w| sum + *w);
+        let level = Vector::new(sum.x(), sum.y(), 0.0).unit().unwrap_or(Vector::X);
+        Self([-level.x(), -level.y()])
+    }
+
+    fn there(self, w: Vector) -> Vector {
+        let [c, s] = self.0;
+        Vector::new(c * w.x() + s * w.y(), c * w.y() - s * w.x(), w.z())
+    }
+
+    fn back(self, w: Vector) -> Vector {
+        let [c, s] = self.0;
+        Vector::new(c * w.x() - s * w.y(), s * w.x() + c * w.y(), w.z())
+    }
+}
+
 /// A direction in these coordinates: side, height and azimuth.
-fn coordinates(w: Vector) -> (f64, [f64; 2]) {
+fn coordinates(w: Vector, seam: Seam) -> (f64, [f64; 2]) {
+    let w = seam.there(w);
     // not 1 − |z|, which loses its digits near the normal
     let s = (w.x() * w.x() + w.y() * w.y()) / (1.0 + w.z().abs());
     let phi = atan2(w.y(), w.x());
@@ -36,6 +60,14 @@ impl Cell {
         let phi = self.phi[0] + b * (self.phi[1] - self.phi[0]);
         let sine = (s * (2.0 - s)).sqrt();
         Vector::new(sine * cos(phi), sine * sin(phi), self.side * (1.0 - s))
+    }
+
+    /// Whether it holds these coordinates; its lower sides belong to it, and the end of the sphere.
+    fn holds(&self, [s, phi]: [f64; 2]) -> bool {
+        let within = |x: f64, [low, high]: [f64; 2], last: f64| {
+            low <= x && (x < high || high == last && x <= high)
+        };
+        within(s, self.s, 1.0) && within(phi, self.phi, TAU)
     }
 
     fn solid_angle(&self) -> f64 {
@@ -66,20 +98,23 @@ impl Cell {
 }
 
 /// Cells that divide the sphere, each of which holds about as many of the directions.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Cells {
     /// The cells.
     pub all: Vec<Cell>,
     /// Where their integrals begin: pieces of the cell of an index, small where its directions are.
     pieces: Vec<(usize, Cell)>,
+    seam: Seam,
 }
 
 impl Cells {
-    /// Divides each hemisphere `depth` times, at the medians of the directions or between two groups of them.
+    /// Divides each hemisphere `depth` times, at the medians of the directions.
     pub fn around(directions: &[Vector], depth: u32) -> Self {
-        let mut cells = Self::default();
+        let seam = Seam::opposite_to(directions);
+        let mut cells = Self { all: Vec::new(), pieces: Vec::new(), seam };
         for side in [1.0, -1.0] {
-            let here = directions.iter().map(|w| coordinates(*w)).filter(|(of, _)| *of == side);
+            let here =
+                directions.iter().map(|w| coordinates(*w, seam)).filter(|(of, _)| *of == side);
             let here = here.map(|(_, at)| at).collect();
             cells.divide(Cell::hemisphere(side), here, depth);
         }
@@ -88,12 +123,9 @@ impl Cells {
 
     /// The index of the cell that holds a direction.
     pub fn index(&self, w: Vector) -> usize {
-        let (side, [s, phi]) = coordinates(w);
-        let holds = |cell: &&Cell| {
-            let within = |x: f64, [low, high]: [f64; 2]| low <= x && x <= high;
-            cell.side == side && within(s, cell.s) && within(phi, cell.phi)
-        };
-        self.all.iter().position(|cell| holds(&cell)).expect("cells cover the sphere")
+        let (side, at) = coordinates(w, self.seam);
+        let holds = |cell: &Cell| cell.side == side && cell.holds(at);
+        self.all.iter().position(holds).expect("cells cover the sphere")
     }
 }
 
@@ -107,8 +139,7 @@ impl Cells {
         let axis = depth as usize % 2;
         inside.sort_by(|a, b| a[axis].total_cmp(&b[axis]));
         let middle = inside.len() / 2;
-        let median = 0.5 * (inside[middle - 1][axis] + inside[middle][axis]);
-        let at = gap_in(&cell, &inside, axis).unwrap_or(median);
+        let at = 0.5 * (inside[middle - 1][axis] + inside[middle][axis]);
         let high = inside.split_off(inside.partition_point(|it| it[axis] < at));
         let [below, above] = cell.split(axis, at);
         self.divide(below, inside, depth - 1);
@@ -117,18 +148,10 @@ impl Cells {
 }
 
 /// A cell in pieces: the box around the directions in it, and rings around that, each three times as large as the one
-/// before. In a large cell with all of a narrow lobe in one corner, a rule for the whole would see nothing. Where the
-/// directions are in two groups, as on both sides of the azimuth 0, the cell is divided between them first.
+/// before. In a large cell with all of a narrow lobe in one corner, a rule for the whole would see nothing.
 fn pieces(cell: Cell, inside: &[[f64; 2]]) -> Vec<Cell> {
     if inside.is_empty() {
         return vec![cell];
-    }
-    for axis in [0, 1] {
-        if let Some(at) = gap_in(&cell, inside, axis) {
-            let [below, above] = cell.split(axis, at);
-            let (low, high): (Vec<_>, Vec<_>) = inside.iter().partition(|it| it[axis] < at);
-            return [pieces(below, &low), pieces(above, &high)].concat();
-        }
     }
     let ends = [0, 1].map(|axis| {
         let low = inside.iter().map(|at| at[axis]).fold(f64::INFINITY, f64::min);
@@ -157,17 +180,6 @@ fn pieces(cell: Cell, inside: &[[f64; 2]]) -> Vec<Cell> {
         boxes.windows(2).flat_map(|pair| around(pair[0], pair[1])).collect();
     pieces.push(boxes[boxes.len() - 1]);
     pieces
-}
-
-/// Where directions are in two groups along an axis, far apart for the cell and for their own extent: between them.
-fn gap_in(cell: &Cell, inside: &[[f64; 2]], axis: usize) -> Option<f64> {
-    let mut along: Vec<f64> = inside.iter().map(|at| at[axis]).collect();
-    along.sort_by(f64::total_cmp);
-    let gaps = along.windows(2).map(|pair| (pair[1] - pair[0], 0.5 * (pair[0] + pair[1])));
-    let (gap, middle) = gaps.max_by(|a, b| a.0.total_cmp(&b.0))?;
-    let [from, to] = cell.range(axis);
-    let extent = along[along.len() - 1] - along[0];
-    (gap > 0.5 * extent && gap > 0.25 * (to - from)).then_some(middle)
 }
 
 /// What a cell has outside of a smaller one.
@@ -228,74 +240,128 @@ const NODES: [(f64, f64); 4] = [
     (0.930_568_155_797_026_3, 0.173_927_422_568_726_93),
 ];
 
-/// A piece of a cell whose integral is not known yet.
-struct Piece<const N: usize> {
+/// A part of a cell, and the samples in it.
+#[derive(Clone)]
+struct Part {
     of: usize,
     cell: Cell,
-    value: [f64; N],
+    inside: Vec<[f64; 2]>,
 }
 
-/// The integrals of N functions over each cell. A piece is divided in four until that changes its integral by no more
-/// than an eighth of the tolerances, or `budget` values are spent. `values` gives the functions in many directions.
+impl Part {
+    fn quarters(&self) -> [Self; 4] {
+        self.cell.quarters().map(|cell| self.part(cell))
+    }
+
+    /// The samples that are in a part of it.
+    fn part(&self, cell: Cell) -> Self {
+        let inside = self.inside.iter().filter(|at| cell.holds(**at)).copied().collect();
+        Self { of: self.of, cell, inside }
+    }
+
+    /// Whether more samples are in it than such an integral explains, by two standard deviations and one sample: then
+    /// a spike may not have been seen.
+    fn is_crowded(&self, expected: f64) -> bool {
+        let is_divisible = self.cell.solid_angle() > SMALLEST;
+        let most = expected + 2.0 * expected.max(0.0).sqrt() + 1.0;
+        is_divisible && self.inside.len() as f64 > most
+    }
+}
+
+/// Smaller parts are not divided for the sake of the samples in them: a direction may come again and again.
+const SMALLEST: f64 = 1e-18;
+
+/// The samples of a density.
+#[derive(Clone, Copy, Debug)]
+pub struct Samples<'a> {
+    /// Their directions.
+    pub directions: &'a [Vector],
+    /// How many were drawn, with those that have no direction.
+    pub drawn: usize,
+}
+
+/// The integrals of N functions over each cell; the first of them is the density of the samples. A piece is divided in
+/// four until that changes its integral by no more than a sixteenth of the tolerances and explains the samples in the four, or
+/// `budget` values are spent. `values` gives the functions in many directions.
 ///
 /// # Errors
 /// Those of `values`.
 pub fn integrals<const N: usize, E>(
     cells: &Cells,
+    samples: Samples<'_>,
     tolerances: [f64; N],
     budget: usize,
     values: &mut impl FnMut(&[Vector]) -> Result<Vec<[f64; N]>, E>,
 ) -> Result<Integrals<N>, E> {
     let mut found = vec![Integral::<N>::NONE; cells.all.len()];
-    let mut open = measured(cells.pieces.clone(), values)?;
+    let mut inside = vec![Vec::new(); cells.all.len()];
+    for w in samples.directions {
+        inside[cells.index(*w)].push(coordinates(*w, cells.seam).1);
+    }
+    let begun = cells
+        .pieces
+        .iter()
+        .map(|(of, cell)| Part { of: *of, cell: *cell, inside: inside[*of].clone() }.part(*cell));
+    let mut open = measured(cells.seam, begun.collect(), values)?;
     let mut spent = open.len() * NODES.len() * NODES.len();
+    let mut is_steady = true;
     while !open.is_empty() && spent < budget {
-        let quarters = open.iter().flat_map(|it| it.cell.quarters().map(|cell| (it.of, cell)));
-        let finer = measured(quarters.collect(), values)?;
+        let finer = measured(
+            cells.seam,
+            open.iter().flat_map(|(part, _)| part.quarters()).collect(),
+            values,
+        )?;
         spent += finer.len() * NODES.len() * NODES.len();
         let mut finer = finer.into_iter();
         let mut still_open = Vec::new();
-        for coarse in open {
-            let parts: Vec<Piece<N>> = finer.by_ref().take(4).collect();
-            let value = std::array::from_fn(|k| parts.iter().map(|part| part.value[k]).sum());
-            let error = std::array::from_fn(|k| f64::abs(coarse.value[k] - value[k]));
-            if (0..N).all(|k| error[k] <= tolerances[k] / 8.0) {
-                found[coarse.of].add(value, error);
+        is_steady = true;
+        for (part, coarse) in open {
+            let quarters: Vec<(Part, [f64; N])> = finer.by_ref().take(4).collect();
+            let value = std::array::from_fn(|k| quarters.iter().map(|(_, it)| it[k]).sum());
+            let error = std::array::from_fn(|k| f64::abs(coarse[k] - value[k]));
+            let is_settled = (0..N).all(|k| error[k] <= tolerances[k] / 16.0);
+            is_steady &= is_settled;
+            let drawn = samples.drawn as f64;
+            if is_settled && !quarters.iter().any(|(it, value)| it.is_crowded(drawn * value[0])) {
+                found[part.of].add(value, error);
             } else {
-                still_open.extend(parts);
+                still_open.extend(quarters);
             }
         }
         open = still_open;
     }
-    for piece in &open {
-        found[piece.of].add(piece.value, piece.value.map(f64::abs));
+    // if only crowds are left, they are no spikes: samples are where the density is lower
+    for (part, value) in &open {
+        found[part.of].add(*value, if is_steady { [0.0; N] } else { value.map(f64::abs) });
     }
-    let is_within = |it: &Integral<N>| (0..N).all(|k| it.error[k] <= tolerances[k]);
-    let is_known = open.is_empty() && found.iter().all(is_within);
+    // what a division changes is far more than what the next would
+    let is_within = |it: &Integral<N>| (0..N).all(|k| it.error[k] <= 4.0 * tolerances[k]);
+    let is_known = (open.is_empty() || is_steady) && found.iter().all(is_within);
     let mut whole = Integral::NONE;
     found.iter().for_each(|it| whole.add(it.value, it.error));
     Ok(Integrals { cells: found, whole, is_known })
 }
 
-/// The integrals over cells, each by one rule of sixteen points.
+/// The integrals over parts, each by one rule of sixteen points.
 fn measured<const N: usize, E>(
-    cells: Vec<(usize, Cell)>,
+    seam: Seam,
+    parts: Vec<Part>,
     values: &mut impl FnMut(&[Vector]) -> Result<Vec<[f64; N]>, E>,
-) -> Result<Vec<Piece<N>>, E> {
-    let points = |cell: &Cell| {
-        let cell = *cell;
-        NODES.into_iter().flat_map(move |(a, _)| NODES.map(|(b, _)| cell.at([a, b])))
+) -> Result<Vec<(Part, [f64; N])>, E> {
+    let points = |part: &Part| {
+        let cell = part.cell;
+        NODES.into_iter().flat_map(move |(a, _)| NODES.map(|(b, _)| seam.back(cell.at([a, b]))))
     };
-    let directions: Vec<Vector> = cells.iter().flat_map(|(_, cell)| points(cell)).collect();
+    let directions: Vec<Vector> = parts.iter().flat_map(points).collect();
     let values = values(&directions)?;
     let weights: Vec<f64> = NODES.iter().flat_map(|(_, a)| NODES.map(|(_, b)| a * b)).collect();
-    let pieces = cells.into_iter().zip(values.chunks(weights.len()));
     let sum = |values: &[[f64; N]], k: usize| -> f64 {
         values.iter().zip(&weights).map(|(value, weight)| weight * value[k]).sum()
     };
-    let piece = |((of, cell), values): ((usize, Cell), &[[f64; N]])| {
-        let value = std::array::from_fn(|k| cell.solid_angle() * sum(values, k));
-        Piece { of, cell, value }
+    let with_values = parts.into_iter().zip(values.chunks(weights.len()));
+    let integral = |(part, values): (Part, &[[f64; N]])| {
+        let value = std::array::from_fn(|k| part.cell.solid_angle() * sum(values, k));
+        (part, value)
     };
-    Ok(pieces.map(piece).collect())
+    Ok(with_values.map(integral).collect())
 }

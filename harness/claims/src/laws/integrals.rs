@@ -6,13 +6,15 @@ use statistics::means;
 
 use super::{Breach, Finding};
 use crate::case::Case;
-use crate::cells::{Cells, Integrals, integrals};
+use crate::cells::{Cells, Integrals, Samples, integrals};
 use crate::lobe::{Sampled, Trouble};
 use crate::naming::FACTORS;
 
 /// Samples that place the cells, and samples that are counted.
 const PLACING: usize = 2048;
 const COUNTED: usize = 16_384;
+/// The first of these guide the integrals.
+const GUIDING: usize = 8_192;
 /// Each hemisphere is divided so often.
 const DEPTH: u32 = 5;
 /// Values in one case.
@@ -65,14 +67,20 @@ impl Case<'_> {
         let cells = Cells::around(&placing, DEPTH);
         let samples = self.samples(COUNTED * scale)?;
         let mut counts = vec![0; cells.all.len()];
-        let with_density = samples.iter().flatten().filter(|it| it.pdf.is_some());
-        for sample in with_density {
+        let mut directions = Vec::with_capacity(samples.len());
+        let with_density = |it: &Option<Sampled>| it.filter(|it| it.pdf.is_some());
+        for (index, sample) in samples.iter().enumerate() {
+            let Some(sample) = with_density(sample) else { continue };
             // a direction in the surface is on the side that is served
             let wi = match self.is_level(sample.wi) && !self.is_served(sample.wi) {
                 true => Vector::new(sample.wi.x(), sample.wi.y(), -sample.wi.z()),
                 false => sample.wi,
             };
             counts[cells.index(wi)] += 1;
+            // more do not make the integrals better, only dearer
+            if index < GUIDING {
+                directions.push(wi);
+            }
         }
         let has_deltas = samples.iter().flatten().any(|it| it.pdf.is_none());
         let weights = samples.chunks(samples.len().div_ceil(GROUPS)).map(|group| {
@@ -100,7 +108,8 @@ impl Case<'_> {
             });
             Ok::<_, Trouble>(integrands.collect())
         };
-        let integrals = integrals(&cells, tolerances, BUDGET, &mut values)?;
+        let guide = Samples { drawn: samples.len().min(GUIDING), directions: &directions };
+        let integrals = integrals(&cells, guide, tolerances, BUDGET, &mut values)?;
         let (scattered, drawn) = (counts.iter().sum(), samples.len() as u64);
         Ok(Integrated { scale, counts, scattered, drawn, weights, has_deltas, integrals })
     }
