@@ -113,6 +113,31 @@ fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
     assert!(checked > 600, "{checked} places");
 }
 
+/// The scene with that item of its lists in which the place is, and those that it names; and the place in it.
+fn only(whole: &Value, place: &[String]) -> (Value, Vec<String>) {
+    let (mut scene, mut place) = (whole.clone(), place.to_vec());
+    let part = place[0].clone();
+    for list in ["materials", "lights", "objects"] {
+        let mut index = 0;
+        let is_kept = |item: &Value| {
+            let name = item["name"].as_str().expect("every item has a name");
+            index += 1;
+            match (part.as_str(), list) {
+                (part, list) if part == list => place[1] == (index - 1).to_string(),
+                ("objects", "materials") => name == "material 0" || name == "glow",
+                ("lights", "materials") => name == "glow",
+                ("lights", "objects") => name.starts_with("lamp "),
+                _ => false,
+            }
+        };
+        scene[list].as_array_mut().expect("a list").retain(is_kept);
+    }
+    if ["materials", "lights", "objects"].contains(&part.as_str()) {
+        "0".clone_into(&mut place[1]);
+    }
+    (scene, place)
+}
+
 /// Fails if the scene is valid with this value at this place, or if the error names another field or line.
 fn check_refused(whole: &Value, place: &[String], value: f64) {
     let word = match value {
@@ -120,8 +145,10 @@ fn check_refused(whole: &Value, place: &[String], value: f64) {
         f64::NEG_INFINITY => "-inf",
         _ => "nan",
     };
-    let mut wrong = whole.clone();
-    *at(&mut wrong, place) = Value::Float(value);
+    let (mut wrong, place) = only(whole, place);
+    let right = toml::to_string(&wrong).expect("it can be written");
+    world::from_toml(&right, Path::new("scene.toml")).expect("it is right without this value");
+    *at(&mut wrong, &place) = Value::Float(value);
     let text = toml::to_string(&wrong).expect("it can be written");
     let error = world::from_toml(&text, Path::new("scene.toml"))
         .err()
