@@ -62,7 +62,7 @@ fn a_spike_in_a_broad_density_is_seen() {
         for share in [0.01, 0.1, 0.5, 0.9] {
             for _ in 0..4 {
                 let axis = Vector::from(draw.direction());
-                let mut direction = |draw: &mut Draw| match draw.between(0.0, 1.0) < share {
+                let direction = |draw: &mut Draw| match draw.between(0.0, 1.0) < share {
                     true => drawn(axis, kappa, draw),
                     false => Vector::from(draw.direction()),
                 };
