@@ -11,8 +11,8 @@ use conform::{self, Card, Known, Options, Profile, Row, card};
 use groundtruth::printable;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::asked::{Asked, fresh_seed, no_answer};
 use super::numbers::whole;
+use super::program::{ProgramArguments, fresh_seed, no_answer};
 use super::{Exit, Outcome, interrupt, output, print};
 
 #[derive(Args)]
@@ -55,7 +55,7 @@ pub struct Conform {
     #[arg(long, value_name = "LANGUAGE", value_enum, exclusive = true)]
     init: Option<conform::Language>,
     #[command(flatten)]
-    asked: Asked,
+    program: ProgramArguments,
 }
 
 /// The profiles by name.
@@ -89,7 +89,7 @@ impl Conform {
             shrink: true,
             interrupted: Arc::clone(&interrupted),
         };
-        let mut program = self.asked.program(interrupted);
+        let mut program = self.program.program(interrupted);
         let progress = progress(families.len() as u64);
         let mut chapters = Chapters::new(&families, profile);
         let card = conform::run(&mut program, &families, &options, &mut |row| {
@@ -154,7 +154,7 @@ impl Conform {
     }
 
     fn write(&self, card: &Card) -> Result<(), Box<dyn std::error::Error>> {
-        let command = self.asked.command();
+        let command = self.program.command();
         let write = |file: &Option<PathBuf>, text: &dyn Fn() -> String| match file {
             Some(file) => output::write(file, text().as_bytes()),
             None => Ok(()),

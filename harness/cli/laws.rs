@@ -8,8 +8,8 @@ use clap::Args;
 use groundtruth::printable;
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::asked::{Asked, fresh_seed, no_answer};
 use super::numbers::whole;
+use super::program::{ProgramArguments, fresh_seed, no_answer};
 use super::{Exit, Outcome, interrupt, output, print};
 
 #[derive(Args)]
@@ -38,7 +38,7 @@ pub struct Laws {
     #[arg(long, value_name = "LANGUAGE", value_enum, exclusive = true)]
     init: Option<claims::Language>,
     #[command(flatten)]
-    asked: Asked,
+    program: ProgramArguments,
 }
 
 impl Laws {
@@ -48,7 +48,7 @@ impl Laws {
         }
         output::once(self.files(), "output")?;
         self.files().try_for_each(output::writable)?;
-        let mut program = self.asked.program(interrupt::flag()?);
+        let mut program = self.program.program(interrupt::flag()?);
         let lobes = match claims::listed(&mut program) {
             Ok(lobes) => self.chosen(lobes)?,
             Err(Trouble::Interrupted) => return Ok(Exit::Interrupted),
@@ -96,7 +96,7 @@ impl Laws {
     }
 
     fn write(&self, card: &Card) -> Result<(), Box<dyn Error>> {
-        let command = self.asked.command();
+        let command = self.program.command();
         if let Some(file) = &self.output {
             output::write(file, claims::page(card, &command).as_bytes())?;
         }

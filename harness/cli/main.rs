@@ -4,7 +4,6 @@
 //! interrupted the command.
 
 mod announce;
-mod asked;
 mod bounds;
 mod claim;
 mod columns;
@@ -24,6 +23,7 @@ mod numbers;
 mod output;
 mod part;
 mod probe;
+mod program;
 mod render;
 mod replicas;
 mod report;

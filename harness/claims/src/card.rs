@@ -5,7 +5,6 @@ use std::fmt::Write;
 use pictures::html::{self, escaped};
 use pictures::xml::held;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
-
 use serde_json::{Value, json};
 
 use crate::laws::{Breach, LAWS, Law};
@@ -45,10 +44,10 @@ impl Card {
                     (entry["status"], entry["why"]) = ("undecided".into(), why.as_str().into())
                 }
                 Status::Broken(Broken { parameters, wo, breach }) => {
-                    let Breach { found, expected, factor, questions } = breach;
+                    let Breach { found, expected, mistake, questions } = breach;
                     entry = json!({
                         "law": law.name, "status": "broken", "sentence": law.sentence, "cause": law.cause,
-                        "found": found, "expected": expected, "factor": factor, "parameters": parameters,
+                        "found": found, "expected": expected, "mistake": mistake, "parameters": parameters,
                         "wo": wo, "questions": questions,
                     });
                 }
@@ -68,7 +67,7 @@ impl Card {
 }
 
 /// One sentence.
-pub fn verdict(card: &Card) -> String {
+fn verdict(card: &Card) -> String {
     let broken: Vec<&Row> = card.rows.iter().filter(|row| row.is_failed()).collect();
     let (all, seed) = (card.rows.len(), card.seed);
     let rest = format!("seed {seed}, {} tests of chance", card.tests);
@@ -78,7 +77,7 @@ pub fn verdict(card: &Card) -> String {
         [row, ..] => {
             let what = match row.broken().next() {
                 Some((law, broken)) => {
-                    let more = broken.breach.factor.as_deref().unwrap_or(law.sentence);
+                    let more = broken.breach.mistake.as_deref().unwrap_or(law.sentence);
                     format!("{} breaks \"{}\": {more}", row.name, law.name)
                 }
                 None => format!("{} does not answer", row.name),
@@ -92,7 +91,7 @@ fn counted(lobes: usize) -> String {
     if lobes == 1 { "1 lobe".to_owned() } else { format!("{lobes} lobes") }
 }
 
-/// What is wrong with a lobe: of the first law in full, as the others often follow from it.
+/// What is wrong with a lobe: each broken law, the one to begin with first.
 fn details(row: &Row) -> String {
     let mut text = String::new();
     if let Some(trouble) = row.trouble.as_ref().filter(|it| **it != Trouble::Interrupted) {
@@ -102,14 +101,14 @@ fn details(row: &Row) -> String {
     }
     for (law, broken) in row.broken() {
         let Broken { parameters, wo, breach } = broken;
-        let parameters = serde_json::Value::from(parameters.clone());
+        let parameters = Value::from(parameters.clone());
         let _ = writeln!(text, "\n{} breaks \"{}\": {}", row.name, law.name, law.sentence);
         let _ = writeln!(text, "  found       {}", breach.found);
         let _ = writeln!(text, "  expected    {}", breach.expected);
         let _ = writeln!(text, "  parameters  {parameters}, wo = {wo:?}");
-        match &breach.factor {
-            Some(factor) => {
-                let _ = writeln!(text, "  mistake     {factor}");
+        match &breach.mistake {
+            Some(mistake) => {
+                let _ = writeln!(text, "  mistake     {mistake}");
             }
             None => {
                 let _ = writeln!(text, "  usual cause {}", law.cause);

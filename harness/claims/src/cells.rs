@@ -6,7 +6,7 @@
 
 use std::f64::consts::TAU;
 
-use groundtruth::math::{Vector, atan2, cos, sin};
+use groundtruth::math::{Frame, Vector, atan2, cos, sin};
 
 /// A part of a hemisphere: a rectangle in the height `s = 1 − |cos θ|` and the azimuth φ, which is a solid angle of
 /// its area.
@@ -18,31 +18,16 @@ pub struct Cell {
     phi: [f64; 2],
 }
 
-/// The azimuth from which φ is counted, as its cosine and sine: opposite to the samples, so that no lobe lies across it.
-#[derive(Clone, Copy, Debug)]
-struct Seam([f64; 2]);
-
-impl Seam {
-    fn opposite_to(directions: &[Vector]) -> Self {
-        let sum = directions.iter().fold(Vector::ZERO, |sum, w| sum + *w);
-        let level = Vector::new(sum.x(), sum.y(), 0.0).unit().unwrap_or(Vector::X);
-        Self([-level.x(), -level.y()])
-    }
-
-    fn there(self, w: Vector) -> Vector {
-        let [c, s] = self.0;
-        Vector::new(c * w.x() + s * w.y(), c * w.y() - s * w.x(), w.z())
-    }
-
-    fn back(self, w: Vector) -> Vector {
-        let [c, s] = self.0;
-        Vector::new(c * w.x() - s * w.y(), s * w.x() + c * w.y(), w.z())
-    }
+/// The local frame turned about the normal, so that azimuths begin opposite to the samples and no lobe lies across 0.
+fn opposite_to(directions: &[Vector]) -> Frame {
+    let sum = directions.iter().fold(Vector::ZERO, |sum, w| sum + *w);
+    let level = Vector::new(sum.x(), sum.y(), 0.0).unit().unwrap_or(Vector::X);
+    Frame { u: -level, v: -Vector::Z.cross(level), w: Vector::Z }
 }
 
 /// A direction in these coordinates: side, height and azimuth.
-fn coordinates(w: Vector, seam: Seam) -> (f64, [f64; 2]) {
-    let w = seam.there(w);
+fn coordinates(w: Vector, frame: &Frame) -> (f64, [f64; 2]) {
+    let w = frame.to_local(w);
     // not 1 − |z|, which loses its digits near the normal
     let s = (w.x() * w.x() + w.y() * w.y()) / (1.0 + w.z().abs());
     let phi = atan2(w.y(), w.x());
@@ -104,32 +89,30 @@ pub struct Cells {
     pub all: Vec<Cell>,
     /// Where their integrals begin: pieces of the cell of an index, small where its directions are.
     pieces: Vec<(usize, Cell)>,
-    seam: Seam,
+    frame: Frame,
 }
 
 impl Cells {
     /// Divides each hemisphere `depth` times, at the medians of the directions.
     pub fn around(directions: &[Vector], depth: u32) -> Self {
-        let seam = Seam::opposite_to(directions);
-        let mut cells = Self { all: Vec::new(), pieces: Vec::new(), seam };
+        let frame = opposite_to(directions);
+        let mut cells = Self { all: Vec::new(), pieces: Vec::new(), frame };
         for side in [1.0, -1.0] {
             let here =
-                directions.iter().map(|w| coordinates(*w, seam)).filter(|(of, _)| *of == side);
+                directions.iter().map(|w| coordinates(*w, &frame)).filter(|(of, _)| *of == side);
             let here = here.map(|(_, at)| at).collect();
             cells.divide(Cell::hemisphere(side), here, depth);
         }
         cells
     }
 
-    /// The index of the cell that holds a direction.
+    /// The index of the cell that holds a direction, whose coordinates are finite.
     pub fn index(&self, w: Vector) -> usize {
-        let (side, at) = coordinates(w, self.seam);
+        let (side, at) = coordinates(w, &self.frame);
         let holds = |cell: &Cell| cell.side == side && cell.holds(at);
         self.all.iter().position(holds).expect("cells cover the sphere")
     }
-}
 
-impl Cells {
     fn divide(&mut self, cell: Cell, mut inside: Vec<[f64; 2]>, depth: u32) {
         if depth == 0 || inside.len() < 2 {
             let index = self.all.len();
@@ -296,21 +279,18 @@ pub fn integrals<const N: usize, E>(
     let mut found = vec![Integral::<N>::NONE; cells.all.len()];
     let mut inside = vec![Vec::new(); cells.all.len()];
     for w in samples.directions {
-        inside[cells.index(*w)].push(coordinates(*w, cells.seam).1);
+        inside[cells.index(*w)].push(coordinates(*w, &cells.frame).1);
     }
     let begun = cells
         .pieces
         .iter()
         .map(|(of, cell)| Part { of: *of, cell: *cell, inside: inside[*of].clone() }.part(*cell));
-    let mut open = measured(cells.seam, begun.collect(), values)?;
+    let mut open = measured(&cells.frame, begun.collect(), values)?;
     let mut spent = open.len() * NODES.len() * NODES.len();
     let mut is_steady = true;
     while !open.is_empty() && spent < budget {
-        let finer = measured(
-            cells.seam,
-            open.iter().flat_map(|(part, _)| part.quarters()).collect(),
-            values,
-        )?;
+        let quarters = open.iter().flat_map(|(part, _)| part.quarters()).collect();
+        let finer = measured(&cells.frame, quarters, values)?;
         spent += finer.len() * NODES.len() * NODES.len();
         let mut finer = finer.into_iter();
         let mut still_open = Vec::new();
@@ -334,7 +314,7 @@ pub fn integrals<const N: usize, E>(
     for (part, value) in &open {
         found[part.of].add(*value, if is_steady { [0.0; N] } else { value.map(f64::abs) });
     }
-    // what a division changes is far more than what the next would
+    // a division changes far more than the next one would: the sum of many changes may exceed a tolerance
     let is_within = |it: &Integral<N>| (0..N).all(|k| it.error[k] <= 4.0 * tolerances[k]);
     let is_known = (open.is_empty() || is_steady) && found.iter().all(is_within);
     let mut whole = Integral::NONE;
@@ -344,13 +324,15 @@ pub fn integrals<const N: usize, E>(
 
 /// The integrals over parts, each by one rule of sixteen points.
 fn measured<const N: usize, E>(
-    seam: Seam,
+    frame: &Frame,
     parts: Vec<Part>,
     values: &mut impl FnMut(&[Vector]) -> Result<Vec<[f64; N]>, E>,
 ) -> Result<Vec<(Part, [f64; N])>, E> {
     let points = |part: &Part| {
         let cell = part.cell;
-        NODES.into_iter().flat_map(move |(a, _)| NODES.map(|(b, _)| seam.back(cell.at([a, b]))))
+        NODES
+            .into_iter()
+            .flat_map(move |(a, _)| NODES.map(|(b, _)| frame.to_world(cell.at([a, b]))))
     };
     let directions: Vec<Vector> = parts.iter().flat_map(points).collect();
     let values = values(&directions)?;

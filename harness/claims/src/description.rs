@@ -84,7 +84,7 @@ pub enum Index {
 }
 
 /// How many significant digits drawn parameters have: they are read and typed again.
-const DIGITS: i32 = 2;
+const DIGITS: usize = 2;
 
 impl Description {
     /// Parameters of a case: the first two cases have the low and the high ends.
@@ -109,9 +109,7 @@ impl Description {
         match &self.claims.eta {
             None => 1.0,
             Some(Index::Number(eta)) => *eta,
-            Some(Index::Parameter(name)) => {
-                parameters.get(name).and_then(Value::as_f64).unwrap_or(1.0)
-            }
+            Some(Index::Parameter(name)) => parameters[name].as_f64().expect("it was checked"),
         }
     }
 
@@ -135,11 +133,15 @@ impl Description {
                 ));
             }
         }
-        match &self.claims.eta {
-            Some(Index::Parameter(name)) if !self.parameters.contains_key(name) => {
-                Some(format!("claims.eta names `{name}`, which is no parameter"))
-            }
-            _ => None,
+        let is_positive = |x: f64| x > 0.0 && x.is_finite();
+        match self.claims.eta.as_ref()? {
+            Index::Number(eta) if is_positive(*eta) => None,
+            Index::Number(eta) => Some(format!("claims.eta is {eta}, but an index is positive")),
+            Index::Parameter(name) => match self.parameters.get(name) {
+                Some(Values::Number(low) | Values::Range([low, _])) if is_positive(*low) => None,
+                Some(_) => Some(format!("claims.eta names `{name}`, which needs positive numbers")),
+                None => Some(format!("claims.eta names `{name}`, which is no parameter")),
+            },
         }
     }
 }
@@ -151,6 +153,6 @@ fn within(low: f64, high: f64, draw: &mut Draw) -> f64 {
     } else {
         draw.between(low, high)
     };
-    let text = format!("{drawn:.*e}", DIGITS as usize - 1);
+    let text = format!("{drawn:.*e}", DIGITS - 1);
     text.parse().expect("a printed number can be read")
 }

@@ -14,7 +14,7 @@ mod lobe;
 mod naming;
 mod run;
 
-pub use card::{junit, page, text, verdict};
+pub use card::{junit, page, text};
 pub use description::{Claims, Description, Index, Sides, Values};
 pub use language::Language;
 pub use laws::{Breach, LAWS, Law};

@@ -13,7 +13,7 @@ use crate::laws::{Breach, Finding, LAWS, Law};
 use crate::lobe::{Lobe, Trouble, answer};
 
 /// The probability that chance calls any right lobe of a card wrong, before it is asked again.
-pub const LEVEL: f64 = 1e-2;
+const LEVEL: f64 = 1e-2;
 /// So improbable numbers are judged at once, and no further case of the law is asked.
 const AT_ONCE: f64 = 1e-12;
 /// How many times the samples are drawn when a law of chance is asked again.

@@ -29,6 +29,11 @@ fn bad_lists_are_refused() {
         (json!([{"name": "a", "parameters": {"x": [2, 1]}}]), "parameter `x`"),
         (json!([{"name": "a", "parameters": {"x": {"one_of": []}}}]), "parameter `x`"),
         (json!([{"name": "a", "claims": {"eta": "ior"}}]), "claims.eta names `ior`"),
+        (json!([{"name": "a", "claims": {"eta": 0}}]), "claims.eta"),
+        (
+            json!([{"name": "a", "parameters": {"n": [-1, 2]}, "claims": {"eta": "n"}}]),
+            "claims.eta",
+        ),
         (json!([{"name": "a", "claims": {"reciproc": true}}]), "reciproc"),
         (json!({"name": "a"}), "list"),
     ] {
@@ -92,4 +97,34 @@ fn values_that_are_not_finite_are_told() {
     });
     let broken: Vec<_> = card.rows[0].broken().map(|(law, _)| law.name).collect();
     assert_eq!(broken.first(), Some(&"positive"), "{broken:?}");
+}
+
+/// The answers of a lobe with these values in every direction, and this sample for every list of numbers.
+fn constant(f: f64, pdf: f64, sample: &Value, question: &Value) -> Reply {
+    let count = |key: &str, list: &str| question[key][list].as_array().map_or(0, Vec::len);
+    Reply::Answer(match question.get("eval") {
+        Some(_) => {
+            let n = count("eval", "wi");
+            json!({"f": vec![f; n], "pdf": vec![pdf; n]})
+        }
+        None => json!(vec![sample.clone(); count("sample", "u")]),
+    })
+}
+
+/// Law: samples that are no directions break the law of sides, and nothing fails on them. Oracle: what was planted.
+#[test]
+fn samples_that_are_no_directions_are_told() {
+    for wi in [json!(["nan", 0, 1]), json!([0, "inf", 1]), json!([0, 0, 0]), json!([0, 0, -1e300])]
+    {
+        let sample = json!({"wi": wi, "weight": 1, "pdf": 1});
+        let card = card(|question| constant(0.0, 0.0, &sample, question));
+        assert_eq!(card.rows[0].broken().map(|(law, _)| law.name).next(), Some("sides"), "{wi}");
+    }
+}
+
+/// Law: a lobe that scatters nothing keeps all laws. Oracle: 0 is 0.
+#[test]
+fn a_black_lobe_keeps_all_laws() {
+    let card = card(|question| constant(0.0, 0.0, &Value::Null, question));
+    assert!(!card.is_failed(), "{}", text(&card));
 }

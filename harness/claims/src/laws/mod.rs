@@ -49,7 +49,7 @@ pub struct Breach {
     /// What the law says.
     pub expected: String,
     /// The factor that was left out or put in, if it was recognised, in a sentence.
-    pub factor: Option<String>,
+    pub mistake: Option<String>,
     /// The questions that show it.
     pub questions: Vec<Value>,
 }

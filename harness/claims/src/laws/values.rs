@@ -31,7 +31,7 @@ fn equal(case: &Case<'_>, pairs: &[Pair], found: &str, expected: &str) -> Findin
     Finding::Broken(Breach {
         found: format!("{found} = {:.6e} at wi = {:?}", worst.found, worst.wi.to_array()),
         expected: format!("{expected} = {:.6e}", worst.expected),
-        factor: factor(&ratios, case.eta)
+        mistake: factor(&ratios, case.eta)
             .map(|factor| format!("what is found is {factor} times what is expected")),
         questions: vec![case.lobe.eval_question(case.wo, &[worst.wi])],
     })
@@ -156,7 +156,7 @@ pub fn positive(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
                 return Ok(Finding::Broken(Breach {
                     found: format!("f = {f:?} and pdf = {pdf:e}"),
                     expected: "finite numbers of at least 0".to_owned(),
-                    factor: None,
+                    mistake: None,
                     questions: vec![case.lobe.eval_question(wo, &[*wi])],
                 }));
             }
@@ -188,7 +188,7 @@ pub fn sides(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
         return Ok(Finding::Broken(Breach {
             found: format!("the sample wi = {:?}", wi.to_array()),
             expected,
-            factor: None,
+            mistake: None,
             questions: vec![case.lobe.sample_question(case.wo, &[*u])],
         }));
     }
@@ -204,7 +204,7 @@ pub fn sides(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
         Finding::Broken(Breach {
             found: format!("f = {:?} and pdf = {:e} at wi = {:?}", it.f, it.pdf, wi.to_array()),
             expected: "0 on the side that is not claimed".to_owned(),
-            factor: None,
+            mistake: None,
             questions: vec![case.lobe.eval_question(case.wo, &[*wi])],
         })
     }))
@@ -231,7 +231,7 @@ pub fn repeated(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
         if is_asked && expected != again {
             let found = format!("asked again: {again}");
             let questions = vec![question];
-            return Ok(Finding::Broken(Breach { found, expected, factor: None, questions }));
+            return Ok(Finding::Broken(Breach { found, expected, mistake: None, questions }));
         }
     }
     Ok(Finding::Holds)

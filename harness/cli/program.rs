@@ -10,7 +10,7 @@ use groundtruth::math::hash;
 
 /// A program, and how long it may take.
 #[derive(Args)]
-pub struct Asked {
+pub struct ProgramArguments {
     /// Seconds for an answer
     #[arg(long, value_name = "SECONDS", default_value_t = 5.0, value_parser = seconds)]
     timeout: f64,
@@ -29,7 +29,7 @@ fn seconds(text: &str) -> Result<f64, String> {
     }
 }
 
-impl Asked {
+impl ProgramArguments {
     /// The program, which starts at the first question.
     pub fn program(&self, interrupted: Arc<AtomicBool>) -> Program {
         let [answer, start] = [self.timeout, self.start_timeout].map(Duration::from_secs_f64);
