@@ -99,6 +99,15 @@ fn each_law_finds_its_mistake() {
     assert_eq!(counted(&all), [all.len(); 2]);
 }
 
+/// Law: a mistake in one sample of eighteen, which no single case shows beyond doubt, is found from all cases together, and
+/// asked again. Oracle: what was planted.
+#[test]
+fn chance_is_judged_for_the_card() {
+    let card = card(&mut Adapter::new(L, "few of them uniform", false), 6, 1);
+    assert_eq!(first_law(&card), Some("density"), "{}", text(&card));
+    assert!(card.tests > 0);
+}
+
 /// Law: 95 % of the mistakes are found, 80 % by the law that names them. Oracle: what was planted.
 #[test]
 #[ignore = "thorough: a minute"]

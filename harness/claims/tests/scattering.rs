@@ -146,7 +146,9 @@ macro_rules! scattering {
                     let (x, y) = (radius * phi.cos(), radius * phi.sin());
                     let mut z = (1.0 - radius * radius).max(0.0).sqrt();
                     let mut wi = [x, y, z];
-                    if self.is("uniform hemisphere") {
+                    if self.is("uniform hemisphere")
+                        || self.is("few of them uniform") && u[2] < 0.055
+                    {
                         z = u[0];
                         let r = (1.0 - z * z).max(0.0).sqrt();
                         wi = [r * phi.cos(), r * phi.sin(), z];
