@@ -28,6 +28,7 @@ mod render;
 mod replicas;
 mod report;
 mod scene;
+mod sets;
 mod verify;
 mod witness;
 
@@ -96,7 +97,9 @@ enum Command {
     /// Judge a picture of a scene by another program: noise or bug, and where
     ///
     /// Renders pictures of ours with other seeds, and says whether theirs is farther from them than they are from each
-    /// other. The exit status is 0 if it agrees, 1 if it differs, 2 if it cannot be judged.
+    /// other. With --before and --after, no scene is needed: two sets of pictures are held against each other, and
+    /// docs/ci.md shows how to do so after each change. The exit status is 0 if it agrees, 1 if it differs, 2 if it cannot
+    /// be judged.
     Verify(verify::Verify),
     /// List known mistakes of ray tracers, and the scenes that show them
     ///

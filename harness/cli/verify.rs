@@ -24,7 +24,7 @@ use pictures::sums::Part;
 use super::numbers::whole;
 use super::scene::SceneArguments;
 use super::witness::{By, Request, Witnessed};
-use super::{Exit, Outcome, announce, interrupt, mistakes, output, replicas};
+use super::{Exit, Outcome, announce, interrupt, mistakes, output, replicas, sets};
 
 #[derive(Args)]
 pub struct Verify {
@@ -32,7 +32,7 @@ pub struct Verify {
     scene: Option<SceneArguments>,
     /// The picture to be judged: PNG, JPEG, PPM, HDR, EXR or PFM; - is the standard input. Several are pictures of one
     /// program with other seeds
-    #[arg(value_name = "IMAGE", required_unless_present_any = ["scenes", "by"], conflicts_with = "by")]
+    #[arg(value_name = "IMAGE", required_unless_present_any = ["scenes", "by", "before"], conflicts_with = "by")]
     images: Vec<PathBuf>,
     /// Let another renderer render the scene, and judge its picture: one ray through the centre of each pixel on both
     /// sides, or 64 samples (--their-samples) if Mitsuba renders a scene with random numbers. docs/renderers.md says
@@ -79,6 +79,16 @@ pub struct Verify {
     /// itself (gAMA, sRGB), else the likeliest is taken, and named
     #[arg(long, value_name = "CURVE")]
     encoding: Option<Transfer>,
+    /// Pictures of any scene by any renderer before a change, each with another seed; instead of a scene
+    #[arg(long, value_name = "IMAGE", num_args = 1.., requires = "after",
+        conflicts_with_all = ["scene", "images", "by", "their_samples", "their_sampler", "replicas", "reference"])]
+    before: Vec<PathBuf>,
+    /// Pictures of the same scene after it, each with another seed
+    #[arg(long, value_name = "IMAGE", num_args = 1.., requires = "before")]
+    after: Vec<PathBuf>,
+    /// A picture with one colour for each region (object, material) of pictures before and after, to compare their means
+    #[arg(long, value_name = "IMAGE", requires = "before")]
+    regions: Option<PathBuf>,
     /// Write a page with the verdict, both pictures, their difference and the map of z
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -110,7 +120,10 @@ impl Verify {
         if let Some(chapter) = &self.scenes {
             return mistakes::of_chapter_named(chapter);
         }
-        let arguments = self.scene.as_ref().expect("only --scenes goes without a scene");
+        if !self.before.is_empty() {
+            return self.sets().run();
+        }
+        let arguments = self.scene.as_ref().expect("only --scenes and --before go without a scene");
         let Some(witnessed) = self.witnessed(arguments)? else { return Ok(Exit::Unanswered) };
         let Witnessed { scene, mut world, pictures, words: witness, explained_with } = witnessed;
         let named = arguments.files_of(&scene);
@@ -157,6 +170,20 @@ impl Verify {
             witness + &verdict.to_string() + &advice(arguments.name(), &verdict, &explained_with);
         self.tell(&verdict, &words, arguments.name())?;
         Ok(if watch.is_interrupted() { Exit::Interrupted } else { exit(&verdict) })
+    }
+
+    /// The pictures before and after.
+    fn sets(&self) -> sets::Request<'_> {
+        sets::Request {
+            before: &self.before,
+            after: &self.after,
+            regions: self.regions.as_deref(),
+            encoding: self.encoding,
+            level: self.level,
+            margin: self.margin,
+            output: self.output.as_deref(),
+            json: self.json,
+        }
     }
 
     /// Writes the page and prints the verdict.

@@ -2,4 +2,5 @@
 //! known mistakes.
 
 pub mod mistakes;
+pub mod sets;
 pub mod verdict;

@@ -1,4 +1,5 @@
 //! Laws of the judge of pictures: the known mistakes, and verdicts.
 
 mod mistakes;
+mod sets;
 mod verdict;

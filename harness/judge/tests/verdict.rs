@@ -4,7 +4,7 @@ mod alarms;
 mod cases;
 mod causes;
 mod edges;
-mod pictures;
+pub mod pictures;
 mod power;
 mod rounding;
 mod sampling;

@@ -15,11 +15,8 @@ pub fn refusal_of_seed(seed: u64) -> Option<String> {
 
 /// Why a picture cannot be held against ours; `None` if it can.
 pub fn refusal(picture: &Picture) -> Option<String> {
-    if picture.transparent > 0 {
-        let pixels = count(picture.transparent as usize, "pixel");
-        return Some(format!(
-            "alpha is below 1 in {pixels}; lay the picture over the scene's background, or write it without alpha"
-        ));
+    if let Some(problem) = refusal_of_alpha(picture) {
+        return Some(problem);
     }
     let is_number = |color: &[f32; 3]| color.iter().all(|value| value.is_finite());
     let at = picture.values.iter().position(|color| !is_number(color))?;
@@ -28,4 +25,12 @@ pub fn refusal(picture: &Picture) -> Option<String> {
     Some(format!(
         "pixel {x}, {y} is {value:?}; radiance is finite: find the ray that brings it first"
     ))
+}
+
+/// Why a picture with alpha cannot be judged.
+pub fn refusal_of_alpha(picture: &Picture) -> Option<String> {
+    (picture.transparent > 0).then(|| {
+        let pixels = count(picture.transparent as usize, "pixel");
+        format!("alpha is below 1 in {pixels}; lay the picture over the scene's background, or write it without alpha")
+    })
 }

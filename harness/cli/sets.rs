@@ -1,0 +1,150 @@
+//! `groundtruth verify --before … --after …`: two sets of pictures, and no scene.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use groundtruth::printable;
+use judge::sets::{self, SetsDecision, SetsVerdict};
+use judge::verdict::{self, Answer};
+use pictures::compare::{Picture, Transfer};
+use pictures::shell::quoted;
+
+use super::{Exit, Outcome, output};
+
+/// What is asked of two sets.
+pub struct Request<'a> {
+    /// The pictures before.
+    pub before: &'a [PathBuf],
+    /// The pictures after.
+    pub after: &'a [PathBuf],
+    /// A picture with a colour for each region.
+    pub regions: Option<&'a Path>,
+    /// How values encode radiance.
+    pub encoding: Option<Transfer>,
+    /// The probability of a false alarm.
+    pub level: f64,
+    /// The margin of the means.
+    pub margin: Option<f64>,
+    /// The page.
+    pub output: Option<&'a Path>,
+    /// Whether JSON is printed.
+    pub json: bool,
+}
+
+impl Request<'_> {
+    pub fn run(&self) -> Outcome {
+        let inputs = || self.before.iter().chain(self.after).map(PathBuf::as_path);
+        output::once(inputs().chain(self.regions), "input")?;
+        output::check_distinct(self.output, inputs().chain(self.regions))?;
+        self.output.map_or(Ok(()), output::writable)?;
+        let [before, after] =
+            [self.before, self.after].map(|files| self.read(files, self.before[0].as_path()));
+        let (before, after) = (before?, after?);
+        check_size((&before[0], &self.before[0]), (&after, self.after))?;
+        let are_fixed = is_fixed(&before) && is_fixed(&after);
+        if !are_fixed {
+            check_seeds(&before, self.before)?;
+            check_seeds(&after, self.after)?;
+        }
+        let regions = self.regions.map(|file| Picture::read(file, Some(Transfer::Linear)));
+        let regions = regions.transpose()?;
+        let sets = sets::Sets::new([&before, &after], regions.as_ref()).map_err(|problem| {
+            let file = self.regions.map_or(String::new(), |file| file.display().to_string());
+            format!("{}: {problem}", printable::name(&file))
+        })?;
+        let mut verdict = SetsVerdict::of(sets, self.level);
+        if let Some(margin) = self.margin {
+            verdict.hold_to(margin);
+        }
+        let words = verdict.to_string() + &self.advice(&verdict);
+        if let Some(file) = self.output {
+            output::write(file, sets::page(&verdict, &words).as_bytes())?;
+        }
+        let text = match self.json {
+            true => serde_json::to_string_pretty(&verdict)? + "\n",
+            false => words,
+        };
+        output::say(&text, self.output)?;
+        Ok(exit(&verdict))
+    }
+
+    /// The pictures of a set, all of one size.
+    fn read(&self, files: &[PathBuf], first: &Path) -> Result<Vec<Picture>, Box<dyn Error>> {
+        let mut pictures = Vec::new();
+        for file in files {
+            let picture = Picture::read(file, self.encoding)?;
+            let name = printable::name(&file.display().to_string());
+            // of many files, only the first is spoken of
+            if file == first {
+                picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
+            }
+            if let Some(problem) = verdict::refusal_of_alpha(&picture) {
+                return Err(format!("{name}: {problem}").into());
+            }
+            pictures.push(picture);
+        }
+        check_size((&pictures[0], &files[0]), (&pictures, files))?;
+        Ok(pictures)
+    }
+
+    /// What to do next.
+    fn advice(&self, verdict: &SetsVerdict) -> String {
+        match verdict.decision {
+            SetsDecision::Agree => String::new(),
+            SetsDecision::Differ => {
+                let [before, after] = [&self.before[0], &self.after[0]]
+                    .map(|file| quoted(&file.display().to_string()));
+                format!("to look: groundtruth compare {before} {after} -o page.html\n")
+            }
+            SetsDecision::CannotTell => {
+                "to know: render five pictures before and five after, each with another seed\n"
+                    .to_owned()
+            }
+        }
+    }
+}
+
+/// Whether all pictures have the same values.
+fn is_fixed(pictures: &[Picture]) -> bool {
+    pictures.iter().all(|picture| picture.values == pictures[0].values)
+}
+
+/// Fails if two pictures of a set with noise have the same values.
+fn check_seeds(pictures: &[Picture], files: &[PathBuf]) -> Result<(), String> {
+    for (later, picture) in pictures.iter().enumerate() {
+        if let Some(equal) = pictures[..later].iter().position(|it| it.values == picture.values) {
+            let [file, other] =
+                [later, equal].map(|at| printable::name(&files[at].display().to_string()));
+            return Err(format!(
+                "{file} has the same values as {other}; the pictures of a set have other seeds: leave one out, or render it \
+                 with another seed"
+            ));
+        }
+    }
+    Ok(())
+}
+
+/// Fails if a picture has another size than the first.
+fn check_size(
+    (first, name): (&Picture, &Path),
+    (pictures, files): (&[Picture], &[PathBuf]),
+) -> Result<(), String> {
+    let mut all = pictures.iter().zip(files);
+    let Some((other, file)) = all.find(|(picture, _)| picture.size != first.size) else {
+        return Ok(());
+    };
+    let [[w, h], [width, height]] = [first.size, other.size];
+    let [file, name] = [file, name].map(|file| printable::name(&file.display().to_string()));
+    Err(format!(
+        "{file} has {width} × {height} pixels, {name} has {w} × {h}; all pictures must have one size"
+    ))
+}
+
+/// The exit status of a verdict; by the margin, if there is one.
+fn exit(verdict: &SetsVerdict) -> Exit {
+    match (verdict.margin, verdict.decision) {
+        (Some((_, Answer::Agrees)), _) | (None, SetsDecision::Agree) => Exit::Yes,
+        (Some((_, Answer::DiffersByMore)), _) | (None, SetsDecision::Differ) => Exit::No,
+        (Some((_, Answer::CannotTell)), _) | (None, SetsDecision::CannotTell) => Exit::Unanswered,
+    }
+}

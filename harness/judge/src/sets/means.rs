@@ -1,0 +1,85 @@
+//! The means of the picture and of its regions, before and after.
+
+use serde::Serialize;
+use statrs::distribution::{ContinuousCDF, Normal};
+
+use super::Sets;
+use super::evidence::Evidence;
+use super::noise::Pairs;
+use super::sums::Level;
+use crate::verdict::Answer;
+use statistics::means::{difference, interval};
+
+/// The mean of an area before and after, over all channels.
+#[derive(Clone, Debug, Serialize)]
+pub struct AreaMeans {
+    /// The area.
+    pub name: String,
+    /// The mean before.
+    pub before: f64,
+    /// The mean after.
+    pub after: f64,
+    /// The difference as a part of the mean before, and the ends of its interval; `None` if the mean before is black.
+    pub relative: Option<[f64; 3]>,
+}
+
+impl AreaMeans {
+    /// Of the whole picture and of each region; all intervals together hold with the probability 1 − `level`.
+    pub fn of(sets: &Sets, pairs: &Pairs, evidence: &Evidence<'_>, level: f64) -> Vec<Self> {
+        let largest = sets.areas.levels() - 1;
+        let whole = (Level::Tiles(largest), 0, "the whole picture".to_owned());
+        let regions = sets.areas.objects.iter().enumerate();
+        let regions = regions.map(|(index, (name, _))| (Level::Regions, index, name.to_string()));
+        let is_divided = sets.areas.objects.len() > 1;
+        let all: Vec<_> = std::iter::once(whole).chain(regions.filter(|_| is_divided)).collect();
+        let confidence = 1.0 - level / all.len() as f64;
+        let of = |(level, number, name): &(Level, usize, String)| {
+            let pixels =
+                sets.areas.pixels(evidence.sums.area(evidence.sums.places(*level, *number)[0]));
+            let mean = |picture: &Vec<f32>| {
+                let values = pixels.iter().flat_map(|pixel| &picture[3 * pixel..][..3]);
+                values.map(|value| f64::from(*value)).sum::<f64>() / (3 * pixels.len()) as f64
+            };
+            let [before, after] =
+                [&sets.before, &sets.after].map(|set| set.iter().map(mean).collect::<Vec<f64>>());
+            let apart = match &*pairs.0 {
+                [] | [_] => difference(&after, &before, confidence),
+                pairs => {
+                    let apart: Vec<f64> =
+                        pairs.iter().map(|[a, b]| after[*b] - before[*a]).collect();
+                    interval(&apart, confidence)
+                }
+            };
+            let average = |values: &[f64]| values.iter().sum::<f64>() / values.len() as f64;
+            let [before, after] = [average(&before), average(&after)];
+            let apart = apart.unwrap_or_else(|| {
+                let deviation =
+                    evidence.deviation_of_one(*level, *number) / (3 * pixels.len()) as f64;
+                let half = Normal::standard().inverse_cdf(0.5 + 0.5 * confidence) * deviation;
+                [0.0, -half, half].map(|it| after - before + it)
+            });
+            let relative = (before > 0.0).then(|| apart.map(|apart| apart / before));
+            Self { name: name.clone(), before, after, relative }
+        };
+        all.iter().map(of).collect()
+    }
+
+    /// Whether all means are within this part of those before.
+    pub fn within(all: &[Self], margin: f64) -> Answer {
+        let is_within = |means: &Self| match means.relative {
+            Some([_, low, high]) => low >= -margin && high <= margin,
+            None => means.after == means.before,
+        };
+        let is_beyond = |means: &Self| match means.relative {
+            Some([_, low, high]) => low > margin || high < -margin,
+            None => means.after != means.before,
+        };
+        if all.iter().all(is_within) {
+            Answer::Agrees
+        } else if all.iter().any(is_beyond) {
+            Answer::DiffersByMore
+        } else {
+            Answer::CannotTell
+        }
+    }
+}

@@ -1,0 +1,62 @@
+//! A verdict on two sets of pictures as one HTML page.
+
+use std::fmt::Write;
+
+use groundtruth::film::{OutOfGamut, Tone, data_uri};
+
+use super::{AreaDifference, SetsVerdict};
+use crate::verdict::map_film;
+use pictures::compare::pair::{self, Pair};
+use pictures::compare::{Comparison, Picture};
+use pictures::html::{self, escaped};
+
+const STYLE: &str = "\
+pre { white-space: pre-wrap; }
+.map { position: relative; width: max-content; max-width: 100%; }
+.map img { width: 40em; max-width: 100%; border: 1px solid #999; }
+.map i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
+";
+
+/// The page of a verdict; `words` are what the command prints.
+pub fn page(verdict: &SetsVerdict, words: &str) -> String {
+    let sentence = escaped(&verdict.sentence());
+    let mut body = format!("<h1>{sentence}</h1>\n");
+    let [before, after] = &verdict.shown;
+    if let Ok(comparison) = Comparison::of(before, after, 0.0) {
+        let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
+        let names = ["the mean before", "the mean after"];
+        let shown = [before, after].map(Picture::radiance);
+        let (pictures, commands) = ([before, after], &|_| Vec::new());
+        body += &Pair { names, pictures, shown, tone, comparison: &comparison, commands }.views();
+    }
+    body += &map(verdict);
+    let words = words.split_once('\n').map_or("", |(_, rest)| rest);
+    let _ = write!(body, "<h3>In numbers</h3>\n<pre>{}</pre>\n", escaped(words));
+    html::page(&sentence, &[STYLE, pair::STYLE], &body)
+}
+
+/// The differences of pixels in standard deviations, with the areas that differ framed.
+fn map(verdict: &SetsVerdict) -> String {
+    let size = verdict.shown[0].size;
+    let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+    let frames: String = verdict.areas.iter().map(|area| frame(area, size)).collect();
+    format!(
+        "<h3>Where</h3>\n<p>The difference of each pixel (of tiles, if the picture is large) in standard deviations: \
+         grey is 0, white and black are ±6 and more, brighter where it is larger after. Areas that differ are framed.</p>\n\
+         <div class=\"map\"><img alt=\"map of the difference\" src=\"{}\">{frames}</div>\n",
+        data_uri(&map_film(&verdict.z, size), &plain)
+    )
+}
+
+fn frame(area: &AreaDifference, [width, height]: [u32; 2]) -> String {
+    let AreaDifference { bounds: [x, y, w, h], name, .. } = area;
+    let percent = |part: usize, of: u32| 100.0 * part as f64 / f64::from(of);
+    format!(
+        "<i title=\"{}\" style=\"left:{:.3}%;top:{:.3}%;width:{:.3}%;height:{:.3}%\"></i>",
+        escaped(name),
+        percent(*x, width),
+        percent(*y, height),
+        percent(*w, width),
+        percent(*h, height)
+    )
+}

@@ -1,0 +1,167 @@
+//! What is said of two sets of pictures, as text: the verdict in a sentence, what it rests on, and what would have been
+//! seen.
+
+use std::fmt;
+
+use groundtruth::explain::{brief, count};
+
+use super::evidence::Reason;
+use super::{AreaDifference, AreaMeans, Method, SetsDecision, SetsVerdict};
+use crate::verdict::Answer;
+use pictures::percent;
+
+impl SetsVerdict {
+    /// The verdict in one sentence.
+    pub fn sentence(&self) -> String {
+        let [before, after] = self.pictures;
+        match (self.decision, &self.method) {
+            (SetsDecision::Agree, Method::Rounding) => {
+                "agree: before and after have the same values, but for rounding".to_owned()
+            }
+            (SetsDecision::Agree, _) => {
+                format!(
+                    "agree: the means of {before} before and {after} after do not differ by more than noise"
+                )
+            }
+            (SetsDecision::CannotTell, _) => {
+                "cannot tell: the difference may be noise, which one picture a side hardly shows"
+                    .to_owned()
+            }
+            (SetsDecision::Differ, _) => match (&self.explained_by, self.areas.first()) {
+                (Some(change), _) => format!("differ: {change}"),
+                (None, Some(area)) => format!("differ: {}", in_words(area)),
+                (None, None) => "differ".to_owned(),
+            },
+        }
+    }
+
+    fn method_in_words(&self) -> String {
+        let few = |because: &Reason| match because {
+            Reason::Few(least) => format!(
+                "so few pictures cannot reach a level of {} by divisions (the best is {least:.2})",
+                self.level
+            ),
+            Reason::Noise => "noise that has changed cannot be exchanged".to_owned(),
+        };
+        let all = |is_all: bool| if is_all { "all" } else { "at random" };
+        let [before, after] = self.pictures;
+        match &self.method {
+            Method::Rounding => "there is no noise: each value counts".to_owned(),
+            Method::Divisions { count, is_all } => format!(
+                "{count} ways to divide {} pictures into {before} and {after} ({}), p = {:.3}",
+                before + after,
+                all(*is_all),
+                self.probability
+            ),
+            Method::Signs { pairs, count, is_all } => format!(
+                "{pairs} pairs have equal seeds, so most noise is gone: {count} ways to exchange before and after in them \
+                 ({}), p = {:.3}",
+                all(*is_all),
+                self.probability
+            ),
+            Method::Areas { because } => format!(
+                "{}; so a t-test of each large area, p = {:.3} after Holm",
+                few(because),
+                self.probability
+            ),
+            Method::PairedAreas { pairs, because } => format!(
+                "{pairs} pairs have equal seeds, so most noise is gone; {}; so a t-test of each large area, p = {:.3} after \
+                 Holm",
+                few(because),
+                self.probability
+            ),
+            Method::OnePicture => format!(
+                "the noise is estimated from the finest details of the difference, p = {:.3}",
+                self.probability
+            ),
+        }
+    }
+
+    fn power(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some(power) = &self.power else { return Ok(()) };
+        let gain = |gain: Option<f64>| match gain {
+            Some(gain) => percent::short(gain),
+            None => "no gain".to_owned(),
+        };
+        let (whole, patch, side) = (gain(power.gain), gain(power.gain_of_patch), power.patch);
+        let [x, y] = power.corner;
+        let shift =
+            if power.shift { "a shift by half a pixel" } else { "no shift by half a pixel" };
+        writeln!(
+            f,
+            "would have been seen: {whole} everywhere, {patch} in {x},{y},{side}x{side}, {shift}"
+        )
+    }
+
+    fn about_pictures(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [before, _] = self.pictures;
+        for (index, values) in self.not_finite.iter().enumerate().filter(|(_, values)| **values > 0)
+        {
+            let (set, number) = match index < before {
+                true => ("before", index + 1),
+                false => ("after", index + 1 - before),
+            };
+            let values = count(*values, "value");
+            writeln!(f, "picture {number} {set}: {values} no number; left out everywhere")?;
+        }
+        if let Some(noise) = &self.noise {
+            let [low, high] = noise.interval;
+            let is_changed = if low > 1.0 || high < 1.0 { "; it has changed" } else { "" };
+            writeln!(
+                f,
+                "noise: {:.2} of that before (99 %: {low:.2} to {high:.2}){is_changed}",
+                noise.factor
+            )?;
+        }
+        Ok(())
+    }
+
+    fn margin(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Some((margin, answer)) = self.margin else { return Ok(()) };
+        let words = match answer {
+            Answer::Agrees => "all means are within it",
+            Answer::DiffersByMore => "a mean is beyond it",
+            Answer::CannotTell => {
+                "cannot tell: the noise is too large; take more pictures or more samples"
+            }
+        };
+        writeln!(f, "margin of {}: {words}", percent::short(margin))
+    }
+}
+
+impl fmt::Display for SetsVerdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "{}", self.sentence())?;
+        self.margin(f)?;
+        let further = usize::from(self.explained_by.is_none());
+        for area in self.areas.iter().skip(further) {
+            writeln!(f, "  {}", in_words(area))?;
+        }
+        self.power(f)?;
+        writeln!(f, "method: {}", self.method_in_words())?;
+        for means in &self.means {
+            writeln!(f, "{}: {}", means.name, means_in_words(means))?;
+        }
+        self.about_pictures(f)
+    }
+}
+
+fn in_words(AreaDifference { name, before, after, .. }: &AreaDifference) -> String {
+    let relative = (after - before) / before;
+    let change = if relative.is_finite() {
+        format!("{} on average", percent::signed(relative, 2))
+    } else {
+        "it was black".to_owned()
+    };
+    format!("{name} has changed from {} to {}, {change}", brief(*before), brief(*after))
+}
+
+/// The means of an area, and their difference.
+pub fn means_in_words(means: &AreaMeans) -> String {
+    let [before, after] = [means.before, means.after].map(brief);
+    let Some([relative, low, high]) = means.relative else {
+        return format!("{before} before, {after} after");
+    };
+    let half = percent::percent(0.5 * (high - low), 2);
+    format!("{before} before, {after} after, {} ± {half}", percent::signed(relative, 2))
+}

@@ -1,0 +1,269 @@
+//! Two sets of pictures: false alarms, what is found, and what is said of it.
+
+mod renders;
+mod synthetic;
+
+use groundtruth::math::Pcg32;
+use judge::sets::{Divisions, Method, Reason, SetsDecision, SetsVerdict};
+use judge::verdict::Answer;
+use pictures::compare::Picture;
+use rayon::prelude::*;
+
+use synthetic::{Noise, SIZE, brighter, pictures, verdict, verdict_of_regions};
+
+const LEVEL: f64 = 0.01;
+
+/// Law: chance divides pictures in each way once. Oracle: the binomial coefficients, and that the weights of a way are
+/// −1/n and 1/m, so often; of two sets of one size, a way and its opposite are one.
+#[test]
+fn each_division_is_there_once() {
+    for (sizes, count) in [([5, 5], 126), ([4, 6], 210), ([1, 9], 10), ([2, 3], 10), ([3, 3], 10)] {
+        let divisions = Divisions::sets(sizes, 400);
+        assert!(divisions.is_all && divisions.weights.len() == count, "{sizes:?}");
+        assert_eq!(Divisions::of_sets(sizes), count as f64);
+        let [n, m] = sizes.map(|count| count as f64);
+        let mut seen = Vec::new();
+        for weights in &divisions.weights {
+            let before = weights.iter().filter(|weight| **weight == -1.0 / n).count();
+            let after = weights.iter().filter(|weight| **weight == 1.0 / m).count();
+            assert_eq!([before, after], sizes);
+            let opposite: Vec<f64> = weights.iter().map(|weight| -weight).collect();
+            assert!(!seen.contains(weights) && !seen.contains(&opposite), "{weights:?} twice");
+            seen.push(weights.clone());
+        }
+        assert!(divisions.weights[0][..sizes[0]].iter().all(|weight| *weight < 0.0));
+    }
+    let signs = Divisions::signs(8, 400);
+    assert!(signs.is_all && signs.weights.len() == 128);
+    assert!(signs.weights[0].iter().all(|weight| *weight == 0.125));
+    assert!(
+        !Divisions::sets([8, 8], 400).is_all && Divisions::sets([8, 8], 400).weights.len() == 400
+    );
+}
+
+/// Law: the probability of pictures of one pixel is that of Fisher's exact test of their means. Oracle: all subsets of five
+/// of ten values, by their bits.
+#[test]
+fn the_probability_of_one_pixel_is_that_of_the_exact_test() {
+    for seed in 0..20 {
+        let mut random = Pcg32::new(seed, 3);
+        let values: Vec<f32> = (0..10).map(|_| 1.0 + random.uniform() as f32).collect();
+        let all: Vec<Picture> =
+            values.iter().map(|value| Picture::of_radiance(&[*value; 3], [1, 1])).collect();
+        let total: f64 = values.iter().map(|value| f64::from(*value)).sum();
+        let apart = |subset: u32| {
+            let sum: f64 =
+                (0..10).filter(|i| subset >> i & 1 == 1).map(|i| f64::from(values[i])).sum();
+            (2.0 * sum - total).abs()
+        };
+        let subsets = (0_u32..1 << 10).filter(|subset| subset.count_ones() == 5);
+        let as_far = subsets.filter(|subset| apart(*subset) >= apart(0b11111) - 1e-6).count();
+        let verdict = verdict(&all[..5], &all[5..]);
+        assert_eq!(verdict.method, Method::Divisions { count: 126, is_all: true });
+        let exact = as_far as f64 / 252.0;
+        assert!((verdict.probability - exact).abs() < 1e-9, "seed {seed}: {exact}, {verdict}");
+    }
+}
+
+/// The number of honest pairs of sets, and of those that are said to differ.
+fn alarms(noise: Noise, sizes: [u64; 2], pairs: u64) -> u64 {
+    let differs = |seed: &u64| {
+        let start = 1000 * seed;
+        let before = pictures(noise, start..start + sizes[0]);
+        let after = pictures(noise, start + 500..start + 500 + sizes[1]);
+        verdict(&before, &after).decision == SetsDecision::Differ
+    };
+    (0..pairs).into_par_iter().filter(differs).count() as u64
+}
+
+/// Law: sets of pictures of one renderer hardly ever differ, whatever their noise and their number. Oracle: the binomial
+/// distribution at the level: of 60, more than 5 have a probability below 3e-5, so that it is below 4e-4 for all 12.
+#[test]
+fn few_honest_sets_differ() {
+    for noise in [Noise::Even, Noise::Fireflies, Noise::Filtered] {
+        for sizes in [[5, 5], [4, 7], [3, 3], [1, 1]] {
+            let alarms = alarms(noise, sizes, 60);
+            assert!(alarms <= 5, "{noise:?}, {sizes:?}: {alarms} of 60");
+        }
+    }
+}
+
+/// Law: a change that the power line promises is seen in other pictures with it. Oracle: it is planted; of 40, fewer than 34
+/// have a probability below 1e-3 if each is seen in 95 of 100.
+#[test]
+fn what_the_power_line_promises_is_seen() {
+    for noise in [Noise::Even, Noise::Fireflies] {
+        let seen = |seed: u64| {
+            let start = 1000 * seed;
+            let [before, honest, after] =
+                [0, 200, 400].map(|from| pictures(noise, start + from..start + from + 5));
+            let power = verdict(&before, &honest).power?;
+            let whole = brighter(&after, 1.0 + power.gain?, |_| true);
+            let patch = brighter(&after, 1.0 + power.gain_of_patch?, |at| {
+                (0..2).all(|axis| {
+                    (power.corner[axis]..power.corner[axis] + power.patch)
+                        .contains(&(at[axis] as usize))
+                })
+            });
+            let differs =
+                |after: &[Picture]| verdict(&before, after).decision == SetsDecision::Differ;
+            Some([differs(&whole), differs(&patch)])
+        };
+        let all: Vec<[bool; 2]> = (100..140).into_par_iter().filter_map(seen).collect();
+        assert!(all.len() >= 38, "{noise:?}: {} honest sets agree", all.len());
+        let count = |which: usize| all.iter().filter(|found| found[which]).count();
+        let [whole, patch] = [count(0), count(1)];
+        println!("{noise:?}: whole {whole}, patch {patch} of {}", all.len());
+        assert!(
+            whole >= 34 && patch >= 34,
+            "{noise:?}: whole {whole}, patch {patch} of {}",
+            all.len()
+        );
+    }
+}
+
+/// Law: equal seeds are noticed, and show a change far below the noise; the changed place is named. Oracle: the change.
+#[test]
+fn pairs_with_equal_seeds_show_small_changes() {
+    let before = pictures(Noise::Even, 0..8);
+    let same = verdict(&before, &before.iter().rev().cloned().collect::<Vec<_>>());
+    assert_eq!(same.decision, SetsDecision::Agree, "{same}");
+    let is_inside = |at: [u32; 2]| at.iter().all(|at| (8..16).contains(at));
+    let after = brighter(&before, 1.001, is_inside);
+    let found = verdict(&before, &after);
+    assert!(
+        matches!(found.method, Method::Signs { pairs: 8, count: 128, is_all: true }),
+        "{found}"
+    );
+    assert_eq!(found.decision, SetsDecision::Differ, "{found}");
+    let [x, y, w, h] = found.areas[0].bounds;
+    assert!(x >= 8 && y >= 8 && x + w <= 16 && y + h <= 16, "{found}");
+    let few = verdict(&before[..5], &brighter(&before[..5], 1.001, |_| true));
+    assert!(
+        matches!(few.method, Method::PairedAreas { pairs: 5, because: Reason::Few(_) }),
+        "{few}"
+    );
+    assert_eq!(few.decision, SetsDecision::Differ, "{few}");
+    // other seeds do not show it
+    let other = verdict(&pictures(Noise::Even, 20..28), &after);
+    assert_eq!(other.decision, SetsDecision::Agree, "{other}");
+}
+
+/// Law: noise that has changed is told, and is no change of the mean. Oracle: the deviation is halved.
+#[test]
+fn less_noise_is_no_change() {
+    let before = pictures(Noise::Even, 0..6);
+    let calm = |seed: u64| {
+        let pair = pictures(Noise::Even, seed..seed + 4);
+        synthetic::mean(&pair)
+    };
+    let after: Vec<Picture> = (0..6).map(|i| calm(100 + 4 * i)).collect();
+    let found = verdict(&before, &after);
+    assert_eq!(found.decision, SetsDecision::Agree, "{found}");
+    assert_eq!(found.method, Method::Areas { because: Reason::Noise });
+    let noise = found.noise.expect("known");
+    assert!(noise.interval[0] < 0.5 && 0.5 < noise.interval[1], "{noise:?}");
+    assert!(found.to_string().contains("it has changed"));
+}
+
+/// Law: pictures without noise agree if their values do, and differ by a thousandth in one pixel. Oracle: the change.
+#[test]
+fn without_noise_each_value_counts() {
+    let one = pictures(Noise::Even, 0..1);
+    let two = [one[0].clone(), one[0].clone()];
+    assert_eq!(verdict(&one, &one).decision, SetsDecision::Agree);
+    assert_eq!(verdict(&two, &one).decision, SetsDecision::Agree);
+    let changed = brighter(&one, 1.001, |at| at == [3, 5]);
+    let found = verdict(&two, &changed);
+    assert_eq!((found.decision, found.method.clone()), (SetsDecision::Differ, Method::Rounding));
+    assert_eq!(found.areas[0].bounds, [3, 5, 1, 1]);
+}
+
+/// Law: one picture a side differs if it is far brighter, and else cannot be told; a margin wide enough is kept. Oracle: the
+/// gain.
+#[test]
+fn one_picture_a_side_can_tell_little() {
+    let before = pictures(Noise::Even, 0..1);
+    let after = pictures(Noise::Even, 1..2);
+    let mut found = verdict(&before, &after);
+    assert_eq!(found.decision, SetsDecision::CannotTell, "{found}");
+    let gain = found.power.as_ref().and_then(|power| power.gain).expect("some gain is seen");
+    for (margin, answer) in [(0.5, Answer::Agrees), (1e-4, Answer::CannotTell)] {
+        found.hold_to(margin);
+        assert_eq!(found.margin, Some((margin, answer)), "{found}");
+    }
+    let mut bright = verdict(&before, &brighter(&after, 1.0 + gain, |_| true));
+    assert_eq!(bright.decision, SetsDecision::Differ, "{bright}");
+    bright.hold_to(0.1 * gain);
+    assert_eq!(bright.margin.map(|it| it.1), Some(Answer::DiffersByMore), "{bright}");
+}
+
+/// Law: a flip, a factor, exchanged channels are named as the cause, and nothing else than they. Oracle: the change.
+#[test]
+fn harmless_changes_are_named() {
+    let before = pictures(Noise::Even, 0..5);
+    let after = pictures(Noise::Even, 5..10);
+    let moved = |from: &dyn Fn([u32; 2]) -> [u32; 2]| {
+        after.iter().map(|picture| synthetic::moved(picture, from)).collect::<Vec<_>>()
+    };
+    let [width, height] = SIZE;
+    for (changed, words) in [
+        (brighter(&after, 2.0, |_| true), "2"),
+        (moved(&|[x, y]| [x, height - 1 - y]), "upside down"),
+        (moved(&|[x, y]| [(x + 1).min(width - 1), y]), "pixel"),
+    ] {
+        let found = verdict(&before, &changed);
+        let named = found.explained_by.as_deref().unwrap_or("nothing");
+        assert!(named.contains(words), "{words}: {found}");
+    }
+    let found = verdict(&before, &brighter(&after, 3.0, |[x, _]| x < 10));
+    assert_eq!(found.explained_by, None, "{found}");
+}
+
+/// Law: a value that is no number is told with its picture and left out; if all pictures after have some, the sets differ.
+/// Oracle: where they are put.
+#[test]
+fn values_that_are_no_numbers() {
+    let before = pictures(Noise::Even, 0..5);
+    let mut after = pictures(Noise::Even, 5..10);
+    after[2].values[7] = [f32::NAN; 3];
+    let found = verdict(&before, &after);
+    assert_eq!(found.decision, SetsDecision::Agree, "{found}");
+    assert!(found.to_string().contains("picture 3 after: 3 values no number"), "{found}");
+    after.iter_mut().for_each(|picture| picture.values[9][0] = f32::NAN);
+    let found = verdict(&before, &after);
+    assert_eq!(found.decision, SetsDecision::Differ, "{found}");
+    assert!(found.sentence().contains("no numbers"), "{found}");
+}
+
+/// Law: a region that has changed is named by its colour, and its mean has changed by so much. Oracle: the change.
+#[test]
+fn regions_are_named() {
+    let before = pictures(Noise::Even, 0..5);
+    let is_inside = |[x, y]: [u32; 2]| (x + y) % 3 == 0;
+    let after = brighter(&pictures(Noise::Even, 5..10), 1.2, is_inside);
+    let pixels = (0..SIZE[1]).flat_map(|y| (0..SIZE[0]).map(move |x| [x, y]));
+    let colors: Vec<f32> =
+        pixels.flat_map(|at| if is_inside(at) { [1.0, 0.0, 0.0] } else { [0.0; 3] }).collect();
+    let regions = Picture::of_radiance(&colors, SIZE);
+    let found = verdict_of_regions(&before, &after, &regions);
+    assert_eq!(found.areas[0].name, "region #ff0000", "{found}");
+    let red = found.means.iter().find(|means| means.name == "region #ff0000").expect("listed");
+    let [_, low, high] = red.relative.expect("it is not black");
+    assert!(low < 0.2 && 0.2 < high && low > 0.1, "{red:?}");
+    let black = found.means.iter().find(|means| means.name == "region #000000").expect("listed");
+    let [_, low, high] = black.relative.expect("it is not black");
+    assert!(low < 0.0 && 0.0 < high, "{black:?}");
+}
+
+/// Law: the page has the sentence of the verdict as its headline and frames each area. Oracle: the verdict.
+#[test]
+fn the_page_begins_with_the_verdict() {
+    let before = pictures(Noise::Even, 0..5);
+    let after = brighter(&pictures(Noise::Even, 5..10), 3.0, |[x, y]| x < 8 && y < 8);
+    let found: SetsVerdict = verdict(&before, &after);
+    let page = judge::sets::page(&found, &found.to_string());
+    let headline = page.split_once("<h1>").and_then(|(_, rest)| rest.split_once("</h1>"));
+    assert_eq!(headline.map(|(headline, _)| headline), Some(&*found.sentence()), "{page}");
+    assert_eq!(page.matches("<i title=").count(), found.areas.len());
+}
