@@ -12,5 +12,6 @@ mod probe;
 mod report;
 mod same_text;
 mod scene_reference;
+mod sets;
 mod structure;
 mod verify;

@@ -1,6 +1,6 @@
 //! How far out the division into before and after is, among the divisions that chance could have made.
 
-use groundtruth::math::Pcg32;
+use groundtruth::math::{Pcg32, power_of_two};
 use rayon::prelude::*;
 
 use super::sums::{Design, Sums};
@@ -23,7 +23,7 @@ impl Divisions {
 
     /// The number of ways to choose the signs of so many differences, but for the sign of all.
     pub fn of_signs(count: usize) -> f64 {
-        2.0_f64.powi(count as i32 - 1)
+        power_of_two(count as i32 - 1)
     }
 
     /// Divides pictures, those before first, into sets of these sizes, in all ways or in `most` random ones.

@@ -1,0 +1,77 @@
+//! The command `verify --before … --after …`: its exit statuses and its errors.
+
+use std::path::Path;
+use std::process::Command;
+
+use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::math::Pcg32;
+use groundtruth::rgb::Rgb;
+
+/// The exit status, and what was printed.
+fn verify(arguments: &[&str]) -> (i32, String) {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_groundtruth"));
+    let output = command.arg("verify").args(arguments).output().expect("the program runs");
+    let printed = [output.stdout, output.stderr].concat();
+    (output.status.code().expect("a status"), String::from_utf8(printed).expect("UTF-8"))
+}
+
+/// A grey picture with noise, written into a folder.
+fn picture(folder: &Path, [side, seed]: [u32; 2], brightness: f64) -> String {
+    let mut random = Pcg32::new(seed.into(), 1);
+    let mut film = Film::new(side, side);
+    for pixel in 0..side * side {
+        film.set([pixel % side, pixel / side], Rgb::grey(brightness + 0.1 * random.uniform()));
+    }
+    let file = folder.join(format!("{side}-{seed}-{brightness}.pfm"));
+    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+    film::write(&film, &tone, &file).expect("written");
+    file.to_str().expect("UTF-8").to_owned()
+}
+
+/// Law: the exit status is 0 for sets that agree, 1 for sets that differ, 2 where it cannot be told or the sets cannot be
+/// compared; each error says what to do. Oracle: how the pictures were made.
+#[test]
+fn every_exit_status() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let set = |seeds: std::ops::Range<u32>, brightness| -> Vec<String> {
+        seeds.map(|seed| picture(folder.path(), [16, seed], brightness)).collect()
+    };
+    let asked = |before: &[String], after: &[String], more: &[&str]| {
+        let of = |files: &[String]| files.to_vec();
+        let all = [vec!["--before".to_owned()], of(before), vec!["--after".to_owned()], of(after)];
+        let all = all.concat();
+        verify(&[&all.iter().map(String::as_str).collect::<Vec<&str>>(), more].concat())
+    };
+    let (before, after, brighter) = (set(0..5, 0.5), set(5..10, 0.5), set(5..10, 0.6));
+    let (status, text) = asked(&before, &after, &[]);
+    assert_eq!(status, 0, "{text}");
+    for part in ["agree: ", "would have been seen: ", "126 ways", "noise: "] {
+        assert!(text.contains(part), "no {part:?} in {text}");
+    }
+    let page = folder.path().join("page.html");
+    let (status, text) = asked(&before, &brighter, &["-o", page.to_str().expect("UTF-8")]);
+    assert_eq!(status, 1, "{text}");
+    assert!(text.starts_with("differ: ") && text.contains("groundtruth compare"), "{text}");
+    assert!(std::fs::read_to_string(page).expect("written").contains("<h1>differ: "));
+    assert_eq!(asked(&before, &brighter, &["--margin", "50%"]).0, 0);
+    let (status, json) = asked(&before, &brighter, &["--margin", "1%", "--json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    assert_eq!((status, &json["decision"]), (1, &"differ".into()));
+    let (status, text) = asked(&before[..1], &after[..1], &[]);
+    assert!(status == 2 && text.contains("cannot tell: "), "{text}");
+    let twice = [before[0].clone(), before[1].clone(), before[0].clone()];
+    let small = [picture(folder.path(), [8, 1], 0.5)];
+    let (one, more) = (&before[..2], &after[..2]);
+    for (sets, more, words) in [
+        ([&twice[..], more], vec![], "has the same values as"),
+        ([one, &small[..]], vec![], "all pictures must have one size"),
+        ([one, more], vec!["--regions", &*small[0]], "each pixel has a region"),
+        ([one, more], vec!["--regions", &*before[0], "--level", "2"], "0.0001 to 0.2"),
+        ([one, more], vec!["--replicas", "9"], "cannot be used with"),
+    ] {
+        let (status, text) = asked(sets[0], sets[1], &more);
+        assert!(status == 2 && text.contains(words), "{words:?}: {text}");
+    }
+    let (status, text) = verify(&["--before", &before[0]]);
+    assert!(status == 2 && text.contains("--after"), "{text}");
+}
