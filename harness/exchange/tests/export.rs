@@ -1,14 +1,14 @@
 //! Scenes for other renderers: what is written restores our camera, transforms and radiances.
 
+mod fixtures;
 mod function;
 mod kinds;
 mod mitsuba;
 mod mitsuba_camera;
 mod mitsuba_surfaces;
-mod parsed;
 mod pov;
 mod pov_camera;
 mod pov_glass;
 mod pov_shapes;
-mod refusals;
-mod xml;
+mod texts;
+mod words;
