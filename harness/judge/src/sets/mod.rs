@@ -1,10 +1,9 @@
 //! Pictures of any scene by any renderer, before and after a change, with other seeds: is their mean the same?
 //!
 //! No scene of ours is needed, and nothing of ours is rendered. If the change did nothing, it is chance which pictures are
-//! before and which after: the difference that is there is held against those of other divisions of the same pictures
-//! ([`divisions`]), in areas of every size ([`sums`]). Pictures with equal seeds are compared in pairs, of which the noise
-//! is gone but for what the change did to it; few pictures by tests of means, and one picture a side by its own details
-//! ([`evidence`]).
+//! before and which after: the difference that is there is held against those of other divisions of the same pictures, in
+//! areas of every size ([`Sums`], [`Rank`]). Pictures with equal seeds are compared in pairs, of which the noise is gone but
+//! for what the change did to it; few pictures by tests of means, and one picture a side by its own details ([`Method`]).
 
 mod divisions;
 mod evidence;
