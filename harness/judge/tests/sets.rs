@@ -194,6 +194,8 @@ fn one_picture_a_side_can_tell_little() {
     }
     let mut bright = verdict(&before, &brighter(&after, 1.0 + gain, |_| true));
     assert_eq!(bright.decision, SetsDecision::Differ, "{bright}");
+    // where the picture is brighter, the map is
+    assert!(bright.z.iter().filter(|z| **z > 0.0).count() > bright.z.len() / 2, "{bright}");
     bright.hold_to(0.1 * gain);
     assert_eq!(bright.margin.map(|it| it.1), Some(Answer::DiffersByMore), "{bright}");
 }

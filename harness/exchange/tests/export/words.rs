@@ -341,7 +341,7 @@ fn many() -> Kind {
     })
 }
 
-/// Much that cannot be said; neither what is off nor a material that nothing has is named.
+/// Kinds that a target cannot export. A light that is off and a material that no object has must not be refused.
 fn refused(tracer: Tracer, lens: groundtruth::cameras::Kind) -> Scene {
     let mut scene = empty(tracer);
     scene.camera.lens = lens;

@@ -318,10 +318,9 @@ impl<'a> Evidence<'a> {
 
 /// One difference in standard deviations of its finest details.
 fn z_of_one(sums: &Sums<'_>) -> Vec<f64> {
-    let both = sums.differences(&[1.0]).into_iter().zip(&sums.expected);
-    let z = |(difference, expected): (f32, &f64)| f64::from(difference) / expected.sqrt();
-    // no noise and no difference is 0/0
-    both.map(z).map(|z| if z.is_nan() { 0.0 } else { z }).collect()
+    let differences = sums.differences(&[1.0]).into_iter().enumerate();
+    let z = |(index, difference)| sums.t(index, f64::from(difference), Design::differences(1));
+    differences.map(z).collect()
 }
 
 /// How many times as large as of independent pixels the variance of sums is: of neighbouring tiles, whose differences a
@@ -364,7 +363,7 @@ fn interleaved(channels: &[Vec<f64>; 3]) -> Vec<f64> {
     pixels.flat_map(|pixel| channels.each_ref().map(|channel| channel[pixel])).collect()
 }
 
-/// With the variance of two values that are rounded.
+/// With the variance of rounding, of which values that hardly vary show nothing.
 fn with_rounding(mut variance: Vec<f64>, sets: &Sets) -> Vec<f64> {
     variance.iter_mut().zip(&sets.rounding).for_each(|(sum, rounding)| *sum += rounding);
     variance

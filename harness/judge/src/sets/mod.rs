@@ -308,8 +308,11 @@ fn areas(sets: &Sets, evidence: &Evidence<'_>, found: &Found) -> Vec<AreaDiffere
     let (mut taken, mut areas) = (vec![false; sets.areas.object_of.len()], Vec::new());
     let [before, after] = [&sets.before, &sets.after].map(|set| sets.mean(set));
     for index in &found.sums {
+        if areas.len() == LISTED {
+            break;
+        }
         let pixels = sets.areas.pixels(evidence.sums.area(*index));
-        if areas.len() == LISTED || pixels.iter().any(|pixel| taken[*pixel]) {
+        if pixels.iter().any(|pixel| taken[*pixel]) {
             continue;
         }
         pixels.iter().for_each(|pixel| taken[*pixel] = true);

@@ -74,7 +74,8 @@ fn logarithms(sets: &Sets) -> Vec<f64> {
 pub struct Pairs(pub Vec<[usize; 2]>);
 
 impl Pairs {
-    /// The pairs of two sets: those of which the finest details of the noise are correlated.
+    /// The pairs of two sets, those of which the finest details of the noise are correlated; none, if some of the smaller
+    /// set's have no partner.
     pub fn of(sets: &Sets) -> Self {
         let [n, m] = sets.sizes();
         if n < 2 || m < 2 {
@@ -101,7 +102,7 @@ impl Pairs {
             }
         }
         pairs.sort_unstable();
-        Self(pairs)
+        if pairs.len() == n.min(m) { Self(pairs) } else { Self::default() }
     }
 }
 

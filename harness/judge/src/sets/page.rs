@@ -5,7 +5,7 @@ use std::fmt::Write;
 use groundtruth::film::{OutOfGamut, Tone, data_uri};
 
 use super::{AreaDifference, SetsVerdict};
-use crate::verdict::map_film;
+use crate::verdict::{frame, map_film};
 use pictures::compare::pair::{self, Pair};
 use pictures::compare::{Comparison, Picture};
 use pictures::html::{self, escaped};
@@ -39,24 +39,12 @@ pub fn page(verdict: &SetsVerdict, words: &str) -> String {
 fn map(verdict: &SetsVerdict) -> String {
     let size = verdict.shown[0].size;
     let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-    let frames: String = verdict.areas.iter().map(|area| frame(area, size)).collect();
+    let framed = |area: &AreaDifference| frame(&area.name, area.bounds, size);
+    let frames: String = verdict.areas.iter().map(framed).collect();
     format!(
         "<h3>Where</h3>\n<p>The difference of each pixel (of tiles, if the picture is large) in standard deviations: \
          grey is 0, white and black are ±6 and more, brighter where it is larger after. Areas that differ are framed.</p>\n\
          <div class=\"map\"><img alt=\"map of the difference\" src=\"{}\">{frames}</div>\n",
         data_uri(&map_film(&verdict.z, size), &plain)
-    )
-}
-
-fn frame(area: &AreaDifference, [width, height]: [u32; 2]) -> String {
-    let AreaDifference { bounds: [x, y, w, h], name, .. } = area;
-    let percent = |part: usize, of: u32| 100.0 * part as f64 / f64::from(of);
-    format!(
-        "<i title=\"{}\" style=\"left:{:.3}%;top:{:.3}%;width:{:.3}%;height:{:.3}%\"></i>",
-        escaped(name),
-        percent(*x, width),
-        percent(*y, height),
-        percent(*w, width),
-        percent(*h, height)
     )
 }

@@ -210,8 +210,13 @@ impl<'a> Sums<'a> {
         if square == 0.0 {
             return 0.0;
         }
-        let within = (self.squares[index] - square).max(0.0) / design.freedom;
-        difference.signum() * (square / (0.5 * (within + self.expected[index]))).sqrt()
+        let left = (self.squares[index] - square).max(0.0);
+        let variance = match design.freedom {
+            // one difference says nothing of its variance
+            0.0 => self.expected[index],
+            freedom => 0.5 * (left / freedom + self.expected[index]),
+        };
+        difference.signum() * (square / variance).sqrt()
     }
 
     /// The largest |t| of each level.

@@ -7,7 +7,6 @@ use groundtruth::explain::{brief, count};
 
 use super::evidence::Reason;
 use super::{AreaDifference, AreaMeans, Method, SetsDecision, SetsVerdict};
-use crate::verdict::Answer;
 use pictures::percent;
 
 impl SetsVerdict {
@@ -118,14 +117,7 @@ impl SetsVerdict {
 
     fn margin(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some((margin, answer)) = self.margin else { return Ok(()) };
-        let words = match answer {
-            Answer::Agrees => "all means are within it",
-            Answer::DiffersByMore => "a mean is beyond it",
-            Answer::CannotTell => {
-                "cannot tell: the noise is too large; take more pictures or more samples"
-            }
-        };
-        writeln!(f, "margin of {}: {words}", percent::short(margin))
+        writeln!(f, "margin of {}: {}", percent::short(margin), answer.words())
     }
 }
 

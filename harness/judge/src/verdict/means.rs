@@ -50,6 +50,19 @@ pub enum Answer {
     CannotTell,
 }
 
+impl Answer {
+    /// What is said of the margin.
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Agrees => "all means are within it",
+            Self::DiffersByMore => "a mean is beyond it",
+            Self::CannotTell => {
+                "cannot tell: the noise is too large; take more samples, or several pictures"
+            }
+        }
+    }
+}
+
 impl Means {
     /// Of the whole picture and of each object, `shown`, which is the last picture of a pool as it is in its file, against
     /// the others. All intervals together hold with this confidence, if its noise is `noise` times that of the others, and

@@ -46,7 +46,7 @@ pub use judgeable::{refusal, refusal_of_alpha, refusal_of_seed};
 pub use map::Map;
 pub use means::{Answer, Means, Relative};
 pub use negative::Negative;
-pub use page::{map_film, page};
+pub use page::{frame, map_film, page};
 pub use place::Place;
 pub use planted::{PlantedDefect, planted, smallest_gains};
 pub use plausible::plausible;

@@ -91,7 +91,8 @@ fn map(verdict: &Verdict) -> String {
     let (size, excluded) = (verdict.shown.theirs.size, &verdict.shown.excluded);
     let film = map_film(&verdict.shown.z, size);
     let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-    let frames: String = verdict.regions.iter().map(|region| frame(region, size)).collect();
+    let framed = |region: &Region| frame(&region.name, region.bounds, size);
+    let frames: String = verdict.regions.iter().map(framed).collect();
     let hatching = if excluded.is_empty() { String::new() } else { hatching(excluded, size) };
     format!(
         "<h3>Map of z</h3>\n<p>The difference of each pixel in standard deviations: grey is 0, white and black are \
@@ -101,15 +102,16 @@ fn map(verdict: &Verdict) -> String {
     )
 }
 
-fn frame(Region { bounds: [x, y, w, h], name, .. }: &Region, [width, height]: [u32; 2]) -> String {
+/// A frame over a picture of this size, around the pixels from this left column and top row on, so many columns and rows.
+pub fn frame(name: &str, [x, y, w, h]: [usize; 4], [width, height]: [u32; 2]) -> String {
     let percent = |part: usize, of: u32| 100.0 * part as f64 / f64::from(of);
     format!(
         "<i title=\"{}\" style=\"left:{:.3}%;top:{:.3}%;width:{:.3}%;height:{:.3}%\"></i>",
         escaped(name),
-        percent(*x, width),
-        percent(*y, height),
-        percent(*w, width),
-        percent(*h, height)
+        percent(x, width),
+        percent(y, height),
+        percent(w, width),
+        percent(h, height)
     )
 }
 

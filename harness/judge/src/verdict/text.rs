@@ -5,7 +5,7 @@ use std::fmt;
 use groundtruth::explain::{brief, count};
 
 use super::verdict::{DecidedBy, Explanation, Region, Verdict};
-use super::{Answer, Cause, Causes, Decision, Factor, Factors, Means, Nearest, Place, Relative};
+use super::{Cause, Causes, Decision, Factor, Factors, Means, Nearest, Place, Relative};
 use pictures::percent;
 
 impl fmt::Display for Verdict {
@@ -102,14 +102,7 @@ impl Verdict {
 
     fn margin(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Some((margin, answer)) = self.margin else { return Ok(()) };
-        let words = match answer {
-            Answer::Agrees => "all means are within it",
-            Answer::DiffersByMore => "a mean is beyond it",
-            Answer::CannotTell => {
-                "cannot tell: the noise is too large; take more samples, or several pictures"
-            }
-        };
-        writeln!(f, "margin of {}: {words}", percent::short(margin))?;
+        writeln!(f, "margin of {}: {}", percent::short(margin), answer.words())?;
         for means in self.means.iter().filter(|it| it.is_beyond(margin)) {
             writeln!(f, "  {}{}", means.name, and_differences(means))?;
         }
