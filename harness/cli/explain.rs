@@ -3,9 +3,12 @@
 use clap::Args;
 use groundtruth::explain::{self, PixelExplanation};
 use groundtruth::film::Provenance;
+use groundtruth::render::Renderer;
+use groundtruth::scene::Scene;
 use serde::Serialize;
 
 use super::columns::wrapped;
+use super::mistakes::MistakeArgument;
 use super::numbers::whole;
 use super::scene::SceneArguments;
 use super::{Outcome, print};
@@ -14,6 +17,8 @@ use super::{Outcome, print};
 pub struct Explain {
     #[command(flatten)]
     scene: SceneArguments,
+    #[command(flatten)]
+    mistake: MistakeArgument,
     /// The pixel: column and row, from 0 at the top left, as 200,150 or 200 150
     #[arg(value_name = "X,Y", required = true, num_args = 1..=2)]
     pixel: Vec<String>,
@@ -56,6 +61,20 @@ impl Explain {
     pub fn run(&self) -> Outcome {
         let pixel = pictures::parse_pixel(&self.pixel.join(" "))?;
         let (scene, world) = self.scene.load()?;
+        match self.mistake.mistaken(&self.scene, &scene)? {
+            None => self.explained(pixel, (&scene, &scene), &world),
+            Some(mistaken) => self.explained(pixel, (&scene, &mistaken.scene), &mistaken),
+        }
+    }
+
+    /// Explains the pixel of the scene as it is rendered; `scene` is as it was read.
+    fn explained(
+        &self,
+        pixel: [u32; 2],
+        (scene, rendered): (&Scene, &Scene),
+        renderer: &impl Renderer,
+    ) -> Outcome {
+        let world = renderer.world();
         let [width, height] = world.picture_size();
         let [x, y] = pixel;
         if x >= width || y >= height {
@@ -68,9 +87,11 @@ impl Explain {
             let count = world.samples_per_pixel();
             return Err(format!("no sample {index}: the pixel has {count}, numbered from 0").into());
         }
-        let explanation = explain::pixel(&scene, &world, pixel, only)?;
+        let explanation = explain::pixel(rendered, renderer, pixel, only)?;
         if self.json {
-            let report = Report { made: self.scene.provenance(&scene, &world)?, explanation };
+            let mut made = self.scene.provenance(scene, world)?;
+            made.mistake = self.mistake.name().map(str::to_owned);
+            let report = Report { made, explanation };
             return print(&(serde_json::to_string_pretty(&report)? + "\n"));
         }
         let text = explanation.text(self.min_share / 100.0, self.largest);

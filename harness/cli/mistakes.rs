@@ -1,11 +1,63 @@
 //! `groundtruth mistakes`.
 
+use std::error::Error;
+use std::path::Path;
+
 use clap::Args;
+use groundtruth::scene::Scene;
 use groundtruth::similar;
 use indicatif::{ProgressBar, ProgressStyle};
-use judge::mistakes::{self, Cover, Mistake, table};
+use judge::mistakes::known::Known;
+use judge::mistakes::{self, Cover, Mistake, Mistaken, table};
 
+use super::scene::SceneArguments;
 use super::{Outcome, print};
+
+/// A known mistake with which a picture is rendered or explained.
+#[derive(Args)]
+pub struct MistakeArgument {
+    /// As a program with this known mistake does it (`mistakes` lists them)
+    #[arg(long, value_name = "NAME", value_parser = named)]
+    mistake: Option<&'static Mistake>,
+}
+
+impl MistakeArgument {
+    /// The name of the mistake, if there is one.
+    pub fn name(&self) -> Option<&'static str> {
+        self.mistake.map(|mistake| mistake.name)
+    }
+
+    /// The program with the mistake, if there is one, on the scene that was read by these arguments.
+    ///
+    /// # Errors
+    /// The mistake does not apply to the scene.
+    pub fn mistaken(
+        &self,
+        arguments: &SceneArguments,
+        scene: &Scene,
+    ) -> Result<Option<Mistaken>, Box<dyn Error>> {
+        let Some(mistake) = self.mistake else { return Ok(None) };
+        let folder = arguments.folder().unwrap_or(Path::new(""));
+        let mistaken = Mistaken::new(mistake, scene, folder, arguments.seed())?;
+        let refused = || {
+            let Mistake { known: Known { name, words, .. }, .. } = mistake;
+            format!(
+                "the scene has nothing that {name} changes ({words}); `groundtruth mistakes {name}` lists scenes \
+                 that show it"
+            )
+        };
+        Ok(Some(mistaken.ok_or_else(refused)?))
+    }
+}
+
+/// The mistake of this name.
+fn named(name: &str) -> Result<&'static Mistake, String> {
+    let names: Vec<&str> = mistakes::all().iter().map(|mistake| mistake.name).collect();
+    mistakes::find(name).ok_or_else(|| {
+        let similar = similar::did_you_mean(name, &names);
+        format!("no known mistake has this name (`groundtruth mistakes` lists them){similar}")
+    })
+}
 
 #[derive(Args)]
 pub struct Mistakes {

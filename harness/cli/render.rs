@@ -9,12 +9,13 @@ use clap::{Args, ValueEnum};
 use groundtruth::explain;
 use groundtruth::film::{self, Film, Format, Tone};
 use groundtruth::printable;
-use groundtruth::render::{self, Canvas};
+use groundtruth::render::{self, Canvas, Renderer};
 use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use indicatif::{ProgressBar, ProgressStyle};
 
+use super::mistakes::MistakeArgument;
 use super::numbers::whole;
 use super::output;
 use super::part::PartOf;
@@ -37,7 +38,7 @@ pub struct Render {
     /// Render R pictures with the seeds --seed, --seed + 1 …, and write their exact sums, for `merge`.
     /// An existing file of the same scene is continued
     #[arg(long, value_name = "R", value_parser = whole::<u32>(1..=u32::MAX.into()))]
-    #[arg(conflicts_with_all = ["crop", "stereo"])]
+    #[arg(conflicts_with_all = ["crop", "stereo", "mistake"])]
     replicas: Option<u32>,
     /// Render only the replicas of part K of N, such as 0/8; K is from 0 to N − 1
     #[arg(long, value_name = "K/N", requires = "replicas")]
@@ -48,6 +49,8 @@ pub struct Render {
     /// How the two images of a stereo pair are written; side-by-side if left out
     #[arg(long, value_enum, value_name = "HOW")]
     stereo: Option<Pair>,
+    #[command(flatten)]
+    mistake: MistakeArgument,
     /// Threads to use; all cores if left out. The picture is the same for any number
     #[arg(long, value_name = "N", value_parser = whole::<u16>(1..=1024))]
     threads: Option<u16>,
@@ -88,21 +91,30 @@ impl Render {
     fn picture(&self) -> Outcome {
         let start = Instant::now();
         let (scene, world) = self.scene.load()?;
-        let files = self.files(&scene, &world)?;
+        match self.mistake.mistaken(&self.scene, &scene)? {
+            None => self.rendered(start, &scene, &world),
+            Some(mistaken) => self.rendered(start, &scene, &mistaken),
+        }
+    }
+
+    /// Renders the picture and writes it.
+    fn rendered(&self, start: Instant, scene: &Scene, renderer: &impl Renderer) -> Outcome {
+        let world = renderer.world();
+        let files = self.files(scene, world)?;
         let canvas = Arc::new(match self.crop {
-            Some(crop) => Canvas::cropped(crop.inside(&world)?),
-            None => Canvas::new(&world),
+            Some(crop) => Canvas::cropped(crop.inside(world)?),
+            None => Canvas::new(world),
         });
-        explain::notes(&world).iter().for_each(|note| eprintln!("note: {}", printable::text(note)));
-        let rays = RaysPerSample::measured(&world, MAX_COUNTED);
+        explain::notes(world).iter().for_each(|note| eprintln!("note: {}", printable::text(note)));
+        let rays = RaysPerSample::measured(world, MAX_COUNTED);
         let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
         rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));
         let loaded = start.elapsed();
-        if !is_finished(&canvas, &world)? {
+        if !is_finished(&canvas, renderer)? {
             return Ok(Exit::Interrupted);
         }
         let rendered = start.elapsed() - loaded;
-        files.write(self, (&scene, &world), canvas.film())?;
+        files.write(self, (scene, world), canvas.film())?;
         let paths = files.paths.iter().map(|file| printable::name(&file.display().to_string()));
         let paths = paths.collect::<Vec<String>>().join(", ");
         let (loaded, rendered) = (loaded.as_secs_f64(), rendered.as_secs_f64());
@@ -168,6 +180,7 @@ impl Files {
             _ => vec![film],
         };
         let mut made = render.scene.provenance(scene, world)?;
+        made.mistake = render.mistake.name().map(str::to_owned);
         let parts = match (self.pair, render.crop) {
             (Pair::TwoFiles, _) => ["left", "right"].map(|eye| Some(format!("{eye} eye"))),
             (Pair::Anaglyph, _) => [Some("anaglyph".to_owned()), None],
@@ -182,14 +195,14 @@ impl Files {
 }
 
 /// Renders with a progress bar; false if the user interrupted it.
-fn is_finished(canvas: &Arc<Canvas>, world: &World) -> Result<bool, Box<dyn Error>> {
+fn is_finished(canvas: &Arc<Canvas>, renderer: &impl Renderer) -> Result<bool, Box<dyn Error>> {
     let on_interrupt = Arc::clone(canvas);
     ctrlc::set_handler(move || on_interrupt.cancel())?;
     let bar = ProgressBar::new(canvas.progress().1);
     let style = "{bar:40} {percent}%  {elapsed} elapsed, {eta} to go";
     bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
     std::thread::scope(|scope| {
-        let rendering = scope.spawn(|| canvas.render(world));
+        let rendering = scope.spawn(|| canvas.render(renderer));
         let mut interrupted: Option<Instant> = None;
         while !rendering.is_finished() {
             if canvas.is_cancelled()

@@ -14,10 +14,10 @@ mod unlit;
 
 use serde::Serialize;
 
-use crate::render::{self, CameraSample};
+use crate::render::{self, CameraSample, Renderer};
 use crate::rgb::Rgb;
 use crate::scene::Scene;
-use crate::trace::{RayBudget, RayTree};
+use crate::trace::{RayBudget, RayTree, TermSource};
 use crate::world::World;
 use sources::{SampleSums, SourceRecorder};
 
@@ -103,21 +103,22 @@ pub fn notes(world: &World) -> Vec<String> {
 /// If its samples have so many rays that tracing them would take minutes or more.
 pub fn pixel(
     scene: &Scene,
-    world: &World,
+    renderer: &impl Renderer,
     pixel: [u32; 2],
     only: Option<u32>,
 ) -> Result<PixelExplanation, TooManyRays> {
+    let world = renderer.world();
     let mut budget = RayBudget::up_to(MAX_RAYS);
     let (mut samples, mut sums) = (Vec::new(), SampleSums::default());
     for index in 0..world.samples_per_pixel() {
         let (sources, budget) = (SourceRecorder::of(world), &mut budget);
         let (radiance, sources, tree) = if only.is_none_or(|only| only == index) {
             let mut both = (sources, RayTree::of(world));
-            let radiance = render::sample_within(world, pixel, index, &mut both, budget);
+            let radiance = renderer.sample(pixel, index, &mut both, budget);
             (radiance, both.0, Some(both.1))
         } else {
             let mut sources = sources;
-            let radiance = render::sample_within(world, pixel, index, &mut sources, budget);
+            let radiance = renderer.sample(pixel, index, &mut sources, budget);
             (radiance, sources, None)
         };
         budget.check(|| format!("pixel ({}, {})", pixel[0], pixel[1]))?;
@@ -211,7 +212,12 @@ impl Explaining<'_> {
         for child in &mut ray.children {
             // one shadow ray serves several lobes: their weights add up
             let terms = ray.terms.iter().filter(|term| term.ray == Some(child.number));
-            let weight: Rgb = terms.map(|term| term.weight).sum();
+            let weight: Rgb = terms.clone().map(|term| term.weight).sum();
+            let mut traced = terms.filter(|it| matches!(it.source, TermSource::Traced { .. }));
+            if let Some(term) = traced.next() {
+                // a renderer that alters terms knows it only after the ray
+                child.weight = term.weight;
+            }
             self.explain(child, leaving * weight);
         }
         let own_terms = ray.terms.iter().filter(|term| term.ray.is_none());

@@ -27,6 +27,9 @@ pub struct Provenance {
     /// Which part of the picture it is, if not the whole.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub part: Option<String>,
+    /// The known mistake of the program that made it, if it was made with one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mistake: Option<String>,
     /// How radiance is shown, if not as the scene says.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tone: Option<String>,
@@ -81,6 +84,7 @@ impl Provenance {
         entries.push(("Tracer", self.tracer.clone()));
         entries.extend(self.max_depth.map(|depth| ("MaxDepth", depth.to_string())));
         entries.extend(self.part.clone().map(|part| ("Part", part)));
+        entries.extend(self.mistake.clone().map(|mistake| ("Mistake", mistake)));
         entries.extend(self.tone.clone().map(|tone| ("Tone", tone)));
         entries
     }

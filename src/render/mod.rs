@@ -89,9 +89,42 @@ pub fn sample_within<R: Recorder, B: Budget>(
     }
 }
 
+/// What finds the radiance of samples: a world, or what stands before one and alters what it finds.
+pub trait Renderer: Sync {
+    /// The world.
+    fn world(&self) -> &World;
+
+    /// The radiance of one sample, as [`sample_within`].
+    fn sample<R: Recorder, B: Budget>(
+        &self,
+        pixel: [u32; 2],
+        index: u32,
+        recorder: &mut R,
+        budget: &mut B,
+    ) -> Rgb;
+}
+
+impl Renderer for World {
+    fn world(&self) -> &World {
+        self
+    }
+
+    fn sample<R: Recorder, B: Budget>(
+        &self,
+        pixel: [u32; 2],
+        index: u32,
+        recorder: &mut R,
+        budget: &mut B,
+    ) -> Rgb {
+        sample_within(self, pixel, index, recorder, budget)
+    }
+}
+
 /// A pixel: the mean of its samples times the exposure time.
-pub fn pixel(world: &World, pixel: [u32; 2]) -> Rgb {
-    let samples = (0..world.samples_per_pixel()).map(|i| sample(world, pixel, i, &mut ()));
+pub fn pixel(renderer: &impl Renderer, pixel: [u32; 2]) -> Rgb {
+    let world = renderer.world();
+    let samples = (0..world.samples_per_pixel())
+        .map(|index| renderer.sample(pixel, index, &mut (), &mut Unlimited));
     expose(world, samples)
 }
 
@@ -248,18 +281,18 @@ impl Canvas {
     }
 
     /// Renders every pixel once, in parallel on the current rayon pool; returns early if cancelled.
-    pub fn render(&self, world: &World) {
-        self.render_coarse(world);
-        self.render_those(world, |pixel| !is_coarse(pixel));
+    pub fn render(&self, renderer: &impl Renderer) {
+        self.render_coarse(renderer);
+        self.render_those(renderer, |pixel| !is_coarse(pixel));
     }
 
     /// Renders the pixels of the coarse picture only.
-    pub fn render_coarse(&self, world: &World) {
-        self.render_those(world, is_coarse);
+    pub fn render_coarse(&self, renderer: &impl Renderer) {
+        self.render_those(renderer, is_coarse);
     }
 
     /// Renders the wanted pixels, tile by tile.
-    fn render_those(&self, world: &World, wanted: impl Fn([u32; 2]) -> bool + Sync) {
+    fn render_those(&self, renderer: &impl Renderer, wanted: impl Fn([u32; 2]) -> bool + Sync) {
         let Crop { x, y, width, height } = self.crop;
         let (across, down) = (width.div_ceil(TILE), height.div_ceil(TILE));
         (0..across * down).into_par_iter().for_each(|tile| {
@@ -271,7 +304,7 @@ impl Canvas {
                 if self.is_cancelled() {
                     return;
                 }
-                finished.push((at, pixel(world, [x + column, y + row])));
+                finished.push((at, pixel(renderer, [x + column, y + row])));
             }
             let mut picture = self.lock();
             finished.iter().for_each(|&(at, color)| picture.set(at, color));
@@ -282,9 +315,9 @@ impl Canvas {
 }
 
 /// Renders a whole picture on the current rayon pool.
-pub fn render(world: &World) -> Film {
-    let canvas = Canvas::new(world);
-    canvas.render(world);
+pub fn render(renderer: &impl Renderer) -> Film {
+    let canvas = Canvas::new(renderer.world());
+    canvas.render(renderer);
     canvas.film()
 }
 

@@ -5,6 +5,7 @@ mod closed_forms;
 mod glass;
 mod lamps;
 mod local;
+mod mistaken;
 mod paths;
 mod recorder;
 mod stage;

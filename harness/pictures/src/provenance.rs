@@ -31,6 +31,7 @@ pub fn provenance(
         tracer: tracer.name().to_owned(),
         max_depth: tracer.max_depth().copied(),
         part: None,
+        mistake: None,
         tone: None,
         version: Provenance::VERSION,
     })

@@ -124,7 +124,7 @@ impl Rendering {
                 let rays = RaysPerSample::measured(&world, MAX_COUNTED);
                 let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
                 let _ = note.set(rays.note(samples));
-                canvas.render(&world);
+                canvas.render(&*world);
                 let _ = took.set(start.elapsed());
                 ctx.request_repaint();
             }

@@ -27,13 +27,8 @@ const ROWS: usize = 32;
 /// Renders the picture of a world, and that of each of the mistakes that only change terms, with the same random
 /// numbers. Each picture takes 24 bytes a pixel.
 pub fn films(world: &World, mistakes: &[&'static Mistake]) -> Films {
-    let its: Vec<&Mistake> =
+    let mistakes: Vec<&Mistake> =
         mistakes.iter().copied().filter(|mistake| mistake.is_reweighed()).collect();
-    reweighed(world, its)
-}
-
-/// As [`films`], with the terms of mistakes that change the scene, too: the world is that of the changed scene.
-pub(super) fn reweighed(world: &World, mistakes: Vec<&'static Mistake>) -> Films {
     let [width, height] = world.picture_size();
     let mut ours = Film::new(width, height);
     let mut altered = vec![(Film::new(width, height), false); mistakes.len()];

@@ -13,6 +13,7 @@ mod glass_terms;
 pub mod known;
 mod light_terms;
 pub mod local;
+mod mistaken;
 mod observed;
 mod page;
 mod path_terms;
@@ -29,6 +30,7 @@ use groundtruth::scene::Scene;
 use known::Known;
 
 pub use films::{Films, films, pixel};
+pub use mistaken::Mistaken;
 pub use observed::{ObservedRay, ObservedSurface, ObservedTerm};
 pub use page::page;
 pub use recorder::Reweighing;
@@ -86,6 +88,22 @@ impl Mistake {
         match self.form {
             Some(form) => format!("{}, {form}", self.words),
             None => self.words.to_owned(),
+        }
+    }
+
+    /// The value of a term in the program with the mistake.
+    fn value(&self, term: &ObservedTerm<'_>) -> Rgb {
+        match self.how {
+            How::Term(value) | How::Both(_, value) => value(term),
+            How::Ray(_) | How::Scene(_) => term.value(),
+        }
+    }
+
+    /// What arrives along a ray in the program with the mistake.
+    fn arriving(&self, ray: &ObservedRay<'_>) -> Rgb {
+        match self.how {
+            How::Ray(arriving) => arriving(ray),
+            How::Term(_) | How::Both(..) | How::Scene(_) => ray.arriving(),
         }
     }
 

@@ -10,8 +10,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::{Outcome, RayKind, Recorder, ShadingPoint, Term, TermSource};
 use groundtruth::world::World;
 
+use super::Mistake;
 use super::observed::{ObservedRay, ObservedSurface, ObservedTerm, RaySoFar};
-use super::{How, Mistake};
 
 /// A ray that is under way.
 #[derive(Debug)]
@@ -21,6 +21,22 @@ struct Frame {
     sums: Vec<Rgb>,
     /// The last ray from its hit, and what arrived along it.
     child: Option<(Ray, Vec<Rgb>)>,
+}
+
+impl Frame {
+    /// A term of this ray, as the mistake of this number observes it; 0 is none.
+    fn observed<'a>(
+        &'a self,
+        world: &'a World,
+        term: &'a Term,
+        index: usize,
+        is_last_sample: bool,
+    ) -> ObservedTerm<'a> {
+        let child = self.child.as_ref().filter(|_| is_of_child(&term.source));
+        let arriving = child.map_or(term.arriving, |(_, radiance)| radiance[index]);
+        let from = child.map(|(ray, _)| ray);
+        ObservedTerm { world, ray: &self.ray, term, arriving, from, is_last_sample }
+    }
 }
 
 /// Finds the radiance of each sample without a mistake and with each of some mistakes.
@@ -60,6 +76,30 @@ impl<'a> Reweighing<'a> {
         &self.radiance
     }
 
+    /// The term of a program with the first mistake: its own light that arrives, and its own value.
+    pub(super) fn altered(&self, term: &Term) -> Term {
+        let frame = self.frames.last().expect("a ray is under way");
+        let observed = frame.observed(self.world, term, 1, self.is_last_sample);
+        let (arriving, value) = (observed.arriving, self.mistakes[0].value(&observed));
+        if value == observed.value() {
+            return Term { arriving, value, ..*term };
+        }
+        let (weight, arriving) = factors(value, term.weight, arriving);
+        Term { weight, arriving, value, ..*term }
+    }
+
+    /// What arrives along the ray that ends, in a program with the first mistake, and the transmittance that makes it so.
+    pub(super) fn ended(&self, transmittance: Rgb) -> (Rgb, Rgb) {
+        let Frame { ray, sums, .. } = self.frames.last().expect("a ray is under way");
+        let (sum, is_last_sample) = (sums[1], self.is_last_sample);
+        let observed = ObservedRay { ray, transmittance, sum, is_last_sample };
+        let arriving = self.mistakes[0].arriving(&observed);
+        if arriving == observed.arriving() {
+            return (transmittance, arriving);
+        }
+        (factors(arriving, transmittance, sum).0, arriving)
+    }
+
     /// A buffer of black sums.
     fn sums(&mut self) -> Vec<Rgb> {
         let mut sums = self.spare.pop().unwrap_or_default();
@@ -67,6 +107,18 @@ impl<'a> Reweighing<'a> {
         sums.resize(self.mistakes.len() + 1, Rgb::BLACK);
         sums
     }
+}
+
+/// Factors of a value: the first gives way, and the second only where it is 0 and the value is not.
+fn factors(value: Rgb, first: Rgb, second: Rgb) -> (Rgb, Rgb) {
+    let [value, first, second] = [value, first, second].map(Rgb::to_array);
+    let of = |i: usize| match (value[i] == 0.0, second[i] == 0.0) {
+        (true, true) => (first[i], 0.0),
+        (false, true) => (1.0, value[i]),
+        (_, false) => (value[i] / second[i], second[i]),
+    };
+    let [r, g, b] = [of(0), of(1), of(2)];
+    (Rgb::new(r.0, g.0, b.0), Rgb::new(r.1, g.1, b.1))
 }
 
 /// Whether the light of a term arrives along the ray before it.
@@ -94,37 +146,23 @@ impl Recorder for Reweighing<'_> {
     }
 
     fn term(&mut self, term: Term) {
-        let Frame { ray, sums, child } = self.frames.last_mut().expect("a ray is under way");
-        let child = child.as_ref().filter(|_| is_of_child(&term.source));
-        let from = child.map(|(ray, _)| ray);
-        let arriving = |index: usize| child.map_or(term.arriving, |(_, radiance)| radiance[index]);
-        sums[0] += term.weight * arriving(0);
+        let (world, is_last_sample) = (self.world, self.is_last_sample);
+        let frame = self.frames.last_mut().expect("a ray is under way");
+        let ours = frame.observed(world, &term, 0, is_last_sample).value();
+        frame.sums[0] += ours;
         for (index, mistake) in (1..).zip(self.mistakes) {
-            let arriving = arriving(index);
-            sums[index] += match mistake.how {
-                How::Term(value) | How::Both(_, value) => value(&ObservedTerm {
-                    world: self.world,
-                    ray,
-                    term: &term,
-                    arriving,
-                    from,
-                    is_last_sample: self.is_last_sample,
-                }),
-                How::Ray(_) | How::Scene(_) => term.weight * arriving,
-            };
+            let value = mistake.value(&frame.observed(world, &term, index, is_last_sample));
+            frame.sums[index] += value;
         }
     }
 
     fn leave(&mut self, transmittance: Rgb, _: Rgb) {
-        let Frame { ray, mut sums, child } = self.frames.pop().expect("a ray is under way");
         let is_last_sample = self.is_last_sample;
+        let Frame { ray, mut sums, child } = self.frames.pop().expect("a ray is under way");
         sums[0] = transmittance * sums[0];
         for (sum, mistake) in sums[1..].iter_mut().zip(self.mistakes) {
-            let heard = ObservedRay { ray: &ray, transmittance, sum: *sum, is_last_sample };
-            *sum = match mistake.how {
-                How::Ray(arriving) => arriving(&heard),
-                How::Term(_) | How::Both(..) | How::Scene(_) => heard.arriving(),
-            };
+            let ray = ObservedRay { ray: &ray, transmittance, sum: *sum, is_last_sample };
+            *sum = mistake.arriving(&ray);
         }
         self.spare.extend(child.map(|(_, radiance)| radiance));
         match self.frames.last_mut() {

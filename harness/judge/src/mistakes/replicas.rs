@@ -7,8 +7,8 @@ use groundtruth::render;
 use groundtruth::scene::{Scene, SceneError};
 use groundtruth::world::World;
 
-use super::films::{Films, films, reweighed};
-use super::{How, Mistake, scene};
+use super::films::{Films, films};
+use super::{Mistake, Mistaken};
 
 /// The picture of a mistake with a seed; `None` if the mistake does not apply to the scene. Files that the scene names
 /// are in the folder.
@@ -21,20 +21,8 @@ pub fn replica(
     folder: &Path,
     seed: u64,
 ) -> Result<Option<Film>, SceneError> {
-    if mistake.is_reweighed() {
-        let world = World::build_seeded(original, folder, seed)?;
-        let films = films(&world, &[mistake]);
-        return Ok(films.altered.into_iter().next().map(|(_, film)| film));
-    }
-    let world = scene(mistake, original, folder).map(|it| World::build_seeded(&it, folder, seed));
-    let film = |world: World| match mistake.how {
-        How::Both(..) => {
-            let films = reweighed(&world, vec![mistake]);
-            films.altered.into_iter().next().map_or(films.ours, |(_, film)| film)
-        }
-        _ => render::render(&world),
-    };
-    Ok(world.transpose()?.map(film))
+    let mistaken = Mistaken::new(mistake, original, folder, seed)?;
+    Ok(mistaken.map(|it| render::render(&it)))
 }
 
 /// The pictures of those of these mistakes that apply to a scene, with a seed. A mistake whose change gives no valid

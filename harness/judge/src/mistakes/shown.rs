@@ -72,7 +72,7 @@ pub struct Cover {
 
 /// The fewest scenes of the gallery that show all mistakes of a chapter: about so few, because each next scene is the
 /// one that shows most of the mistakes that are left. Of equals it is one of that chapter, and then the one in which
-/// these mistakes change most pixels.
+/// these mistakes change most pixels. Scenes that are wrong on purpose come last.
 pub fn fewest_scenes(chapter: u32) -> Cover {
     let mistakes = all().into_iter().filter(|mistake| mistake.chapter == chapter);
     let is_shown = |mistake: &&Mistake| pairs().iter().any(|pair| pair.mistake == *mistake);
@@ -84,6 +84,9 @@ pub fn fewest_scenes(chapter: u32) -> Cover {
     }
     cover
 }
+
+/// The end of the names of the book's figures of what goes wrong.
+const WRONG_ON_PURPOSE: &str = "-wrong";
 
 /// The scene that shows most of these mistakes, and which of them.
 fn best_scene(
@@ -97,9 +100,11 @@ fn best_scene(
             shown.into_iter().filter(|pair| mistakes.contains(&pair.mistake)).collect();
         let pixels: f64 = shown.iter().map(|pair| pair.effect.share).sum();
         let own = entry.name.starts_with(&folder);
-        (shown.len(), own, pixels, entry.name, shown)
+        let is_right = !shown.is_empty() && !entry.name.ends_with(WRONG_ON_PURPOSE);
+        (is_right, shown.len(), own, pixels, entry.name, shown)
     });
-    let best = candidates.max_by(|a, b| (a.0, a.1).cmp(&(b.0, b.1)).then(a.2.total_cmp(&b.2)));
-    let (count, _, _, scene, shown) = best?;
+    let best =
+        candidates.max_by(|a, b| (a.0, a.1, a.2).cmp(&(b.0, b.1, b.2)).then(a.3.total_cmp(&b.3)));
+    let (_, count, _, _, scene, shown) = best?;
     (count > 0).then(|| (scene, shown.into_iter().map(|pair| pair.mistake).collect()))
 }

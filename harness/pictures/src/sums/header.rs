@@ -66,6 +66,7 @@ impl Header {
             tracer,
             max_depth,
             part: None,
+            mistake: None,
             tone: None,
             version: Provenance::VERSION,
         }

@@ -1,0 +1,113 @@
+//! A program with one mistake: it renders pictures, and its rays can be recorded and explained.
+
+use std::path::Path;
+
+use groundtruth::lights::Unlit;
+use groundtruth::lobes::Lobes;
+use groundtruth::math::Ray;
+use groundtruth::render::{self, Renderer};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::{Scene, SceneError};
+use groundtruth::trace::{Budget, Outcome, RayKind, Recorder, ShadingPoint, Term};
+use groundtruth::world::World;
+
+use super::recorder::Reweighing;
+use super::{How, Mistake, scene};
+
+/// A program with a mistake, and the scene that it renders.
+#[derive(Debug)]
+pub struct Mistaken {
+    /// The scene; another than the right program's if the mistake is made by a change of it.
+    pub scene: Scene,
+    world: World,
+    mistake: [&'static Mistake; 1],
+}
+
+impl Mistaken {
+    /// The program with this mistake on a scene, of which named files are in the folder; `None` if the mistake does not
+    /// apply to it.
+    ///
+    /// # Errors
+    /// If the scene has no world.
+    pub fn new(
+        mistake: &'static Mistake,
+        original: &Scene,
+        folder: &Path,
+        seed: u64,
+    ) -> Result<Option<Self>, SceneError> {
+        let scene = match mistake.is_reweighed() {
+            true => Some(original.clone()),
+            false => scene(mistake, original, folder),
+        };
+        let Some(scene) = scene else { return Ok(None) };
+        let world = World::build_seeded(&scene, folder, seed)?;
+        Ok(Some(Self { scene, world, mistake: [mistake] }))
+    }
+}
+
+impl Renderer for Mistaken {
+    fn world(&self) -> &World {
+        &self.world
+    }
+
+    fn sample<R: Recorder, B: Budget>(
+        &self,
+        pixel: [u32; 2],
+        index: u32,
+        recorder: &mut R,
+        budget: &mut B,
+    ) -> Rgb {
+        let world = &self.world;
+        if matches!(self.mistake[0].how, How::Scene(_)) {
+            return world.sample(pixel, index, recorder, budget);
+        }
+        let Some(camera) = render::camera_sample(world, pixel, index) else { return Rgb::BLACK };
+        let mut found = Reweighing::new(world, &self.mistake);
+        let count = world.samples_per_pixel();
+        found.begin(count > 1 && index + 1 == count);
+        let mut altered = Altered { found, recorder };
+        render::sample_within(world, pixel, index, &mut altered, budget);
+        camera.weight * altered.found.radiance()[1]
+    }
+}
+
+/// Tells another recorder what happens in the program with the mistake.
+struct Altered<'a, 'b, R> {
+    found: Reweighing<'a>,
+    recorder: &'b mut R,
+}
+
+impl<R: Recorder> Recorder for Altered<'_, '_, R> {
+    fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb) {
+        self.found.enter(kind, ray, depth, weight);
+        self.recorder.enter(kind, ray, depth, weight);
+    }
+
+    fn outcome(&mut self, outcome: Outcome) {
+        self.recorder.outcome(outcome);
+    }
+
+    fn surface(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
+        self.found.surface(point, lobes);
+        self.recorder.surface(point, lobes);
+    }
+
+    fn draw(&mut self) {
+        self.recorder.draw();
+    }
+
+    fn unlit(&mut self, light: u32, why: impl FnOnce() -> Unlit) {
+        self.recorder.unlit(light, why);
+    }
+
+    fn term(&mut self, term: Term) {
+        self.recorder.term(self.found.altered(&term));
+        self.found.term(term);
+    }
+
+    fn leave(&mut self, transmittance: Rgb, radiance: Rgb) {
+        let (altered, arriving) = self.found.ended(transmittance);
+        self.recorder.leave(altered, arriving);
+        self.found.leave(transmittance, radiance);
+    }
+}
