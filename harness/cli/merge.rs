@@ -7,11 +7,11 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use groundtruth::film::{self, Film, Format, Provenance, Tone};
 use groundtruth::scene::Image;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use pictures::sums::{self, MergeError, Part, Plan, Sums};
 
 use super::scene::SceneArguments;
-use super::{Exit, Outcome, output, replicas};
+use super::{Exit, Outcome, output, progress, replicas};
 
 #[derive(Args)]
 pub struct Merge {
@@ -68,7 +68,7 @@ impl Merge {
             Ok(plan) => plan,
             Err(error) => return refused(error),
         };
-        let bar = progress(self.files.len() as u64, "files");
+        let bar = bar(self.files.len() as u64, "files");
         let sums = plan.sums(|| bar.inc(1));
         bar.finish_and_clear();
         let sums = match sums {
@@ -144,7 +144,7 @@ impl Merge {
     fn audit(&self, plan: &Plan, share: f64) -> Result<Result<(), MergeError>, Box<dyn Error>> {
         let parts = plan.used.iter().chain(plan.twice.iter().map(|[part, _]| part));
         let replicas = parts.clone().map(|part| part.header().seeds.count()).sum();
-        let bar = progress(replicas, "replicas audited");
+        let bar = bar(replicas, "replicas audited");
         for part in parts {
             let mut arguments = part.header().arguments.clone();
             self.rename(&mut arguments);
@@ -233,8 +233,7 @@ fn random_rows(height: u32, share: f64) -> Vec<u32> {
     rows
 }
 
-fn progress(count: u64, what: &str) -> ProgressBar {
+fn bar(count: u64, what: &str) -> ProgressBar {
     let style = format!("{{bar:40}} {{pos}} of {{len}} {what}  {{elapsed}} elapsed, {{eta}} to go");
-    let style = ProgressStyle::with_template(&style).expect("the template is well formed");
-    ProgressBar::new(count).with_style(style)
+    progress::bar(count, &style)
 }

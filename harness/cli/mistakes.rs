@@ -2,10 +2,9 @@
 
 use clap::Args;
 use groundtruth::similar;
-use indicatif::{ProgressBar, ProgressStyle};
 use judge::mistakes::{self, Cover, Mistake, table};
 
-use super::{Outcome, print};
+use super::{Outcome, print, progress};
 
 #[derive(Args)]
 pub struct Mistakes {
@@ -97,9 +96,8 @@ fn unknown(scene: &str) -> String {
 /// Measures all scenes, with the progress on a terminal.
 fn measured() -> Outcome {
     let scenes: Vec<gallery::Entry> = gallery::scenes().collect();
-    let bar = ProgressBar::new(scenes.len() as u64);
     let style = "{bar:40} {pos} of {len} scenes  {elapsed} elapsed, {eta} to go  {msg}";
-    bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
+    let bar = progress::bar(scenes.len() as u64, style);
     let mut text = mistakes::HEADING.to_owned();
     for entry in &scenes {
         bar.set_message(entry.name);
