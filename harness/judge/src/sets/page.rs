@@ -10,13 +10,6 @@ use pictures::compare::pair::{self, Pair};
 use pictures::compare::{Comparison, Picture};
 use pictures::html::{self, escaped};
 
-const STYLE: &str = "\
-pre { white-space: pre-wrap; }
-.map { position: relative; width: max-content; max-width: 100%; }
-.map img { width: 40em; max-width: 100%; border: 1px solid #999; }
-.map i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
-";
-
 /// The page of a verdict; `words` are what the command prints.
 pub fn page(verdict: &SetsVerdict, words: &str) -> String {
     let sentence = escaped(&verdict.sentence());
@@ -32,7 +25,7 @@ pub fn page(verdict: &SetsVerdict, words: &str) -> String {
     body += &map(verdict);
     let words = words.split_once('\n').map_or("", |(_, rest)| rest);
     let _ = write!(body, "<h3>In numbers</h3>\n<pre>{}</pre>\n", escaped(words));
-    html::page(&sentence, &[STYLE, pair::STYLE], &body)
+    html::page(&sentence, &[pair::STYLE], &body)
 }
 
 /// The differences of pixels in standard deviations, with the areas that differ framed.

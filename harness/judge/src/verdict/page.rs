@@ -12,13 +12,7 @@ use pictures::compare::{Comparison, Picture};
 use pictures::html::{self, escaped};
 
 const STYLE: &str = "\
-pre { white-space: pre-wrap; }
-th, td { text-align: right; padding: 0.1em 0.8em; border-bottom: 1px solid #ddd; }
-th:first-child, td:first-child { text-align: left; }
-.map { position: relative; width: max-content; }
-.map img { width: 40em; border: 1px solid #999; }
 .map svg { position: absolute; top: 0; left: 0; width: 100%; height: 100%; }
-.map i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
 ";
 
 /// Differences of so many standard deviations are black or white in the map.
@@ -32,7 +26,7 @@ pub fn page(verdict: &Verdict, name: &str, words: &str) -> String {
     body += &excluded(&verdict.shown);
     body += &map(verdict);
     body += &table(verdict);
-    html::page(&title, &[STYLE, pair::STYLE], &body)
+    html::page(&title, &[html::LINES, html::NUMBERS, pair::STYLE, STYLE], &body)
 }
 
 /// Both pictures, flipped and side by side, and their difference.

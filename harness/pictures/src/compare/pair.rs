@@ -11,7 +11,7 @@ use super::differences::{Differences, NOT_A_NUMBER};
 use super::{Comparison, Picture, Region};
 use crate::html::escaped;
 
-/// The rules for a pair, for the style of its page.
+/// The rules for a pair and for a map with frames, for the style of their page.
 pub const STYLE: &str = "\
 img { display: block; image-rendering: pixelated; }
 .flip, .swipe { position: relative; width: max-content; border: 1px solid #999; }
@@ -25,7 +25,9 @@ resize: horizontal; border-right: 2px solid #f80; }
 .row img { width: 24em; border: 1px solid #999; }
 .zoom img { width: 16em; border: 0; }
 .zoom figure { position: relative; height: max-content; }
-.zoom i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
+.zoom i, .map i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
+.map { position: relative; width: max-content; max-width: 100%; }
+.map img { width: 40em; max-width: 100%; border: 1px solid #999; }
 code { font-size: 90%; user-select: all; overflow-wrap: anywhere; }
 ";
 
