@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use groundtruth::film::{self, Film, Format, Provenance, Tone};
-use groundtruth::scene::Image;
 use indicatif::ProgressBar;
 use pictures::sums::{self, MergeError, Part, Plan, Sums};
 
@@ -185,16 +184,14 @@ impl Merge {
         }
     }
 
-    /// The tone is not used: both formats keep linear radiance.
     fn write_picture(
         &self,
         film: &Film,
         made: &Provenance,
         file: &Path,
     ) -> Result<(), Box<dyn Error>> {
-        let image = Image::new(1, 1);
-        let tone = Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut };
-        output::write(file, &film::encode(film, &tone, self.format_of(file)?, made)?)
+        // the tone is not used: both formats keep linear radiance
+        output::write(file, &film::encode(film, &Tone::PLAIN, self.format_of(file)?, made)?)
     }
 
     /// The format of a picture.

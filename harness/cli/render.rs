@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use groundtruth::explain;
-use groundtruth::film::{self, Film, Format, Tone};
+use groundtruth::film::{self, Film, Format};
 use groundtruth::printable;
 use groundtruth::render::{self, Canvas};
 use groundtruth::render::{MAX_COUNTED, RaysPerSample};
@@ -158,8 +158,6 @@ impl Files {
         (scene, world): (&Scene, &World),
         film: Film,
     ) -> Result<(), Box<dyn Error>> {
-        let image = &scene.image;
-        let tone = Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut };
         let films = match (self.pair, render::eye_images(world, &film)) {
             (Pair::Anaglyph, Some([left, right])) => vec![film::anaglyph(&left, &right)],
             (Pair::TwoFiles, Some(images)) => images.to_vec(),
@@ -173,7 +171,7 @@ impl Files {
         };
         for ((film, file), part) in films.iter().zip(&self.paths).zip(parts) {
             made.part = part;
-            output::write(file, &film::encode(film, &tone, self.format, &made)?)?;
+            output::write(file, &film::encode(film, &scene.image.tone(), self.format, &made)?)?;
         }
         Ok(())
     }

@@ -8,6 +8,7 @@ use eframe::egui::{
     StrokeKind, Ui, WidgetInfo, accesskit::Role, vec2,
 };
 use groundtruth::explain::count;
+use groundtruth::film::Tone;
 use groundtruth::render::{self, Canvas};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
@@ -16,7 +17,6 @@ use pictures::compare::Picture;
 
 use crate::action::Action;
 use crate::comparison::layer::{Layer, shown};
-use crate::picture::display::PLAIN;
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
 use crate::scene::source::Source;
@@ -182,7 +182,7 @@ impl Judgement {
             let verdict = Arc::clone(verdict);
             self.map.refresh(ctx, (), move || {
                 let pictures = &verdict.shown;
-                shown(&verdict::map_film(&pictures.z, pictures.theirs.size), &PLAIN)
+                shown(&verdict::map_film(&pictures.z, pictures.theirs.size), &Tone::PLAIN)
             });
         }
     }

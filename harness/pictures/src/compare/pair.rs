@@ -4,7 +4,7 @@
 use std::fmt::Write;
 
 use groundtruth::explain::count;
-use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
+use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::rgb::Rgb;
 
 use super::differences::{Differences, NOT_A_NUMBER};
@@ -57,6 +57,15 @@ pub struct Pair<'a> {
     pub commands: &'a dyn Fn([u32; 2]) -> Vec<String>,
 }
 
+/// Two pictures of radiance, one over the other, and their differences; nothing if their sizes differ.
+pub fn views(names: [&str; 2], pictures: [&Picture; 2]) -> String {
+    let Ok(comparison) = Comparison::of(pictures[0], pictures[1], 0.0) else {
+        return String::new();
+    };
+    let (shown, commands) = (pictures.map(Picture::radiance), &|_| Vec::new());
+    Pair { names, pictures, shown, tone: Tone::SCREEN, comparison: &comparison, commands }.views()
+}
+
 impl Pair<'_> {
     /// The part of the page.
     pub fn html(&self) -> String {
@@ -97,10 +106,9 @@ impl Pair<'_> {
         );
         let differences =
             Differences::of(self.pictures[0], self.pictures[1], self.comparison.tolerance);
-        let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
         for share in SCALES {
             let largest = differences.within(share);
-            let data = data_uri(&differences.film(largest), &plain);
+            let data = data_uri(&differences.film(largest), &Tone::PLAIN);
             let percent = 100.0 * share;
             let _ = writeln!(
                 html,
