@@ -9,11 +9,10 @@ use clap::{Args, ValueEnum};
 use conform::family::Family;
 use conform::{self, Card, Known, Options, Profile, Row, card};
 use groundtruth::printable;
-use indicatif::{ProgressBar, ProgressStyle};
 
 use super::numbers::whole;
 use super::program::{ProgramArguments, fresh_seed, no_answer};
-use super::{Exit, Outcome, interrupt, output, print};
+use super::{Exit, Outcome, interrupt, output, print, progress};
 
 #[derive(Args)]
 pub struct Conform {
@@ -90,19 +89,20 @@ impl Conform {
             interrupted: Arc::clone(&interrupted),
         };
         let mut program = self.program.program(interrupted);
-        let progress = progress(families.len() as u64);
+        let style = "{bar:30} {pos} of {len} families  {wide_msg}";
+        let bar = progress::bar(families.len() as u64, style);
         let mut chapters = Chapters::new(&families, profile);
         let card = conform::run(&mut program, &families, &options, &mut |row| {
-            progress.inc(1);
-            progress.set_message(row.name.clone());
+            bar.inc(1);
+            bar.set_message(row.name.clone());
             if let Some(line) = chapters.finished(row)
                 && !self.json
             {
                 // a closed pipe ends the printing, not the run
-                progress.suspend(|| self.say(&line)).ok();
+                bar.suspend(|| self.say(&line)).ok();
             }
         });
-        progress.finish_and_clear();
+        bar.finish_and_clear();
         let log = program.log();
         drop(program);
         let card = match card {
@@ -222,9 +222,4 @@ fn is_new(known: &Known, card: &Card) -> bool {
     new.iter().for_each(|name| eprintln!("not known to fail: {name}"));
     passed.iter().for_each(|name| eprintln!("known to fail, but does not: {name}"));
     !new.is_empty() || !passed.is_empty()
-}
-
-fn progress(families: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:30} {pos} of {len} families  {wide_msg}");
-    ProgressBar::new(families).with_style(style.expect("the template is valid"))
 }

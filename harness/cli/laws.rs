@@ -6,11 +6,10 @@ use std::path::{Path, PathBuf};
 use claims::{Card, Description, Options, Row, Trouble};
 use clap::Args;
 use groundtruth::printable;
-use indicatif::{ProgressBar, ProgressStyle};
 
 use super::numbers::whole;
 use super::program::{ProgramArguments, fresh_seed, no_answer};
-use super::{Exit, Outcome, interrupt, output, print};
+use super::{Exit, Outcome, interrupt, output, print, progress};
 
 #[derive(Args)]
 pub struct Laws {
@@ -60,12 +59,13 @@ impl Laws {
         };
         let seed = if self.fresh { fresh_seed() } else { self.seed };
         let options = Options { cases: self.cases, seed };
-        let progress = progress(lobes.len() as u64);
+        let style = "{bar:30} {pos} of {len} lobes  {wide_msg}";
+        let bar = progress::bar(lobes.len() as u64, style);
         let card = claims::run(&mut program, &lobes, options, &mut |name| {
-            progress.inc(1);
-            progress.set_message(printable::name(name).to_string());
+            bar.inc(1);
+            bar.set_message(printable::name(name).to_string());
         });
-        progress.finish_and_clear();
+        bar.finish_and_clear();
         drop(program);
         self.write(&card)?;
         self.say(&match self.json {
@@ -118,9 +118,4 @@ fn exit(card: &Card) -> Exit {
         true => Exit::Unanswered,
         false => Exit::Yes,
     }
-}
-
-fn progress(lobes: u64) -> ProgressBar {
-    let style = ProgressStyle::with_template("{bar:30} {pos} of {len} lobes  {wide_msg}");
-    ProgressBar::new(lobes).with_style(style.expect("the template is valid"))
 }

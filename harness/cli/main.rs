@@ -24,6 +24,7 @@ mod output;
 mod part;
 mod probe;
 mod program;
+mod progress;
 mod render;
 mod replicas;
 mod report;

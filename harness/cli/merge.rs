@@ -6,12 +6,11 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use groundtruth::film::{self, Film, Format, Provenance, Tone};
-use groundtruth::scene::Image;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use pictures::sums::{self, MergeError, Part, Plan, Sums};
 
 use super::scene::SceneArguments;
-use super::{Exit, Outcome, output, replicas};
+use super::{Exit, Outcome, output, progress, replicas};
 
 #[derive(Args)]
 pub struct Merge {
@@ -68,7 +67,7 @@ impl Merge {
             Ok(plan) => plan,
             Err(error) => return refused(error),
         };
-        let bar = progress(self.files.len() as u64, "files");
+        let bar = bar(self.files.len() as u64, "files");
         let sums = plan.sums(|| bar.inc(1));
         bar.finish_and_clear();
         let sums = match sums {
@@ -144,7 +143,7 @@ impl Merge {
     fn audit(&self, plan: &Plan, share: f64) -> Result<Result<(), MergeError>, Box<dyn Error>> {
         let parts = plan.used.iter().chain(plan.twice.iter().map(|[part, _]| part));
         let replicas = parts.clone().map(|part| part.header().seeds.count()).sum();
-        let bar = progress(replicas, "replicas audited");
+        let bar = bar(replicas, "replicas audited");
         for part in parts {
             let mut arguments = part.header().arguments.clone();
             self.rename(&mut arguments);
@@ -185,16 +184,14 @@ impl Merge {
         }
     }
 
-    /// The tone is not used: both formats keep linear radiance.
     fn write_picture(
         &self,
         film: &Film,
         made: &Provenance,
         file: &Path,
     ) -> Result<(), Box<dyn Error>> {
-        let image = Image::new(1, 1);
-        let tone = Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut };
-        output::write(file, &film::encode(film, &tone, self.format_of(file)?, made)?)
+        // the tone is not used: both formats keep linear radiance
+        output::write(file, &film::encode(film, &Tone::PLAIN, self.format_of(file)?, made)?)
     }
 
     /// The format of a picture.
@@ -233,8 +230,7 @@ fn random_rows(height: u32, share: f64) -> Vec<u32> {
     rows
 }
 
-fn progress(count: u64, what: &str) -> ProgressBar {
+fn bar(count: u64, what: &str) -> ProgressBar {
     let style = format!("{{bar:40}} {{pos}} of {{len}} {what}  {{elapsed}} elapsed, {{eta}} to go");
-    let style = ProgressStyle::with_template(&style).expect("the template is well formed");
-    ProgressBar::new(count).with_style(style)
+    progress::bar(count, &style)
 }

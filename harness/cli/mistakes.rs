@@ -6,12 +6,11 @@ use std::path::Path;
 use clap::Args;
 use groundtruth::scene::Scene;
 use groundtruth::similar;
-use indicatif::{ProgressBar, ProgressStyle};
 use judge::mistakes::known::Known;
 use judge::mistakes::{self, Cover, Mistake, Mistaken, table};
 
 use super::scene::SceneArguments;
-use super::{Outcome, print};
+use super::{Outcome, print, progress};
 
 /// A known mistake with which a picture is rendered or explained.
 #[derive(Args)]
@@ -149,9 +148,8 @@ fn unknown(scene: &str) -> String {
 /// Measures all scenes, with the progress on a terminal.
 fn measured() -> Outcome {
     let scenes: Vec<gallery::Entry> = gallery::scenes().collect();
-    let bar = ProgressBar::new(scenes.len() as u64);
     let style = "{bar:40} {pos} of {len} scenes  {elapsed} elapsed, {eta} to go  {msg}";
-    bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
+    let bar = progress::bar(scenes.len() as u64, style);
     let mut text = mistakes::HEADING.to_owned();
     for entry in &scenes {
         bar.set_message(entry.name);

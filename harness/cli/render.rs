@@ -3,25 +3,23 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use clap::{Args, ValueEnum};
 use groundtruth::explain;
-use groundtruth::film::{self, Film, Format, Tone};
+use groundtruth::film::{self, Film, Format};
 use groundtruth::printable;
 use groundtruth::render::{self, Canvas, Renderer};
 use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use indicatif::{ProgressBar, ProgressStyle};
 
 use super::mistakes::MistakeArgument;
 use super::numbers::whole;
 use super::output;
 use super::part::PartOf;
-use super::replicas;
 use super::scene::{CropArgument, SceneArguments, start_threads};
-use super::{Exit, Outcome};
+use super::{Exit, Outcome, progress, replicas};
 
 #[derive(Args)]
 pub struct Render {
@@ -67,9 +65,6 @@ enum Pair {
     TwoFiles,
 }
 
-/// The time that an interrupted rendering has to finish the current pixels.
-const GRACE_PERIOD: Duration = Duration::from_secs(1);
-
 impl Render {
     pub fn run(&self) -> Outcome {
         start_threads(self.threads)?;
@@ -110,8 +105,15 @@ impl Render {
         let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
         rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));
         let loaded = start.elapsed();
-        if !is_finished(&canvas, renderer)? {
-            return Ok(Exit::Interrupted);
+        let on_interrupt = Arc::clone(&canvas);
+        ctrlc::set_handler(move || on_interrupt.cancel())?;
+        progress::watched(
+            || canvas.render(renderer),
+            || canvas.is_cancelled(),
+            || canvas.progress(),
+        );
+        if canvas.is_cancelled() {
+            return progress::nothing_written();
         }
         let rendered = start.elapsed() - loaded;
         files.write(self, (scene, world), canvas.film())?;
@@ -172,8 +174,6 @@ impl Files {
         (scene, world): (&Scene, &World),
         film: Film,
     ) -> Result<(), Box<dyn Error>> {
-        let image = &scene.image;
-        let tone = Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut };
         let films = match (self.pair, render::eye_images(world, &film)) {
             (Pair::Anaglyph, Some([left, right])) => vec![film::anaglyph(&left, &right)],
             (Pair::TwoFiles, Some(images)) => images.to_vec(),
@@ -188,41 +188,10 @@ impl Files {
         };
         for ((film, file), part) in films.iter().zip(&self.paths).zip(parts) {
             made.part = part;
-            output::write(file, &film::encode(film, &tone, self.format, &made)?)?;
+            output::write(file, &film::encode(film, &scene.image.tone(), self.format, &made)?)?;
         }
         Ok(())
     }
-}
-
-/// Renders with a progress bar; false if the user interrupted it.
-fn is_finished(canvas: &Arc<Canvas>, renderer: &impl Renderer) -> Result<bool, Box<dyn Error>> {
-    let on_interrupt = Arc::clone(canvas);
-    ctrlc::set_handler(move || on_interrupt.cancel())?;
-    let bar = ProgressBar::new(canvas.progress().1);
-    let style = "{bar:40} {percent}%  {elapsed} elapsed, {eta} to go";
-    bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
-    std::thread::scope(|scope| {
-        let rendering = scope.spawn(|| canvas.render(renderer));
-        let mut interrupted: Option<Instant> = None;
-        while !rendering.is_finished() {
-            if canvas.is_cancelled()
-                && interrupted.get_or_insert_with(Instant::now).elapsed() > GRACE_PERIOD
-            {
-                // a pixel whose number of rays doubles at every depth may take too long
-                bar.finish_and_clear();
-                eprintln!("interrupted; nothing was written");
-                std::process::exit(130);
-            }
-            bar.set_position(canvas.progress().0);
-            // returns early when the rendering ends
-            std::thread::park_timeout(Duration::from_millis(5));
-        }
-    });
-    bar.finish_and_clear();
-    if canvas.is_cancelled() {
-        eprintln!("interrupted; nothing was written");
-    }
-    Ok(!canvas.is_cancelled())
 }
 
 /// What the values of a picture mean, and how `compare` and `verify` know.

@@ -6,16 +6,16 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
 use groundtruth::film;
-use groundtruth::render::Canvas;
+use groundtruth::render::{self, Canvas};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use pictures::sums::{self, Header, Part, Seeds, Sums};
 
 use super::claim::Claim;
 use super::part::PartOf;
 use super::scene::SceneArguments;
-use super::{Exit, Outcome, interrupt};
+use super::{Exit, Outcome, interrupt, progress};
 
 /// A part that is under way is written this often, for machines that lose their power.
 const SAVED_EVERY: Duration = Duration::from_secs(60);
@@ -34,17 +34,19 @@ pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, output: &
     };
     let mut sums = begun.asked(wanted, arguments.arguments());
     let missing = asked.without(&sums.header().seeds);
-    let progress = Progress::new(asked.count(), sums.header().seeds.count());
+    let style = "{bar:40} {pos} of {len} replicas  {elapsed} elapsed, {eta} to go{msg}";
+    let bar = progress::bar(asked.count(), style).with_position(sums.header().seeds.count());
+    bar.reset_eta();
     let signal = interrupt::flag()?;
     let mut saved = Instant::now();
     let mut is_interrupted = false;
     for seed in missing.iter() {
         world.reseed(seed);
-        let (canvas, interrupted) = replica(&world, &signal, &progress);
+        let (canvas, interrupted) = replica(&world, &signal, &bar);
         is_interrupted = interrupted;
         if !canvas.is_cancelled() {
             canvas.look(|film| sums.add(film, seed)).map_err(|e| e.to_string())?;
-            progress.0.inc(1);
+            bar.inc(1);
         }
         if is_interrupted {
             break;
@@ -54,7 +56,7 @@ pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, output: &
             saved = Instant::now();
         }
     }
-    progress.0.finish_and_clear();
+    bar.finish_and_clear();
     let (done, all, file) = (sums.header().seeds.count(), asked.count(), output.display());
     if done > 0 {
         sums.write(output)?;
@@ -123,7 +125,7 @@ fn begun(output: &Path, header: &Header, asked: &Seeds) -> Result<Sums, Box<dyn 
 
 /// Renders the replica of the world's seed. The first signal lets it finish; the second one cancels it. Whether there
 /// was one is the second result.
-fn replica(world: &World, signal: &AtomicBool, progress: &Progress) -> (Canvas, bool) {
+fn replica(world: &World, signal: &AtomicBool, bar: &ProgressBar) -> (Canvas, bool) {
     let canvas = Canvas::new(world);
     let mut is_interrupted = false;
     let mut note_signal = || {
@@ -131,32 +133,18 @@ fn replica(world: &World, signal: &AtomicBool, progress: &Progress) -> (Canvas, 
             if is_interrupted {
                 canvas.cancel();
             } else {
-                progress.0.set_message("; ends after this replica");
+                bar.set_message("; ends after this replica");
             }
             is_interrupted = true;
         }
     };
-    std::thread::scope(|scope| {
-        let rendering = scope.spawn(|| canvas.render(world));
-        while !rendering.is_finished() {
+    render::watched(
+        || canvas.render(world),
+        || {
             note_signal();
-            progress.0.tick();
-            // returns early when the rendering ends
-            std::thread::park_timeout(Duration::from_millis(5));
-        }
-    });
+            bar.tick();
+        },
+    );
     note_signal();
     (canvas, is_interrupted)
-}
-
-struct Progress(ProgressBar);
-
-impl Progress {
-    fn new(all: u64, done: u64) -> Self {
-        let bar = ProgressBar::new(all).with_position(done);
-        let style = "{bar:40} {pos} of {len} replicas  {elapsed} elapsed, {eta} to go{msg}";
-        bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
-        bar.reset_eta();
-        Self(bar)
-    }
 }

@@ -2,15 +2,14 @@
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use report::{self, PAGES, Page, Progress, Settings};
 
 use super::numbers::whole;
 use super::scene::start_threads;
-use super::{Exit, Outcome};
+use super::{Exit, Outcome, progress};
 
 #[derive(Args)]
 pub struct Report {
@@ -42,9 +41,6 @@ pub struct Report {
     threads: Option<u16>,
 }
 
-/// The time that an interrupted measurement has to finish the current step.
-const GRACE_PERIOD: Duration = Duration::from_secs(1);
-
 impl Report {
     pub fn run(&self) -> Outcome {
         let start = Instant::now();
@@ -53,21 +49,17 @@ impl Report {
         start_threads(self.threads)?;
         let settings = self.settings();
 
-        let progress = Arc::new(Progress::default());
-        let on_interrupt = Arc::clone(&progress);
+        let measured = Arc::new(Progress::default());
+        let on_interrupt = Arc::clone(&measured);
         ctrlc::set_handler(move || on_interrupt.interrupt())?;
-        let finished = std::thread::scope(|scope| {
-            let measuring = scope.spawn(|| report::run(&pages, &settings, &progress));
-            show(&progress, || measuring.is_finished());
-            measuring.join()
-        });
+        let finished = progress::watched(
+            || report::run(&pages, &settings, &measured),
+            || measured.is_interrupted(),
+            || measured.steps(),
+        );
         let report = match finished {
-            Ok(Ok(report)) => report,
-            Ok(Err(report::Interrupted)) => {
-                eprintln!("interrupted; nothing was written");
-                return Ok(Exit::Interrupted);
-            }
-            Err(panic) => std::panic::resume_unwind(panic),
+            Ok(report) => report,
+            Err(report::Interrupted) => return progress::nothing_written(),
         };
         let [page, data] = report::write(&report, &self.output)?;
         let (page, data, time) = (page.display(), data.display(), start.elapsed().as_secs_f64());
@@ -101,27 +93,4 @@ impl Report {
             ..size
         }
     }
-}
-
-/// Shows the progress until it is finished; exits if an interrupted measurement does not end in
-/// time.
-fn show(progress: &Progress, is_finished: impl Fn() -> bool) {
-    let bar = ProgressBar::new(1);
-    let style = "{bar:40} {percent}%  {elapsed} elapsed, {eta} to go";
-    bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
-    let mut interrupted: Option<Instant> = None;
-    while !is_finished() {
-        if progress.is_interrupted()
-            && interrupted.get_or_insert_with(Instant::now).elapsed() > GRACE_PERIOD
-        {
-            bar.finish_and_clear();
-            eprintln!("interrupted; nothing was written");
-            std::process::exit(130);
-        }
-        let (done, total) = progress.steps();
-        bar.set_length(total);
-        bar.set_position(done);
-        std::thread::park_timeout(Duration::from_millis(20));
-    }
-    bar.finish_and_clear();
 }

@@ -9,11 +9,11 @@ use std::time::Duration;
 use clap::Args;
 use exchange::export::Term;
 use groundtruth::printable;
-use groundtruth::render::Canvas;
+use groundtruth::render::{self, Canvas};
 use groundtruth::samplers;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::ProgressBar;
 use judge::verdict::{
     self, Answer, Case, Decision, Evaluation, Reference, Region, Strictness, Verdict,
 };
@@ -24,7 +24,7 @@ use pictures::sums::Part;
 use super::numbers::whole;
 use super::scene::SceneArguments;
 use super::witness::{By, Request, Witnessed};
-use super::{Exit, Outcome, announce, interrupt, mistakes, output, replicas, sets};
+use super::{Exit, Outcome, announce, interrupt, mistakes, output, progress, replicas, sets};
 
 #[derive(Args)]
 pub struct Verify {
@@ -330,11 +330,8 @@ struct Watch {
 
 impl Watch {
     fn new(most: usize) -> Result<Self, Box<dyn Error>> {
-        let interrupted = interrupt::flag()?;
-        let bar = ProgressBar::new(most as u64);
         let style = "{spinner} {pos} of at most {len} pictures of ours  {elapsed} elapsed{msg}";
-        bar.set_style(ProgressStyle::with_template(style).expect("the template is well formed"));
-        Ok(Self { bar, interrupted })
+        Ok(Self { bar: progress::bar(most as u64, style), interrupted: interrupt::flag()? })
     }
 
     fn is_interrupted(&self) -> bool {
@@ -343,17 +340,15 @@ impl Watch {
 
     /// Whether the picture was finished.
     fn render(&mut self, world: &World, canvas: &Canvas) -> bool {
-        std::thread::scope(|scope| {
-            let rendering = scope.spawn(|| canvas.render(world));
-            while !rendering.is_finished() {
+        render::watched(
+            || canvas.render(world),
+            || {
                 if self.is_interrupted() {
                     canvas.cancel();
                 }
                 self.bar.tick();
-                // returns early when the rendering ends
-                std::thread::park_timeout(Duration::from_millis(5));
-            }
-        });
+            },
+        );
         self.bar.inc(1);
         !canvas.is_cancelled()
     }

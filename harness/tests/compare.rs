@@ -5,7 +5,7 @@ mod films;
 
 use std::process::Command;
 
-use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::film::{self, Film, Tone};
 use groundtruth::rgb::Rgb;
 
 use self::films::{film_through, rendered, world};
@@ -16,7 +16,6 @@ use self::films::{film_through, rendered, world};
 fn the_exit_status_answers() {
     let folder = tempfile::tempdir().expect("a folder");
     let film = rendered("ch24/hall-of-mirrors", 1);
-    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
     let mut dim = Film::new(film.width(), film.height());
     for y in 0..film.height() {
         for x in 0..film.width() {
@@ -26,9 +25,10 @@ fn the_exit_status_answers() {
     let brighter = |pixel: &Rgb| pixel.max() > 1.0;
     assert!(!dim.pixels().iter().any(brighter), "display formats hold it");
     for format in ["exr", "pfm", "png", "ppm"] {
-        film::write(&dim, &tone, &folder.path().join(format!("dim.{format}"))).expect("written");
+        film::write(&dim, &Tone::PLAIN, &folder.path().join(format!("dim.{format}")))
+            .expect("written");
     }
-    film::write(&film, &tone, &folder.path().join("film.exr")).expect("written");
+    film::write(&film, &Tone::PLAIN, &folder.path().join("film.exr")).expect("written");
     std::fs::write(folder.path().join("text.png"), "no picture").expect("written");
     let status = |arguments: &[&str]| {
         let program = env!("CARGO_BIN_EXE_groundtruth");
@@ -41,7 +41,8 @@ fn the_exit_status_answers() {
         let text = [output.stdout, output.stderr].concat();
         (output.status.code(), String::from_utf8(text).expect("UTF-8"))
     };
-    film::write(&Film::new(45, 30), &tone, &folder.path().join("pair.exr")).expect("written");
+    film::write(&Film::new(45, 30), &Tone::PLAIN, &folder.path().join("pair.exr"))
+        .expect("written");
     let expected: [(&[&str], i32); 15] = [
         (&["dim.exr", "dim.pfm"], 0),
         (&["dim.exr", "dim.png", "--encoding", "linear"], 0),
@@ -85,7 +86,7 @@ fn the_exit_status_answers() {
     );
     let name = "ch03/three-objects";
     let shifted = folder.path().join("shifted.exr");
-    film::write(&film_through(&world(name), [0.0, 0.0]), &tone, &shifted).expect("written");
+    film::write(&film_through(&world(name), [0.0, 0.0]), &Tone::PLAIN, &shifted).expect("written");
     let (found, text) = status(&["shifted.exr", name, "-o", "shifted.html"]);
     let expected = "explained: yours is half a pixel too far right and half a pixel too far up";
     assert!(found == Some(1) && text.contains(expected), "{text}");
@@ -115,9 +116,8 @@ fn signs_have_one_direction() {
             dim.set([x, y], 0.5 * film.get([x, y]));
         }
     }
-    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
     for (film, name) in [(&dim, "dim.pfm"), (&film, "whole.pfm")] {
-        film::write(film, &tone, &folder.path().join(name)).expect("written");
+        film::write(film, &Tone::PLAIN, &folder.path().join(name)).expect("written");
     }
     let compare = |both: [&str; 2]| {
         let mut command = Command::new(env!("CARGO_BIN_EXE_groundtruth"));

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::film::{self, Film, Tone};
 use groundtruth::math::Pcg32;
 use groundtruth::rgb::Rgb;
 
@@ -23,8 +23,7 @@ fn picture(folder: &Path, [side, seed]: [u32; 2], brightness: f64) -> String {
         film.set([pixel % side, pixel / side], Rgb::grey(brightness + 0.1 * random.uniform()));
     }
     let file = folder.join(format!("{side}-{seed}-{brightness}.pfm"));
-    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-    film::write(&film, &tone, &file).expect("written");
+    film::write(&film, &Tone::PLAIN, &file).expect("written");
     file.to_str().expect("UTF-8").to_owned()
 }
 

@@ -6,7 +6,7 @@ mod films_of_scenes;
 use std::path::Path;
 use std::process::{Command, Output};
 
-use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::film::{self, Film, Tone};
 
 use self::films_of_scenes::{films, scene, world};
 use crate::same_text::{Printed, hold};
@@ -31,8 +31,7 @@ fn picture(samples: u32, seed: u64) -> Film {
 
 fn written(film: &Film, folder: &Path, name: &str) -> String {
     let file = folder.join(name);
-    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-    film::write(film, &tone, &file).expect("written");
+    film::write(film, &Tone::PLAIN, &file).expect("written");
     file.to_str().expect("UTF-8").to_owned()
 }
 

@@ -71,7 +71,7 @@ impl Inspector {
 
     fn of(session: Session) -> Self {
         Self {
-            picture: Picture::new(display::tone_of(&session.rendering.world)),
+            picture: Picture::new(session.rendering.world.image.tone()),
             session,
             selection: Selection::default(),
             theirs: None,
@@ -291,7 +291,7 @@ impl Inspector {
         if opened.is_same_view {
             self.picture.restart();
         } else {
-            self.picture = Picture::new(display::tone_of(&rendering.world));
+            self.picture = Picture::new(rendering.world.image.tone());
         }
         if !opened.is_same_scene {
             self.selection.tree = Tree::default();

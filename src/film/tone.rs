@@ -42,6 +42,12 @@ impl fmt::Display for Tone {
 }
 
 impl Tone {
+    /// Shows values that are already those of a screen.
+    pub const PLAIN: Self = Self { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
+
+    /// Shows radiance on a usual screen.
+    pub const SCREEN: Self = Self { gamma: 2.2, ..Self::PLAIN };
+
     /// A screen colour with channels in `[0, 1]`.
     pub fn map(&self, radiance: Rgb) -> Rgb {
         let color = self.exposure * radiance;

@@ -5,6 +5,7 @@
 //! the book's rows count up, only here.
 
 mod estimate;
+mod watched;
 
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
@@ -20,6 +21,7 @@ use crate::trace::{self, Budget, Recorder, Unlimited};
 use crate::world::World;
 
 pub use estimate::{MAX_COUNTED, RaysPerSample};
+pub use watched::watched;
 
 /// The result of filter and camera for one pixel sample.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::background::Background;
 use crate::cameras::{ViewPlane, Viewpoint};
-use crate::film::OutOfGamut;
+use crate::film::{OutOfGamut, Tone};
 use crate::math::Length;
 use crate::shapes::textbook::EPSILON;
 use crate::{accel, bumps, filters, kinds, lights, materials, samplers, shapes};
@@ -196,6 +196,11 @@ impl Image {
             gamma: 1.0,
             out_of_gamut: OutOfGamut::default(),
         }
+    }
+
+    /// How its radiance is shown.
+    pub fn tone(&self) -> Tone {
+        Tone { exposure: 1.0, gamma: self.gamma, out_of_gamut: self.out_of_gamut }
     }
 
     /// The part of the view plane that the picture covers.

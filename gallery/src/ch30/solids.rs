@@ -14,7 +14,7 @@ use groundtruth::textures::{Checker3d, Kind as Texture, Paint, Stripes, TextureI
 const CUT: f64 = 1.5;
 
 /// The box from −1 to 1 without the sphere of radius 1.5 about its corner (1, 1, 1).
-pub fn cut_cube_shape() -> Kind {
+fn cut_cube_shape() -> Kind {
     let corner = point(1.0, 1.0, 1.0);
     let hollow = PartSphere {
         center: corner,

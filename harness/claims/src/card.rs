@@ -121,14 +121,6 @@ fn details(row: &Row) -> String {
     text
 }
 
-const STYLE: &str = "\
-th, td { padding: 0.1em 0.8em; text-align: left; }
-tr { border-bottom: 1px solid #ddd; }
-.broken { background: #fdd; }
-.quiet { color: #999; }
-pre { background: #f4f4f4; padding: 0.5em; white-space: pre-wrap; overflow-wrap: anywhere; }
-";
-
 /// The page for a program with this command line.
 pub fn page(card: &Card, command: &str) -> String {
     let title = format!("laws: {}", escaped(command));
@@ -144,7 +136,7 @@ pub fn page(card: &Card, command: &str) -> String {
             let (class, word) = match status {
                 Status::Holds(_) => ("", "holds"),
                 Status::Undecided(_) => ("quiet", "undecided"),
-                Status::Broken(_) => ("broken", "broken"),
+                Status::Broken(_) => ("failed", "broken"),
                 Status::NotClaimed => ("quiet", "·"),
             };
             let _ = write!(html, "<td class=\"{class}\">{word}</td>");
@@ -158,7 +150,7 @@ pub fn page(card: &Card, command: &str) -> String {
             let _ = writeln!(html, "<pre>{}</pre>", escaped(details.trim()));
         }
     }
-    html::page(&title, &[STYLE], &html)
+    html::page(&title, &[html::LINES, html::CARD], &html)
 }
 
 /// JUnit's XML: a suite for each lobe, a case for each law.

@@ -4,7 +4,7 @@
 pub mod backward_error;
 pub mod composites;
 mod draw;
-mod oracle_shape;
+mod same_shape;
 
 pub use draw::Draw;
-pub use oracle_shape::oracle_shape;
+pub use same_shape::{oracle_shape, our_shape, steps};

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use crate::compare::DRIFT;
 use crate::{Finding, Golden, Status, View};
-use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
+use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::printable;
 use pictures::compare::pair::{self, Pair};
 use pictures::compare::{Comparison, Picture};
@@ -85,11 +85,11 @@ pub fn folder_option(folder: &Path) -> String {
 
 fn pictures(html: &mut String, finding: &Finding) {
     let view = finding.golden.as_ref().map(|golden| golden.view).unwrap_or_default();
-    let tone =
-        finding.golden.as_ref().and_then(|golden| golden.small_scene(&finding.folder).ok()).map_or(
-            Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne },
-            |(scene, _)| view.tone(&scene),
-        );
+    let tone = finding
+        .golden
+        .as_ref()
+        .and_then(|golden| golden.small_scene(&finding.folder).ok())
+        .map_or(Tone::PLAIN, |(scene, _)| view.tone(&scene));
     if let (Some(expected), Some(got)) = (&finding.expected, &finding.got)
         && pair(html, finding, [expected, got], (view, tone))
     {

@@ -92,9 +92,8 @@ impl View {
 
     /// How the picture for eyes is shown.
     pub fn tone(self, scene: &Scene) -> Tone {
-        let image = &scene.image;
-        let gamma = if self == Self::Radiance { image.gamma } else { 1.0 };
-        Tone { exposure: 1.0, gamma, out_of_gamut: image.out_of_gamut }
+        let gamma = if self == Self::Radiance { scene.image.gamma } else { 1.0 };
+        Tone { gamma, ..scene.image.tone() }
     }
 }
 

@@ -5,8 +5,27 @@ use groundtruth::printable;
 /// The rules that all pages have in common.
 const STYLE: &str = "\
 body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 80em; padding: 0 1em; }
-pre { overflow-x: auto; }
+pre { white-space: pre-wrap; overflow-wrap: anywhere; }
 table { border-collapse: collapse; }
+";
+
+/// Rules for tables: lines between the rows.
+pub const LINES: &str = "\
+th, td { padding: 0.1em 0.8em; text-align: left; }
+tr { border-bottom: 1px solid #ddd; }
+";
+
+/// Rules for tables of numbers whose first column has the names of rows; after [`LINES`].
+pub const NUMBERS: &str = "\
+th, td { text-align: right; font-variant-numeric: tabular-nums; }
+th:first-child, td:first-child { text-align: left; }
+";
+
+/// Rules for cards of answers: what failed, what says little, and details.
+pub const CARD: &str = "\
+.failed { background: #fdd; }
+.quiet { color: #999; }
+pre { background: #f4f4f4; padding: 0.5em; }
 ";
 
 /// A whole page: its title (escaped), the rules that it adds to the common style, and its body.

@@ -2,14 +2,14 @@
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
-use std::time::Duration;
 
 use eframe::egui::{
     Align2, Button, Color32, Context, FontId, Id, Label, Painter, Rect, RichText, Sense, Stroke,
     StrokeKind, Ui, WidgetInfo, accesskit::Role, vec2,
 };
 use groundtruth::explain::count;
-use groundtruth::render::Canvas;
+use groundtruth::film::Tone;
+use groundtruth::render::{self, Canvas};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use judge::verdict::{self, Case, Evaluation, RayTolerance, Region, Strictness, Verdict};
@@ -17,7 +17,6 @@ use pictures::compare::Picture;
 
 use crate::action::Action;
 use crate::comparison::layer::{Layer, shown};
-use crate::picture::display::PLAIN;
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
 use crate::scene::source::Source;
@@ -70,16 +69,14 @@ impl Course {
 
     /// Renders a picture of ours; returns whether it was finished.
     fn render(&self, world: &World, canvas: &Canvas) -> bool {
-        std::thread::scope(|scope| {
-            let rendering = scope.spawn(|| canvas.render(world));
-            while !rendering.is_finished() {
+        render::watched(
+            || canvas.render(world),
+            || {
                 if self.is_stopped() {
                     canvas.cancel();
                 }
-                // returns early when the rendering ends
-                std::thread::park_timeout(Duration::from_millis(5));
-            }
-        });
+            },
+        );
         self.pictures.fetch_add(1, Ordering::Relaxed);
         !canvas.is_cancelled()
     }
@@ -185,7 +182,7 @@ impl Judgement {
             let verdict = Arc::clone(verdict);
             self.map.refresh(ctx, (), move || {
                 let pictures = &verdict.shown;
-                shown(&verdict::map_film(&pictures.z, pictures.theirs.size), &PLAIN)
+                shown(&verdict::map_film(&pictures.z, pictures.theirs.size), &Tone::PLAIN)
             });
         }
     }

@@ -15,7 +15,6 @@ use pictures::compare::{Comparison, Differences, Picture, Transfer};
 use crate::action::Shows;
 use crate::comparison::judgement::Judgement;
 use crate::comparison::layer::{Layer, shown};
-use crate::picture::display::PLAIN;
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
 
@@ -188,7 +187,7 @@ impl Theirs {
         {
             let scale = self.scale;
             self.differences.refresh(ctx, (generation, scale), move || {
-                shown(&compared.1.film(compared.1.within(scale)), &PLAIN)
+                shown(&compared.1.film(compared.1.within(scale)), &Tone::PLAIN)
             });
         }
     }

@@ -7,10 +7,9 @@ use eframe::egui::{
     self, Color32, CursorIcon, EventFilter, Id, Key, Painter, Rect, Sense, Shape, Stroke,
     StrokeKind, Ui, WidgetInfo, accesskit::Role,
 };
-use groundtruth::film::{OutOfGamut, Tone};
+use groundtruth::film::Tone;
 use groundtruth::render::Canvas;
 use groundtruth::rgb::Rgb;
-use groundtruth::world::World;
 
 use crate::picture::tiles::{self, Images, Tiles};
 use crate::picture::view::{Placement, View};
@@ -58,14 +57,6 @@ impl Version {
         let done = rendering.canvas.progress().0;
         Self { generation: rendering.generation, done, finished, tone }
     }
-}
-
-/// The tone in which numbers are shown that are no radiance.
-pub const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-
-/// The tone settings of the scene.
-pub fn tone_of(World { image, .. }: &World) -> Tone {
-    Tone { exposure: 1.0, gamma: image.gamma, out_of_gamut: image.out_of_gamut }
 }
 
 /// A colour of the screen.

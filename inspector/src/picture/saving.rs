@@ -7,7 +7,7 @@ use eframe::egui::{Context, Event, Id, Key, Modal};
 use groundtruth::film::{self, Format};
 use pictures::provenance;
 
-use crate::picture::display::{Picture, tone_of};
+use crate::picture::display::Picture;
 use crate::picture::worker::{Background, Rendering};
 
 /// The state of saving.
@@ -30,7 +30,7 @@ impl Saving {
 
     fn write(&mut self, ctx: &Context, rendering: &Rendering, picture: &Picture, to: PathBuf) {
         let (canvas, tone, of_scene) =
-            (rendering.canvas.clone(), picture.tone, tone_of(&rendering.world));
+            (rendering.canvas.clone(), picture.tone, rendering.world.image.tone());
         let is_for_display = Format::of(&to).is_ok_and(Format::is_for_display);
         let (source, read) = (rendering.source.clone(), rendering.read.clone());
         let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));

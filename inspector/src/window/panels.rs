@@ -8,7 +8,7 @@ use groundtruth::explain::{self, count, short};
 
 use crate::action::{Action, Purpose};
 use crate::comparison::theirs::Theirs;
-use crate::picture::display::{Picture, tone_of};
+use crate::picture::display::Picture;
 use crate::picture::image_settings::ImageSettings;
 use crate::picture::session::Session;
 use crate::picture::view::View;
@@ -158,7 +158,7 @@ pub fn view_settings(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) 
         let label = ui.label("Gamma");
         let gamma = Slider::new(&mut picture.tone.gamma, 0.2..=5.0);
         ui.add(gamma.max_decimals(2)).labelled_by(label.id);
-        let own = tone_of(&rendering.world);
+        let own = rendering.world.image.tone();
         let reset = ui.add_enabled(picture.tone != own, Button::new("Reset"));
         if reset.on_hover_text("Exposure 1 and the gamma of the scene").clicked() {
             picture.tone = own;

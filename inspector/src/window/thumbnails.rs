@@ -13,7 +13,7 @@ use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
-use crate::picture::display::{color, tone_of};
+use crate::picture::display::color;
 use crate::picture::worker::Background;
 
 /// Width and height of a thumbnail, in pixels; the picture is centred in it.
@@ -62,7 +62,7 @@ fn render_small(mut scene: Scene) -> Option<ColorImage> {
         *max_depth = MAX_DEPTH.min(*max_depth);
     }
     let world = World::build(&scene).ok()?;
-    let tone = tone_of(&world);
+    let tone = world.image.tone();
     let sides = SIZE.map(|side| side as usize);
     let mut image = ColorImage::filled(sides, Color32::TRANSPARENT);
     // centred

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use clap::Parser;
-use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::film::{self, Film, Tone};
 use groundtruth::render;
 use groundtruth::world::World;
 use inspector::window::arguments::Arguments;
@@ -127,8 +127,7 @@ fn a_picture_that_cannot_be_compared_is_refused() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let (text, odd) = (folder.path().join("text.png"), folder.path().join("odd.exr"));
     std::fs::write(&text, "no picture").expect("writable");
-    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-    film::write(&Film::new(40, 30), &tone, &odd).expect("writable");
+    film::write(&Film::new(40, 30), &Tone::PLAIN, &odd).expect("writable");
     let [text, odd] = [&text, &odd].map(|path| path.to_str().expect("UTF-8"));
     for (arguments, words) in [
         (&["--compare", "missing.png"][..], "missing.png"),
@@ -150,8 +149,7 @@ fn a_picture_that_cannot_be_compared_is_refused() {
 fn our_picture_has_the_size_of_theirs() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("theirs.pfm");
-    let tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-    film::write(&Film::new(45, 30), &tone, &path).expect("writable");
+    film::write(&Film::new(45, 30), &Tone::PLAIN, &path).expect("writable");
     for scene in ["ch28/glass-sphere", "ch12/three-spheres"] {
         let path = path.to_str().expect("UTF-8");
         let arguments = Arguments::parse_from(["inspector", scene, "--compare", path]);

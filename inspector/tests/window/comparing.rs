@@ -5,7 +5,7 @@ use std::path::Path;
 use clap::Parser;
 use eframe::egui::{Key, Pos2, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::Queryable;
-use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::film::{self, Film, Tone};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use inspector::action::Shows;
@@ -20,7 +20,6 @@ const RIGHT: [u32; 2] = [40, 44];
 /// Pixels that are brighter in their picture: two regions, the larger one first, its worst pixel in the middle.
 const BRIGHTER: [([u32; 2], f64); 4] =
     [([39, 44], 0.1), (RIGHT, 0.2), ([41, 44], 0.1), ([6, 44], 0.4)];
-const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
 
 /// Our picture, and theirs, which is brighter in some pixels.
 fn films() -> [Film; 2] {
@@ -34,7 +33,7 @@ fn films() -> [Film; 2] {
 
 fn read(folder: &Path, film: &Film, name: &str) -> Theirs {
     let path = folder.join(name);
-    film::write(film, &PLAIN, &path).expect("written");
+    film::write(film, &Tone::PLAIN, &path).expect("written");
     Theirs::read(&path, None).expect("it is a picture")
 }
 
@@ -212,7 +211,7 @@ fn bytes_are_decoded_as_srgb() {
     let path = folder.path().join("grey.ppm");
     let mut grey = Film::new(1, 1);
     grey.set([0, 0], Rgb::grey(188.0 / 255.0));
-    film::write(&grey, &PLAIN, &path).expect("written");
+    film::write(&grey, &Tone::PLAIN, &path).expect("written");
     let file = path.to_str().expect("UTF-8");
     // ((188/255 + 0.055)/1.055)^2.4
     for (encoding, expected) in [(&[][..], 0.5029), (&["--encoding", "linear"], 188.0 / 255.0)] {

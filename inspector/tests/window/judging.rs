@@ -5,7 +5,7 @@ use std::time::{Duration, Instant};
 
 use eframe::egui::Key;
 use egui_kittest::kittest::Queryable;
-use groundtruth::film::{self, Film, OutOfGamut, Tone};
+use groundtruth::film::{self, Film, Tone};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
@@ -43,8 +43,7 @@ fn brighter() -> Film {
 fn written(film: &Film) -> (Theirs, Picture) {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("theirs.exr");
-    let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-    film::write(film, &plain, &path).expect("written");
+    film::write(film, &Tone::PLAIN, &path).expect("written");
     let picture = Picture::read(&path, None).expect("it is a picture");
     (Theirs::read(&path, None).expect("it is a picture"), picture)
 }

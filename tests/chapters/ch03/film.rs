@@ -5,8 +5,6 @@ use proptest::prelude::*;
 
 use crate::prelude::*;
 
-const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
-
 fn radiance(largest: f64) -> impl Strategy<Value = Rgb> {
     let channel = move || prop_oneof![4 => 0.0..largest, 1 => Just(0.0), 1 => Just(1.0)];
     [channel(), channel(), channel()].prop_map(Rgb::from)
@@ -15,13 +13,16 @@ fn radiance(largest: f64) -> impl Strategy<Value = Rgb> {
 /// Law: the book's examples: (2, 1, 0) becomes (1, ½, 0), or red; ½ at gamma 2.2 is 0.7297.
 #[test]
 fn the_books_examples_are_shown_as_in_the_book() {
-    let clamp = Tone { out_of_gamut: OutOfGamut::ClampToColor, ..PLAIN };
-    assert_eq!(PLAIN.map(Rgb::new(2.0, 1.0, 0.0)), Rgb::new(1.0, 0.5, 0.0));
+    let clamp = Tone { out_of_gamut: OutOfGamut::ClampToColor, ..Tone::PLAIN };
+    assert_eq!(Tone::PLAIN.map(Rgb::new(2.0, 1.0, 0.0)), Rgb::new(1.0, 0.5, 0.0));
     assert_eq!(clamp.map(Rgb::new(0.0, 0.5, 1.0 + 1e-12)), Rgb::new(1.0, 0.0, 0.0));
     assert_eq!(clamp.map(Rgb::new(0.0, 0.5, 1.0)), Rgb::new(0.0, 0.5, 1.0));
-    let shown = Tone { gamma: 2.2, ..PLAIN }.map(Rgb::grey(0.5));
+    let shown = Tone { gamma: 2.2, ..Tone::PLAIN }.map(Rgb::grey(0.5));
     assert!((shown.g - 0.7297).abs() < 5e-5, "{shown:?}");
-    assert_eq!(Tone { gamma: 2.0, ..PLAIN }.map(Rgb::new(0.25, 0.0, 1.0)), Rgb::new(0.5, 0.0, 1.0));
+    assert_eq!(
+        Tone { gamma: 2.0, ..Tone::PLAIN }.map(Rgb::new(0.25, 0.0, 1.0)),
+        Rgb::new(0.5, 0.0, 1.0)
+    );
 }
 
 proptest! {
@@ -30,7 +31,7 @@ proptest! {
     /// Law: max-to-one keeps the hue: the shares of the channels. Oracle: cross products of channels.
     #[test]
     fn max_to_one_keeps_the_hue(color in radiance(50.0)) {
-        let shown = PLAIN.map(color);
+        let shown = Tone::PLAIN.map(color);
         at_most!(shown.max(), 1.0);
         let (a, b) = (color.to_array(), shown.to_array());
         for i in 0..3 {
@@ -47,8 +48,8 @@ proptest! {
     /// Law: gamma is applied last, after the out-of-gamut rule; raising to γ undoes it: `(x^(1/γ))^γ = x`.
     #[test]
     fn gamma_comes_last(color in radiance(5.0), gamma in 0.5..4.0_f64, exposure in 0.1..10.0_f64) {
-        let tone = Tone { exposure, gamma, ..PLAIN };
-        let (shown, linear) = (tone.map(color), PLAIN.map(exposure * color));
+        let tone = Tone { exposure, gamma, ..Tone::PLAIN };
+        let (shown, linear) = (tone.map(color), Tone::PLAIN.map(exposure * color));
         for (s, l) in shown.to_array().into_iter().zip(linear.to_array()) {
             prop_assert!((power(s, gamma) - l).abs() < 1e-14, "{s} {l}");
         }
@@ -58,7 +59,7 @@ proptest! {
     /// is in [0, 1].
     #[test]
     fn the_tone_is_monotone(a in 0.0..3.0_f64, b in 0.0..3.0_f64, gamma in 0.5..4.0_f64) {
-        let tone = Tone { gamma, ..PLAIN };
+        let tone = Tone { gamma, ..Tone::PLAIN };
         let (dark, bright) = (tone.map(Rgb::grey(a.min(b))), tone.map(Rgb::grey(a.max(b))));
         at_most!(dark.g, bright.g);
         at_most!(bright.g, 1.0);
@@ -70,7 +71,7 @@ proptest! {
     /// is nearer.
     #[test]
     fn bytes_are_the_nearest(color in radiance(1.0)) {
-        for (byte, c) in PLAIN.to_bytes(color).into_iter().zip(color.to_array()) {
+        for (byte, c) in Tone::PLAIN.to_bytes(color).into_iter().zip(color.to_array()) {
             prop_assert!((f64::from(byte) - 255.0 * c).abs() <= 0.5, "{byte} for {c}");
         }
     }
@@ -104,7 +105,7 @@ fn uneven() -> Film {
 fn exr_keeps_linear_radiance() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("picture.exr");
-    write(&uneven(), &PLAIN, &path).expect("it can be written");
+    write(&uneven(), &Tone::PLAIN, &path).expect("it can be written");
     let read = read_exr(&path).expect("it can be read");
     assert_eq!((read.width(), read.height()), (5, 3));
     for at in pixels(5, 3) {
@@ -129,7 +130,7 @@ fn png_has_the_shown_bytes_from_the_top_left() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("picture.PNG");
     for (gamma, expected) in by_hand {
-        write(&film, &Tone { gamma, ..PLAIN }, &path).expect("it can be written");
+        write(&film, &Tone { gamma, ..Tone::PLAIN }, &path).expect("it can be written");
         let read = image::open(&path).expect("it can be read").to_rgb8();
         assert_eq!(read.dimensions(), (2, 2));
         for ([x, y], bytes) in pixels(2, 2).zip(expected) {
@@ -143,12 +144,12 @@ fn png_has_the_shown_bytes_from_the_top_left() {
 fn files_are_written_whole_or_not_at_all() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let names = || std::fs::read_dir(folder.path()).expect("it exists").count();
-    let unknown = write(&uneven(), &PLAIN, &folder.path().join("picture.gif"));
+    let unknown = write(&uneven(), &Tone::PLAIN, &folder.path().join("picture.gif"));
     assert!(
         matches!(unknown, Err(ImageError::Format { .. })),
         "{unknown:?}, expected a wrong format"
     );
-    let nowhere = write(&uneven(), &PLAIN, &folder.path().join("missing/picture.png"));
+    let nowhere = write(&uneven(), &Tone::PLAIN, &folder.path().join("missing/picture.png"));
     assert!(
         matches!(nowhere, Err(ImageError::Unwritable { .. })),
         "{nowhere:?}, expected unwritable"
@@ -156,7 +157,7 @@ fn files_are_written_whole_or_not_at_all() {
     assert_eq!(names(), 0);
     let path = folder.path().join("picture.png");
     std::fs::write(&path, "something else").expect("it can be written");
-    write(&uneven(), &PLAIN, &path).expect("it can be replaced");
+    write(&uneven(), &Tone::PLAIN, &path).expect("it can be replaced");
     image::open(&path).expect("it is a picture");
     assert_eq!(names(), 1);
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use groundtruth::background::{Background, Directions, Dome, Image, ImageSky, Sky};
-use groundtruth::film::{self, OutOfGamut, Tone};
+use groundtruth::film::{self, Tone};
 use groundtruth::kinds::Resources;
 use groundtruth::textures::{Filtering, Mapping};
 use statistics::chi_square::goodness_of_fit;
@@ -13,9 +13,6 @@ use crate::prelude::*;
 pub const DOMES: [Dome; 4] =
     [Dome::Spherical, Dome::Hemispherical, Dome::LightProbe, Dome::Panoramic];
 pub const FILTERINGS: [Filtering; 2] = [Filtering::Nearest, Filtering::Bilinear];
-
-/// EXR files store radiance without any tone mapping.
-const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
 
 /// Columns and rows of most skies here: few, so that each is hit often.
 pub const SIZE: [u32; 2] = [12, 8];
@@ -29,7 +26,7 @@ pub fn written(name: &str, [width, height]: [u32; 2], color: impl Fn([u32; 2]) -
         }
     }
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("ch29-{name}.exr"));
-    film::write(&picture, &PLAIN, &path).expect("the folder can be written to");
+    film::write(&picture, &Tone::PLAIN, &path).expect("the folder can be written to");
     path
 }
 

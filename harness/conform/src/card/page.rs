@@ -6,15 +6,6 @@ use super::text::{conventions, failed};
 use super::{Card, Row, Status};
 use pictures::html::{self, escaped};
 
-const STYLE: &str = "\
-th, td { padding: 0.1em 0.8em; text-align: right; font-variant-numeric: tabular-nums; }
-th:first-child, td:first-child { text-align: left; }
-tr { border-bottom: 1px solid #ddd; }
-.failed { background: #fdd; }
-.quiet { color: #999; }
-pre { background: #f4f4f4; padding: 0.5em; white-space: pre-wrap; overflow-wrap: anywhere; }
-";
-
 /// The page for a program with this command line.
 pub fn page(card: &Card, command: &str) -> String {
     let title = format!("conform: {}", escaped(command));
@@ -52,7 +43,7 @@ pub fn page(card: &Card, command: &str) -> String {
         let lines = escaped(&by_the_book);
         let _ = writeln!(html, "<h2>Conventions of the book</h2>\n<pre>{lines}</pre>");
     }
-    html::page(&title, &[STYLE], &html)
+    html::page(&title, &[html::LINES, html::NUMBERS, html::CARD], &html)
 }
 
 fn table(html: &mut String, rows: &[&Row]) {

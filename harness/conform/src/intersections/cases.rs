@@ -16,7 +16,7 @@ pub fn nearest(kind: hard::Kind, family: Hard, seed: u64, n: usize) -> Vec<Value
     let question = |(shape, ray): (oracle::Shape, oracle::Ray)| {
         let pair = backward_error::pair(&shape)?;
         let span = backward_error::span(family, &*pair.ours, &backward_error::ray(&ray));
-        let (kind, _) = backward_error::ours(&shape)?;
+        let kind = exact::our_shape(&shape)?;
         let mut question =
             json!({"shape": kind, "ray": {"origin": ray.origin, "direction": ray.direction}});
         if span.min > 0.0 {

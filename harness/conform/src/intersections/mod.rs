@@ -12,7 +12,6 @@ use serde_json::Value;
 
 use super::family::{Family, Judge};
 use cases::{all_roots, around, changed, nearest, occlusion};
-use exact::backward_error;
 pub use judge::{judge, judge_occluded};
 use oracle::hard::{self, Family as Hard};
 
@@ -60,7 +59,6 @@ fn name_of(family: Hard) -> String {
 /// The tag of a kind in scene files.
 fn tag_of(kind: hard::Kind) -> Option<String> {
     let shape = hard::cases(kind, Hard::Ordinary, 1, 1).pop()?.0;
-    let (ours, _) = backward_error::ours(&shape)?;
-    let data = serde_json::to_value(ours).ok()?;
+    let data = serde_json::to_value(exact::our_shape(&shape)?).ok()?;
     data.as_object()?.keys().next().cloned()
 }

@@ -132,7 +132,7 @@ pub fn shadow(of: [f64; 3], lamp: [f64; 3]) -> [f64; 3] {
 /// Where the ball of a still life is.
 pub const BALL: [f64; 3] = [-0.75, 1.0, 0.0];
 /// The middle of its box.
-pub const BOX: [f64; 3] = [1.25, 0.75, 0.0];
+const BOX: [f64; 3] = [1.25, 0.75, 0.0];
 
 /// Its box.
 pub fn block() -> Value {

@@ -3,7 +3,7 @@
 use oracle::hard::{Family, Kind, cases};
 
 use super::{Case, Piece};
-use crate::backward_error;
+use crate::{oracle_shape, our_shape};
 use groundtruth::accel::Method;
 use groundtruth::shapes::Compound;
 
@@ -31,9 +31,8 @@ pub fn compound(family: Family, seed: u64, index: usize, accel: Option<Method>) 
     };
     let three = [case(0), case(1), case(2)];
     let ray = three[0].1.clone();
-    let both: Vec<_> =
-        three.iter().map(|(shape, _)| backward_error::ours(shape)).collect::<Option<_>>()?;
-    let (ours, exact): (Vec<_>, Vec<_>) = both.into_iter().unzip();
+    let ours: Vec<_> = three.iter().map(|(shape, _)| our_shape(shape)).collect::<Option<_>>()?;
+    let exact: Vec<_> = ours.iter().map(oracle_shape).collect::<Option<_>>()?;
     let condition = exact.iter().map(oracle::Shape::condition).fold(1.0, f64::max);
     Some(Case {
         ours: Compound { accel, ..Compound::of(ours) }.into(),

@@ -72,7 +72,7 @@ pub struct Case {
 impl Case {
     /// The shape in an instance, and the ray transformed with it; `None` if the matrix is singular.
     pub fn instanced(self, matrix: &[[f64; 4]; 3]) -> Option<Self> {
-        let steps = backward_error::steps(matrix)?;
+        let steps = crate::steps(matrix)?;
         let map = Transform::from_steps(&steps).ok()?;
         let moved = |Piece { exact, .. }| {
             Piece::anywhere(oracle::Shape::Instance { matrix: map.rows(), of: Box::new(exact) })
@@ -80,10 +80,7 @@ impl Case {
         Some(Self {
             ours: Instance::new(self.ours, steps).into(),
             pieces: self.pieces.into_iter().map(moved).collect(),
-            ray: oracle::Ray {
-                origin: map.point(self.ray.origin.into()).into(),
-                direction: map.vector(self.ray.direction.into()).into(),
-            },
+            ray: backward_error::transformed(&self.ray, &map),
             condition: oracle::condition(&map.rows()) * self.condition,
         })
     }

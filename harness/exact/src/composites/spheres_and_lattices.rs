@@ -4,7 +4,7 @@ use oracle::Shape;
 use oracle::hard::{Family, Kind, cases, rays};
 
 use super::{Case, Piece};
-use crate::{Draw, backward_error};
+use crate::{Draw, our_shape};
 use groundtruth::accel::Method;
 use groundtruth::shapes::{Context, Lattice, RandomSpheres, Sphere};
 
@@ -39,7 +39,7 @@ pub fn lattice(family: Family, seed: u64, index: usize, accel: Option<Method>) -
         [Kind::Sphere, Kind::Cuboid, Kind::Triangle, Kind::Cone, Kind::PartSphere];
     let mut draw = Draw::case(seed + family as u64, index);
     let (shape, _) = cases(KINDS[index % KINDS.len()], family, seed + index as u64, 1).remove(0);
-    let (of, _) = backward_error::ours(&shape)?;
+    let of = our_shape(&shape)?;
     let size = of.build(&mut Context::default()).ok()?.bounds().extent().length();
     let spacing = size * draw.vector(2.0);
     let counts = draw.pick(&[[3, 2, 2], [1, 4, 3], [7, 1, 1], [1, 1, 1]]);

@@ -149,7 +149,7 @@ fn in_words(AreaDifference { name, before, after, .. }: &AreaDifference) -> Stri
 }
 
 /// The means of an area, and their difference.
-pub fn means_in_words(means: &AreaMeans) -> String {
+fn means_in_words(means: &AreaMeans) -> String {
     let [before, after] = [means.before, means.after].map(brief);
     let Some([relative, low, high]) = means.relative else {
         return format!("{before} before, {after} after");

@@ -2,23 +2,16 @@
 
 use std::fmt::Write;
 
-use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
+use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::rgb::Rgb;
 
 use super::text;
 use super::verdict::{Pictures, Region, Verdict};
-use pictures::compare::pair::{self, Pair};
-use pictures::compare::{Comparison, Picture};
+use pictures::compare::pair;
 use pictures::html::{self, escaped};
 
 const STYLE: &str = "\
-pre { white-space: pre-wrap; }
-th, td { text-align: right; padding: 0.1em 0.8em; border-bottom: 1px solid #ddd; }
-th:first-child, td:first-child { text-align: left; }
-.map { position: relative; width: max-content; }
-.map img { width: 40em; border: 1px solid #999; }
 .map svg { position: absolute; top: 0; left: 0; width: 100%; height: 100%; }
-.map i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
 ";
 
 /// Differences of so many standard deviations are black or white in the map.
@@ -28,22 +21,12 @@ const FARTHEST: f64 = 6.0;
 pub fn page(verdict: &Verdict, name: &str, words: &str) -> String {
     let title = escaped(name);
     let mut body = format!("<h1>{title}</h1>\n<pre>{}</pre>\n", escaped(words));
-    body += &views([&verdict.shown.ours, &verdict.shown.theirs]);
+    let Pictures { ours, theirs, .. } = &verdict.shown;
+    body += &pair::views(["the mean of ours", "theirs"], [ours, theirs]);
     body += &excluded(&verdict.shown);
     body += &map(verdict);
     body += &table(verdict);
-    html::page(&title, &[STYLE, pair::STYLE], &body)
-}
-
-/// Both pictures, flipped and side by side, and their difference.
-fn views(pictures: [&Picture; 2]) -> String {
-    let Ok(comparison) = Comparison::of(pictures[0], pictures[1], 0.0) else {
-        return String::new();
-    };
-    let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
-    let names = ["the mean of ours", "theirs"];
-    let (shown, commands) = (pictures.map(Picture::radiance), &|_| Vec::new());
-    Pair { names, pictures, shown, tone, comparison: &comparison, commands }.views()
+    html::page(&title, &[html::LINES, html::NUMBERS, pair::STYLE, STYLE], &body)
 }
 
 /// Their picture with hatching over the pixels that are set apart, if there are any.
@@ -51,11 +34,10 @@ fn excluded(shown: &Pictures) -> String {
     if shown.excluded.is_empty() {
         return String::new();
     }
-    let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
     format!(
         "<h3>Set apart</h3>\n<p>Theirs. Hatched pixels do not count: all of ours agree there, and a correct picture may \
          have this value.</p>\n<div class=\"map\"><img alt=\"theirs, hatched where it is set apart\" src=\"{}\">{}</div>\n",
-        data_uri(&shown.theirs.radiance(), &tone),
+        data_uri(&shown.theirs.radiance(), &Tone::SCREEN),
         hatching(&shown.excluded, shown.theirs.size)
     )
 }
@@ -90,7 +72,6 @@ pub fn map_film(z: &[f64], [width, height]: [u32; 2]) -> Film {
 fn map(verdict: &Verdict) -> String {
     let (size, excluded) = (verdict.shown.theirs.size, &verdict.shown.excluded);
     let film = map_film(&verdict.shown.z, size);
-    let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
     let framed = |region: &Region| frame(&region.name, region.bounds, size);
     let frames: String = verdict.regions.iter().map(framed).collect();
     let hatching = if excluded.is_empty() { String::new() } else { hatching(excluded, size) };
@@ -98,7 +79,7 @@ fn map(verdict: &Verdict) -> String {
         "<h3>Map of z</h3>\n<p>The difference of each pixel in standard deviations: grey is 0, white and black are \
          ±{FARTHEST} and more, brighter where theirs is larger. Regions are framed; what is set apart is hatched.</p>\n\
          <div class=\"map\"><img alt=\"map of z\" src=\"{}\">{hatching}{frames}</div>\n",
-        data_uri(&film, &plain)
+        data_uri(&film, &Tone::PLAIN)
     )
 }
 

@@ -145,21 +145,30 @@ impl Verdict {
         shown: Shown<'_>,
         slack: &[f64],
     ) -> Self {
+        let noise = judged.ranking.noise[judged.pool.count() - 1];
+        let confidence = 1.0 - strictness.level;
+        let means = Means::of((&judged.pool, shown.values), areas, (noise, slack), confidence);
+        Self::new(judged, areas, strictness, shown, means).weighed(&judged.pool, areas)
+    }
+
+    /// That of a judgement with these means; nothing else is known yet.
+    fn new(
+        judged: &Evaluation,
+        areas: &Areas,
+        strictness: Strictness,
+        shown: Shown<'_>,
+        means: Vec<Means>,
+    ) -> Self {
         let theirs = judged.pool.count() - 1;
         let noise = judged.ranking.noise[theirs];
-        let verdict = Self {
+        Self {
             decision: judged.decision,
             decided_by: None,
             negative: None,
             assumed: judged.pool.stored.to_string(),
             pictures: 1,
             equal_to_seed: None,
-            means: Means::of(
-                (&judged.pool, shown.values),
-                areas,
-                (noise, slack),
-                1.0 - strictness.level,
-            ),
+            means,
             noise,
             coarse: judged.is_coarse,
             independent: false,
@@ -177,8 +186,7 @@ impl Verdict {
             plants: Vec::new(),
             gains: Vec::new(),
             shown: Pictures::of(&judged.pool, areas, noise, shown),
-        };
-        verdict.weighed(&judged.pool, areas)
+        }
     }
 
     /// Says also whether the means of the picture and of its objects are within a relative margin of ours.
@@ -257,6 +265,7 @@ impl Verdict {
         tests: &[WelchTest],
         slack: &[f64],
     ) -> Self {
+        let is_off = |test: &WelchTest| test.probability <= strictness.level;
         let theirs = pictures.len() - ours;
         let mean = (0..pictures[0].len()).map(|at| {
             let sum: f64 = pictures[ours..].iter().map(|picture| f64::from(picture[at])).sum();
@@ -264,48 +273,29 @@ impl Verdict {
         });
         let with_mean = pictures[..ours].iter().cloned().chain([mean.collect()]).collect();
         let pool = Pool::new(areas.size, stored, with_mean);
-        let noise = Ranking::of(&pool, areas, 0).noise[ours];
+        let ranking = Ranking::of(&pool, areas, 0);
+        let decision = match tests.iter().any(is_off) {
+            true => Decision::Differs,
+            false => Decision::Agrees,
+        };
+        let judged = Evaluation { pool, ranking, decision, is_fixed: false, is_coarse: false };
+        let pool = &judged.pool;
         let shown = Shown { values: pool.picture(ours), excluded: &[] };
-        let is_off = |test: &&WelchTest| test.probability <= strictness.level;
         let mut regions: Vec<Region> = Vec::new();
         let mut taken = vec![false; areas.object_of.len()];
-        for test in tests.iter().filter(is_off) {
+        for test in tests.iter().filter(|test| is_off(test)) {
             let pixels = areas.pixels(test.area);
             if regions.len() < REGIONS && !pixels.iter().any(|pixel| taken[*pixel]) {
                 pixels.iter().for_each(|pixel| taken[*pixel] = true);
-                regions.push(Region::of_pixels(&pool, areas, &pixels, shown.values));
+                regions.push(Region::of_pixels(pool, areas, &pixels, shown.values));
             }
         }
         let both = [&pictures[ours..], &pictures[..ours]];
-        let confidence = 1.0 - strictness.level;
-        let verdict = Self {
-            decision: if regions.is_empty() { Decision::Agrees } else { Decision::Differs },
-            decided_by: None,
-            negative: None,
-            assumed: stored.to_string(),
-            pictures: theirs,
-            equal_to_seed: None,
-            means: Means::of_several(both, (&pool, slack), areas, confidence),
-            noise,
-            coarse: false,
-            independent: false,
-            replicas: ours,
-            as_far: 0,
-            reference: None,
-            level: strictness.level,
-            fixed: false,
-            set_apart: 0,
-            margin: None,
-            regions,
-            explained: None,
-            factors: None,
-            causes: Causes::default(),
-            plants: Vec::new(),
-            gains: Vec::new(),
-            shown: Pictures::of(&pool, areas, noise, shown),
-        };
-        let mut verdict = verdict.weighed(&pool, areas);
-        verdict.weigh_negative(theirs_as_read, &pool, areas);
+        let means = Means::of_several(both, (pool, slack), areas, 1.0 - strictness.level);
+        let known = Self::new(&judged, areas, strictness, shown, means);
+        let verdict = Self { pictures: theirs, as_far: 0, regions, ..known };
+        let mut verdict = verdict.weighed(pool, areas);
+        verdict.weigh_negative(theirs_as_read, pool, areas);
         verdict
     }
 }

@@ -1,6 +1,6 @@
 //! A comparison as one HTML page.
 
-use groundtruth::film::{OutOfGamut, Tone};
+use groundtruth::film::Tone;
 
 use super::pair::{self, Pair};
 use super::{Comparison, Picture};
@@ -14,10 +14,9 @@ pub fn page(
     commands: &dyn Fn([u32; 2]) -> Vec<String>,
 ) -> String {
     let title = names.map(escaped).join(" and ");
-    let tone = Tone { exposure: 1.0, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
     let [a, b] = &comparison.names;
     let (names, shown) = ([&**a, &**b], pictures.map(Picture::radiance));
-    let pair = Pair { names, pictures, shown, tone, comparison, commands };
+    let pair = Pair { names, pictures, shown, tone: Tone::SCREEN, comparison, commands };
     let words = escaped(&comparison.to_string());
     let body = format!("<h1>{title}</h1>\n<pre>{words}</pre>\n{}", pair.html());
     html::page(&title, &[pair::STYLE], &body)

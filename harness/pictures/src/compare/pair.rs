@@ -4,14 +4,14 @@
 use std::fmt::Write;
 
 use groundtruth::explain::count;
-use groundtruth::film::{Film, OutOfGamut, Tone, data_uri};
+use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::rgb::Rgb;
 
 use super::differences::{Differences, NOT_A_NUMBER};
 use super::{Comparison, Picture, Region};
 use crate::html::escaped;
 
-/// The rules for a pair, for the style of its page.
+/// The rules for a pair and for a map with frames, for the style of their page.
 pub const STYLE: &str = "\
 img { display: block; image-rendering: pixelated; }
 .flip, .swipe { position: relative; width: max-content; border: 1px solid #999; }
@@ -25,7 +25,9 @@ resize: horizontal; border-right: 2px solid #f80; }
 .row img { width: 24em; border: 1px solid #999; }
 .zoom img { width: 16em; border: 0; }
 .zoom figure { position: relative; height: max-content; }
-.zoom i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
+.zoom i, .map i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
+.map { position: relative; width: max-content; max-width: 100%; }
+.map img { width: 40em; max-width: 100%; border: 1px solid #999; }
 code { font-size: 90%; user-select: all; overflow-wrap: anywhere; }
 ";
 
@@ -53,6 +55,15 @@ pub struct Pair<'a> {
     pub comparison: &'a Comparison,
     /// The commands that explain a pixel.
     pub commands: &'a dyn Fn([u32; 2]) -> Vec<String>,
+}
+
+/// Two pictures of radiance, one over the other, and their differences; nothing if their sizes differ.
+pub fn views(names: [&str; 2], pictures: [&Picture; 2]) -> String {
+    let Ok(comparison) = Comparison::of(pictures[0], pictures[1], 0.0) else {
+        return String::new();
+    };
+    let (shown, commands) = (pictures.map(Picture::radiance), &|_| Vec::new());
+    Pair { names, pictures, shown, tone: Tone::SCREEN, comparison: &comparison, commands }.views()
 }
 
 impl Pair<'_> {
@@ -95,10 +106,9 @@ impl Pair<'_> {
         );
         let differences =
             Differences::of(self.pictures[0], self.pictures[1], self.comparison.tolerance);
-        let plain = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
         for share in SCALES {
             let largest = differences.within(share);
-            let data = data_uri(&differences.film(largest), &plain);
+            let data = data_uri(&differences.film(largest), &Tone::PLAIN);
             let percent = 100.0 * share;
             let _ = writeln!(
                 html,

@@ -7,9 +7,7 @@ use oracle::Answer;
 use oracle::hard::{self, Family};
 
 use super::{FamilyData, Routine};
-use exact::backward_error::{
-    ALLOWED, Pair, by_the_book, is_decided, ours, pair, ray, span, t_error,
-};
+use exact::backward_error::{ALLOWED, Pair, by_the_book, is_decided, pair, ray, span, t_error};
 use exact::composites;
 use groundtruth::math::{Ray, Span};
 use groundtruth::shapes::Shape;
@@ -103,7 +101,7 @@ impl Subject {
 
 impl Question {
     fn of_one(family: Family, shape: &oracle::Shape, exact_ray: &oracle::Ray) -> Option<Self> {
-        let textbook = by_the_book(&ours(shape)?.0)?;
+        let textbook = by_the_book(&exact::our_shape(shape)?)?;
         let Pair { ours, exact } = pair(shape)?;
         let ray = ray(exact_ray);
         let span = span(family, &*ours, &ray);

@@ -50,7 +50,7 @@ fn textbook_forms_are_right_on_ordinary_rays() {
     for kind in Kind::ALL {
         let mut tally = Tally::default();
         for (shape, ray) in cases(kind, Family::Ordinary, 31, 300) {
-            let (kind, _) = backward_error::ours(&shape).expect("it is valid");
+            let kind = exact::our_shape(&shape).expect("it is valid");
             let book = backward_error::by_the_book(&kind).expect("it is valid");
             tally.ask(&*book, &ray, &oracle::intersect(&shape, &ray), RIGHT);
         }

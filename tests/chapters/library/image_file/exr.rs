@@ -3,14 +3,11 @@
 use std::path::PathBuf;
 
 use formats::images::decode_layer;
-use groundtruth::film::{self, OutOfGamut, Tone};
+use groundtruth::film::{self, Tone};
 use pictures::compare::Picture;
 
 use super::*;
 use crate::prelude::*;
-
-/// A tone that changes nothing: EXR files store radiance.
-const PLAIN: Tone = Tone { exposure: 1.0, gamma: 1.0, out_of_gamut: OutOfGamut::MaxToOne };
 
 fn exr(name: &str, width: u32, height: u32, color: impl Fn(u32, u32) -> Rgb) -> Vec<u8> {
     let mut picture = Film::new(width, height);
@@ -20,7 +17,7 @@ fn exr(name: &str, width: u32, height: u32, color: impl Fn(u32, u32) -> Rgb) -> 
         }
     }
     let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("image-{name}.exr"));
-    film::write(&picture, &PLAIN, &path).expect("the folder can be written to");
+    film::write(&picture, &Tone::PLAIN, &path).expect("the folder can be written to");
     std::fs::read(&path).expect("it was written")
 }
 
