@@ -38,7 +38,7 @@ fn an_unrendered_pixel_is_not_shown_as_black() {
     assert!(window.query_by_label("this pixel is not rendered yet").is_some());
 
     let rendering = &window.state().session.rendering;
-    rendering.canvas.render(&rendering.world);
+    rendering.canvas.render(&*rendering.world);
     assert!(rendering.canvas.look(|film| film.get(GROUND)) == Rgb::BLACK);
     settle(&mut window);
     let black = groundtruth::explain::short(Rgb::BLACK);
@@ -82,7 +82,7 @@ fn what_is_not_rendered_is_hatched() {
     drop(window);
     let mut window = dark_window_not_begun();
     let rendering = &window.state().session.rendering;
-    rendering.canvas.render(&rendering.world);
+    rendering.canvas.render(&*rendering.world);
     // a zoom too small for the pixel grid
     window.state_mut().picture.set_zoom([48, 48], 6.0);
     settle(&mut window);
