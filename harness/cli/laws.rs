@@ -13,7 +13,7 @@ use super::{Exit, Outcome, interrupt, output, print, progress};
 
 #[derive(Args)]
 pub struct Laws {
-    /// Only lobes whose names match, as 'ggx*'; all that the program lists, if left out
+    /// Only those whose names match, as 'ggx*'; all that the program lists, if left out
     only: Option<glob::Pattern>,
     /// Of the cases
     #[arg(long, default_value_t = 1, value_parser = whole::<u64>(0..=u64::MAX))]
@@ -21,7 +21,7 @@ pub struct Laws {
     /// A seed that nobody has seen; the card prints it
     #[arg(long, conflicts_with = "seed")]
     fresh: bool,
-    /// Cases of each lobe
+    /// Cases of each lobe, light or map
     #[arg(long, value_name = "N", default_value_t = 8, value_parser = whole::<usize>(1..=10_000))]
     cases: usize,
     /// Write the results for continuous integration (JUnit's XML)
@@ -59,7 +59,7 @@ impl Laws {
         };
         let seed = if self.fresh { fresh_seed() } else { self.seed };
         let options = Options { cases: self.cases, seed };
-        let style = "{bar:30} {pos} of {len} lobes  {wide_msg}";
+        let style = "{bar:30} {pos} of {len}  {wide_msg}";
         let bar = progress::bar(lobes.len() as u64, style);
         let card = claims::run(&mut program, &lobes, options, &mut |name| {
             bar.inc(1);
@@ -80,7 +80,7 @@ impl Laws {
             lobes.iter().map(|lobe| printable::name(&lobe.name).to_string()).collect();
         lobes.retain(|lobe| self.only.as_ref().is_none_or(|only| only.matches(&lobe.name)));
         match lobes.is_empty() {
-            true => Err(format!("no lobe matches; the program lists {}", names.join(", ")).into()),
+            true => Err(format!("nothing matches; the program lists {}", names.join(", ")).into()),
             false => Ok(lobes),
         }
     }

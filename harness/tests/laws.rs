@@ -2,7 +2,7 @@
 
 use std::process::{Command, Output};
 
-use claims::LAWS;
+use claims::{Kind, Law};
 use serde_json::Value;
 
 use super::structure::{read, root};
@@ -19,21 +19,24 @@ fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// Law: the command that docs/laws.md shows prints what it shows, and its table has every law. Oracle: the document.
+/// Law: the commands that docs/laws.md shows print what it shows, and its tables have every law. Oracle: the document.
 #[test]
 fn the_document_shows_what_is_printed() {
     let page = read(&root().join("docs/laws.md"));
-    for law in &LAWS {
+    for law in Kind::ALL.into_iter().flat_map(Law::of) {
         let row = format!("| {} | {} | {} |", law.name, law.sentence, law.cause);
         assert!(page.contains(&row.replace("|cos θi|", "\\|cos θi\\|")), "no row for {}", law.name);
     }
-    let (_, block) = page.split_once("$ groundtruth laws ").expect("an example");
-    let (line, rest) = block.split_once('\n').expect("a line");
-    let (shown, _) = rest.split_once("```").expect("the end of the block");
-    let arguments: Vec<&str> = line.split(' ').collect();
-    let output = laws(&arguments);
-    assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
-    assert_eq!(text(&output.stdout), shown);
+    let blocks: Vec<&str> = page.split("$ groundtruth laws ").skip(1).collect();
+    assert_eq!(blocks.len(), 2, "an example of a lobe, and one of a light");
+    for block in blocks {
+        let (line, rest) = block.split_once('\n').expect("a line");
+        let (shown, _) = rest.split_once("```").expect("the end of the block");
+        let arguments: Vec<&str> = line.split(' ').collect();
+        let output = laws(&arguments);
+        assert_eq!(output.status.code(), Some(1), "{}", text(&output.stderr));
+        assert_eq!(text(&output.stdout), shown);
+    }
 }
 
 /// Law: right lobes exit with 0, and files and JSON say so; a mistake exits with 1, nothing that can be judged with 2.
@@ -48,7 +51,7 @@ fn the_exit_status_says_whether_a_law_is_broken() {
         laws(&[&few[..], &["--json", "-o", shown_page, "--junit", shown_junit], &bsdfs].concat());
     assert_eq!(right.status.code(), Some(0), "{}", text(&right.stderr));
     let json: Value = serde_json::from_slice(&right.stdout).expect("JSON");
-    assert_eq!(json["lobes"][0]["failed"], Value::Bool(false));
+    assert_eq!(json["subjects"][0]["failed"], Value::Bool(false));
     assert!(read(&page).contains("no law is broken by 1 lobe"));
     assert!(read(&junit).contains("testcase"));
     let wrong = laws(&[&few[..], &bsdfs, &["cosine", "twice"]].concat());

@@ -7,15 +7,19 @@ use pictures::xml::held;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use serde_json::{Value, json};
 
-use crate::laws::{Breach, LAWS, Law};
-use crate::lobe::Trouble;
+use crate::asked::Trouble;
+use crate::description::Kind;
+use crate::laws::{Breach, Law};
 use crate::run::{Broken, Card, Row, Status};
+use crate::setting::Setting;
 
 /// The verdict in one sentence, and the card below it.
 pub fn text(card: &Card) -> String {
     let mut text = format!("{}\n\n", verdict(card));
-    let width = card.rows.iter().map(|row| row.name.chars().count()).max().unwrap_or(0).max(4);
-    let _ = writeln!(text, "{:width$}  held  undecided  broken", "lobe");
+    let width = card.rows.iter().map(|row| row.name.chars().count()).max().unwrap_or(0);
+    let word = word(&card.rows);
+    let width = width.max(word.len());
+    let _ = writeln!(text, "{word:width$}  held  undecided  broken");
     for row in &card.rows {
         let held = row.laws.iter().filter(|status| matches!(status, Status::Holds(_))).count();
         let open = row.laws.iter().filter(|it| matches!(it, Status::Undecided(_))).count();
@@ -33,7 +37,7 @@ pub fn text(card: &Card) -> String {
 impl Card {
     /// All of it, for programs.
     pub fn json(&self) -> Value {
-        let law = |(law, status): (&Law, &Status)| {
+        let law = |kind: Kind, law: &Law, status: &Status| {
             let mut entry = json!({"law": law.name});
             match status {
                 Status::Holds(cases) => {
@@ -43,25 +47,33 @@ impl Card {
                 Status::Undecided(why) => {
                     (entry["status"], entry["why"]) = ("undecided".into(), why.as_str().into())
                 }
-                Status::Broken(Broken { parameters, wo, breach }) => {
+                Status::Broken(Broken { setting, breach }) => {
+                    let Setting { parameters, seen } = setting;
                     let Breach { found, expected, mistake, questions } = breach;
                     entry = json!({
                         "law": law.name, "status": "broken", "sentence": law.sentence, "cause": law.cause,
                         "found": found, "expected": expected, "mistake": mistake, "parameters": parameters,
-                        "wo": wo, "questions": questions,
+                        "questions": questions,
                     });
+                    if let Some(seen) = seen {
+                        entry[kind.seen_from()] = json!(seen);
+                    }
                 }
             }
             entry
         };
         let row = |row: &Row| {
-            let laws: Vec<Value> = LAWS.iter().zip(&row.laws).map(law).collect();
-            let trouble = row.trouble.as_ref().map(Trouble::text);
-            json!({"lobe": row.name, "laws": laws, "trouble": trouble, "failed": row.is_failed()})
+            let laws = Law::of(row.kind).iter().zip(&row.laws);
+            let laws: Vec<Value> = laws.map(|(it, status)| law(row.kind, it, status)).collect();
+            let (kind, trouble) = (row.kind.word(), row.trouble.as_ref().map(Trouble::text));
+            json!({
+                "name": row.name, "kind": kind, "laws": laws, "trouble": trouble,
+                "failed": row.is_failed(),
+            })
         };
         json!({
             "verdict": verdict(self), "seed": self.seed, "tests": self.tests, "whole": self.is_whole,
-            "lobes": self.rows.iter().map(row).collect::<Vec<_>>(),
+            "subjects": self.rows.iter().map(row).collect::<Vec<_>>(),
         })
     }
 }
@@ -69,11 +81,11 @@ impl Card {
 /// One sentence.
 fn verdict(card: &Card) -> String {
     let broken: Vec<&Row> = card.rows.iter().filter(|row| row.is_failed()).collect();
-    let (all, seed) = (card.rows.len(), card.seed);
+    let seed = card.seed;
     let rest = format!("seed {seed}, {} tests of chance", card.tests);
     match &broken[..] {
         [] if !card.is_judged() => format!("nothing could be decided ({rest})"),
-        [] => format!("no law is broken by {} ({rest})", counted(all)),
+        [] => format!("no law is broken by {} ({rest})", counted(&card.rows)),
         [row, ..] => {
             let what = match row.broken().next() {
                 Some((law, broken)) => {
@@ -82,16 +94,22 @@ fn verdict(card: &Card) -> String {
                 }
                 None => format!("{} does not answer", row.name),
             };
-            format!("{what} ({} of {} broken; {rest})", broken.len(), counted(all))
+            format!("{what} ({} of {} broken; {rest})", broken.len(), counted(&card.rows))
         }
     }
 }
 
-fn counted(lobes: usize) -> String {
-    if lobes == 1 { "1 lobe".to_owned() } else { format!("{lobes} lobes") }
+/// What all of them are: a kind, or subjects of several.
+fn word(rows: &[Row]) -> &'static str {
+    let first = rows.first().map_or(Kind::Lobe, |row| row.kind);
+    if rows.iter().all(|row| row.kind == first) { first.word() } else { "subject" }
 }
 
-/// What is wrong with a lobe: each broken law, the one to begin with first.
+fn counted(rows: &[Row]) -> String {
+    format!("{} {}{}", rows.len(), word(rows), if rows.len() == 1 { "" } else { "s" })
+}
+
+/// What is wrong with a subject: each broken law, the one to begin with first.
 fn details(row: &Row) -> String {
     let mut text = String::new();
     if let Some(trouble) = row.trouble.as_ref().filter(|it| **it != Trouble::Interrupted) {
@@ -100,12 +118,13 @@ fn details(row: &Row) -> String {
         let _ = writeln!(text, "\n{}: {what}: {}", row.name, trouble.text());
     }
     for (law, broken) in row.broken() {
-        let Broken { parameters, wo, breach } = broken;
+        let Broken { setting: Setting { parameters, seen }, breach } = broken;
         let parameters = Value::from(parameters.clone());
+        let seen = seen.map_or(String::new(), |at| format!(", {} = {at:?}", row.kind.seen_from()));
         let _ = writeln!(text, "\n{} breaks \"{}\": {}", row.name, law.name, law.sentence);
         let _ = writeln!(text, "  found       {}", breach.found);
         let _ = writeln!(text, "  expected    {}", breach.expected);
-        let _ = writeln!(text, "  parameters  {parameters}, wo = {wo:?}");
+        let _ = writeln!(text, "  parameters  {parameters}{seen}");
         match &breach.mistake {
             Some(mistake) => {
                 let _ = writeln!(text, "  mistake     {mistake}");
@@ -124,13 +143,31 @@ fn details(row: &Row) -> String {
 /// The page for a program with this command line.
 pub fn page(card: &Card, command: &str) -> String {
     let title = format!("laws: {}", escaped(command));
-    let mut html =
-        format!("<h1>{title}</h1>\n<p>{}</p>\n<table>\n<tr><th>lobe</th>", escaped(&verdict(card)));
-    for law in &LAWS {
+    let mut html = format!("<h1>{title}</h1>\n<p>{}</p>\n", escaped(&verdict(card)));
+    for kind in Kind::ALL {
+        html += &table(card, kind);
+    }
+    for row in &card.rows {
+        let details = details(row);
+        if !details.is_empty() {
+            let _ = writeln!(html, "<pre>{}</pre>", escaped(details.trim()));
+        }
+    }
+    html::page(&title, &[html::LINES, html::CARD], &html)
+}
+
+/// The table of a kind; nothing if there is none of it.
+fn table(card: &Card, kind: Kind) -> String {
+    let mut rows = card.rows.iter().filter(|row| row.kind == kind).peekable();
+    if rows.peek().is_none() {
+        return String::new();
+    }
+    let mut html = format!("<table>\n<tr><th>{}</th>", kind.word());
+    for law in Law::of(kind) {
         let _ = write!(html, "<th title=\"{}\">{}</th>", escaped(law.sentence), law.name);
     }
     html += "</tr>\n";
-    for row in &card.rows {
+    for row in rows {
         let _ = write!(html, "<tr><td>{}</td>", escaped(&row.name));
         for status in &row.laws {
             let (class, word) = match status {
@@ -143,22 +180,15 @@ pub fn page(card: &Card, command: &str) -> String {
         }
         html += "</tr>\n";
     }
-    html += "</table>\n";
-    for row in &card.rows {
-        let details = details(row);
-        if !details.is_empty() {
-            let _ = writeln!(html, "<pre>{}</pre>", escaped(details.trim()));
-        }
-    }
-    html::page(&title, &[html::LINES, html::CARD], &html)
+    html + "</table>\n"
 }
 
-/// JUnit's XML: a suite for each lobe, a case for each law.
+/// JUnit's XML: a suite for each subject, a case for each law.
 pub fn junit(card: &Card, command: &str) -> String {
     let mut report = Report::new(held(&format!("groundtruth laws -- {command}")));
     for row in &card.rows {
         let mut suite = TestSuite::new(held(&row.name));
-        for (law, status) in LAWS.iter().zip(&row.laws) {
+        for (law, status) in Law::of(row.kind).iter().zip(&row.laws) {
             let status = match (status, &row.trouble) {
                 (Status::Broken(broken), _) => {
                     let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);

@@ -1,11 +1,13 @@
-//! A case: a lobe with parameters, a viewer, and what may be expected of its numbers.
+//! A case of a lobe: parameters, a viewer, and what may be expected of its numbers.
 
 use exact::Draw;
-use groundtruth::math::{Frame, Normal, Vector};
+use groundtruth::math::Vector;
 
+use crate::asked::{Numbers, Trouble};
 use crate::description::{Claims, Sides};
 use crate::laws::Integrated;
-use crate::lobe::{Evaluated, Lobe, Numbers, Sampled, Trouble};
+use crate::lobe::{Lobe, Sampled};
+use crate::measured::{Measured, UNITS, measured};
 
 /// A lobe with parameters and a viewer.
 pub struct Case<'a> {
@@ -24,22 +26,6 @@ pub struct Case<'a> {
     /// Counts and integrals that several laws need.
     pub integrated: Option<Integrated>,
 }
-
-/// Values in a direction, and by how much they change within the rounding of directions.
-#[derive(Clone, Copy, Debug)]
-pub struct Measured {
-    /// The direction that the light comes from.
-    pub wi: Vector,
-    /// The values.
-    pub value: Evaluated,
-    /// What rounding may do to the channels of f.
-    pub f_slack: [f64; 3],
-    /// What rounding may do to the density.
-    pub pdf_slack: f64,
-}
-
-/// A rounding of so many units is always granted.
-const UNITS: f64 = 64.0;
 
 impl Case<'_> {
     /// The index on the side of a direction over the one above the surface.
@@ -85,31 +71,12 @@ impl Case<'_> {
         (0..count).map(|_| direction()).collect()
     }
 
-    /// The values in these directions, seen from `wo`, and what rounding may do to them: directions are moved by twice
-    /// the square root of the unit of rounding. To first order that is more than the rounding of a direction; to second
-    /// order, near a peak of width α, it changes a value by u/α², which is what cancellation in `1 − cos² θ` costs.
+    /// The values in these directions, seen from `wo`, and what rounding may do to them.
     ///
     /// # Errors
     /// Says why there are none.
     pub fn measured(&mut self, wo: Vector, wi: &[Vector]) -> Result<Vec<Measured>, Trouble> {
-        let step = 2.0 * self.rounding.sqrt();
-        let around = |wi: &Vector| {
-            let frame = Frame::around(Normal::new(*wi).unwrap_or(Normal::Z));
-            let moved = |by: Vector| (*wi + step * by).unit().unwrap_or(*wi);
-            [*wi, moved(frame.u), moved(-frame.u), moved(frame.v), moved(-frame.v)]
-        };
-        let asked: Vec<Vector> = wi.iter().flat_map(around).collect();
-        let values = self.lobe.eval(wo, &asked)?;
-        let measured = |(wi, values): (&Vector, &[Evaluated])| {
-            let value = values[0];
-            let slack = |of: &dyn Fn(&Evaluated) -> f64| {
-                let middle = of(&value);
-                let moved = values.iter().map(|it| (of(it) - middle).abs()).fold(0.0, f64::max);
-                moved + UNITS * self.rounding * middle.abs()
-            };
-            let f_slack = std::array::from_fn(|k| slack(&|it| it.f[k]));
-            Measured { wi: *wi, value, f_slack, pdf_slack: slack(&|it| it.pdf) }
-        };
-        Ok(wi.iter().zip(values.chunks(5)).map(measured).collect())
+        let lobe = &mut self.lobe;
+        measured(wi, self.rounding, |wi| lobe.eval(wo, wi))
     }
 }

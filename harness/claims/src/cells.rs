@@ -265,7 +265,7 @@ pub struct Samples<'a> {
 
 /// The integrals of N functions over each cell; the first of them is the density of the samples. A piece is divided in
 /// four until that changes its integral by no more than a sixteenth of the tolerances and explains the samples in the four, or
-/// `budget` values are spent. `values` gives the functions in many directions.
+/// `budget` values are spent, and half as many where it has not settled then. `values` gives the functions in many directions.
 ///
 /// # Errors
 /// Those of `values`.
@@ -288,7 +288,9 @@ pub fn integrals<const N: usize, E>(
     let mut open = measured(&cells.frame, begun.collect(), values)?;
     let mut spent = open.len() * NODES.len() * NODES.len();
     let mut is_steady = true;
-    while !open.is_empty() && spent < budget {
+    // the search for spikes takes no more than the budget: what does not settle has half of it more
+    while !open.is_empty() && (spent < budget || !is_steady && spent < budget + budget / 2) {
+        let is_searched = spent < budget;
         let quarters = open.iter().flat_map(|(part, _)| part.quarters()).collect();
         let finer = measured(&cells.frame, quarters, values)?;
         spent += finer.len() * NODES.len() * NODES.len();
@@ -302,7 +304,8 @@ pub fn integrals<const N: usize, E>(
             let is_settled = (0..N).all(|k| error[k] <= tolerances[k] / 16.0);
             is_steady &= is_settled;
             let drawn = samples.drawn as f64;
-            if is_settled && !quarters.iter().any(|(it, value)| it.is_crowded(drawn * value[0])) {
+            let is_crowded = || quarters.iter().any(|(it, value)| it.is_crowded(drawn * value[0]));
+            if is_settled && !(is_searched && is_crowded()) {
                 found[part.of].add(value, error);
             } else {
                 still_open.extend(quarters);

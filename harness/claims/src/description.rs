@@ -1,4 +1,4 @@
-//! What a program says of a lobe: its parameters, and what it claims.
+//! What a program says of a subject: its kind, its parameters, and what it claims.
 
 use std::collections::BTreeMap;
 
@@ -7,15 +7,59 @@ use libm::{exp, log};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 
-/// A lobe as the program lists it.
+use crate::domain::Domain;
+
+/// What a subject is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Kind {
+    /// A lobe: BRDF, BTDF or BSDF.
+    #[default]
+    Lobe,
+    /// A light with some extent.
+    Light,
+    /// A map from the unit square.
+    Map,
+}
+
+impl Kind {
+    /// All of them.
+    pub const ALL: [Self; 3] = [Self::Lobe, Self::Light, Self::Map];
+
+    /// Its name in lists and questions.
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Lobe => "lobe",
+            Self::Light => "light",
+            Self::Map => "map",
+        }
+    }
+
+    /// The name in questions of what a case is seen from.
+    pub fn seen_from(self) -> &'static str {
+        match self {
+            Self::Lobe => "wo",
+            Self::Light => "from",
+            Self::Map => "",
+        }
+    }
+}
+
+/// A subject as the program lists it.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Description {
     /// Its name, which questions repeat.
     pub name: String,
+    /// What it is.
+    #[serde(default)]
+    pub kind: Kind,
     /// From where the parameters of cases are drawn.
     #[serde(default)]
     pub parameters: BTreeMap<String, Values>,
+    /// Two corners of a box: a light is asked from points in it.
+    #[serde(default)]
+    pub points: Option<[[f64; 3]; 2]>,
     /// What it claims.
     #[serde(default)]
     pub claims: Claims,
@@ -36,7 +80,7 @@ pub enum Values {
     },
 }
 
-/// What a lobe claims. A claim that is left out is not held against it.
+/// What a subject claims. A claim that is left out is not held against it.
 #[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Claims {
@@ -58,6 +102,28 @@ pub struct Claims {
     pub delta: bool,
     /// `sample` draws numbers of its own and does not look at `u`.
     pub random: bool,
+    /// Both sides of a light shine.
+    pub two_sided: bool,
+    /// A light is infinitely far away in all directions.
+    pub infinite: bool,
+    /// The measure in which the points of a light are drawn alike from everywhere.
+    pub sampling: Option<Sampling>,
+    /// What a map covers.
+    pub domain: Option<Domain>,
+    /// A map has an `inverse`.
+    pub invertible: bool,
+    /// Stratified points stay stratified in a map.
+    pub stratified: bool,
+}
+
+/// How the points of a light are drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Sampling {
+    /// With a density of area that does not depend on the point that is lit.
+    Area,
+    /// Uniformly in solid angle.
+    SolidAngle,
 }
 
 /// Where the light comes from that a viewer sees.
@@ -133,6 +199,37 @@ impl Description {
                 ));
             }
         }
+        self.problem_of_kind().or_else(|| self.problem_of_index())
+    }
+
+    /// A claim that is none of its kind, or one that it needs.
+    fn problem_of_kind(&self) -> Option<String> {
+        let Claims { two_sided, infinite, sampling, domain, invertible, stratified, .. } =
+            self.claims;
+        let of_light = two_sided || infinite || sampling.is_some();
+        let of_map = domain.is_some() || invertible || stratified;
+        let is_box = |[low, high]: [[f64; 3]; 2]| {
+            low.iter().zip(&high).all(|(a, b)| a.is_finite() && b.is_finite() && a <= b)
+        };
+        let problem = match self.kind {
+            Kind::Light if !self.points.is_some_and(is_box) => {
+                "a light needs `points`, the lowest and the highest corner of a box: it is asked from points in it"
+            }
+            Kind::Map if domain.is_none() => {
+                "a map claims its `domain`: square, disk, triangle, hemisphere or sphere"
+            }
+            Kind::Lobe | Kind::Map if of_light => {
+                "two_sided, infinite and sampling are claims of lights"
+            }
+            Kind::Lobe | Kind::Light if of_map => {
+                "domain, invertible and stratified are claims of maps"
+            }
+            _ => return None,
+        };
+        Some(problem.to_owned())
+    }
+
+    fn problem_of_index(&self) -> Option<String> {
         let is_positive = |x: f64| x > 0.0 && x.is_finite();
         match self.claims.eta.as_ref()? {
             Index::Number(eta) if is_positive(*eta) => None,
@@ -144,6 +241,15 @@ impl Description {
             },
         }
     }
+}
+
+/// A point in a box, in coordinates of few digits.
+pub fn point_within([low, high]: [[f64; 3]; 2], draw: &mut Draw) -> [f64; 3] {
+    [0, 1, 2].map(|axis| {
+        let text = format!("{:.*e}", DIGITS - 1, draw.between(low[axis], high[axis]));
+        let drawn: f64 = text.parse().expect("a printed number can be read");
+        drawn.clamp(low[axis], high[axis])
+    })
 }
 
 /// A number of few digits between two ends.

@@ -1,22 +1,30 @@
-//! Whether the lobes of a program are what they claim to be: no answer of ours is needed.
+//! Whether the lobes, lights and maps of a program are what they claim to be: no answer of ours is needed.
 //!
-//! A program lists its [lobes](Description) with the ranges of their parameters and what it claims of them. It then
-//! answers two questions about each: the value and the density in directions, and samples for random numbers. The
-//! [laws](LAWS) hold these answers against each other.
+//! A program lists its [subjects](Description) with the ranges of their parameters and what it claims of them. It then
+//! answers two or three questions about each: the value and the density in directions, and samples for random numbers.
+//! The [laws](Law::of) of each kind hold these answers against each other.
 
+mod asked;
 mod card;
 mod case;
 pub mod cells;
 mod description;
+mod domain;
 mod language;
 mod laws;
+mod light;
 mod lobe;
+mod map;
+mod measured;
 mod naming;
 mod run;
+mod setting;
 
+pub use asked::Trouble;
 pub use card::{junit, page, text};
-pub use description::{Claims, Description, Index, Sides, Values};
+pub use description::{Claims, Description, Index, Kind, Sampling, Sides, Values};
+pub use domain::Domain;
 pub use language::Language;
-pub use laws::{Breach, LAWS, Law};
-pub use lobe::Trouble;
+pub use laws::{Breach, Law};
 pub use run::{Broken, Card, Options, Row, Status, listed, run};
+pub use setting::Setting;

@@ -1,16 +1,14 @@
-//! A run: every lobe in several cases, each case held to every law; and what chance may have done.
-
-use std::f64::consts::PI;
+//! A run: every subject in several cases, each case held to every law; and what chance may have done.
 
 use conform::Subject;
 use exact::Draw;
-use groundtruth::math::{Vector, cos, hash, sin};
-use serde_json::{Map, Value, json};
+use groundtruth::math::hash;
+use serde_json::json;
 
-use crate::case::Case;
-use crate::description::Description;
-use crate::laws::{Breach, Finding, LAWS, Law};
-use crate::lobe::{Lobe, Trouble, answer};
+use crate::asked::{Trouble, answer};
+use crate::description::{Description, Kind};
+use crate::laws::{Breach, Finding, Law};
+use crate::setting::{Case, Setting};
 
 /// The probability that chance calls any right lobe of a card wrong, before it is asked again.
 const LEVEL: f64 = 1e-2;
@@ -44,10 +42,8 @@ pub enum Status {
 /// The first case in which a law is broken.
 #[derive(Clone, Debug)]
 pub struct Broken {
-    /// The parameters of the lobe.
-    pub parameters: Map<String, Value>,
-    /// The direction to the viewer.
-    pub wo: [f64; 3],
+    /// The parameters, and from where it is seen.
+    pub setting: Setting,
     /// What was found.
     pub breach: Breach,
 }
@@ -57,7 +53,9 @@ pub struct Broken {
 pub struct Row {
     /// Its name.
     pub name: String,
-    /// Of each of [`LAWS`].
+    /// What it is.
+    pub kind: Kind,
+    /// Of each law of the kind.
     pub laws: Vec<Status>,
     /// Why it could not be judged further, if so.
     pub trouble: Option<Trouble>,
@@ -66,7 +64,7 @@ pub struct Row {
 impl Row {
     /// The laws that it breaks.
     pub fn broken(&self) -> impl Iterator<Item = (&'static Law, &Broken)> {
-        self.laws.iter().zip(&LAWS).filter_map(|(status, law)| match status {
+        self.laws.iter().zip(Law::of(self.kind)).filter_map(|(status, law)| match status {
             Status::Broken(broken) => Some((law, broken)),
             _ => None,
         })
@@ -121,7 +119,7 @@ pub fn listed(subject: &mut dyn Subject) -> Result<Vec<Description>, Trouble> {
     let list: Vec<Description> =
         serde_json::from_value(list).map_err(|error| refused(error.to_string()))?;
     if list.is_empty() {
-        return Err(refused("it names no lobe".to_owned()));
+        return Err(refused("it names nothing".to_owned()));
     }
     for (index, lobe) in list.iter().enumerate() {
         if list[..index].iter().any(|other| other.name == lobe.name) {
@@ -210,7 +208,7 @@ impl Judge<'_> {
             true => Status::Holds(0),
             false => Status::NotClaimed,
         };
-        let mut laws: Vec<Status> = LAWS.iter().map(status).collect();
+        let mut laws: Vec<Status> = Law::of(self.lobe.kind).iter().map(status).collect();
         let mut trouble = None;
         for case in 0..self.options.cases {
             if let Err(found) = self.case(case, &mut laws) {
@@ -223,29 +221,29 @@ impl Judge<'_> {
                 *status = Status::Undecided("no case was asked".to_owned());
             }
         }
-        Row { name: self.lobe.name.clone(), laws, trouble }
+        Row { name: self.lobe.name.clone(), kind: self.lobe.kind, laws, trouble }
     }
 
     /// Holds one case to all laws that are not broken yet.
     fn case(&mut self, index: usize, laws: &mut [Status]) -> Result<(), Trouble> {
         let (lobe, options, row) = (self.lobe, self.options, self.row);
-        let mut case = case(self.subject, lobe, options.seed, index);
-        let parameters = parameters(lobe, options.seed, index);
-        for (number, (law, status)) in LAWS.iter().zip(laws).enumerate() {
+        let (setting, draw) = Setting::drawn(lobe, options.seed, index);
+        let mut case = Case::new(self.subject, lobe, &setting, draw);
+        for (number, (law, status)) in Law::of(lobe.kind).iter().zip(laws).enumerate() {
             if matches!(status, Status::Broken(_) | Status::NotClaimed) {
                 continue;
             }
-            let mut finding = (law.check)(&mut case, 1)?;
+            let mut finding = law.check(&mut case, 1)?;
             if let Finding::Chance(p, _) = finding
                 && p <= AT_ONCE
             {
-                case.integrated = None;
-                finding = match (law.check)(&mut case, AGAIN)? {
+                case.forget();
+                finding = match law.check(&mut case, AGAIN)? {
                     Finding::Chance(p, breach) if p <= AT_ONCE => Finding::Broken(breach),
                     Finding::Chance(..) => Finding::Holds,
                     other => other,
                 };
-                case.integrated = None;
+                case.forget();
             }
             match finding {
                 Finding::Holds => count(status),
@@ -259,8 +257,7 @@ impl Judge<'_> {
                     }
                 }
                 Finding::Broken(breach) => {
-                    let (parameters, wo) = (parameters.clone(), case.wo.to_array());
-                    *status = Status::Broken(Broken { parameters, wo, breach });
+                    *status = Status::Broken(Broken { setting: setting.clone(), breach });
                 }
             }
         }
@@ -270,19 +267,15 @@ impl Judge<'_> {
     /// What became of a law of chance that seemed broken, with more samples; `None` if it holds.
     fn again(&mut self, law: usize, index: usize, tests: usize) -> Result<Option<Status>, Trouble> {
         let seed = self.options.seed;
-        let mut case = case(self.subject, self.lobe, seed, index);
-        case.draw = Draw::new(hash(&[seed, index as u64, law as u64]));
-        Ok(match (LAWS[law].check)(&mut case, AGAIN)? {
-            Finding::Chance(p, breach) if p < LEVEL / tests.max(1) as f64 => {
-                Some((breach, case.wo))
-            }
-            Finding::Broken(breach) => Some((breach, case.wo)),
+        let (setting, _) = Setting::drawn(self.lobe, seed, index);
+        let draw = Draw::new(hash(&[seed, index as u64, law as u64]));
+        let mut case = Case::new(self.subject, self.lobe, &setting, draw);
+        let breach = match Law::of(self.lobe.kind)[law].check(&mut case, AGAIN)? {
+            Finding::Chance(p, breach) if p < LEVEL / tests.max(1) as f64 => Some(breach),
+            Finding::Broken(breach) => Some(breach),
             _ => None,
-        }
-        .map(|(breach, wo)| {
-            let parameters = parameters(self.lobe, seed, index);
-            Status::Broken(Broken { parameters, wo: wo.to_array(), breach })
-        }))
+        };
+        Ok(breach.map(|breach| Status::Broken(Broken { setting, breach })))
     }
 }
 
@@ -291,38 +284,5 @@ fn count(status: &mut Status) {
     match status {
         Status::Holds(cases) => *cases += 1,
         other => *other = Status::Holds(1),
-    }
-}
-
-fn parameters(lobe: &Description, seed: u64, index: usize) -> Map<String, Value> {
-    lobe.parameters(index, &mut Draw::case(seed, index))
-}
-
-/// The angles, in degrees, that viewers of the first cases have with the normal: easy ones first.
-const EASY: [f64; 5] = [45.0, 45.0, 10.0, 75.0, 89.0];
-
-/// The case of an index.
-fn case<'a>(
-    subject: &'a mut dyn Subject,
-    lobe: &'a Description,
-    seed: u64,
-    index: usize,
-) -> Case<'a> {
-    let parameters = parameters(lobe, seed, index);
-    let mut draw = Draw::new(hash(&[seed, index as u64]));
-    let whole = |low: f64, high: f64, draw: &mut Draw| draw.between(low, high).floor();
-    let angle = EASY.get(index).copied().unwrap_or_else(|| whole(0.0, 88.0, &mut draw));
-    let azimuth = if index == 0 { 0.0 } else { whole(0.0, 360.0, &mut draw) };
-    let [theta, phi] = [angle, azimuth].map(|degrees| degrees * PI / 180.0);
-    let side = if lobe.claims.from_below && index % 2 == 1 { -1.0 } else { 1.0 };
-    let wo = Vector::new(sin(theta) * cos(phi), sin(theta) * sin(phi), side * cos(theta));
-    Case {
-        eta: lobe.eta(&parameters),
-        lobe: Lobe::new(subject, &lobe.name, parameters),
-        claims: &lobe.claims,
-        rounding: lobe.rounding(),
-        wo,
-        draw,
-        integrated: None,
     }
 }

@@ -1,8 +1,12 @@
-//! The laws of lobes: right lobes keep them, and mistakes break them.
+//! The laws of lobes, lights and maps: right ones keep them, and mistakes break them.
 
 mod cells;
+mod claimed;
+mod kinds;
+mod lamps;
 mod mistakes;
 mod protocol;
 mod right;
 mod scattering;
+mod squares;
 mod subject;

@@ -24,7 +24,7 @@ fn refused(list: &Value) -> String {
 #[test]
 fn bad_lists_are_refused() {
     for (list, words) in [
-        (json!([]), "names no lobe"),
+        (json!([]), "names nothing"),
         (json!([{"name": "a"}, {"name": "a"}]), "`a` is listed twice"),
         (json!([{"name": "a", "parameters": {"x": [2, 1]}}]), "parameter `x`"),
         (json!([{"name": "a", "parameters": {"x": {"one_of": []}}}]), "parameter `x`"),

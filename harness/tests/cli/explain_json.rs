@@ -62,6 +62,7 @@ fn documented() -> BTreeMap<String, BTreeSet<String>> {
 /// Scenes and pixels that together have almost every field.
 const ASKED: &[&[&str]] = &[
     &["ch28/glass-sphere", "200,150"],
+    &["ch28/glass-sphere", "200,150", "--mistake", "fresnel-transmits-all"],
     &["ch10/near-focus", "100,100", "--all"],
     &["ch18/rectangle", "40,40"],
     &["ch26/cornell-box", "100,100", "--samples", "4"],

@@ -1,14 +1,16 @@
-//! Laws of integrals: of the density, and of the light that is scattered.
+//! Laws of integrals: of the density, and of the light that is scattered or arrives.
 
 use groundtruth::math::Vector;
 use statistics::chi_square::goodness_of_fit;
 use statistics::means;
 
+use super::directed::{Directed, Drawn};
 use super::{Breach, Finding};
+use crate::asked::Trouble;
 use crate::case::Case;
 use crate::cells::{Cells, Integral, Integrals, Samples, integrals};
-use crate::lobe::{Sampled, Trouble};
-use crate::naming::FACTORS;
+use crate::light::LightCase;
+use crate::naming::constant;
 
 /// Samples that place the cells, and samples that are counted.
 const PLACING: usize = 2048;
@@ -21,7 +23,7 @@ const DEPTH: u32 = 5;
 const BUDGET: usize = 400_000;
 /// Groups of samples whose mean weights are compared.
 const GROUPS: usize = 64;
-/// The density times these factors is tried where the density itself does not fit: the first so many of [`FACTORS`].
+/// The density times these factors is tried where the density itself does not fit: the first so many of its kind.
 const TRIED: usize = 8;
 /// pdf; three channels of f |cos θi|; and the density times each factor.
 const INTEGRANDS: usize = 4 + TRIED;
@@ -45,74 +47,64 @@ pub struct Integrated {
     integrals: Integrals<INTEGRANDS>,
 }
 
-impl Case<'_> {
-    /// What f and weights are multiplied with for the energy of light: radiance over the square of the index stays the
-    /// same across a boundary, radiance does not.
-    fn invariant(&self, wi: Vector) -> f64 {
-        let ratio = self.index_at(wi) / self.index_at(self.wo);
-        ratio * ratio
+/// What is counted and integrated once for all laws that need it.
+fn integrated(case: &mut impl Directed, scale: usize) -> Result<&Integrated, Trouble> {
+    if case.integrated().as_ref().is_none_or(|it| it.scale != scale) {
+        *case.integrated() = Some(integrate(case, scale)?);
     }
+    Ok(case.integrated().as_ref().expect("just set"))
+}
 
-    /// What is counted and integrated once for all laws that need it.
-    fn integrated(&mut self, scale: usize) -> Result<&Integrated, Trouble> {
-        if self.integrated.as_ref().is_none_or(|it| it.scale != scale) {
-            self.integrated = Some(self.integrate(scale)?);
+fn integrate<C: Directed>(case: &mut C, scale: usize) -> Result<Integrated, Trouble> {
+    let placing = case.drawn(PLACING)?;
+    let placing: Vec<Vector> = placing.iter().filter_map(with_density).map(|it| it.w).collect();
+    let cells = Cells::around(&placing, DEPTH);
+    let samples = case.drawn(COUNTED * scale)?;
+    let mut counts = vec![0; cells.all.len()];
+    let mut directions = Vec::with_capacity(samples.len());
+    for (index, sample) in samples.iter().enumerate() {
+        let Some(sample) = with_density(sample) else { continue };
+        counts[cells.index(sample.w)] += 1;
+        // more do not make the integrals better, only dearer
+        if index < GUIDING {
+            directions.push(sample.w);
         }
-        Ok(self.integrated.as_ref().expect("just set"))
     }
-
-    fn integrate(&mut self, scale: usize) -> Result<Integrated, Trouble> {
-        let placing = self.samples(PLACING)?;
-        let placing: Vec<Vector> =
-            placing.iter().filter_map(with_density).map(|it| it.wi).collect();
-        let cells = Cells::around(&placing, DEPTH);
-        let samples = self.samples(COUNTED * scale)?;
-        let mut counts = vec![0; cells.all.len()];
-        let mut directions = Vec::with_capacity(samples.len());
-        for (index, sample) in samples.iter().enumerate() {
-            let Some(sample) = with_density(sample) else { continue };
-            // a direction in the surface is on the side that is served
-            let wi = match self.is_level(sample.wi) && !self.is_served(sample.wi) {
-                true => Vector::new(sample.wi.x(), sample.wi.y(), -sample.wi.z()),
-                false => sample.wi,
-            };
-            counts[cells.index(wi)] += 1;
-            // more do not make the integrals better, only dearer
-            if index < GUIDING {
-                directions.push(wi);
-            }
-        }
-        let has_deltas = samples.iter().flatten().any(|it| it.pdf.is_none());
-        let weights = samples.chunks(samples.len().div_ceil(GROUPS)).map(|group| {
-            let scattered = group.iter().flatten();
-            let weights = scattered.map(|it| it.weight.map(|w| w * self.invariant(it.wi)));
-            let sum = weights.fold([0.0; 3], |sum, w| std::array::from_fn(|k| sum[k] + w[k]));
-            sum.map(|sum| sum / group.len() as f64)
+    let has_deltas = samples.iter().flatten().any(|it| !it.has_density);
+    let weights = samples.chunks(samples.len().div_ceil(GROUPS)).map(|group| {
+        let weights = group.iter().flatten().map(|it| it.weight);
+        let sum = weights.fold([0.0; 3], |sum, w| std::array::from_fn(|k| sum[k] + w[k]));
+        sum.map(|sum| sum / group.len() as f64)
+    });
+    let weights = weights.collect();
+    // a tenth of the noise of a count, as a probability; not less where more are counted, or the edge of a lamp would
+    // never be known so well: its pieces' errors are added as if all had one sign
+    let drawn = COUNTED as f64;
+    let tolerance = 0.1 * (drawn / f64::from(1_u32 << DEPTH)).sqrt() / drawn;
+    let size = case.size(&weights);
+    let tolerances = std::array::from_fn(|k| match k {
+        0 => tolerance,
+        1..4 => tolerance * size,
+        _ => f64::INFINITY,
+    });
+    let mut values = |w: &[Vector]| {
+        let integrands = case.values(w)?.into_iter().map(|it| {
+            std::array::from_fn(|k| match k {
+                0 => it.pdf,
+                1..4 => it.f[k - 1],
+                _ => {
+                    let value = it.pdf * (C::FACTORS[k - 4].value)(&it.given);
+                    // of what a program does not tell nothing is tried
+                    if value.is_finite() { value } else { 0.0 }
+                }
+            })
         });
-        let weights = weights.collect();
-        // a tenth of the noise of a count, as a probability
-        let drawn = samples.len() as f64;
-        let tolerance = 0.1 * (drawn / f64::from(1_u32 << DEPTH)).sqrt() / drawn;
-        let tolerances = std::array::from_fn(|k| if k < 4 { tolerance } else { f64::INFINITY });
-        let (wo, eta) = (self.wo, self.eta);
-        let invariant: [f64; 2] = [1.0, -1.0].map(|z| self.invariant(z * Vector::Z));
-        let lobe = &mut self.lobe;
-        let mut values = |wi: &[Vector]| {
-            let values = lobe.eval(wo, wi)?.into_iter().zip(wi);
-            let integrands = values.map(|(it, wi)| {
-                std::array::from_fn(|k| match k {
-                    0 => it.pdf,
-                    1..4 => it.f[k - 1] * wi.z().abs() * invariant[usize::from(wi.z() < 0.0)],
-                    _ => it.pdf * (FACTORS[k - 4].value)(wo, *wi, eta),
-                })
-            });
-            Ok::<_, Trouble>(integrands.collect())
-        };
-        let guide = Samples { drawn: samples.len().min(GUIDING), directions: &directions };
-        let integrals = integrals(&cells, guide, tolerances, BUDGET, &mut values)?;
-        let (scattered, drawn) = (counts.iter().sum(), samples.len() as u64);
-        Ok(Integrated { scale, counts, scattered, drawn, weights, has_deltas, integrals })
-    }
+        Ok::<_, Trouble>(integrands.collect())
+    };
+    let guide = Samples { drawn: samples.len().min(GUIDING), directions: &directions };
+    let integrals = integrals(&cells, guide, tolerances, BUDGET, &mut values)?;
+    let (scattered, drawn) = (counts.iter().sum(), samples.len() as u64);
+    Ok(Integrated { scale, counts, scattered, drawn, weights, has_deltas, integrals })
 }
 
 impl Integrated {
@@ -128,21 +120,39 @@ impl Integrated {
         }
     }
 
+    /// The mean weight of a channel, and the probability of one as far from an integral that is known to an error.
+    fn mean(&self, k: usize, value: f64, error: f64) -> (f64, f64) {
+        let groups: Vec<f64> = self.weights.iter().map(|mean| mean[k]).collect();
+        let mean = groups.iter().sum::<f64>() / groups.len() as f64;
+        if (mean - value).abs() <= error {
+            return (mean, 1.0);
+        }
+        // the nearest value that the integral may have
+        (mean, means::one_sample(&groups, mean.clamp(value - error, value + error)))
+    }
+
     /// The factor with which the density fits the counts, in its whole too if that is asked.
-    fn factor(&self, share: Option<f64>) -> Option<String> {
+    fn factor<C: Directed>(&self, share: Option<f64>) -> Option<String> {
+        let named = |name: &str| format!("the pdf fits the samples if it is multiplied by {name}");
+        // a narrow peak fits whatever is smooth: constants are tried first, then what has the right whole
+        if let Some(share) = share
+            && self.fit(0) > 1e-3
+            && let Some(name) = constant(share / self.integrals.whole.value[0], 0.01)
+        {
+            return Some(named(name));
+        }
         let is_whole = |k: usize| {
             let whole = self.integrals.whole.value[k];
             share.is_none_or(|share| (whole - share).abs() <= 0.01)
         };
         let fits = |k: &usize| is_whole(*k) && self.fit(*k) > 1e-3;
-        let name = FACTORS[(4..INTEGRANDS).find(fits)? - 4].name;
-        Some(format!("the pdf fits the samples if it is multiplied by {name}"))
+        (4..INTEGRANDS).find(fits).map(|k| named(C::FACTORS[k - 4].name))
     }
 }
 
-/// A sample that has a density, and a direction: the law of sides tells of those that have none.
-fn with_density(sample: &Option<Sampled>) -> Option<Sampled> {
-    sample.filter(|it| it.pdf.is_some() && it.wi.to_array().iter().all(|x| x.is_finite()))
+/// A sample that has a density, and a direction: another law tells of those that have none.
+fn with_density(sample: &Option<Drawn>) -> Option<Drawn> {
+    sample.filter(|it| it.has_density && it.w.to_array().iter().all(|x| x.is_finite()))
 }
 
 /// What is said of integrals that did not settle.
@@ -151,9 +161,9 @@ fn unsettled() -> Finding {
     Finding::Undecided(why)
 }
 
-pub fn whole(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
-    let questions = vec![case.lobe.sample_question(case.wo, &[[0.5; 4]])];
-    let it = case.integrated(scale)?;
+pub fn whole<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Trouble> {
+    let questions = vec![case.example()];
+    let it = integrated(case, scale)?;
     if !it.integrals.is_known {
         return Ok(unsettled());
     }
@@ -163,7 +173,7 @@ pub fn whole(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
     let breach = Breach {
         found: format!("∫ pdf = {value:.5} ± {error:.0e}"),
         expected: format!("{share:.5}, the share of samples that have a density"),
-        mistake: if is_right { None } else { it.factor(Some(share)) },
+        mistake: if is_right { None } else { it.factor::<C>(Some(share)) },
         questions,
     };
     if value > 1.0 + error + GRANTED {
@@ -178,9 +188,9 @@ pub fn whole(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
     Ok(Finding::Chance(p, breach))
 }
 
-pub fn density(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
-    let questions = vec![case.lobe.sample_question(case.wo, &[[0.5; 4]])];
-    let it = case.integrated(scale)?;
+pub fn density<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Trouble> {
+    let questions = vec![case.example()];
+    let it = integrated(case, scale)?;
     if !it.integrals.is_known {
         return Ok(unsettled());
     }
@@ -207,24 +217,23 @@ pub fn density(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
                 it.counts.len()
             ),
             expected: format!("{:.1} by the pdf", it.scattered as f64 * cell.value[0] / whole),
-            mistake: if p < 1e-3 { it.factor(None) } else { None },
+            mistake: if p < 1e-3 { it.factor::<C>(None) } else { None },
             questions,
         },
     ))
 }
 
 pub fn albedo(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
-    let questions = vec![case.lobe.sample_question(case.wo, &[[0.5; 4]])];
+    let questions = vec![case.example()];
     let is_lossless = case.claims.lossless;
     if case.claims.delta {
-        let samples = case.samples(COUNTED / 16 * scale)?;
+        let samples = case.drawn(COUNTED / 16 * scale)?;
         let weight = |k: usize| -> Vec<f64> {
-            let of = |it: &Sampled| it.weight[k] * case.invariant(it.wi);
-            samples.iter().map(|it| it.as_ref().map_or(0.0, of)).collect()
+            samples.iter().map(|it| it.as_ref().map_or(0.0, |it| it.weight[k])).collect()
         };
         return Ok(conserved([0, 1, 2].map(|k| (weight(k), 0.0)), is_lossless, questions));
     }
-    let it = case.integrated(scale)?;
+    let it = integrated(case, scale)?;
     let groups = |k: usize| it.weights.iter().map(|mean| mean[k]).collect::<Vec<f64>>();
     if it.has_deltas {
         return Ok(conserved([0, 1, 2].map(|k| (groups(k), GRANTED)), is_lossless, questions));
@@ -248,13 +257,7 @@ pub fn albedo(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
         if is_lossless && value < 1.0 - error {
             return Ok(Finding::Broken(breach("1, as is claimed: nothing is lost".to_owned())));
         }
-        let mean = groups(k).iter().sum::<f64>() / it.weights.len() as f64;
-        if (mean - value).abs() <= error {
-            continue;
-        }
-        // the nearest value that the integral may have
-        let nearest = mean.clamp(value - error, value + error);
-        let p = means::one_sample(&groups(k), nearest);
+        let (mean, p) = it.mean(k, value, error);
         if p < least.0 {
             least = (p, Some(breach(format!("{mean:.5}, the mean weight of samples"))));
         }
@@ -291,4 +294,36 @@ fn conserved(
         (p, Some(breach)) => Finding::Chance(p, breach),
         _ => Finding::Holds,
     }
+}
+
+/// The light that arrives at a point: its mean by samples, and its integral.
+pub fn arriving(case: &mut LightCase<'_>, scale: usize) -> Result<Finding, Trouble> {
+    let questions = vec![case.example()];
+    let it = integrated(case, scale)?;
+    if !it.integrals.is_known {
+        return Ok(unsettled());
+    }
+    if it.has_deltas {
+        let why = "some samples are of single directions, which have no integral".to_owned();
+        return Ok(Finding::Undecided(why));
+    }
+    let whole = it.integrals.whole;
+    let mut least = Finding::Holds;
+    for k in 0..3 {
+        let value = whole.value[1 + k];
+        let (mean, p) = it.mean(k, value, whole.error[1 + k] + GRANTED * value);
+        if p < 1.0 && !matches!(least, Finding::Chance(other, _) if other <= p) {
+            least = Finding::Chance(
+                p,
+                Breach {
+                    found: format!("the mean of radiance / pdf = {mean:.5e} in channel {k}"),
+                    expected: format!("{value:.5e}, the integral of the radiance"),
+                    mistake: constant(mean / value, 0.01)
+                        .map(|name| format!("what is found is {name} times what is expected")),
+                    questions: questions.clone(),
+                },
+            );
+        }
+    }
+    Ok(least)
 }

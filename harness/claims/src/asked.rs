@@ -1,0 +1,109 @@
+//! A subject under questions: its name and parameters, as they stand in each question, and why there is no answer.
+
+use conform::{Reply, Subject, number, numbers};
+use serde_json::{Map, Value, json};
+
+use crate::description::Kind;
+
+/// Directions, points or lists of random numbers in one question.
+pub const BATCH: usize = 1000;
+
+/// Random numbers that a sample may use: two for the direction, two more to choose and to terminate.
+pub type Numbers = [f64; 4];
+
+/// A subject of the program, with parameters.
+pub struct Asked<'a> {
+    subject: &'a mut dyn Subject,
+    /// The name and the parameters.
+    of: Value,
+}
+
+/// Why there is no answer to be judged.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Trouble {
+    /// The program does not do this.
+    Unsupported(String),
+    /// It refuses, or its answer is not of the form that is needed.
+    Refused(String),
+    /// It hung, died, or wrote what nobody can read.
+    Fault(String),
+    /// The run was interrupted.
+    Interrupted,
+}
+
+impl Trouble {
+    /// The program's words, or what happened.
+    pub fn text(&self) -> &str {
+        match self {
+            Self::Unsupported(text) | Self::Refused(text) | Self::Fault(text) => text,
+            Self::Interrupted => "interrupted",
+        }
+    }
+}
+
+impl<'a> Asked<'a> {
+    /// The subject of this kind and name, with these parameters.
+    pub fn new(
+        subject: &'a mut dyn Subject,
+        (kind, name): (Kind, &str),
+        parameters: &Map<String, Value>,
+    ) -> Self {
+        Self { subject, of: json!({kind.word(): name, "parameters": parameters}) }
+    }
+
+    /// The question of this name about these data.
+    pub fn question<const N: usize>(&self, name: &str, data: [(&str, Value); N]) -> Value {
+        let mut fields = self.of.clone();
+        for (key, value) in data {
+            fields[key] = value;
+        }
+        json!({name: fields})
+    }
+
+    /// The answers, in the order of the questions.
+    ///
+    /// # Errors
+    /// Says why there are none.
+    pub fn answers(&mut self, questions: &[Value]) -> Result<Vec<Value>, Trouble> {
+        self.subject.ask(questions).into_iter().map(answer).collect()
+    }
+}
+
+/// The answer of a reply.
+///
+/// # Errors
+/// Says why there is none.
+pub fn answer(reply: Reply) -> Result<Value, Trouble> {
+    match reply {
+        Reply::Answer(value) => Ok(value),
+        Reply::Refused(why) => Err(Trouble::Refused(why)),
+        Reply::Unsupported(why) => Err(Trouble::Unsupported(why)),
+        Reply::Fault(fault) => Err(Trouble::Fault(fault.text().to_owned())),
+        Reply::NotAsked => Err(Trouble::Interrupted),
+    }
+}
+
+/// A list of so many values, which is the answer, or a field of it.
+///
+/// # Errors
+/// Says what is there instead.
+pub fn list<'v>(value: &'v Value, name: &str, count: usize) -> Result<&'v [Value], Trouble> {
+    let found = value.as_array().filter(|list| list.len() == count);
+    let problem = || Trouble::Refused(format!("{name} is no list of {count} values"));
+    Ok(found.ok_or_else(problem)?.as_slice())
+}
+
+/// Three channels, or one number for all of them.
+pub fn color(value: &Value) -> Option<[f64; 3]> {
+    number(value).map(|x| [x; 3]).or_else(|| numbers(value)?.try_into().ok())
+}
+
+/// What was read of a value, or the words that it is none.
+///
+/// # Errors
+/// Names the field and what stands there.
+pub fn needed<T>(found: Option<T>, key: &str, value: &Value) -> Result<T, Trouble> {
+    found.ok_or_else(|| {
+        Trouble::Refused(format!("`{key}` is {value}, which is no number of its form"))
+    })
+}
