@@ -8,7 +8,7 @@ use groundtruth::scene::Scene;
 use serde::Serialize;
 
 use super::columns::wrapped;
-use super::mistakes::MistakeArgument;
+use super::mistake::MistakeArgument;
 use super::numbers::whole;
 use super::scene::SceneArguments;
 use super::{Outcome, print};

@@ -18,6 +18,7 @@ mod kinds;
 mod laws;
 mod list;
 mod merge;
+mod mistake;
 mod mistakes;
 mod numbers;
 mod output;

@@ -1,69 +1,23 @@
 //! `groundtruth mistakes`.
 
-use std::error::Error;
-use std::path::Path;
+use std::path::PathBuf;
 
 use clap::Args;
-use groundtruth::scene::Scene;
 use groundtruth::similar;
-use judge::mistakes::known::Known;
-use judge::mistakes::{self, Cover, Mistake, Mistaken, table};
+use judge::mistakes::{self, Cover, Mistake, table};
 
-use super::scene::SceneArguments;
-use super::{Outcome, print, progress};
-
-/// A known mistake with which a picture is rendered or explained.
-#[derive(Args)]
-pub struct MistakeArgument {
-    /// As a program with this known mistake does it (`mistakes` lists them)
-    #[arg(long, value_name = "NAME", value_parser = named)]
-    mistake: Option<&'static Mistake>,
-}
-
-impl MistakeArgument {
-    /// The name of the mistake, if there is one.
-    pub fn name(&self) -> Option<&'static str> {
-        self.mistake.map(|mistake| mistake.name)
-    }
-
-    /// The program with the mistake, if there is one, on the scene that was read by these arguments.
-    ///
-    /// # Errors
-    /// The mistake does not apply to the scene.
-    pub fn mistaken(
-        &self,
-        arguments: &SceneArguments,
-        scene: &Scene,
-    ) -> Result<Option<Mistaken>, Box<dyn Error>> {
-        let Some(mistake) = self.mistake else { return Ok(None) };
-        let folder = arguments.folder().unwrap_or(Path::new(""));
-        let mistaken = Mistaken::new(mistake, scene, folder, arguments.seed())?;
-        let refused = || {
-            let Mistake { known: Known { name, words, .. }, .. } = mistake;
-            format!(
-                "the scene has nothing that {name} changes ({words}); `groundtruth mistakes {name}` lists scenes \
-                 that show it"
-            )
-        };
-        Ok(Some(mistaken.ok_or_else(refused)?))
-    }
-}
-
-/// The mistake of this name.
-fn named(name: &str) -> Result<&'static Mistake, String> {
-    let names: Vec<&str> = mistakes::all().iter().map(|mistake| mistake.name).collect();
-    mistakes::find(name).ok_or_else(|| {
-        let similar = similar::did_you_mean(name, &names);
-        format!("no known mistake has this name (`groundtruth mistakes` lists them){similar}")
-    })
-}
+use super::{Outcome, mistake, print, progress};
 
 #[derive(Args)]
 pub struct Mistakes {
-    /// A scene of the gallery: the mistakes that it shows, and those that it does not; or a chapter, such as
-    /// ch28: few scenes that show all its mistakes. All mistakes if left out
-    #[arg(value_name = "SCENE|CHAPTER")]
+    /// A mistake: what is done wrong, where the book has it right, and how it looks; a scene of the gallery: the
+    /// mistakes that it shows, and those that it does not; or a chapter, such as ch28: few scenes that show all its
+    /// mistakes. All mistakes if left out
+    #[arg(value_name = "MISTAKE|SCENE|CHAPTER")]
     name: Option<String>,
+    /// Of a mistake: write the picture of a scene that shows it, the right one on the left, the wrong one on the right
+    #[arg(short, long, value_name = "FILE", requires = "name")]
+    output: Option<PathBuf>,
     /// Print everything as one page of Markdown: docs/mistakes.md
     #[arg(long, conflicts_with_all = ["name", "table"])]
     page: bool,
@@ -82,9 +36,13 @@ impl Mistakes {
         }
         match &self.name {
             None => print(&listed(&mistakes::all())),
-            Some(name) => match chapter(name) {
-                Some(number) => print(&of_chapter(number)?),
-                None => print(&of_scene(name)?),
+            Some(name) => match (mistakes::find(name), chapter(name)) {
+                (Some(mistake), _) => mistake::told(mistake, self.output.as_deref()),
+                (None, _) if self.output.is_some() => {
+                    Err(format!("-o: a picture is of one mistake, and {name} is none").into())
+                }
+                (None, Some(number)) => print(&of_chapter(number)?),
+                (None, None) => print(&of_scene(name)?),
             },
         }
     }
@@ -138,11 +96,15 @@ fn of_scene(scene: &str) -> Result<String, String> {
     Ok(text)
 }
 
-/// What is said of a name that the gallery does not have.
-fn unknown(scene: &str) -> String {
-    let names: Vec<&str> = gallery::scenes().map(|entry| entry.name).collect();
-    let similar = similar::did_you_mean(scene, &names);
-    format!("no scene `{scene}` in the gallery (`groundtruth list` shows it){similar}")
+/// What is said of a name that neither the gallery nor the catalogue has.
+fn unknown(name: &str) -> String {
+    let scenes = gallery::scenes().map(|entry| entry.name);
+    let names: Vec<&str> = scenes.chain(mistakes::all().iter().map(|it| it.name)).collect();
+    let similar = similar::did_you_mean(name, &names);
+    format!(
+        "no scene of the gallery (`groundtruth list`) and no mistake (`groundtruth mistakes`) is called \
+         `{name}`{similar}"
+    )
 }
 
 /// Measures all scenes, with the progress on a terminal.

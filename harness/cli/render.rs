@@ -14,7 +14,7 @@ use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
-use super::mistakes::MistakeArgument;
+use super::mistake::MistakeArgument;
 use super::numbers::whole;
 use super::output;
 use super::part::PartOf;

@@ -240,8 +240,8 @@ const ERRORS: &[(&[&str], &str)] = &[
     ),
     (
         &["mistakes", "glass-sphere"],
-        "error: no scene `glass-sphere` in the gallery (`groundtruth list` shows it); did you mean \
-         `ch28/glass-sphere`?",
+        "error: no scene of the gallery (`groundtruth list`) and no mistake (`groundtruth mistakes`) is called \
+         `glass-sphere`; did you mean `ch28/glass-sphere`?",
     ),
     (
         &["mistakes", "ch07"],
@@ -293,6 +293,10 @@ fn good_commands_have_status_0() {
         &["mistakes"],
         &["mistakes", "ch28"],
         &["mistakes", "ch28/glass-sphere"],
+        &["mistakes", "no-fall-off", "-o", "c.png"],
+        // the commands that it prints
+        &["render", "ch18/fake-spherical", "--mistake", "no-fall-off", "-o", "d.png"],
+        &["explain", "ch18/fake-spherical", "9,9", "--size", "16x16", "--mistake", "no-fall-off"],
         &["mistakes", "--page"],
         &["render", "ch03/single-sphere", "-o", "a.png", small[0], small[1]],
         &["render", "ch03/single-sphere", "-o", "b.exr", small[0], small[1], "--crop", "8,6,8x6"],
@@ -310,7 +314,7 @@ fn good_commands_have_status_0() {
     }
     let mut files = files_in(folder.path());
     files.sort();
-    assert_eq!(files, ["a.png", "b.exr"]);
+    assert_eq!(files, ["a.png", "b.exr", "c.png", "d.png"]);
 }
 
 #[test]
@@ -331,7 +335,7 @@ fn help_speaks_of_every_option() {
         ("export", &["--output", "--replace"]),
         ("describe", &["another renderer", "formulas"]),
         ("kinds", &["--page", "--schema", "docs/scene.md"]),
-        ("mistakes", &["--page", "--table", "docs/mistakes.md"]),
+        ("mistakes", &["--page", "--table", "--output", "docs/mistakes.md"]),
         ("probe", &["docs/probe.md"]),
     ] {
         let run = run_in(Path::new("."), &[command, "--help"]);

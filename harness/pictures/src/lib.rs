@@ -1,6 +1,7 @@
 //! What all that judges pictures shares: [`compare`] holds two pictures against each other, [`sums`] adds replicas
 //! exactly, [`running`] runs another renderer with a time limit; and text for [`html`], [`xml`], the [`shell`] and readers.
 
+mod blocks;
 pub mod compare;
 pub mod html;
 pub mod percent;
@@ -11,5 +12,6 @@ pub mod shell;
 pub mod sums;
 pub mod xml;
 
+pub use blocks::blocks;
 pub use pixel::parse_pixel;
 pub use provenance::provenance;

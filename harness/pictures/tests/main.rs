@@ -1,5 +1,6 @@
 //! Laws of pictures: how two are compared, exact sums of replicas, and texts that others read.
 
+mod blocks;
 mod compare;
 mod html;
 mod percent;

@@ -7,6 +7,7 @@
 //! People make one mistake in several forms ([`Mistake::form`]); and a mistake of a scene may be in one material alone
 //! ([`local`]).
 
+mod beside;
 mod changes;
 mod films;
 mod glass_terms;
@@ -29,6 +30,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use known::Known;
 
+pub use beside::Beside;
 pub use films::{Films, films, pixel};
 pub use mistaken::Mistaken;
 pub use observed::{ObservedRay, ObservedSurface, ObservedTerm};

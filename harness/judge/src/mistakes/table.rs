@@ -32,19 +32,7 @@ pub struct Effect {
 impl Effect {
     /// The effect of replacing a picture by another of its size.
     pub fn of(ours: &Film, theirs: &Film) -> Self {
-        let channels = |film: &Film| -> Vec<[f64; 3]> {
-            film.pixels().iter().map(|pixel| pixel.to_array()).collect()
-        };
-        let (ours, theirs) = (channels(ours), channels(theirs));
-        let mean = ours.iter().flatten().sum::<f64>() / (3 * ours.len()) as f64;
-        let change = |(a, b): (&[f64; 3], &[f64; 3])| {
-            let relative = |i: usize| match (b[i] - a[i]).abs() {
-                0.0 => 0.0,
-                difference => difference / a[i].max(mean),
-            };
-            relative(0).max(relative(1)).max(relative(2))
-        };
-        let changes: Vec<f64> = ours.iter().zip(&theirs).map(change).collect();
+        let changes = changes(ours, theirs);
         let count = changes.iter().filter(|change| **change > CHANGE).count();
         let largest = changes.iter().copied().fold(0.0, f64::max);
         Self { share: count as f64 / changes.len() as f64, largest }
@@ -56,12 +44,33 @@ impl Effect {
     }
 }
 
+/// The largest relative change of a channel of each pixel of a picture that is replaced by another of its size.
+pub(super) fn changes(ours: &Film, theirs: &Film) -> Vec<f64> {
+    let channels = |film: &Film| -> Vec<[f64; 3]> {
+        film.pixels().iter().map(|pixel| pixel.to_array()).collect()
+    };
+    let (ours, theirs) = (channels(ours), channels(theirs));
+    let mean = ours.iter().flatten().sum::<f64>() / (3 * ours.len()) as f64;
+    let change = |(a, b): (&[f64; 3], &[f64; 3])| {
+        let relative = |i: usize| match (b[i] - a[i]).abs() {
+            0.0 => 0.0,
+            difference => difference / a[i].max(mean),
+        };
+        relative(0).max(relative(1)).max(relative(2))
+    };
+    ours.iter().zip(&theirs).map(change).collect()
+}
+
 /// A scene in the size of the table.
 pub fn small(entry: &Entry) -> Scene {
-    let mut scene = (entry.build)();
+    sized((entry.build)(), WIDTH)
+}
+
+/// A scene so many pixels wide, with few samples.
+pub fn sized(mut scene: Scene, width: u32) -> Scene {
     let image = &mut scene.image;
-    let height = (u64::from(image.height) * u64::from(WIDTH)).div_ceil(u64::from(image.width));
-    image.resize(WIDTH, height.max(1) as u32);
+    let height = (u64::from(image.height) * u64::from(width)).div_ceil(u64::from(image.width));
+    image.resize(width, height.max(1) as u32);
     image.samples = image.samples.min(SAMPLES);
     scene
 }

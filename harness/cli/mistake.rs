@@ -1,0 +1,128 @@
+//! One known mistake: as an argument of commands, and told.
+
+use std::error::Error;
+use std::fmt::Write;
+use std::io::{IsTerminal, stdout};
+use std::path::Path;
+
+use clap::Args;
+use groundtruth::film;
+use groundtruth::printable;
+use groundtruth::scene::Scene;
+use groundtruth::similar;
+use groundtruth::world::{DEFAULT_SEED, World};
+use judge::mistakes::known::Known;
+use judge::mistakes::table::{CHANGE, sized};
+use judge::mistakes::{self, Beside, Mistake, Mistaken, Pair};
+
+use super::scene::SceneArguments;
+use super::{Outcome, output};
+
+/// A known mistake with which a picture is rendered or explained.
+#[derive(Args)]
+pub struct MistakeArgument {
+    /// As a program with this known mistake does it (`mistakes` lists them)
+    #[arg(long, value_name = "NAME", value_parser = named)]
+    mistake: Option<&'static Mistake>,
+}
+
+impl MistakeArgument {
+    /// The name of the mistake, if there is one.
+    pub fn name(&self) -> Option<&'static str> {
+        self.mistake.map(|mistake| mistake.name)
+    }
+
+    /// The program with the mistake, if there is one, on the scene that was read by these arguments.
+    ///
+    /// # Errors
+    /// The mistake does not apply to the scene.
+    pub fn mistaken(
+        &self,
+        arguments: &SceneArguments,
+        scene: &Scene,
+    ) -> Result<Option<Mistaken>, Box<dyn Error>> {
+        let Some(mistake) = self.mistake else { return Ok(None) };
+        let folder = arguments.folder().unwrap_or(Path::new(""));
+        let mistaken = Mistaken::new(mistake, scene, folder, arguments.seed())?;
+        let refused = || {
+            let Mistake { known: Known { name, words, .. }, .. } = mistake;
+            format!(
+                "the scene has nothing that {name} changes ({words}); `groundtruth mistakes {name}` lists scenes \
+                 that show it"
+            )
+        };
+        Ok(Some(mistaken.ok_or_else(refused)?))
+    }
+}
+
+/// The mistake of this name.
+fn named(name: &str) -> Result<&'static Mistake, String> {
+    let names: Vec<&str> = mistakes::all().iter().map(|mistake| mistake.name).collect();
+    mistakes::find(name).ok_or_else(|| {
+        let similar = similar::did_you_mean(name, &names);
+        format!("no known mistake has this name (`groundtruth mistakes` lists them){similar}")
+    })
+}
+
+/// The width of the pictures of a mistake, and of both in characters of a terminal.
+const WIDTH: u32 = 152;
+const COLUMNS: u32 = 80;
+/// So many scenes that show it are named.
+const NAMED: usize = 3;
+
+/// Prints what is done wrong, where the book has it right, and how it looks; and writes the picture of it.
+pub fn told(mistake: &'static Mistake, file: Option<&Path>) -> Outcome {
+    let format = file.map(|file| output::format(file, None)).transpose()?;
+    file.map_or(Ok(()), output::writable)?;
+    let Known { name, chapter, words, place, .. } = mistake.known;
+    let mut text = format!("{name} (ch. {chapter}): {words}\n  right        {place}\n");
+    for form in mistakes::forms().into_iter().filter(|it| it.name == *name) {
+        let _ = form.form.map(|form| writeln!(text, "  also         …, {form}"));
+    }
+    let scenes = mistakes::scenes_that_show(mistake);
+    let Some(best) = scenes.first() else {
+        return Err(format!("{text}no scene of the gallery shows it").into());
+    };
+    let named: Vec<String> = scenes.iter().take(NAMED).map(|it| seen_in(it)).collect();
+    let _ = writeln!(text, "  seen best in {} (of {} scenes)", named.join(", "), scenes.len());
+    let entry = gallery::find(best.scene).expect("the table is of the gallery");
+    let scene = sized((entry.build)(), WIDTH);
+    let beside = Beside::of(mistake, &scene, Path::new(""), DEFAULT_SEED)?;
+    let beside = beside.expect("the table says that it is seen");
+    let ([x, y], effect) = (beside.most_changed(), beside.effect());
+    let size = format!("{}x{}", scene.image.width, scene.image.height);
+    let at_this_size = format!("--size {size} --samples {}", scene.image.samples);
+    let _ = writeln!(
+        text,
+        "\nIn {} at {size}, {:.0} % of the pixels change by more than {:.0} %, most that at {x},{y}:\n",
+        best.scene,
+        100.0 * effect.share,
+        100.0 * CHANGE,
+    );
+    let (joined, tone) = (beside.joined(), scene.image.tone());
+    if stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none() {
+        text += &(pictures::blocks(&joined, &tone, COLUMNS) + "\n");
+    }
+    let _ = writeln!(text, "  groundtruth render {} --mistake {name} -o wrong.png", best.scene);
+    let _ = writeln!(
+        text,
+        "  groundtruth explain {} {x},{y} {at_this_size} --mistake {name}",
+        best.scene
+    );
+    if let (Some(file), Some(format)) = (file, format) {
+        let world = World::build(&scene)?;
+        let mut made =
+            pictures::provenance((Some(entry), &scene), (&scene, &world), Path::new(""))?;
+        made.part = Some("the right picture, and beside it the wrong one".to_owned());
+        made.mistake = Some((*name).to_owned());
+        output::write(file, &film::encode(&joined, &tone, format, &made)?)?;
+        let file = printable::name(&file.display().to_string());
+        let _ = writeln!(text, "\n{file}: the right picture, and beside it the wrong one");
+    }
+    output::say(&text, file)
+}
+
+/// `ch28/glass-sphere (62 %)`.
+fn seen_in(pair: &Pair) -> String {
+    format!("{} ({:.0} %)", pair.scene, 100.0 * pair.effect.share)
+}
