@@ -10,6 +10,7 @@ mod columns;
 mod compare;
 mod conform;
 mod describe;
+mod exercise;
 mod explain;
 mod export;
 mod goldens;
@@ -108,6 +109,11 @@ enum Command {
     /// docs/mistakes.md has all of them. A picture that agrees with ours says nothing of mistakes that its scene does
     /// not show.
     Mistakes(mistakes::Mistakes),
+    /// Make an exercise for a class: pictures of wrong programs, a sheet to fill in, and the key
+    ///
+    /// Each picture was rendered with one known mistake of the chapter. The sheet (HTML, A4) shows it beside the right
+    /// picture; the teacher's key has the reasons, the rays that show each mistake, and the commands that find it.
+    Exercise(exercise::Exercise),
     /// Check, review and accept the golden images
     Goldens(goldens::Goldens),
     /// Answer questions in JSON Lines, to check a ray tracer in any language
@@ -157,6 +163,7 @@ fn main() -> ExitCode {
         Command::Merge(command) => command.run(),
         Command::Verify(command) => command.run(),
         Command::Mistakes(command) => command.run(),
+        Command::Exercise(command) => command.run(),
         Command::Goldens(command) => command.run(),
         Command::Probe(command) => command.run(),
         Command::Report(command) => command.run(),

@@ -12,7 +12,7 @@ use groundtruth::scene::Scene;
 use groundtruth::similar;
 use groundtruth::world::{DEFAULT_SEED, World};
 use judge::mistakes::known::Known;
-use judge::mistakes::table::{CHANGE, sized};
+use judge::mistakes::table::{CHANGE, SAMPLES, sized};
 use judge::mistakes::{self, Beside, Mistake, Mistaken, Pair};
 
 use super::scene::SceneArguments;
@@ -86,7 +86,7 @@ pub fn told(mistake: &'static Mistake, file: Option<&Path>) -> Outcome {
     let named: Vec<String> = scenes.iter().take(NAMED).map(|it| seen_in(it)).collect();
     let _ = writeln!(text, "  seen best in {} (of {} scenes)", named.join(", "), scenes.len());
     let entry = gallery::find(best.scene).expect("the table is of the gallery");
-    let scene = sized((entry.build)(), WIDTH);
+    let scene = sized((entry.build)(), WIDTH, SAMPLES);
     let beside = Beside::of(mistake, &scene, Path::new(""), DEFAULT_SEED)?;
     let beside = beside.expect("the table says that it is seen");
     let ([x, y], effect) = (beside.most_changed(), beside.effect());

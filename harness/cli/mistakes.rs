@@ -61,16 +61,26 @@ fn listed(all: &[&Mistake]) -> String {
 
 /// Few scenes that show all mistakes of a chapter such as `ch28`.
 pub fn of_chapter_named(name: &str) -> Outcome {
-    let number = chapter(name).ok_or_else(|| format!("{name}: a chapter is written as ch28"))?;
-    print(&of_chapter(number)?)
+    print(&of_chapter(chapter_named(name)?)?)
+}
+
+/// The number of a chapter that is written as `ch28`.
+///
+/// # Errors
+/// It is not written so.
+pub fn chapter_named(name: &str) -> Result<u32, String> {
+    chapter(name).ok_or_else(|| format!("{name}: a chapter is written as ch28"))
+}
+
+/// What is said of a chapter without known mistakes.
+pub fn none_of_chapter(chapter: u32) -> String {
+    format!("no known mistakes of chapter {chapter}; `groundtruth mistakes` lists all")
 }
 
 fn of_chapter(chapter: u32) -> Result<String, String> {
     let Cover { scenes, never_shown } = mistakes::fewest_scenes(chapter);
     if scenes.is_empty() && never_shown.is_empty() {
-        return Err(format!(
-            "no known mistakes of chapter {chapter}; `groundtruth mistakes` lists all"
-        ));
+        return Err(none_of_chapter(chapter));
     }
     let names = |all: &[&Mistake]| {
         let names: Vec<&str> = all.iter().map(|mistake| mistake.name).collect();

@@ -3,6 +3,7 @@
 mod announced;
 mod bounds;
 mod columns_of_text;
+mod exercise;
 mod explain_json;
 mod export;
 #[cfg(unix)]

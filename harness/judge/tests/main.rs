@@ -1,5 +1,6 @@
-//! Laws of the judge of pictures: the known mistakes, and verdicts.
+//! Laws of the judge of pictures: the known mistakes, exercises and verdicts.
 
+mod exercise;
 mod mistakes;
 mod sets;
 mod verdict;

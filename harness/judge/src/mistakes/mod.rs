@@ -38,7 +38,8 @@ pub use page::page;
 pub use recorder::Reweighing;
 pub use replicas::{replica, replicas};
 pub use shown::{
-    Cover, HEADING, Pair, TABLE, fewest_scenes, not_shown_by, pairs, scenes_that_show, shown_by,
+    Cover, HEADING, Pair, TABLE, fewest_scenes, is_wrong_on_purpose, not_shown_by, pairs,
+    scenes_that_show, shown_by,
 };
 
 /// A mistake of a ray tracer in the style of the book: its entry in the catalogue, and its picture.

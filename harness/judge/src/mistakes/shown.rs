@@ -85,8 +85,10 @@ pub fn fewest_scenes(chapter: u32) -> Cover {
     cover
 }
 
-/// The end of the names of the book's figures of what goes wrong.
-const WRONG_ON_PURPOSE: &str = "-wrong";
+/// Whether a scene is a figure of the book of what goes wrong.
+pub fn is_wrong_on_purpose(scene: &str) -> bool {
+    scene.ends_with("-wrong")
+}
 
 /// The scene that shows most of these mistakes, and which of them.
 fn best_scene(
@@ -100,7 +102,7 @@ fn best_scene(
             shown.into_iter().filter(|pair| mistakes.contains(&pair.mistake)).collect();
         let pixels: f64 = shown.iter().map(|pair| pair.effect.share).sum();
         let own = entry.name.starts_with(&folder);
-        let is_right = !shown.is_empty() && !entry.name.ends_with(WRONG_ON_PURPOSE);
+        let is_right = !shown.is_empty() && !is_wrong_on_purpose(entry.name);
         (is_right, shown.len(), own, pixels, entry.name, shown)
     });
     let best =

@@ -63,15 +63,15 @@ pub(super) fn changes(ours: &Film, theirs: &Film) -> Vec<f64> {
 
 /// A scene in the size of the table.
 pub fn small(entry: &Entry) -> Scene {
-    sized((entry.build)(), WIDTH)
+    sized((entry.build)(), WIDTH, SAMPLES)
 }
 
-/// A scene so many pixels wide, with few samples.
-pub fn sized(mut scene: Scene, width: u32) -> Scene {
+/// A scene so many pixels wide, with at most so many samples.
+pub fn sized(mut scene: Scene, width: u32, samples: u32) -> Scene {
     let image = &mut scene.image;
     let height = (u64::from(image.height) * u64::from(width)).div_ceil(u64::from(image.width));
     image.resize(width, height.max(1) as u32);
-    image.samples = image.samples.min(SAMPLES);
+    image.samples = image.samples.min(samples);
     scene
 }
 
