@@ -41,16 +41,15 @@ fn a_chapter_has_no_more_tasks_than_mistakes() {
     assert_eq!(made(7, Level::Easy, 6, 1).len(), 0);
 }
 
-/// Law: less is changed in harder tasks. Oracle: the pictures of all mistakes of a chapter.
+/// Law: less is changed in harder tasks. Oracle: the pictures of four tasks of each of four seeds.
 #[test]
 fn harder_tasks_change_fewer_pixels() {
     let share = |level: Level| {
-        let all = made(14, level, 100, 1);
-        assert!(all.len() > 10);
+        let all: Vec<Task> = (1..5).flat_map(|seed| made(14, level, 4, seed)).collect();
         all.iter().map(|task| task.effect.share).sum::<f64>() / all.len() as f64
     };
     let [easy, medium, hard] = [Level::Easy, Level::Medium, Level::Hard].map(share);
-    assert!(easy > 1.2 * medium && medium > 1.2 * hard, "{easy} {medium} {hard}");
+    assert!(easy > 1.3 * medium && medium > 1.3 * hard, "{easy} {medium} {hard}");
 }
 
 /// Law: the sheet of hard tasks names no mistake, that of others all of the chapter; the key names those of the tasks and
