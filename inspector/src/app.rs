@@ -9,6 +9,7 @@ use pictures::parse_pixel;
 
 use crate::action::{Action, Purpose};
 use crate::comparison::bar;
+use crate::comparison::mistake::WithMistake;
 use crate::comparison::theirs::Theirs;
 use crate::explanation::selection::Selection;
 use crate::explanation::tree::Tree;
@@ -38,6 +39,8 @@ pub struct Inspector {
     pub selection: Selection,
     /// The picture that ours is compared with.
     pub theirs: Option<Theirs>,
+    /// The mistake with which another picture is made.
+    pub mistake: WithMistake,
     /// The text in the fields.
     pub fields: Fields,
     /// The message, and whether it is an error.
@@ -75,6 +78,7 @@ impl Inspector {
             session,
             selection: Selection::default(),
             theirs: None,
+            mistake: WithMistake::default(),
             fields: Fields { save: StoredSettings::default().save, ..Fields::default() },
             message: None,
             picker: ScenePicker::default(),
@@ -107,6 +111,7 @@ impl Inspector {
             || self.selection.is_waiting()
             || matches!(rendering.progress(), Progress::Running(..))
             || !self.picture.is_fresh(rendering)
+            || self.mistake.is_busy()
             || self.theirs.as_ref().is_some_and(|it| it.is_busy(rendering))
     }
 
@@ -130,7 +135,7 @@ impl Inspector {
         if let Some(pixel) = self.stepped(ui) {
             self.reveal(pixel);
         }
-        self.selection.refresh(&ctx, &self.session.rendering);
+        self.explain_selected(&ctx);
 
         let of_bars = self.bars(ui);
         let central = CentralPanel::default().frame(Frame::NONE);
@@ -150,13 +155,22 @@ impl Inspector {
 
         let rendering = &self.session.rendering;
         self.picture.refresh(&ctx, rendering);
+        if let Some(problem) = self.mistake.refresh(&ctx, rendering, &mut self.theirs) {
+            self.message = Some((problem, true));
+        }
         if let Some(theirs) = &mut self.theirs {
             theirs.refresh(&ctx, rendering, self.picture.tone);
         }
-        self.selection.refresh(&ctx, rendering);
+        self.explain_selected(&ctx);
         if self.is_busy() {
             ctx.request_repaint_after(Duration::from_millis(50));
         }
+    }
+
+    /// Explains the selected pixel of the picture that is shown.
+    fn explain_selected(&mut self, ctx: &Context) {
+        let mistaken = self.theirs.as_ref().and_then(Theirs::explained);
+        self.selection.refresh(ctx, &self.session.rendering, mistaken);
     }
 
     /// Shows the bars at the top and the bottom.
@@ -196,7 +210,13 @@ impl Inspector {
         }
         let margin = vec2(8.0, 6.0);
         let is_changed = part(ui, "scene", parts.scene, margin, |ui| {
-            let show = |ui: &mut Ui| panels::scene(ui, &mut self.session, &mut self.settings);
+            let show = |ui: &mut Ui| {
+                // their picture of a file keeps its place
+                if self.theirs.as_ref().is_none_or(|theirs| theirs.program.is_some()) {
+                    ui.horizontal(|ui| self.mistake.show(ui, &self.session.rendering));
+                }
+                panels::scene(ui, &mut self.session, &mut self.settings)
+            };
             ScrollArea::both().auto_shrink(false).show(ui, show).inner
         });
         let is_resampled = part(ui, "explanation", parts.explanation, margin, |ui| {
@@ -244,15 +264,9 @@ impl Inspector {
 
     /// The next pixel that the arrow keys ask for, unless they are needed elsewhere.
     fn stepped(&self, ui: &Ui) -> Option<[u32; 2]> {
-        let [x, y] = self.selection.pixel?;
-        if !self.picture.has_keys(ui.ctx()) || self.saving.is_asking() {
-            return None;
-        }
-        let [dx, dy] = display::arrow_step(ui);
-        let [width, height] = self.session.rendering.size();
-        let moved = |at: u32, by: i64, end: u32| (i64::from(at) + by).clamp(0, i64::from(end) - 1);
-        let pixel = [moved(x, dx, width) as u32, moved(y, dy, height) as u32];
-        ([dx, dy] != [0, 0]).then_some(pixel)
+        let pixel = self.selection.pixel?;
+        let is_ours = self.picture.has_keys(ui.ctx()) && !self.saving.is_asking();
+        is_ours.then(|| display::stepped(ui, pixel, self.session.rendering.size()))?
     }
 
     /// Opens a file that is dropped on the window.
@@ -383,14 +397,10 @@ impl Inspector {
     /// Reveals the worst pixel of the next region of difference.
     fn reveal_next_region(&mut self) {
         let Some(theirs) = &mut self.theirs else { return };
-        if let Some(pixel) = theirs.next_region(&self.session.rendering) {
-            return self.reveal(pixel);
+        match theirs.next_region(&self.session.rendering) {
+            Ok(pixel) => self.reveal(pixel),
+            Err(why) => self.message = Some((why.to_owned(), false)),
         }
-        let text = match theirs.comparison(&self.session.rendering) {
-            Some(_) => "no pixel differs",
-            None => "the pictures are not compared yet",
-        };
-        self.message = Some((text.to_owned(), false));
     }
 }
 

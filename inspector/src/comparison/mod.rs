@@ -3,4 +3,5 @@
 pub mod bar;
 pub mod judgement;
 pub mod layer;
+pub mod mistake;
 pub mod theirs;

@@ -10,6 +10,7 @@ use eframe::egui::{
 use groundtruth::explain;
 use groundtruth::film::{Film, Tone};
 use groundtruth::rgb::Rgb;
+use judge::mistakes::Mistaken;
 use pictures::compare::{Comparison, Differences, Picture, Transfer};
 
 use crate::action::Shows;
@@ -39,6 +40,8 @@ pub struct Theirs {
     pub scale: f64,
     /// The verdict on it.
     pub judgement: Judgement,
+    /// The program with a known mistake that made it, if it is not of a file.
+    pub program: Option<Arc<Mistaken>>,
     picture: Arc<Picture>,
     radiance: Arc<Film>,
     layer: Layer<Tone>,
@@ -57,20 +60,37 @@ impl Theirs {
     /// If it is no picture, or damaged.
     pub fn read(path: &Path, encoding: Option<Transfer>) -> Result<Self, String> {
         let picture = Picture::read(path, encoding).map_err(|error| error.to_string())?;
-        Ok(Self {
-            name: path.display().to_string(),
+        let radiance = picture.radiance();
+        Ok(Self::of(path.display().to_string(), picture, radiance))
+    }
+
+    /// The picture of a program with a known mistake, in this view.
+    pub fn with_mistake(program: Mistaken, film: Film, shows: Shows) -> Self {
+        let theirs = Self::of(program.mistake().name.to_owned(), Picture::of_film(&film), film);
+        Self { program: Some(Arc::new(program)), shows, ..theirs }
+    }
+
+    fn of(name: String, picture: Picture, radiance: Film) -> Self {
+        Self {
+            name,
+            program: None,
             shows: Shows::default(),
             divider: 0.5,
             scale: 0.9,
             judgement: Judgement::default(),
-            radiance: Arc::new(picture.radiance()),
+            radiance: Arc::new(radiance),
             picture: Arc::new(picture),
             layer: Layer::default(),
             differences: Layer::default(),
             compared: None,
             comparing: Background::default(),
             region: None,
-        })
+        }
+    }
+
+    /// The program whose pixels are explained, if it is another than ours: that with a mistake, where its picture is shown.
+    pub fn explained(&self) -> Option<&Arc<Mistaken>> {
+        self.program.as_ref().filter(|_| self.shows == Shows::Theirs)
     }
 
     /// Pixels across and down.
@@ -132,12 +152,16 @@ impl Theirs {
         }
     }
 
-    /// The worst pixel of the next region of difference, the largest region first; `None` until both are compared,
-    /// and if they are equal.
-    pub fn next_region(&mut self, rendering: &Rendering) -> Option<[u32; 2]> {
-        let worst: Vec<_> = self.comparison(rendering)?.listed().map(|it| it.worst).collect();
-        self.region = Some(self.region.map_or(0, |region| region + 1) % worst.len().max(1));
-        worst.get(self.region?).copied()
+    /// The worst pixel of the next region of difference, the largest region first.
+    ///
+    /// # Errors
+    /// Both are not compared yet, or equal.
+    pub fn next_region(&mut self, rendering: &Rendering) -> Result<[u32; 2], &'static str> {
+        let comparison = self.comparison(rendering).ok_or("the pictures are not compared yet")?;
+        let worst: Vec<_> = comparison.listed().map(|it| it.worst).collect();
+        let next = self.region.map_or(0, |region| region + 1) % worst.len().max(1);
+        self.region = Some(next);
+        worst.get(next).copied().ok_or("no pixel differs")
     }
 
     /// Whether anything is still being computed for it.

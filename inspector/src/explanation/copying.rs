@@ -4,10 +4,14 @@ use eframe::egui::{Context, Id, Ui};
 use groundtruth::scene;
 use pictures::shell::quoted;
 
+use crate::explanation::Shown;
 use crate::picture::worker::Rendering;
 
 /// The command that explains a sample of a pixel in a terminal.
-pub fn explain_command(rendering: &Rendering, [x, y]: [u32; 2], sample: u32) -> String {
+pub fn explain_command(shown: &Shown<'_>, [x, y]: [u32; 2], sample: u32) -> String {
+    let rendering = shown.rendering;
+    let mistake = shown.mistaken().map(|program| program.mistake().name);
+    let mistake = mistake.map_or(String::new(), |name| format!(" --mistake {name}"));
     let image = &rendering.scene.image;
     let (width, height, samples) = (image.width, image.height, image.samples);
     let (name, seed) = (quoted(&rendering.source.name()), rendering.world.seed);
@@ -17,7 +21,7 @@ pub fn explain_command(rendering: &Rendering, [x, y]: [u32; 2], sample: u32) -> 
     let changed = if is_changed(rendering) { "  # the window shows a changed scene" } else { "" };
     format!(
         "groundtruth explain {name} {x} {y} --size {width}x{height} --samples {samples} \
-         {tracer} --seed {seed} --sample {sample}{changed}"
+         {tracer} --seed {seed} --sample {sample}{mistake}{changed}"
     )
 }
 

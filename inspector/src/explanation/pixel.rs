@@ -8,7 +8,6 @@ use groundtruth::rgb::Rgb;
 use crate::comparison::theirs::Theirs;
 use crate::explanation::{Shown, copying, details, tree};
 use crate::picture::display;
-use crate::picture::worker::Rendering;
 
 /// The order of the list of samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -41,7 +40,7 @@ pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
 /// Shows a menu that copies commands that reproduce this pixel outside the window, and the selected ray.
 pub fn copy_menu(
     ui: &mut Ui,
-    rendering: &Rendering,
+    shown: &Shown<'_>,
     pixel: [u32; 2],
     sample: u32,
     ray: Option<&RecordedRay>,
@@ -54,11 +53,11 @@ pub fn copy_menu(
     ui.menu_button("Copy", |ui| {
         let command = ui.button("The command for a terminal");
         if command.on_hover_text("`explain` shows this sample there").clicked() {
-            copy(ui, copying::explain_command(rendering, pixel, sample));
+            copy(ui, copying::explain_command(shown, pixel, sample));
         }
         let probe = ui.button("The probe's line");
         if probe.on_hover_text("`probe` answers it with this pixel").clicked() {
-            copy(ui, copying::probe_line(rendering, pixel));
+            copy(ui, copying::probe_line(shown.rendering, pixel));
         }
         if let Some(ray) = ray
             && ui.button("All numbers of the selected ray").clicked()

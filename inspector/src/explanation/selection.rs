@@ -6,10 +6,10 @@ use std::time::Duration;
 use eframe::egui::{self, Frame, Key, Margin, Panel, ScrollArea, Ui, vec2};
 use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
 use groundtruth::film::Tone;
-use groundtruth::render;
+use groundtruth::render::Renderer;
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayBudget;
-use groundtruth::world::World;
+use judge::mistakes::Mistaken;
 
 use crate::explanation::pixel::{self, Order, SumList};
 use crate::explanation::samples::Samples;
@@ -39,6 +39,8 @@ struct Question {
     generation: u64,
     pixel: [u32; 2],
     sample: u32,
+    /// The mistake of the program that is explained, if it is not ours.
+    mistake: Option<&'static str>,
 }
 
 type Explained = Result<Arc<PixelExplanation>, String>;
@@ -75,23 +77,29 @@ pub enum Tab {
 }
 
 /// Explains all samples, or only the one asked for if all would be too many rays.
-fn answer(scene: &Scene, world: &World, question: Question) -> Explained {
+fn answer(scene: &Scene, renderer: &impl Renderer, question: Question) -> Explained {
     let mut budget = RayBudget::up_to(MAX_RAYS_PER_SAMPLE);
-    render::sample_within(world, question.pixel, question.sample, &mut (), &mut budget);
+    renderer.sample(question.pixel, question.sample, &mut (), &mut budget);
     budget.check(|| format!("sample {}", question.sample)).map_err(|e| e.to_string())?;
-    let all = budget.spent().saturating_mul(world.samples_per_pixel().into());
+    let all = budget.spent().saturating_mul(renderer.world().samples_per_pixel().into());
     let few = all <= MAX_RAYS_PER_PIXEL;
     let only = if few { None } else { Some(question.sample) };
-    let explained = explain::pixel(scene, world, question.pixel, only);
+    let explained = explain::pixel(scene, renderer, question.pixel, only);
     explained.map(Arc::new).map_err(|e| e.to_string())
 }
 
 impl Selection {
     /// Starts to explain the selected pixel, unless that is done or under way. Waits for a short
     /// explanation.
-    pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering) {
+    pub fn refresh(
+        &mut self,
+        ctx: &egui::Context,
+        rendering: &Rendering,
+        mistaken: Option<&Arc<Mistaken>>,
+    ) {
         let finished = self.working.poll();
-        let Some(question) = self.question(rendering) else {
+        let mistake = mistaken.map(|program| program.mistake().name);
+        let Some(question) = self.question(rendering, mistake) else {
             self.answered = None;
             return;
         };
@@ -100,7 +108,14 @@ impl Selection {
             return;
         }
         let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
-        self.working.start(ctx, move || (question, answer(&scene, &world, question)));
+        let mistaken = mistaken.map(Arc::clone);
+        self.working.start(ctx, move || {
+            let answer = match mistaken {
+                None => answer(&scene, &*world, question),
+                Some(program) => answer(&program.scene, &*program, question),
+            };
+            (question, answer)
+        });
         let finished = self.working.wait(MAX_WAIT);
         self.accept(finished, question);
     }
@@ -116,10 +131,10 @@ impl Selection {
         }
     }
 
-    fn question(&self, rendering: &Rendering) -> Option<Question> {
+    fn question(&self, rendering: &Rendering, mistake: Option<&'static str>) -> Option<Question> {
         let last = rendering.world.samples_per_pixel() - 1;
         let (generation, sample) = (rendering.generation, self.sample.min(last));
-        self.pixel.map(|pixel| Question { generation, pixel, sample })
+        self.pixel.map(|pixel| Question { generation, pixel, sample, mistake })
     }
 
     fn answers(&self, question: Question) -> bool {
@@ -260,7 +275,9 @@ impl Selection {
         let [x, y] = answer.pixel;
         ui.horizontal_wrapped(|ui| {
             tree::swatch(ui, display::color(shown.tone, answer.radiance));
-            ui.heading(format!("Pixel ({x}, {y})"));
+            let mistake = self.answered.as_ref().and_then(|(question, _)| question.mistake);
+            let with = mistake.map_or(String::new(), |name| format!(" with {name}"));
+            ui.heading(format!("Pixel ({x}, {y}){with}"));
             if self.is_waiting() {
                 ui.spinner();
             }
@@ -272,12 +289,12 @@ impl Selection {
             ui.separator();
             let root = self.sample_of(answer).and_then(|sample| sample.ray.as_ref());
             let ray = root.map(|root| self.tree.selected(root));
-            pixel::copy_menu(ui, shown.rendering, answer.pixel, self.sample.min(last), ray);
+            pixel::copy_menu(ui, shown, answer.pixel, self.sample.min(last), ray);
         });
         for note in &answer.notes {
             ui.weak(note);
         }
-        pixel::sum(ui, answer, shown.rendering.radiance(answer.pixel));
+        pixel::sum(ui, answer, shown.radiance(answer.pixel));
         if let Some(theirs) = shown.theirs {
             pixel::theirs(ui, answer.pixel, theirs, shown);
         }

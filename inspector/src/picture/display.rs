@@ -286,13 +286,15 @@ fn mark(painter: &Painter, pixel: Rect) {
     }
 }
 
-/// The step that the arrow keys ask for; with shift, ten pixels.
-pub fn arrow_step(ui: &Ui) -> [i64; 2] {
-    ui.input(|input| {
+/// The pixel of a picture of this size to which the arrow keys lead from another; with shift, ten pixels away.
+pub fn stepped(ui: &Ui, [x, y]: [u32; 2], [width, height]: [u32; 2]) -> Option<[u32; 2]> {
+    let [dx, dy] = ui.input(|input| {
         let length = if input.modifiers.shift { 10 } else { 1 };
         let pressed = |key| input.num_presses(key) as i64;
         let x = pressed(Key::ArrowRight) - pressed(Key::ArrowLeft);
         let y = pressed(Key::ArrowDown) - pressed(Key::ArrowUp);
         [length * x, length * y]
-    })
+    });
+    let moved = |at: u32, by: i64, end: u32| (i64::from(at) + by).clamp(0, i64::from(end) - 1);
+    ([dx, dy] != [0, 0]).then(|| [moved(x, dx, width) as u32, moved(y, dy, height) as u32])
 }

@@ -6,6 +6,7 @@ mod comparing;
 mod explaining;
 mod judging;
 mod looking;
+mod mistaken;
 mod noise;
 mod renderer;
 mod room;

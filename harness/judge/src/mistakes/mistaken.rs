@@ -43,6 +43,11 @@ impl Mistaken {
         let world = World::build_seeded(&scene, folder, seed)?;
         Ok(Some(Self { scene, world, mistake: [mistake] }))
     }
+
+    /// The mistake.
+    pub fn mistake(&self) -> &'static Mistake {
+        self.mistake[0]
+    }
 }
 
 impl Renderer for Mistaken {
