@@ -213,7 +213,8 @@ impl Inspector {
             let show = |ui: &mut Ui| {
                 // their picture of a file keeps its place
                 if self.theirs.as_ref().is_none_or(|theirs| theirs.program.is_some()) {
-                    ui.horizontal(|ui| self.mistake.show(ui, &self.session.rendering));
+                    self.mistake.show(ui, &self.session.rendering);
+                    ui.add_space(8.0);
                 }
                 panels::scene(ui, &mut self.session, &mut self.settings)
             };

@@ -41,8 +41,9 @@ impl WithMistake {
     /// Shows the list of mistakes: those that the scene of the gallery shows, or all.
     pub fn show(&mut self, ui: &mut Ui, rendering: &Rendering) {
         let name = self.chosen.map_or("none", |mistake| mistake.name);
-        let list = ComboBox::from_label("with the mistake").selected_text(name).width(160.0);
-        let list = list.show_ui(ui, |ui| {
+        let label = ui.label("With the mistake");
+        let list = ComboBox::from_id_salt("mistake").selected_text(name).truncate();
+        let list = list.width(ui.available_width().min(180.0)).show_ui(ui, |ui| {
             ui.selectable_value(&mut self.chosen, None, "none");
             for mistake in offered(rendering) {
                 let entry = ui.selectable_value(&mut self.chosen, Some(mistake), mistake.name);
@@ -51,7 +52,7 @@ impl WithMistake {
         });
         let hint = "Another picture, by a program with this mistake; T flips between right and wrong, and explains the \
                     one that is shown";
-        list.response.on_hover_text(hint);
+        list.response.labelled_by(label.id).on_hover_text(hint);
         if self.is_busy() {
             ui.spinner();
         }

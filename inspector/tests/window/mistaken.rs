@@ -23,7 +23,7 @@ fn wrong() -> Film {
 
 /// Chooses an entry of the list of mistakes.
 fn choose(window: &mut Window, entry: &str) {
-    window.get_by_role_and_label(Role::ComboBox, "with the mistake").click();
+    window.get_by_role_and_label(Role::ComboBox, "With the mistake").click();
     window.run_steps(4);
     window.get_by_role_and_label(Role::Button, entry).click();
     settle(window);
