@@ -31,7 +31,7 @@ const ANSWERED: [&str; 6] = [
 ];
 
 /// A Rust adapter: from a line to a line.
-struct Called(fn(&str) -> String);
+pub struct Called(pub fn(&str) -> String);
 
 impl Subject for Called {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {

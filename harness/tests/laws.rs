@@ -5,7 +5,12 @@ use std::process::{Command, Output};
 use claims::{Kind, Law};
 use serde_json::Value;
 
+use super::conform_adapters::Called;
 use super::structure::{read, root};
+
+#[allow(dead_code)] // its `main`
+#[path = "../../examples/laws/init.rs"]
+mod init;
 
 const GROUNDTRUTH: &str = env!("CARGO_BIN_EXE_groundtruth");
 
@@ -95,6 +100,24 @@ fn programs_to_start_from_keep_all_laws() {
         }
         Err(error) => eprintln!("not tried in C++: {error}"),
     }
+    let source = written("java", "MyBsdfs.java");
+    match Command::new("javac").args(["-Xlint:all", "-Werror", &source]).status() {
+        Ok(status) => {
+            assert!(status.success());
+            let classes = folder.path().to_str().expect("text").to_owned();
+            programs.push(["java", "-cp", &classes, "MyBsdfs"].map(str::to_owned).to_vec());
+        }
+        Err(error) => eprintln!("not tried in Java: {error}"),
+    }
+    assert_eq!(
+        text(&laws(&["--init", "rust"]).stdout),
+        read(&root().join("examples/laws/init.rs"))
+    );
+    let mut rust = Called(init::reply);
+    let lobes = claims::listed(&mut rust).expect("it lists its lobe");
+    let options = claims::Options { cases: 2, seed: 1 };
+    let card = claims::run(&mut rust, &lobes, options, &mut |_| ());
+    assert!(!card.is_failed() && !card.rows.is_empty(), "{}", claims::text(&card));
     for program in programs {
         let words: Vec<&str> = program.iter().map(String::as_str).collect();
         let output = laws(&[&["--cases", "2", "--"], &words[..]].concat());
