@@ -6,6 +6,7 @@ mod conform;
 mod conform_adapters;
 mod docs;
 mod fuzz;
+mod grade;
 mod laws;
 mod merge;
 mod probe;

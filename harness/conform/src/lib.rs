@@ -7,6 +7,7 @@
 pub mod card;
 mod chapters;
 pub mod family;
+pub mod grade;
 mod guarded;
 mod intersections;
 mod judgement;

@@ -4,6 +4,7 @@ mod altered;
 mod book;
 mod constants;
 mod exact;
+mod grades;
 mod harmless;
 mod lines;
 mod mistakes;

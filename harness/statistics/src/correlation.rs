@@ -1,4 +1,4 @@
-//! Pearson's correlation, and its significance.
+//! Pearson's and Spearman's correlation, and their significance.
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
@@ -50,4 +50,27 @@ pub fn pearson(xs: &[f64], ys: &[f64]) -> Option<Correlation> {
     let t = r.abs() * ((n - 2.0) / ((1.0 - r) * (1.0 + r))).sqrt();
     let p = if t.is_finite() { 2.0 * student.sf(t) } else { 0.0 };
     Some(Correlation { r, p: p.min(1.0) })
+}
+
+/// Spearman's correlation: Pearson's of the ranks, equal numbers sharing the mean of theirs (Spearman 1904). It is ±1 if
+/// one number only grows, or only falls, with the other. The probability is that of [`pearson`], near enough for ten pairs
+/// or more. `None` where Pearson's is, and for NaN.
+///
+/// # Panics
+/// If there are not as many y as x.
+pub fn spearman(xs: &[f64], ys: &[f64]) -> Option<Correlation> {
+    match xs.iter().chain(ys).any(|x| x.is_nan()) {
+        true => None,
+        false => pearson(&ranks(xs), &ranks(ys)),
+    }
+}
+
+/// The rank of each number, from 0.
+fn ranks(numbers: &[f64]) -> Vec<f64> {
+    let rank = |x: &f64| {
+        let below = numbers.iter().filter(|other| *other < x).count();
+        let equal = numbers.iter().filter(|other| *other == x).count();
+        below as f64 + (equal as f64 - 1.0) / 2.0
+    };
+    numbers.iter().map(rank).collect()
 }

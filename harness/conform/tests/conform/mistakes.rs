@@ -3,7 +3,7 @@
 
 mod lights_and_cameras;
 mod optics;
-mod planted;
+pub mod planted;
 mod sampling_and_spaces;
 mod shapes;
 mod surfaces;
@@ -16,6 +16,18 @@ use serde_json::{Value, json};
 use planted::Planted;
 
 use super::altered::{Altered, at, card, data, families, instead, length, only, swap, vector};
+
+/// All planted mistakes.
+pub fn all() -> Vec<Planted> {
+    let all = [
+        shapes::planted_here(),
+        optics::planted_here(),
+        lights_and_cameras::planted_here(),
+        sampling_and_spaces::planted_here(),
+        surfaces::planted_here(),
+    ];
+    all.into_iter().flatten().collect()
+}
 
 /// How many numbers other than 0, 1 and −1 a question has.
 fn numbers(question: &Value) -> usize {

@@ -7,6 +7,7 @@ use serde_json::Value;
 use super::super::altered::{at, instead};
 
 /// A program with a mistake.
+#[derive(Clone, Copy)]
 pub struct Planted {
     /// The mistake, in words.
     pub what: &'static str,
@@ -19,6 +20,7 @@ pub struct Planted {
 }
 
 /// What the program does.
+#[derive(Clone, Copy)]
 pub enum Way {
     /// Answers as we do, but for each number at a pointer.
     Numbers(&'static str, fn(f64) -> f64),
