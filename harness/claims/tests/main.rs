@@ -5,6 +5,7 @@ mod claimed;
 mod kinds;
 mod lamps;
 mod mistakes;
+mod own;
 mod protocol;
 mod right;
 mod scattering;
