@@ -8,6 +8,8 @@ use groundtruth::scene::Scene;
 use groundtruth::similar;
 use judge::mistakes::known::Known;
 use judge::mistakes::{self, Cover, Mistake, Mistaken, table};
+use pictures::percent;
+use pictures::told::NEXT;
 
 use super::scene::SceneArguments;
 use super::{Outcome, print, progress};
@@ -60,9 +62,9 @@ fn named(name: &str) -> Result<&'static Mistake, String> {
 
 #[derive(Args)]
 pub struct Mistakes {
-    /// A scene of the gallery: the mistakes that it shows, and those that it does not; or a chapter, such as
-    /// ch28: few scenes that show all its mistakes. All mistakes if left out
-    #[arg(value_name = "SCENE|CHAPTER")]
+    /// A scene of the gallery: the mistakes that it shows, and those that it does not; a chapter, such as
+    /// ch28: few scenes that show all its mistakes; or a mistake: the scenes that show it. All mistakes if left out
+    #[arg(value_name = "SCENE|CHAPTER|MISTAKE")]
     name: Option<String>,
     /// Print everything as one page of Markdown: docs/mistakes.md
     #[arg(long, conflicts_with_all = ["name", "table"])]
@@ -82,9 +84,10 @@ impl Mistakes {
         }
         match &self.name {
             None => print(&listed(&mistakes::all())),
-            Some(name) => match chapter(name) {
-                Some(number) => print(&of_chapter(number)?),
-                None => print(&of_scene(name)?),
+            Some(name) => match (chapter(name), mistakes::find(name)) {
+                (Some(number), _) => print(&of_chapter(number)?),
+                (None, Some(mistake)) => print(&of_mistake(mistake)),
+                (None, None) => print(&of_scene(name)?),
             },
         }
     }
@@ -138,11 +141,30 @@ fn of_scene(scene: &str) -> Result<String, String> {
     Ok(text)
 }
 
+/// The scenes of a mistake that show it best, and how to look at it there.
+fn of_mistake(mistake: &Mistake) -> String {
+    let Known { name, chapter, words, place, .. } = mistake.known;
+    let mut text = format!("{name}: {words} (ch. {chapter})\nthe right rule: {place}\n");
+    let scenes = mistakes::scenes_that_show(mistake);
+    let Some(best) = scenes.first() else { return text + "no scene of the gallery shows it\n" };
+    text += "seen in, each with the part of the pixels that it changes:\n";
+    for pair in scenes.iter().take(SCENES) {
+        text += &format!("  {}: {}\n", pair.scene, percent::of_pixels(pair.effect.share));
+    }
+    text + &format!("{NEXT}groundtruth render {} --mistake {name} -o {name}.png\n", best.scene)
+}
+
+/// So many scenes of a mistake are listed.
+const SCENES: usize = 8;
+
 /// What is said of a name that the gallery does not have.
 fn unknown(scene: &str) -> String {
-    let names: Vec<&str> = gallery::scenes().map(|entry| entry.name).collect();
+    let scenes = gallery::scenes().map(|entry| entry.name);
+    let names: Vec<&str> = scenes.chain(mistakes::all().iter().map(|it| it.name)).collect();
     let similar = similar::did_you_mean(scene, &names);
-    format!("no scene `{scene}` in the gallery (`groundtruth list` shows it){similar}")
+    format!(
+        "no scene `{scene}` in the gallery (`groundtruth list` shows it), and no mistake{similar}"
+    )
 }
 
 /// Measures all scenes, with the progress on a terminal.
