@@ -1,6 +1,6 @@
 //! The card: in a terminal, as a page, and for continuous integration.
 
-use std::fmt::Write;
+use std::fmt::{self, Write as _};
 
 use pictures::digits::shortened;
 use pictures::html::{self, escaped};
@@ -19,6 +19,12 @@ use crate::setting::Setting;
 /// What is told of a card; `command` is the program and its arguments, and `is_fresh` says whether nobody has seen its seed.
 pub fn told(card: &Card, command: &[String], is_fresh: bool) -> Told {
     Told { verdict: verdict(card), details: rows(card), next: next(card, command, is_fresh) }
+}
+
+impl fmt::Display for Card {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}\n{}", verdict(self), rows(self))
+    }
 }
 
 /// The next step: the first that fails, by itself; if it was alone, the question that shows it; if none fails, a seed that

@@ -30,6 +30,7 @@ pub fn of_pixels(part: f64) -> String {
         small if small < 10.0 => {
             format!("{} %", format!("{small:.3}").trim_end_matches('0').trim_end_matches('.'))
         }
+        large if large >= 99.95 => format!("{large:.0} %"),
         large => format!("{large:.1} %"),
     }
 }

@@ -47,8 +47,7 @@ impl Told {
     /// The page: the verdict as headline, what it is about, pictures or tables (HTML), the details, and the next step.
     pub fn page(&self, about: &str, rules: &[&str], body: &str) -> String {
         let Self { verdict, details, next } = self;
-        let [headline, about, details, next] =
-            [verdict, about, details, next].map(|it| escaped(it));
+        let [headline, about, details, next] = [verdict, about, details, next].map(escaped);
         let numbers = match details.is_empty() {
             true => String::new(),
             false => format!("<h2>In numbers</h2>\n<pre>{details}</pre>\n"),

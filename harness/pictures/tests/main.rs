@@ -1,6 +1,7 @@
 //! Laws of pictures: how two are compared, exact sums of replicas, and texts that others read.
 
 mod compare;
+mod digits;
 mod html;
 mod percent;
 #[cfg(unix)]

@@ -89,9 +89,12 @@ impl Verdict {
         if let Some(Explanation { what, agrees: false, .. }) = &self.explained {
             return format!("; {what} explains a part of it");
         }
-        let factor = self.factors.as_ref().and_then(|factors| factors.factors.first());
-        if let Some(Factor { terms, factor, .. }) = factor {
-            return format!("; nearest: {} is {} times ours", terms.join(" and "), short(*factor));
+        if let Some(Factors { factors, .. }) = &self.factors {
+            let one = |Factor { terms, factor, .. }: &Factor| {
+                format!("{} is {} times ours", terms.join(" and "), short(*factor))
+            };
+            let all: Vec<String> = factors.iter().map(one).collect();
+            return format!("; nearest explanation: {}", all.join(", "));
         }
         match nearest {
             Some(Nearest { cause, share, .. }) if *share >= NEAR => {
