@@ -240,7 +240,7 @@ const ERRORS: &[(&[&str], &str)] = &[
     ),
     (
         &["mistakes", "glass-sphere"],
-        "error: no scene `glass-sphere` in the gallery (`groundtruth list` shows it); did you mean \
+        "error: no scene `glass-sphere` in the gallery (`groundtruth list` shows it), and no mistake; did you mean \
          `ch28/glass-sphere`?",
     ),
     (
