@@ -110,9 +110,9 @@ cell() {
         *) cat "$work/errors" >&2; exit 2 ;;
     esac
     local apart
-    apart=$(sed -n 's/^set apart: \([0-9]* pixels\{0,1\}\).*/; \1 set apart/p' "$work/said")
+    apart=$(sed -n 's/^not counted: \([0-9]* pixels\{0,1\}\).*/; \1 set apart/p' "$work/said")
     verdict=$(sed -n -E -e 's/^agrees: it is our picture.*/equal/p' -e 's/^agrees: no value.*/agrees/p' \
-        -e 's/^agrees: ([0-9]+) of ([0-9]+) .*/agrees, \1 of \2/p' -e 's/^(differs).*/\1/p' "$work/said")
+        -e 's/^rank: ([0-9]+) of ([0-9]+) .*/agrees, \1 of \2/p' -e 's/^(differs).*/\1/p' "$work/said")
     [ "$status" != 3 ] || verdict+=", known"
     verdict+="$apart${without:+; without ${without//,/, }}${tracer:+; path}"
 }

@@ -9,8 +9,10 @@ use groundtruth::printable;
 use groundtruth::render;
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
+use judge::verdict::Areas;
 use pictures::compare::{self, Comparison, Picture, Transfer};
 use pictures::shell::quoted;
+use pictures::told::Told;
 
 use super::{Exit, Outcome, announce, output};
 
@@ -106,17 +108,27 @@ impl Compare {
         if !comparison.is_same() {
             self.ask_scenes(&mut comparison, &pictures, worlds);
         }
+        self.tell(&comparison, ours, both)?;
+        Ok(if comparison.is_same() { Exit::Yes } else { Exit::No })
+    }
+
+    /// Writes the page and prints what is said.
+    fn tell(
+        &self,
+        comparison: &Comparison,
+        ours: Option<Ours<'_>>,
+        both: [&Picture; 2],
+    ) -> Outcome {
+        let verdict = comparison.sentence();
+        let details = comparison.details() + &self.advice(comparison, ours);
+        let told = Told { verdict, details, next: self.next(comparison, ours) };
         if let Some(file) = &self.output {
             let commands = |pixel| ours.map_or(Vec::new(), |ours| self.commands(ours, pixel));
-            let html = compare::page(&comparison, [&*self.a, &*self.b], both, &commands);
+            let html = compare::page(comparison, &told, [&*self.a, &*self.b], both, &commands);
             output::write(file, html.as_bytes())?;
         }
-        let say = |text: &str| output::say(text, self.output.as_deref());
-        match self.json {
-            true => say(&(serde_json::to_string_pretty(&comparison)? + "\n"))?,
-            false => say(&(comparison.to_string() + &self.advice(&comparison, ours)))?,
-        };
-        Ok(if comparison.is_same() { Exit::Yes } else { Exit::No })
+        let text = if self.json { told.json(comparison)? } else { told.text() };
+        output::say(&text, self.output.as_deref())
     }
 
     /// What only a scene can tell: whether its film points are off by half a pixel, and whether it has noise.
@@ -133,6 +145,10 @@ impl Compare {
             if comparison.explained_by.is_empty() {
                 let found = compare::half_pixel_shifts(&mut world, &pictures[1 - index], theirs);
                 comparison.explained_by = found;
+            }
+            if index == 0 {
+                let Areas { objects, object_of, .. } = Areas::of(&world);
+                comparison.find_object((&objects, &object_of), [&pictures[0], &pictures[1]]);
             }
             comparison.notes.extend(compare::noise_note(&mut world, comparison, ours));
         }
@@ -172,45 +188,61 @@ impl Compare {
     /// The command that shows a scene and the picture of the other side in the window.
     fn window(&self, scene: &str) -> Option<String> {
         let file = if self.a == scene { &self.b } else { &self.a };
-        let encoding = self.curve();
+        let encoding = Transfer::option(self.encoding);
         let (scene, picture) = (quoted(scene), quoted(file));
         (!is_scene(file)).then(|| format!("inspector {scene} --compare {picture}{encoding}"))
     }
 
-    /// The argument that says how the picture encodes radiance, if it was given.
-    fn curve(&self) -> String {
-        match self.encoding {
-            None => String::new(),
-            Some(Transfer::Srgb) => " --encoding srgb".to_owned(),
-            Some(Transfer::Linear) => " --encoding linear".to_owned(),
-            Some(Transfer::Gamma(gamma)) => format!(" --encoding gamma={gamma}"),
+    /// The next step: the noise of a picture that differs from a scene's is judged, or the worst pixel explained if its
+    /// shape is not that of the scene; of two files, a page shows where.
+    fn next(&self, comparison: &Comparison, ours: Option<Ours<'_>>) -> String {
+        let [a, b] = [&self.a, &self.b].map(|name| quoted(name));
+        let is_picture = !is_scene(&self.b);
+        match (ours, &comparison.worst) {
+            (Some((scene, _)), None) => judge::mistakes::command(scene),
+            (Some((scene, _)), Some(_)) if is_picture && has_shape(scene, comparison.size) => {
+                format!(
+                    "groundtruth verify {} {b}{}",
+                    quoted(scene),
+                    Transfer::option(self.encoding)
+                )
+            }
+            (Some(ours), Some(worst)) => self.commands(ours, worst.worst).swap_remove(0),
+            (None, Some(_)) if self.output.is_none() => {
+                format!(
+                    "groundtruth compare {a} {b}{} -o compare.html",
+                    Transfer::option(self.encoding)
+                )
+            }
+            (None, _) => format!(
+                "groundtruth verify --before {a} --after {b}{}",
+                Transfer::option(self.encoding)
+            ),
         }
     }
 
-    /// The command that judges the picture of the other side, if it is one.
-    fn judging(&self, scene: &str) -> Option<String> {
-        let is_picture = !is_scene(&self.b);
-        is_picture.then(|| {
-            let (scene, picture) = (quoted(scene), quoted(&self.b));
-            format!("groundtruth verify {scene} {picture}{}", self.curve())
-        })
-    }
-
-    /// The commands for the worst pixel of each region.
+    /// The commands for the worst pixel of each region, and the window.
     fn advice(&self, comparison: &Comparison, ours: Option<Ours<'_>>) -> String {
         let Some(ours) = ours.filter(|_| !comparison.is_same()) else { return String::new() };
         let explain = |region: &compare::Region| self.commands(ours, region.worst).swap_remove(0);
         let commands: Vec<String> = comparison.listed().map(explain).collect();
         let window = self.window(ours.0).map(|window| format!("to look: {window}\n"));
-        let judge = self.judging(ours.0).filter(|_| !comparison.notes.is_empty());
-        let judge = judge.map(|judge| format!("whether it is noise: {judge}\n"));
         format!(
-            "why ours is so:\n  {}\n{}{}",
+            "why ours has these values in the worst pixels:\n  {}\n{}",
             commands.join("\n  "),
-            window.unwrap_or_default(),
-            judge.unwrap_or_default()
+            window.unwrap_or_default()
         )
     }
+}
+
+/// Whether a size has the shape of the scene of this name; `false` if that cannot be said.
+fn has_shape(name: &str, size: [u32; 2]) -> bool {
+    let scene = match gallery::find(name) {
+        Some(entry) => Some((entry.build)()),
+        None => scene::open(Path::new(name)).ok().map(|(scene, _)| scene),
+    };
+    let Some(mut scene) = scene else { return false };
+    matches!(compare::fit(&mut scene, size), Ok(true))
 }
 
 /// The scene, built at this size.

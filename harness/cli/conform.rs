@@ -1,6 +1,5 @@
 //! `conform`.
 
-use std::collections::BTreeMap;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -9,6 +8,7 @@ use clap::{Args, ValueEnum};
 use conform::family::Family;
 use conform::{self, Card, Known, Options, Profile, Row, card};
 use groundtruth::printable;
+use pictures::told::Told;
 
 use super::numbers::whole;
 use super::program::{ProgramArguments, fresh_seed, no_answer};
@@ -91,16 +91,9 @@ impl Conform {
         let mut program = self.program.program(interrupted);
         let style = "{bar:30} {pos} of {len} families  {wide_msg}";
         let bar = progress::bar(families.len() as u64, style);
-        let mut chapters = Chapters::new(&families, profile);
         let card = conform::run(&mut program, &families, &options, &mut |row| {
             bar.inc(1);
             bar.set_message(row.name.clone());
-            if let Some(line) = chapters.finished(row)
-                && !self.json
-            {
-                // a closed pipe ends the printing, not the run
-                bar.suspend(|| self.say(&line)).ok();
-            }
         });
         bar.finish_and_clear();
         let log = program.log();
@@ -113,14 +106,10 @@ impl Conform {
                 return Ok(Exit::Unanswered);
             }
         };
-        self.write(&card)?;
-        match self.json {
-            true => self.say(&(serde_json::to_string_pretty(&card.json())? + "\n"))?,
-            false => {
-                let verdict = card::verdict(&card, self.fresh);
-                self.say(&(chapters.unfinished(&card) + &card::rest(&card) + &verdict))?
-            }
-        };
+        let told = card::told(&card, self.fresh, self.program.words());
+        self.write(&card, &told)?;
+        let text = if self.json { told.json(&card.json())? } else { told.text() };
+        self.say(&text)?;
         Ok(exit(&card, known.as_ref()))
     }
 
@@ -153,55 +142,16 @@ impl Conform {
         output::say(text, self.files().find(|file| output::is_standard(file)))
     }
 
-    fn write(&self, card: &Card) -> Result<(), Box<dyn std::error::Error>> {
+    fn write(&self, card: &Card, told: &Told) -> Result<(), Box<dyn Error>> {
         let command = self.program.command();
         let write = |file: &Option<PathBuf>, text: &dyn Fn() -> String| match file {
             Some(file) => output::write(file, text().as_bytes()),
             None => Ok(()),
         };
-        write(&self.output, &|| card::page(card, &command))?;
+        write(&self.output, &|| card::page(card, told, &command))?;
         write(&self.junit, &|| card::junit(card, &command))?;
         write(&self.write_known, &|| conform::Known::of(card).to_string())?;
         Ok(())
-    }
-}
-
-/// Which rows of which chapters are finished: a chapter is printed with its last row.
-struct Chapters {
-    /// How many rows of each are open, and those that are finished.
-    rows: BTreeMap<&'static str, (usize, Vec<Row>)>,
-    /// What stands above the first line.
-    head: String,
-}
-
-impl Chapters {
-    fn new(families: &[Family], profile: Profile) -> Self {
-        let mut chapters = BTreeMap::new();
-        let asked = families.iter().filter(|family| profile == Profile::Careful || family.ordinary);
-        for family in asked {
-            let (open, _): &mut (usize, Vec<Row>) = chapters.entry(family.chapter).or_default();
-            *open += 1;
-        }
-        Self { rows: chapters, head: card::head() }
-    }
-
-    /// The chapter's line, if this is its last row.
-    fn finished(&mut self, row: &Row) -> Option<String> {
-        let (open, rows) = self.rows.get_mut(row.chapter)?;
-        rows.push(row.clone());
-        *open -= 1;
-        let line =
-            (*open == 0).then(|| card::line(row.chapter, &rows.iter().collect::<Vec<_>>()))?;
-        Some(std::mem::take(&mut self.head) + &line)
-    }
-
-    /// The lines of the chapters that an interruption left open.
-    fn unfinished(&self, card: &Card) -> String {
-        let rows = card.chapters();
-        let is_open = |chapter: &str| self.rows.get(chapter).is_none_or(|(open, _)| *open > 0);
-        let open = rows.iter().filter(|(chapter, _)| is_open(chapter));
-        self.head.clone()
-            + &open.map(|(chapter, rows)| card::line(chapter, rows)).collect::<String>()
     }
 }
 

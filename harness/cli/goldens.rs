@@ -8,6 +8,7 @@ use clap::{Args, Subcommand};
 use golden::compare;
 use golden::review;
 use golden::{self, Finding, GoldenSettings, Goldens as Folder, Status};
+use groundtruth::printable;
 use groundtruth::similar;
 
 use super::list::is_in;
@@ -29,7 +30,7 @@ pub struct Goldens {
 enum Command {
     /// Render every golden and compare; exit status 0 if all are the same
     Check(Check),
-    /// Write one HTML page: of each golden that differs the expected and the actual picture, to flip
+    /// Write one HTML page: of each golden that differs the expected and the actual picture, side by side, to flip
     /// and to swipe, their difference, and its regions
     Review(Review),
     /// Accept the current pictures as goldens, with a reason
@@ -182,9 +183,11 @@ impl Review {
         if self.names.is_empty() && !self.all {
             findings.retain(|finding| finding.status != Status::Same);
         }
-        let path = self.output.display();
-        output::write(&self.output, review::page(&findings).as_bytes())?;
-        output::say(&format!("{path}: shows {}\n", findings.len()), Some(&self.output))
+        let mut told = review::told(&findings, folder);
+        output::write(&self.output, review::page(&findings, &told).as_bytes())?;
+        let page = printable::name(&self.output.display().to_string());
+        told.details += &format!("{page}: shows {}\n", findings.len());
+        output::say(&told.text(), Some(&self.output))
     }
 }
 

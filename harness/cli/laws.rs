@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use claims::{Card, Description, Options, Row, Trouble};
 use clap::Args;
 use groundtruth::printable;
+use pictures::told::Told;
 
 use super::numbers::whole;
 use super::program::{ProgramArguments, fresh_seed, no_answer};
@@ -67,11 +68,9 @@ impl Laws {
         });
         bar.finish_and_clear();
         drop(program);
-        self.write(&card)?;
-        self.say(&match self.json {
-            true => serde_json::to_string_pretty(&card.json())? + "\n",
-            false => claims::text(&card),
-        })?;
+        let told = claims::told(&card, self.program.words(), self.fresh);
+        self.write(&card, &told)?;
+        self.say(&if self.json { told.json(&card.json())? } else { told.text() })?;
         Ok(exit(&card))
     }
 
@@ -95,10 +94,10 @@ impl Laws {
         output::say(text, self.files().find(|file| output::is_standard(file)))
     }
 
-    fn write(&self, card: &Card) -> Result<(), Box<dyn Error>> {
+    fn write(&self, card: &Card, told: &Told) -> Result<(), Box<dyn Error>> {
         let command = self.program.command();
         if let Some(file) = &self.output {
-            output::write(file, claims::page(card, &command).as_bytes())?;
+            output::write(file, claims::page(card, told, &command).as_bytes())?;
         }
         if let Some(file) = &self.junit {
             output::write(file, claims::junit(card, &command).as_bytes())?;

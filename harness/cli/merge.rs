@@ -7,7 +7,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use groundtruth::film::{self, Film, Format, Provenance, Tone};
 use indicatif::ProgressBar;
+use pictures::shell::quoted;
 use pictures::sums::{self, MergeError, Part, Plan, Sums};
+use pictures::told::Told;
 
 use super::scene::SceneArguments;
 use super::{Exit, Outcome, output, progress, replicas};
@@ -74,18 +76,20 @@ impl Merge {
             Ok(sums) => sums,
             Err(error) => return self.refused_after_audit(&plan, error),
         };
-        self.report(&plan, &sums)?;
-        if let Some(share) = self.audit
-            && let Err(error) = self.audit(&plan, share)?
-        {
-            return refused(error);
+        let mut audited = None;
+        if let Some(share) = self.audit {
+            match self.audit(&plan, share)? {
+                Ok(rows) => audited = Some(rows),
+                Err(error) => return refused(error),
+            }
         }
+        self.report(&plan, &sums, audited)?;
         self.write(&sums)?;
         Ok(if plan.missing.is_empty() { Exit::Yes } else { Exit::No })
     }
 
-    /// Prints what is there and what is missing.
-    fn report(&self, plan: &Plan, sums: &Sums) -> Outcome {
+    /// Prints what is there, what is missing, and of how many rows an audit found the same bits.
+    fn report(&self, plan: &Plan, sums: &Sums, audited: Option<[usize; 2]>) -> Outcome {
         for [part, other] in &plan.twice {
             let (part, other) = (part.path().display(), other.path().display());
             eprintln!("note: {part} has the same sums as {other}, and is left out");
@@ -101,22 +105,63 @@ impl Merge {
                 "note: {count} values are NaN or infinite, the first at pixel {x}, {y} with --seed {seed}"
             );
         }
-        let (done, missing) = (sums.header().seeds.count(), plan.missing.count());
-        let mut text = format!("{done} of {} replicas\n", done + missing);
-        if missing > 0 {
-            text += &format!("missing: {}; render and merge them as well:\n", plan.missing);
-            let mut header = sums.header().clone();
-            if header.arguments.is_empty() {
-                header.arguments = plan.used[0].header().arguments.clone();
-            }
-            self.rename(&mut header.arguments);
-            for range in plan.missing.ranges() {
-                text += &format!("  {}\n", header.command(range));
-            }
-        }
+        let told = self.told(plan, sums, audited);
         let to_output =
             self.standard_error.iter().chain([&self.output]).find(|it| output::is_standard(it));
-        output::say(&text, to_output.map(PathBuf::as_path))
+        output::say(&told.text(), to_output.map(PathBuf::as_path))
+    }
+
+    /// What is told of a sum.
+    fn told(&self, plan: &Plan, sums: &Sums, audited: Option<[usize; 2]>) -> Told {
+        let (done, missing) = (sums.header().seeds.count(), plan.missing.count());
+        let mut verdict = match missing {
+            0 => format!("whole: {done} of {done} replicas"),
+            _ => format!("not whole: {done} of {} replicas", done + missing),
+        };
+        if let Some([rows, all]) = audited {
+            verdict += &format!("; {rows} of {all} rows were rendered again, with the same bits");
+        }
+        let mut header = sums.header().clone();
+        if header.arguments.is_empty() {
+            header.arguments = plan.used[0].header().arguments.clone();
+        }
+        self.rename(&mut header.arguments);
+        let mut commands: Vec<String> =
+            plan.missing.ranges().map(|range| header.command(range)).collect();
+        let mut details = String::new();
+        if missing > 0 {
+            details = format!("missing: {}; render and merge them as well\n", plan.missing);
+            let next = commands.remove(0);
+            commands.iter().for_each(|command| details += &format!("  {command}\n"));
+            return Told { verdict, details, next };
+        }
+        Told { verdict, details, next: self.next(&header.arguments, audited.is_some()) }
+    }
+
+    /// The next step: an audit, else the mean of the sums, or its picture beside one picture of the scene.
+    fn next(&self, arguments: &[String], is_audited: bool) -> String {
+        let name = |path: &Path| quoted(&path.display().to_string());
+        let output = name(&self.output);
+        match (arguments.first(), is_sums(&self.output)) {
+            _ if !is_audited => {
+                let files: Vec<String> = self.files.iter().map(|file| name(file)).collect();
+                let scene = self.scene.as_ref().map(|it| format!(" --scene {}", quoted(it)));
+                let format = self.format.and_then(|format| {
+                    let named = Format::ALL.into_iter().find(|(known, _)| *known == format)?;
+                    Some(format!(" --format {}", named.1))
+                });
+                let (files, scene) = (files.join(" "), scene.unwrap_or_default());
+                let format = format.unwrap_or_default();
+                format!("groundtruth merge {files} -o {output}{format}{scene} --audit 1%")
+            }
+            (_, true) => {
+                format!("groundtruth merge {output} -o mean.exr --standard-error error.exr")
+            }
+            (Some(scene), false) => {
+                format!("groundtruth compare {} {output} -o compare.html", quoted(scene))
+            }
+            (None, false) => format!("groundtruth scene {output}"),
+        }
     }
 
     /// Puts the name of the scene on this machine into the arguments.
@@ -140,10 +185,16 @@ impl Merge {
     }
 
     /// Renders a share of the rows of each part again, those that come twice included.
-    fn audit(&self, plan: &Plan, share: f64) -> Result<Result<(), MergeError>, Box<dyn Error>> {
+    /// The number of rows that have the same bits, and of all rows.
+    fn audit(
+        &self,
+        plan: &Plan,
+        share: f64,
+    ) -> Result<Result<[usize; 2], MergeError>, Box<dyn Error>> {
         let parts = plan.used.iter().chain(plan.twice.iter().map(|[part, _]| part));
         let replicas = parts.clone().map(|part| part.header().seeds.count()).sum();
         let bar = bar(replicas, "replicas audited");
+        let mut audited = [0, 0];
         for part in parts {
             let mut arguments = part.header().arguments.clone();
             self.rename(&mut arguments);
@@ -164,10 +215,11 @@ impl Merge {
                 return Ok(Err(error));
             }
             let (count, all, path) = (rows.len(), header.size[1], part.path().display());
+            audited = [audited[0] + count, audited[1] + all as usize];
             bar.println(format!("{path}: {count} of {all} rows rendered again: the same bits"));
         }
         bar.finish_and_clear();
-        Ok(Ok(()))
+        Ok(Ok(audited))
     }
 
     fn write(&self, sums: &Sums) -> Result<(), Box<dyn Error>> {

@@ -36,6 +36,11 @@ impl ProgramArguments {
         Program::new(self.program.clone(), Limits { answer, start: start.max(answer) }, interrupted)
     }
 
+    /// The program and its arguments.
+    pub fn words(&self) -> &[String] {
+        &self.program
+    }
+
     /// The program and its arguments, as they were typed.
     pub fn command(&self) -> String {
         self.program.join(" ")

@@ -7,7 +7,8 @@ use groundtruth::printable;
 use judge::sets::{self, SetsDecision, SetsVerdict};
 use judge::verdict::{self, Answer};
 use pictures::compare::{Picture, Transfer};
-use pictures::shell::quoted;
+use pictures::shell;
+use pictures::told::Told;
 
 use super::{Exit, Outcome, output};
 
@@ -56,14 +57,12 @@ impl Request<'_> {
         if let Some(margin) = self.margin {
             verdict.hold_to(margin);
         }
-        let words = verdict.to_string() + &self.advice(&verdict);
+        let (details, next) = (verdict.details(), self.next(&verdict));
+        let told = Told { verdict: verdict.sentence(), details, next };
         if let Some(file) = self.output {
-            output::write(file, sets::page(&verdict, &words).as_bytes())?;
+            output::write(file, sets::page(&verdict, &told).as_bytes())?;
         }
-        let text = match self.json {
-            true => serde_json::to_string_pretty(&verdict)? + "\n",
-            false => words,
-        };
+        let text = if self.json { told.json(&verdict)? } else { told.text() };
         output::say(&text, self.output)?;
         Ok(exit(&verdict))
     }
@@ -87,18 +86,22 @@ impl Request<'_> {
         Ok(pictures)
     }
 
-    /// What to do next.
-    fn advice(&self, verdict: &SetsVerdict) -> String {
-        match verdict.decision {
-            SetsDecision::Agree => String::new(),
-            SetsDecision::Differ => {
-                let [before, after] = [&self.before[0], &self.after[0]]
-                    .map(|file| quoted(&file.display().to_string()));
-                format!("to look: groundtruth compare {before} {after} -o page.html\n")
-            }
-            SetsDecision::CannotTell => {
-                "to know: render five pictures before and five after, each with another seed\n"
-                    .to_owned()
+    /// The next step: where one picture before differs from one after; of sets that agree, how close their means are.
+    fn next(&self, verdict: &SetsVerdict) -> String {
+        let all = |files: &[PathBuf]| {
+            let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+            shell::line(names.iter().map(String::as_str))
+        };
+        let curve = Transfer::option(self.encoding);
+        match (verdict.decision, self.margin) {
+            (SetsDecision::Agree, None) => format!(
+                "groundtruth verify --before {} --after {}{curve} --margin 1%",
+                all(self.before),
+                all(self.after)
+            ),
+            _ => {
+                let [before, after] = [&self.before[..1], &self.after[..1]].map(all);
+                format!("groundtruth compare {before} {after}{curve} -o compare.html")
             }
         }
     }

@@ -20,6 +20,7 @@ use judge::verdict::{
 use pictures::compare::{Picture, Transfer};
 use pictures::shell::quoted;
 use pictures::sums::Part;
+use pictures::told::Told;
 
 use super::numbers::whole;
 use super::scene::SceneArguments;
@@ -166,9 +167,13 @@ impl Verify {
             verdict.hold_to(margin);
         }
         let explained_with = explained_with_size(arguments, &scene) + &explained_with;
-        let words =
-            witness + &verdict.to_string() + &advice(arguments.name(), &verdict, &explained_with);
-        self.tell(&verdict, &words, arguments.name())?;
+        let (more, next) = advice(arguments.name(), &verdict, &explained_with);
+        let details = verdict.details() + &more + &witness;
+        self.tell(
+            &verdict,
+            &Told { verdict: verdict.sentence(), details, next },
+            arguments.name(),
+        )?;
         Ok(if watch.is_interrupted() { Exit::Interrupted } else { exit(&verdict) })
     }
 
@@ -187,16 +192,13 @@ impl Verify {
     }
 
     /// Writes the page and prints the verdict.
-    fn tell(&self, verdict: &Verdict, words: &str, scene: &str) -> Result<(), Box<dyn Error>> {
+    fn tell(&self, verdict: &Verdict, told: &Told, scene: &str) -> Result<(), Box<dyn Error>> {
         if let Some(file) = &self.output {
-            let name = format!("{} and {scene}", self.name());
-            output::write(file, verdict::page(verdict, &name, words).as_bytes())?;
+            let about = format!("verify {} and {scene}", self.name());
+            output::write(file, verdict::page(verdict, &about, told).as_bytes())?;
         }
-        let say = |text: &str| output::say(text, self.output.as_deref());
-        match self.json {
-            true => say(&(serde_json::to_string_pretty(verdict)? + "\n"))?,
-            false => say(words)?,
-        };
+        let text = if self.json { told.json(verdict)? } else { told.text() };
+        output::say(&text, self.output.as_deref())?;
         Ok(())
     }
 
@@ -289,35 +291,37 @@ impl Verify {
     }
 }
 
-/// What a picture that agrees does not say, and the commands that explain the worst pixels of one that differs.
-fn advice(scene: &str, verdict: &Verdict, arguments: &str) -> String {
-    let hidden = judge::mistakes::not_shown_by(scene).unwrap_or_default();
-    let scene = quoted(scene);
-    if verdict.decision == Decision::Agrees && !hidden.is_empty() {
-        return format!(
-            "this scene cannot show {} of the {} known mistakes: `groundtruth mistakes {scene}` names them, and scenes that \
-             can\n",
-            hidden.len(),
-            judge::mistakes::all().len()
-        );
-    }
+/// Lines after those of the verdict, and the next step: what a picture that agrees does not say, or the commands that
+/// explain the worst pixels of one that differs.
+fn advice(scene: &str, verdict: &Verdict, arguments: &str) -> (String, String) {
+    let mistakes = judge::mistakes::command(scene);
     let explain = |region: &Region| {
         let [x, y] = region.worst;
-        format!("  groundtruth explain {scene} {x},{y}{arguments}\n")
+        format!("groundtruth explain {} {x},{y}{arguments}", quoted(scene))
     };
-    let commands: Vec<String> = verdict.regions.iter().map(explain).collect();
-    if commands.is_empty() {
-        String::new()
-    } else {
-        format!("why ours is so:\n{}", commands.concat())
+    if let Some(worst) = verdict.regions.first() {
+        let others: String =
+            verdict.regions[1..].iter().map(|region| format!("  {}\n", explain(region))).collect();
+        let title =
+            if others.is_empty() { "" } else { "why ours has these values in other pixels:\n" };
+        return (format!("{title}{others}"), explain(worst));
     }
+    let hidden = judge::mistakes::not_shown_by(scene).unwrap_or_default().len();
+    let more = match verdict.decision {
+        Decision::Agrees if hidden > 0 => {
+            let all = judge::mistakes::all().len();
+            format!("this scene cannot show {hidden} of the {all} known mistakes\n")
+        }
+        _ => String::new(),
+    };
+    (more, mistakes)
 }
 
 /// What is known while more replicas are rendered.
 fn so_far(judged: &Evaluation) -> String {
     let replicas = judged.pool.count() - 1;
     format!(
-        "; so far {} of {replicas} are as far out as theirs",
+        "; so far {} of {replicas} differ as much as theirs",
         judged.ranking.as_far_as(replicas)
     )
 }

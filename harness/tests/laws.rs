@@ -8,7 +8,7 @@ use serde_json::Value;
 use super::conform_adapters::Called;
 use super::structure::{read, root};
 
-#[allow(dead_code)] // its `main`
+#[allow(dead_code, clippy::disallowed_methods)] // its `main`; its user may call any sine
 #[path = "../../examples/laws/init.rs"]
 mod init;
 
@@ -117,7 +117,7 @@ fn programs_to_start_from_keep_all_laws() {
     let lobes = claims::listed(&mut rust).expect("it lists its lobe");
     let options = claims::Options { cases: 2, seed: 1 };
     let card = claims::run(&mut rust, &lobes, options, &mut |_| ());
-    assert!(!card.is_failed() && !card.rows.is_empty(), "{}", claims::text(&card));
+    assert!(!card.is_failed() && !card.rows.is_empty(), "{card}");
     for program in programs {
         let words: Vec<&str> = program.iter().map(String::as_str).collect();
         let output = laws(&[&["--cases", "2", "--"], &words[..]].concat());

@@ -15,4 +15,5 @@ mod same_text;
 mod scene_reference;
 mod sets;
 mod structure;
+mod told;
 mod verify;

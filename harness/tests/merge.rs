@@ -93,7 +93,12 @@ fn any_division_and_any_order_give_the_same_bytes() {
     let turned = format!("{} {} {}", three[1], three[2], three[0]);
     for files in [whole.clone(), three.join(" "), turned, seven.join(" "), reversed.join(" ")] {
         let run = expect(0, at, &format!("merge {files} -o mean.sums"));
-        assert_eq!(run.stdout, "7 of 7 replicas\n");
+        assert_eq!(
+            run.stdout,
+            format!(
+                "whole: 7 of 7 replicas\nnext: groundtruth merge {files} -o mean.sums --audit 1%\n"
+            )
+        );
         assert_eq!(read(at, "mean.sums"), read(at, whole), "{files}");
     }
     expect(1, at, &format!("merge {} {} -o two.sums", three[2], three[1]));
@@ -128,11 +133,15 @@ fn the_commands_for_missing_replicas_render_them() {
     let files = parts(at, "a", 5, 9);
     let run = expect(1, at, &format!("merge {} {} -o mean.sums", files[1], files[3]));
     let lines: Vec<&str> = run.stdout.lines().collect();
-    assert_eq!(lines[0], "4 of 9 replicas");
-    assert_eq!(lines[1], "missing: seeds 1, 4 to 5, 8 to 9; render and merge them as well:");
+    assert_eq!(lines[0], "not whole: 4 of 9 replicas");
+    assert_eq!(lines[1], "missing: seeds 1, 4 to 5, 8 to 9; render and merge them as well");
     let mut all = format!("{} {}", files[1], files[3]);
     for line in &lines[2..] {
-        let arguments = line.trim().strip_prefix("groundtruth ").expect("a command");
+        let arguments = line
+            .trim_start_matches("next:")
+            .trim()
+            .strip_prefix("groundtruth ")
+            .expect("a command");
         expect(0, at, arguments);
         all += &format!(" {}", arguments.rsplit(' ').next().expect("a file"));
     }

@@ -1,8 +1,11 @@
 //! The card: in a terminal, as a page, and for continuous integration.
 
-use std::fmt::Write;
+use std::fmt::{self, Write as _};
 
+use pictures::digits::shortened;
 use pictures::html::{self, escaped};
+use pictures::shell::quoted;
+use pictures::told::Told;
 use pictures::xml::held;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use serde_json::{Value, json};
@@ -13,9 +16,41 @@ use crate::laws::{Breach, Law};
 use crate::run::{Broken, Card, Row, Status};
 use crate::setting::Setting;
 
-/// The verdict in one sentence, and the card below it.
-pub fn text(card: &Card) -> String {
-    let mut text = format!("{}\n\n", verdict(card));
+/// What is told of a card; `command` is the program and its arguments, and `is_fresh` says whether nobody has seen its seed.
+pub fn told(card: &Card, command: &[String], is_fresh: bool) -> Told {
+    Told { verdict: verdict(card), details: rows(card), next: next(card, command, is_fresh) }
+}
+
+impl fmt::Display for Card {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}\n{}", verdict(self), rows(self))
+    }
+}
+
+/// The next step: the first that fails, by itself; if it was alone, the question that shows it; if none fails, a seed that
+/// nobody has seen, or more cases.
+fn next(card: &Card, command: &[String], is_fresh: bool) -> String {
+    let program: String = command.iter().map(|word| format!(" {}", quoted(word))).collect();
+    let failed = card.rows.iter().find(|row| row.is_failed());
+    let question = || failed?.broken().next()?.1.breach.questions.first();
+    match (failed, question()) {
+        (Some(_), Some(question)) if card.rows.len() == 1 => {
+            let mut question = question.clone();
+            question["id"] = 1.into();
+            format!("echo {} |{program}", quoted(&question.to_string()))
+        }
+        (Some(row), _) => {
+            let only = quoted(&glob::Pattern::escape(&row.name));
+            format!("groundtruth laws {only} --seed {} --{program}", card.seed)
+        }
+        (None, _) if is_fresh => format!("groundtruth laws --fresh --cases 80 --{program}"),
+        (None, _) => format!("groundtruth laws --fresh --{program}"),
+    }
+}
+
+/// The rows of all subjects, and what is wrong with each.
+fn rows(card: &Card) -> String {
+    let mut text = "\n".to_owned();
     let width = card.rows.iter().map(|row| row.name.chars().count()).max().unwrap_or(0);
     let word = word(&card.rows);
     let width = width.max(word.len());
@@ -31,7 +66,7 @@ pub fn text(card: &Card) -> String {
     for row in &card.rows {
         text += &details(row);
     }
-    text
+    text + "\n"
 }
 
 impl Card {
@@ -72,7 +107,7 @@ impl Card {
             })
         };
         json!({
-            "verdict": verdict(self), "seed": self.seed, "tests": self.tests, "whole": self.is_whole,
+            "seed": self.seed, "tests": self.tests, "whole": self.is_whole,
             "subjects": self.rows.iter().map(row).collect::<Vec<_>>(),
         })
     }
@@ -119,11 +154,12 @@ fn details(row: &Row) -> String {
     }
     for (law, broken) in row.broken() {
         let Broken { setting: Setting { parameters, seen }, breach } = broken;
-        let parameters = Value::from(parameters.clone());
+        let parameters = shortened(&Value::from(parameters.clone()).to_string());
         let seen = seen.map_or(String::new(), |at| format!(", {} = {at:?}", row.kind.seen_from()));
+        let seen = shortened(&seen);
         let _ = writeln!(text, "\n{} breaks \"{}\": {}", row.name, law.name, law.sentence);
-        let _ = writeln!(text, "  found       {}", breach.found);
-        let _ = writeln!(text, "  expected    {}", breach.expected);
+        let _ = writeln!(text, "  found       {}", shortened(&breach.found));
+        let _ = writeln!(text, "  expected    {}", shortened(&breach.expected));
         let _ = writeln!(text, "  parameters  {parameters}{seen}");
         match &breach.mistake {
             Some(mistake) => {
@@ -140,10 +176,9 @@ fn details(row: &Row) -> String {
     text
 }
 
-/// The page for a program with this command line.
-pub fn page(card: &Card, command: &str) -> String {
-    let title = format!("laws: {}", escaped(command));
-    let mut html = format!("<h1>{title}</h1>\n<p>{}</p>\n", escaped(&verdict(card)));
+/// The page for a program with this command line, of which this is told.
+pub fn page(card: &Card, told: &Told, command: &str) -> String {
+    let mut html = String::new();
     for kind in Kind::ALL {
         html += &table(card, kind);
     }
@@ -153,7 +188,9 @@ pub fn page(card: &Card, command: &str) -> String {
             let _ = writeln!(html, "<pre>{}</pre>", escaped(details.trim()));
         }
     }
-    html::page(&title, &[html::LINES, html::CARD], &html)
+    // the page has the details in its own form
+    let told = Told { details: String::new(), ..told.clone() };
+    told.page(&format!("laws -- {command}"), &[html::LINES, html::CARD], &html)
 }
 
 /// The table of a kind; nothing if there is none of it.
@@ -162,7 +199,7 @@ fn table(card: &Card, kind: Kind) -> String {
     if rows.peek().is_none() {
         return String::new();
     }
-    let mut html = format!("<table>\n<tr><th>{}</th>", kind.word());
+    let mut html = format!("<div class=\"wide\"><table>\n<tr><th>{}</th>", kind.word());
     for law in Law::of(kind) {
         let _ = write!(html, "<th title=\"{}\">{}</th>", escaped(law.sentence), law.name);
     }
@@ -180,7 +217,7 @@ fn table(card: &Card, kind: Kind) -> String {
         }
         html += "</tr>\n";
     }
-    html + "</table>\n"
+    html + "</table></div>\n"
 }
 
 /// JUnit's XML: a suite for each subject, a case for each law.

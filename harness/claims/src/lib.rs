@@ -21,7 +21,7 @@ mod run;
 mod setting;
 
 pub use asked::Trouble;
-pub use card::{junit, page, text};
+pub use card::{junit, page, told};
 pub use description::{Claims, Description, Index, Kind, Sampling, Sides, Values};
 pub use domain::Domain;
 pub use language::Language;

@@ -1,6 +1,5 @@
 //! Claims of lobes that have a density: of random numbers of their own, and of losing no light; and factors by name.
 
-use claims::text;
 use conform::{Reply, Subject, numbers};
 use exact::Draw;
 use serde_json::{Value, json};
@@ -88,5 +87,5 @@ fn the_square_of_the_index_left_out_twice_is_named() {
     let broken = card.rows[0].broken().find(|(law, _)| law.name == "reciprocal");
     let (_, broken) = broken.expect("it is found");
     let mistake = broken.breach.mistake.as_deref().unwrap_or_default();
-    assert!(mistake.contains("η⁴ (1/η² left out on both ways)"), "{}", text(&card));
+    assert!(mistake.contains("η⁴ (1/η² left out on both ways)"), "{card}");
 }

@@ -1,6 +1,6 @@
 //! Laws of lights and maps: right ones keep them, and mistakes break the law that names them.
 
-use claims::{Card, Kind, Law, Status, text};
+use claims::{Card, Kind, Law, Status};
 use conform::Subject;
 
 use super::lamps::{self, Lamps};
@@ -74,7 +74,7 @@ fn counted(all: &[Planted], subject: impl Fn(Planted) -> Box<dyn Subject>) -> [u
         found += usize::from(first.is_some());
         named += usize::from(first == Some(planted.2));
         if first != Some(planted.2) {
-            println!("{}: {first:?}, not {}\n{}", planted.1, planted.2, text(&card));
+            println!("{}: {first:?}, not {}\n{card}", planted.1, planted.2);
         }
     }
     [found, named]
@@ -109,7 +109,7 @@ fn mistakes_in_maps_are_found_and_named() {
 
 fn assert_right(subject: &mut dyn Subject, cases: usize, seed: u64, open: usize) {
     let card = card(subject, cases, seed);
-    assert!(!card.is_failed(), "{}", text(&card));
+    assert!(!card.is_failed(), "{card}");
     for row in &card.rows {
         let undecided = row.laws.iter().filter(|it| matches!(it, Status::Undecided(_))).count();
         assert!(undecided <= open, "{}: {:?}", row.name, row.laws);

@@ -1,6 +1,6 @@
 //! Mistakes that people make break the law that names them.
 
-use claims::{Card, Kind, Law, text};
+use claims::{Card, Kind, Law};
 
 use super::right::card;
 use super::subject::Adapter;
@@ -85,7 +85,7 @@ fn counted(all: &[Planted]) -> [usize; 2] {
         found += usize::from(first.is_some());
         named += usize::from(first == Some(*law));
         if first != Some(*law) {
-            println!("{mistake}: {first:?}, not {law}\n{}", text(&card));
+            println!("{mistake}: {first:?}, not {law}\n{card}");
         }
     }
     [found, named]
@@ -105,7 +105,7 @@ fn each_law_finds_its_mistake() {
 #[test]
 fn chance_is_judged_for_the_card() {
     let card = card(&mut Adapter::new(L, "few of them uniform", false), 6, 1);
-    assert_eq!(first_law(&card), Some("density"), "{}", text(&card));
+    assert_eq!(first_law(&card), Some("density"), "{card}");
     assert!(card.tests > 0);
 }
 

@@ -1,6 +1,6 @@
 //! The tracer's own lobes as subjects: what they promise, they keep.
 
-use claims::{Card, text};
+use claims::Card;
 use conform::{Reply, Subject, numbers};
 use groundtruth::lobes::{Lobe, LobeSample};
 use groundtruth::math::Vector;
@@ -85,6 +85,6 @@ fn own_lobes_keep_what_they_promise() {
         if !lobe.claims().conserves_energy {
             broken.retain(|law| *law != "albedo");
         }
-        assert!(broken.is_empty(), "{name} breaks {broken:?}\n{}", text(&card));
+        assert!(broken.is_empty(), "{name} breaks {broken:?}\n{card}");
     }
 }

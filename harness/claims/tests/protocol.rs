@@ -1,6 +1,6 @@
 //! What a program may answer that is no lobe, and what is said of it.
 
-use claims::{Options, Trouble, junit, listed, page, run, text};
+use claims::{Options, Trouble, junit, listed, page, run, told};
 use conform::{Fault, Reply, Subject};
 use serde_json::{Value, json};
 
@@ -67,8 +67,8 @@ fn troubles_are_told() {
         let card = card(|_| reply.clone());
         assert_eq!(card.is_failed(), is_failed, "{reply:?}");
         assert!(!card.is_judged() && card.is_whole, "{reply:?}");
-        assert!(text(&card).contains(words), "{}", text(&card));
-        let html = page(&card, "./<b>");
+        assert!(card.to_string().contains(words), "{card}");
+        let html = page(&card, &told(&card, &[], false), "./<b>");
         assert!(html.contains("&lt;x&gt; &amp; y") && html.contains("./&lt;b&gt;"), "{html}");
         let xml = junit(&card, "./<b>");
         assert!(xml.contains("&lt;x&gt; &amp; y"), "{xml}");
@@ -126,5 +126,5 @@ fn samples_that_are_no_directions_are_told() {
 #[test]
 fn a_black_lobe_keeps_all_laws() {
     let card = card(|question| constant(0.0, 0.0, &Value::Null, question));
-    assert!(!card.is_failed(), "{}", text(&card));
+    assert!(!card.is_failed(), "{card}");
 }

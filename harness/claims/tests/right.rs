@@ -1,6 +1,6 @@
 //! Right lobes keep all laws, at every roughness, in single and in double precision.
 
-use claims::{Card, Options, Status, listed, run, text};
+use claims::{Card, Options, Status, listed, run};
 use conform::Subject;
 use statistics::significance::proportion;
 
@@ -17,7 +17,7 @@ fn false_alarms(seeds: std::ops::Range<u64>, cases: usize, is_single: bool) -> u
         let card = card(&mut Adapter::new(&ALL, "", is_single), cases, seed);
         if card.is_failed() {
             alarms += 1;
-            println!("{}", text(&card));
+            println!("{card}");
         }
     }
     alarms
@@ -28,7 +28,7 @@ fn false_alarms(seeds: std::ops::Range<u64>, cases: usize, is_single: bool) -> u
 fn right_lobes_keep_all_laws() {
     for is_single in [false, true] {
         let card = card(&mut Adapter::new(&ALL, "", is_single), 4, 0);
-        assert!(!card.is_failed(), "{}", text(&card));
+        assert!(!card.is_failed(), "{card}");
         for row in &card.rows {
             let open = row.laws.iter().filter(|it| matches!(it, Status::Undecided(_))).count();
             assert!(open <= 1, "{}: {:?}", row.name, row.laws);

@@ -5,26 +5,46 @@ use std::path::Path;
 
 use crate::compare::DRIFT;
 use crate::{Finding, Golden, Status, View};
+use groundtruth::explain::count;
 use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::printable;
 use pictures::compare::pair::{self, Pair};
 use pictures::compare::{Comparison, Picture};
-use pictures::html::{self, escaped};
+use pictures::html::escaped;
 use pictures::shell;
+use pictures::told::Told;
 
 const STYLE: &str = "\
-section { border-top: 1px solid #999; break-inside: avoid; }
-@media print { body { margin: 0; max-width: none; font-size: 10pt; } }
+section { border-top: 1px solid var(--edge); break-inside: avoid; }
 ";
 
-/// The page for these goldens.
-pub fn page(findings: &[Finding]) -> String {
-    let mut body = "<h1>Golden images</h1>\n".to_owned();
-    if findings.is_empty() {
-        body.push_str("<p>All are the same.</p>\n");
-    }
+/// What is told of a review of these goldens of a folder.
+pub fn told(findings: &[Finding], folder: &Path) -> Told {
+    let different: Vec<&Finding> = findings.iter().filter(|it| it.status != Status::Same).collect();
+    let all = count(findings.len(), "golden");
+    let verdict = match (&different[..], findings.len()) {
+        ([], 0) => "same: no golden differs".to_owned(),
+        ([], _) => format!("same: none of {all} differs"),
+        ([only], 1) => format!("differs: {} is {}", only.name, words(&only.status)),
+        ([first, ..], _) => {
+            let (name, status) = (&first.name, words(&first.status));
+            format!("differs: {} of {all}; the first, {name}, is {status}", different.len())
+        }
+    };
+    let line = |it: &&Finding| format!("{:9} {}\n", words(&it.status), it.name);
+    let details = different.iter().map(line).collect();
+    let next = match different.iter().find(|it| it.status != Status::NoScene) {
+        Some(first) => accept_command(first),
+        None => format!("groundtruth goldens check{}", folder_option(folder)),
+    };
+    Told { verdict, details, next }
+}
+
+/// The page for these goldens, of which this is told.
+pub fn page(findings: &[Finding], told: &Told) -> String {
+    let mut body = String::new();
     findings.iter().for_each(|finding| section(&mut body, finding));
-    html::page("Golden images", &[STYLE, pair::STYLE], &body)
+    told.page("goldens review", &[STYLE, pair::STYLE], &body)
 }
 
 fn section(html: &mut String, finding: &Finding) {
@@ -117,10 +137,10 @@ fn pair(
 ) -> bool {
     let pictures = films.map(Picture::of_film);
     let Ok(comparison) = Comparison::of(&pictures[0], &pictures[1], 0.0) else { return false };
-    let (count, pixels) = (comparison.differing, pictures[0].values.len());
+    let (differing, pixels) = (comparison.differing, pictures[0].values.len());
     let _ = writeln!(
         html,
-        "<p>{count} of {pixels} pixels differ. Drift is a relative difference of at most {DRIFT:e}.</p>"
+        "<p>{differing} of {pixels} pixels differ. Drift is a relative difference of at most {DRIFT:e}.</p>"
     );
     let commands = |pixel| {
         let of_golden = |golden| {

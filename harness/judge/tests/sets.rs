@@ -264,7 +264,12 @@ fn the_page_begins_with_the_verdict() {
     let before = pictures(Noise::Even, 0..5);
     let after = brighter(&pictures(Noise::Even, 5..10), 3.0, |[x, y]| x < 8 && y < 8);
     let found: SetsVerdict = verdict(&before, &after);
-    let page = judge::sets::page(&found, &found.to_string());
+    let told = pictures::told::Told {
+        verdict: found.sentence(),
+        details: found.details(),
+        next: String::new(),
+    };
+    let page = judge::sets::page(&found, &told);
     let headline = page.split_once("<h1>").and_then(|(_, rest)| rest.split_once("</h1>"));
     assert_eq!(headline.map(|(headline, _)| headline), Some(&*found.sentence()), "{page}");
     assert_eq!(page.matches("<i title=").count(), found.areas.len());

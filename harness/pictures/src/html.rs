@@ -2,17 +2,41 @@
 
 use groundtruth::printable;
 
-/// The rules that all pages have in common.
+/// The rules that all pages have in common: light or dark as the reader's system is, light on paper; nothing is wider than
+/// a telephone but tables, which scroll by themselves.
 const STYLE: &str = "\
-body { font: 15px/1.4 system-ui, sans-serif; margin: 2em auto; max-width: 80em; padding: 0 1em; }
+:root { color-scheme: light dark; --ink: #111; --paper: #fff; --line: #ddd; --quiet: #6b6b6b; --bad: #fdd; --box: #f4f4f4; \
+--edge: #999; --mark: #c60; }
+@media screen and (prefers-color-scheme: dark) {
+  :root { --ink: #e4e4e4; --paper: #15171a; --line: #3a3d42; --quiet: #a0a4aa; --bad: #5c2327; --box: #22252a; \
+--edge: #666; --mark: #f80; }
+}
+body { font: 15px/1.45 system-ui, sans-serif; color: var(--ink); background: var(--paper); margin: 1.5em auto; \
+max-width: 100em; padding: 0 1em; overflow-wrap: anywhere; }
+h1 { font-size: 1.4em; line-height: 1.3; max-width: 50em; margin: 0.2em 0 0.8em; }
+h2 { font-size: 1.15em; margin: 1.4em 0 0.4em; break-after: avoid; }
+h3 { font-size: 1em; margin: 1em 0 0.3em; break-after: avoid; }
+p { max-width: 60em; }
+.about { color: var(--quiet); margin: 0; }
+.next code { font-size: 1em; }
+a { color: inherit; }
+img { max-width: 100%; }
 pre { white-space: pre-wrap; overflow-wrap: anywhere; }
+code { font-size: 90%; user-select: all; overflow-wrap: anywhere; }
 table { border-collapse: collapse; }
+.wide { overflow-x: auto; }
+tr, figure { break-inside: avoid; }
+@media print {
+  body { margin: 0; max-width: none; font-size: 10pt; }
+  .wide { overflow: visible; }
+  img, .ramp, .failed { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+}
 ";
 
 /// Rules for tables: lines between the rows.
 pub const LINES: &str = "\
 th, td { padding: 0.1em 0.8em; text-align: left; }
-tr { border-bottom: 1px solid #ddd; }
+tr { border-bottom: 1px solid var(--line); }
 ";
 
 /// Rules for tables of numbers whose first column has the names of rows; after [`LINES`].
@@ -23,9 +47,9 @@ th:first-child, td:first-child { text-align: left; }
 
 /// Rules for cards of answers: what failed, what says little, and details.
 pub const CARD: &str = "\
-.failed { background: #fdd; }
-.quiet { color: #999; }
-pre { background: #f4f4f4; padding: 0.5em; }
+.failed { background: var(--bad); }
+.quiet { color: var(--quiet); }
+pre { background: var(--box); padding: 0.5em; }
 ";
 
 /// A whole page: its title (escaped), the rules that it adds to the common style, and its body.
@@ -33,6 +57,7 @@ pub fn page(title: &str, rules: &[&str], body: &str) -> String {
     let rules = rules.concat();
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
+         <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
          <title>{title}</title>\n<style>\n{STYLE}{rules}</style>\n</head>\n<body>\n\
          {body}</body>\n</html>\n"
     )

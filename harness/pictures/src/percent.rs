@@ -21,3 +21,16 @@ pub fn signed(part: f64, decimals: usize) -> String {
 pub fn short(part: f64) -> String {
     percent(part, if part >= 0.1 { 0 } else { 2 })
 }
+
+/// A part of pixels or of a difference, with three digits: `55.0 %`, `0.463 %`; below a thousandth of 1 % it says so.
+pub fn of_pixels(part: f64) -> String {
+    match 100.0 * part {
+        0.0 => "0 %".to_owned(),
+        small if small < 0.001 => "less than 0.001 %".to_owned(),
+        small if small < 10.0 => {
+            format!("{} %", format!("{small:.3}").trim_end_matches('0').trim_end_matches('.'))
+        }
+        large if large >= 99.95 => format!("{large:.0} %"),
+        large => format!("{large:.1} %"),
+    }
+}

@@ -27,3 +27,8 @@ pub fn quoted(argument: &str) -> String {
     }
     text + "'"
 }
+
+/// A command line: each word quoted where it has to be.
+pub fn line<'a>(words: impl IntoIterator<Item = &'a str>) -> String {
+    words.into_iter().map(quoted).collect::<Vec<_>>().join(" ")
+}

@@ -2,6 +2,7 @@
 
 mod blocks;
 mod compare;
+mod digits;
 mod html;
 mod percent;
 #[cfg(unix)]

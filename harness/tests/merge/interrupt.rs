@@ -52,7 +52,7 @@ fn an_interrupted_part_is_valid_and_is_continued() {
         });
         assert!(is_partial, "it was never interrupted between two replicas");
         let run = expect(1, at, "merge a.sums -o mean.exr");
-        assert!(!run.stdout.starts_with("60 of") && run.stdout.contains(" of 60 replicas"));
+        assert!(run.stdout.starts_with("not whole: ") && run.stdout.contains(" of 60 replicas"));
         expect(0, at, &format!("{SLOW} -o a.sums"));
         assert_eq!(read(at, "a.sums"), read(at, "whole.sums"), "{signal}");
     }
@@ -90,7 +90,7 @@ fn a_second_signal_drops_the_replica_under_way() {
             return false;
         }
         let run = expect(1, at, "merge a.sums -o a.pfm");
-        let count = if run.stdout.starts_with("1 of 3") { "one" } else { "two" };
+        let count = if run.stdout.starts_with("not whole: 1 of 3") { "one" } else { "two" };
         let expected = read(at, &format!("{count}.pfm"));
         assert!(read(at, "a.pfm") == expected, "it holds an unfinished replica: {}", run.stdout);
         // one that ended by itself may have had less time than the first: the machine was busier then

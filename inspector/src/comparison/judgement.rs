@@ -274,7 +274,7 @@ const ORANGE: Color32 = Color32::from_rgb(255, 136, 0);
 fn line(verdict: &Verdict) -> String {
     let z = verdict.regions.first().and_then(|region| region.z);
     let z = z.map_or(String::new(), |z| format!(", z = {z:+.1}"));
-    verdict.decision_in_words() + &z
+    verdict.sentence() + &z
 }
 
 fn worst(region: &Region) -> [u32; 2] {

@@ -80,7 +80,7 @@ impl WithMistake {
         match made {
             Ok(Some((program, film))) => {
                 *theirs = Some(Theirs::with_mistake(program, film, self.shows));
-                return None;
+                None
             }
             Ok(None) => {
                 (self.chosen, self.asked) = (None, None);

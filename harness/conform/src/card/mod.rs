@@ -13,7 +13,7 @@ use super::mistakes::{Mistake, Name};
 
 pub use junit::junit;
 pub use page::page;
-pub use text::{head, line, rest, verdict};
+pub use text::{told, verdict};
 
 /// What became of a case.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,26 +1,57 @@
-//! The card in a terminal.
+//! The card in words: the verdict in a sentence, what failed, and the counts.
 
 use std::fmt;
 
-use super::super::mistakes::Mistake;
+use super::super::judgement::Profile;
+use super::super::mistakes::{Mistake, Name};
 use super::super::run::FEW;
 use super::{Card, Row, Status};
 use groundtruth::printable;
+use pictures::digits::short;
+use pictures::shell::quoted;
+use pictures::told::Told;
 
-/// The line above chapters.
-pub fn head() -> String {
-    let columns: String =
-        Status::ALL.iter().map(|status| format!("{:>12}", status.name())).collect();
-    format!("{:<8}{columns}\n", "chapter")
+/// The table of chapters: those of which an answer was judged or a fault happened, and only statuses that there are.
+fn table(card: &Card) -> String {
+    let is_shown = |status: &Status| *status != Status::Unsupported && card.count(*status) > 0;
+    let columns: Vec<Status> = Status::ALL.into_iter().filter(is_shown).collect();
+    if columns.is_empty() {
+        return String::new();
+    }
+    let names: String = columns.iter().map(|status| format!("{:>11}", status.name())).collect();
+    let line = |name: &str, rows: &[&Row]| -> String {
+        let count = |status: &Status| rows.iter().map(|row| row.count(*status)).sum::<u64>();
+        if columns.iter().all(|status| count(status) == 0) {
+            return String::new();
+        }
+        let shown = |n: u64| if n == 0 { "·".to_owned() } else { n.to_string() };
+        let counts = columns.iter().map(|status| format!("{:>11}", shown(count(status))));
+        format!("{name:<8}{}\n", counts.collect::<String>())
+    };
+    let all: Vec<&Row> = card.rows.iter().collect();
+    let chapters = card.chapters();
+    let lines: String = chapters.iter().map(|(name, rows)| line(name, rows)).collect();
+    format!("{:<8}{names}\n{lines}{}", "chapter", line("all", &all))
 }
 
-/// The line of a chapter.
-pub fn line(chapter: &str, rows: &[&Row]) -> String {
-    let count = |status: Status| rows.iter().map(|row| row.count(status)).sum::<u64>();
-    let shown = |n: u64| if n == 0 { "·".to_owned() } else { n.to_string() };
-    let columns: String =
-        Status::ALL.iter().map(|status| format!("{:>12}", shown(count(*status)))).collect();
-    format!("{chapter:<8}{columns}\n")
+/// Where a family stands on the card: named mistakes first, then wrong answers without a name, then those that are fair in
+/// single precision, then refusals and faults.
+pub(super) fn order(row: &Row) -> usize {
+    let wrong = row.count(Status::Wrong);
+    match wrong {
+        0 => 3,
+        fair if fair == row.fair => 2,
+        _ if row.names.is_empty() => 1,
+        _ => 0,
+    }
+}
+
+/// The families that failed or could not be judged, in their order on the card.
+pub(super) fn failures(card: &Card) -> Vec<&Row> {
+    let mut rows: Vec<&Row> =
+        card.rows.iter().filter(|row| row.is_failed() || row.ours > 0).collect();
+    rows.sort_by_key(|row| order(row));
+    rows
 }
 
 /// What failed in a family: with the question, what was expected, what came.
@@ -45,7 +76,7 @@ pub(super) fn failed(row: &Row) -> String {
         }
         let error = match failure.wrong.error {
             error if error.is_finite() => {
-                format!(" ({}: off by {error:.3e} u·cond)", failure.wrong.symptom)
+                format!(" ({}: off by {} u·cond)", failure.wrong.symptom, short(error))
             }
             _ => format!(" ({})", failure.wrong.symptom),
         };
@@ -74,14 +105,6 @@ pub(super) fn failed(row: &Row) -> String {
     text
 }
 
-/// The sum of all chapters, and what failed.
-pub fn rest(card: &Card) -> String {
-    let all: Vec<&Row> = card.rows.iter().collect();
-    line("all", &all)
-        + &card.rows.iter().map(failed).collect::<String>()
-        + &card.rows.iter().map(conventions).collect::<String>()
-}
-
 /// What a family's answers do as the book does and we do not: they pass by the profile *book*.
 pub(super) fn conventions(row: &Row) -> String {
     let shown = |(mistake, count): &(&Mistake, u64)| {
@@ -94,69 +117,151 @@ pub(super) fn conventions(row: &Row) -> String {
     row.conventions.iter().map(shown).collect()
 }
 
-/// The last line: how many families failed, of those that were judged; and which were not, and why.
+/// The verdict in one sentence: how many families failed, and the first of them with its mistake.
 pub fn verdict(card: &Card, is_fresh: bool) -> String {
     if !card.is_whole {
-        return "interrupted: this is what was asked until then\n".to_owned();
+        return "interrupted: this is what was asked until then".to_owned();
     }
-    let count = |is: &dyn Fn(&Row) -> bool| card.rows.iter().filter(|row| is(row)).count();
-    let asked = count(&|row| row.total() > 0);
-    let unsupported = count(&Row::is_unsupported);
-    let (judged, seed, failed) = (asked - unsupported, card.seed, count(&Row::is_failed));
-    let rest = left_alone(card, unsupported);
-    let verdict = match (failed, is_fresh) {
+    let (asked, unsupported, failed) = (
+        count(card, &|row| row.total() > 0),
+        count(card, &Row::is_unsupported),
+        count(card, &Row::is_failed),
+    );
+    let (judged, seed) = (asked - unsupported, card.seed);
+    match (failed, is_fresh) {
         _ if judged == 0 => format!("nothing to judge: all {asked} families are unsupported"),
         (0, true) => {
-            format!("validated: none of {judged} families failed, with the fresh seed {seed}{rest}")
+            format!("validated: none of {judged} families failed, with the fresh seed {seed}")
         }
         (0, false) => format!(
-            "none of {judged} families failed{rest}; to validate, use --fresh: the default cases can be learnt"
+            "none of {judged} families failed; to validate, use --fresh: the default cases can be learnt"
         ),
-        (failed, _) => format!("{failed} of {judged} families failed (seed {seed}){rest}"),
-    };
+        (failed, _) => {
+            let first = failures(card).first().map_or(String::new(), |row| first(row));
+            format!("{failed} of {judged} families failed (seed {seed}){first}")
+        }
+    }
+}
+
+fn count(card: &Card, is: &dyn Fn(&Row) -> bool) -> usize {
+    card.rows.iter().filter(|row| is(row)).count()
+}
+
+/// A family that failed, for the sentence.
+fn first(row: &Row) -> String {
+    let (name, total) = (&row.name, row.total());
+    let (wrong, refused) = (row.count(Status::Wrong), row.count(Status::Refused));
+    match (row.names.first(), wrong, refused) {
+        (Some(Name::Known { mistake, explains, .. }), ..) => {
+            format!(
+                "; in {name}, {explains} of {total} answers look like this mistake: {}",
+                mistake.name
+            )
+        }
+        (Some(named), ..) => format!("; in {name}, {wrong} of {total} answers are wrong: {named}"),
+        (None, 1.., _) if wrong == row.fair => {
+            format!("; in {name}, {wrong} of {total} answers are only as exact as single precision")
+        }
+        (None, 1.., _) => format!("; in {name}, {wrong} of {total} answers are wrong"),
+        (None, 0, 1..) => format!("; in {name}, {refused} of {total} questions were refused"),
+        (None, 0, 0) => {
+            format!("; {name} got {} answers that cannot be read, or none", row.faults())
+        }
+    }
+}
+
+/// What is told of a card; `command` is the line by which the program was started.
+pub fn told(card: &Card, is_fresh: bool, command: &[String]) -> Told {
+    let details = details(card);
+    Told { verdict: verdict(card, is_fresh), details, next: next(card, is_fresh, command) }
+}
+
+/// What failed, conventions, counts, and what was not judged.
+fn details(card: &Card) -> String {
+    failures(card).into_iter().map(failed).collect::<String>()
+        + &card.rows.iter().map(conventions).collect::<String>()
+        + &table(card)
+        + &rest(card)
+}
+
+/// What is said below the counts: families that were not judged, and which profile fits.
+pub(super) fn rest(card: &Card) -> String {
     let wrong = card.count(Status::Wrong);
     let fair: u64 = card.rows.iter().map(|row| row.fair).sum();
     let advice = match 2 * fair > wrong {
         true => format!(
-            "; {fair} of {wrong} wrong answers are fair in single precision: for such a program, use --profile book"
+            "{fair} of {wrong} wrong answers are fair in single precision: for such a program, use --profile book\n"
         ),
         false => String::new(),
     };
-    format!("{verdict}{advice}\n")
+    let left = left_alone(card, count(card, &Row::is_unsupported));
+    let left = if left.is_empty() { left } else { format!("not judged: {left}\n") };
+    advice + &left
+}
+
+/// The next step: the first family that failed, by itself; if it was alone, the scene in which its mistake shows; if none
+/// failed, a seed that nobody has seen.
+fn next(card: &Card, is_fresh: bool, command: &[String]) -> String {
+    let program: String = command.iter().map(|word| format!(" {}", quoted(word))).collect();
+    let profile = match card.profile {
+        Profile::Careful => "",
+        Profile::Book => " --profile book",
+    };
+    let asked = count(card, &|row| row.total() > 0);
+    match failures(card).first() {
+        Some(row) if asked > 1 || !row.is_failed() => {
+            format!(
+                "groundtruth conform{profile} {} --seed {} --{program}",
+                quoted(&row.name),
+                card.seed
+            )
+        }
+        Some(row) => match row.names.first() {
+            Some(Name::Known { mistake: Mistake { picture: Some(name), .. }, .. }) => {
+                format!("groundtruth mistakes {name}")
+            }
+            Some(Name::Known { mistake, .. }) if mistake.seen_in().is_some() => {
+                format!("groundtruth describe {}", mistake.seen_in().unwrap_or_default())
+            }
+            _ => format!("groundtruth mistakes {}", row.chapter),
+        },
+        None if count(card, &Row::is_unsupported) == asked => {
+            "groundtruth conform --init python".to_owned()
+        }
+        None if is_fresh => format!("groundtruth conform{profile} --fresh --cases 480 --{program}"),
+        None => format!("groundtruth conform{profile} --fresh --{program}"),
+    }
 }
 
 /// The families that were not judged, or not to their end.
 fn left_alone(card: &Card, unsupported: usize) -> String {
-    let count = |is: &dyn Fn(&Row) -> bool| card.rows.iter().filter(|row| is(row)).count();
-    let mut text = match unsupported {
+    let mut parts = Vec::new();
+    let stopped = match count(card, &|row| row.is_unsupported() && row.not_asked() > 0) {
         0 => String::new(),
-        1 => "; 1 other is unsupported".to_owned(),
-        n => format!("; {n} others are unsupported"),
+        n if n == unsupported => format!(", left alone after {FEW} cases"),
+        n => format!(", {n} of them left alone after {FEW} cases"),
     };
-    match count(&|row| row.is_unsupported() && row.not_asked() > 0) {
+    match unsupported {
         0 => {}
-        n if n == unsupported => text += &format!(", left alone after {FEW} cases"),
-        n => text += &format!(", {n} of them left alone after {FEW} cases"),
+        1 => parts.push(format!("1 family is unsupported{stopped}")),
+        n => parts.push(format!("{n} families are unsupported{stopped}")),
     }
-    match count(&|row| row.not_asked() > 0 && !row.is_unsupported()) {
+    match count(card, &|row| row.not_asked() > 0 && !row.is_unsupported()) {
         0 => {}
-        1 => text += "; 1 was left alone after faults",
-        n => text += &format!("; {n} were left alone after faults"),
+        1 => parts.push("1 was left alone after faults".to_owned()),
+        n => parts.push(format!("{n} were left alone after faults")),
     }
     match card.rows.iter().map(|row| row.ours).sum::<u64>() {
         0 => {}
-        1 => text += "; 1 case was not judged, by a fault of ours",
-        n => text += &format!("; {n} cases were not judged, by a fault of ours"),
+        1 => parts.push("1 case was not judged, by a fault of ours".to_owned()),
+        n => parts.push(format!("{n} cases were not judged, by a fault of ours")),
     }
-    text
+    parts.join("; ")
 }
 
 impl fmt::Display for Card {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&head())?;
-        for (chapter, rows) in self.chapters() {
-            f.write_str(&line(chapter, &rows))?;
-        }
-        f.write_str(&rest(self))
+        writeln!(f, "{}", verdict(self, false))?;
+        f.write_str(&details(self))
     }
 }

@@ -152,6 +152,15 @@ pub fn find(name: &str) -> Option<&'static Mistake> {
     all().into_iter().find(|mistake| mistake.name == name)
 }
 
+/// The command that lists the mistakes that a scene of the gallery shows and those that it does not; of another scene, which
+/// was not measured, all mistakes.
+pub fn command(scene: &str) -> String {
+    match gallery::find(scene) {
+        Some(entry) => format!("groundtruth mistakes {}", entry.name),
+        None => "groundtruth mistakes".to_owned(),
+    }
+}
+
 /// The scene of which the picture of a mistake is made; `None` if the mistake does not apply to it, or
 /// is one of terms.
 pub fn scene(mistake: &Mistake, scene: &Scene, folder: &Path) -> Option<Scene> {

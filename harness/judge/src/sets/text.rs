@@ -3,10 +3,12 @@
 
 use std::fmt;
 
-use groundtruth::explain::{brief, count};
+use groundtruth::explain::count;
 
 use super::evidence::Reason;
 use super::{AreaDifference, AreaMeans, Method, SetsDecision, SetsVerdict};
+use pictures::compare::article;
+use pictures::digits::short;
 use pictures::percent;
 
 impl SetsVerdict {
@@ -59,7 +61,7 @@ impl SetsVerdict {
                 self.probability
             ),
             Method::Areas { because } => format!(
-                "{}; so a t-test of each large area, p = {:.3} after Holm",
+                "{}; so a t-test of each large area, p = {:.3} after Holm's correction",
                 few(because),
                 self.probability
             ),
@@ -76,7 +78,7 @@ impl SetsVerdict {
         }
     }
 
-    fn power(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn power(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         let Some(power) = &self.power else { return Ok(()) };
         let gain = |gain: Option<f64>| match gain {
             Some(gain) => percent::short(gain),
@@ -92,7 +94,7 @@ impl SetsVerdict {
         )
     }
 
-    fn about_pictures(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn about_pictures(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         let [before, _] = self.pictures;
         for (index, values) in self.not_finite.iter().enumerate().filter(|(_, values)| **values > 0)
         {
@@ -115,7 +117,7 @@ impl SetsVerdict {
         Ok(())
     }
 
-    fn margin(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn margin(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         let Some((margin, answer)) = self.margin else { return Ok(()) };
         writeln!(f, "margin of {}: {}", percent::short(margin), answer.words())
     }
@@ -124,6 +126,20 @@ impl SetsVerdict {
 impl fmt::Display for SetsVerdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(f, "{}", self.sentence())?;
+        f.write_str(&self.details())
+    }
+}
+
+impl SetsVerdict {
+    /// What the sentence rests on, in lines.
+    pub fn details(&self) -> String {
+        let mut text = String::new();
+        // a string takes everything
+        self.write_details(&mut text).expect("a string grows");
+        text
+    }
+
+    fn write_details(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         self.margin(f)?;
         let further = usize::from(self.explained_by.is_none());
         for area in self.areas.iter().skip(further) {
@@ -132,7 +148,10 @@ impl fmt::Display for SetsVerdict {
         self.power(f)?;
         writeln!(f, "method: {}", self.method_in_words())?;
         for means in &self.means {
-            writeln!(f, "{}: {}", means.name, means_in_words(means))?;
+            // an area that is black in both says nothing
+            if means.before != 0.0 || means.after != 0.0 {
+                writeln!(f, "{}: {}", means.name, means_in_words(means))?;
+            }
         }
         self.about_pictures(f)
     }
@@ -140,17 +159,22 @@ impl fmt::Display for SetsVerdict {
 
 fn in_words(AreaDifference { name, before, after, .. }: &AreaDifference) -> String {
     let relative = (after - before) / before;
-    let change = if relative.is_finite() {
-        format!("{} on average", percent::signed(relative, 2))
-    } else {
-        "it was black".to_owned()
+    let direction = if after < before { "darker" } else { "brighter" };
+    let by = match relative.is_finite() {
+        true => format!("by {} on average", percent::of_pixels(relative.abs())),
+        false => "it was black".to_owned(),
     };
-    format!("{name} has changed from {} to {}, {change}", brief(*before), brief(*after))
+    format!(
+        "{} is {direction} after, {by} (from {} to {})",
+        article(name),
+        short(*before),
+        short(*after)
+    )
 }
 
 /// The means of an area, and their difference.
 fn means_in_words(means: &AreaMeans) -> String {
-    let [before, after] = [means.before, means.after].map(brief);
+    let [before, after] = [means.before, means.after].map(short);
     let Some([relative, low, high]) = means.relative else {
         return format!("{before} before, {after} after");
     };

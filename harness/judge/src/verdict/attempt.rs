@@ -3,9 +3,10 @@
 use groundtruth::film::{Film, OutOfGamut};
 use groundtruth::samplers;
 
+use super::pictures_shown::Shown;
 use super::planted::brighter;
 use super::sampling::Sampling;
-use super::verdict::{Explanation, Shown, Verdict};
+use super::verdict::{Explanation, Verdict};
 use super::{
     Area, Areas, Decision, Evaluation, PlantedDefect, RayTolerance, Reference, Replicas, Stored,
     Strictness, Subject, exclude, is_alike, is_nearer, noise, planted, plausible,

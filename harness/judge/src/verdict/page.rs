@@ -5,28 +5,31 @@ use std::fmt::Write;
 use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::rgb::Rgb;
 
+use super::pictures_shown::Pictures;
 use super::text;
-use super::verdict::{Pictures, Region, Verdict};
+use super::verdict::{Region, Verdict};
 use pictures::compare::pair;
+use pictures::digits::short;
 use pictures::html::{self, escaped};
+use pictures::told::Told;
 
-const STYLE: &str = "\
+/// Rules for maps, after those of a pair.
+pub const STYLE: &str = "\
+.legend { max-width: 40em; }
 .map svg { position: absolute; top: 0; left: 0; width: 100%; height: 100%; }
 ";
 
 /// Differences of so many standard deviations are black or white in the map.
 const FARTHEST: f64 = 6.0;
 
-/// The page of a verdict on a picture with this name; `words` are what the command prints.
-pub fn page(verdict: &Verdict, name: &str, words: &str) -> String {
-    let title = escaped(name);
-    let mut body = format!("<h1>{title}</h1>\n<pre>{}</pre>\n", escaped(words));
+/// The page of a verdict on a picture with this name, of which this is told.
+pub fn page(verdict: &Verdict, name: &str, told: &Told) -> String {
     let Pictures { ours, theirs, .. } = &verdict.shown;
-    body += &pair::views(["the mean of ours", "theirs"], [ours, theirs]);
-    body += &excluded(&verdict.shown);
-    body += &map(verdict);
-    body += &table(verdict);
-    html::page(&title, &[html::LINES, html::NUMBERS, pair::STYLE, STYLE], &body)
+    let body = pair::views(["the mean of ours", "theirs"], [ours, theirs])
+        + &map(verdict)
+        + &excluded(&verdict.shown)
+        + &table(verdict);
+    told.page(name, &[html::LINES, html::NUMBERS, pair::STYLE, STYLE], &body)
 }
 
 /// Their picture with hatching over the pixels that are set apart, if there are any.
@@ -35,8 +38,8 @@ fn excluded(shown: &Pictures) -> String {
         return String::new();
     }
     format!(
-        "<h3>Set apart</h3>\n<p>Theirs. Hatched pixels do not count: all of ours agree there, and a correct picture may \
-         have this value.</p>\n<div class=\"map\"><img alt=\"theirs, hatched where it is set apart\" src=\"{}\">{}</div>\n",
+        "<h2>Not counted</h2>\n<p>Theirs. Hatched pixels do not count: all pictures of ours agree there, and a correct picture \
+         may have another value.</p>\n<div class=\"map\"><img alt=\"theirs, hatched where it does not count\" src=\"{}\">{}</div>\n",
         data_uri(&shown.theirs.radiance(), &Tone::SCREEN),
         hatching(&shown.excluded, shown.theirs.size)
     )
@@ -68,6 +71,13 @@ pub fn map_film(z: &[f64], [width, height]: [u32; 2]) -> Film {
     film
 }
 
+/// The legend of that map.
+pub fn map_scale() -> String {
+    let end = short(FARTHEST);
+    let scale = pair::scale([&format!("−{end} and less"), "0", &format!("+{end} and more")]);
+    format!("<div class=\"legend\">{scale}</div>\n")
+}
+
 /// The map of z, with the regions framed.
 fn map(verdict: &Verdict) -> String {
     let (size, excluded) = (verdict.shown.theirs.size, &verdict.shown.excluded);
@@ -76,10 +86,11 @@ fn map(verdict: &Verdict) -> String {
     let frames: String = verdict.regions.iter().map(framed).collect();
     let hatching = if excluded.is_empty() { String::new() } else { hatching(excluded, size) };
     format!(
-        "<h3>Map of z</h3>\n<p>The difference of each pixel in standard deviations: grey is 0, white and black are \
-         ±{FARTHEST} and more, brighter where theirs is larger. Regions are framed; what is set apart is hatched.</p>\n\
-         <div class=\"map\"><img alt=\"map of z\" src=\"{}\">{hatching}{frames}</div>\n",
-        data_uri(&film, &Tone::PLAIN)
+        "<h2>Difference in standard deviations of the noise (z)</h2>\n<p>Brighter where theirs is larger. Regions that differ \
+         are framed; pixels that do not count are hatched.</p>\n\
+         <div class=\"map\"><img alt=\"map of z\" src=\"{}\">{hatching}{frames}</div>\n{}",
+        data_uri(&film, &Tone::PLAIN),
+        map_scale()
     )
 }
 
@@ -98,9 +109,12 @@ pub fn frame(name: &str, [x, y, w, h]: [usize; 4], [width, height]: [u32; 2]) ->
 
 /// The means of the picture and of its objects.
 fn table(verdict: &Verdict) -> String {
-    let mut html = "<h3>Means</h3>\n<table>\n<tr><th>area<th>pixels<th>ours<th>theirs<th>relative difference</tr>\n".to_owned();
+    let mut html = "<h2>Means</h2>\n<div class=\"wide\"><table>\n<tr><th>area<th>pixels<th>ours<th>theirs<th>relative difference</tr>\n".to_owned();
     for means in &verdict.means {
-        let mean = |color: [f64; 3]| color.map(groundtruth::explain::brief).join(", ");
+        let mean = |color: [f64; 3]| color.map(short).join(", ");
+        if means.ours == [0.0; 3] && means.theirs == [0.0; 3] {
+            continue;
+        }
         let relative = match text::differences(means) {
             none if none.is_empty() => "ours is black".to_owned(),
             relative => relative,
@@ -114,5 +128,5 @@ fn table(verdict: &Verdict) -> String {
             mean(means.theirs)
         );
     }
-    html + "</table>\n"
+    html + "</table></div>\n"
 }

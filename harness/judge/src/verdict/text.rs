@@ -1,4 +1,4 @@
-//! What is said of a picture, as text: what was assumed, the means, the noise, the decision, and then why.
+//! What is said of a picture, as text: the verdict in a sentence, why, where, and then numbers.
 
 use std::fmt;
 
@@ -6,19 +6,154 @@ use groundtruth::explain::{brief, count};
 
 use super::verdict::{DecidedBy, Explanation, Region, Verdict};
 use super::{Cause, Causes, Decision, Factor, Factors, Means, Nearest, Place, Relative};
+use pictures::compare::article;
+use pictures::digits::{short, three};
 use pictures::percent;
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "assumed: {}", self.assumed)?;
-        if self.equal_to_seed.is_some() {
-            return writeln!(f, "{}", self.decision_in_words());
+        writeln!(f, "{}", self.sentence())?;
+        f.write_str(&self.details())
+    }
+}
+
+/// Of an object of which a smaller part differs pixel by pixel, its mean says more.
+const FEW: f64 = 0.05;
+
+/// A mistake that explains less is not near.
+const NEAR: f64 = 0.25;
+
+impl Verdict {
+    /// The verdict in one sentence.
+    pub fn sentence(&self) -> String {
+        let Self { as_far, replicas, pictures, .. } = self;
+        match (self.decision, self.equal_to_seed) {
+            (_, Some(seed)) => format!("agrees: it is our picture with --seed {seed}, bit for bit"),
+            (Decision::Agrees, _) if self.fixed => {
+                "agrees: no value differs by more than rounding".to_owned()
+            }
+            (Decision::Agrees, _) if *pictures > 1 => {
+                format!("agrees: no object and no large tile of {pictures} pictures differs")
+            }
+            (Decision::Agrees, _) => {
+                "agrees: the difference from ours is no more than noise".to_owned()
+            }
+            (Decision::Undecided, _) => format!(
+                "interrupted: so far, {as_far} of {replicas} pictures of ours with other seeds differ as much"
+            ),
+            (Decision::Differs, _) => format!("differs: {}{}", self.how(), self.why()),
         }
+    }
+
+    /// What differs, in which direction, by how much.
+    fn how(&self) -> String {
+        if let Some(Explanation { what, agrees: true, .. }) = &self.explained {
+            return format!("{what}; it agrees but for that");
+        }
+        let mean_of = |name: &str| self.means.iter().find(|means| means.name == name);
+        match (&self.decided_by, &self.affected) {
+            (Some(DecidedBy::Mean(name)), _) => self.mean_in_words(name, mean_of(name)),
+            (Some(DecidedBy::Negative), _) => {
+                "radiance is never negative, and that of theirs is".to_owned()
+            }
+            (None, Some(affected)) if affected.share() < FEW && !self.fixed => {
+                self.mean_in_words(&affected.object, mean_of(&affected.object))
+            }
+            (None, Some(affected)) => affected.words(),
+            (None, None) => "by more than noise".to_owned(),
+        }
+    }
+
+    /// An area whose mean differs.
+    fn mean_in_words(&self, name: &str, means: Option<&Means>) -> String {
+        let object = article(name);
+        let Some(relative) = means.and_then(|means| means.relative) else {
+            return format!("{object} differs");
+        };
+        let direction = if relative < 0.0 { "too dark" } else { "too bright" };
+        match means.is_some_and(Means::is_outside) {
+            true => {
+                let by = percent::of_pixels(relative.abs());
+                format!("{object} is {direction}, by {by} on average")
+            }
+            false => format!("{object} differs in some places, not on average"),
+        }
+    }
+
+    /// The known mistake or the terms that explain it, all of it or most.
+    fn why(&self) -> String {
+        let Causes { explained_by, nearest, tried, .. } = &self.causes;
+        if let Some(cause) = explained_by.first() {
+            return format!("; known mistake: {}", because(cause));
+        }
+        if let Some(Explanation { what, agrees: false, .. }) = &self.explained {
+            return format!("; {what} explains a part of it");
+        }
+        if let Some(Factors { factors, .. }) = &self.factors {
+            let one = |Factor { terms, factor, .. }: &Factor| {
+                format!("{} is {} times ours", terms.join(" and "), short(*factor))
+            };
+            let all: Vec<String> = factors.iter().map(one).collect();
+            return format!("; nearest explanation: {}", all.join(", "));
+        }
+        match nearest {
+            Some(Nearest { cause, share, .. }) if *share >= NEAR => {
+                let share = percent::percent(*share, 0);
+                format!("; nearest known mistake: {} ({share} of the difference)", because(cause))
+            }
+            _ if *tried > 0 => "; no known mistake is near".to_owned(),
+            _ => String::new(),
+        }
+    }
+
+    /// What the sentence rests on, in lines: causes first, then places, then numbers.
+    pub fn details(&self) -> String {
+        let mut text = String::new();
+        // a string takes everything
+        self.write_details(&mut text).expect("a string grows");
+        text
+    }
+
+    fn write_details(&self, f: &mut dyn fmt::Write) -> fmt::Result {
+        if self.equal_to_seed.is_some() {
+            return self.about_values(f);
+        }
+        self.explanation(f)?;
+        self.places(f)?;
+        self.margin(f)?;
+        self.rank(f)?;
         if let Some(whole) = self.means.first() {
-            let [theirs, ours] = [whole.theirs, whole.ours].map(color);
+            let [theirs, ours] = [whole.theirs, whole.ours].map(three);
             writeln!(f, "mean: {theirs}, ours {ours}{}", and_differences(whole))?;
         }
-        if !self.fixed {
+        self.about_values(f)?;
+        self.power(f)
+    }
+
+    /// How the decision was found.
+    fn rank(&self, f: &mut dyn fmt::Write) -> fmt::Result {
+        let Self { as_far, replicas, pictures, .. } = self;
+        match self.decision {
+            _ if self.fixed => Ok(()),
+            Decision::Agrees if *pictures == 1 && self.decided_by.is_none() => writeln!(
+                f,
+                "rank: {as_far} of {replicas} pictures of ours with other seeds differ as much from the rest"
+            ),
+            Decision::Differs if *pictures > 1 => writeln!(
+                f,
+                "rank: the means of {pictures} pictures are too far from ours for their noise"
+            ),
+            Decision::Differs if self.decided_by.is_none() => writeln!(
+                f,
+                "rank: it differs more than any of {replicas} pictures of ours with other seeds does from the rest"
+            ),
+            _ => Ok(()),
+        }
+    }
+
+    /// The noise, and how values are stored.
+    fn about_values(&self, f: &mut dyn fmt::Write) -> fmt::Result {
+        if !self.fixed && self.equal_to_seed.is_none() {
             writeln!(f, "noise: {:.2} of that of our pictures{}", self.noise, self.about_noise())?;
         }
         if let Some(pictures) = self.reference {
@@ -27,25 +162,19 @@ impl fmt::Display for Verdict {
                 "reference: all pictures are held against the mean of {pictures} others of ours"
             )?;
         }
-        if self.set_apart > 0 {
+        if self.set_apart > 0 && self.equal_to_seed.is_none() {
             let pixels = count(self.set_apart, "pixel");
             writeln!(
                 f,
-                "set apart: {pixels}, where all of ours agree and a correct picture need not"
+                "not counted: {pixels}, in which all pictures of ours agree but a correct picture may have another value"
             )?;
         }
         if let Some(negative) = &self.negative {
             writeln!(f, "{negative}")?;
         }
-        writeln!(f, "{}", self.decision_in_words())?;
-        self.margin(f)?;
-        self.explanation(f)?;
-        self.places(f)?;
-        self.power(f)
+        writeln!(f, "assumed: {}", self.assumed)
     }
-}
 
-impl Verdict {
     fn about_noise(&self) -> &'static str {
         match (self.independent, self.coarse) {
             (false, false) => "",
@@ -54,53 +183,7 @@ impl Verdict {
         }
     }
 
-    /// The decision, and on what it rests, in one line.
-    pub fn decision_in_words(&self) -> String {
-        let Self { as_far, replicas, pictures, .. } = self;
-        if let Some(seed) = self.equal_to_seed {
-            return format!("agrees: it is our picture with --seed {seed}, bit for bit");
-        }
-        match &self.decided_by {
-            Some(DecidedBy::Mean(name)) => {
-                let means = self.means.iter().find(|means| means.name == *name).map(differences);
-                return format!(
-                    "differs: the mean of {name} is outside its interval{}",
-                    means.unwrap_or_default()
-                );
-            }
-            Some(DecidedBy::Negative) => {
-                return "differs: radiance is never negative, and that of theirs is".to_owned();
-            }
-            None => {}
-        }
-        match (self.decision, self.fixed, *pictures > 1) {
-            (Decision::Agrees, true, _) => {
-                "agrees: no value differs by more than rounding".to_owned()
-            }
-            (Decision::Agrees, _, true) => {
-                format!("agrees: no object and no large tile of {pictures} pictures differs")
-            }
-            (Decision::Agrees, ..) => format!(
-                "agrees: {as_far} of {replicas} pictures of ours with other seeds are as far out"
-            ),
-            (Decision::Differs, true, _) => {
-                "differs: by more than rounding, and the scene has no noise".to_owned()
-            }
-            (Decision::Differs, _, true) => {
-                format!(
-                    "differs: the means of {pictures} pictures are too far from ours for their noise"
-                )
-            }
-            (Decision::Differs, ..) => format!(
-                "differs: it is farther out than all {replicas} pictures of ours with other seeds"
-            ),
-            (Decision::Undecided, ..) => format!(
-                "interrupted: so far, {as_far} of {replicas} pictures of ours with other seeds are as far out"
-            ),
-        }
-    }
-
-    fn margin(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn margin(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         let Some((margin, answer)) = self.margin else { return Ok(()) };
         writeln!(f, "margin of {}: {}", percent::short(margin), answer.words())?;
         for means in self.means.iter().filter(|it| it.is_beyond(margin)) {
@@ -109,7 +192,7 @@ impl Verdict {
         Ok(())
     }
 
-    fn explanation(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn explanation(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         if let Some(Explanation { what, agrees, is_gain }) = &self.explained {
             let rest = if *agrees { "it agrees but for that" } else { "it differs beyond that" };
             writeln!(f, "explained: {what}; {rest}")?;
@@ -125,7 +208,7 @@ impl Verdict {
     }
 
     /// What explains the difference, or most of it.
-    fn cause(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn cause(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         let Causes { explained_by, nearest, place, tried } = &self.causes;
         for (index, cause) in explained_by.iter().enumerate() {
             let or = match index {
@@ -140,7 +223,7 @@ impl Verdict {
         // they explain more than what is nearest
         if let Some(Factors { factors, share }) = &self.factors {
             let share = 100.0 * share;
-            writeln!(f, "factors: these explain {share:.0} % of the difference")?;
+            writeln!(f, "terms: these explain {share:.0} % of the difference")?;
             factors.iter().try_for_each(|factor| writeln!(f, "  {factor}"))?;
         }
         if let Some(Nearest { cause, share, interval }) = nearest {
@@ -158,14 +241,14 @@ impl Verdict {
         Ok(())
     }
 
-    fn places(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn places(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         if !self.regions.is_empty() {
             writeln!(f, "where:")?;
         }
         self.regions.iter().try_for_each(|region| writeln!(f, "  {region}"))
     }
 
-    fn power(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn power(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         for (found, title) in [(true, "would have been seen"), (false, "would not have been seen")]
         {
             let plants = self.plants.iter().filter(|plant| plant.found == found);
@@ -188,8 +271,10 @@ impl Verdict {
 impl fmt::Display for Region {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { name, bounds: [x, y, w, h], z, ours, theirs, worst: [wx, wy] } = self;
-        let z = z.map_or(String::new(), |z| format!("{z:+.1} standard deviations, "));
-        let [theirs, ours] = [*theirs, *ours].map(color);
+        let z = z.map_or(String::new(), |z| {
+            format!("{}{} standard deviations, ", if z < 0.0 { "−" } else { "+" }, short(z.abs()))
+        });
+        let [theirs, ours] = [*theirs, *ours].map(three);
         write!(f, "{name} in {x},{y},{w}x{h}: {z}{theirs}, ours {ours}, the worst at {wx},{wy}")
     }
 }
@@ -207,7 +292,7 @@ impl fmt::Display for Factor {
         let [times, error] = [self.factor, self.error].map(brief);
         let meaning = self.meaning().map_or(String::new(), |name| format!(": {name}"));
         let terms = self.terms.join(" and ");
-        write!(f, "{terms} counts {times} ± {error} of ours{meaning}")
+        write!(f, "{terms} is {times} ± {error} times ours{meaning}")
     }
 }
 
@@ -245,8 +330,4 @@ pub fn differences(means: &Means) -> String {
 fn and_differences(means: &Means) -> String {
     let words = differences(means);
     if words.is_empty() { words } else { format!(", {words}") }
-}
-
-fn color(channels: [f64; 3]) -> String {
-    format!("({})", channels.map(brief).join(", "))
 }

@@ -3,7 +3,9 @@
 use groundtruth::explain::count;
 use serde::Serialize;
 
-use pictures::compare::Picture;
+use pictures::compare::{Affected, Picture};
+
+use super::pictures_shown::{Pictures, Shown};
 
 use super::{
     Answer, Area, Areas, Causes, Decision, Difference, Evaluation, Factors, Map, Means, Negative,
@@ -47,6 +49,8 @@ pub struct Verdict {
     pub set_apart: usize,
     /// A relative margin for the means, and whether they are within it.
     pub margin: Option<(f64, Answer)>,
+    /// The object that differs most, if the picture does.
+    pub affected: Option<Affected>,
     /// Where it differs.
     pub regions: Vec<Region>,
     /// The change that explains the difference.
@@ -64,15 +68,6 @@ pub struct Verdict {
     pub shown: Pictures,
 }
 
-/// A picture as it is in its file, and the pixels that do not count.
-#[derive(Clone, Copy, Debug)]
-pub struct Shown<'a> {
-    /// Three values a pixel.
-    pub values: &'a [f32],
-    /// The pixels that are set apart: in the pool they have our values.
-    pub excluded: &'a [usize],
-}
-
 /// What alone decided that a picture differs.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "snake_case")]
@@ -81,31 +76,6 @@ pub enum DecidedBy {
     Mean(String),
     /// A negative value.
     Negative,
-}
-
-/// What a verdict is about, for the eye.
-#[derive(Clone, Debug)]
-pub struct Pictures {
-    /// The mean of ours.
-    pub ours: Picture,
-    /// Theirs, as it is in the file.
-    pub theirs: Picture,
-    /// The pixels of theirs that are set apart, row by row.
-    pub excluded: Vec<usize>,
-    /// For each pixel, the largest difference of a channel, in standard deviations.
-    pub z: Vec<f64>,
-}
-
-impl Pictures {
-    fn of(pool: &Pool, areas: &Areas, noise: f64, shown: Shown<'_>) -> Self {
-        let (theirs, size) = (pool.count() - 1, areas.size.map(|side| side as u32));
-        let mean: Vec<f32> = (0..pool.picture(theirs).len())
-            .map(|at| pool.mean_of_others(theirs, at) as f32)
-            .collect();
-        let (z, excluded) = (Map::of(pool, areas, theirs, noise).pixels(), shown.excluded.to_vec());
-        let [ours, theirs] = [&*mean, shown.values].map(|it| Picture::of_radiance(it, size));
-        Self { ours, theirs, excluded, z }
-    }
 }
 
 /// A simple change that explains a difference.
@@ -161,7 +131,10 @@ impl Verdict {
     ) -> Self {
         let theirs = judged.pool.count() - 1;
         let noise = judged.ranking.noise[theirs];
+        let pictures = Pictures::of(&judged.pool, areas, noise, shown);
+        let differs = judged.decision == Decision::Differs;
         Self {
+            affected: if differs { pictures.affected(areas) } else { None },
             decision: judged.decision,
             decided_by: None,
             negative: None,
@@ -185,7 +158,7 @@ impl Verdict {
             causes: Causes::default(),
             plants: Vec::new(),
             gains: Vec::new(),
-            shown: Pictures::of(&judged.pool, areas, noise, shown),
+            shown: pictures,
         }
     }
 
@@ -219,7 +192,14 @@ impl Verdict {
     #[must_use]
     pub fn equal(self, seed: u64) -> Self {
         let (decision, equal_to_seed) = (Decision::Agrees, Some(seed));
-        Self { decision, equal_to_seed, decided_by: None, regions: Vec::new(), ..self }
+        Self {
+            decision,
+            equal_to_seed,
+            decided_by: None,
+            affected: None,
+            regions: Vec::new(),
+            ..self
+        }
     }
 
     fn decide(&mut self, by: DecidedBy) {

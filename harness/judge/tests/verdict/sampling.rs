@@ -67,11 +67,13 @@ fn theirs_is_shown_as_it_is_in_the_file() {
     assert_eq!(possible.shown.theirs.values, Picture::of_film(&film).values);
     let red = film.pixels().iter().map(|it| it.to_array()[0]).sum::<f64>() / f64::from(SIDE * SIDE);
     assert!((possible.means[0].theirs[0] - red).abs() < 1e-6, "{possible}");
-    let page = verdict::page(&possible, "a picture", "");
-    assert!(page.contains("<h3>Set apart</h3>") && page.contains("M1 7l1 1"), "hatched");
+    let [verdict, details, next] = [""; 3].map(str::to_owned);
+    let told = pictures::told::Told { verdict, details, next };
+    let page = verdict::page(&possible, "a picture", &told);
+    assert!(page.contains("<h2>Not counted</h2>") && page.contains("M1 7l1 1"), "hatched");
     let impossible = judged(&scene, &with(2.5));
     assert_eq!(impossible.set_apart, 0, "{impossible}");
-    assert!(!verdict::page(&impossible, "a picture", "").contains("<svg"));
+    assert!(!verdict::page(&impossible, "a picture", &told).contains("<svg"));
 }
 
 /// Law: a correct picture with regular samples, or one at the centre of each pixel, is explained with the arguments that

@@ -3,6 +3,7 @@
 //! Values are compared as radiance. An 8-bit value stands for all radiance that is rounded or truncated to it,
 //! so that a difference within that interval is none. NaN is the worst difference and equals nothing.
 
+mod affected;
 mod change;
 mod differences;
 mod fitted;
@@ -17,6 +18,7 @@ mod text;
 
 use serde::Serialize;
 
+pub use affected::{Affected, article};
 pub use change::Change;
 pub use differences::Differences;
 pub use fitted::{NoPair, fit};
@@ -62,6 +64,11 @@ pub struct Comparison {
     pub worst: Option<Region>,
     /// The changes that explain the difference.
     pub explained_by: Vec<Hypothesis>,
+    /// What differs most: an object of a scene, or the second picture.
+    pub affected: Option<Affected>,
+    /// Whether objects are known.
+    #[serde(skip)]
+    pub are_objects_known: bool,
     /// What else to know about the difference, in sentences.
     pub notes: Vec<String>,
 }
@@ -93,14 +100,16 @@ impl Comparison {
         if a.size != b.size {
             return Err(SizesDiffer(a.size, b.size));
         }
-        let [a, b] = [a, b].map(Decoded::new);
-        let (a, b) = (&a, &b);
+        let both = [a, b].map(Decoded::new);
+        let [a, b] = &both;
         let pixels = a.picture.values.iter().zip(&b.picture.values);
         let differs: Vec<bool> = pixels
             .map(|(x, y)| x.iter().zip(y).any(|(x, y)| !is_equal(a, b, (*x, *y), tolerance)))
             .collect();
         let differing = differs.iter().filter(|differs| **differs).count() as u64;
         let (means, root_mean_square) = statistics(a, b);
+        let count = differs.len();
+        let whole = (&[(names[1].into(), count as u32)][..], &vec![0; count][..]);
         let (regions, worst) = regions::largest_and_worst(a, b, &differs);
         let explained_by =
             if differing > 0 { hypotheses::explaining(names, a, b) } else { Vec::new() };
@@ -115,6 +124,8 @@ impl Comparison {
             regions,
             worst,
             explained_by,
+            affected: text::affected(&both, tolerance, whole),
+            are_objects_known: false,
             notes: Vec::new(),
         })
     }

@@ -1,5 +1,5 @@
-//! Two pictures of one size on an HTML page, without a script: flip, swipe, difference in three scales, and the
-//! worst pixel of each region.
+//! Two pictures of one size on an HTML page, without a script: side by side, flip, difference in three scales, swipe, and
+//! the worst pixel of each region.
 
 use std::fmt::Write;
 
@@ -9,27 +9,50 @@ use groundtruth::rgb::Rgb;
 
 use super::differences::{Differences, NOT_A_NUMBER};
 use super::{Comparison, Picture, Region};
+use crate::digits::{short, three};
 use crate::html::escaped;
 
 /// The rules for a pair and for a map with frames, for the style of their page.
 pub const STYLE: &str = "\
 img { display: block; image-rendering: pixelated; }
-.flip, .swipe { position: relative; width: max-content; border: 1px solid #999; }
-.flip img, .swipe img { width: 40em; }
-.flip img + img { position: absolute; top: 0; left: 0; opacity: 0; }
-.flip:hover img + img { opacity: 1; }
-.swipe div { position: absolute; top: 0; left: 0; width: 50%; height: 100%; overflow: hidden; \
-resize: horizontal; border-right: 2px solid #f80; }
 .row { display: flex; flex-wrap: wrap; gap: 1em; margin: 1em 0; }
-.row figure { margin: 0; }
-.row img { width: 24em; border: 1px solid #999; }
-.zoom img { width: 16em; border: 0; }
-.zoom figure { position: relative; height: max-content; }
+.row figure { margin: 0; flex: 1 1 min(20em, 100%); max-width: 40em; min-width: 0; }
+.row img { width: 100%; box-sizing: border-box; border: 1px solid var(--edge); }
+figcaption { color: var(--quiet); font-size: 90%; }
+.flip, .swipe { display: block; position: relative; }
+.flip { cursor: pointer; }
+.flip input { position: absolute; top: 0.4em; left: 0.4em; z-index: 1; margin: 0; }
+.flip img + img { position: absolute; top: 0; left: 0; opacity: 0; }
+.flip :checked ~ img + img { opacity: 1; }
+@media (hover: hover) {
+  .flip:hover img + img { opacity: 1; }
+  .flip:hover :checked ~ img + img { opacity: 0; }
+}
+.flip:focus-within { outline: 3px solid var(--mark); }
+.swipe { max-width: 40em; }
+.swipe img { width: 40em; max-width: none; }
+.swipe { overflow: hidden; width: 40em; max-width: 100%; border: 1px solid var(--edge); }
+.swipe div { position: absolute; top: 0; left: 0; width: 50%; height: 100%; overflow: hidden; \
+resize: horizontal; border-right: 2px solid var(--mark); }
+.scale { display: grid; grid-template-columns: 1fr 1fr 1fr; margin-top: 0.3em; }
+.scale span:nth-child(3) { text-align: center; }
+.scale span:nth-child(4) { text-align: right; }
+.ramp { grid-column: 1 / 4; height: 0.8em; border: 1px solid var(--edge); \
+background: linear-gradient(to right, #000, #fff); }
+.row.zoom figure { position: relative; flex: 0 1 16em; height: max-content; }
+.row.zoom img { border: 0; }
+.row.zoom p { flex: 1 1 min(20em, 100%); margin: 0; }
 .zoom i, .map i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
 .map { position: relative; width: max-content; max-width: 100%; }
-.map img { width: 40em; max-width: 100%; border: 1px solid #999; }
-code { font-size: 90%; user-select: all; overflow-wrap: anywhere; }
+.map img { width: 40em; max-width: 100%; box-sizing: border-box; border: 1px solid var(--edge); }
+@media print { .flip input, .swipe, .swiped { display: none; } }
 ";
+
+/// The legend of a grey picture: a ramp from black to white, and the values at its ends and in its middle.
+pub fn scale(values: [&str; 3]) -> String {
+    let values = values.map(|value| format!("<span>{}</span>", escaped(value))).concat();
+    format!("<div class=\"scale\"><span class=\"ramp\"></span>{values}</div>")
+}
 
 /// The shares of differing channels that the three scales of the difference show unclipped: one bright lamp must
 /// not hide the rest.
@@ -71,24 +94,30 @@ impl Pair<'_> {
     pub fn html(&self) -> String {
         let mut html = self.views();
         if !self.comparison.is_same() {
-            html.push_str("<h3>Regions</h3>\n<p>Each with its worst pixel framed.</p>\n");
+            html.push_str("<h2>Regions</h2>\n<p>Each with its worst pixel framed.</p>\n");
             self.comparison.listed().for_each(|region| self.region(&mut html, region));
         }
         html
     }
 
-    /// Both pictures, one over the other, and their differences.
+    /// Both pictures side by side, the first of which flips to the second by pointer, by tap and by key; a swipe; and
+    /// their differences.
     pub fn views(&self) -> String {
         let [a, b] = self.names.map(escaped);
         let [shown_a, shown_b] = [0, 1].map(|i| self.image(i, &with_marked(&self.shown[i])));
         let mut html = format!(
-            "<h3>Flip</h3>\n<p>{a}; {b} under the pointer. Magenta is not a number.</p>\n\
-             <div class=\"flip\">{shown_a}{shown_b}</div>\n\
-             <h3>Swipe</h3>\n<p>{a} at the left, {b} at the right; pull the corner of the line.</p>\n\
-             <div class=\"swipe\">{shown_b}<div>{shown_a}</div></div>\n"
+            "<div class=\"row\">\n<figure><label class=\"flip\"><input type=\"checkbox\" \
+             aria-label=\"show {b} in place of {a}\">{shown_a}{shown_b}</label>\
+             <figcaption>{a}; {b} under the pointer, by a tap, or by the space bar (after Tab)</figcaption></figure>\n\
+             <figure>{shown_b}<figcaption>{b}. Magenta is not a number.</figcaption></figure>\n</div>\n"
         );
         if !self.comparison.is_same() {
             self.differences(&mut html);
+            let _ = write!(
+                html,
+                "<h2 class=\"swiped\">Swipe</h2>\n<p class=\"swiped\">{a} at the left, {b} at the right; pull the \
+                 corner of the line.</p>\n<div class=\"swipe\">{shown_b}<div>{shown_a}</div></div>\n"
+            );
         }
         html
     }
@@ -102,18 +131,20 @@ impl Pair<'_> {
         let [a, b] = self.names.map(escaped);
         let _ = writeln!(
             html,
-            "<h3>{b} − {a}</h3>\n<p>Grey: equal; brighter: {b} is larger.</p>\n<div class=\"row\">"
+            "<h2>{b} − {a}</h2>\n<p>Grey: equal; brighter: {b} is larger. Three scales, because one bright lamp must not \
+             hide the rest.</p>\n<div class=\"row\">"
         );
         let differences =
             Differences::of(self.pictures[0], self.pictures[1], self.comparison.tolerance);
         for share in SCALES {
             let largest = differences.within(share);
             let data = data_uri(&differences.film(largest), &Tone::PLAIN);
-            let percent = 100.0 * share;
+            let (percent, end) = (100.0 * share, short(largest));
+            let legend = scale([&format!("−{end}"), "0", &format!("+{end}")]);
             let _ = writeln!(
                 html,
-                "<figure><img alt=\"difference\" src=\"{data}\"><figcaption>black and white: ±{largest:.3e}, \
-                 {percent} % of the differences are within</figcaption></figure>"
+                "<figure><img alt=\"difference\" src=\"{data}\"><figcaption>{legend}{percent} % of the differences are \
+                 within the scale</figcaption></figure>"
             );
         }
         html.push_str("</div>\n");
@@ -140,10 +171,12 @@ impl Pair<'_> {
         let pixels = count(*pixels as usize, "pixel");
         let _ = write!(
             html,
-            "<p>{pixels} in {x},{y},{w}x{h}<br>the worst at ({wx}, {wy}), by {difference:.3e}<br>\
-             {}: {a:?}<br>{}: {b:?}",
+            "<p>{pixels} in {x},{y},{w}x{h}<br>the worst at ({wx}, {wy}), by {}<br>{}: {}<br>{}: {}",
+            short(*difference),
             escaped(self.names[0]),
-            escaped(self.names[1])
+            three(*a),
+            escaped(self.names[1]),
+            three(*b)
         );
         for command in (self.commands)(*worst) {
             let _ = write!(html, "<br><code>{}</code>", escaped(&command));

@@ -31,6 +31,16 @@ impl Transfer {
         }
     }
 
+    /// The option of a command line that says it, after a space; nothing if it was not said.
+    pub fn option(said: Option<Self>) -> String {
+        match said {
+            None => String::new(),
+            Some(Self::Srgb) => " --encoding srgb".to_owned(),
+            Some(Self::Linear) => " --encoding linear".to_owned(),
+            Some(Self::Gamma(gamma)) => format!(" --encoding gamma={gamma}"),
+        }
+    }
+
     /// The radiance of a display value.
     pub fn decoded(self, value: f64) -> f64 {
         match self {
