@@ -7,6 +7,8 @@ use groundtruth::film::{self, Film, Tone};
 use groundtruth::math::Pcg32;
 use groundtruth::rgb::Rgb;
 
+use super::structure::{read, root};
+
 /// The exit status, and what was printed.
 fn verify(arguments: &[&str]) -> (i32, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_groundtruth"));
@@ -73,4 +75,33 @@ fn every_exit_status() {
     }
     let (status, text) = verify(&["--before", &before[0]]);
     assert!(status == 2 && text.contains("--after"), "{text}");
+}
+
+/// Law: the tour of docs/ci.md can be taken: its lines render the sets, and its commands print what it shows, with these
+/// exit statuses. Oracle: the document.
+#[test]
+fn the_tour_of_the_document_can_be_taken() {
+    let page = read(&root().join("docs/ci.md"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let programs = Path::new(env!("CARGO_BIN_EXE_groundtruth")).parent().expect("a folder");
+    let path = format!("{}:{}", programs.display(), std::env::var("PATH").unwrap_or_default());
+    let shell = |line: &str| {
+        let mut shell = Command::new("sh");
+        let shell = shell.args(["-c", line]).current_dir(folder.path()).env("PATH", &path);
+        let output = shell.output().expect("a shell");
+        (output.status.code(), String::from_utf8(output.stdout).expect("UTF-8"))
+    };
+    let blocks: Vec<&str> = page.split("```").collect();
+    let rendered = blocks.iter().filter(|block| block.starts_with("sh\nmkdir reference"));
+    let rendered: Vec<&str> = rendered.filter_map(|block| block.strip_prefix("sh\n")).collect();
+    assert_eq!(rendered.len(), 1);
+    assert_eq!(shell(rendered[0]).0, Some(0));
+    let mut statuses = Vec::new();
+    for block in blocks.iter().filter_map(|block| block.strip_prefix("console\n$ ")) {
+        let (line, shown) = block.split_once('\n').expect("what is printed");
+        let (status, printed) = shell(line);
+        assert_eq!(printed, shown);
+        statuses.push(status);
+    }
+    assert_eq!(statuses, [Some(0), Some(1)]);
 }
