@@ -107,7 +107,7 @@ impl Table {
     /// Reads a table from a file or, if its path is `-`, from the standard input.
     ///
     /// # Errors
-    /// [`TableError`] with file, line, field and what to write.
+    /// An error with file, line, field and what to write.
     pub fn read(path: &Path) -> Result<Self, TableError> {
         let unreadable = |source| TableError::Unreadable { path: path.to_owned(), source };
         let text = match path == Path::new(STANDARD_INPUT) {
