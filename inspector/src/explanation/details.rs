@@ -156,7 +156,10 @@ fn table(ui: &mut Ui, id: &str, rows: Vec<(&'static str, String)>) {
 
 /// Shows the sum that is the ray's radiance. Returns the number of a term's ray if it was clicked.
 fn terms(ui: &mut Ui, ray: &RecordedRay) -> Option<usize> {
-    ui.strong("radiance = transmittance × the sum of these terms");
+    ui.strong(match ray.transmittance == Rgb::WHITE {
+        true => "radiance = the sum of these terms",
+        false => "radiance = the sum of these terms × what the medium lets through",
+    });
     let mut clicked = None;
     let grid = Grid::new("terms").num_columns(4).striped(true).min_row_height(16.0);
     grid.spacing([14.0, 1.0]).show(ui, |ui| {
