@@ -8,7 +8,7 @@ use clap::{Args, ValueEnum};
 use groundtruth::film::{self, Format};
 use groundtruth::scene;
 use groundtruth::world::World;
-use judge::exercise::{self, Level, Task};
+use judge::exercise::{self, Difficulty, Task};
 
 use super::numbers::whole;
 use super::program::fresh_seed;
@@ -28,8 +28,8 @@ pub struct Exercise {
     #[arg(long, value_name = "N", value_parser = whole::<u64>(0..=u64::MAX))]
     seed: Option<u64>,
     /// How hard the mistakes are to find
-    #[arg(long, value_enum, default_value_t = LevelName::Medium)]
-    level: LevelName,
+    #[arg(long, value_enum, default_value_t = DifficultyName::Medium)]
+    level: DifficultyName,
     /// The width of the pictures in pixels
     #[arg(long, value_name = "N", default_value_t = 300, value_parser = whole::<u32>(16..=2000))]
     width: u32,
@@ -37,7 +37,7 @@ pub struct Exercise {
 
 /// The levels by name.
 #[derive(Clone, Copy, Debug, ValueEnum)]
-enum LevelName {
+enum DifficultyName {
     /// Most of each picture is wrong, and the sheet lists the mistakes among which they are
     Easy,
     /// A part of each picture is wrong, and the sheet lists mistakes
@@ -54,9 +54,9 @@ impl Exercise {
         let chapter = mistakes::chapter_named(&self.chapter)?;
         self.check_new()?;
         let level = match self.level {
-            LevelName::Easy => Level::Easy,
-            LevelName::Medium => Level::Medium,
-            LevelName::Hard => Level::Hard,
+            DifficultyName::Easy => Difficulty::Easy,
+            DifficultyName::Medium => Difficulty::Medium,
+            DifficultyName::Hard => Difficulty::Hard,
         };
         let seed = self.seed.unwrap_or_else(fresh_seed);
         let bar = progress::bar(self.count as u64, "{bar:30} {pos} of {len} pictures");

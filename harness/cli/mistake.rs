@@ -13,7 +13,7 @@ use groundtruth::similar;
 use groundtruth::world::{DEFAULT_SEED, World};
 use judge::mistakes::known::Known;
 use judge::mistakes::table::{CHANGE, SAMPLES, sized};
-use judge::mistakes::{self, Beside, Mistake, Mistaken, Pair};
+use judge::mistakes::{self, Beside, Mistake, MistakeInScene, Mistaken};
 
 use super::scene::SceneArguments;
 use super::{Outcome, output};
@@ -123,6 +123,6 @@ pub fn told(mistake: &'static Mistake, file: Option<&Path>) -> Outcome {
 }
 
 /// `ch28/glass-sphere (62 %)`.
-fn seen_in(pair: &Pair) -> String {
+fn seen_in(pair: &MistakeInScene) -> String {
     format!("{} ({:.0} %)", pair.scene, 100.0 * pair.effect.share)
 }

@@ -46,7 +46,7 @@ pub struct Render {
     crop: Option<CropArgument>,
     /// How the two images of a stereo pair are written; side-by-side if left out
     #[arg(long, value_enum, value_name = "HOW")]
-    stereo: Option<Pair>,
+    stereo: Option<StereoOutput>,
     #[command(flatten)]
     mistake: MistakeArgument,
     /// Threads to use; all cores if left out. The picture is the same for any number
@@ -56,7 +56,7 @@ pub struct Render {
 
 /// How the two images of a stereo pair are written.
 #[derive(Clone, Copy, PartialEq, ValueEnum)]
-enum Pair {
+enum StereoOutput {
     /// One picture: both images and the gap between them
     SideBySide,
     /// One picture for glasses with a red filter on the left eye and a cyan one on the right eye
@@ -129,10 +129,12 @@ impl Render {
     fn files(&self, scene: &Scene, world: &World) -> Result<Files, Box<dyn Error>> {
         let pair = self.pair(world)?;
         let paths = match pair {
-            Pair::TwoFiles if output::is_standard(&self.output) => {
+            StereoOutput::TwoFiles if output::is_standard(&self.output) => {
                 return Err("two files cannot go to the standard output; name a file by -o".into());
             }
-            Pair::TwoFiles => ["-left", "-right"].map(|end| named(&self.output, end)).to_vec(),
+            StereoOutput::TwoFiles => {
+                ["-left", "-right"].map(|end| named(&self.output, end)).to_vec()
+            }
             _ => vec![self.output.clone()],
         };
         let format = output::format(&self.output, self.format)?;
@@ -146,13 +148,13 @@ impl Render {
     }
 
     /// How a stereo pair is written; fails if the scene or the crop does not allow it.
-    fn pair(&self, world: &World) -> Result<Pair, &'static str> {
+    fn pair(&self, world: &World) -> Result<StereoOutput, &'static str> {
         match self.stereo {
-            None => Ok(Pair::SideBySide),
+            None => Ok(StereoOutput::SideBySide),
             Some(_) if world.view.stereo().is_none() => {
                 Err("--stereo needs a scene whose camera has `stereo`; this one has one eye")
             }
-            Some(pair) if pair != Pair::SideBySide && self.crop.is_some() => Err(
+            Some(pair) if pair != StereoOutput::SideBySide && self.crop.is_some() => Err(
                 "--crop gives a part of the picture side by side; it goes with no other --stereo",
             ),
             Some(pair) => Ok(pair),
@@ -162,7 +164,7 @@ impl Render {
 
 /// The files of a picture, or of the two of a stereo pair.
 struct Files {
-    pair: Pair,
+    pair: StereoOutput,
     paths: Vec<PathBuf>,
     format: Format,
 }
@@ -175,16 +177,16 @@ impl Files {
         film: Film,
     ) -> Result<(), Box<dyn Error>> {
         let films = match (self.pair, render::eye_images(world, &film)) {
-            (Pair::Anaglyph, Some([left, right])) => vec![film::anaglyph(&left, &right)],
-            (Pair::TwoFiles, Some(images)) => images.to_vec(),
+            (StereoOutput::Anaglyph, Some([left, right])) => vec![film::anaglyph(&left, &right)],
+            (StereoOutput::TwoFiles, Some(images)) => images.to_vec(),
             _ => vec![film],
         };
         let mut made = render.scene.provenance(scene, world)?;
         made.mistake = render.mistake.name().map(str::to_owned);
         let parts = match (self.pair, render.crop) {
-            (Pair::TwoFiles, _) => ["left", "right"].map(|eye| Some(format!("{eye} eye"))),
-            (Pair::Anaglyph, _) => [Some("anaglyph".to_owned()), None],
-            (Pair::SideBySide, crop) => [crop.map(|crop| format!("crop {crop}")), None],
+            (StereoOutput::TwoFiles, _) => ["left", "right"].map(|eye| Some(format!("{eye} eye"))),
+            (StereoOutput::Anaglyph, _) => [Some("anaglyph".to_owned()), None],
+            (StereoOutput::SideBySide, crop) => [crop.map(|crop| format!("crop {crop}")), None],
         };
         for ((film, file), part) in films.iter().zip(&self.paths).zip(parts) {
             made.part = part;

@@ -24,7 +24,7 @@ pub const FLAT_NORMAL: f64 = 4.0;
 
 /// A shape of the library, and the same shape for the oracle.
 #[derive(Clone, Debug)]
-pub struct Pair {
+pub struct ShapePair {
     /// Built for rays.
     pub ours: Arc<dyn shapes::Shape>,
     /// The oracle's shape; an instance has the matrix that the library computed from its steps.
@@ -93,9 +93,9 @@ pub fn by_the_book(kind: &shapes::Kind) -> Option<Arc<dyn shapes::Shape>> {
 }
 
 /// The library's shape of the same data; `None` if the library refuses them.
-pub fn pair(exact: &oracle::Shape) -> Option<Pair> {
+pub fn pair(exact: &oracle::Shape) -> Option<ShapePair> {
     let kind = our_shape(exact)?;
-    Some(Pair { ours: kind.build(&mut Context::default()).ok()?, exact: oracle_shape(&kind)? })
+    Some(ShapePair { ours: kind.build(&mut Context::default()).ok()?, exact: oracle_shape(&kind)? })
 }
 
 /// An instance of the shape, and the ray transformed with it.
@@ -103,7 +103,7 @@ pub fn instanced(
     shape: &oracle::Shape,
     ray: &oracle::Ray,
     matrix: [[f64; 4]; 3],
-) -> Option<(Pair, oracle::Ray)> {
+) -> Option<(ShapePair, oracle::Ray)> {
     let moved = oracle::Shape::Instance { matrix, of: Box::new(shape.clone()) };
     let transform = Transform::from_steps(&steps(&matrix)?).ok()?;
     Some((pair(&moved)?, transformed(ray, &transform)))

@@ -8,7 +8,7 @@ use crate::{Finding, Golden, Status, View};
 use groundtruth::explain::count;
 use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::printable;
-use pictures::compare::pair::{self, Pair};
+use pictures::compare::pair::{self, ComparedPictures};
 use pictures::compare::{Comparison, Picture};
 use pictures::html::escaped;
 use pictures::shell;
@@ -149,7 +149,7 @@ fn pair(
         };
         finding.golden.as_ref().map(of_golden).into_iter().flatten().collect()
     };
-    let pair = Pair {
+    let pair = ComparedPictures {
         names: ["expected", "got"],
         pictures: [&pictures[0], &pictures[1]],
         shown: films.map(|film| view.for_eyes(film)),

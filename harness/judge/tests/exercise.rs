@@ -1,12 +1,12 @@
 //! Exercises for a class.
 
-use judge::exercise::{Level, Task, key, sheet, tasks};
+use judge::exercise::{Difficulty, Task, key, sheet, tasks};
 use judge::mistakes::is_wrong_on_purpose;
 use std::collections::BTreeSet;
 
 const WIDTH: u32 = 24;
 
-fn made(chapter: u32, level: Level, count: usize, seed: u64) -> Vec<Task> {
+fn made(chapter: u32, level: Difficulty, count: usize, seed: u64) -> Vec<Task> {
     tasks(chapter, level, (count, WIDTH), seed, &mut || ()).expect("gallery scenes are valid")
 }
 
@@ -18,7 +18,7 @@ fn names(tasks: &[Task]) -> Vec<&'static str> {
 /// same seed makes the same choice, another one another. Oracle: the pictures, and the scenes' names.
 #[test]
 fn tasks_are_different_mistakes_that_can_be_seen() {
-    let all = made(14, Level::Medium, 6, 1);
+    let all = made(14, Difficulty::Medium, 6, 1);
     let distinct: BTreeSet<&str> = names(&all).into_iter().collect();
     assert_eq!([all.len(), distinct.len()], [6, 6]);
     for Task { mistake, name, pictures, scene, .. } in &all {
@@ -30,25 +30,25 @@ fn tasks_are_different_mistakes_that_can_be_seen() {
         let changed = pairs.filter(|(a, b)| (**a - **b).to_array().iter().any(|c| c.abs() > 0.0));
         assert!(changed.count() * 200 >= pictures.right.pixels().len(), "{}", mistake.name);
     }
-    assert_eq!(names(&made(14, Level::Medium, 6, 1)), names(&all));
-    assert_ne!(names(&made(14, Level::Medium, 6, 2)), names(&all));
+    assert_eq!(names(&made(14, Difficulty::Medium, 6, 1)), names(&all));
+    assert_ne!(names(&made(14, Difficulty::Medium, 6, 2)), names(&all));
 }
 
 /// Law: a chapter with fewer mistakes has fewer tasks, and one without has none. Oracle: the catalogue.
 #[test]
 fn a_chapter_has_no_more_tasks_than_mistakes() {
-    assert_eq!(names(&made(12, Level::Easy, 6, 1)), ["eyes-exchanged"]);
-    assert_eq!(made(7, Level::Easy, 6, 1).len(), 0);
+    assert_eq!(names(&made(12, Difficulty::Easy, 6, 1)), ["eyes-exchanged"]);
+    assert_eq!(made(7, Difficulty::Easy, 6, 1).len(), 0);
 }
 
 /// Law: less is changed in harder tasks. Oracle: the pictures of four tasks of each of four seeds.
 #[test]
 fn harder_tasks_change_fewer_pixels() {
-    let share = |level: Level| {
+    let share = |level: Difficulty| {
         let all: Vec<Task> = (1..5).flat_map(|seed| made(14, level, 4, seed)).collect();
         all.iter().map(|task| task.effect.share).sum::<f64>() / all.len() as f64
     };
-    let [easy, medium, hard] = [Level::Easy, Level::Medium, Level::Hard].map(share);
+    let [easy, medium, hard] = [Difficulty::Easy, Difficulty::Medium, Difficulty::Hard].map(share);
     assert!(easy > 1.3 * medium && medium > 1.3 * hard, "{easy} {medium} {hard}");
 }
 
@@ -56,10 +56,10 @@ fn harder_tasks_change_fewer_pixels() {
 /// explains the pixel that changes most, with what is other marked. Oracle: the catalogue, the pictures.
 #[test]
 fn the_sheet_keeps_silent_and_the_key_tells() {
-    let all = made(12, Level::Hard, 1, 1);
+    let all = made(12, Difficulty::Hard, 1, 1);
     let [words, name] = [all[0].mistake.words, all[0].mistake.name];
-    assert!(!sheet(12, Level::Hard, &all).contains(words));
-    assert!(sheet(12, Level::Easy, &all).contains(words));
+    assert!(!sheet(12, Difficulty::Hard, &all).contains(words));
+    assert!(sheet(12, Difficulty::Easy, &all).contains(words));
     let key = key(12, "the <command>", &all).expect("few rays");
     let [x, y] = all[0].pictures.most_changed();
     for expected in [words, name, "the &lt;command&gt;", &format!("pixel ({x}, {y})"), "<mark>"] {

@@ -36,14 +36,14 @@ pub struct Choice<K> {
     #[serde(flatten)]
     pub kind: K,
     /// The results, by increasing number of samples.
-    pub levels: Vec<Level>,
+    pub levels: Vec<ErrorAtSamples>,
     /// The slope of log error over log samples, and its interval of 95 % confidence.
     pub slope: Option<[f64; 3]>,
 }
 
 /// The result for a number of samples.
 #[derive(Serialize)]
-pub struct Level {
+pub struct ErrorAtSamples {
     /// The number of samples per pixel.
     pub samples: u32,
     /// The number of pictures.
@@ -64,9 +64,9 @@ pub struct Level {
 }
 
 /// The error of a level that a diagram or table shows.
-type Error = fn(&Level) -> Option<f64>;
+type Error = fn(&ErrorAtSamples) -> Option<f64>;
 
-impl Level {
+impl ErrorAtSamples {
     fn new(pictures: &Pictures, references: &[Reference]) -> Self {
         let [rmse, relative_rmse] =
             Reference::squared_error(references, &pictures.films).map(|e| e.map(f64::sqrt));
@@ -88,7 +88,8 @@ impl Level {
 impl<K> Choice<K> {
     /// Compares the pictures, by increasing number of samples, with the reference of each frame.
     pub fn new(name: String, kind: K, pictures: &[Pictures], references: &[Reference]) -> Self {
-        let levels: Vec<Level> = pictures.iter().map(|p| Level::new(p, references)).collect();
+        let levels: Vec<ErrorAtSamples> =
+            pictures.iter().map(|p| ErrorAtSamples::new(p, references)).collect();
         let errors: Option<Vec<_>> = levels.iter().map(|l| Some((l.samples, l.rmse?))).collect();
         Self { name, kind, slope: errors.and_then(slope), levels }
     }
@@ -129,7 +130,7 @@ pub fn diagrams<'a, K: 'a>(
     (name, error): (&str, Error),
     limit: Option<Limit<'_>>,
 ) -> String {
-    let plot = |x, along: fn(&Level) -> f64| {
+    let plot = |x, along: fn(&ErrorAtSamples) -> f64| {
         let series = choices.clone().into_iter().map(|choice| {
             let points = choice.levels.iter().filter_map(|l| Some((along(l), error(l)?)));
             Series::joined(&choice.name, points)

@@ -3,7 +3,7 @@
 use oracle::hard::Kind;
 
 use crate::prelude::*;
-use crate::support::hard_cases::{Pair, judge_all, pair, sweep};
+use crate::support::hard_cases::{ShapePair, judge_all, pair, sweep};
 
 /// A law and its thorough form for each kind.
 macro_rules! sweeps {
@@ -51,7 +51,7 @@ sweeps! {
 
 /// Rays that make an angle of 10⁻³ to 10⁻¹² with the axis of a tall cylinder, from inside and from
 /// beside the wall: there the quadratic's leading coefficient is nearly zero.
-fn nearly_along_the_axis(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)> {
+fn nearly_along_the_axis(count: usize) -> impl Iterator<Item = (String, ShapePair, oracle::Ray)> {
     let mut draw = Draw::new(1912);
     (0..count).map(move |index| {
         let radius = draw.decades(-3.0, 3.0);
@@ -77,7 +77,7 @@ fn cylinders_are_exact_for_rays_nearly_along_their_axis() {
 
 /// Rays through two points of a cone's wall on generators 10⁻⁵ to 10⁻¹ apart, from beyond one of
 /// them: there, too, the leading coefficient is nearly zero, and both roots are near.
-fn nearly_along_the_wall(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)> {
+fn nearly_along_the_wall(count: usize) -> impl Iterator<Item = (String, ShapePair, oracle::Ray)> {
     let mut draw = Draw::new(1913);
     (0..count).map(move |index| {
         let [height, radius] = [draw.decades(-3.0, 3.0), draw.decades(-3.0, 3.0)];

@@ -4,7 +4,7 @@ use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 
 use crate::prelude::*;
-use crate::support::hard_cases::{Pair, instanced, judge_all, pair, sweep, sweep_as};
+use crate::support::hard_cases::{ShapePair, instanced, judge_all, pair, sweep, sweep_as};
 
 /// Law: hits of an instance are as exact as the condition of its matrix allows. Oracle: 512-bit
 /// arithmetic on the matrix as the library has it.
@@ -73,7 +73,7 @@ fn instances_of_cylinders_triangles_and_rectangles_thoroughly() {
 /// Flat rectangles that are stretched and rotated and then moved back, so that they are flat again up to
 /// rounding; that rounding is the whole thickness of their bounding box. The rays graze the box from far
 /// away.
-fn turned_flat(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)> {
+fn turned_flat(count: usize) -> impl Iterator<Item = (String, ShapePair, oracle::Ray)> {
     let mut draw = Draw::new(2101);
     (0..count).map(move |index| {
         let height = draw.between(-1.0, 1.0);
@@ -107,7 +107,7 @@ fn turned_flat(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)
         let aim = draw.vector(0.9);
         let origin = [aim.x() + distance * x, height + distance * y, aim.z() + distance * z];
         let ray = oracle::Ray { origin, direction: [-x, -y, -z] };
-        (format!("turned {index}"), Pair { ours, exact }, ray)
+        (format!("turned {index}"), ShapePair { ours, exact }, ray)
     })
 }
 
@@ -143,7 +143,7 @@ beveled! {
 
 /// Rays that cross the rounded edge of a cylinder in a short chord. The bevel is 10⁻⁷ to 10⁻¹ of the
 /// cylinder's size, the chord 10⁻⁴ to 1 of the bevel.
-fn short_chords(count: usize) -> impl Iterator<Item = (String, Pair, oracle::Ray)> {
+fn short_chords(count: usize) -> impl Iterator<Item = (String, ShapePair, oracle::Ray)> {
     let mut draw = Draw::new(2113);
     (0..count).map(move |index| {
         let size = draw.decades(-3.0, 3.0);

@@ -8,7 +8,7 @@
 use std::fmt;
 
 use exact::backward_error::{ALLOWED, FLAT_NORMAL, is_decided, normal_error, t_error};
-pub use exact::backward_error::{Pair, instanced, pair};
+pub use exact::backward_error::{ShapePair, instanced, pair};
 use exact::{backward_error, composites};
 use groundtruth::accel::Accel;
 use oracle::Answer;
@@ -63,7 +63,7 @@ pub fn sweep_as(
     kind: Kind,
     seed: u64,
     count: usize,
-    change: impl Fn(&oracle::Shape, &oracle::Ray, usize) -> Option<(Pair, oracle::Ray)>,
+    change: impl Fn(&oracle::Shape, &oracle::Ray, usize) -> Option<(ShapePair, oracle::Ray)>,
 ) {
     let families = Family::ALL.into_iter().flat_map(|family| {
         let numbered = cases(kind, family, seed, count).into_iter().enumerate();
@@ -95,7 +95,7 @@ impl Case {
     fn of(
         name: String,
         family: Family,
-        Pair { ours, exact }: Pair,
+        ShapePair { ours, exact }: ShapePair,
         exact_ray: &oracle::Ray,
     ) -> Self {
         let ray = backward_error::ray(exact_ray);
@@ -152,7 +152,7 @@ fn judge_families(count: usize, case: impl Fn(Family, usize) -> Option<Case>) {
 }
 
 /// Judges named shapes; see [`judge_cases`].
-pub fn judge_all(cases: impl Iterator<Item = (String, Pair, oracle::Ray)>) {
+pub fn judge_all(cases: impl Iterator<Item = (String, ShapePair, oracle::Ray)>) {
     judge_cases(cases.map(|(name, pair, ray)| Case::of(name, Family::Ordinary, pair, &ray)));
 }
 

@@ -3,7 +3,7 @@
 use groundtruth::math::{Point, Vector};
 use serde_json::Value;
 
-use super::pairs::{self, Pair};
+use super::pairs::{self, Equality};
 use super::{Breach, Finding};
 use crate::asked::Trouble;
 use crate::description::Sampling;
@@ -35,7 +35,7 @@ fn unlit() -> Finding {
 }
 
 /// Pairs at directions of samples, whose questions are that of the sample and that of the direction.
-fn equal(case: &LightCase<'_>, pairs: &[Pair], words: [&str; 2]) -> Finding {
+fn equal(case: &LightCase<'_>, pairs: &[Equality], words: [&str; 2]) -> Finding {
     pairs::equal(pairs, &LIGHTS, words, |pair| {
         let wi = pair.given.wi;
         let questions = vec![case.sample_question(&[pair.u]), case.eval_question(case.from, &[wi])];
@@ -107,14 +107,14 @@ pub fn same_pdf(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> 
     let samples = lit(case, COMPARED)?;
     let directions: Vec<Vector> = samples.iter().map(|it| it.wi).collect();
     let values = case.measured(case.from, &directions)?;
-    let pair = |(it, value): (&LightSample, crate::measured::Measured)| Pair {
+    let pair = |(it, value): (&LightSample, crate::measured::Measured)| Equality {
         given: it.given(),
         u: it.u,
         found: it.pdf.unwrap_or(f64::NAN),
         expected: value.value.pdf,
         slack: value.pdf_slack,
     };
-    let pairs: Vec<Pair> = samples.iter().zip(values).map(pair).collect();
+    let pairs: Vec<Equality> = samples.iter().zip(values).map(pair).collect();
     if pairs.is_empty() {
         return Ok(unlit());
     }
@@ -127,7 +127,7 @@ pub fn same_radiance(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trou
     let values = case.measured(case.from, &directions)?;
     let mut pairs = Vec::new();
     for (it, value) in samples.iter().zip(values) {
-        pairs.extend((0..3).map(|k| Pair {
+        pairs.extend((0..3).map(|k| Equality {
             given: it.given(),
             u: it.u,
             found: it.radiance[k],
@@ -186,7 +186,7 @@ pub fn along(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> {
         let there = case.measured(point, &[it.wi])?[0];
         // the distance that is left, over the whole
         let given = Given { distance: left, ..it.given() };
-        pairs.extend((0..3).map(|k| Pair {
+        pairs.extend((0..3).map(|k| Equality {
             given,
             u: it.u,
             found: there.value.f[k],
@@ -210,14 +210,14 @@ pub fn distance(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> 
         if case.claims.sampling == Some(Sampling::SolidAngle) {
             let slack = here.pdf_slack + first.pdf_slack;
             let (found, expected) = (here.value.pdf, first.value.pdf);
-            pairs.push(Pair { given: it.given(), u: it.u, found, expected, slack });
+            pairs.push(Equality { given: it.given(), u: it.u, found, expected, slack });
             continue;
         }
         let (point, left) = nearer(case, it);
         let there = case.measured(point, &[it.wi])?[0];
         // the point of the light is the same, and so are its density of area and its cosine
         let squared = left * left;
-        pairs.push(Pair {
+        pairs.push(Equality {
             given: Given { distance: left, ..it.given() },
             u: it.u,
             found: there.value.pdf,

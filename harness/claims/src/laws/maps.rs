@@ -3,7 +3,7 @@
 use groundtruth::math::Vector;
 use libm::cbrt;
 
-use super::pairs::{self, Pair};
+use super::pairs::{self, Equality};
 use super::{Breach, Finding};
 use crate::asked::Trouble;
 use crate::cells::Cells;
@@ -21,8 +21,8 @@ fn broken(found: String, expected: &str, questions: Vec<serde_json::Value>) -> F
 }
 
 /// A pair at a point, with the pair of numbers that gives it.
-fn pair(x: Vector, [a, b]: [f64; 2], [found, expected, slack]: [f64; 3]) -> Pair {
-    Pair { given: Given::of(Vector::Z, x, 1.0), u: [a, b, 0.0, 0.0], found, expected, slack }
+fn pair(x: Vector, [a, b]: [f64; 2], [found, expected, slack]: [f64; 3]) -> Equality {
+    Equality { given: Given::of(Vector::Z, x, 1.0), u: [a, b, 0.0, 0.0], found, expected, slack }
 }
 
 pub fn repeated(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
@@ -121,7 +121,7 @@ pub fn jacobian(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
     let all = stretched(case)?;
     let x: Vec<Vector> = all.iter().map(|it| it.x).collect();
     let densities = case.pdf(&x)?;
-    let pairs: Vec<Pair> = all
+    let pairs: Vec<Equality> = all
         .iter()
         .zip(densities)
         // a difference that may be off by more than a tenth tells nothing

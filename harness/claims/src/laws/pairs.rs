@@ -7,7 +7,7 @@ use crate::asked::{Asked, Numbers, Trouble};
 use crate::naming::{Factor, Given, factor};
 
 /// How two numbers that should be equal were found.
-pub struct Pair {
+pub struct Equality {
     /// Where.
     pub given: Given,
     /// Of the sample, if there is one.
@@ -20,7 +20,7 @@ pub struct Pair {
     pub slack: f64,
 }
 
-impl Pair {
+impl Equality {
     /// How far apart they are, in slacks.
     fn off(&self) -> f64 {
         let apart = (self.found - self.expected).abs() / self.slack.max(f64::MIN_POSITIVE);
@@ -31,14 +31,14 @@ impl Pair {
 /// Broken where a pair differs by more than its slack; the worst is shown, with its questions, and the factor between
 /// all of them is named.
 pub fn equal(
-    pairs: &[Pair],
+    pairs: &[Equality],
     factors: &[Factor],
     [found, expected]: [&str; 2],
-    shown: impl Fn(&Pair) -> (String, Vec<Value>),
+    shown: impl Fn(&Equality) -> (String, Vec<Value>),
 ) -> Finding {
     let worst = pairs.iter().max_by(|a, b| a.off().total_cmp(&b.off()));
     let Some(worst) = worst.filter(|pair| pair.off() > 1.0) else { return Finding::Holds };
-    let ratio = |pair: &Pair| (pair.found / pair.expected, pair.given);
+    let ratio = |pair: &Equality| (pair.found / pair.expected, pair.given);
     let ratios: Vec<_> = pairs.iter().filter(|pair| pair.off() > 1.0).map(ratio).collect();
     let (place, questions) = shown(worst);
     Finding::Broken(Breach {

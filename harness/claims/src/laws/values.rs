@@ -2,7 +2,7 @@
 
 use groundtruth::math::{Vector, cos, sin};
 
-use super::pairs::{self, Pair};
+use super::pairs::{self, Equality};
 use super::{Breach, Finding};
 use crate::asked::Trouble;
 use crate::case::Case;
@@ -14,7 +14,7 @@ use crate::naming::{Given, LOBES};
 const COMPARED: usize = 48;
 
 /// As [`equal`] of all kinds, for directions of a lobe.
-fn equal(case: &Case<'_>, pairs: &[Pair], found: &str, expected: &str) -> Finding {
+fn equal(case: &Case<'_>, pairs: &[Equality], found: &str, expected: &str) -> Finding {
     pairs::equal(pairs, &LOBES, [found, expected], |pair| {
         let wi = pair.given.wi;
         (format!("wi = {:?}", wi.to_array()), vec![case.lobe.eval_question(case.wo, &[wi])])
@@ -22,8 +22,8 @@ fn equal(case: &Case<'_>, pairs: &[Pair], found: &str, expected: &str) -> Findin
 }
 
 /// A pair at a direction.
-fn pair(case: &Case<'_>, wi: Vector, [found, expected, slack]: [f64; 3]) -> Pair {
-    Pair { given: Given::of(case.wo, wi, case.eta), u: [0.0; 4], found, expected, slack }
+fn pair(case: &Case<'_>, wi: Vector, [found, expected, slack]: [f64; 3]) -> Equality {
+    Equality { given: Given::of(case.wo, wi, case.eta), u: [0.0; 4], found, expected, slack }
 }
 
 /// Samples with a density, and the values in their directions.
@@ -42,7 +42,7 @@ pub fn same_pdf(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
     let pair = |(it, pdf, value): (Sampled, f64, Measured)| {
         pair(case, it.wi, [pdf, value.value.pdf, value.pdf_slack])
     };
-    let pairs: Vec<Pair> = values.map(pair).collect();
+    let pairs: Vec<Equality> = values.map(pair).collect();
     Ok(equal(case, &pairs, "the pdf of the sample", "the pdf of `eval`"))
 }
 
@@ -103,7 +103,7 @@ pub fn turned(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
     let there = case.measured(wo, &directions)?;
     let turned: Vec<Vector> = directions.iter().map(|w| turn(*w)).collect();
     let turned = case.measured(turn(wo), &turned)?;
-    let pairs: Vec<Pair> = there
+    let pairs: Vec<Equality> = there
         .iter()
         .zip(&turned)
         .flat_map(|(a, b)| {

@@ -10,7 +10,7 @@ use groundtruth::scene::{Scene, SceneError};
 use groundtruth::world::DEFAULT_SEED;
 
 use super::mistakes::table::{Effect, sized};
-use super::mistakes::{self, Beside, Mistake, Pair, is_wrong_on_purpose};
+use super::mistakes::{self, Beside, Mistake, MistakeInScene, is_wrong_on_purpose};
 
 pub use key::key;
 pub use sheet::sheet;
@@ -35,7 +35,7 @@ pub struct Task {
 
 /// How much of a picture is wrong: the less, the harder is the mistake to find.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Level {
+pub enum Difficulty {
     /// Most of it; and the sheet lists the mistakes among which they are.
     Easy,
     /// A part; with such a list, too.
@@ -44,7 +44,7 @@ pub enum Level {
     Hard,
 }
 
-impl Level {
+impl Difficulty {
     /// The share of changed pixels that is looked for.
     fn share(self) -> f64 {
         match self {
@@ -62,7 +62,7 @@ impl Level {
 /// If a scene of the gallery has no world.
 pub fn tasks(
     chapter: u32,
-    level: Level,
+    level: Difficulty,
     (count, width): (usize, u32),
     seed: u64,
     finished: &mut dyn FnMut(),
@@ -89,13 +89,13 @@ pub fn tasks(
 
 /// The scenes that show a mistake: those of chapters up to its own first, then those that are new, then by the share of
 /// pixels that is looked for.
-fn scenes(mistake: &Mistake, level: Level, used: &[&str]) -> Vec<&'static str> {
+fn scenes(mistake: &Mistake, level: Difficulty, used: &[&str]) -> Vec<&'static str> {
     let mut pairs = mistakes::scenes_that_show(mistake);
     pairs.retain(|pair| !is_wrong_on_purpose(pair.scene));
-    let is_later = |pair: &Pair| chapter_of(pair.scene) > Some(mistake.chapter);
-    let off = |pair: &Pair| (pair.effect.share - level.share()).abs();
+    let is_later = |pair: &MistakeInScene| chapter_of(pair.scene) > Some(mistake.chapter);
+    let off = |pair: &MistakeInScene| (pair.effect.share - level.share()).abs();
     pairs.sort_by(|a, b| {
-        let order = |pair: &Pair| (is_later(pair), used.contains(&pair.scene));
+        let order = |pair: &MistakeInScene| (is_later(pair), used.contains(&pair.scene));
         order(a).cmp(&order(b)).then(off(a).total_cmp(&off(b)))
     });
     pairs.into_iter().map(|pair| pair.scene).collect()

@@ -5,7 +5,7 @@ use std::fmt::Write;
 use groundtruth::film::data_uri;
 use pictures::html::{escaped, page};
 
-use super::{Level, Task};
+use super::{Difficulty, Task};
 use crate::mistakes::{self, Mistake};
 
 /// Two pictures side by side, and lines to write on, on paper of size A4.
@@ -34,7 +34,7 @@ const QUESTIONS: [&str; 3] = [
 ];
 
 /// The sheet: a page of HTML that needs nothing beside it.
-pub fn sheet(chapter: u32, level: Level, tasks: &[Task]) -> String {
+pub fn sheet(chapter: u32, level: Difficulty, tasks: &[Task]) -> String {
     let title = format!("Chapter {chapter}: what is wrong?");
     let mut body = format!("<h1>{title}</h1>\n{INTRODUCTION}");
     for (number, task) in (1..).zip(tasks) {
@@ -46,7 +46,7 @@ pub fn sheet(chapter: u32, level: Level, tasks: &[Task]) -> String {
         }
         body += "</section>\n";
     }
-    if level != Level::Hard {
+    if level != Difficulty::Hard {
         let mut words: Vec<&str> = mistakes::all()
             .into_iter()
             .filter(|mistake: &&Mistake| mistake.chapter == chapter)

@@ -38,7 +38,7 @@ pub use page::page;
 pub use recorder::Reweighing;
 pub use replicas::{replica, replicas};
 pub use shown::{
-    Cover, HEADING, Pair, TABLE, fewest_scenes, is_wrong_on_purpose, not_shown_by, pairs,
+    Cover, HEADING, MistakeInScene, TABLE, fewest_scenes, is_wrong_on_purpose, not_shown_by, pairs,
     scenes_that_show, shown_by,
 };
 

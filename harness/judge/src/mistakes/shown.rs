@@ -7,7 +7,7 @@ use super::{Mistake, all, find};
 
 /// A scene that shows a mistake.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Pair {
+pub struct MistakeInScene {
     /// The scene.
     pub scene: &'static str,
     /// The mistake.
@@ -22,31 +22,32 @@ pub const HEADING: &str = "scene,mistake,share,largest\n";
 /// The table.
 pub const TABLE: &str = include_str!("shown.csv");
 
-static PAIRS: LazyLock<Vec<Pair>> = LazyLock::new(|| {
+static PAIRS: LazyLock<Vec<MistakeInScene>> = LazyLock::new(|| {
     let lines = TABLE.lines().skip(1);
     lines.map(|line| parsed(line).unwrap_or_else(|| panic!("shown.csv: {line}"))).collect()
 });
 
-fn parsed(line: &'static str) -> Option<Pair> {
+fn parsed(line: &'static str) -> Option<MistakeInScene> {
     let [scene, mistake, share, largest] = line.split(',').collect::<Vec<_>>().try_into().ok()?;
     let effect = Effect { share: share.parse().ok()?, largest: largest.parse().ok()? };
-    Some(Pair { scene, mistake: find(mistake)?, effect })
+    Some(MistakeInScene { scene, mistake: find(mistake)?, effect })
 }
 
 /// All pairs of a scene and a mistake that it shows.
-pub fn pairs() -> &'static [Pair] {
+pub fn pairs() -> &'static [MistakeInScene] {
     &PAIRS
 }
 
 /// The scenes that show a mistake, those in which it changes most pixels first.
-pub fn scenes_that_show(mistake: &Mistake) -> Vec<&'static Pair> {
-    let mut scenes: Vec<&Pair> = pairs().iter().filter(|pair| pair.mistake == mistake).collect();
+pub fn scenes_that_show(mistake: &Mistake) -> Vec<&'static MistakeInScene> {
+    let mut scenes: Vec<&MistakeInScene> =
+        pairs().iter().filter(|pair| pair.mistake == mistake).collect();
     scenes.sort_by(|a, b| b.effect.share.total_cmp(&a.effect.share));
     scenes
 }
 
 /// The mistakes that a scene of the gallery shows.
-pub fn shown_by(scene: &str) -> Vec<&'static Pair> {
+pub fn shown_by(scene: &str) -> Vec<&'static MistakeInScene> {
     pairs().iter().filter(|pair| pair.scene == scene).collect()
 }
 
@@ -98,7 +99,7 @@ fn best_scene(
     let folder = format!("ch{chapter:02}/");
     let candidates = gallery::scenes().map(|entry| {
         let shown = shown_by(entry.name);
-        let shown: Vec<&Pair> =
+        let shown: Vec<&MistakeInScene> =
             shown.into_iter().filter(|pair| mistakes.contains(&pair.mistake)).collect();
         let pixels: f64 = shown.iter().map(|pair| pair.effect.share).sum();
         let own = entry.name.starts_with(&folder);

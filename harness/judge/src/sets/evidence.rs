@@ -8,7 +8,7 @@ use statistics::quantile;
 
 use super::divisions::{Divisions, Rank};
 use super::noise::{Noise, Pairs};
-use super::sums::{Design, Level, Pictures, Sums, channels};
+use super::sums::{Design, Pictures, SumKind, Sums, channels};
 use super::{Method, Sets};
 use crate::verdict::Areas;
 use crate::verdict::residuals::{around, own_variance};
@@ -217,7 +217,7 @@ impl<'a> Evidence<'a> {
     pub fn z_of_pixels(&self, areas: &Areas) -> Vec<f64> {
         let differences = self.sums.differences(&self.weights);
         let mut z: Vec<f64> = vec![0.0; areas.object_of.len()];
-        let Some((Level::Tiles(level), range)) = self.sums.levels.first() else { return z };
+        let Some((SumKind::Tiles(level), range)) = self.sums.levels.first() else { return z };
         let tiles = range.len() / 3;
         for index in range.clone() {
             let t = self.sums.t(index, f64::from(differences[index]), self.design);
@@ -232,7 +232,7 @@ impl<'a> Evidence<'a> {
 
     /// The standard deviation of the sum of all channels of an area, of one difference, if channels have their noise in
     /// common: the area's place among those of the level.
-    pub fn deviation_of_one(&self, level: Level, number: usize) -> f64 {
+    pub fn deviation_of_one(&self, level: SumKind, number: usize) -> f64 {
         let of_channel = |index: usize| (self.correlation * self.sums.expected[index]).sqrt();
         self.sums.places(level, number).map(of_channel).iter().sum()
     }
@@ -285,10 +285,10 @@ impl<'a> Evidence<'a> {
     fn by_details(&self, sums: &Sums<'_>) -> Found {
         let z = z_of_one(sums);
         let is_tested = |level| match level {
-            Level::Tiles(level) => 1 << level >= SMALLEST_OF_ONE,
-            Level::Regions => true,
+            SumKind::Tiles(level) => 1 << level >= SMALLEST_OF_ONE,
+            SumKind::Regions => true,
             // single bright pixels are in the difference and in the patterns of its mean
-            Level::Patterns | Level::NotFinite => false,
+            SumKind::Patterns | SumKind::NotFinite => false,
         };
         let levels = sums.levels.iter().filter(|(level, _)| is_tested(*level));
         let deviation = self.correlation.sqrt();
@@ -309,7 +309,7 @@ impl<'a> Evidence<'a> {
     fn smallest(&self) -> usize {
         let levels = self.sums.levels.iter();
         let largest = levels.filter_map(|(level, _)| match level {
-            Level::Tiles(level) => Some(1 << level),
+            SumKind::Tiles(level) => Some(1 << level),
             _ => None,
         });
         largest.max().unwrap_or(1) / SMALLEST_PART
@@ -328,7 +328,7 @@ fn z_of_one(sums: &Sums<'_>) -> Vec<f64> {
 fn correlation(sums: &Sums<'_>) -> f64 {
     let (z, mut factor) = (z_of_one(sums), 1.0_f64);
     for (level, range) in &sums.levels {
-        if matches!(level, Level::Tiles(_)) && range.len() >= 3 * FEW_TILES {
+        if matches!(level, SumKind::Tiles(_)) && range.len() >= 3 * FEW_TILES {
             let apart =
                 z[range.clone()].windows(2).map(|it| 0.5 * (it[0] - it[1]) * (it[0] - it[1]));
             let median = quantile(&apart.collect::<Vec<f64>>(), 0.5).unwrap_or_default();
@@ -340,9 +340,9 @@ fn correlation(sums: &Sums<'_>) -> f64 {
 
 /// The sums of regions, patterns, and tiles of at least this side.
 fn large<'a>(sums: &'a Sums<'_>, smallest: usize) -> impl Iterator<Item = usize> + 'a {
-    let is_large = move |level: Level| match level {
-        Level::Tiles(level) => 1 << level >= smallest,
-        Level::Regions | Level::Patterns | Level::NotFinite => true,
+    let is_large = move |level: SumKind| match level {
+        SumKind::Tiles(level) => 1 << level >= smallest,
+        SumKind::Regions | SumKind::Patterns | SumKind::NotFinite => true,
     };
     let levels = sums.levels.iter().filter(move |(level, _)| is_large(*level));
     levels.flat_map(|(_, range)| range.clone())

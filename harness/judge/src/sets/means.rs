@@ -6,7 +6,7 @@ use statrs::distribution::{ContinuousCDF, Normal};
 use super::Sets;
 use super::evidence::Evidence;
 use super::noise::Pairs;
-use super::sums::Level;
+use super::sums::SumKind;
 use crate::verdict::Answer;
 use statistics::means::{difference, interval};
 
@@ -27,13 +27,13 @@ impl AreaMeans {
     /// Of the whole picture and of each region; all intervals together hold with the probability 1 − `level`.
     pub fn of(sets: &Sets, pairs: &Pairs, evidence: &Evidence<'_>, level: f64) -> Vec<Self> {
         let largest = sets.areas.levels() - 1;
-        let whole = (Level::Tiles(largest), 0, "the whole picture".to_owned());
+        let whole = (SumKind::Tiles(largest), 0, "the whole picture".to_owned());
         let regions = sets.areas.objects.iter().enumerate();
-        let regions = regions.map(|(index, (name, _))| (Level::Regions, index, name.to_string()));
+        let regions = regions.map(|(index, (name, _))| (SumKind::Regions, index, name.to_string()));
         let is_divided = sets.areas.objects.len() > 1;
         let all: Vec<_> = std::iter::once(whole).chain(regions.filter(|_| is_divided)).collect();
         let confidence = 1.0 - level / all.len() as f64;
-        let of = |(level, number, name): &(Level, usize, String)| {
+        let of = |(level, number, name): &(SumKind, usize, String)| {
             let pixels =
                 sets.areas.pixels(evidence.sums.area(evidence.sums.places(*level, *number)[0]));
             let mean = |picture: &Vec<f32>| {

@@ -27,7 +27,7 @@ pub use means::AreaMeans;
 pub use noise::{Noise, Pairs};
 pub use page::page;
 pub use power::Power;
-pub use sums::{Design, Level, Pattern, Pictures, Sums};
+pub use sums::{Design, Pattern, Pictures, SumKind, Sums};
 
 use evidence::{Evidence, Found};
 

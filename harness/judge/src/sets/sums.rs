@@ -15,7 +15,7 @@ const ROUNDING: f64 = 1e-5;
 
 /// What the sums of a level are over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Level {
+pub enum SumKind {
     /// Tiles of the side 2^level.
     Tiles(usize),
     /// Regions.
@@ -119,7 +119,7 @@ impl Design {
 /// The sums over the areas of all levels.
 pub struct Sums<'a> {
     /// The levels, and the places of their sums. Those of a level begin with the areas of red.
-    pub levels: Vec<(Level, Range<usize>)>,
+    pub levels: Vec<(SumKind, Range<usize>)>,
     /// For each sum, the variance that it has if pixels have independent noise.
     pub expected: Vec<f64>,
     /// For each sum, that of the mean picture.
@@ -222,7 +222,7 @@ impl<'a> Sums<'a> {
     /// The largest |t| of each level.
     pub fn largest(&self, weights: &[f64], design: Design) -> Vec<f64> {
         let differences = self.differences(weights);
-        let largest = |(_, range): &(Level, Range<usize>)| {
+        let largest = |(_, range): &(SumKind, Range<usize>)| {
             let t = range.clone().map(|i| self.t(i, f64::from(differences[i]), design).abs());
             t.fold(0.0, f64::max)
         };
@@ -235,15 +235,15 @@ impl<'a> Sums<'a> {
     }
 
     /// What a sum is of: its level, channel, and the number of its area or pattern in the level.
-    fn place(&self, index: usize) -> (Level, usize, usize) {
-        let holds = |level: &&(Level, Range<usize>)| level.1.contains(&index);
+    fn place(&self, index: usize) -> (SumKind, usize, usize) {
+        let holds = |level: &&(SumKind, Range<usize>)| level.1.contains(&index);
         let (level, range) = self.levels.iter().find(holds).expect("a place of a sum");
         let (within, each) = (index - range.start, range.len().div_ceil(3));
         (*level, within / each, within % each)
     }
 
     /// The places of the sums of the three channels of an area, which is the one of this number in its level.
-    pub fn places(&self, level: Level, number: usize) -> [usize; 3] {
+    pub fn places(&self, level: SumKind, number: usize) -> [usize; 3] {
         let of_level = self.levels.iter().find(|(other, _)| *other == level);
         let range = &of_level.expect("a level that is there").1;
         [0, 1, 2].map(|channel| range.start + channel * range.len() / 3 + number)
@@ -259,8 +259,8 @@ impl<'a> Sums<'a> {
         let (level, channel, number) = self.place(index);
         let channel = ["red", "green", "blue"][channel];
         match (level, self.area(index)) {
-            (Level::Regions, _) => self.layout.areas.objects[number].0.to_string(),
-            (Level::Patterns, _) => {
+            (SumKind::Regions, _) => self.layout.areas.objects[number].0.to_string(),
+            (SumKind::Patterns, _) => {
                 let pattern = match Pattern::ALL[number] {
                     Pattern::Gain => "brightness",
                     Pattern::AlongRows => "place along the rows",
@@ -269,7 +269,7 @@ impl<'a> Sums<'a> {
                 };
                 format!("the {pattern} of the whole picture")
             }
-            (Level::Tiles(level), Area::Tile { corner: [x, y], side }) => {
+            (SumKind::Tiles(level), Area::Tile { corner: [x, y], side }) => {
                 let areas = self.layout.areas;
                 match level + 1 == areas.levels() {
                     true => format!("the whole picture ({channel})"),
@@ -286,9 +286,9 @@ impl<'a> Sums<'a> {
     /// The area of a sum.
     pub fn area(&self, index: usize) -> Area {
         match self.place(index) {
-            (Level::Tiles(level), _, tile) => self.layout.areas.tile(level, tile),
-            (Level::Regions, _, region) => Area::Object(region),
-            (Level::Patterns | Level::NotFinite, ..) => whole(self.layout.areas),
+            (SumKind::Tiles(level), _, tile) => self.layout.areas.tile(level, tile),
+            (SumKind::Regions, _, region) => Area::Object(region),
+            (SumKind::Patterns | SumKind::NotFinite, ..) => whole(self.layout.areas),
         }
     }
 }
@@ -323,12 +323,13 @@ impl<'a> Layout<'a> {
         Self { areas, first: first.unwrap_or_default(), weights }
     }
 
-    fn levels(&self) -> Vec<(Level, Range<usize>)> {
+    fn levels(&self) -> Vec<(SumKind, Range<usize>)> {
         let tiles = (self.first..self.areas.levels()).map(|level| {
-            (Level::Tiles(level), 3 * self.areas.grid(level).iter().product::<usize>())
+            (SumKind::Tiles(level), 3 * self.areas.grid(level).iter().product::<usize>())
         });
-        let regions = (Level::Regions, 3 * self.areas.objects.len());
-        let others = [regions, (Level::Patterns, 3 * Pattern::ALL.len()), (Level::NotFinite, 1)];
+        let regions = (SumKind::Regions, 3 * self.areas.objects.len());
+        let others =
+            [regions, (SumKind::Patterns, 3 * Pattern::ALL.len()), (SumKind::NotFinite, 1)];
         let mut start = 0;
         let place = |(level, count)| {
             start += count;

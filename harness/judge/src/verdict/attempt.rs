@@ -8,8 +8,8 @@ use super::planted::brighter;
 use super::sampling::Sampling;
 use super::verdict::{Explanation, Verdict};
 use super::{
-    Area, Areas, Decision, Evaluation, PlantedDefect, RayTolerance, Reference, Replicas, Stored,
-    Strictness, Subject, exclude, is_alike, is_nearer, noise, planted, plausible,
+    Area, Areas, Decision, Evaluation, PlantedDefect, PoolContext, RayTolerance, Reference,
+    Replicas, Stored, Strictness, exclude, is_alike, is_nearer, noise, planted, plausible,
 };
 use pictures::compare::{
     Change, Decoded, Picture, Transfer, changes_that_explain, distance_of, half_pixel_directions,
@@ -74,7 +74,7 @@ impl Judge<'_> {
         let candidates = Stored::candidates(theirs, self.transfer, self.tone);
         let stored = plausible(&candidates, theirs, films)[0];
         let known: Vec<Vec<f32>> = films.iter().map(|film| stored.values(film)).collect();
-        let subject = Subject { areas: self.areas, stored, reference: None };
+        let subject = PoolContext { areas: self.areas, stored, reference: None };
         noise(&read(theirs, stored), subject, &known)
     }
 
@@ -117,7 +117,7 @@ impl Judge<'_> {
             }
             Some(values)
         };
-        let subject = Subject { areas: self.areas, stored, reference };
+        let subject = PoolContext { areas: self.areas, stored, reference };
         let judged = Evaluation::of(&values, subject, self.strictness, &mut known, next)?;
         let as_read = read(theirs, stored);
         let shown = Shown { values: &as_read, excluded: &apart };

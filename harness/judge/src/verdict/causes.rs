@@ -11,7 +11,7 @@ use super::evidence::Evidence;
 use super::place::Place;
 use super::share::Share;
 use super::suspects::{Suspect, Suspects};
-use super::{Decision, Evaluation, RayTolerance, Strictness, Subject, exclude};
+use super::{Decision, Evaluation, PoolContext, RayTolerance, Strictness, exclude};
 
 /// A mistake that explains a picture.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -61,7 +61,7 @@ const ALIKE: f64 = 0.02;
 const EQUAL: f64 = 1e-6;
 
 /// The change that a mistake makes, over tiles.
-struct Change {
+struct SuspectFit {
     suspect: Suspect,
     tiles: Vec<f64>,
     /// How much of the difference it explains.
@@ -76,8 +76,8 @@ impl Suspects<'_> {
         let changes = self.ranked(evidence, place.as_ref(), &weights);
         let tried = changes.len();
         let mut causes = Causes { place, tried, ..Causes::default() };
-        let is_near = |change: &&Change| change.share.interval[1] >= 1.0 - LEFT;
-        let mut judged: Vec<&Change> = Vec::new();
+        let is_near = |change: &&SuspectFit| change.share.interval[1] >= 1.0 - LEFT;
+        let mut judged: Vec<&SuspectFit> = Vec::new();
         for change in changes.iter().filter(is_near) {
             if judged.len() == JUDGED || (self.is_interrupted)() {
                 break;
@@ -92,7 +92,7 @@ impl Suspects<'_> {
             judged.push(change);
         }
         let nearest = changes.first().filter(|change| change.share.part > 0.0);
-        causes.nearest = nearest.map(|Change { suspect, share, .. }| Nearest {
+        causes.nearest = nearest.map(|SuspectFit { suspect, share, .. }| Nearest {
             cause: suspect.cause(),
             share: share.part,
             interval: share.interval,
@@ -106,7 +106,7 @@ impl Suspects<'_> {
         evidence: &Evidence<'_>,
         place: Option<&Place>,
         weights: &[f64],
-    ) -> Vec<Change> {
+    ) -> Vec<SuspectFit> {
         let difference = evidence.tiles(|at| finite(evidence.theirs[at] - evidence.mean[at]));
         let noise = evidence.squares_of_noise();
         let of = |(suspect, tiles): (Suspect, Vec<Vec<f64>>)| {
@@ -114,10 +114,10 @@ impl Suspects<'_> {
             let [first, last] = ends.map(|change| difference_of(&difference, change));
             let share = Share::of(&difference, [&first, &last], weights, &noise);
             let mean = ends[0].iter().zip(ends[1]).map(|(a, b)| 0.5 * (a + b)).collect();
-            Change { suspect, tiles: mean, share }
+            SuspectFit { suspect, tiles: mean, share }
         };
         let changes = self.changes(evidence, place);
-        let mut changes: Vec<Change> = changes.into_par_iter().map(of).collect();
+        let mut changes: Vec<SuspectFit> = changes.into_par_iter().map(of).collect();
         changes.sort_by(|a, b| b.share.part.total_cmp(&a.share.part));
         changes
     }
@@ -142,14 +142,14 @@ impl Suspects<'_> {
             return false;
         }
         exclude(&mut theirs, self.world, &known, *stored, RayTolerance::DOUBLE);
-        let subject = Subject { areas, stored: *stored, reference: None };
+        let subject = PoolContext { areas, stored: *stored, reference: None };
         let judged = Evaluation::of(&theirs, subject, strictness, &mut known, |_| replicas());
         judged.is_some_and(|judged| judged.decision == Decision::Agrees)
     }
 }
 
 /// The causes that a scene cannot tell from this one, each mistake once.
-fn alike(change: &Change, changes: &[Change], weights: &[f64]) -> Vec<Cause> {
+fn alike(change: &SuspectFit, changes: &[SuspectFit], weights: &[f64]) -> Vec<Cause> {
     let mut group = vec![change.suspect.cause()];
     for other in changes.iter().filter(|other| are_alike(change, other, weights, ALIKE)) {
         let cause = other.suspect.cause();
@@ -180,6 +180,6 @@ fn difference_of(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
-fn are_alike(a: &Change, b: &Change, weights: &[f64], most: f64) -> bool {
+fn are_alike(a: &SuspectFit, b: &SuspectFit, weights: &[f64], most: f64) -> bool {
     squared(&difference_of(&a.tiles, &b.tiles), weights) <= most * squared(&a.tiles, weights)
 }

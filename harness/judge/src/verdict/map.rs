@@ -2,7 +2,7 @@
 
 use super::areas::{Area, Areas};
 use super::pool::Pool;
-use super::ranking::{Difference, Level};
+use super::ranking::{Difference, DifferenceKind};
 use super::residuals::{Residuals, around, neighbours, own_variance};
 
 /// Where the others hardly differ, their variance is at least this part of that around it.
@@ -62,26 +62,26 @@ impl Map {
     }
 
     /// The largest difference of each level, in standard deviations.
-    pub fn largest(&self, areas: &Areas, levels: &[Level]) -> Vec<f64> {
+    pub fn largest(&self, areas: &Areas, levels: &[DifferenceKind]) -> Vec<f64> {
         let root_of = |counts: &[f64]| 2.0 * counts.iter().sum::<f64>().sqrt();
         let largest = |sums: Sums| match sums.level {
-            Level::Outliers => root_of(&self.outliers),
-            Level::InnerOutliers => root_of(&inside(&self.outliers, areas.size)),
+            DifferenceKind::Outliers => root_of(&self.outliers),
+            DifferenceKind::InnerOutliers => root_of(&inside(&self.outliers, areas.size)),
             _ => sums.differences(areas).map(|it| it.z.abs()).fold(0.0, f64::max),
         };
         self.sums(areas, levels).into_iter().map(largest).collect()
     }
 
     /// The sums over the areas of each level.
-    pub fn sums(&self, areas: &Areas, levels: &[Level]) -> Vec<Sums> {
+    pub fn sums(&self, areas: &Areas, levels: &[DifferenceKind]) -> Vec<Sums> {
         let both = |of: &dyn Fn(&[f64]) -> Vec<f64>| {
             [0, 1, 2].map(|channel| [of(&self.differences[channel]), of(&self.variances[channel])])
         };
         let mut tiles = both(&<[f64]>::to_vec);
         let mut at = 0;
-        let mut of_level = |level: &Level| {
+        let mut of_level = |level: &DifferenceKind| {
             let channels = match *level {
-                Level::Tiles(level) => {
+                DifferenceKind::Tiles(level) => {
                     while at < level {
                         at += 1;
                         tiles = tiles
@@ -90,12 +90,12 @@ impl Map {
                     }
                     tiles.clone()
                 }
-                Level::Objects => both(&|values| areas.by_object(values)),
-                Level::Structure => self
+                DifferenceKind::Objects => both(&|values| areas.by_object(values)),
+                DifferenceKind::Structure => self
                     .structure
                     .each_ref()
                     .map(|both| both.each_ref().map(|values| areas.by_object(values))),
-                Level::Outliers | Level::InnerOutliers => Default::default(),
+                DifferenceKind::Outliers | DifferenceKind::InnerOutliers => Default::default(),
             };
             Sums { level: *level, channels }
         };
@@ -168,7 +168,7 @@ fn leave_out_bright(
 
 /// Sums over the areas of a level: for each channel, of the differences and of their variances.
 pub struct Sums {
-    level: Level,
+    level: DifferenceKind,
     channels: [[Vec<f64>; 2]; 3],
 }
 
@@ -180,8 +180,8 @@ impl Sums {
             both.filter(|(_, (_, variance))| **variance > 0.0).map(
                 move |(index, (sum, variance))| {
                     let area = match self.level {
-                        Level::Tiles(level) => areas.tile(level, index),
-                        Level::Structure => Area::Structure(index),
+                        DifferenceKind::Tiles(level) => areas.tile(level, index),
+                        DifferenceKind::Structure => Area::Structure(index),
                         _ => Area::Object(index),
                     };
                     Difference { area, channel, z: sum / variance.sqrt() }

@@ -54,7 +54,7 @@ pub use planted::{PlantedDefect, planted, smallest_gains};
 pub use plausible::plausible;
 pub use pool::{Against, Pool};
 pub use quantiser::Quantiser;
-pub use ranking::{Difference, Level, Ranking};
+pub use ranking::{Difference, DifferenceKind, Ranking};
 pub use reference::{Mean, Reference};
 pub use replicas::{Renders, Replicas};
 pub use several::{WelchTest, several};
@@ -80,7 +80,7 @@ pub enum Decision {
 
 /// What pictures are of and are held against, besides our replicas.
 #[derive(Clone, Copy, Debug)]
-pub struct Subject<'a> {
+pub struct PoolContext<'a> {
     /// Their areas.
     pub areas: &'a Areas,
     /// How their values are stored.
@@ -126,7 +126,7 @@ const AS_FAR: usize = 3;
 const ALIKE: f64 = 0.8;
 
 /// The noise of a picture relative to that of these replicas, at least three; all are stored alike.
-pub fn noise(theirs: &[f32], subject: Subject<'_>, known: &[Vec<f32>]) -> f64 {
+pub fn noise(theirs: &[f32], subject: PoolContext<'_>, known: &[Vec<f32>]) -> f64 {
     Ranking::of(&pool(theirs, subject, known), subject.areas, 0).noise[known.len()]
 }
 
@@ -141,8 +141,8 @@ pub fn is_nearer(a: f64, b: f64) -> bool {
 }
 
 /// The replicas, and the judged picture as the last.
-fn pool(theirs: &[f32], subject: Subject<'_>, known: &[Vec<f32>]) -> Pool {
-    let Subject { areas, stored, reference } = subject;
+fn pool(theirs: &[f32], subject: PoolContext<'_>, known: &[Vec<f32>]) -> Pool {
+    let PoolContext { areas, stored, reference } = subject;
     let pictures = known.iter().cloned().chain([theirs.to_vec()]).collect();
     let mean = reference.map(|reference| reference.mean(stored));
     Pool::new(areas.size, stored, pictures).against_mean(mean)
@@ -161,7 +161,7 @@ impl Evaluation {
     /// to say anything.
     pub fn of(
         theirs: &[f32],
-        subject: Subject<'_>,
+        subject: PoolContext<'_>,
         strictness: Strictness,
         known: &mut Vec<Vec<f32>>,
         mut replicas: impl FnMut(Option<&Self>) -> Option<Vec<f32>>,
@@ -191,7 +191,7 @@ impl Evaluation {
     }
 
     /// A picture held against the replicas that there are.
-    fn now(theirs: &[f32], subject: Subject<'_>, known: &[Vec<f32>]) -> Self {
+    fn now(theirs: &[f32], subject: PoolContext<'_>, known: &[Vec<f32>]) -> Self {
         let (pool, areas) = (pool(theirs, subject, known), subject.areas);
         let (last, is_fixed) = (known.len(), pool.is_fixed_but_for(known.len()));
         let mut ranking = Ranking::of(&pool, areas, 0);

@@ -18,16 +18,16 @@ use statistics::quantile;
 pub struct Ranking {
     /// For each picture, the noise of its pixels relative to that of the pool.
     pub noise: Vec<f64>,
-    /// For each picture and level of [`Level`], the largest difference, in standard deviations.
+    /// For each picture and level of [`DifferenceKind`], the largest difference, in standard deviations.
     pub largest: Vec<Vec<f64>>,
     /// For each picture, how far it is out.
     pub scores: Vec<f64>,
-    levels: Vec<Level>,
+    levels: Vec<DifferenceKind>,
 }
 
 /// What differences are of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Level {
+pub enum DifferenceKind {
     /// Tiles of the side 2^level.
     Tiles(usize),
     /// Objects.
@@ -69,9 +69,11 @@ impl Ranking {
             _ => 1.0,
         };
         let noise: Vec<f64> = details.iter().map(factor).collect();
-        let mut levels: Vec<Level> = (from..areas.levels()).map(Level::Tiles).collect();
-        let outliers = if from == 0 { Level::Outliers } else { Level::InnerOutliers };
-        levels.extend([Level::Objects, Level::Structure, outliers]);
+        let mut levels: Vec<DifferenceKind> =
+            (from..areas.levels()).map(DifferenceKind::Tiles).collect();
+        let outliers =
+            if from == 0 { DifferenceKind::Outliers } else { DifferenceKind::InnerOutliers };
+        levels.extend([DifferenceKind::Objects, DifferenceKind::Structure, outliers]);
         let largest: Vec<Vec<f64>> = all
             .into_par_iter()
             .map(|picture| {
@@ -128,7 +130,7 @@ impl Ranking {
             others.map(move |(_, largest)| largest[at]).fold(0.0, f64::max)
         };
         self.levels.iter().enumerate().filter_map(move |(at, level)| match level {
-            Level::Tiles(level) => Some((1 << level, others(at))),
+            DifferenceKind::Tiles(level) => Some((1 << level, others(at))),
             _ => None,
         })
     }
@@ -136,7 +138,7 @@ impl Ranking {
 
 /// How far out each picture is: the largest over all levels of its difference from the median, in standard deviations
 /// of these pictures.
-fn scores(largest: &[Vec<f64>], levels: &[Level], of: &[usize]) -> Vec<f64> {
+fn scores(largest: &[Vec<f64>], levels: &[DifferenceKind], of: &[usize]) -> Vec<f64> {
     let mut scores = vec![f64::NEG_INFINITY; largest.len()];
     for (at, level) in levels.iter().enumerate() {
         let values: Vec<f64> = of.iter().map(|picture| largest[*picture][at]).collect();
@@ -146,7 +148,7 @@ fn scores(largest: &[Vec<f64>], levels: &[Level], of: &[usize]) -> Vec<f64> {
         let deviation = (squares / (values.len() as f64 - 1.0)).sqrt();
         let deviation = match level {
             // twice the root of a rare event's count has the standard deviation 1
-            Level::Outliers | Level::InnerOutliers => deviation.max(1.0),
+            DifferenceKind::Outliers | DifferenceKind::InnerOutliers => deviation.max(1.0),
             _ => deviation,
         };
         for (score, largest) in scores.iter_mut().zip(largest) {

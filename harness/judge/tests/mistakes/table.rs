@@ -4,7 +4,7 @@ use groundtruth::math::Pcg32;
 use groundtruth::render;
 use groundtruth::world::{DEFAULT_SEED, World};
 use judge::mistakes::known::{self, Known};
-use judge::mistakes::{self, How, Pair, table};
+use judge::mistakes::{self, How, MistakeInScene, table};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -46,7 +46,7 @@ fn forms_are_of_known_mistakes() {
 #[test]
 fn each_mistake_is_shown_and_differs_from_the_others() {
     let mut effects: BTreeMap<&str, Vec<(&str, String)>> = BTreeMap::new();
-    for Pair { scene, mistake, effect } in mistakes::pairs() {
+    for MistakeInScene { scene, mistake, effect } in mistakes::pairs() {
         effects.entry(mistake.name).or_default().push((scene, format!("{effect:?}")));
     }
     for mistake in mistakes::all() {
@@ -82,7 +82,7 @@ fn the_table_is_that_of_a_sample_of_scenes() {
 fn the_table_is_well_formed() {
     assert!(mistakes::TABLE.starts_with(mistakes::HEADING));
     let mut pairs = BTreeSet::new();
-    for pair @ Pair { scene, mistake, effect } in mistakes::pairs() {
+    for pair @ MistakeInScene { scene, mistake, effect } in mistakes::pairs() {
         assert!(gallery::find(scene).is_some(), "no scene {scene}");
         assert!(pairs.insert((scene, mistake.name)), "{scene} has {} twice", mistake.name);
         assert!(effect.share + 5e-5 >= table::SHARE && effect.largest > table::CHANGE, "{pair:?}");

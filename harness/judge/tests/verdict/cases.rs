@@ -6,7 +6,7 @@ use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::{Pcg32, power};
 use groundtruth::scene::Scene;
 use judge::verdict::{
-    Answer, Areas, Case, Decision, Means, RayTolerance, Relative, Strictness, Subject, Verdict,
+    Answer, Areas, Case, Decision, Means, PoolContext, RayTolerance, Relative, Strictness, Verdict,
     noise,
 };
 use pictures::compare::{Picture, Transfer};
@@ -369,7 +369,7 @@ fn the_noise_factor_is_that_of_the_noise() {
             }
         }
         let known: Vec<Vec<f32>> = all[..16].iter().map(|film| FLOATS.values(film)).collect();
-        let subject = Subject { areas: &areas, stored: FLOATS, reference: None };
+        let subject = PoolContext { areas: &areas, stored: FLOATS, reference: None };
         let noise = noise(&FLOATS.values(&theirs), subject, &known);
         // squares of details beyond a limit count as the limit, which lowers large factors
         assert!((noise / factor - 1.0).abs() < 0.25, "{noise}, not {factor}");

@@ -8,7 +8,7 @@ use groundtruth::scene::Scene;
 use groundtruth::shapes::Instance;
 use groundtruth::textures::{self, Paint};
 use groundtruth::{lights, materials};
-use judge::mistakes::{self, Pair};
+use judge::mistakes::{self, MistakeInScene};
 use judge::verdict::{Cause, Decision, Strictness, Verdict};
 use pictures::compare::Picture;
 
@@ -19,12 +19,14 @@ const STRICTNESS: Strictness = Strictness { level: 0.01, first: 8 };
 
 /// Pairs of a scene and a mistake that it shows clearly, in an order that follows from a seed: each mistake at most
 /// twice.
-fn pairs(count: usize, seed: u64) -> Vec<&'static Pair> {
-    let clear = |pair: &&Pair| pair.effect.share > 0.02 && !pair.scene.starts_with("ch19/");
-    let mut all: Vec<&Pair> = mistakes::pairs().iter().filter(clear).collect();
-    let name = |pair: &Pair| pair.scene.bytes().chain(pair.mistake.name.bytes()).map(u64::from);
+fn pairs(count: usize, seed: u64) -> Vec<&'static MistakeInScene> {
+    let clear =
+        |pair: &&MistakeInScene| pair.effect.share > 0.02 && !pair.scene.starts_with("ch19/");
+    let mut all: Vec<&MistakeInScene> = mistakes::pairs().iter().filter(clear).collect();
+    let name =
+        |pair: &MistakeInScene| pair.scene.bytes().chain(pair.mistake.name.bytes()).map(u64::from);
     all.sort_by_key(|pair| hash(&std::iter::once(seed).chain(name(pair)).collect::<Vec<u64>>()));
-    let mut chosen: Vec<&Pair> = Vec::new();
+    let mut chosen: Vec<&MistakeInScene> = Vec::new();
     for pair in all {
         let same = chosen.iter().filter(|other| other.mistake == pair.mistake).count();
         if same < 2 && chosen.len() < count {
@@ -36,8 +38,8 @@ fn pairs(count: usize, seed: u64) -> Vec<&'static Pair> {
 
 /// Whether the picture of a mistake with another seed is rejected, and the mistake named, or an equal one; and what was
 /// said.
-fn is_named(pair: &Pair, [side, samples]: [u32; 2]) -> Option<(bool, String)> {
-    let Pair { scene: name, mistake, .. } = *pair;
+fn is_named(pair: &MistakeInScene, [side, samples]: [u32; 2]) -> Option<(bool, String)> {
+    let MistakeInScene { scene: name, mistake, .. } = *pair;
     let mut scene = scene(name, [side; 2], samples);
     scene.image.samples = samples;
     let film =
@@ -57,7 +59,7 @@ fn is_named(pair: &Pair, [side, samples]: [u32; 2]) -> Option<(bool, String)> {
 }
 
 /// The numbers of pairs that are named and of those that change the picture; each is printed.
-fn named(pairs: &[&Pair], size: [u32; 2]) -> [usize; 2] {
+fn named(pairs: &[&MistakeInScene], size: [u32; 2]) -> [usize; 2] {
     let [mut count, mut tried] = [0, 0];
     for (is_found, words) in pairs.iter().filter_map(|pair| is_named(pair, size)) {
         println!("{} {words}", if is_found { "named" } else { "MISSED" });
@@ -80,7 +82,7 @@ fn known_mistakes_are_named() {
 #[test]
 fn a_known_mistake_is_named() {
     let pair = |scene: &str, mistake: &str| {
-        let is_it = |pair: &&Pair| pair.scene == scene && pair.mistake.name == mistake;
+        let is_it = |pair: &&MistakeInScene| pair.scene == scene && pair.mistake.name == mistake;
         mistakes::pairs().iter().find(is_it).expect("the table has the pair")
     };
     let pairs = [

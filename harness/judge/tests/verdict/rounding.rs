@@ -10,7 +10,7 @@ use groundtruth::samplers;
 use groundtruth::scene::{Image, Light, Material, Object, Scene};
 use groundtruth::shapes::Rectangle;
 use judge::verdict::{
-    Areas, Bright, Decision, Evaluation, Quantiser, RayTolerance, Stored, Strictness, Subject,
+    Areas, Bright, Decision, Evaluation, PoolContext, Quantiser, RayTolerance, Stored, Strictness,
     exclude,
 };
 use pictures::compare::{Picture, Transfer};
@@ -95,7 +95,7 @@ fn noise_below_a_step_is_no_difference() {
         let before = alarms;
         for _ in 0..60 {
             let theirs = picture();
-            let subject = Subject { areas: &areas, stored, reference: None };
+            let subject = PoolContext { areas: &areas, stored, reference: None };
             let judged =
                 Evaluation::of(&theirs, subject, STRICTNESS, &mut Vec::new(), |_| Some(picture()));
             alarms += u32::from(judged.expect("enough").decision == Decision::Differs);

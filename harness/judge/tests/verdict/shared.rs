@@ -6,8 +6,8 @@ use groundtruth::math::Pcg32;
 use groundtruth::samplers;
 use groundtruth::world::World;
 use judge::verdict::{
-    Areas, Bright, Decision, Evaluation, Quantiser, RayTolerance, Shown, Stored, Strictness,
-    Subject, Verdict, exclude, is_alike, is_nearer, noise, plausible,
+    Areas, Bright, Decision, Evaluation, PoolContext, Quantiser, RayTolerance, Shown, Stored,
+    Strictness, Verdict, exclude, is_alike, is_nearer, noise, plausible,
 };
 use pictures::compare::{Picture, Transfer};
 
@@ -91,7 +91,7 @@ impl Shared {
         seed: u64,
     ) -> (Evaluation, Vec<usize>) {
         let order = self.order(seed);
-        let subject = Subject { areas: &self.areas, stored, reference: None };
+        let subject = PoolContext { areas: &self.areas, stored, reference: None };
         let first = |films: &[Film]| -> Vec<Vec<f32>> {
             order[..STRICTNESS.first].iter().map(|index| stored.values(&films[*index])).collect()
         };

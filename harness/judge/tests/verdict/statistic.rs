@@ -3,8 +3,8 @@
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::Pcg32;
 use judge::verdict::{
-    Area, Areas, Bright, Evaluation, Evidence, Factor, Level, Map, Mean, Pool, Quantiser, Ranking,
-    Stored, Strictness, Subject, TermFilm, factors, terms,
+    Area, Areas, Bright, DifferenceKind, Evaluation, Evidence, Factor, Map, Mean, Pool,
+    PoolContext, Quantiser, Ranking, Stored, Strictness, TermFilm, factors, terms,
 };
 use pictures::compare::{Picture, Transfer};
 use statistics::chi_square;
@@ -74,8 +74,9 @@ fn the_mean_of_many_shows_more() {
     let mut pictures: Vec<Vec<f32>> = (0..8).map(|_| single(normal(10.0, 1.0))).collect();
     pictures.push(single(normal(10.5, NOISE)));
     let mean = Mean { values: normal(10.0, 1.0 / OUTSIDE.sqrt()), pictures: OUTSIDE };
-    let whole =
-        |pool: &Pool| Map::of(pool, &areas, 8, NOISE).largest(&areas, &[Level::Tiles(5)])[0];
+    let whole = |pool: &Pool| {
+        Map::of(pool, &areas, 8, NOISE).largest(&areas, &[DifferenceKind::Tiles(5)])[0]
+    };
     let pool = Pool::new([32, 32], FLOATS, pictures);
     let few = whole(&pool);
     let many = whole(&pool.against_mean(Some(mean)));
@@ -185,7 +186,7 @@ fn factors_of(
         }
     }
     let strictness = Strictness { level: 0.05, first: 16 };
-    let subject = Subject { areas: &areas, stored: FLOATS, reference: None };
+    let subject = PoolContext { areas: &areas, stored: FLOATS, reference: None };
     let judged = Evaluation::of(&theirs, subject, strictness, &mut known, |_| None);
     let evidence = Evidence::of(&judged.expect("enough"), &areas, &theirs);
     factors(&terms(&mut world, 1..5), &evidence).expect("factors explain it").factors

@@ -2,7 +2,7 @@
 
 use groundtruth::film::Tone;
 
-use super::pair::{self, Pair};
+use super::pair::{self, ComparedPictures};
 use super::{Comparison, Picture};
 use crate::told::Told;
 
@@ -17,6 +17,7 @@ pub fn page(
     let about = format!("compare {}", names.join(" and "));
     let [a, b] = &comparison.names;
     let (names, shown) = ([&**a, &**b], pictures.map(Picture::radiance));
-    let pair = Pair { names, pictures, shown, tone: Tone::SCREEN, comparison, commands };
+    let pair =
+        ComparedPictures { names, pictures, shown, tone: Tone::SCREEN, comparison, commands };
     told.page(&about, &[pair::STYLE], &pair.html())
 }

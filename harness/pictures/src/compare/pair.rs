@@ -65,7 +65,7 @@ const MARGIN: u32 = 4;
 const REACH: u32 = 16;
 
 /// Two pictures of one size, compared.
-pub struct Pair<'a> {
+pub struct ComparedPictures<'a> {
     /// What the pictures are called: "A" and "B".
     pub names: [&'a str; 2],
     /// The pictures.
@@ -86,10 +86,18 @@ pub fn views(names: [&str; 2], pictures: [&Picture; 2]) -> String {
         return String::new();
     };
     let (shown, commands) = (pictures.map(Picture::radiance), &|_| Vec::new());
-    Pair { names, pictures, shown, tone: Tone::SCREEN, comparison: &comparison, commands }.views()
+    ComparedPictures {
+        names,
+        pictures,
+        shown,
+        tone: Tone::SCREEN,
+        comparison: &comparison,
+        commands,
+    }
+    .views()
 }
 
-impl Pair<'_> {
+impl ComparedPictures<'_> {
     /// The part of the page.
     pub fn html(&self) -> String {
         let mut html = self.views();

@@ -7,7 +7,9 @@ use oracle::Answer;
 use oracle::hard::{self, Family};
 
 use super::{FamilyData, Routine};
-use exact::backward_error::{ALLOWED, Pair, by_the_book, is_decided, pair, ray, span, t_error};
+use exact::backward_error::{
+    ALLOWED, ShapePair, by_the_book, is_decided, pair, ray, span, t_error,
+};
 use exact::composites;
 use groundtruth::math::{Ray, Span};
 use groundtruth::shapes::Shape;
@@ -16,7 +18,7 @@ use statistics::quantile;
 
 /// The kind of shape that is judged: a single shape or a composite.
 #[derive(Clone, Copy, Debug)]
-pub enum Subject {
+pub enum TestedShape {
     One(hard::Kind),
     Composite(composites::Kind),
 }
@@ -54,29 +56,29 @@ pub struct Judged {
     pub misses: Vec<Case>,
 }
 
-impl Subject {
+impl TestedShape {
     /// All kinds.
     pub fn all() -> impl Iterator<Item = Self> {
-        let one = hard::Kind::ALL.into_iter().map(Subject::One);
-        one.chain(composites::Kind::ALL.into_iter().map(Subject::Composite))
+        let one = hard::Kind::ALL.into_iter().map(TestedShape::One);
+        one.chain(composites::Kind::ALL.into_iter().map(TestedShape::Composite))
     }
 
     /// The name of the enum variant.
     pub fn name(self) -> String {
         match self {
-            Subject::One(kind) => format!("{kind:?}"),
-            Subject::Composite(kind) => format!("{kind:?}"),
+            TestedShape::One(kind) => format!("{kind:?}"),
+            TestedShape::Composite(kind) => format!("{kind:?}"),
         }
     }
 
     /// The number of rays that are timed together: their shapes fit into the processor's caches.
     fn timed(self) -> usize {
         match self {
-            Subject::One(_) => 256,
-            Subject::Composite(
+            TestedShape::One(_) => 256,
+            TestedShape::Composite(
                 composites::Kind::Compound | composites::Kind::Lattice | composites::Kind::Mesh,
             ) => 64,
-            Subject::Composite(_) => 16,
+            TestedShape::Composite(_) => 16,
         }
     }
 
@@ -88,11 +90,11 @@ impl Subject {
         count: usize,
     ) -> Box<dyn Iterator<Item = Option<Question>>> {
         match self {
-            Subject::One(kind) => {
+            TestedShape::One(kind) => {
                 let cases = hard::cases(kind, family, seed, count).into_iter();
                 Box::new(cases.map(move |(shape, ray)| Question::of_one(family, &shape, &ray)))
             }
-            Subject::Composite(kind) => Box::new(
+            TestedShape::Composite(kind) => Box::new(
                 (0..count).map(move |index| Question::of_composite(kind, family, seed, index)),
             ),
         }
@@ -102,7 +104,7 @@ impl Subject {
 impl Question {
     fn of_one(family: Family, shape: &oracle::Shape, exact_ray: &oracle::Ray) -> Option<Self> {
         let textbook = by_the_book(&exact::our_shape(shape)?)?;
-        let Pair { ours, exact } = pair(shape)?;
+        let ShapePair { ours, exact } = pair(shape)?;
         let ray = ray(exact_ray);
         let span = span(family, &*ours, &ray);
         Some(Self {
@@ -132,7 +134,7 @@ impl Question {
 
 impl Judged {
     /// Judges the cases whose answer does not depend on rounding.
-    pub fn new(subject: Subject, family: Family, seed: u64, count: usize) -> Self {
+    pub fn new(subject: TestedShape, family: Family, seed: u64, count: usize) -> Self {
         let (mut ours, mut book) = (Tally::default(), Tally::default());
         let (mut hits, mut misses) = (Vec::new(), Vec::new());
         let (mut refused, mut judged, mut hit_count) = (0, 0, 0);

@@ -8,7 +8,7 @@ use oracle::hard::Family;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use self::judging::{Judged, Subject};
+use self::judging::{Judged, TestedShape};
 use super::{Findings, Interrupted, Page, Progress, Settings};
 
 /// Compares intersection routines by error, lost and wrong hits, and time.
@@ -18,7 +18,7 @@ pub const PAGE: Page = Page {
     question: "What is the cost of an intersection routine that is right on hard cases, compared with \
                the book's formula?",
     // one for each kind and family that is judged, and one for each kind that is timed
-    steps: |_| ((Family::ALL.len() + 1) * Subject::all().count()) as u64,
+    steps: |_| ((Family::ALL.len() + 1) * TestedShape::all().count()) as u64,
     measure: |settings, progress| Ok(Findings::new(&measure(settings, progress)?, drawing::page)),
 };
 
@@ -125,7 +125,7 @@ fn rays(kind: &str, settings: &Settings) -> usize {
 
 fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
     let mut kinds = Vec::new();
-    for subject in Subject::all() {
+    for subject in TestedShape::all() {
         let kind = subject.name();
         let cases = rays(&kind, settings);
         let judge = |&family: &Family| {

@@ -1,8 +1,8 @@
 //! Page 4 as tables and plots, from its data alone.
 
-use super::scenes::Subject;
+use super::scenes::LightScene;
 use super::{BiasData, Choice, Data, SceneData};
-use crate::convergence::{Level, diagrams, error_columns};
+use crate::convergence::{ErrorAtSamples, diagrams, error_columns};
 use crate::html::{
     DASH, Table, capital, film, flagged, folded, heading, listed, or_as_good, pick, row, short,
     short_or_dash, time, with_minus,
@@ -179,7 +179,7 @@ fn ratio_or_biased(scene: &SceneData, choice: &Choice) -> String {
 fn section(scene: &SceneData) -> String {
     let own = scene.reference.relative_standard_error;
     let limit = (own > 0.0).then_some(Limit { y: own, label: "error of the reference" });
-    let Subject { name, about, .. } = scene.subject;
+    let LightScene { name, about, .. } = scene.subject;
     heading(name, &format!("{about} {}", reference(scene)))
         + &pick("Here:", &advice_here(scene))
         + &diagrams(drawn(scene), ("relative error", |level| level.relative_rmse), limit)
@@ -295,7 +295,7 @@ fn biases(scene: &SceneData) -> String {
 
 fn levels(scene: &SceneData) -> String {
     let all = scene.choices.iter().flat_map(|c| c.levels.iter().map(|level| (&*c.name, level)));
-    Table::<(&str, &Level)>::new("Errors, noise and time")
+    Table::<(&str, &ErrorAtSamples)>::new("Errors, noise and time")
         .column("choice", |(choice, _)| (*choice).to_owned())
         .column("samples", |(_, level)| level.samples.to_string())
         .column("pictures", |(_, level)| level.pictures.to_string())

@@ -2,7 +2,7 @@
 
 use std::slice::from_ref;
 
-use super::scenes::{DEPTH, Method, SUBJECTS, Subject, set_rule};
+use super::scenes::{DEPTH, LightScene, Method, SUBJECTS, set_rule};
 use super::{BiasData, Choice, Crop, Data, EqualTime, MethodData, ReferenceData, SceneData};
 use crate::convergence::counts;
 use crate::pictures::{Pictures, Series, rendered};
@@ -47,7 +47,7 @@ fn replicas(scene: Scene, samples: u32, count: u32, seed: u64) -> Series {
 }
 
 impl Plan {
-    fn new(subject: &Subject, index: u64, settings: &Settings) -> Self {
+    fn new(subject: &LightScene, index: u64, settings: &Settings) -> Self {
         let methods = subject.methods();
         let samples = counts(settings.samples.clamp(4, MAX_SAMPLES));
         let most = samples.clone().last().unwrap_or(1);
@@ -105,7 +105,7 @@ impl Plan {
 
 /// The number of pictures.
 pub fn steps(settings: &Settings) -> u64 {
-    let of = |(index, subject): (u64, &Subject)| {
+    let of = |(index, subject): (u64, &LightScene)| {
         let crops = subject.methods().len() as u64 + 1;
         Plan::new(subject, index, settings).pictures() + crops
     };
@@ -119,7 +119,7 @@ pub fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interru
 }
 
 fn measure_scene(
-    subject: &'static Subject,
+    subject: &'static LightScene,
     index: u64,
     settings: &Settings,
     progress: &Progress,
@@ -153,7 +153,7 @@ fn measure_scene(
 }
 
 fn measure_choices(
-    subject: &Subject,
+    subject: &LightScene,
     series: &[Series],
     reference: &Reference,
     progress: &Progress,
@@ -198,7 +198,7 @@ impl Pictures {
 /// A picture of each choice, with as many samples as fit into the time of the best choice (the last
 /// one) for 16 samples.
 fn equal_time(
-    subject: &Subject,
+    subject: &LightScene,
     index: u64,
     settings: &Settings,
     progress: &Progress,

@@ -6,7 +6,7 @@ mod scenes;
 
 use serde::Serialize;
 
-use self::scenes::Subject;
+use self::scenes::LightScene;
 use super::convergence::{self, CONFIDENCE};
 use super::{Findings, Page};
 use groundtruth::film::Film;
@@ -41,7 +41,7 @@ struct Data {
 struct SceneData {
     /// Its name and description.
     #[serde(flatten)]
-    subject: &'static Subject,
+    subject: &'static LightScene,
     /// The number of pixel columns.
     width: u32,
     /// The number of pixel rows.

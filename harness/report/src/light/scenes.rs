@@ -17,7 +17,7 @@ use groundtruth::trace::Strategy;
 
 /// A scene of the page.
 #[derive(Serialize)]
-pub struct Subject {
+pub struct LightScene {
     /// Its name.
     #[serde(rename = "scene")]
     pub name: &'static str,
@@ -38,8 +38,8 @@ pub struct Subject {
 /// The `max_depth` of every tracer and of the reference.
 pub const DEPTH: u32 = 10;
 
-pub static SUBJECTS: [Subject; 5] = [
-    Subject {
+pub static SUBJECTS: [LightScene; 5] = [
+    LightScene {
         name: "Cornell box",
         about: "Matte walls and blocks under a small area light (figure 26.12), with light reflected \
                 between the walls.",
@@ -47,7 +47,7 @@ pub static SUBJECTS: [Subject; 5] = [
         has_mirrors: false,
         part: 1,
     },
-    Subject {
+    LightScene {
         name: "glossy hall",
         about: "The hall of mirrors with glossy reflection, e = 25000 (figure 25.10), lit by four spheres \
                 at the positions of the book's point lights: light is reflected many times between \
@@ -56,7 +56,7 @@ pub static SUBJECTS: [Subject; 5] = [
         has_mirrors: true,
         part: 1,
     },
-    Subject {
+    LightScene {
         name: "glass over checker",
         about: "A glass ball over a checker, under a square area light: only paths that hit the light by \
                 chance find the light through the glass.",
@@ -64,7 +64,7 @@ pub static SUBJECTS: [Subject; 5] = [
         has_mirrors: true,
         part: 1,
     },
-    Subject {
+    LightScene {
         name: "caustic ring",
         about: "Half a cylinder with a mirror inside, whose caustic on the ground is a cardioid (figure \
                 26.9): only paths that hit the small light by chance through the mirror find it.",
@@ -72,7 +72,7 @@ pub static SUBJECTS: [Subject; 5] = [
         has_mirrors: true,
         part: 1,
     },
-    Subject {
+    LightScene {
         name: "many small lights",
         about: "36 small area lights above matte balls, not in the picture: all of them are sampled at \
                 each hit, which takes long; paths without sampling rarely hit one.",
@@ -109,7 +109,7 @@ impl Method {
     }
 }
 
-impl Subject {
+impl LightScene {
     /// All methods for the scene; the last one has no bias and the least noise.
     pub fn methods(&self) -> Vec<Method> {
         let of_tracer = |tracer: Tracer| {

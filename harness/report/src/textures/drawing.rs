@@ -1,6 +1,6 @@
 //! Page 5 as tables and plots, from its data alone.
 
-use super::scenes::Subject;
+use super::scenes::TextureScene;
 use super::{Choice, Data, SceneData};
 use crate::convergence::{diagrams, error_columns};
 use crate::html::{
@@ -55,7 +55,7 @@ fn advice(data: &Data) -> String {
 }
 
 fn section(scene: &SceneData) -> String {
-    let Subject { name, about, moments, .. } = scene.subject;
+    let TextureScene { name, about, moments, .. } = scene.subject;
     let about = format!(
         "{about} {} × {} pixels{}; references of {} samples, which differ by {} between the look-ups.",
         scene.width,

@@ -7,7 +7,7 @@ use std::ops::RangeInclusive;
 
 use serde::Serialize;
 
-use self::scenes::{SUBJECTS, Subject};
+use self::scenes::{SUBJECTS, TextureScene};
 use super::convergence::{self, counts};
 use super::pictures::{Pictures, Series, rendered};
 use super::reference::Reference;
@@ -48,7 +48,7 @@ struct Data {
 struct SceneData {
     /// Its name and description.
     #[serde(flatten)]
-    subject: &'static Subject,
+    subject: &'static TextureScene,
     /// The number of pixel columns.
     width: u32,
     /// The number of pixel rows.
@@ -92,7 +92,7 @@ fn replicas(settings: &Settings) -> u32 {
 }
 
 fn measure(
-    (index, subject): (u64, &'static Subject),
+    (index, subject): (u64, &'static TextureScene),
     settings: &Settings,
     progress: &Progress,
 ) -> Result<SceneData, Interrupted> {

@@ -13,7 +13,7 @@ use serde::Serialize;
 
 /// A scene of the page.
 #[derive(Serialize)]
-pub struct Subject {
+pub struct TextureScene {
     #[serde(rename = "scene")]
     pub name: &'static str,
     pub about: &'static str,
@@ -25,15 +25,15 @@ pub struct Subject {
     pub frame: fn(Filtering, u32, u32) -> Scene,
 }
 
-pub static SUBJECTS: [Subject; 2] = [
-    Subject {
+pub static SUBJECTS: [TextureScene; 2] = [
+    TextureScene {
         name: "checker to the horizon",
         about: "A checker of 8 × 8 squares, an image of 64 × 64 texels, repeated to the horizon: texels \
                 are larger than pixels in the foreground, and much smaller in the background.",
         moments: 1,
         frame: checker,
     },
-    Subject {
+    TextureScene {
         name: "turning globe",
         about: "A globe of 256 × 128 texels, rotated a little from frame to frame: errors are visible as \
                 flicker in an animation.",

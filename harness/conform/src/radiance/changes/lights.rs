@@ -3,9 +3,9 @@
 use serde_json::{Value, json};
 
 use super::super::super::mistakes as m;
-use super::{Change, Mistake, bases, changes, instead, items, lights, number, set, without};
+use super::{Mistake, SceneMistake, bases, changes, instead, items, lights, number, set, without};
 
-pub(super) const ALL: &[Change] = changes! {
+pub(super) const ALL: &[SceneMistake] = changes! {
     "only the first lamp counts", "ch. 14: the sum over all lights" => |data| retain(data, |i, _| i == 0);
     "only the last lamp counts", "ch. 14: the sum over all lights" => |data| retain(data, |i, n| i + 1 == n);
     "the light of lamps is reflected by ka instead of kd", "ch. 14: kd cd / π" => |data| bases(data, |base| {
@@ -100,8 +100,8 @@ pub(super) const ALL: &[Change] = changes! {
 };
 
 /// A mistake that conform has known before.
-pub(super) const KNOWN: &[Change] =
-    &[Change { mistake: &m::IN_BLACK_SHADOW, apply: |data| retain(data, |_, _| false) }];
+pub(super) const KNOWN: &[SceneMistake] =
+    &[SceneMistake { mistake: &m::IN_BLACK_SHADOW, apply: |data| retain(data, |_, _| false) }];
 
 /// Whether a light is not ambient.
 fn is_bright(source: &Value) -> bool {

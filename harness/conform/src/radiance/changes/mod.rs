@@ -10,7 +10,7 @@ use super::super::mistakes::Mistake;
 
 /// A mistake, and what it makes of the data of a `radiance`.
 #[derive(Debug)]
-pub struct Change {
+pub struct SceneMistake {
     /// The mistake.
     pub mistake: &'static Mistake,
     /// `None` if there is nothing to change.
@@ -18,7 +18,7 @@ pub struct Change {
 }
 
 /// All of them.
-pub fn all() -> impl Iterator<Item = &'static Change> {
+pub fn all() -> impl Iterator<Item = &'static SceneMistake> {
     [lights::KNOWN, lights::ALL, surfaces::ALL, surfaces::KNOWN, views::ALL, views::KNOWN]
         .into_iter()
         .flatten()
@@ -27,7 +27,7 @@ pub fn all() -> impl Iterator<Item = &'static Change> {
 /// A list of changes: words, place in the book, change.
 macro_rules! changes {
     ($($words:literal, $place:literal => $apply:expr;)*) => {
-        &[$(Change {
+        &[$(SceneMistake {
             mistake: &Mistake::of_answers($words, $place, None),
             apply: $apply,
         }),*]

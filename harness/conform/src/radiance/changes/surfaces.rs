@@ -4,10 +4,11 @@ use serde_json::{Value, json};
 
 use super::super::super::mistakes as m;
 use super::{
-    Change, Mistake, any, bases, changes, instead, items, number, recipes, set, tables, without,
+    Mistake, SceneMistake, any, bases, changes, instead, items, number, recipes, set, tables,
+    without,
 };
 
-pub(super) const ALL: &[Change] = changes! {
+pub(super) const ALL: &[SceneMistake] = changes! {
     "all surfaces are lit on both sides", "ch. 14: n·ωi > 0; `two_sided`" => |data| items(data, "materials", |material| {
         let is_clear = ["transparent", "dielectric"].iter().any(|kind| material["recipe"].get(kind).is_some());
         if is_clear { None } else { set(material, "two_sided", json!(true)) }
@@ -140,7 +141,7 @@ pub(super) const ALL: &[Change] = changes! {
 };
 
 /// Mistakes that conform has known before.
-pub(super) const KNOWN: &[Change] = &[Change {
+pub(super) const KNOWN: &[SceneMistake] = &[SceneMistake {
     mistake: &m::NO_SIZE,
     apply: |data| textures(data, |texture| instead(texture, "size", json!(1.0))),
 }];

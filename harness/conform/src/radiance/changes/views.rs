@@ -3,9 +3,9 @@
 use serde_json::{Value, json};
 
 use super::super::super::mistakes as m;
-use super::{Change, Fields, Mistake, changes, instead, number, set, without};
+use super::{Fields, Mistake, SceneMistake, changes, instead, number, set, without};
 
-pub(super) const ALL: &[Change] = changes! {
+pub(super) const ALL: &[SceneMistake] = changes! {
     "the background is black", "ch. 3: rays that hit nothing have its colour" => |data| without(scene(data)?, "background");
     "rays of mirrors and glass are left out", "ch. 24: whitted" => |data| {
         depth(data, |depth| if *depth == json!(0) { None } else { Some(0) })
@@ -48,16 +48,16 @@ pub(super) const ALL: &[Change] = changes! {
 };
 
 /// Mistakes that conform has known before.
-pub(super) const KNOWN: &[Change] = &[
-    Change { mistake: &m::NO_PIXEL_SIZE, apply: |data| without(image(data)?, "pixel_size") },
-    Change { mistake: &m::NO_ZOOM, apply: |data| without(lens(data)?, "zoom") },
-    Change {
+pub(super) const KNOWN: &[SceneMistake] = &[
+    SceneMistake { mistake: &m::NO_PIXEL_SIZE, apply: |data| without(image(data)?, "pixel_size") },
+    SceneMistake { mistake: &m::NO_ZOOM, apply: |data| without(lens(data)?, "zoom") },
+    SceneMistake {
         mistake: &m::ZOOM_INVERTED,
         apply: |data| number(lens(data)?, "zoom", |zoom| 1.0 / zoom),
     },
-    Change { mistake: &m::NO_ROLL, apply: |data| without(camera(data)?, "roll") },
-    Change { mistake: &m::UPSIDE_DOWN, apply: |data| from_other_end(data, 1, "height") },
-    Change { mistake: &m::MIRRORED, apply: |data| from_other_end(data, 0, "width") },
+    SceneMistake { mistake: &m::NO_ROLL, apply: |data| without(camera(data)?, "roll") },
+    SceneMistake { mistake: &m::UPSIDE_DOWN, apply: |data| from_other_end(data, 1, "height") },
+    SceneMistake { mistake: &m::MIRRORED, apply: |data| from_other_end(data, 0, "width") },
 ];
 
 fn scene(data: &mut Value) -> Option<&mut Fields> {
