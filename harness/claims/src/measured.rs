@@ -8,6 +8,9 @@ use crate::lobe::Evaluated;
 /// A rounding of so many units is always granted.
 pub const UNITS: f64 = 64.0;
 
+/// What rounding may do at an edge: finite, so that nothing times it is nothing.
+const ANY: f64 = 1e300;
+
 /// Values in a direction, and by how much they change within the rounding of directions.
 #[derive(Clone, Copy, Debug)]
 pub struct Measured {
@@ -44,6 +47,10 @@ pub fn measured(
         let value = values[0];
         let slack = |of: &dyn Fn(&Evaluated) -> f64| {
             let middle = of(&value);
+            // at an edge rounding decides between nothing and all, and some densities have no bound there
+            if values.iter().any(|it| of(it) == 0.0) && values.iter().any(|it| of(it) != 0.0) {
+                return ANY;
+            }
             let moved = values.iter().map(|it| (of(it) - middle).abs()).fold(0.0, f64::max);
             moved + UNITS * rounding * middle.abs()
         };

@@ -27,8 +27,6 @@ const GROUPS: usize = 64;
 const TRIED: usize = 8;
 /// pdf; three channels of f |cos θi|; and the density times each factor.
 const INTEGRANDS: usize = 4 + TRIED;
-/// A density or an albedo that is off by less than this is called right.
-const GRANTED: f64 = 2e-3;
 
 /// Counts and integrals of a case.
 #[derive(Debug)]
@@ -169,14 +167,14 @@ pub fn whole<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Trouble
     }
     let (value, error) = (it.integrals.whole.value[0], it.integrals.whole.error[0]);
     let share = it.scattered as f64 / it.drawn as f64;
-    let is_right = (value - share).abs() <= error + GRANTED;
+    let is_right = (value - share).abs() <= error + C::GRANTED;
     let breach = Breach {
         found: format!("∫ pdf = {value:.5} ± {error:.0e}"),
         expected: format!("{share:.5}, the share of samples that have a density"),
         mistake: if is_right { None } else { it.factor::<C>(Some(share)) },
         questions,
     };
-    if value > 1.0 + error + GRANTED {
+    if value > 1.0 + error + C::GRANTED {
         return Ok(Finding::Broken(breach));
     }
     if is_right {
@@ -195,7 +193,7 @@ pub fn density<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Troub
         return Ok(unsettled());
     }
     let whole = it.integrals.whole.value[0];
-    if whole > 1.0 + it.integrals.whole.error[0] + GRANTED {
+    if whole > 1.0 + it.integrals.whole.error[0] + C::GRANTED {
         return Ok(Finding::Undecided("the pdf is no density: its integral is above 1".to_owned()));
     }
     // of samples and density each as if the whole were 1: the law of the whole says the rest
@@ -236,7 +234,11 @@ pub fn albedo(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
     let it = integrated(case, scale)?;
     let groups = |k: usize| it.weights.iter().map(|mean| mean[k]).collect::<Vec<f64>>();
     if it.has_deltas {
-        return Ok(conserved([0, 1, 2].map(|k| (groups(k), GRANTED)), is_lossless, questions));
+        return Ok(conserved(
+            [0, 1, 2].map(|k| (groups(k), Case::GRANTED)),
+            is_lossless,
+            questions,
+        ));
     }
     if !it.integrals.is_known {
         return Ok(unsettled());
@@ -244,7 +246,7 @@ pub fn albedo(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
     let mut least = (1.0, None);
     for k in 0..3 {
         let (value, error) = (it.integrals.whole.value[1 + k], it.integrals.whole.error[1 + k]);
-        let error = error + GRANTED * value;
+        let error = error + Case::GRANTED * value;
         let breach = |expected: String| Breach {
             found: format!("∫ f |cos θi| = {value:.5} in channel {k}"),
             expected,
@@ -311,7 +313,7 @@ pub fn arriving(case: &mut LightCase<'_>, scale: usize) -> Result<Finding, Troub
     let mut least = Finding::Holds;
     for k in 0..3 {
         let value = whole.value[1 + k];
-        let (mean, p) = it.mean(k, value, whole.error[1 + k] + GRANTED * value);
+        let (mean, p) = it.mean(k, value, whole.error[1 + k] + LightCase::GRANTED * value);
         if p < 1.0 && !matches!(least, Finding::Chance(other, _) if other <= p) {
             least = Finding::Chance(
                 p,
