@@ -106,7 +106,7 @@ fn of_scene(scene: &str) -> Result<String, String> {
     Ok(text)
 }
 
-/// What is said of a name that neither the gallery nor the catalogue has.
+/// The error for a name that is neither a scene nor a mistake.
 fn unknown(name: &str) -> String {
     let scenes = gallery::scenes().map(|entry| entry.name);
     let names: Vec<&str> = scenes.chain(mistakes::all().iter().map(|it| it.name)).collect();
