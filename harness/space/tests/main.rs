@@ -1,0 +1,5 @@
+//! Laws of the rays in space.
+
+mod orbit;
+mod seen;
+mod segments;

@@ -1,0 +1,89 @@
+//! What is hidden, and the backdrop, against closed forms.
+
+use std::path::Path;
+
+use groundtruth::math::{Point, Ray, Vector};
+use groundtruth::rgb::Rgb;
+use groundtruth::world::{self, World};
+use space::{Backdrop, Visibility};
+
+/// A red ball of radius 1 at the origin.
+fn ball(material: &str) -> World {
+    let text = format!(
+        r#"
+        image = {{ width = 5, height = 5 }}
+        camera = {{ eye = [0, 0, 10], lens.orthographic = {{}} }}
+        [[materials]]
+        name = "red"
+        recipe.{material}
+        [[objects]]
+        name = "ball"
+        material = "red"
+        shape.sphere = {{ center = [0, 0, 0], radius = 1 }}
+        "#
+    );
+    world::from_toml(&text, Path::new("here.toml")).unwrap().1
+}
+
+const MATTE: &str = "matte = { kd = 1, cd = [0.75, 0.25, 0] }";
+
+/// Closed form: the distance of the segment from the eye to the point to the centre of the ball, and whether the point
+/// is behind the tangent from the eye.
+#[test]
+fn a_point_is_hidden_if_its_way_to_the_eye_is_blocked() {
+    let world = ball(MATTE);
+    let eye = Point::new(0.0, 0.0, 5.0);
+    let seen = Visibility::of(&world, eye);
+    let mut hidden = 0;
+    for x in -12..=12 {
+        for z in -12..=12 {
+            let point = Point::new(0.25 * f64::from(x), 0.1, 0.25 * f64::from(z));
+            let (way, to_center) = (point - eye, Point::ORIGIN - eye);
+            let s = (to_center.dot(way) / way.length_squared()).clamp(0.0, 1.0);
+            let nearest = (eye + s * way).distance(Point::ORIGIN);
+            if (nearest - 1.0).abs() < 1e-3 {
+                continue;
+            }
+            assert_eq!(seen.is_hidden(point), nearest < 1.0, "{point:?}");
+            hidden += u32::from(nearest < 1.0);
+        }
+    }
+    assert!(hidden > 50);
+    // a point of the surface does not hide itself; the one behind is hidden
+    assert!(!seen.is_hidden(Point::new(0.0, 0.0, 1.0)));
+    assert!(seen.is_hidden(Point::new(0.0, 0.0, -1.0)));
+}
+
+/// Closed form: seen from (0, 0, 5), the way from (−3, 0, −5) to (3, 0, −5) is hidden where |x| < 10 tan φ with
+/// sin φ = 1/5.
+#[test]
+fn the_hidden_run_of_a_segment_is_the_shadow_of_the_ball() {
+    let world = ball(MATTE);
+    let seen = Visibility::of(&world, Point::new(0.0, 0.0, 5.0));
+    let runs = seen.runs(Point::new(-3.0, 0.0, -5.0), Point::new(3.0, 0.0, -5.0), 600);
+    let half = 10.0 * 0.2 / 0.96_f64.sqrt();
+    let [start, end] = [-half, half].map(|x| (x + 3.0) / 6.0);
+    let [first, hidden, last] = runs[..] else { panic!("{} runs, not 3", runs.len()) };
+    assert_eq!([first.1, hidden.1, last.1], [false, true, false]);
+    assert!((hidden.0[0] - start).abs() < 1.0 / 600.0 && (hidden.0[1] - end).abs() < 1.0 / 600.0);
+    assert_eq!([first.0[0], last.0[1]], [0.0, 1.0]);
+    assert_eq!([first.0[1], last.0[0]], hidden.0);
+}
+
+/// Closed form: a matte surface scatters its reflectance; seen straight it is that, and through a faded surface one
+/// sees the inside of its back.
+#[test]
+fn the_backdrop_has_the_colours_of_the_surfaces() {
+    let world = ball(MATTE);
+    let ray = Ray::new(Point::new(0.0, 0.0, 5.0), -Vector::Z);
+    let near = |found: Rgb, wanted: Rgb| (found - wanted).to_array().iter().all(|x| x.abs() < 1e-9);
+    let opaque = Backdrop { world: &world, faded: &[] }.color(&ray);
+    assert!(near(opaque, Rgb::new(0.75, 0.25, 0.0)), "{opaque:?}");
+    let faded = Backdrop { world: &world, faded: &[0] }.color(&ray);
+    assert!(faded.r < opaque.r && faded.b > opaque.b, "the void shows through: {faded:?}");
+    let glass = ball("dielectric = { inside = { eta = 1.5 } }");
+    let seen = Visibility::of(&glass, Point::new(0.0, 0.0, 5.0));
+    assert!(!seen.is_hidden(Point::new(0.0, 0.0, -2.0)), "one looks through glass");
+    let faded = Visibility { backdrop: Backdrop { world: &world, faded: &[0] }, ..seen };
+    assert!(!faded.is_hidden(Point::new(0.0, 0.0, -2.0)), "and through what is faded");
+}

@@ -1,0 +1,99 @@
+//! The pieces of rays against closed forms and the recorded points.
+
+use std::path::Path;
+
+use groundtruth::explain;
+use groundtruth::math::Point;
+use groundtruth::trace::RecordedRay;
+use groundtruth::world::{self, World};
+use space::{End, Segment, segments};
+
+/// A ball of radius 1 in front of the wall z = −3, seen along −z by the pixel (2, 2) of 5 × 5, which meets the ball
+/// at (0, 0, 1), and by the pixel (4, 2), which meets the wall at (2, 0, −3).
+fn pieces(light: &str, pixel: [u32; 2]) -> (World, RecordedRay, Vec<Segment>) {
+    let text = format!(
+        r#"
+        image = {{ width = 5, height = 5 }}
+        camera = {{ eye = [0, 0, 10], lens.orthographic = {{}} }}
+        [[lights]]
+        name = "lamp"
+        source.{light}
+        [[materials]]
+        name = "white"
+        recipe.matte = {{ kd = 1, cd = [1, 1, 1] }}
+        [[objects]]
+        name = "ball"
+        material = "white"
+        shape.sphere = {{ center = [0, 0, 0], radius = 1 }}
+        [[objects]]
+        name = "wall"
+        material = "white"
+        shape.plane = {{ point = [0, 0, -3], normal = [0, 0, 1] }}
+        "#
+    );
+    let (scene, world) = world::from_toml(&text, Path::new("here.toml")).unwrap();
+    let root = explain::sample(&scene, &world, pixel, 0).ray.expect("the camera sees something");
+    let found = segments(&world, &root, 50.0);
+    (world, root, found)
+}
+
+fn assert_piece(piece: &Segment, from: [f64; 3], to: [f64; 3], end: End) {
+    let near = |found: Point, wanted: [f64; 3]| found.distance(Point::from(wanted)) < 1e-9;
+    assert!(near(piece.from, from), "begins at {:?}, not {from:?}", piece.from);
+    assert!(near(piece.to, to), "ends at {:?}, not {to:?}", piece.to);
+    assert_eq!(piece.end, end);
+}
+
+/// Closed form: the lamp at (0, 0, 8) is straight above the hit.
+#[test]
+fn a_shadow_ray_ends_at_its_lamp() {
+    let (.., pieces) = pieces("point = { location = [0, 0, 8], ls = 1 }", [2, 2]);
+    assert_eq!(pieces.len(), 2);
+    assert_piece(&pieces[0], [0.0, 0.0, 10.0], [0.0, 0.0, 1.0], End::Hit);
+    assert_piece(&pieces[1], [0.0, 0.0, 1.0], [0.0, 0.0, 8.0], End::Light);
+}
+
+/// Closed form: from (2, 0, −3) to the lamp at (−2, 0, 5) the way is x = 2 − 4 s, z = −3 + 8 s. It meets the ball where
+/// (2 − 4 s)² + (8 s − 3)² = 1, at s = (64 ∓ √(64² − 4 · 80 · 12)) / 160, and the smaller s is the occluder.
+#[test]
+fn a_blocked_shadow_ray_ends_at_its_occluder_and_is_dark_beyond() {
+    let (.., pieces) = pieces("point = { location = [-2, 0, 5], ls = 1 }", [4, 2]);
+    assert_eq!(pieces.len(), 3);
+    let s = (64.0 - 256.0_f64.sqrt()) / 160.0;
+    let occluder = [2.0 - 4.0 * s, 0.0, -3.0 + 8.0 * s];
+    assert_piece(&pieces[1], [2.0, 0.0, -3.0], occluder, End::Occluder);
+    assert_piece(&pieces[2], occluder, [-2.0, 0.0, 5.0], End::Dark);
+    assert_eq!([pieces[1].ray, pieces[2].ray], [1, 1]);
+}
+
+/// Closed form: towards a sun at (0, 0, 1) the way has no end; one of a lamp at distance 1 has.
+#[test]
+fn a_shadow_ray_to_a_sun_leaves_the_scene() {
+    let sun = pieces("directional = { direction = [0, 0, 1], ls = 1 }", [2, 2]).2;
+    assert_piece(&sun[1], [0.0, 0.0, 1.0], [0.0, 0.0, 51.0], End::Leaves);
+    let near = pieces("point = { location = [0, 0, 2], ls = 1 }", [2, 2]).2;
+    assert_piece(&near[1], [0.0, 0.0, 1.0], [0.0, 0.0, 2.0], End::Light);
+}
+
+/// Oracle: the recorded tree. In each gallery scene, every ray that was cast has its piece, which begins at its origin;
+/// one that hits ends at the recorded point.
+#[test]
+fn each_ray_has_its_piece() {
+    for entry in gallery::scenes() {
+        let scene = (entry.build)();
+        let world = World::build(&scene).unwrap();
+        let [width, height] = world.picture_size();
+        for pixel in [[width / 2, height / 2], [width / 3, 2 * height / 3]] {
+            let Some(root) = explain::sample(&scene, &world, pixel, 0).ray else { continue };
+            let found = segments(&world, &root, 1.0);
+            for ray in root.rays() {
+                let mut of_ray = found.iter().filter(|piece| piece.ray == ray.number);
+                let first = of_ray.next();
+                if let Some(hit) = &ray.hit {
+                    assert_eq!(first.map(|piece| piece.to), Some(hit.point));
+                }
+                assert!(first.is_none_or(|piece| piece.from == ray.ray.origin));
+            }
+        }
+    }
+}
