@@ -30,6 +30,8 @@ pub enum Action {
     NextRegion,
     /// Judge their picture.
     Judge,
+    /// Show the picture, the picture and the space view, or the space view: the next of them.
+    NextView,
     /// Show or hide the list of keys.
     ToggleKeys,
 }

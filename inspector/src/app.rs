@@ -21,6 +21,7 @@ use crate::picture::session::{Opened, Session};
 use crate::picture::worker::Progress;
 use crate::scene::source::{Loaded, Source};
 use crate::scene::waiting::Broken;
+use crate::space::view::{SpaceView, Traced};
 use crate::splits::{Splits, part};
 use crate::window::chooser::FileChooser;
 use crate::window::keys;
@@ -37,6 +38,8 @@ pub struct Inspector {
     pub picture: Picture,
     /// The selected pixel.
     pub selection: Selection,
+    /// The rays of the selected pixel in space.
+    pub space: SpaceView,
     /// The picture that ours is compared with.
     pub theirs: Option<Theirs>,
     /// The mistake with which another picture is made.
@@ -77,6 +80,7 @@ impl Inspector {
             picture: Picture::new(session.rendering.world.image.tone()),
             session,
             selection: Selection::default(),
+            space: SpaceView::default(),
             theirs: None,
             mistake: WithMistake::default(),
             fields: Fields { save: StoredSettings::default().save, ..Fields::default() },
@@ -112,6 +116,7 @@ impl Inspector {
             || matches!(rendering.progress(), Progress::Running(..))
             || !self.picture.is_fresh(rendering)
             || self.mistake.is_busy()
+            || self.space.is_busy()
             || self.theirs.as_ref().is_some_and(|it| it.is_busy(rendering))
     }
 
@@ -127,6 +132,7 @@ impl Inspector {
         self.open_dropped(&ctx);
         self.session.follow_files(&ctx);
         self.set_title(&ctx);
+        self.selection.tree.lit = self.selection.tree.hovered.take();
 
         // before anything is drawn, so that the tree is in the frame of the click
         if let Some(pixel) = self.picture.clicked(&ctx, self.session.rendering.size()) {
@@ -146,7 +152,8 @@ impl Inspector {
         self.saving.ask(&ctx, &self.session.rendering, &self.picture);
         actions.extend(self.chosen());
         if !self.saving.is_asking() {
-            actions.extend(keys::pressed(&ctx, !self.picture.has_keys(&ctx)));
+            let is_text = !(self.picture.has_keys(&ctx) || self.space.has_keys(&ctx));
+            actions.extend(keys::pressed(&ctx, is_text));
         }
         for action in actions {
             self.perform(&ctx, action);
@@ -162,6 +169,9 @@ impl Inspector {
             theirs.refresh(&ctx, rendering, self.picture.tone);
         }
         self.explain_selected(&ctx);
+        if self.selection.tree.hovered != self.selection.tree.lit {
+            ctx.request_repaint();
+        }
         if self.is_busy() {
             ctx.request_repaint_after(Duration::from_millis(50));
         }
@@ -186,9 +196,9 @@ impl Inspector {
             let (theirs, is_loading) = (self.theirs.as_ref(), self.session.loading.is_busy());
             actions.extend(panels::status(ui, rendering, theirs, self.hovered, is_loading));
         });
-        Panel::top("view")
-            .frame(bar)
-            .show(ui, |ui| panels::view_settings(ui, &mut self.picture, rendering));
+        Panel::top("view").frame(bar).show(ui, |ui| {
+            panels::view_settings(ui, &mut self.picture, &mut self.space.mode, rendering);
+        });
         if let Some(theirs) = self.theirs.as_mut().filter(|_| self.session.waiting.is_none()) {
             Panel::top("comparison")
                 .frame(bar)
@@ -226,8 +236,13 @@ impl Inspector {
             let shown = Shown { rendering, theirs, tone };
             self.selection.show(ui, &shown, wanted, &mut self.splits)
         });
-        let framed =
-            part(ui, "picture", parts.picture, Vec2::ZERO, |ui| self.pictures(ui, parts.picture));
+        let [of_picture, of_space] = self.space.mode.divide(parts.picture);
+        self.hovered = None;
+        let framed = of_picture
+            .and_then(|area| part(ui, "picture", area, Vec2::ZERO, |ui| self.pictures(ui, area)));
+        if let Some(area) = of_space {
+            part(ui, "space", area, Vec2::ZERO, |ui| self.rays_in_space(ui, area));
+        }
         let rebuild = (is_changed || is_resampled).then_some(Action::Rebuild);
         rebuild.into_iter().chain(framed).collect()
     }
@@ -249,6 +264,20 @@ impl Inspector {
         });
         trail::paint(ui.painter(), &placement, &self.selection.trail(rendering));
         framed
+    }
+
+    /// Shows the rays of the selected sample in space, in this area.
+    fn rays_in_space(&mut self, ui: &mut Ui, area: Rect) {
+        let Selection { pixel, tree, .. } = &self.selection;
+        let (pixel, selected, lit) = (*pixel, tree.ray, tree.lit);
+        let traced = self.selection.root();
+        let traced = traced.map(|(question, root)| Traced { question, root, selected, lit });
+        let rendering = &self.session.rendering;
+        let pointed = self.space.show(ui, area, rendering, pixel, traced.as_ref());
+        if let Some(number) = pointed.clicked {
+            self.selection.go_to(number);
+        }
+        self.selection.tree.hovered = self.selection.tree.hovered.or(pointed.hovered);
     }
 
     /// Sets the title of the window: the scene and its progress.
@@ -310,6 +339,7 @@ impl Inspector {
         }
         if !opened.is_same_scene {
             self.selection.tree = Tree::default();
+            self.space.restart();
         }
         let [width, height] = rendering.size();
         if self.selection.pixel.is_some_and(|[x, y]| x >= width || y >= height) {
@@ -361,6 +391,7 @@ impl Inspector {
                     theirs.judge(ctx, rendering);
                 }
             }
+            Action::NextView => self.space.mode = self.space.mode.next(),
             Action::ToggleKeys => self.is_showing_keys ^= true,
         }
     }

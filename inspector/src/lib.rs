@@ -14,5 +14,6 @@ pub mod comparison;
 pub mod explanation;
 pub mod picture;
 pub mod scene;
+pub mod space;
 pub mod splits;
 pub mod window;

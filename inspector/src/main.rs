@@ -61,7 +61,7 @@ fn open(Start { scene, theirs }: Start, arguments: &Arguments) -> Result<(), Box
         .with_min_inner_size([800.0, 500.0])
         .with_position([0.0, 0.0]);
     let options = eframe::NativeOptions { viewport, ..Default::default() };
-    let (pixel, sample) = (arguments.pixel, arguments.sample);
+    let (pixel, sample, view) = (arguments.pixel, arguments.sample, arguments.view);
     let start = move |context: &eframe::CreationContext<'_>| {
         let ctx = &context.egui_ctx;
         set_style(ctx);
@@ -76,6 +76,7 @@ fn open(Start { scene, theirs }: Start, arguments: &Arguments) -> Result<(), Box
             }
         };
         inspector.theirs = theirs;
+        inspector.space.mode = view;
         inspector.restore(StoredSettings::read(context.storage));
         Ok(Box::new(inspector) as Box<dyn eframe::App>)
     };

@@ -6,14 +6,16 @@ use groundtruth::math::{Frame, Ray, Span, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::world::{Hit, World};
 
-/// The share of light that a surface is drawn with if one looks through it.
-const FADED: f64 = 0.16;
+/// The opacity of a surface that one looks through, seen straight and seen at grazing angle: its outline stays.
+const FADED: [f64; 2] = [0.1, 0.6];
 /// The most surfaces that are drawn one behind the other.
 const MAX_SURFACES: usize = 24;
 /// The radiance of a surface seen at grazing angle, as a part of that of one seen straight.
 const GRAZING: f64 = 0.3;
+/// The colour of surfaces that let light through.
+const GLASS: Rgb = Rgb::new(0.6, 0.75, 0.8);
 /// Where no surface is.
-const EMPTY: Rgb = Rgb::grey(0.055);
+const EMPTY: Rgb = Rgb::grey(0.012);
 
 /// The scene lit by a lamp at the eye: every side of it can be seen, whatever its own lights are. One looks through
 /// the surfaces of transparent materials and of faded objects.
@@ -26,20 +28,22 @@ pub struct Backdrop<'a> {
 }
 
 impl Backdrop<'_> {
-    /// The radiance along a ray, from 0 to 1.
-    pub fn color(&self, ray: &Ray) -> Rgb {
-        let (mut ray, mut color, mut left) = (*ray, Rgb::BLACK, 1.0);
+    /// The radiance along a ray, from 0 to 1, and the index of the first object that it meets, looked through or not.
+    pub fn seen(&self, ray: &Ray) -> (Rgb, Option<u32>) {
+        let (mut ray, mut color, mut left, mut object) = (*ray, Rgb::BLACK, 1.0, None);
         for _ in 0..MAX_SURFACES {
             let Some(hit) = self.world.hit(&ray, Span::AHEAD) else { break };
-            let opacity = if self.is_faded(&hit) { FADED } else { 1.0 };
-            color += left * opacity * lit(&hit, &ray);
+            object = object.or(Some(hit.object.index));
+            let cosine = cosine(&hit, &ray);
+            let opacity = if self.is_faded(&hit) { faded(cosine) } else { 1.0 };
+            color += left * opacity * lit(&hit, &ray, cosine);
             left *= 1.0 - opacity;
             if left == 0.0 {
-                return color;
+                return (color, object);
             }
             ray.origin = hit.surface.leave(ray.direction);
         }
-        color + left * EMPTY
+        (color + left * EMPTY, object)
     }
 
     /// The first hit of a surface that is not looked through.
@@ -61,11 +65,24 @@ impl Backdrop<'_> {
     }
 }
 
-/// A surface's own colour, lit from where it is seen.
-fn lit(hit: &Hit<'_>, ray: &Ray) -> Rgb {
-    let direction = ray.direction.unit().unwrap_or_default();
+/// The opacity of a surface that one looks through, for the cosine of the angle under which it is seen.
+fn faded(cosine: f64) -> f64 {
+    let [straight, grazing] = FADED;
+    let slant = (1.0 - cosine) * (1.0 - cosine);
+    straight + (grazing - straight) * slant
+}
+
+/// The cosine of the angle under which a surface is seen, from 0 to 1.
+fn cosine(hit: &Hit<'_>, ray: &Ray) -> f64 {
+    hit.surface.normal.dot(ray.direction.unit().unwrap_or_default()).abs()
+}
+
+/// A surface's own colour, lit from where it is seen under this cosine.
+fn lit(hit: &Hit<'_>, ray: &Ray, cosine: f64) -> Rgb {
+    if hit.material.recipe.transmits() {
+        return GLASS;
+    }
     let normal = if hit.front { hit.surface.normal } else { -hit.surface.normal };
-    let cosine = -normal.dot(direction);
     let mut response = Response::default();
     let at = hit.texture_point();
     hit.material.recipe.respond(&at, cosine, &mut response);
@@ -74,6 +91,7 @@ fn lit(hit: &Hit<'_>, ray: &Ray) -> Rgb {
         .recipe
         .emission()
         .map_or(Rgb::BLACK, |emission| emission.radiance(&at, cosine));
+    let direction = ray.direction.unit().unwrap_or_default();
     let wo = Frame::around(normal).to_local(-direction);
     let own = albedo(&response.lobes, wo) + shining;
     (GRAZING + (1.0 - GRAZING) * cosine) * own.map(|value| value.clamp(0.0, 1.0))

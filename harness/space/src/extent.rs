@@ -14,6 +14,13 @@ pub fn of_scene(world: &World) -> (Point, f64) {
     ball(objects.union(eyes))
 }
 
+/// The ball around the points where rays meet surfaces.
+pub fn of_hits(segments: &[Segment]) -> Option<(Point, f64)> {
+    let meets = |segment: &&Segment| matches!(segment.end, End::Hit | End::Occluder);
+    let bounds = Aabb::around(segments.iter().filter(meets).map(|segment| segment.to));
+    bounds.is_bounded().then(|| ball(bounds))
+}
+
 /// The ball around pieces of rays, but for the ends of those that leave the scene.
 pub fn of_segments(segments: &[Segment]) -> Option<(Point, f64)> {
     let ends = |segment: &Segment| {

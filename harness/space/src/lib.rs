@@ -11,7 +11,7 @@ mod segments;
 mod visibility;
 
 pub use backdrop::Backdrop;
-pub use extent::{of_scene, of_segments};
+pub use extent::{of_hits, of_scene, of_segments};
 pub use orbit::{Orbit, Sight};
 pub use segments::{End, Segment, segments};
 pub use visibility::Visibility;

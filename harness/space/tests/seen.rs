@@ -77,9 +77,12 @@ fn the_backdrop_has_the_colours_of_the_surfaces() {
     let world = ball(MATTE);
     let ray = Ray::new(Point::new(0.0, 0.0, 5.0), -Vector::Z);
     let near = |found: Rgb, wanted: Rgb| (found - wanted).to_array().iter().all(|x| x.abs() < 1e-9);
-    let opaque = Backdrop { world: &world, faded: &[] }.color(&ray);
+    let (opaque, object) = Backdrop { world: &world, faded: &[] }.seen(&ray);
     assert!(near(opaque, Rgb::new(0.75, 0.25, 0.0)), "{opaque:?}");
-    let faded = Backdrop { world: &world, faded: &[0] }.color(&ray);
+    let (faded, also) = Backdrop { world: &world, faded: &[0] }.seen(&ray);
+    assert_eq!([object, also], [Some(0); 2]);
+    let beside = Ray::new(Point::new(2.0, 0.0, 5.0), -Vector::Z);
+    assert_eq!(Backdrop { world: &world, faded: &[] }.seen(&beside).1, None);
     assert!(faded.r < opaque.r && faded.b > opaque.b, "the void shows through: {faded:?}");
     let glass = ball("dielectric = { inside = { eta = 1.5 } }");
     let seen = Visibility::of(&glass, Point::new(0.0, 0.0, 5.0));

@@ -28,13 +28,14 @@ pub fn exact(numbers: [f64; 3]) -> String {
     format!("({x:?}, {y:?}, {z:?})")
 }
 
-/// Shows all fields of a ray and of its hit. Returns the number of another ray if it was clicked.
-pub fn show(ui: &mut Ui, ray: &RecordedRay) -> Option<usize> {
+/// Shows all fields of a ray and of its hit. Returns the number of another ray if it was clicked, and notes the one that
+/// is pointed at.
+pub fn show(ui: &mut Ui, ray: &RecordedRay, hovered: &mut Option<usize>) -> Option<usize> {
     ui.label(RichText::new(ray.line()).color(kind_color(ray)).strong());
     let mut clicked = None;
     if !(ray.terms.is_empty() && ray.unlit.is_empty()) {
         ui.add_space(4.0);
-        clicked = terms(ui, ray);
+        clicked = terms(ui, ray, hovered);
     }
     if let Some(zeros) = &ray.black {
         ui.add_space(4.0);
@@ -155,7 +156,7 @@ fn table(ui: &mut Ui, id: &str, rows: Vec<(&'static str, String)>) {
 }
 
 /// Shows the sum that is the ray's radiance. Returns the number of a term's ray if it was clicked.
-fn terms(ui: &mut Ui, ray: &RecordedRay) -> Option<usize> {
+fn terms(ui: &mut Ui, ray: &RecordedRay, hovered: &mut Option<usize>) -> Option<usize> {
     ui.strong(match ray.transmittance == Rgb::WHITE {
         true => "radiance = the sum of these terms",
         false => "radiance = the sum of these terms × what the medium lets through",
@@ -172,8 +173,12 @@ fn terms(ui: &mut Ui, ray: &RecordedRay) -> Option<usize> {
             ui.label(term.name());
             match term.ray {
                 Some(number) => {
-                    if ui.link(format!("ray {number}")).clicked() {
+                    let link = ui.link(format!("ray {number}"));
+                    if link.clicked() {
                         clicked = Some(number);
+                    }
+                    if link.hovered() {
+                        *hovered = Some(number);
                     }
                 }
                 None => drop(ui.weak("no ray")),

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use eframe::egui::{self, Frame, Key, Margin, Panel, ScrollArea, Ui, vec2};
-use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
+use groundtruth::explain::{self, PixelExplanation, RecordedRay, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::render::Renderer;
 use groundtruth::scene::Scene;
@@ -35,7 +35,8 @@ const LEGEND_MIN_HEIGHT: f32 = 160.0;
 
 /// The pixel and sample to explain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-struct Question {
+pub struct Question {
+    /// The number of the rendering.
     generation: u64,
     pixel: [u32; 2],
     sample: u32,
@@ -151,20 +152,29 @@ impl Selection {
         self.answered.as_ref()?.1.as_deref().ok()
     }
 
+    /// The camera's ray of the selected sample, and the question that its tree answers; not that of another pixel.
+    pub fn root(&self) -> Option<(Question, &RecordedRay)> {
+        let (question, _) = self.answered.as_ref()?;
+        let sample = self.sample_of(self.explanation()?)?;
+        let is_current = self.pixel == Some(question.pixel);
+        let root = sample.ray.as_ref().filter(|_| is_current)?;
+        Some((Question { sample: sample.index, ..*question }, root))
+    }
+
+    /// Selects a ray of the tree and scrolls to it.
+    pub fn go_to(&mut self, number: usize) {
+        let mut tree = std::mem::take(&mut self.tree);
+        if let Some((_, root)) = self.root() {
+            tree.go_to(root, number);
+        }
+        self.tree = tree;
+    }
+
     /// The hits along the path to the selected ray, projected into the picture.
     pub fn trail(&self, rendering: &Rendering) -> Vec<TrailPoint> {
-        let explained = self.explanation().and_then(|explanation| {
-            let mut samples = explanation.samples.iter();
-            let sample = samples.find(|sample| sample.index == self.sample)?;
-            Some((explanation.pixel, sample.ray.as_ref()?))
-        });
-        match explained {
-            // not for an explanation of an earlier picture
-            Some((pixel, root)) if self.pixel == Some(pixel) => {
-                trail::points(&rendering.world, pixel, root, self.tree.ray)
-            }
-            _ => Vec::new(),
-        }
+        self.root().map_or(Vec::new(), |(Question { pixel, .. }, root)| {
+            trail::points(&rendering.world, pixel, root, self.tree.ray)
+        })
     }
 
     /// Whether the selected pixel is not explained yet.
@@ -240,7 +250,8 @@ impl Selection {
 
     fn ray_details(&mut self, ui: &mut Ui, answer: &PixelExplanation) {
         if let Some(root) = self.sample_of(answer).and_then(|sample| sample.ray.as_ref())
-            && let Some(number) = details::show(ui, self.tree.selected(root))
+            && let Some(number) =
+                details::show(ui, self.tree.selected(root), &mut self.tree.hovered)
         {
             self.tree.go_to(root, number);
         }

@@ -23,12 +23,20 @@ const INDENT: f32 = 14.0;
 /// The width of a bar that stands for the whole light of the sample.
 const BAR: f32 = 52.0;
 
-const REFLECTED: Color32 = Color32::from_rgb(255, 160, 90);
-const TRANSMITTED: Color32 = Color32::from_rgb(90, 205, 255);
-const CAMERA: Color32 = Color32::from_rgb(235, 235, 235);
-const UNBLOCKED: Color32 = Color32::from_rgb(250, 225, 100);
-const BLOCKED: Color32 = Color32::from_rgb(165, 150, 185);
-const LOCAL: Color32 = Color32::from_rgb(150, 215, 150);
+/// The ground of the ray that is pointed at.
+const LIT: Color32 = Color32::from_rgb(70, 62, 20);
+/// The colour of reflected rays.
+pub const REFLECTED: Color32 = Color32::from_rgb(255, 160, 90);
+/// The colour of transmitted rays.
+pub const TRANSMITTED: Color32 = Color32::from_rgb(90, 205, 255);
+/// The colour of the camera's ray.
+pub const CAMERA: Color32 = Color32::from_rgb(235, 235, 235);
+/// The colour of shadow rays that reach their light.
+pub const UNBLOCKED: Color32 = Color32::from_rgb(250, 225, 100);
+/// The colour of shadow rays that an object blocks.
+pub const BLOCKED: Color32 = Color32::from_rgb(165, 150, 185);
+/// The colour of terms without a ray, and of normals.
+pub const LOCAL: Color32 = Color32::from_rgb(150, 215, 150);
 
 /// The colour of a ray's line.
 pub fn kind_color(ray: &RecordedRay) -> Color32 {
@@ -69,6 +77,10 @@ pub fn legend(ui: &mut Ui) {
 pub struct Tree {
     /// The number of the selected ray.
     pub ray: usize,
+    /// The number of the ray that is pointed at in this frame, wherever it is shown.
+    pub hovered: Option<usize>,
+    /// The number of the ray that was pointed at in the last frame, which is lit wherever it is shown.
+    pub lit: Option<usize>,
     outline: Outline,
     /// Whether the selected ray is to be scrolled into view.
     scroll: bool,
@@ -76,7 +88,13 @@ pub struct Tree {
 
 impl Default for Tree {
     fn default() -> Self {
-        Self { ray: 0, outline: Outline::folding_below(MIN_SHARE), scroll: false }
+        Self {
+            ray: 0,
+            hovered: None,
+            lit: None,
+            outline: Outline::folding_below(MIN_SHARE),
+            scroll: false,
+        }
     }
 }
 
@@ -170,9 +188,16 @@ impl Tree {
             }
         }
         swatch(ui, display::color(tone, ray.contribution));
-        let text = RichText::new(ray.line()).color(kind_color(ray));
-        if ui.add(Button::selectable(self.ray == ray.number, text)).clicked() {
+        let mut text = RichText::new(ray.line()).color(kind_color(ray));
+        if self.lit == Some(ray.number) {
+            text = text.background_color(LIT);
+        }
+        let line = ui.add(Button::selectable(self.ray == ray.number, text));
+        if line.clicked() {
             self.ray = ray.number;
+        }
+        if line.hovered() {
+            self.hovered = Some(ray.number);
         }
         if let Some(sampling) = term.map(RecordedTerm::sampling).filter(|it| !it.is_empty()) {
             let hint = format!("{sampling}\n{SAMPLING}");

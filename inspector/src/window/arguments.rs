@@ -11,6 +11,7 @@ use pictures::compare::{self, Transfer};
 use crate::comparison::theirs::Theirs;
 use crate::scene::source::{Loaded, Source};
 use crate::scene::waiting::{Broken, Waiting};
+use crate::space::view::Mode;
 use pictures::parse_pixel;
 
 /// Click a pixel and read why it has its colour.
@@ -43,6 +44,9 @@ pub struct Arguments {
     /// Show this sample of the pixel, counted from 0
     #[arg(long, value_name = "I", requires = "pixel")]
     pub sample: Option<u32>,
+    /// Open with the picture, with its rays in space, or with both
+    #[arg(long, value_enum, default_value_t)]
+    pub view: Mode,
     /// Hold this picture (PNG, JPEG, PPM, HDR, EXR or PFM) against ours, which is rendered at its size
     #[arg(long, value_name = "FILE", conflicts_with = "size")]
     pub compare: Option<PathBuf>,

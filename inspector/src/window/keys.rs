@@ -5,7 +5,7 @@ use eframe::egui::{Align2, Context, Grid, Key, KeyboardShortcut, Modifiers, Rich
 use crate::action::{Action, Shows};
 
 /// The keys and what they do.
-const KEYS: [(&str, &str); 16] = [
+const KEYS: [(&str, &str); 18] = [
     ("click", "explain this pixel"),
     ("arrows", "explain the next pixel (Shift: ten pixels on)"),
     ("L", "follow the light: the next ray on the path of the largest share"),
@@ -17,6 +17,11 @@ const KEYS: [(&str, &str); 16] = [
     ("D", "with another picture: theirs less ours"),
     ("Z", "with another picture, once it is judged: the map of z"),
     ("N", "with another picture: explain the worst pixel of the next region of difference"),
+    ("S", "the picture, the picture and its rays in space, or space alone"),
+    (
+        "1 2 3, C, F, A, R",
+        "in space: front, side, top; the scene's camera; fit rays, all; along the ray",
+    ),
     ("Ctrl-O", "type the name of a scene file"),
     ("Ctrl-S", "save the picture"),
     ("Ctrl-+, Ctrl-−, Ctrl-0", "everything larger, smaller, or as at first"),
@@ -32,6 +37,7 @@ pub fn pressed(ctx: &Context, is_text: bool) -> Option<Action> {
         (Key::D, Action::Flip(Shows::Difference)),
         (Key::Z, Action::Flip(Shows::Map)),
         (Key::N, Action::NextRegion),
+        (Key::S, Action::NextView),
     ];
     let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
     ctx.input_mut(|input| {

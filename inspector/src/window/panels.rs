@@ -15,6 +15,7 @@ use crate::picture::view::View;
 use crate::picture::worker::{Progress, Rendering};
 use crate::scene::source::Source;
 use crate::scene::switches;
+use crate::space::view::Mode;
 use crate::window::picker::ScenePicker;
 
 /// The text typed into the bars.
@@ -150,8 +151,16 @@ pub fn scene(ui: &mut Ui, session: &mut Session, settings: &mut ImageSettings) -
 }
 
 /// Shows the settings of the view.
-pub fn view_settings(ui: &mut Ui, picture: &mut Picture, rendering: &Rendering) {
+pub fn view_settings(ui: &mut Ui, picture: &mut Picture, mode: &mut Mode, rendering: &Rendering) {
     ui.horizontal_wrapped(|ui| {
+        for (shown, text, hint) in [
+            (Mode::Picture, "Picture", "The picture (S: the next view)"),
+            (Mode::Both, "Both", "The picture, and the rays of the selected sample in space"),
+            (Mode::Space, "Space", "The rays of the selected sample in space"),
+        ] {
+            ui.selectable_value(mode, shown, text).on_hover_text(hint);
+        }
+        ui.separator();
         let label = ui.label("Exposure");
         let exposure = Slider::new(&mut picture.tone.exposure, 0.01..=100.0).logarithmic(true);
         ui.add(exposure.max_decimals(3)).labelled_by(label.id);

@@ -12,6 +12,7 @@ mod renderer;
 mod room;
 mod sampling;
 mod scenes;
+mod space;
 mod staying;
 mod support;
 mod tree;

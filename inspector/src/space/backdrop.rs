@@ -1,0 +1,212 @@
+//! The backdrop of the space view: the scene as the orbiting camera sees it, coarse first, and which pieces of the rays
+//! it hides.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
+
+use eframe::egui::{
+    Color32, ColorImage, Context, Painter, Rect, TextureHandle, TextureOptions, pos2,
+};
+use groundtruth::film::Tone;
+use groundtruth::world::World;
+use space::{Backdrop as Scene, Orbit, Segment, Visibility};
+
+use crate::picture::worker::Background;
+
+/// The sides of the squares that share one ray, in points of the screen, from the first picture to the last.
+const SIDES: [usize; 3] = [8, 3, 1];
+/// The longest wait for the first picture, which is then drawn in the frame of the change.
+const MAX_WAIT: Duration = Duration::from_millis(16);
+/// The tone of the backdrop.
+const TONE: Tone = Tone { gamma: 2.2, ..Tone::PLAIN };
+/// The most pieces whose middles are looked at, over all segments.
+const MAX_PIECES: usize = 24_000;
+/// The most pieces of a segment.
+const MAX_PIECES_PER_SEGMENT: usize = 32;
+/// The colour over the object that is pointed at.
+const LIGHT: Color32 = Color32::from_rgba_premultiplied(70, 62, 10, 60);
+
+/// The runs of a segment that are hidden, and of those that are not.
+pub type Runs = Vec<([f64; 2], bool)>;
+
+/// The view that is drawn: which scene, from where, how large, and what of it is looked through.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Request {
+    /// The number of the rendering.
+    pub generation: u64,
+    /// The camera.
+    pub orbit: Orbit,
+    /// Width and height in points of the screen.
+    pub size: [usize; 2],
+    /// The objects that are looked through.
+    pub faded: Vec<u32>,
+    /// The pieces of rays over it.
+    pub segments: Arc<Vec<Segment>>,
+}
+
+/// The scene as far as it is drawn.
+struct Drawn {
+    request: Request,
+    /// The step, from 0, after which it is drawn in squares of `SIDES[step]`.
+    step: usize,
+    image: ColorImage,
+    /// The index of the object in each square.
+    objects: Vec<Option<u32>>,
+    runs: Arc<Vec<Runs>>,
+}
+
+/// The scene from the orbiting camera.
+#[derive(Default)]
+pub struct Backdrop {
+    drawn: Option<Drawn>,
+    texture: Option<TextureHandle>,
+    /// The object that is lit, and its pixels.
+    lit: Option<(u32, TextureHandle)>,
+    working: Background<Option<Drawn>>,
+    /// The step that is being drawn.
+    step: usize,
+    /// Set when what is being drawn is no longer wanted.
+    cancelled: Arc<AtomicBool>,
+    wanted: Option<Request>,
+}
+
+impl Backdrop {
+    /// Starts what is missing of a view, and takes over what is finished.
+    pub fn refresh(&mut self, ctx: &Context, world: &Arc<World>, request: Request) {
+        self.accept(ctx, Duration::ZERO);
+        if self.wanted.as_ref() != Some(&request) {
+            // a coarse picture is finished: else nothing would be seen while the camera moves
+            if self.step > 0 {
+                self.cancelled.store(true, Ordering::Relaxed);
+                self.working = Background::default();
+            }
+            self.wanted = Some(request.clone());
+        }
+        if self.working.is_busy() {
+            return;
+        }
+        let step = match &self.drawn {
+            Some(drawn) if drawn.request == request => drawn.step + 1,
+            _ => 0,
+        };
+        if step == SIDES.len() || request.size.contains(&0) {
+            return;
+        }
+        self.step = step;
+        self.cancelled = Arc::new(AtomicBool::new(false));
+        let (world, cancelled) = (Arc::clone(world), Arc::clone(&self.cancelled));
+        let runs = self.drawn.as_ref().filter(|_| step > 0).map(|drawn| Arc::clone(&drawn.runs));
+        self.working.start(ctx, move || draw(&world, request, step, runs, &cancelled));
+        if step == 0 {
+            self.accept(ctx, MAX_WAIT);
+        }
+    }
+
+    fn accept(&mut self, ctx: &Context, wait: Duration) {
+        if let Some(Ok(Some(drawn))) = self.working.wait(wait) {
+            let image = drawn.image.clone();
+            match &mut self.texture {
+                Some(texture) => texture.set(image, TextureOptions::LINEAR),
+                None => {
+                    self.texture = Some(ctx.load_texture("space", image, TextureOptions::LINEAR));
+                }
+            }
+            (self.drawn, self.lit) = (Some(drawn), None);
+        }
+    }
+
+    /// Whether something of the wanted view is still to be drawn.
+    pub fn is_busy(&self) -> bool {
+        let done = self.drawn.as_ref().map(|drawn| (&drawn.request, drawn.step));
+        self.wanted.as_ref().is_some_and(|wanted| done != Some((wanted, SIDES.len() - 1)))
+    }
+
+    /// The hidden runs of the segments, if they are known for these.
+    pub fn runs(&self, segments: &Arc<Vec<Segment>>) -> Option<Arc<Vec<Runs>>> {
+        let drawn = self.drawn.as_ref()?;
+        Arc::ptr_eq(&drawn.request.segments, segments).then(|| Arc::clone(&drawn.runs))
+    }
+
+    /// Draws it, with one object lit.
+    pub fn paint(&mut self, painter: &Painter, area: Rect, object: Option<u32>) {
+        let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+        if let (Some(texture), Some(drawn)) = (&self.texture, &self.drawn) {
+            // the last squares may reach beyond the area
+            let [width, height] = drawn.image.size.map(|count| (count * SIDES[drawn.step]) as f32);
+            let place = Rect::from_min_size(area.min, [width, height].into());
+            painter.image(texture.id(), place, whole, Color32::WHITE);
+            if let Some(object) = object {
+                if self.lit.as_ref().is_none_or(|(lit, _)| *lit != object) {
+                    let light = drawn.objects.iter().map(|it| match it {
+                        Some(index) if *index == object => LIGHT,
+                        _ => Color32::TRANSPARENT,
+                    });
+                    let image = ColorImage::new(drawn.image.size, light.collect());
+                    let texture = painter.ctx().load_texture("lit", image, TextureOptions::LINEAR);
+                    self.lit = Some((object, texture));
+                }
+                if let Some((_, texture)) = &self.lit {
+                    painter.image(texture.id(), place, whole, Color32::WHITE);
+                }
+            }
+        }
+    }
+
+    /// The object at a point of the area, in points of the screen from its top left corner.
+    pub fn object_at(&self, [x, y]: [f32; 2]) -> Option<u32> {
+        let drawn = self.drawn.as_ref()?;
+        let side = SIDES[drawn.step];
+        let [column, row] = [x, y].map(|along| along.max(0.0) as usize / side);
+        let [across, _] = drawn.image.size;
+        (column < across).then(|| drawn.objects.get(row * across + column).copied().flatten())?
+    }
+}
+
+/// Draws a step of a view; `None` if it was cancelled.
+fn draw(
+    world: &World,
+    request: Request,
+    step: usize,
+    runs: Option<Arc<Vec<Runs>>>,
+    cancelled: &AtomicBool,
+) -> Option<Drawn> {
+    let side = SIDES[step];
+    let size = request.size.map(|along| along.div_ceil(side));
+    let sight = request.orbit.sight(request.size.map(|along| along as f64));
+    let scene = Scene { world, faded: &request.faded };
+    let (mut colors, mut objects) = (Vec::new(), Vec::new());
+    for row in 0..size[1] {
+        if cancelled.load(Ordering::Relaxed) {
+            return None;
+        }
+        for column in 0..size[0] {
+            let middle = [column, row].map(|at| (at as f64 + 0.5) * side as f64);
+            let (radiance, object) = scene.seen(&sight.ray(middle));
+            let [r, g, b] = TONE.to_bytes(radiance);
+            colors.push(Color32::from_rgb(r, g, b));
+            objects.push(object);
+        }
+    }
+    let runs = match runs {
+        Some(runs) => runs,
+        None => {
+            let seen = Visibility { backdrop: scene, eye: sight.eye };
+            Arc::new(hidden_runs(&seen, &request.segments, cancelled)?)
+        }
+    };
+    Some(Drawn { request, step, image: ColorImage::new(size, colors), objects, runs })
+}
+
+fn hidden_runs(
+    seen: &Visibility<'_>,
+    segments: &[Segment],
+    cancelled: &AtomicBool,
+) -> Option<Vec<Runs>> {
+    let pieces = (MAX_PIECES / segments.len().max(1)).clamp(1, MAX_PIECES_PER_SEGMENT) as u32;
+    let runs = segments.iter().map(|segment| {
+        let go_on = !cancelled.load(Ordering::Relaxed);
+        go_on.then(|| seen.runs(segment.from, segment.to, pieces))
+    });
+    runs.collect()
+}

@@ -1,0 +1,186 @@
+//! The rays drawn over the backdrop: lines with arrowheads, normals, marks of lamps and occluders, and the frustum of
+//! the scene's camera.
+
+use std::collections::BTreeMap;
+
+use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke, Vec2, vec2};
+use groundtruth::explain::RecordedRay;
+use groundtruth::math::Point;
+use groundtruth::render;
+use groundtruth::world::World;
+use space::{End, Segment, Sight};
+
+use crate::explanation::tree::{LOCAL, kind_color};
+use crate::space::backdrop::Runs;
+
+/// The opacity of what a surface hides.
+const HIDDEN: f32 = 0.25;
+/// The opacity of rays that are not lit while another is.
+const DIMMED: f32 = 0.3;
+/// The dark way behind an occluder.
+const DARK: Color32 = Color32::BLACK;
+/// The points on each edge of the film: the edge is curved for some cameras.
+const EDGE_POINTS: u32 = 12;
+
+/// A place on the screen with the transformation that leads there.
+pub struct Canvas<'a> {
+    /// Where lines are drawn.
+    pub painter: &'a Painter,
+    /// The top left corner of the view.
+    pub corner: Pos2,
+    /// The camera.
+    pub sight: Sight,
+}
+
+/// What is drawn of a tree.
+pub struct Rays<'a> {
+    /// The rays by their numbers.
+    pub by_number: &'a BTreeMap<usize, &'a RecordedRay>,
+    /// Their pieces.
+    pub segments: &'a [Segment],
+    /// The runs of each piece that are hidden, once they are known.
+    pub runs: Option<&'a [Runs]>,
+    /// The rays that are lit; all if there are none.
+    pub lit: &'a [usize],
+    /// The length of normals, in world units; no normals if `None`.
+    pub normals: Option<f64>,
+}
+
+impl Canvas<'_> {
+    fn screen(&self, [x, y]: [f64; 2]) -> Pos2 {
+        self.corner + vec2(x as f32, y as f32)
+    }
+
+    /// The part of a segment that is in view, on the screen.
+    pub fn line(&self, from: Point, to: Point) -> Option<[Pos2; 2]> {
+        Some(self.sight.clip(from, to)?.map(|(at, _)| self.screen(at)))
+    }
+
+    /// Draws a line over a darker one, so that it can be seen on any ground.
+    fn stroke(&self, line: [Pos2; 2], width: f32, color: Color32, opacity: f32) {
+        let halo = if color == DARK { Color32::from_gray(150) } else { Color32::BLACK };
+        for (width, color) in [(width + 2.0, halo), (width, color)] {
+            self.painter.line_segment(line, Stroke::new(width, color.gamma_multiply(opacity)));
+        }
+    }
+
+    /// Draws the rays. Returns the pieces that are in view, on the screen.
+    pub fn rays(&self, rays: &Rays<'_>) -> Vec<(usize, [Pos2; 2])> {
+        let mut drawn = Vec::new();
+        for (index, segment) in rays.segments.iter().enumerate() {
+            let Some(ray) = rays.by_number.get(&segment.ray) else { continue };
+            let is_lit = rays.lit.contains(&segment.ray);
+            let dimmed = if rays.lit.is_empty() || is_lit { 1.0 } else { DIMMED };
+            let width = if is_lit { 3.0 } else { 1.5 };
+            let color = if segment.end == End::Dark { DARK } else { kind_color(ray) };
+            let whole = [([0.0, 1.0], false)];
+            let runs = rays.runs.and_then(|runs| runs.get(index)).map_or(&whole[..], Vec::as_slice);
+            let at = |part: f64| segment.from + part * (segment.to - segment.from);
+            for &([start, end], hidden) in runs {
+                let opacity = if hidden { HIDDEN * dimmed } else { dimmed };
+                if let Some(line) = self.line(at(start), at(end)) {
+                    self.stroke(line, width, color, opacity);
+                    drawn.push((segment.ray, line));
+                }
+            }
+            let is_hidden = runs.last().is_some_and(|(_, hidden)| *hidden);
+            let opacity = if is_hidden { HIDDEN * dimmed } else { dimmed };
+            self.end(segment, color, opacity);
+            if segment.end == End::Hit
+                && let (Some(length), Some(hit)) = (rays.normals, &ray.hit)
+            {
+                let normal = if hit.front { hit.shading_normal } else { -hit.shading_normal };
+                if let Some(line) = self.line(hit.point, hit.point + length * normal) {
+                    self.stroke(line, 1.0, LOCAL, opacity);
+                }
+            }
+        }
+        drawn
+    }
+
+    /// Marks the end of a piece: an arrowhead where it goes on or hits, a dot at a lamp, a cross at an occluder.
+    fn end(&self, segment: &Segment, color: Color32, opacity: f32) {
+        let (Some(tip), Some([start, end])) =
+            (self.sight.project(segment.to), self.line(segment.from, segment.to))
+        else {
+            return;
+        };
+        let tip = self.screen(tip);
+        if (tip - end).length() > 1.0 {
+            return;
+        }
+        let along = (end - start).normalized();
+        let fill = color.gamma_multiply(opacity);
+        let edge = Stroke::new(1.0, Color32::BLACK.gamma_multiply(opacity));
+        match segment.end {
+            End::Hit | End::Leaves if (end - start).length() > 4.0 => {
+                let side = 4.0 * along.rot90();
+                let back = tip - 9.0 * along;
+                let head = vec![tip, back + side, back - side];
+                self.painter.add(Shape::convex_polygon(head, fill, edge));
+            }
+            End::Light => drop(self.painter.circle(tip, 4.0, fill, edge)),
+            End::Occluder => {
+                for across in [vec2(4.0, 4.0), vec2(4.0, -4.0)] {
+                    self.stroke([tip - across, tip + across], 2.0, color, opacity);
+                }
+            }
+            End::Hit | End::Leaves | End::Dark => {}
+        }
+    }
+
+    /// Draws the scene's camera: the edges of its film, `length` before the eye, and the pixel.
+    pub fn frustum(&self, world: &World, pixel: Option<[u32; 2]>, length: f64) {
+        let column = pixel.map_or(0, |[column, _]| column);
+        let Some((eye, column)) = world.view.eye_of_column(column, world.image.width) else {
+            return;
+        };
+        let half = world.image.pixel_size * 0.5;
+        let [x, y] = [world.image.width, world.image.height].map(|side| half * f64::from(side));
+        let on_film =
+            |film: [f64; 2]| eye.ray(film, [0.0, 0.0]).map(|ray| (ray.origin, ray.at(length)));
+        let corners = [[-x, -y], [x, -y], [x, y], [-x, y]];
+        let color = Color32::from_gray(210);
+        let draw = |from: Point, to: Point| {
+            if let Some(line) = self.line(from, to) {
+                self.painter.line_segment(line, Stroke::new(1.0, color.gamma_multiply(0.6)));
+            }
+        };
+        for (corner, next) in corners.into_iter().zip(corners.into_iter().cycle().skip(1)) {
+            if let Some((origin, at)) = on_film(corner) {
+                draw(origin, at);
+            }
+            let between = |step: u32| {
+                let part = f64::from(step) / f64::from(EDGE_POINTS);
+                [0, 1].map(|axis| corner[axis] + part * (next[axis] - corner[axis]))
+            };
+            let edge: Vec<_> = (0..=EDGE_POINTS).map(|step| on_film(between(step))).collect();
+            for pair in edge.windows(2) {
+                if let [Some((_, from)), Some((_, to))] = pair {
+                    draw(*from, *to);
+                }
+            }
+        }
+        let middle =
+            pixel.map(|[_, row]| render::film_point(&world.image, [column, row], [0.5, 0.5]));
+        if let Some((_, at)) = middle.and_then(on_film)
+            && let Some(at) = self.sight.project(at)
+        {
+            let edge = Stroke::new(1.0, Color32::BLACK);
+            self.painter.circle(self.screen(at), 3.0, Color32::from_rgb(255, 230, 60), edge);
+        }
+    }
+}
+
+/// The ray nearest to a place on the screen, within `reach` points of it.
+pub fn nearest(drawn: &[(usize, [Pos2; 2])], at: Pos2, reach: f32) -> Option<usize> {
+    let distance = |[from, to]: [Pos2; 2]| -> f32 {
+        let way: Vec2 = to - from;
+        let part = ((at - from).dot(way) / way.length_sq()).clamp(0.0, 1.0);
+        if part.is_nan() { from.distance(at) } else { (from + part * way).distance(at) }
+    };
+    let nearest = drawn.iter().map(|(ray, line)| (*ray, distance(*line)));
+    // of equal ones the last, which is drawn over the others
+    let nearest = nearest.rev().min_by(|a, b| a.1.total_cmp(&b.1));
+    nearest.filter(|(_, distance)| *distance <= reach).map(|(ray, _)| ray)
+}

@@ -1,0 +1,150 @@
+//! The rays of the selected sample in space.
+
+use eframe::egui::{Key, Pos2, Rect, accesskit::Role, pos2};
+use egui_kittest::kittest::Queryable;
+use groundtruth::cameras::{Pinhole, View, ViewPlane, Viewpoint};
+use groundtruth::explain::RecordedRay;
+use groundtruth::math::Point;
+use inspector::space::view::Mode;
+
+use crate::support::*;
+
+/// A pixel of the glass sphere.
+const PIXEL: [u32; 2] = [26, 25];
+
+/// A window that shows a pixel of the glass sphere in space.
+fn in_space() -> Window {
+    let mut window = glass_window();
+    click(&mut window, PIXEL);
+    window.state_mut().space.mode = Mode::Space;
+    settle(&mut window);
+    window
+}
+
+fn area(window: &Window) -> Rect {
+    window.get_by_role_and_label(Role::Canvas, "space").rect()
+}
+
+/// The tracer's own pinhole at the place of the orbiting camera, with a film in points of the screen.
+fn camera(window: &Window) -> View {
+    let orbit = window.state().space.orbit.expect("there is something to see");
+    let size = area(window).size();
+    let film = ViewPlane { width: size.x.into(), height: size.y.into() };
+    let eye = orbit.sight([film.width, film.height]).eye;
+    // half the smaller side is seen under an angle whose tangent is 0.36
+    let lens = Pinhole { distance: 0.5 * film.width.min(film.height) / 0.36, zoom: 1.0 };
+    Viewpoint::new(eye, orbit.target, lens).build(film).expect("a camera")
+}
+
+/// Where the tracer's pinhole sees a point, on the screen.
+fn place(window: &Window, point: Point) -> Pos2 {
+    let [x, y] = camera(window).eyes()[0].project(point).expect("it is in view");
+    area(window).center() + eframe::egui::vec2(x as f32, -y as f32)
+}
+
+fn root(window: &Window) -> RecordedRay {
+    window.state().selection.root().expect("explained").1.clone()
+}
+
+/// The middle of the ray inside the glass.
+fn middle(ray: &RecordedRay) -> Point {
+    let end = ray.hit.as_ref().expect("it meets the back of the sphere").point;
+    ray.ray.origin + 0.5 * (end - ray.ray.origin)
+}
+
+/// Law: a ray is drawn where the tracer's pinhole projects its recorded ends: the mouse there points at it, lights its
+/// row, and a click selects it. Oracle: `Eye::project` of a pinhole.
+#[test]
+fn a_ray_is_drawn_where_it_is() {
+    let mut window = in_space();
+    let root = root(&window);
+    let inside =
+        root.children.iter().find(|ray| ray.line().contains("transmitted")).expect("glass");
+    let at = place(&window, middle(inside));
+    window.hover_at(at);
+    window.run_steps(3);
+    assert_eq!(window.state().selection.tree.lit, Some(inside.number));
+    window.drag_at(at);
+    window.drop_at(at);
+    window.run_steps(3);
+    assert_eq!(window.state().selection.tree.ray, inside.number);
+    window.hover_at(pos2(area(&window).left() + 2.0, at.y));
+    window.run_steps(3);
+    assert_eq!(window.state().selection.tree.lit, None);
+}
+
+/// Law: a row of the tree that is pointed at lights its ray. Oracle: the number in the row.
+#[test]
+fn a_row_of_the_tree_lights_its_ray() {
+    let mut window = in_space();
+    let row = window.get_by_label_contains("1  from 0").rect().center();
+    window.hover_at(row);
+    window.run_steps(3);
+    assert_eq!(window.state().selection.tree.lit, Some(1));
+}
+
+/// Law: the camera turns about its target by 0.4° for a point, and the wheel and the keys keep the target. Closed form.
+#[test]
+fn the_camera_orbits() {
+    let mut window = in_space();
+    let before = window.state().space.orbit.unwrap();
+    let at = area(&window).center();
+    window.hover_at(at);
+    window.drag_at(at);
+    window.step();
+    window.hover_at(at + eframe::egui::vec2(-50.0, 20.0));
+    window.step();
+    window.drop_at(at + eframe::egui::vec2(-50.0, 20.0));
+    settle(&mut window);
+    let turned = window.state().space.orbit.unwrap();
+    assert!((turned.yaw - before.yaw - 20.0).abs() < 1e-3, "{} after {}", turned.yaw, before.yaw);
+    assert!((turned.pitch - before.pitch - 8.0).abs() < 1e-3);
+    assert_eq!((turned.target, turned.distance), (before.target, before.distance));
+    // the view has the keys since it was dragged
+    window.key_press(Key::Num3);
+    settle(&mut window);
+    let top = window.state().space.orbit.unwrap();
+    assert_eq!(top.pitch, 90.0);
+    window.key_press(Key::ArrowDown);
+    settle(&mut window);
+    assert_eq!(window.state().space.orbit.unwrap().pitch, 85.0);
+}
+
+/// Law: S shows picture, both, and space, in turn; the picture and the space view share its area without overlap.
+#[test]
+fn a_key_goes_through_the_views() {
+    let mut window = glass_window();
+    click(&mut window, PIXEL);
+    for (mode, has_picture, has_space) in
+        [(Mode::Both, true, true), (Mode::Space, false, true), (Mode::Picture, true, false)]
+    {
+        window.key_press(Key::S);
+        settle(&mut window);
+        assert_eq!(window.state().space.mode, mode);
+        let picture = window.query_by_role_and_label(Role::Image, "picture");
+        let space = window.query_by_role_and_label(Role::Canvas, "space");
+        assert_eq!([picture.is_some(), space.is_some()], [has_picture, has_space]);
+        if let (Some(picture), Some(space)) = (picture, space) {
+            assert!(!picture.rect().intersects(space.rect()));
+        }
+    }
+}
+
+/// Law: an object that is looked through shows what is behind it. Oracle: the colour of the red sphere's middle is no
+/// longer red alone.
+#[test]
+fn an_object_can_be_looked_through() {
+    let mut window = in_space();
+    let world = built(&small_glass_sphere());
+    let red = world.objects().iter().find(|object| &*object.name == "red sphere").expect("red");
+    let at = place(&window, red.bounds().center());
+    let color =
+        |window: &mut Window| window.render().expect("drawn").get_pixel(at.x as u32, at.y as u32).0;
+    let opaque = color(&mut window);
+    window.state_mut().space.faded.push(red.index);
+    settle(&mut window);
+    let faded = color(&mut window);
+    let redness = |[r, g, _, _]: [u8; 4]| i32::from(r) - i32::from(g);
+    assert!(redness(opaque) > 40, "{opaque:?}");
+    assert!(redness(faded) < redness(opaque) - 20, "{faded:?} after {opaque:?}");
+}
