@@ -36,7 +36,7 @@ mod search;
 mod sets;
 mod shaded_sets;
 
-pub use search::search;
+pub use search::{about, search};
 
 use groundtruth::scene::Scene;
 use groundtruth::similar::did_you_mean;

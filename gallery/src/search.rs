@@ -4,9 +4,15 @@ use std::sync::LazyLock;
 
 use super::{Entry, scenes};
 
-/// Every scene with its description in small letters, built when it is first needed.
+/// Every scene with its description, built when it is first needed.
 static DESCRIBED: LazyLock<Vec<(Entry, String)>> =
-    LazyLock::new(|| scenes().map(|entry| (entry, (entry.build)().about.to_lowercase())).collect());
+    LazyLock::new(|| scenes().map(|entry| (entry, (entry.build)().about)).collect());
+
+/// The description of a scene, with the book's figure if it has one.
+pub fn about(entry: Entry) -> &'static str {
+    let found = DESCRIBED.iter().find(|(described, _)| described.name == entry.name);
+    found.map_or("", |(_, about)| about)
+}
 
 /// The scenes that fit these words, by chapter; all if there are none.
 ///
@@ -23,7 +29,8 @@ pub fn search<'a>(words: impl IntoIterator<Item = &'a str>) -> Vec<Entry> {
         return scenes().filter(is_wanted).collect();
     }
     let fits = |(entry, about): &&(Entry, String)| {
-        is_wanted(entry) && words.iter().all(|word| has(entry.name, word) || has(about, word))
+        let about = about.to_lowercase();
+        is_wanted(entry) && words.iter().all(|word| has(entry.name, word) || has(&about, word))
     };
     DESCRIBED.iter().filter(fits).map(|(entry, _)| *entry).collect()
 }

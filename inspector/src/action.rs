@@ -32,6 +32,8 @@ pub enum Action {
     Judge,
     /// Show the picture, the picture and the space view, or the space view: the next of them.
     NextView,
+    /// Change from a dark ground to a light one, or back.
+    ChangeGround,
     /// Show or hide the list of keys.
     ToggleKeys,
 }

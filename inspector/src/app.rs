@@ -28,6 +28,7 @@ use crate::window::keys;
 use crate::window::panels::{self, Fields};
 use crate::window::picker::ScenePicker;
 use crate::window::stored_settings::StoredSettings;
+use crate::window::style::{self, Ground};
 
 /// The whole state of the window. Its parts are lent to the bars and panels, which change what no other part shows and
 /// return the rest as actions.
@@ -56,9 +57,14 @@ pub struct Inspector {
     settings: ImageSettings,
     splits: Splits,
     is_showing_keys: bool,
+    ground: Ground,
+    /// Whether a pixel is explained before one is selected.
+    proposes: bool,
     /// The pixel under the mouse.
     hovered: Option<[u32; 2]>,
     title: String,
+    /// The factor by which text has grown with the window.
+    grown: f32,
 }
 
 impl Inspector {
@@ -78,12 +84,11 @@ impl Inspector {
     fn of(session: Session) -> Self {
         Self {
             picture: Picture::new(session.rendering.world.image.tone()),
-            session,
             selection: Selection::default(),
             space: SpaceView::default(),
             theirs: None,
             mistake: WithMistake::default(),
-            fields: Fields { save: StoredSettings::default().save, ..Fields::default() },
+            fields: Fields { save: session.rendering.source.picture_name(), ..Fields::default() },
             message: None,
             picker: ScenePicker::default(),
             chooser: FileChooser::default(),
@@ -91,19 +96,31 @@ impl Inspector {
             settings: ImageSettings::default(),
             splits: Splits::default(),
             is_showing_keys: false,
+            ground: Ground::default(),
+            proposes: false,
             hovered: None,
             title: String::new(),
+            grown: 1.0,
+            session,
         }
     }
 
     /// Takes over the settings of an earlier run.
-    pub fn restore(&mut self, stored: StoredSettings) {
-        (self.splits, self.fields.save) = (stored.splits, stored.save);
+    pub fn restore(&mut self, ctx: &Context, stored: StoredSettings) {
+        self.splits = stored.splits;
+        stored.ground.set(ctx);
+        self.ground = stored.ground;
     }
 
     /// Settings for a later run.
     pub fn stored_settings(&self) -> StoredSettings {
-        StoredSettings { splits: self.splits, save: self.fields.save.clone() }
+        StoredSettings { splits: self.splits, ground: self.ground }
+    }
+
+    /// From now on explains an interesting pixel of each scene until one is selected.
+    pub fn propose(&mut self, ctx: &Context) {
+        self.proposes = true;
+        self.selection.propose(ctx, &self.session.rendering);
     }
 
     /// Whether anything is still being computed.
@@ -124,11 +141,12 @@ impl Inspector {
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
         match self.session.poll(&ctx) {
-            Some(Ok(opened)) => self.accept(opened),
+            Some(Ok(opened)) => self.accept(&ctx, opened),
             Some(Err(error)) => self.message = Some((error, true)),
             None => {}
         }
         self.message = self.saving.poll().or(self.message.take());
+        style::grow(&ctx, &mut self.grown);
         self.open_dropped(&ctx);
         self.session.follow_files(&ctx);
         self.set_title(&ctx);
@@ -140,6 +158,10 @@ impl Inspector {
         }
         if let Some(pixel) = self.stepped(ui) {
             self.reveal(pixel);
+        }
+        if let Some(pixel) = self.selection.proposed() {
+            self.select(pixel);
+            self.selection.is_proposed = true;
         }
         self.explain_selected(&ctx);
 
@@ -329,7 +351,7 @@ impl Inspector {
     }
 
     /// Shows a scene that was opened; keeps what still belongs to it.
-    fn accept(&mut self, opened: Opened) {
+    fn accept(&mut self, ctx: &Context, opened: Opened) {
         let rendering = &self.session.rendering;
         self.message = None;
         if opened.is_same_view {
@@ -338,8 +360,13 @@ impl Inspector {
             self.picture = Picture::new(rendering.world.image.tone());
         }
         if !opened.is_same_scene {
-            self.selection.tree = Tree::default();
+            self.selection = Selection::default();
             self.space.restart();
+            self.fields.pixel.clear();
+            self.fields.save = rendering.source.picture_name();
+            if self.proposes {
+                self.selection.propose(ctx, rendering);
+            }
         }
         let [width, height] = rendering.size();
         if self.selection.pixel.is_some_and(|[x, y]| x >= width || y >= height) {
@@ -392,6 +419,10 @@ impl Inspector {
                 }
             }
             Action::NextView => self.space.mode = self.space.mode.next(),
+            Action::ChangeGround => {
+                self.ground = self.ground.other();
+                self.ground.set(ctx);
+            }
             Action::ToggleKeys => self.is_showing_keys ^= true,
         }
     }
@@ -414,7 +445,7 @@ impl Inspector {
         if self.selection.pixel != Some(pixel) {
             self.selection.tree = Tree::default();
         }
-        self.selection.pixel = Some(pixel);
+        (self.selection.pixel, self.selection.is_proposed) = (Some(pixel), false);
         self.fields.pixel = format!("{x}, {y}");
     }
 

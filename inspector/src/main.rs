@@ -62,6 +62,7 @@ fn open(Start { scene, theirs }: Start, arguments: &Arguments) -> Result<(), Box
         .with_position([0.0, 0.0]);
     let options = eframe::NativeOptions { viewport, ..Default::default() };
     let (pixel, sample, view) = (arguments.pixel, arguments.sample, arguments.view);
+    let ground = arguments.theme;
     let start = move |context: &eframe::CreationContext<'_>| {
         let ctx = &context.egui_ctx;
         set_style(ctx);
@@ -69,15 +70,18 @@ fn open(Start { scene, theirs }: Start, arguments: &Arguments) -> Result<(), Box
             Err(broken) => Inspector::waiting_for(ctx, broken),
             Ok(loaded) => {
                 let mut inspector = Inspector::new(ctx, loaded);
-                if let Some(pixel) = pixel {
-                    inspector.explain(pixel, sample.unwrap_or(0));
+                match pixel {
+                    Some(pixel) => inspector.explain(pixel, sample.unwrap_or(0)),
+                    None => inspector.propose(ctx),
                 }
                 inspector
             }
         };
         inspector.theirs = theirs;
         inspector.space.mode = view;
-        inspector.restore(StoredSettings::read(context.storage));
+        let stored = StoredSettings::read(context.storage);
+        let ground = ground.unwrap_or(stored.ground);
+        inspector.restore(ctx, StoredSettings { ground, ..stored });
         Ok(Box::new(inspector) as Box<dyn eframe::App>)
     };
     eframe::run_native("groundtruth-inspector", options, Box::new(start))

@@ -8,8 +8,9 @@ use groundtruth::printable::name;
 use groundtruth::rgb::Rgb;
 use groundtruth::textures::Texel;
 use groundtruth::trace::{Optics, Outcome, RayKind, RecordedTexture};
+use pictures::digits::shortened;
 
-use crate::explanation::tree::kind_color;
+use crate::explanation::tree::{ink, kind_color};
 
 /// The columns of the terms, with what they are.
 const TERM_TITLES: [(&str, &str); 4] = [
@@ -31,7 +32,7 @@ pub fn exact(numbers: [f64; 3]) -> String {
 /// Shows all fields of a ray and of its hit. Returns the number of another ray if it was clicked, and notes the one that
 /// is pointed at.
 pub fn show(ui: &mut Ui, ray: &RecordedRay, hovered: &mut Option<usize>) -> Option<usize> {
-    ui.label(RichText::new(ray.line()).color(kind_color(ray)).strong());
+    ui.label(RichText::new(ray.line()).color(ink(ui, kind_color(ray))).strong());
     let mut clicked = None;
     if !(ray.terms.is_empty() && ray.unlit.is_empty()) {
         ui.add_space(4.0);
@@ -42,7 +43,7 @@ pub fn show(ui: &mut Ui, ray: &RecordedRay, hovered: &mut Option<usize>) -> Opti
         ui.label(format!("black: {zeros}"));
     }
     ui.add_space(6.0);
-    ui.strong("all its numbers");
+    ui.strong("its numbers").on_hover_text("With four digits; Copy has all of them");
     table(ui, "ray", fields(ray));
     ui.add_space(8.0);
     clicked
@@ -149,7 +150,7 @@ fn table(ui: &mut Ui, id: &str, rows: Vec<(&'static str, String)>) {
     grid.spacing([10.0, 1.0]).show(ui, |ui| {
         for (name, value) in rows {
             ui.label(name);
-            ui.label(RichText::new(value).monospace().size(11.5));
+            ui.label(RichText::new(shortened(&value)).monospace().size(11.5));
             ui.end_row();
         }
     });

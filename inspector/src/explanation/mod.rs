@@ -11,6 +11,7 @@ use crate::picture::worker::Rendering;
 pub mod copying;
 pub mod details;
 pub mod pixel;
+pub mod proposal;
 pub mod samples;
 pub mod selection;
 pub mod trail;

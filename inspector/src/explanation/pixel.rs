@@ -4,6 +4,7 @@ use eframe::egui::{Color32, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
 use groundtruth::explain::{self, PixelExplanation, RecordedRay, percent, short};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
+use pictures::digits::shortened;
 
 use crate::comparison::theirs::Theirs;
 use crate::explanation::{Shown, copying, details, tree};
@@ -41,10 +42,11 @@ pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
 pub fn copy_menu(
     ui: &mut Ui,
     shown: &Shown<'_>,
-    pixel: [u32; 2],
+    answer: &PixelExplanation,
     sample: u32,
     ray: Option<&RecordedRay>,
 ) {
+    let (pixel, radiance) = (answer.pixel, answer.radiance);
     let copy = |ui: &mut Ui, text: String| {
         ui.ctx().copy_text(text);
         copying::set_copied(ui.ctx());
@@ -58,6 +60,9 @@ pub fn copy_menu(
         let probe = ui.button("The probe's line");
         if probe.on_hover_text("`probe` answers it with this pixel").clicked() {
             copy(ui, copying::probe_line(shown.rendering, pixel));
+        }
+        if ui.button("The pixel, all its digits").clicked() {
+            copy(ui, details::exact(radiance.to_array()));
         }
         if let Some(ray) = ray
             && ui.button("All numbers of the selected ray").clicked()
@@ -80,12 +85,13 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
     };
     ui.label(format!("The pixel is {mean}{exposure}:"));
     let total = format!("= {}", details::exact(answer.radiance.to_array()));
-    ui.label(RichText::new(total).monospace().size(12.0).strong());
+    let text = RichText::new(shortened(&total)).monospace().size(12.0).strong();
+    ui.label(text).on_hover_text(total);
     let bits = |color: Rgb| color.to_array().map(f64::to_bits);
     match rendered {
         None => ui.weak("this pixel is not rendered yet"),
         Some(radiance) if bits(radiance) == bits(answer.radiance) => {
-            let good = Color32::from_rgb(120, 220, 120);
+            let good = tree::ink(ui, Color32::from_rgb(120, 220, 120));
             ui.colored_label(good, "= the pixel of the picture, bit for bit")
         }
         Some(radiance) => {

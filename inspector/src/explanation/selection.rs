@@ -15,7 +15,7 @@ use crate::explanation::pixel::{self, Order, SumList};
 use crate::explanation::samples::Samples;
 use crate::explanation::trail::{self, TrailPoint};
 use crate::explanation::tree::{self, Tree};
-use crate::explanation::{Shown, details};
+use crate::explanation::{Shown, details, proposal};
 use crate::picture::display;
 use crate::picture::worker::{Background, Lost, Rendering};
 use crate::splits::{Splits, part};
@@ -61,8 +61,11 @@ pub struct Selection {
     pub tab: Tab,
     /// The samples, when they are below the tree.
     pub samples: Samples,
+    /// Whether the pixel was proposed, and not chosen by the user.
+    pub is_proposed: bool,
     answered: Option<(Question, Explained)>,
     working: Background<(Question, Explained)>,
+    proposing: Background<[u32; 2]>,
 }
 
 /// The part that is shown below the tree.
@@ -119,6 +122,18 @@ impl Selection {
         });
         let finished = self.working.wait(MAX_WAIT);
         self.accept(finished, question);
+    }
+
+    /// Starts to look for a pixel that is worth explaining.
+    pub fn propose(&mut self, ctx: &egui::Context, rendering: &Rendering) {
+        let world = Arc::clone(&rendering.world);
+        self.proposing.start(ctx, move || proposal::interesting(&world));
+    }
+
+    /// The pixel that was found, returned once, unless one is selected.
+    pub fn proposed(&mut self) -> Option<[u32; 2]> {
+        let found = self.proposing.poll()?.ok();
+        found.filter(|_| self.pixel.is_none())
     }
 
     fn accept(&mut self, finished: Option<Result<(Question, Explained), Lost>>, asked: Question) {
@@ -180,7 +195,7 @@ impl Selection {
     /// Whether the selected pixel is not explained yet.
     pub fn is_waiting(&self) -> bool {
         let current = self.answered.as_ref().map(|(question, _)| question.pixel);
-        self.working.is_busy() || current != self.pixel
+        self.working.is_busy() || self.proposing.is_busy() || current != self.pixel
     }
 
     /// Shows the explanation; returns whether `wanted` was changed.
@@ -300,8 +315,11 @@ impl Selection {
             ui.separator();
             let root = self.sample_of(answer).and_then(|sample| sample.ray.as_ref());
             let ray = root.map(|root| self.tree.selected(root));
-            pixel::copy_menu(ui, shown, answer.pixel, self.sample.min(last), ray);
+            pixel::copy_menu(ui, shown, answer, self.sample.min(last), ray);
         });
+        if self.is_proposed {
+            ui.weak("A pixel with many rays, to begin with. Click any other one.");
+        }
         for note in &answer.notes {
             ui.weak(note);
         }

@@ -23,8 +23,8 @@ const INDENT: f32 = 14.0;
 /// The width of a bar that stands for the whole light of the sample.
 const BAR: f32 = 52.0;
 
-/// The ground of the ray that is pointed at.
-const LIT: Color32 = Color32::from_rgb(70, 62, 20);
+/// The colour of the filled part of a bar.
+const FILLED: Color32 = Color32::from_rgb(80, 130, 195);
 /// The colour of reflected rays.
 pub const REFLECTED: Color32 = Color32::from_rgb(255, 160, 90);
 /// The colour of transmitted rays.
@@ -55,6 +55,11 @@ pub fn kind_color(ray: &RecordedRay) -> Color32 {
     }
 }
 
+/// A colour of text with contrast to the ground of the theme.
+pub fn ink(ui: &Ui, color: Color32) -> Color32 {
+    if ui.visuals().dark_mode { color } else { color.lerp_to_gamma(Color32::BLACK, 0.55) }
+}
+
 /// Shows what the colours mean.
 pub fn legend(ui: &mut Ui) {
     ui.horizontal_wrapped(|ui| {
@@ -67,7 +72,7 @@ pub fn legend(ui: &mut Ui) {
             ("shadow, blocked", BLOCKED),
             ("no ray", LOCAL),
         ] {
-            ui.label(RichText::new(name).color(color));
+            ui.label(RichText::new(name).color(ink(ui, color)));
         }
     });
 }
@@ -149,7 +154,7 @@ impl Tree {
                         // no children: a space in place of the triangle
                         ui.allocate_exact_size(vec2(INDENT, LINE), Sense::hover());
                         swatch(ui, display::color(tone, term.contribution));
-                        cut(ui, RichText::new(term.line()).color(LOCAL), &term.line());
+                        cut(ui, RichText::new(term.line()).color(ink(ui, LOCAL)), &term.line());
                     }
                     Row::Folded { parent, indent, rays, share } => {
                         bar(ui, share);
@@ -188,9 +193,9 @@ impl Tree {
             }
         }
         swatch(ui, display::color(tone, ray.contribution));
-        let mut text = RichText::new(ray.line()).color(kind_color(ray));
+        let mut text = RichText::new(ray.line()).color(ink(ui, kind_color(ray)));
         if self.lit == Some(ray.number) {
-            text = text.background_color(LIT);
+            text = text.background_color(ui.visuals().selection.bg_fill.gamma_multiply(0.5));
         }
         let line = ui.add(Button::selectable(self.ray == ray.number, text));
         if line.clicked() {
@@ -216,11 +221,12 @@ fn bar(ui: &mut Ui, share: f64) {
     let (area, _) = ui.allocate_exact_size(vec2(BAR, LINE), Sense::hover());
     let mut part = area.shrink2(vec2(0.0, 2.0));
     let painter = ui.painter();
-    painter.rect_filled(part, 2.0, Color32::from_gray(38));
+    let visuals = ui.visuals();
+    painter.rect_filled(part, 2.0, visuals.faint_bg_color.lerp_to_gamma(visuals.text_color(), 0.1));
     part.set_width(BAR * share.clamp(0.0, 1.0) as f32);
-    painter.rect_filled(part, 2.0, Color32::from_rgb(60, 95, 140));
+    painter.rect_filled(part, 2.0, visuals.panel_fill.lerp_to_gamma(FILLED, 0.7));
     let (at, font) = (area.right_center() - vec2(4.0, 0.0), FontId::proportional(11.5));
-    painter.text(at, Align2::RIGHT_CENTER, percent(share), font, Color32::from_gray(225));
+    painter.text(at, Align2::RIGHT_CENTER, percent(share), font, visuals.text_color());
 }
 
 /// Shows a small square of a colour.

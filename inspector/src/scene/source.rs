@@ -44,6 +44,13 @@ impl Source {
         }
     }
 
+    /// The file name that is proposed for its picture: that of the scene, as `glass-sphere.png`.
+    pub fn picture_name(&self) -> String {
+        let name = self.name();
+        let stem = Path::new(&name).file_stem().unwrap_or_default();
+        format!("{}.png", stem.to_string_lossy())
+    }
+
     /// The scene of the gallery.
     pub fn entry(&self) -> Option<gallery::Entry> {
         match self {

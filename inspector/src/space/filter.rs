@@ -4,7 +4,7 @@ use eframe::egui::{DragValue, RichText, Slider, Ui};
 use groundtruth::explain::{RecordedRay, percent};
 use groundtruth::trace::{Outcome, RayKind, TermSource};
 
-use crate::explanation::tree::{BLOCKED, CAMERA, REFLECTED, TRANSMITTED, UNBLOCKED};
+use crate::explanation::tree::{BLOCKED, CAMERA, REFLECTED, TRANSMITTED, UNBLOCKED, ink};
 
 /// The rays that are drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -115,7 +115,7 @@ impl Filter {
             ("shadow, blocked", BLOCKED),
         ];
         for (is_drawn, (name, color)) in self.kinds.iter_mut().zip(kinds) {
-            ui.checkbox(is_drawn, RichText::new(name).color(color));
+            ui.checkbox(is_drawn, RichText::new(name).color(ink(ui, color)));
         }
         ui.checkbox(&mut self.normals, "normals at hits");
         ui.separator();

@@ -12,6 +12,7 @@ use crate::comparison::theirs::Theirs;
 use crate::scene::source::{Loaded, Source};
 use crate::scene::waiting::{Broken, Waiting};
 use crate::space::view::Mode;
+use crate::window::style::Ground;
 use pictures::parse_pixel;
 
 /// Click a pixel and read why it has its colour.
@@ -47,6 +48,9 @@ pub struct Arguments {
     /// Open with the picture, with its rays in space, or with both
     #[arg(long, value_enum, default_value_t)]
     pub view: Mode,
+    /// A dark ground, for judging colours, or a light one, for projectors; as the last time if left out
+    #[arg(long, value_enum)]
+    pub theme: Option<Ground>,
     /// Hold this picture (PNG, JPEG, PPM, HDR, EXR or PFM) against ours, which is rendered at its size
     #[arg(long, value_name = "FILE", conflicts_with = "size")]
     pub compare: Option<PathBuf>,

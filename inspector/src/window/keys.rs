@@ -5,7 +5,7 @@ use eframe::egui::{Align2, Context, Grid, Key, KeyboardShortcut, Modifiers, Rich
 use crate::action::{Action, Shows};
 
 /// The keys and what they do.
-const KEYS: [(&str, &str); 18] = [
+const KEYS: [(&str, &str); 19] = [
     ("click", "explain this pixel"),
     ("arrows", "explain the next pixel (Shift: ten pixels on)"),
     ("L", "follow the light: the next ray on the path of the largest share"),
@@ -25,6 +25,7 @@ const KEYS: [(&str, &str); 18] = [
     ("Ctrl-O", "type the name of a scene file"),
     ("Ctrl-S", "save the picture"),
     ("Ctrl-+, Ctrl-−, Ctrl-0", "everything larger, smaller, or as at first"),
+    ("B", "a dark ground, or a light one for projectors"),
     ("?, F1", "show or hide these keys"),
     ("Esc", "close what is in front"),
 ];
@@ -38,6 +39,7 @@ pub fn pressed(ctx: &Context, is_text: bool) -> Option<Action> {
         (Key::Z, Action::Flip(Shows::Map)),
         (Key::N, Action::NextRegion),
         (Key::S, Action::NextView),
+        (Key::B, Action::ChangeGround),
     ];
     let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
     ctx.input_mut(|input| {

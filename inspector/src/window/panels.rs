@@ -32,6 +32,9 @@ pub struct Fields {
 /// The least width of a window with one row of fields; narrower ones have two.
 const ONE_ROW_MIN_WIDTH: f32 = 1250.0;
 
+/// The length of sliders in a narrow window.
+const SHORT_SLIDER: f32 = 24.0;
+
 /// The id of the field for the scene file, which a shortcut focuses.
 pub fn file_field() -> Id {
     Id::unique("the field of the scene file")
@@ -153,6 +156,9 @@ pub fn scene(ui: &mut Ui, session: &mut Session, settings: &mut ImageSettings) -
 /// Shows the settings of the view.
 pub fn view_settings(ui: &mut Ui, picture: &mut Picture, mode: &mut Mode, rendering: &Rendering) {
     ui.horizontal_wrapped(|ui| {
+        if ui.available_width() < ONE_ROW_MIN_WIDTH {
+            ui.spacing_mut().slider_width = SHORT_SLIDER;
+        }
         for (shown, text, hint) in [
             (Mode::Picture, "Picture", "The picture (S: the next view)"),
             (Mode::Both, "Both", "The picture, and the rays of the selected sample in space"),

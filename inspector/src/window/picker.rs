@@ -1,9 +1,9 @@
 //! The list of the gallery's scenes by chapter, with thumbnails and a search field.
 
 use eframe::egui::{
-    Align, Button, Color32, ColorImage, Image, Key, Modifiers, Popup, PopupCloseBehavior, Rect,
-    ScrollArea, Shape, Stroke, TextEdit, TextureHandle, TextureId, TextureOptions, Ui,
-    load::SizedTexture, vec2,
+    Align, Button, Color32, ColorImage, FontId, Image, Key, Modifiers, Popup, PopupCloseBehavior,
+    Rect, ScrollArea, Shape, Stroke, TextEdit, TextFormat, TextureHandle, TextureId,
+    TextureOptions, Ui, WidgetInfo, accesskit::Role, load::SizedTexture, text::LayoutJob, vec2,
 };
 use gallery::{self, Entry};
 
@@ -11,6 +11,9 @@ use crate::window::thumbnails::{SIZE, Thumbnails};
 
 /// The number of frames for which a list is drawn invisibly, until its size is known and it is in position.
 const FRAMES_TO_OPEN: u8 = 3;
+
+/// The most letters of a description in its row.
+const ABOUT: usize = 64;
 
 /// The list, closed or open.
 #[derive(Default)]
@@ -45,7 +48,7 @@ impl ScenePicker {
         }
         let max_height = 0.8 * ui.ctx().content_rect().height();
         let popup = Popup::menu(&button).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
-        popup.width(320.0).show(|ui| self.list(ui, max_height))?.inner
+        popup.width(460.0).show(|ui| self.list(ui, max_height))?.inner
     }
 
     fn list(&mut self, ui: &mut Ui, max_height: f32) -> Option<Entry> {
@@ -102,13 +105,15 @@ impl ScenePicker {
         }
         let [width, height] = SIZE.map(|side| side as f32);
         let image = Image::new(SizedTexture::new(self.picture(ui, entry), vec2(width, height)));
-        let button = Button::image_and_text(image.fit_to_exact_size(vec2(width, height)), name);
-        let button = button.selected(is_chosen).frame_when_inactive(is_chosen);
+        let text = described(ui, name, gallery::about(entry));
+        let button = Button::image_and_text(image.fit_to_exact_size(vec2(width, height)), text);
+        let button = button.selected(is_chosen).frame_when_inactive(is_chosen).truncate();
         let row = ui.add(button.min_size(vec2(0.0, row_height)));
+        row.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
         if is_wanted {
             row.scroll_to_me(if self.opening > 0 { Some(Align::Center) } else { None });
         }
-        row.on_hover_ui(|ui| drop(ui.label((entry.build)().about))).clicked()
+        row.on_hover_text(gallery::about(entry)).clicked()
     }
 
     fn picture(&mut self, ui: &Ui, entry: Entry) -> TextureId {
@@ -124,6 +129,20 @@ impl ScenePicker {
     pub fn thumbnails(&self) -> usize {
         self.thumbnails.count()
     }
+}
+
+/// The name of a scene and the beginning of its description, one below the other.
+fn described(ui: &Ui, name: &str, about: &str) -> LayoutJob {
+    let (strong, weak) = (ui.visuals().strong_text_color(), ui.visuals().weak_text_color());
+    let mut text = LayoutJob::default();
+    text.append(name, 0.0, TextFormat::simple(FontId::proportional(13.0), strong));
+    let mut about: String = about.chars().take(ABOUT).collect();
+    if about.chars().count() == ABOUT {
+        about.push('…');
+    }
+    let about = format!("\n{about}");
+    text.append(&about, 0.0, TextFormat::simple(FontId::proportional(11.0), weak));
+    text
 }
 
 /// Draws the arrow at the right end of a button that opens a list.

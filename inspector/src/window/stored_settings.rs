@@ -4,23 +4,18 @@ use eframe::Storage;
 use serde::{Deserialize, Serialize};
 
 use crate::splits::Splits;
+use crate::window::style::Ground;
 
 const NAME: &str = "inspector";
 
 /// Settings of the window. Those missing in the file have their defaults.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(default)]
 pub struct StoredSettings {
     /// The division of the window.
     pub splits: Splits,
-    /// The name under which the picture was last saved.
-    pub save: String,
-}
-
-impl Default for StoredSettings {
-    fn default() -> Self {
-        Self { splits: Splits::default(), save: "picture.png".to_owned() }
-    }
+    /// Dark or light.
+    pub ground: Ground,
 }
 
 impl StoredSettings {

@@ -13,6 +13,7 @@ use inspector::app::Inspector;
 use inspector::scene::source::Source;
 use inspector::window::arguments::Arguments;
 use inspector::window::stored_settings::StoredSettings;
+use inspector::window::style::{Ground, growth};
 
 use crate::support::*;
 
@@ -151,19 +152,70 @@ fn a_changed_mesh_file_is_read_again() {
     assert!(watch.changed());
 }
 
-/// Law: opening another file keeps the selected pixel if its picture has it; otherwise nothing is selected.
+/// Law: opening another scene lets the selected pixel go, and proposes the scene's name for its picture.
 #[test]
-fn another_file_keeps_the_pixel_that_it_has() {
+fn another_scene_lets_the_pixel_go() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut window = glass_window();
+    assert_eq!(window.state().fields.save, "glass-sphere.png");
     click(&mut window, ON_GLASS);
-    for (name, size, expected) in [("large", [60, 50], Some(ON_GLASS)), ("small", [9, 9], None)] {
-        let path = folder.path().join(name).with_extension("toml");
-        let mut scene = small_glass_sphere();
-        scene.image.resize(size[0], size[1]);
-        write(&path, &scene);
-        type_into(&mut window, "File", &path.display().to_string());
-        assert_eq!(window.state().selection.pixel, expected, "{name}");
+    let path = folder.path().join("large.toml");
+    let mut scene = small_glass_sphere();
+    scene.image.resize(60, 50);
+    write(&path, &scene);
+    type_into(&mut window, "File", &path.display().to_string());
+    assert_eq!(window.state().selection.pixel, None);
+    assert_eq!(window.state().fields.save, "large.png");
+}
+
+/// Law: before a pixel is selected, one with many rays is explained, and a click chooses another. Oracle: the pixel in the
+/// corner sees the background alone.
+#[test]
+fn a_pixel_is_proposed() {
+    let mut window = glass_window();
+    window.state_mut().propose(&Context::default());
+    settle(&mut window);
+    let proposed = window.state().selection.pixel.expect("a pixel is explained");
+    let rays = ray_of(&small_glass_sphere(), proposed, 0).count();
+    assert!(rays >= ray_of(&small_glass_sphere(), ON_GLASS, 0).count(), "{rays} at {proposed:?}");
+    text_with(&window, "to begin with");
+    click(&mut window, ON_GLASS);
+    assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
+    assert!(window.query_by_label_contains("to begin with").is_none());
+}
+
+/// Law: B changes the ground of the panels from dark to light and back, and it is stored. Oracle: the brightness of a
+/// panel.
+#[test]
+fn the_ground_can_be_light() {
+    let mut window = glass_window();
+    let ground = |window: &mut Window| {
+        let at = window.get_by_label("Lights").rect().right_center();
+        window.render().expect("drawn").get_pixel(at.x as u32 + 20, at.y as u32).0[0]
+    };
+    let dark = ground(&mut window);
+    window.key_press(Key::B);
+    settle(&mut window);
+    let light = ground(&mut window);
+    assert!(dark < 60 && light > 200, "{dark}, {light}");
+    assert_eq!(window.state().stored_settings().ground, Ground::Light);
+    window.key_press(Key::B);
+    settle(&mut window);
+    assert_eq!(ground(&mut window), dark);
+}
+
+/// Law: text has its usual size up to the usual window, grows with the square root beyond it, and at most twofold. Closed
+/// form.
+#[test]
+fn text_grows_with_the_window() {
+    for (size, factor) in [
+        ([900.0, 600.0], 1.0),
+        ([1400.0, 900.0], 1.0),
+        ([2800.0, 3600.0], 2.0_f32.sqrt()),
+        ([5600.0, 1800.0], 2.0_f32.sqrt()),
+        ([28000.0, 18000.0], 2.0),
+    ] {
+        assert!((growth(size) - factor).abs() < 1e-6, "{size:?}");
     }
 }
 
@@ -263,13 +315,13 @@ fn settings_are_kept_and_broken_ones_do_no_harm() {
     let usual = StoredSettings::default();
     let mut memory = Memory::default();
     assert_eq!(StoredSettings::read(Some(&memory)), usual);
-    let stored = StoredSettings { save: "over there.exr".to_owned(), ..usual.clone() };
+    let stored = StoredSettings { ground: Ground::Light, ..usual.clone() };
     stored.write(&mut memory);
     assert_eq!(StoredSettings::read(Some(&memory)), stored);
     let (name, text) = memory.0.iter().next().map(|(n, t)| (n.clone(), t.clone())).expect("stored");
     for broken in ["", "(((", "(splits:(scene:NaN,explanation:7.0))", "(splits:(scene:9e9))"] {
         memory.0.insert(name.clone(), broken.to_owned());
-        assert_eq!(StoredSettings::read(Some(&memory)).save, usual.save, "{broken}");
+        assert_eq!(StoredSettings::read(Some(&memory)).ground, usual.ground, "{broken}");
         let fitting = StoredSettings::read(Some(&memory)).splits;
         assert_eq!(fitting, fitting.fitting(), "{broken}");
     }
