@@ -14,7 +14,7 @@ const MIN: [f32; 3] = [0.1, 0.3, 0.25];
 /// The smallest and the largest share of the details.
 const DETAILS: [f32; 2] = [0.15, 0.85];
 /// The least width of the scene's panel, which its numbers need, in points of the screen.
-const SCENE_MIN_WIDTH: f32 = 144.0;
+const SCENE_MIN_WIDTH: f32 = 152.0;
 
 /// Shares of the window's width, of which the picture has the rest, and of the explanation's height.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -70,6 +70,7 @@ fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
     let label = ui.label("Tracer");
     let mut changed = false;
     let combo = ComboBox::from_id_salt("tracer").selected_text(scene.tracer.name());
+    let combo = combo.width(room(ui)).truncate();
     let combo = combo.show_ui(ui, |ui| {
         for other in Tracer::ALL {
             let is_chosen = other.name() == scene.tracer.name();
@@ -97,13 +98,19 @@ fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
     changed
 }
 
+/// The width of a list: what is visible of its column in a narrow window.
+fn room(ui: &Ui) -> f32 {
+    (ui.clip_rect().right() - ui.cursor().left() - 4.0).clamp(44.0, 100.0)
+}
+
 /// Shows how all objects are intersected.
 fn intersections(ui: &mut Ui, scene: &mut Scene) -> bool {
-    let label = ui.label("Intersections");
+    let label = ui.label("Routines");
     let chosen = scene.intersections();
     let text = chosen.map_or("mixed", Intersect::name);
     let mut changed = false;
     let combo = ComboBox::from_id_salt("intersections").selected_text(text);
+    let combo = combo.width(room(ui)).truncate();
     let combo = combo.show_ui(ui, |ui| {
         for other in Intersect::ALL {
             let is_chosen = chosen == Some(other);

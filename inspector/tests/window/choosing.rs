@@ -197,7 +197,7 @@ fn intersections_are_switched() {
     settle(&mut window);
     let mut shown = Vec::new();
     for intersect in [Intersect::Robust, Intersect::Textbook] {
-        window.get_by_label("Intersections").click();
+        window.get_by_label("Routines").click();
         window.run_steps(3);
         window.get_by_label(intersect.name()).click();
         settle(&mut window);

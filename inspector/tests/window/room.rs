@@ -158,7 +158,7 @@ fn every_setting_of_the_scene_can_be_reached() {
         let panel = picture(&window).left() - 8.0;
         let first = window.get_all_by_label("only").next().expect("a light has one").rect();
         assert!(first.right() <= panel, "only at {first} of {size:?}");
-        for (role, name) in [(Role::ComboBox, "Tracer"), (Role::ComboBox, "Intersections")] {
+        for (role, name) in [(Role::ComboBox, "Tracer"), (Role::ComboBox, "Routines")] {
             let of = |window: &Window| window.get_by_role_and_label(role, name).rect();
             window.get_by_role_and_label(role, name).scroll_to_me();
             window.run_steps(20);
