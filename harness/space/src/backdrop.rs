@@ -28,6 +28,11 @@ pub struct Backdrop<'a> {
 impl Backdrop<'_> {
     /// The radiance along a ray, from 0 to 1.
     pub fn color(&self, ray: &Ray) -> Rgb {
+        self.color_before(ray, EMPTY)
+    }
+
+    /// The same with another colour where no surface is.
+    pub fn color_before(&self, ray: &Ray, empty: Rgb) -> Rgb {
         let (mut ray, mut color, mut left) = (*ray, Rgb::BLACK, 1.0);
         for _ in 0..MAX_SURFACES {
             let Some(hit) = self.world.hit(&ray, Span::AHEAD) else { break };
@@ -39,7 +44,7 @@ impl Backdrop<'_> {
             }
             ray.origin = hit.surface.leave(ray.direction);
         }
-        color + left * EMPTY
+        color + left * empty
     }
 
     /// The first hit of a surface that is not looked through.

@@ -4,3 +4,4 @@ mod orbit;
 mod section;
 mod seen;
 mod segments;
+mod view;
