@@ -1,0 +1,4 @@
+//! Laws of what is kept of a pixel.
+
+mod kept_shadows;
+mod reduced;
