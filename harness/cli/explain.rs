@@ -1,17 +1,22 @@
 //! `groundtruth explain`.
 
+use std::error::Error;
+use std::path::PathBuf;
+
 use clap::Args;
 use groundtruth::explain::{self, PixelExplanation};
 use groundtruth::film::Provenance;
 use groundtruth::render::Renderer;
 use groundtruth::scene::Scene;
+use groundtruth::world::World;
 use serde::Serialize;
 
 use super::columns::wrapped;
+use super::kept::{self, Keeping};
 use super::mistake::MistakeArgument;
 use super::numbers::whole;
 use super::scene::SceneArguments;
-use super::{Outcome, print};
+use super::{Exit, Outcome, output, print};
 
 #[derive(Args)]
 pub struct Explain {
@@ -40,6 +45,17 @@ pub struct Explain {
     /// Print JSON, with every ray; docs/explain-json.md describes it
     #[arg(long, conflicts_with_all = ["largest", "columns"])]
     json: bool,
+    /// Write a page for a class (.html), the rays as lines for modelling programs (.obj) or as a drawing over the scene
+    /// (.svg), or what --json prints (.json); with --test a test (.rs) or a scene file (.toml)
+    #[arg(short, long, value_name = "FILE", conflicts_with_all = ["json", "largest", "columns"])]
+    output: Option<PathBuf>,
+    /// The ray whose section the page shows, instead of the first that is mirrored or refracted
+    #[arg(long, value_name = "N", requires = "output")]
+    ray: Option<usize>,
+    /// Print a test in Rust that the pixel (or the sample of --sample) keeps its bits, with the scene reduced to what its
+    /// rays touch
+    #[arg(long, conflicts_with_all = ["json", "largest", "columns", "all", "mistake", "ray"])]
+    test: bool,
 }
 
 /// What --json prints.
@@ -60,10 +76,20 @@ fn percentage(text: &str) -> Result<f64, String> {
 impl Explain {
     pub fn run(&self) -> Outcome {
         let pixel = pictures::parse_pixel(&self.pixel.join(" "))?;
+        let format =
+            self.output.as_deref().map(|path| kept::Format::of(path, self.test)).transpose()?;
         let (scene, world) = self.scene.load()?;
+        if let Some(output) = &self.output {
+            let inputs = self.scene.files_of(&scene);
+            output::check_distinct([output.as_path()], inputs.iter().map(PathBuf::as_path))?;
+            output::writable(output)?;
+        }
+        if self.test {
+            return kept::test(&self.scene, &scene, (pixel, self.sample), self.output.as_deref());
+        }
         match self.mistake.mistaken(&self.scene, &scene)? {
-            None => self.explained(pixel, (&scene, &scene), &world),
-            Some(mistaken) => self.explained(pixel, (&scene, &mistaken.scene), &mistaken),
+            None => self.explained(pixel, format, (&scene, &scene), &world),
+            Some(mistaken) => self.explained(pixel, format, (&scene, &mistaken.scene), &mistaken),
         }
     }
 
@@ -71,6 +97,7 @@ impl Explain {
     fn explained(
         &self,
         pixel: [u32; 2],
+        format: Option<kept::Format>,
         (scene, rendered): (&Scene, &Scene),
         renderer: &impl Renderer,
     ) -> Outcome {
@@ -89,15 +116,68 @@ impl Explain {
         }
         let explanation = explain::pixel(rendered, renderer, pixel, only)?;
         if self.json {
-            let mut made = self.scene.provenance(scene, world)?;
-            made.mistake = self.mistake.name().map(str::to_owned);
-            let report = Report { made, explanation };
-            return print(&(serde_json::to_string_pretty(&report)? + "\n"));
+            return print(&self.report(scene, world, explanation)?);
+        }
+        if let (Some(path), Some(format)) = (&self.output, format) {
+            let text = match format {
+                kept::Format::Json => self.report(scene, world, explanation)?,
+                _ => self.kept(format, rendered, renderer, &explanation)?,
+            };
+            output::write(path, text.as_bytes())?;
+            return Ok(Exit::Yes);
         }
         let text = explanation.text(self.min_share / 100.0, self.largest);
         match self.columns {
             Some(columns) => print(&wrapped(&text, columns)),
             None => print(&text),
         }
+    }
+
+    /// What --json prints.
+    fn report(
+        &self,
+        scene: &Scene,
+        world: &World,
+        explanation: PixelExplanation,
+    ) -> Result<String, Box<dyn Error>> {
+        let mut made = self.scene.provenance(scene, world)?;
+        made.mistake = self.mistake.name().map(str::to_owned);
+        Ok(serde_json::to_string_pretty(&Report { made, explanation })? + "\n")
+    }
+
+    /// The explanation as a file of this format.
+    fn kept(
+        &self,
+        format: kept::Format,
+        scene: &Scene,
+        renderer: &impl Renderer,
+        explanation: &PixelExplanation,
+    ) -> Result<String, Box<dyn Error>> {
+        if self.all {
+            return Err("--all: the file shows one sample; choose it with --sample".into());
+        }
+        let name = match self.mistake.name() {
+            Some(mistake) => format!("{} with the mistake {mistake}", self.scene.name()),
+            None => self.scene.name().to_owned(),
+        };
+        let keeping =
+            Keeping { name: &name, scene, explanation, ray: self.ray, command: &self.command() };
+        keeping.text(format, renderer)
+    }
+
+    /// The command that explains the same in a terminal.
+    fn command(&self) -> String {
+        let mut words = vec!["groundtruth".to_owned(), "explain".to_owned()];
+        words.extend(self.scene.arguments());
+        words.extend(self.pixel.iter().cloned());
+        let option = |name: &str, value: Option<String>| value.map(|it| [name.to_owned(), it]);
+        let seed = self.scene.has_seed().then(|| self.scene.seed().to_string());
+        let options = [
+            option("--seed", seed),
+            option("--sample", self.sample.map(|sample| sample.to_string())),
+            option("--mistake", self.mistake.name().map(str::to_owned)),
+        ];
+        words.extend(options.into_iter().flatten().flatten());
+        pictures::shell::line(words.iter().map(String::as_str))
     }
 }

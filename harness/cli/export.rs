@@ -138,12 +138,10 @@ impl Export {
 
     /// The folder of the scene, relative to the folder of the output; absolute without an output.
     fn relative_to_output(&self, folder: &Path) -> Result<PathBuf, Box<dyn Error>> {
-        // resolves symbolic links, so that `..` is the parent folder
-        let folder = folder.canonicalize()?;
-        let Some(output) = self.file() else { return Ok(folder) };
-        let from = film::folder_of(output).canonicalize().map_err(|e| unwritable(output, e))?;
-        // on Windows there is no relative path from one drive to another
-        Ok(pathdiff::diff_paths(&folder, from).unwrap_or(folder))
+        match self.file() {
+            Some(output) => output::folder_seen_from(folder, output),
+            None => Ok(folder.canonicalize()?),
+        }
     }
 }
 

@@ -16,6 +16,7 @@ mod export;
 mod goldens;
 mod grade;
 mod interrupt;
+mod kept;
 mod kinds;
 mod laws;
 mod list;

@@ -82,6 +82,15 @@ fn whole(path: &Path) -> Option<PathBuf> {
     path.canonicalize().ok().or_else(made)
 }
 
+/// The folder of a scene as it is named from the folder of an output; absolute where no relative path leads there.
+pub fn folder_seen_from(folder: &Path, output: &Path) -> Result<PathBuf, Box<dyn Error>> {
+    // resolves symbolic links, so that `..` is the parent folder
+    let folder = folder.canonicalize()?;
+    let from = film::folder_of(output).canonicalize().map_err(|error| unwritable(output, error))?;
+    // on Windows there is no relative path from one drive to another
+    Ok(pathdiff::diff_paths(&folder, from).unwrap_or(folder))
+}
+
 /// Prints what a command says; to the standard error if its page goes to the standard output.
 pub fn say(text: &str, page: Option<&Path>) -> super::Outcome {
     match page.is_some_and(is_standard) {

@@ -2,9 +2,7 @@
 
 use std::time::Duration;
 
-use eframe::egui::{
-    CentralPanel, Context, Frame, Margin, Panel, Rect, ScrollArea, Ui, Vec2, ViewportCommand, vec2,
-};
+use eframe::egui::{CentralPanel, Context, Frame, Margin, Panel, Rect, ScrollArea, Ui, Vec2, vec2};
 use pictures::parse_pixel;
 
 use crate::action::{Action, Purpose};
@@ -24,11 +22,11 @@ use crate::scene::waiting::Broken;
 use crate::space::view::{SpaceView, Traced};
 use crate::splits::{Splits, part};
 use crate::window::chooser::FileChooser;
+use crate::window::frame::WindowFrame;
 use crate::window::keys;
 use crate::window::panels::{self, Fields};
 use crate::window::picker::ScenePicker;
 use crate::window::stored_settings::StoredSettings;
-use crate::window::style::{self, Ground};
 
 /// The whole state of the window. Its parts are lent to the bars and panels, which change what no other part shows and
 /// return the rest as actions.
@@ -57,14 +55,11 @@ pub struct Inspector {
     settings: ImageSettings,
     splits: Splits,
     is_showing_keys: bool,
-    ground: Ground,
     /// Whether a pixel is explained before one is selected.
     proposes: bool,
     /// The pixel under the mouse.
     hovered: Option<[u32; 2]>,
-    title: String,
-    /// The factor by which text has grown with the window.
-    grown: f32,
+    frame: WindowFrame,
 }
 
 impl Inspector {
@@ -96,11 +91,9 @@ impl Inspector {
             settings: ImageSettings::default(),
             splits: Splits::default(),
             is_showing_keys: false,
-            ground: Ground::default(),
             proposes: false,
             hovered: None,
-            title: String::new(),
-            grown: 1.0,
+            frame: WindowFrame::default(),
             session,
         }
     }
@@ -108,13 +101,12 @@ impl Inspector {
     /// Takes over the settings of an earlier run.
     pub fn restore(&mut self, ctx: &Context, stored: StoredSettings) {
         self.splits = stored.splits;
-        stored.ground.set(ctx);
-        self.ground = stored.ground;
+        self.frame.set_ground(ctx, stored.ground);
     }
 
     /// Settings for a later run.
     pub fn stored_settings(&self) -> StoredSettings {
-        StoredSettings { splits: self.splits, ground: self.ground }
+        StoredSettings { splits: self.splits, ground: self.frame.ground() }
     }
 
     /// From now on explains an interesting pixel of each scene until one is selected.
@@ -146,10 +138,9 @@ impl Inspector {
             None => {}
         }
         self.message = self.saving.poll().or(self.message.take());
-        style::grow(&ctx, &mut self.grown);
         self.open_dropped(&ctx);
         self.session.follow_files(&ctx);
-        self.set_title(&ctx);
+        self.frame.refresh(&ctx, &self.session.rendering);
         self.selection.tree.lit = self.selection.tree.hovered.take();
 
         // before anything is drawn, so that the tree is in the frame of the click
@@ -302,18 +293,6 @@ impl Inspector {
         self.selection.tree.hovered = self.selection.tree.hovered.or(pointed.hovered);
     }
 
-    /// Sets the title of the window: the scene and its progress.
-    fn set_title(&mut self, ctx: &Context) {
-        let rendering = &self.session.rendering;
-        let is_running = matches!(rendering.progress(), Progress::Running(..));
-        let state = if is_running { " (rendering)" } else { "" };
-        let title = format!("{}{state} - Groundtruth inspector", rendering.source.name());
-        if title != self.title {
-            ctx.send_viewport_cmd(ViewportCommand::Title(title.clone()));
-            self.title = title;
-        }
-    }
-
     /// The next pixel that the arrow keys ask for, unless they are needed elsewhere.
     fn stepped(&self, ui: &Ui) -> Option<[u32; 2]> {
         let pixel = self.selection.pixel?;
@@ -419,10 +398,7 @@ impl Inspector {
                 }
             }
             Action::NextView => self.space.mode = self.space.mode.next(),
-            Action::ChangeGround => {
-                self.ground = self.ground.other();
-                self.ground.set(ctx);
-            }
+            Action::ChangeGround => self.frame.set_ground(ctx, self.frame.ground().other()),
             Action::ToggleKeys => self.is_showing_keys ^= true,
         }
     }

@@ -84,7 +84,7 @@ impl RecordedRay {
     }
 
     /// Its numbers and terms, a line each.
-    pub(super) fn details(&self) -> Vec<String> {
+    pub fn details(&self) -> Vec<String> {
         let mut lines = {
             let (origin, direction) = (self.ray.origin.to_array(), self.ray.direction.to_array());
             vec![format!("from {origin:?} towards {direction:?}")]

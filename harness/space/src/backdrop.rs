@@ -30,6 +30,11 @@ pub struct Backdrop<'a> {
 impl Backdrop<'_> {
     /// The radiance along a ray, from 0 to 1, and the index of the first object that it meets, looked through or not.
     pub fn seen(&self, ray: &Ray) -> (Rgb, Option<u32>) {
+        self.seen_before(ray, EMPTY)
+    }
+
+    /// The same with another colour where no surface is.
+    pub fn seen_before(&self, ray: &Ray, empty: Rgb) -> (Rgb, Option<u32>) {
         let (mut ray, mut color, mut left, mut object) = (*ray, Rgb::BLACK, 1.0, None);
         for _ in 0..MAX_SURFACES {
             let Some(hit) = self.world.hit(&ray, Span::AHEAD) else { break };
@@ -43,7 +48,7 @@ impl Backdrop<'_> {
             }
             ray.origin = hit.surface.leave(ray.direction);
         }
-        (color + left * EMPTY, object)
+        (color + left * empty, object)
     }
 
     /// The first hit of a surface that is not looked through.

@@ -14,12 +14,25 @@ pub fn of_scene(world: &World) -> (Point, f64) {
     ball(objects.union(eyes))
 }
 
-/// The ball around the points where rays meet surfaces.
-pub fn of_hits(segments: &[Segment]) -> Option<(Point, f64)> {
-    let meets = |segment: &&Segment| matches!(segment.end, End::Hit | End::Occluder);
-    let bounds = Aabb::around(segments.iter().filter(meets).map(|segment| segment.to));
-    bounds.is_bounded().then(|| ball(bounds))
+/// The ball around what the rays of a tree meet: the points that they hit, and the objects there that are not much larger
+/// than the tree. The eye and the lights may be far outside. `None` if nothing is hit.
+pub fn of_hits(world: &World, segments: &[Segment]) -> Option<(Point, f64)> {
+    let is_met = |segment: &&Segment| matches!(segment.end, End::Hit | End::Occluder);
+    let met = || segments.iter().filter(is_met);
+    let longest = met().map(|it| (it.to - it.from).length()).fold(0.0, f64::max);
+    let mut all = Aabb::around(met().map(|segment| segment.to));
+    let reach = (0.5 * all.extent().length()).max(OF_RAYS * longest);
+    let is_near = |bounds: &Aabb| {
+        let touched = met().any(|segment| bounds.padded().contains(segment.to));
+        bounds.is_bounded() && touched && bounds.extent().length() < 4.0 * reach
+    };
+    let boxes = world.objects().iter().map(|object| object.bounds()).filter(is_near);
+    all = boxes.fold(all, Aabb::union);
+    all.is_bounded().then(|| (all.center(), reach.max(0.5 * all.extent().length())))
 }
+
+/// The least radius of the ball around what rays meet, in lengths of the longest of them.
+const OF_RAYS: f64 = 0.12;
 
 /// The ball around pieces of rays, but for the ends of those that leave the scene.
 pub fn of_segments(segments: &[Segment]) -> Option<(Point, f64)> {

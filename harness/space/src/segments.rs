@@ -49,29 +49,38 @@ fn add(
     reach: f64,
     found: &mut Vec<Segment>,
 ) {
+    found.extend(pieces(world, ray, parent, reach));
+    for child in &ray.children {
+        add(world, child, Some(ray), reach, found);
+    }
+}
+
+/// The pieces of one ray.
+pub(crate) fn pieces(
+    world: &World,
+    ray: &RecordedRay,
+    parent: Option<&RecordedRay>,
+    reach: f64,
+) -> Vec<Segment> {
     let from = ray.ray.origin;
     let piece = |from: Point, to: Point, end: End| Segment { ray: ray.number, from, to, end };
     let far = || from + reach * ray.ray.direction.unit().unwrap_or_default();
     match ray.outcome {
-        Outcome::TooDeep | Outcome::OverBudget => {}
+        Outcome::TooDeep | Outcome::OverBudget => Vec::new(),
         Outcome::Hit => {
             let to = ray.hit.as_ref().map_or_else(far, |hit| hit.point);
-            found.push(piece(from, to, End::Hit));
+            vec![piece(from, to, End::Hit)]
         }
-        Outcome::Background => found.push(piece(from, far(), End::Leaves)),
-        Outcome::Unblocked { .. } => found.push(match light_point(world, ray, parent) {
+        Outcome::Background => vec![piece(from, far(), End::Leaves)],
+        Outcome::Unblocked { .. } => vec![match light_point(world, ray, parent) {
             Some(light) => piece(from, light, End::Light),
             None => piece(from, far(), End::Leaves),
-        }),
+        }],
         Outcome::Blocked { blocked_by } => {
             let light = light_point(world, ray, parent).unwrap_or_else(far);
             let occluder = meeting(world, &ray.ray, blocked_by).unwrap_or(light);
-            found.push(piece(from, occluder, End::Occluder));
-            found.push(piece(occluder, light, End::Dark));
+            vec![piece(from, occluder, End::Occluder), piece(occluder, light, End::Dark)]
         }
-    }
-    for child in &ray.children {
-        add(world, child, Some(ray), reach, found);
     }
 }
 

@@ -1,5 +1,7 @@
 //! Laws of the rays in space.
 
 mod orbit;
+mod section;
 mod seen;
 mod segments;
+mod view;

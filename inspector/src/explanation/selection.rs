@@ -3,19 +3,22 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use eframe::egui::{self, Frame, Key, Margin, Panel, ScrollArea, Ui, vec2};
+use eframe::egui::{self, Frame, Key, Margin, Panel, RichText, ScrollArea, Ui, vec2};
 use groundtruth::explain::{self, PixelExplanation, RecordedRay, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::render::Renderer;
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayBudget;
+use groundtruth::world::World;
 use judge::mistakes::Mistaken;
+use judge::verdict::Verdict;
 
 use crate::explanation::pixel::{self, Order, SumList};
 use crate::explanation::samples::Samples;
+use crate::explanation::section::SectionView;
 use crate::explanation::trail::{self, TrailPoint};
 use crate::explanation::tree::{self, Tree};
-use crate::explanation::{Shown, details, proposal};
+use crate::explanation::{Shown, copying, details, proposal};
 use crate::picture::display;
 use crate::picture::worker::{Background, Lost, Rendering};
 use crate::splits::{Splits, part};
@@ -61,6 +64,7 @@ pub struct Selection {
     pub tab: Tab,
     /// The samples, when they are below the tree.
     pub samples: Samples,
+    section: SectionView,
     /// Whether the pixel was proposed, and not chosen by the user.
     pub is_proposed: bool,
     answered: Option<(Question, Explained)>,
@@ -74,10 +78,14 @@ pub enum Tab {
     /// The selected ray.
     #[default]
     Ray,
+    /// The plane of incidence of the selected ray's hit.
+    Section,
     /// The contributions to the pixel: sources of light, and samples by value.
     Sum,
     /// The positions of the pixel's samples.
     Samples,
+    /// The verdict on the picture that ours is compared with, once there is one.
+    Verdict,
 }
 
 /// Explains all samples, or only the one asked for if all would be too many rays.
@@ -244,16 +252,25 @@ impl Selection {
         shown: &Shown<'_>,
         wanted: &mut Scene,
     ) -> bool {
-        ui.horizontal(|ui| {
+        let verdict = shown.theirs.and_then(|theirs| theirs.judgement.verdict());
+        ui.horizontal_wrapped(|ui| {
             ui.selectable_value(&mut self.tab, Tab::Ray, "The ray");
+            ui.selectable_value(&mut self.tab, Tab::Section, "The section");
             ui.selectable_value(&mut self.tab, Tab::Sum, "The sum");
             ui.selectable_value(&mut self.tab, Tab::Samples, "The samples");
+            match verdict {
+                Some(_) => drop(ui.selectable_value(&mut self.tab, Tab::Verdict, "The verdict")),
+                None if self.tab == Tab::Verdict => self.tab = Tab::default(),
+                None => {}
+            }
         });
         let area = ScrollArea::both().id_salt("details").auto_shrink(false);
         let area = area.min_scrolled_height(MIN_HEIGHT);
         let (tone, chosen) = (shown.tone, &mut self.sample);
         match self.tab {
             Tab::Ray => drop(area.show(ui, |ui| self.ray_details(ui, answer))),
+            Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|verdict| read(ui, verdict)))),
+            Tab::Section => self.section_of_ray(ui, &shown.rendering.world),
             Tab::Sum => SumList { answer, tone, order: &mut self.order, chosen }.show(ui, area),
             Tab::Samples => {
                 let show = |ui: &mut Ui| self.samples.show(ui, shown, answer, chosen, wanted);
@@ -270,6 +287,17 @@ impl Selection {
         {
             self.tree.go_to(root, number);
         }
+    }
+
+    fn section_of_ray(&mut self, ui: &mut Ui, world: &World) {
+        let mut section = std::mem::take(&mut self.section);
+        let (selected, mut hovered) = (self.tree.ray, None);
+        match self.root() {
+            Some(tree) => section.show(ui, world, tree, selected, &mut hovered),
+            None => drop(ui.weak("no ray")),
+        }
+        self.section = section;
+        self.tree.hovered = self.tree.hovered.or(hovered);
     }
 
     fn sample_tree(&mut self, ui: &mut Ui, sample: &SampleExplanation, tone: &Tone) {
@@ -328,4 +356,17 @@ impl Selection {
             pixel::theirs(ui, answer.pixel, theirs, shown);
         }
     }
+}
+
+/// Shows a verdict as the command prints it, to be read, selected and copied.
+fn read(ui: &mut Ui, verdict: &Verdict) {
+    let text = verdict.to_string();
+    ui.horizontal(|ui| {
+        if ui.small_button("Copy the verdict").clicked() {
+            ui.ctx().copy_text(text.clone());
+            copying::set_copied(ui.ctx());
+        }
+        copying::show_copied(ui);
+    });
+    ui.label(RichText::new(text).monospace().size(12.0));
 }

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke, Vec2, vec2};
+use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
 use groundtruth::explain::RecordedRay;
 use groundtruth::math::Point;
 use groundtruth::render;
@@ -170,17 +170,4 @@ impl Canvas<'_> {
             self.painter.circle(self.screen(at), 3.0, Color32::from_rgb(255, 230, 60), edge);
         }
     }
-}
-
-/// The ray nearest to a place on the screen, within `reach` points of it.
-pub fn nearest(drawn: &[(usize, [Pos2; 2])], at: Pos2, reach: f32) -> Option<usize> {
-    let distance = |[from, to]: [Pos2; 2]| -> f32 {
-        let way: Vec2 = to - from;
-        let part = ((at - from).dot(way) / way.length_sq()).clamp(0.0, 1.0);
-        if part.is_nan() { from.distance(at) } else { (from + part * way).distance(at) }
-    };
-    let nearest = drawn.iter().map(|(ray, line)| (*ray, distance(*line)));
-    // of equal ones the last, which is drawn over the others
-    let nearest = nearest.rev().min_by(|a, b| a.1.total_cmp(&b.1));
-    nearest.filter(|(_, distance)| *distance <= reach).map(|(ray, _)| ray)
 }

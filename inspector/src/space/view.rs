@@ -4,34 +4,27 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use eframe::egui::{
-    Align2, Color32, Context, EventFilter, FontId, Id, Key, PointerButton, Rect, Response, Sense,
-    Ui, Vec2, WidgetInfo, accesskit::Role, vec2,
+    Align2, Color32, Context, FontId, Id, Rect, Response, Sense, Ui, Vec2, WidgetInfo,
+    accesskit::Role, vec2,
 };
 use groundtruth::explain::RecordedRay;
-use groundtruth::math::{Point, Vector};
 use groundtruth::printable::name;
 use groundtruth::world::World;
-use space::{Orbit, Segment};
+use space::Segment;
 
+use crate::explanation::pointing;
 use crate::explanation::selection::Question;
 use crate::picture::worker::Rendering;
 use crate::space::backdrop::{Backdrop, Request};
+use crate::space::camera::{Camera, Seen};
 use crate::space::filter::Filter;
-use crate::space::paint::{self, Canvas, Rays};
+use crate::space::paint::{Canvas, Rays};
 use crate::splits::part;
 
-/// The turn of the camera, in degrees for a point of the screen.
-const TURN: f32 = 0.4;
-/// The turn of the camera by an arrow key, in degrees.
-const STEP: f64 = 5.0;
 /// The most pieces of rays that are drawn.
 const MAX_PIECES: usize = 4000;
-/// The distance from a ray within which the mouse points at it, in points of the screen.
-const REACH: f32 = 6.0;
 /// The margin of the buttons, in points of the screen.
 const MARGIN: Vec2 = vec2(6.0, 3.0);
-/// The camera of the first view, turned away from the scene's: yaw and pitch in degrees.
-const ASIDE: [f64; 2] = [35.0, 18.0];
 
 /// What is shown where the picture is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -107,10 +100,8 @@ struct Pieces {
 pub struct SpaceView {
     /// Whether it is shown.
     pub mode: Mode,
-    /// The camera, once there was something to look at.
-    pub orbit: Option<Orbit>,
-    /// The indices of the objects that are looked through.
-    pub faded: Vec<u32>,
+    /// The camera.
+    pub camera: Camera,
     filter: Filter,
     backdrop: Backdrop,
     pieces: Option<Pieces>,
@@ -148,22 +139,21 @@ impl SpaceView {
         self.update_pieces(world, traced);
         let segments =
             self.pieces.as_ref().map_or_else(Arc::default, |it| Arc::clone(&it.segments));
-        let orbit = *self.orbit.get_or_insert_with(|| first_view(world, &segments));
-        let buttons = part(ui, "space buttons", area, MARGIN, |ui| {
-            self.buttons(ui, world, traced, &segments)
-        });
+        let scene = Seen { world, traced, segments: &segments };
+        self.camera.start(&scene);
+        let buttons = part(ui, "space buttons", area, MARGIN, |ui| self.buttons(ui, &scene));
         let view = area.with_min_y(buttons.bottom() + MARGIN.y);
         let response = ui.interact(view, Id::unique("space"), Sense::click_and_drag());
         response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, "space"));
         self.id = Some(response.id);
-        self.move_camera(ui, &response, world, traced, &segments);
+        self.camera.follow(ui, &response, &scene);
 
-        let orbit = self.orbit.unwrap_or(orbit);
+        let Some(orbit) = self.camera.orbit else { return Pointed::default() };
         let request = Request {
             generation: rendering.generation,
             orbit,
             size: [view.width(), view.height()].map(|side| side as usize),
-            faded: self.faded.clone(),
+            faded: self.camera.faded.clone(),
             segments: Arc::clone(&segments),
         };
         self.backdrop.refresh(ui.ctx(), world, request);
@@ -196,41 +186,14 @@ impl SpaceView {
         self.pieces = Some(Pieces { question, filter, segments: Arc::new(segments), left_out });
     }
 
-    fn buttons(
-        &mut self,
-        ui: &mut Ui,
-        world: &World,
-        traced: Option<&Traced<'_>>,
-        segments: &[Segment],
-    ) -> Rect {
+    fn buttons(&mut self, ui: &mut Ui, scene: &Seen<'_>) -> Rect {
         let row = ui.horizontal_wrapped(|ui| {
-            for (text, side, key) in SIDES {
-                let hint = format!("The scene from there ({key})");
-                if ui.small_button(text).on_hover_text(hint).clicked() {
-                    self.look_from(side);
-                }
-            }
-            let camera =
-                ui.small_button("Camera").on_hover_text("As the scene's camera sees it (C)");
-            if camera.clicked() {
-                self.orbit = Some(as_camera(world));
-            }
+            self.camera.buttons(ui, scene);
             ui.separator();
-            if ui.small_button("Fit rays").on_hover_text("(F)").clicked() {
-                self.fit(space::of_segments(segments));
-            }
-            if ui.small_button("Fit scene").on_hover_text("(A)").clicked() {
-                self.fit(Some(space::of_scene(world)));
-            }
-            let along = ui.small_button("Along ray");
-            if along.on_hover_text("Look along the selected ray (R)").clicked() {
-                self.look_along(traced, segments);
-            }
-            ui.separator();
-            if let Some(traced) = traced {
+            if let Some(traced) = scene.traced {
                 ui.menu_button("Rays", |ui| self.filter.show(ui, traced.root));
             }
-            ui.menu_button("Look through", |ui| self.fading(ui, world));
+            ui.menu_button("Look through", |ui| self.fading(ui, scene.world));
         });
         row.response.rect
     }
@@ -239,102 +202,10 @@ impl SpaceView {
     fn fading(&mut self, ui: &mut Ui, world: &World) {
         ui.weak("Transparent materials always are.");
         for object in world.objects() {
-            let mut is_faded = self.faded.contains(&object.index);
+            let mut is_faded = self.camera.faded.contains(&object.index);
             if ui.checkbox(&mut is_faded, name(&object.name)).changed() {
-                self.toggle(object.index);
+                self.camera.toggle(object.index);
             }
-        }
-    }
-
-    fn toggle(&mut self, object: u32) {
-        match self.faded.iter().position(|&faded| faded == object) {
-            Some(at) => drop(self.faded.remove(at)),
-            None => self.faded.push(object),
-        }
-    }
-
-    fn look_from(&mut self, side: Vector) {
-        if let Some(orbit) = &mut self.orbit {
-            let Orbit { yaw, pitch, .. } = Orbit::from_side((orbit.target, 1.0), side);
-            (orbit.yaw, orbit.pitch) = (yaw, pitch);
-        }
-    }
-
-    fn fit(&mut self, ball: Option<(Point, f64)>) {
-        if let (Some(orbit), Some(ball)) = (&mut self.orbit, ball) {
-            *orbit = Orbit::around(ball, orbit.yaw, orbit.pitch);
-        }
-    }
-
-    /// Looks along the selected ray, from its origin.
-    fn look_along(&mut self, traced: Option<&Traced<'_>>, segments: &[Segment]) {
-        let piece = traced.and_then(|it| segments.iter().find(|piece| piece.ray == it.selected));
-        if let Some(Segment { from, to, .. }) = piece {
-            let orbit = Orbit::from_side((*to, 1.0), *from - *to);
-            self.orbit = Some(Orbit { distance: from.distance(*to), ..orbit });
-        }
-    }
-
-    /// Moves the camera as mouse and keys ask for.
-    fn move_camera(
-        &mut self,
-        ui: &Ui,
-        response: &Response,
-        world: &World,
-        traced: Option<&Traced<'_>>,
-        segments: &[Segment],
-    ) {
-        if response.clicked() || response.dragged() {
-            response.request_focus();
-        }
-        let keys =
-            EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
-        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, keys));
-        let Some(orbit) = &mut self.orbit else { return };
-        let Vec2 { x, y } = response.drag_delta();
-        let pans = ui.input(|input| input.modifiers.shift);
-        if response.dragged_by(PointerButton::Primary) && !pans {
-            orbit.turn(f64::from(-TURN * x), f64::from(TURN * y));
-        } else if response.dragged() {
-            let side = response.rect.width().min(response.rect.height());
-            orbit.pan(f64::from(-x / side), f64::from(y / side));
-        }
-        if response.hovered() {
-            let (wheel, pinch) =
-                ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
-            orbit.distance /= f64::from((wheel * 0.003).exp() * pinch);
-        }
-        if response.has_focus() {
-            self.press(ui, world, traced, segments);
-        }
-    }
-
-    fn press(&mut self, ui: &Ui, world: &World, traced: Option<&Traced<'_>>, segments: &[Segment]) {
-        let presses = |key| ui.input(|input| input.num_presses(key)) as f64;
-        if let Some(orbit) = &mut self.orbit {
-            let across = presses(Key::ArrowRight) - presses(Key::ArrowLeft);
-            let up = presses(Key::ArrowUp) - presses(Key::ArrowDown);
-            orbit.turn(STEP * across, STEP * up);
-            let nearer = presses(Key::Plus) + presses(Key::Equals) - presses(Key::Minus);
-            orbit.distance *= 1.0 - 0.1 * nearer.clamp(-5.0, 5.0);
-        }
-        let is_pressed = |key| ui.input(|input| input.key_pressed(key));
-        for ((_, side, _), key) in SIDES.into_iter().zip([Key::Num1, Key::Num2, Key::Num3]) {
-            if is_pressed(key) {
-                self.look_from(side);
-            }
-        }
-        if is_pressed(Key::C) {
-            self.orbit = Some(as_camera(world));
-        }
-        if is_pressed(Key::F) {
-            self.fit(space::of_segments(segments));
-        }
-        if is_pressed(Key::A) {
-            self.fit(Some(space::of_scene(world)));
-        }
-        if is_pressed(Key::R) {
-            self.look_along(traced, segments);
         }
     }
 
@@ -348,7 +219,7 @@ impl SpaceView {
         traced: Option<&Traced<'_>>,
     ) -> Pointed {
         let painter = ui.painter().with_clip_rect(view.intersect(ui.clip_rect()));
-        let Some(orbit) = self.orbit else { return Pointed::default() };
+        let Some(orbit) = self.camera.orbit else { return Pointed::default() };
         let sight = orbit.sight([view.width(), view.height()].map(f64::from));
         let canvas = Canvas { painter: &painter, corner: view.min, sight };
         let by_number: BTreeMap<usize, &RecordedRay> = traced
@@ -375,7 +246,7 @@ impl SpaceView {
                 lit: if traced.lit.is_some() || traced.selected > 0 { &lit } else { &[] },
                 normals: self.filter.normals.then_some(0.05 * radius),
             });
-            pointed.hovered = at.and_then(|at| paint::nearest(&drawn, at, REACH));
+            pointed.hovered = at.and_then(|at| pointing::nearest(&drawn, at));
             pointed.clicked = pointed.hovered.filter(|_| response.clicked());
             if pieces.left_out > 0 {
                 let text = format!("{} more pieces of rays are not drawn", pieces.left_out);
@@ -413,38 +284,12 @@ impl SpaceView {
         let Some(object) = self.menu else { return };
         let Some(object_name) = world.names.objects.get(object as usize) else { return };
         response.context_menu(|ui| {
-            let mut is_faded = self.faded.contains(&object);
+            let mut is_faded = self.camera.faded.contains(&object);
             let text = format!("Look through {}", name(object_name));
             if ui.checkbox(&mut is_faded, text).changed() {
-                self.toggle(object);
+                self.camera.toggle(object);
                 ui.close();
             }
         });
     }
-}
-
-/// The sides from which the scene is looked at, with their keys.
-const SIDES: [(&str, Vector, &str); 3] =
-    [("Front", Vector::Z, "1"), ("Side", Vector::X, "2"), ("Top", Vector::Y, "3")];
-
-/// Sees the hits of the rays and what is around them, or else the scene, from aside of the scene's camera.
-fn first_view(world: &World, segments: &[Segment]) -> Orbit {
-    let (center, radius) = space::of_scene(world);
-    let hits = space::of_hits(segments);
-    let wide = |(at, of_hits): (Point, f64)| (at, (1.6 * of_hits).max(0.1 * radius));
-    let ball = hits.map_or((center, radius), wide);
-    let mut orbit = Orbit::from_side(ball, world.view.frame().w);
-    let [yaw, pitch] = ASIDE;
-    orbit.turn(yaw, if orbit.pitch + pitch > 80.0 { -pitch } else { pitch });
-    orbit
-}
-
-/// Sees what the scene's camera sees, if that is upright and looks straight.
-fn as_camera(world: &World) -> Orbit {
-    let (center, radius) = space::of_scene(world);
-    let eye = world.view.eyes()[0].position();
-    let back = world.view.frame().w;
-    let distance = (eye - center).dot(back);
-    let distance = if distance > 0.0 { distance } else { radius };
-    Orbit { distance, ..Orbit::from_side((eye - distance * back, radius), back) }
 }

@@ -3,6 +3,7 @@
 
 pub mod arguments;
 pub mod chooser;
+pub mod frame;
 pub mod keys;
 pub mod panels;
 pub mod picker;

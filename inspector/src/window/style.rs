@@ -14,11 +14,6 @@ pub enum Ground {
 }
 
 impl Ground {
-    /// The present one.
-    pub fn of(ctx: &Context) -> Self {
-        if ctx.theme() == Theme::Light { Self::Light } else { Self::Dark }
-    }
-
     /// Makes it the present one.
     pub fn set(self, ctx: &Context) {
         ctx.set_theme(if self == Self::Light { Theme::Light } else { Theme::Dark });

@@ -27,7 +27,7 @@ fn area(window: &Window) -> Rect {
 
 /// The tracer's own pinhole at the place of the orbiting camera, with a film in points of the screen.
 fn camera(window: &Window) -> View {
-    let orbit = window.state().space.orbit.expect("there is something to see");
+    let orbit = window.state().space.camera.orbit.expect("there is something to see");
     let size = area(window).size();
     let film = ViewPlane { width: size.x.into(), height: size.y.into() };
     let eye = orbit.sight([film.width, film.height]).eye;
@@ -87,7 +87,7 @@ fn a_row_of_the_tree_lights_its_ray() {
 #[test]
 fn the_camera_orbits() {
     let mut window = in_space();
-    let before = window.state().space.orbit.unwrap();
+    let before = window.state().space.camera.orbit.unwrap();
     let at = area(&window).center();
     window.hover_at(at);
     window.drag_at(at);
@@ -96,18 +96,18 @@ fn the_camera_orbits() {
     window.step();
     window.drop_at(at + eframe::egui::vec2(-50.0, 20.0));
     settle(&mut window);
-    let turned = window.state().space.orbit.unwrap();
+    let turned = window.state().space.camera.orbit.unwrap();
     assert!((turned.yaw - before.yaw - 20.0).abs() < 1e-3, "{} after {}", turned.yaw, before.yaw);
     assert!((turned.pitch - before.pitch - 8.0).abs() < 1e-3);
     assert_eq!((turned.target, turned.distance), (before.target, before.distance));
     // the view has the keys since it was dragged
     window.key_press(Key::Num3);
     settle(&mut window);
-    let top = window.state().space.orbit.unwrap();
+    let top = window.state().space.camera.orbit.unwrap();
     assert_eq!(top.pitch, 90.0);
     window.key_press(Key::ArrowDown);
     settle(&mut window);
-    assert_eq!(window.state().space.orbit.unwrap().pitch, 85.0);
+    assert_eq!(window.state().space.camera.orbit.unwrap().pitch, 85.0);
 }
 
 /// Law: S shows picture, both, and space, in turn; the picture and the space view share its area without overlap.
@@ -141,10 +141,30 @@ fn an_object_can_be_looked_through() {
     let color =
         |window: &mut Window| window.render().expect("drawn").get_pixel(at.x as u32, at.y as u32).0;
     let opaque = color(&mut window);
-    window.state_mut().space.faded.push(red.index);
+    window.state_mut().space.camera.faded.push(red.index);
     settle(&mut window);
     let faded = color(&mut window);
     let redness = |[r, g, _, _]: [u8; 4]| i32::from(r) - i32::from(g);
     assert!(redness(opaque) > 40, "{opaque:?}");
     assert!(redness(faded) < redness(opaque) - 20, "{faded:?} after {opaque:?}");
+}
+
+/// Law: the section is that of the selected ray, and says Snell's law there with its numbers. Oracle: the recorded angles,
+/// and sin θ of them.
+#[test]
+fn the_section_of_a_ray_says_its_angles() {
+    let mut window = glass_window();
+    click(&mut window, PIXEL);
+    window.get_by_label("The section").click();
+    settle(&mut window);
+    assert!(window.query_by_role_and_label(Role::Image, "section").is_some());
+    let root = root(&window);
+    let hit = root.hit.as_ref().expect("glass");
+    let refracted = hit.optics.and_then(|optics| optics.angle_of_refraction).expect("it refracts");
+    let [sin_in, sin_out] = [hit.angle_of_incidence, refracted].map(|angle| angle.to_radians().sin());
+    assert!((sin_in - 1.5 * sin_out).abs() < 1e-12, "the sphere's glass has η = 1.5");
+    let law = text_with(&window, "sin");
+    for angle in [hit.angle_of_incidence, refracted] {
+        assert!(law.contains(&format!("{angle:.2}°")), "{law}: {angle}");
+    }
 }

@@ -1,0 +1,162 @@
+//! The page of a pixel: one file, well formed, with all rays and nothing from elsewhere.
+
+use std::path::Path;
+
+use groundtruth::explain::{self, PixelExplanation};
+use groundtruth::film::Film;
+use groundtruth::render;
+use groundtruth::scene::Scene;
+use groundtruth::world::{self, World};
+use keep::{PixelPage, SmallPicture};
+use pictures::digits::shortened;
+
+fn page(
+    name: &str,
+    (scene, world): (&Scene, &World),
+    pixel: [u32; 2],
+) -> (PixelExplanation, String) {
+    let explanation = explain::pixel(scene, world, pixel, Some(0)).unwrap();
+    let picture = SmallPicture::of(&Film::new(40, 30), 1);
+    let page = PixelPage {
+        name,
+        scene,
+        world,
+        explanation: &explanation,
+        picture: &picture,
+        ray: None,
+        command: "groundtruth explain <&>",
+    };
+    let html = page.html();
+    (explanation, html)
+}
+
+fn of_gallery(name: &str, pixel: [u32; 2]) -> (PixelExplanation, String) {
+    let scene = (gallery::find(name).expect("a scene of the gallery").build)();
+    let world = World::build(&scene).unwrap();
+    page(name, (&scene, &world), pixel)
+}
+
+/// Each tag: its name, and what it is: +1 opens, −1 closes, 0 both.
+fn tags(html: &str) -> Vec<(&str, i32)> {
+    let mut found = Vec::new();
+    let mut rest = html;
+    while let Some(start) = rest.find('<') {
+        rest = &rest[start + 1..];
+        let mut quoted = false;
+        let end = rest.find(|c| {
+            quoted ^= c == '"';
+            c == '>' && !quoted
+        });
+        let end = end.unwrap_or_else(|| panic!("no end: {}", &rest[..rest.len().min(80)]));
+        let tag = &rest[..end];
+        let name = tag.trim_start_matches('/').split([' ', '/', '\n']).next().unwrap();
+        match tag.chars().next() {
+            Some('!') => {}
+            Some('/') => found.push((name, -1)),
+            _ => found.push((name, i32::from(!tag.ends_with('/')))),
+        }
+        rest = &rest[end..];
+    }
+    found
+}
+
+/// Checks that each tag that opens closes, in order; void elements close themselves.
+fn assert_well_formed(html: &str) {
+    let mut open = Vec::new();
+    for (name, what) in tags(html) {
+        match what {
+            1 => open.push(name),
+            -1 => assert_eq!(open.pop(), Some(name), "closes what is not open; open: {open:?}"),
+            _ => {}
+        }
+    }
+    assert!(open.is_empty(), "never closed: {open:?}");
+}
+
+/// Law: tags close, there is no script and nothing from elsewhere, every ray has its line, and numbers have four digits at
+/// most. Oracle: the file's text, and the explanation.
+#[test]
+fn a_page_is_one_file_with_every_ray() {
+    for (name, pixel) in [
+        ("ch28/glass-sphere", [200, 150]),
+        ("ch24/floor-mirror", [100, 150]),
+        ("ch16/shadows", [200, 150]),
+    ] {
+        let (explanation, html) = of_gallery(name, pixel);
+        assert_well_formed(&html);
+        for part in ["src=\"", "href=\""] {
+            let from_elsewhere =
+                html.split(part).skip(1).find(|rest| !rest.starts_with("data:image/png;base64,"));
+            assert_eq!(from_elsewhere, None, "{name}");
+        }
+        assert!(!html.contains("<script") && !html.contains("<link") && !html.contains("@import"));
+        let rest = html.replace("http://www.w3.org/2000/svg", "");
+        assert!(!rest.contains("://") && !rest.contains("url("), "{name}: an address");
+        let root = explanation.samples[0].ray.as_ref().unwrap();
+        for ray in root.rays() {
+            let line = format!("<summary data-ray=\"{}\">", ray.number);
+            assert_eq!(html.matches(&line).count(), 1, "{name}: ray {}", ray.number);
+        }
+        let lines = html.split("<li>").skip(1).map(|rest| rest.split("</li>").next().unwrap());
+        let long: Vec<&str> = lines.filter(|line| shortened(line) != **line).collect();
+        assert!(long.is_empty(), "{name}: more than four digits: {long:?}");
+        assert!(html.contains("<code>groundtruth explain &lt;&amp;&gt;</code>"));
+        assert!(html.contains("size: A4") && html.contains("color-scheme: light"));
+    }
+}
+
+/// Law: the page of glass says Snell's law with its numbers. By hand: ray 0 enters glass of index 1.5.
+#[test]
+fn the_page_of_glass_says_snells_law() {
+    let (explanation, html) = of_gallery("ch28/glass-sphere", [200, 150]);
+    let hit = explanation.samples[0].ray.as_ref().unwrap().hit.as_ref().unwrap();
+    let angle = pictures::digits::short(hit.angle_of_incidence);
+    assert!(html.contains(&format!("n₁ sin θ₁ = n₂ sin θ₂: 1 × sin {angle}° = ")), "{angle}");
+}
+
+/// Law: no text of a scene is markup. Oracle: the file's text.
+#[test]
+fn names_of_a_scene_are_escaped() {
+    let text = r#"
+        about = "<script>alert('about')</script>"
+        image = { width = 5, height = 5 }
+        camera = { eye = [0, 0, 10], lens.orthographic = {} }
+        [[lights]]
+        name = "\"><script>lamp</script>"
+        source.point = { location = [0, 3, 8], ls = 1 }
+        [[materials]]
+        name = "<b>"
+        recipe.matte = { kd = 1, cd = [1, 1, 1] }
+        [[objects]]
+        name = "<script>ball</script>&"
+        material = "<b>"
+        shape.sphere = { center = [0, 0, 0], radius = 1 }
+    "#;
+    let (scene, world) = world::from_toml(text, Path::new("here.toml")).unwrap();
+    let (_, html) = page("</title><script>", (&scene, &world), [2, 2]);
+    assert_well_formed(&html);
+    assert!(!html.contains("<script") && !html.contains("<b>\""));
+    assert!(html.contains("&lt;script&gt;ball&lt;/script&gt;&amp;"));
+}
+
+/// Law: a small picture has each n-th pixel of the whole one, and its sides are at most 480. Oracle: the whole picture.
+#[test]
+fn a_small_picture_has_each_nth_pixel() {
+    let mut scene = (gallery::find("ch16/no-shadows").unwrap().build)();
+    scene.image.resize(500, 334);
+    scene.image.samples = 1;
+    let world = World::build(&scene).unwrap();
+    let small = SmallPicture::rendered(&world);
+    assert_eq!([small.film.width(), small.film.height()], [250, 167]);
+    for at in [[0, 0], [100, 80], [249, 166], [33, 120]] {
+        assert_eq!(small.film.get(at), render::pixel(&world, at.map(|it| 2 * it)));
+    }
+}
+
+/// Law: a pixel that no ray sees has a page as well. Oracle: well-formed text.
+#[test]
+fn a_pixel_without_a_hit_has_a_page() {
+    let (_, html) = of_gallery("ch03/single-sphere", [0, 0]);
+    assert_well_formed(&html);
+    assert!(html.contains("hits nothing"));
+}

@@ -1,0 +1,198 @@
+//! Reduced scenes against whole ones.
+
+use std::path::{Path, PathBuf};
+
+use groundtruth::scene::{self, Scene};
+use groundtruth::world::{self, DEFAULT_SEED, World};
+use groundtruth::{render, rgb::Rgb};
+use keep::{Irreducible, Kept, ReducedScene};
+
+fn bits(color: Rgb) -> [u64; 3] {
+    color.to_array().map(f64::to_bits)
+}
+
+fn scene_of(name: &str) -> Scene {
+    (gallery::find(name).expect("a scene of the gallery").build)()
+}
+
+fn reduced(scene: &Scene, kept: Kept) -> ReducedScene {
+    ReducedScene::of(scene, Path::new(""), kept).expect("it can be reduced")
+}
+
+/// Whether a scene is valid and has these bits.
+fn has_bits(scene: &Scene, pixel: [u32; 2], wanted: [u64; 3]) -> bool {
+    World::build(scene).is_ok_and(|world| bits(render::pixel(&world, pixel)) == wanted)
+}
+
+/// Law: the reduced scene, read from its text, gives the bits of the whole scene, is not longer, and without any of its
+/// objects, lights or materials it has other bits or is no scene. Oracle: the whole scene, rendered.
+#[test]
+fn a_reduced_scene_gives_the_same_bits_and_needs_each_of_its_parts() {
+    let names = [
+        "ch03/three-objects",
+        "ch05/lamp",
+        "ch14/page-one",
+        "ch15/page-one",
+        "ch16/shadows",
+        "ch16/mixed-shadows",
+        "ch16/canyon",
+        "ch17/corner",
+        "ch18/rectangle",
+        "ch19/torus",
+        "ch22/thousand-spheres",
+        "ch24/hall-of-mirrors",
+        "ch24/floor-mirror",
+        "ch25/boxes",
+        "ch26/cornell-box-path-trace",
+        "ch27/torus",
+        "ch28/glass-sphere",
+        "ch28/fish-bowl",
+        "ch28/glass-of-water",
+        "ch29/jar",
+        "ch30/cut-cube",
+        "ch31/bumped-ellipsoid",
+    ];
+    let mut smaller = 0;
+    for name in names {
+        let mut whole = scene_of(name);
+        whole.image.samples = whole.image.samples.min(16);
+        let world = World::build(&whole).unwrap();
+        let [width, height] = world.picture_size();
+        let pixel = [width * 4 / 9, height * 5 / 9];
+        let found = reduced(&whole, Kept { pixel, sample: None, seed: DEFAULT_SEED });
+        let (_, again) = world::from_toml(&found.toml, Path::new("here.toml")).unwrap();
+        let wanted = bits(render::pixel(&world, pixel));
+        assert_eq!(bits(render::pixel(&again, pixel)), wanted, "{name}");
+        assert_eq!(bits(found.radiance), wanted, "{name}");
+        let length = scene::to_toml(&whole).unwrap().len();
+        assert!(found.toml.len() <= length, "{name}: {} of {length}", found.toml.len());
+        assert!(found.is_least, "{name}");
+        for index in 0..found.scene.objects.len() {
+            let mut without = found.scene.clone();
+            without.objects.remove(index);
+            assert!(!has_bits(&without, pixel, wanted), "{name} does not need object {index}");
+        }
+        for index in 0..found.scene.lights.len() {
+            let mut without = found.scene.clone();
+            without.lights.remove(index);
+            assert!(!has_bits(&without, pixel, wanted), "{name} does not need light {index}");
+        }
+        for index in 0..found.scene.materials.len() {
+            let mut without = found.scene.clone();
+            without.materials.remove(index);
+            assert!(!has_bits(&without, pixel, wanted), "{name} does not need material {index}");
+        }
+        smaller += u32::from(found.toml.len() < length);
+    }
+    assert!(smaller >= 12, "only {smaller} are smaller");
+}
+
+/// Law: one sample, with another seed, keeps its bits too. Oracle: the whole scene, rendered.
+#[test]
+fn a_sample_with_another_seed_keeps_its_bits() {
+    let scene = scene_of("ch18/rectangle");
+    let (kept, seed) = (Kept { pixel: [30, 40], sample: Some(3), seed: 77 }, 77);
+    let found = reduced(&scene, kept);
+    let sample = |scene: &Scene| {
+        let world = World::build_seeded(scene, Path::new(""), seed).unwrap();
+        bits(render::sample(&world, [30, 40], 3, &mut ()))
+    };
+    assert_eq!(sample(&found.scene), sample(&scene));
+    let text = found.rust_test("ch18/rectangle", Path::new("scene.toml"));
+    assert!(
+        text.contains("render::sample(&world, [30, 40], 3, &mut ())") && text.contains(", 77)")
+    );
+}
+
+/// Law: what is not there cannot be kept. Oracle: the size of the picture.
+#[test]
+fn a_pixel_outside_of_the_picture_is_refused() {
+    let scene = scene_of("ch16/shadows");
+    let [width, samples] = [scene.image.width, scene.image.samples];
+    for kept in [
+        Kept { pixel: [width, 0], sample: None, seed: DEFAULT_SEED },
+        Kept { pixel: [0, 0], sample: Some(samples), seed: DEFAULT_SEED },
+    ] {
+        let refused = ReducedScene::of(&scene, Path::new(""), kept);
+        assert!(matches!(refused, Err(Irreducible::Outside { .. })), "{kept:?}");
+    }
+}
+
+/// Law: what is needed only beside another part goes when that has gone. By hand: the mirror shows the black ball, and behind
+/// it the white one, which blocks the lamp. Without the lamp, which is blocked, nothing needs the white ball; without
+/// that, a black ball is as black as the background.
+#[test]
+fn a_part_that_only_hides_another_one_goes_after_it() {
+    let text = r#"
+        image = { width = 1, height = 1 }
+        camera = { eye = [5, 0, 5], look_at = [0, 0, 0], lens.orthographic = {} }
+        tracer = { whitted = { max_depth = 3 } }
+        [[lights]]
+        name = "ambient"
+        source.ambient = { ls = 1 }
+        [[lights]]
+        name = "lamp"
+        source.point = { location = [-6, 2, 6], ls = 1 }
+        [[materials]]
+        name = "mirror"
+        recipe.reflective = { phong = { ka = 0.5, kd = 0.5, cd = [1, 1, 1] }, kr = 1 }
+        [[materials]]
+        name = "black"
+        recipe.matte = { ka = 0, kd = 0, cd = [0, 0, 0] }
+        [[materials]]
+        name = "white"
+        recipe.matte = { ka = 1, kd = 1, cd = [1, 1, 1] }
+        [[objects]]
+        name = "mirror"
+        material = "mirror"
+        shape.plane = { point = [0, 0, 0], normal = [0, 0, 1] }
+        [[objects]]
+        name = "black"
+        material = "black"
+        shape.sphere = { center = [-2, 0, 2], radius = 0.5 }
+        [[objects]]
+        name = "white"
+        material = "white"
+        shape.sphere = { center = [-4, 0, 4], radius = 2 }
+    "#;
+    let (scene, _) = world::from_toml(text, Path::new("here.toml")).unwrap();
+    let found = reduced(&scene, Kept { pixel: [0, 0], sample: None, seed: DEFAULT_SEED });
+    assert_eq!(found.counts(), "1 of 3 objects, 1 of 2 lights, 1 of 3 materials");
+}
+
+/// Law: names of scenes and of their parts cannot leave their string, and a name of a file is kept. Oracle: the raw
+/// string's rules: it ends at `"` and as many `#` as it began with.
+#[test]
+fn a_name_cannot_end_the_raw_string() {
+    let mut scene = scene_of("ch16/shadows");
+    let kept = Kept { pixel: [200, 150], sample: None, seed: DEFAULT_SEED };
+    let used = reduced(&scene, kept).scene.objects[0].name.clone();
+    for object in scene.objects.iter_mut().filter(|object| object.name == used) {
+        object.name = "'\"##; panic!()".to_owned();
+    }
+    let found = reduced(&scene, kept);
+    let text = found.rust_test("a\n\"b", Path::new("a\"b/scene.toml"));
+    let (_, scene_text) = text.split_once("const SCENE: &str = r").unwrap();
+    let hashes = "#".repeat(scene_text.chars().take_while(|&c| c == '#').count());
+    let end = format!("\"{hashes}");
+    let (inside, rest) = scene_text[hashes.len() + 1..].split_once(&end).unwrap();
+    assert_eq!(rest, ";\n");
+    assert_eq!(inside.trim(), found.toml.trim());
+    assert!(text.contains(r#"Path::new("a\"b/scene.toml")"#));
+    assert!(text.lines().next().is_some_and(|line| line.starts_with("//!")));
+    assert!(text.contains("fn pixel_200_150_of_a__b()"));
+}
+
+/// Law: the test beside this file, which is compiled and passes with these, is what is written today. Oracle: the file.
+#[test]
+fn the_kept_test_reads_as_before() {
+    let kept = Kept { pixel: [210, 160], sample: None, seed: DEFAULT_SEED };
+    let found = reduced(&scene_of("ch16/shadows"), kept);
+    let should_say = found.rust_test("ch16/shadows", Path::new("scene.toml"));
+    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/kept_shadows.rs");
+    let says = std::fs::read_to_string(&file).unwrap();
+    if says != should_say && std::env::var_os("RENEW_TEXTS").is_some() {
+        return std::fs::write(&file, should_say).unwrap();
+    }
+    assert_eq!(says, should_say, "if that is right, renew it: scripts/renew-texts.sh");
+}

@@ -1,0 +1,131 @@
+//! The section of a hit: its plane of incidence as a drawing.
+
+mod incidence;
+mod outline;
+mod plane;
+mod shadow;
+
+use groundtruth::explain::RecordedRay;
+use groundtruth::math::{Vector, atan2, cos_degrees, sin_degrees, to_degrees};
+use groundtruth::trace::RayKind;
+use groundtruth::world::World;
+
+use super::{Drawing, Label, Role, Stroke};
+
+pub use outline::{Curve, Window, outlines};
+pub use plane::SectionPlane;
+
+/// A plane through a hit that contains the normal, and what is in it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Section {
+    /// The plane.
+    pub plane: SectionPlane,
+    /// What is in it.
+    pub drawing: Drawing,
+    /// The angles that are drawn.
+    pub angles: Vec<RayAngle>,
+    /// Snell's law there, if the surface refracts.
+    pub refraction: Option<Refraction>,
+}
+
+/// The angle between a ray and the normal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RayAngle {
+    /// The number of the ray.
+    pub ray: usize,
+    /// The angle, from 0 to 90 degrees: to the normal's other end for a ray behind the surface.
+    pub degrees: f64,
+}
+
+/// The two sides of Snell's law, `n₁ sin θ₁ = n₂ sin θ₂` (Suffern, ch. 27).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Refraction {
+    /// The indices of refraction in front of the surface and behind it, for the ray that met it. Where only their quotient
+    /// is known, the first is 1.
+    pub indices: [f64; 2],
+    /// The angle of incidence, in degrees.
+    pub incidence: f64,
+    /// The angle of refraction, in degrees; `None` on total internal reflection.
+    pub refraction: Option<f64>,
+}
+
+impl Section {
+    /// The section of a ray of a tree: of one that hits a surface, the plane of incidence of its hit, with the rays that it
+    /// sends (one along the normal has many such planes; then that of the world's x axis, or z axis, is taken). Of a shadow
+    /// ray, the plane through the hit that it leaves, the normal there and the light. `None` of one that hits nothing or was
+    /// not cast.
+    pub fn of(world: &World, root: &RecordedRay, ray: usize) -> Option<Self> {
+        let path = root.path_to(ray);
+        let [before @ .., ray] = &path[..] else { return None };
+        match ray.kind {
+            RayKind::Shadow { .. } => shadow::section(world, before.last()?, ray),
+            RayKind::Camera | RayKind::Reflected | RayKind::Transmitted => {
+                incidence::section(world, ray)
+            }
+        }
+    }
+
+    /// The ray of a tree whose section says most: the first whose hit sends a ray on; else the first shadow ray that
+    /// was cast; else the first that hits.
+    pub fn first(root: &RecordedRay) -> Option<usize> {
+        let rays = root.rays();
+        let is_shadow = |ray: &RecordedRay| matches!(ray.kind, RayKind::Shadow { .. });
+        let sends = |ray: &RecordedRay| ray.children.iter().any(|child| !is_shadow(child));
+        let hits = |ray: &&&RecordedRay| ray.hit.is_some();
+        let mut found = rays.iter().filter(hits).find(|ray| sends(ray));
+        found = found.or_else(|| rays.iter().find(|ray| is_shadow(ray)));
+        found.or_else(|| rays.iter().find(hits)).map(|ray| ray.number)
+    }
+}
+
+/// The angle between two vectors, in degrees.
+fn angle_between(a: Vector, b: Vector) -> f64 {
+    to_degrees(atan2(a.cross(b).length(), a.dot(b)))
+}
+
+/// The index and the box's diagonal of an object; the diagonal is infinite if it has no end.
+fn object(world: &World, name: &str) -> Option<(u32, f64)> {
+    let object = world.objects().iter().find(|object| &*object.name == name)?;
+    let bounds = object.bounds();
+    let size = if bounds.is_bounded() { bounds.extent().length() } else { f64::INFINITY };
+    Some((object.index, size))
+}
+
+/// The outlines in a window: first those of other objects, then those of the objects that the drawing is about.
+fn outline_strokes(
+    world: &World,
+    plane: &SectionPlane,
+    window: Window,
+    about: &[u32],
+) -> Vec<Stroke> {
+    let stroke = |curve: Curve| {
+        let is_about = about.contains(&curve.object);
+        let role = if is_about { Role::Outline } else { Role::Surroundings };
+        Stroke { object: Some(curve.object), ..Stroke::new(role, curve.points) }
+    };
+    let mut strokes: Vec<Stroke> = outlines(world, plane, window).into_iter().map(stroke).collect();
+    strokes.sort_by_key(|stroke| stroke.role == Role::Outline);
+    strokes
+}
+
+/// The arc from the normal (or its other end, for a direction behind the surface) to a direction, and its letter.
+fn arc(direction: [f64; 2], radius: f64, letter: &str) -> (Stroke, Option<Label>) {
+    let end = to_degrees(atan2(direction[1], direction[0]));
+    let start = if direction[1] < 0.0 { -90.0 } else { 90.0 };
+    let at =
+        |degrees: f64, radius: f64| [radius * cos_degrees(degrees), radius * sin_degrees(degrees)];
+    // a point about each two degrees
+    let steps = (0.5 * (end - start).abs()).ceil().max(1.0) as usize;
+    let points = (0..=steps).map(|step| {
+        let part = step as f64 / steps as f64;
+        at(start + part * (end - start), radius)
+    });
+    let middle = at(0.5 * (start + end), 0.75 * radius);
+    let label = Label { at: middle, text: letter.to_owned(), role: Role::Arc, side: [0, 0] };
+    (Stroke::new(Role::Arc, points.collect()), (!letter.is_empty()).then_some(label))
+}
+
+/// −1 or 1.
+fn sign(x: f64) -> i8 {
+    if x < 0.0 { -1 } else { 1 }
+}

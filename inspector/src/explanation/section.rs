@@ -1,0 +1,145 @@
+//! The section of the selected ray: the plane of incidence of its hit, or that of a shadow ray and its light, drawn.
+
+use eframe::egui::{
+    Align2, Color32, FontId, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2,
+    WidgetInfo, accesskit::Role as NodeRole, vec2,
+};
+use groundtruth::explain::RecordedRay;
+use groundtruth::world::World;
+use space::{Drawing, Label, Role, Section, arrowhead};
+
+use crate::explanation::selection::Question;
+use crate::explanation::tree::{BLOCKED, CAMERA, LOCAL, REFLECTED, TRANSMITTED, UNBLOCKED, ink};
+use crate::explanation::{copying, pointing};
+
+/// The length of an arrowhead, in points of the screen.
+const HEAD: f64 = 11.0;
+/// The margin around the drawing, with room for words.
+const MARGIN: f32 = 56.0;
+/// The least height of the drawing.
+const MIN_HEIGHT: f32 = 150.0;
+
+/// The section that was drawn last: of which tree and ray.
+#[derive(Default)]
+pub struct SectionView {
+    drawn: Option<(Question, usize, Option<Section>)>,
+}
+
+/// A drawing at its place on the screen.
+struct Place {
+    center: [f64; 2],
+    /// Points of the screen for a world unit.
+    scale: f64,
+    middle: Pos2,
+}
+
+impl Place {
+    fn of(drawing: &Drawing, area: Rect) -> Option<Self> {
+        let [low, high] = drawing.bounds()?;
+        let room = area.shrink(MARGIN.min(0.25 * area.width().min(area.height()))).size();
+        let extent = [high[0] - low[0], high[1] - low[1]].map(|side| side.max(1e-300));
+        let scale = (f64::from(room.x) / extent[0]).min(f64::from(room.y) / extent[1]);
+        let center = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
+        Some(Self { center, scale, middle: area.center() })
+    }
+
+    fn screen(&self, [x, y]: [f64; 2]) -> Pos2 {
+        let [right, up] = [x - self.center[0], y - self.center[1]].map(|it| it * self.scale);
+        self.middle + vec2(right as f32, -up as f32)
+    }
+}
+
+impl SectionView {
+    /// Shows the section of a ray of this tree, if it has one; notes the ray that is pointed at.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        world: &World,
+        (question, root): (Question, &RecordedRay),
+        ray: usize,
+        hovered: &mut Option<usize>,
+    ) {
+        if self.drawn.as_ref().is_none_or(|(of, number, _)| (*of, *number) != (question, ray)) {
+            self.drawn = Some((question, ray, Section::of(world, root, ray)));
+        }
+        let Some((.., section)) = &self.drawn else { return };
+        let Some(Section { drawing, .. }) = section else {
+            ui.weak("This ray hits nothing, so there is no plane of incidence.");
+            return;
+        };
+        ui.horizontal(|ui| {
+            ui.strong(&drawing.title);
+            if ui.small_button("Copy as SVG").clicked() {
+                ui.ctx().copy_text(drawing.svg());
+                copying::set_copied(ui.ctx());
+            }
+            copying::show_copied(ui);
+        });
+        for note in &drawing.notes {
+            ui.label(note);
+        }
+        let size = vec2(ui.available_width(), ui.available_height().max(MIN_HEIGHT));
+        let (response, painter) = ui.allocate_painter(size, Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(NodeRole::Image, true, "section"));
+        *hovered = hovered.or(paint(ui, &painter, &response, drawing));
+    }
+}
+
+/// Paints a drawing; returns the ray under the mouse.
+fn paint(ui: &Ui, painter: &Painter, response: &Response, drawing: &Drawing) -> Option<usize> {
+    let place = Place::of(drawing, response.rect)?;
+    let mut lines = Vec::new();
+    for stroke in &drawing.strokes {
+        let color = color(ui, stroke.role);
+        let points: Vec<Pos2> = stroke.points.iter().map(|&at| place.screen(at)).collect();
+        let width = if stroke.ray.is_some() { 2.0 } else { 1.2 };
+        let pen = Stroke::new(width, color);
+        match &points[..] {
+            [] => {}
+            [dot] => drop(painter.circle_filled(*dot, 3.5, color)),
+            _ if stroke.dashed => drop(painter.extend(Shape::dashed_line(&points, pen, 6.0, 4.0))),
+            _ => drop(painter.add(Shape::line(points.clone(), pen))),
+        }
+        if stroke.arrow
+            && let Some(head) = arrowhead(&stroke.points, HEAD / place.scale)
+        {
+            let head = head.map(|at| place.screen(at)).to_vec();
+            painter.add(Shape::convex_polygon(head, color, Stroke::NONE));
+        }
+        if let Some(ray) = stroke.ray {
+            lines.extend(points.windows(2).map(|ends| (ray, [ends[0], ends[1]])));
+        }
+    }
+    drawing.labels.iter().for_each(|label| write(ui, painter, &place, label));
+    response.hover_pos().and_then(|at| pointing::nearest(&lines, at))
+}
+
+fn write(ui: &Ui, painter: &Painter, place: &Place, label: &Label) {
+    let [x, y] = label.side.map(f32::from);
+    let anchor = match label.side {
+        [-1, _] => Align2::RIGHT_CENTER,
+        [1, _] => Align2::LEFT_CENTER,
+        [_, 1] => Align2::CENTER_BOTTOM,
+        [_, -1] => Align2::CENTER_TOP,
+        _ => Align2::CENTER_CENTER,
+    };
+    let at = place.screen(label.at) + 6.0 * Vec2::new(x, -y);
+    painter.text(at, anchor, &label.text, FontId::proportional(13.0), color(ui, label.role));
+}
+
+/// The colour of a line: rays as in the tree.
+fn color(ui: &Ui, role: Role) -> Color32 {
+    let text = ui.visuals().text_color();
+    match role {
+        Role::Incoming => ink(ui, CAMERA),
+        Role::Reflected => ink(ui, REFLECTED),
+        Role::Transmitted => ink(ui, TRANSMITTED),
+        Role::Shadow => ink(ui, UNBLOCKED),
+        Role::Blocked => ink(ui, BLOCKED),
+        Role::Dark => text.gamma_multiply(0.5),
+        Role::Normal => ink(ui, LOCAL),
+        Role::Outline => text,
+        Role::Surroundings => text.gamma_multiply(0.45),
+        Role::Arc => text.gamma_multiply(0.8),
+    }
+}
