@@ -1,10 +1,9 @@
 #!/bin/sh
-# Takes docs/inspector.png, or the file that is named: opens the inspector on a virtual screen and
-# clicks on the glass sphere.
-# Needs the packages of scripts/headless.sh.
+# Takes docs/inspector.png and the pictures of docs/inspector.md, or those whose names are given: opens the inspector on
+# a virtual screen, each time at a pixel. Needs the packages of scripts/headless.sh.
 set -eu
 cd "$(dirname "$0")/.."
-picture=${1:-docs/inspector.png}
+wanted=${*:-all}
 
 for tool in Xvfb xdotool import; do
     if ! command -v "$tool" >/dev/null; then
@@ -32,20 +31,31 @@ screen=$!
 read -r number <"$folder/display"
 export DISPLAY=":$number"
 
-# usual settings, whatever this person's are
-XDG_DATA_HOME="$folder" "$program" ch28/glass-sphere 2>"$folder/inspector.log" &
-window=$!
-# the title says when the picture is finished
-title='^ch28/glass-sphere - Groundtruth inspector$'
-if ! timeout 300 xdotool search --sync --onlyvisible --name "$title" >/dev/null; then
-    echo "error: no window with a finished picture appeared" >&2
-    cat "$folder/inspector.log" >&2
-    exit 2
-fi
-sleep 1
-xdotool mousemove 520 370 click 1
-sleep 2
-xdotool mousemove 620 520
-sleep 1
-import -window root "png24:$picture"
-echo "$picture"
+# picture NAME SCENE ARGUMENTS...: a window on the scene, once its picture is finished
+picture() {
+    name=$1 scene=$2
+    shift 2
+    case " $wanted " in *" all "* | *" $name "*) ;; *) return 0 ;; esac
+    # usual settings, whatever this person's are
+    XDG_DATA_HOME="$folder" "$program" "$scene" "$@" 2>"$folder/inspector.log" &
+    window=$!
+    # the title says when the picture is finished
+    if ! timeout 300 xdotool search --sync --onlyvisible --name "^$scene - Groundtruth inspector\$" >/dev/null; then
+        echo "error: no window with a finished picture appeared" >&2
+        cat "$folder/inspector.log" >&2
+        exit 2
+    fi
+    sleep 4
+    import -window root "png24:docs/$name.png"
+    kill "$window"
+    wait "$window" 2>/dev/null || true
+    window=
+    echo "docs/$name.png"
+}
+
+picture inspector ch28/glass-sphere --size 300x300 --pixel 146,176 --view both
+picture tour-acne ch16/surface-acne --pixel 138,115 --view both
+picture tour-lost-roots ch19/lost-roots --pixel 145,80
+picture tour-total-reflection ch27/mirror-ring --pixel 185,111 --view both --tab section
+picture tour-colour-bleeding ch26/cornell-box --size 140x140 --samples 16 --pixel 24,118 --sample 2 --view both
+picture tour-noise ch26/cornell-box-path-trace --size 140x140 --pixel 70,60 --view both --tab sum

@@ -61,7 +61,8 @@ fn open(Start { scene, theirs }: Start, arguments: &Arguments) -> Result<(), Box
         .with_min_inner_size([800.0, 500.0])
         .with_position([0.0, 0.0]);
     let options = eframe::NativeOptions { viewport, ..Default::default() };
-    let (pixel, sample, view) = (arguments.pixel, arguments.sample, arguments.view);
+    let (pixel, sample) = (arguments.pixel, arguments.sample);
+    let (view, tab) = (arguments.view, arguments.tab);
     let ground = arguments.theme;
     let start = move |context: &eframe::CreationContext<'_>| {
         let ctx = &context.egui_ctx;
@@ -78,7 +79,7 @@ fn open(Start { scene, theirs }: Start, arguments: &Arguments) -> Result<(), Box
             }
         };
         inspector.theirs = theirs;
-        inspector.space.mode = view;
+        (inspector.space.mode, inspector.selection.tab) = (view, tab);
         let stored = StoredSettings::read(context.storage);
         let ground = ground.unwrap_or(stored.ground);
         inspector.restore(ctx, StoredSettings { ground, ..stored });

@@ -15,7 +15,7 @@ use crate::explanation::{copying, pointing};
 /// The length of an arrowhead, in points of the screen.
 const HEAD: f64 = 11.0;
 /// The margin around the drawing, with room for words.
-const MARGIN: f32 = 56.0;
+const MARGIN: f32 = 34.0;
 /// The least height of the drawing.
 const MIN_HEIGHT: f32 = 150.0;
 

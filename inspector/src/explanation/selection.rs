@@ -73,7 +73,7 @@ pub struct Selection {
 }
 
 /// The part that is shown below the tree.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Tab {
     /// The selected ray.
     #[default]

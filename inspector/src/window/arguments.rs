@@ -9,6 +9,7 @@ use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH};
 use pictures::compare::{self, Transfer};
 
 use crate::comparison::theirs::Theirs;
+use crate::explanation::selection::Tab;
 use crate::scene::source::{Loaded, Source};
 use crate::scene::waiting::{Broken, Waiting};
 use crate::space::view::Mode;
@@ -48,6 +49,9 @@ pub struct Arguments {
     /// Open with the picture, with its rays in space, or with both
     #[arg(long, value_enum, default_value_t)]
     pub view: Mode,
+    /// Open with this part below the tree; the verdict is there once --compare is judged
+    #[arg(long, value_enum, default_value_t)]
+    pub tab: Tab,
     /// A dark ground, for judging colours, or a light one, for projectors; as the last time if left out
     #[arg(long, value_enum)]
     pub theme: Option<Ground>,
