@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use groundtruth::explain::{RecordedRay, count};
+use groundtruth::explain::RecordedRay;
 use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::math::{Ray, Span, Vector};
 use groundtruth::rgb::Rgb;
@@ -237,8 +237,7 @@ impl View<'_> {
             }
         }
         if all > pieces.len() {
-            let more = count(all - pieces.len(), "more");
-            let _ = write!(svg, "<tspan>({} not drawn)</tspan>", more.trim_end_matches('s'));
+            let _ = write!(svg, "<tspan>({} more not drawn)</tspan>", all - pieces.len());
         }
         svg.push_str("</text>\n");
     }
