@@ -146,8 +146,8 @@ pub fn test(
 
 fn rust(arguments: &SceneArguments, reduced: &ReducedScene) -> String {
     let file = match arguments.folder() {
-        Some(_) => PathBuf::from(arguments.name()),
-        None => PathBuf::from("scene.toml"),
+        Some(_) if arguments.name() != scene::STANDARD_INPUT => PathBuf::from(arguments.name()),
+        _ => PathBuf::from("scene.toml"),
     };
     reduced.rust_test(arguments.name(), &file)
 }

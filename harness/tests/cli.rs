@@ -11,6 +11,7 @@ mod full_disk;
 mod goldens;
 #[cfg(unix)]
 mod interrupt;
+mod kept;
 mod list;
 mod provenance;
 mod stereo;
@@ -49,6 +50,27 @@ fn files_in(folder: &Path) -> Vec<String> {
 
 /// Arguments, and the first line of the error.
 const ERRORS: &[(&[&str], &str)] = &[
+    (
+        &["explain", "ch16/shadows", "1,1", "-o", "a.png"],
+        "error: a.png: the name ends with .html (a page), .obj (the rays as lines), .svg (the rays over the scene) or \
+         .json (all numbers)",
+    ),
+    (
+        &["explain", "ch16/shadows", "1,1", "--test", "-o", "a.html"],
+        "error: a.html: with --test, the name ends with .rs (a test) or .toml (a scene file)",
+    ),
+    (
+        &["explain", "ch16/shadows", "1,1", "-o", "a.html", "--ray", "7"],
+        "error: no ray 7: the sample has 1, numbered from 0",
+    ),
+    (
+        &["explain", "ch16/shadows", "1,1", "-o", "a.html", "--all"],
+        "error: --all: the file shows one sample; choose it with --sample",
+    ),
+    (
+        &["explain", "ch16/shadows", "900,1", "--test"],
+        "error: no such pixel or sample: the picture is 300x200, with 16 samples a pixel",
+    ),
     (
         &["render", "ch28/glass-spere", "-o", "a.png"],
         "error: no scene `ch28/glass-spere`: neither a gallery name (`groundtruth list` shows them) \

@@ -7,7 +7,6 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use groundtruth::background::Background;
-use groundtruth::lights::Unlit;
 use groundtruth::lobes::Lobes;
 use groundtruth::math::Ray;
 use groundtruth::render;
@@ -259,8 +258,6 @@ impl Recorder for Touched {
     fn surface(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
         self.objects.insert(point.hit.object.index);
     }
-
-    fn unlit(&mut self, _: u32, _: impl FnOnce() -> Unlit) {}
 
     fn term(&mut self, term: Term) {
         if let TermSource::Ambient { light, .. }

@@ -17,7 +17,7 @@ mod view;
 mod visibility;
 
 pub use backdrop::Backdrop;
-pub use drawing::{Drawing, Label, Role, Stroke, arrowhead, ink, wrapped};
+pub use drawing::{Drawing, Label, Role, Stroke, arrowhead, ink};
 pub use extent::{of_hits, of_scene, of_segments};
 pub use obj::obj;
 pub use orbit::{Orbit, Sight};

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
-use groundtruth::explain::{RecordedRay, count};
+use groundtruth::explain::RecordedRay;
 use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::math::{Ray, Span, Vector};
 use groundtruth::rgb::Rgb;
@@ -117,7 +117,10 @@ pub fn svg_of_rays(world: &World, root: &RecordedRay, orbit: &Orbit, faded: &[u3
     );
     let is_numbered = pieces.len() <= NUMBERED;
     pieces.iter().for_each(|piece| view.write_piece(&mut svg, piece));
-    pieces.iter().filter(|_| is_numbered).for_each(|piece| view.write_number(&mut svg, piece));
+    let mut numbers = Vec::new();
+    for piece in pieces.iter().filter(|_| is_numbered) {
+        view.write_number(&mut svg, piece, &mut numbers);
+    }
     svg += "</svg>\n";
     view.write_legend(&mut svg, &pieces, all);
     svg + "</svg>\n"
@@ -191,13 +194,19 @@ impl View<'_> {
         svg.push_str("</g>\n");
     }
 
-    /// The number of the ray beside the middle of what is seen of it.
-    fn write_number(&self, svg: &mut String, piece: &Segment) {
+    /// The number of the ray beside what is seen of it, away from the numbers that are there already.
+    fn write_number(&self, svg: &mut String, piece: &Segment, numbers: &mut Vec<[f64; 2]>) {
         if piece.end == End::Dark {
             return;
         }
         let Some([(start, _), (end, _)]) = self.sight.clip(piece.from, piece.to) else { return };
-        let [x, y] = [0, 1].map(|axis| 0.35 * start[axis] + 0.65 * end[axis]);
+        let at = |part: f64| [0, 1].map(|axis| start[axis] + part * (end[axis] - start[axis]));
+        let is_free = |[x, y]: &[f64; 2]| {
+            numbers.iter().all(|[u, v]| (x - u).abs() > 24.0 || (y - v).abs() > 17.0)
+        };
+        let mut places = [0.65, 0.4, 0.8, 0.25, 0.52].map(at).into_iter();
+        let [x, y] = places.find(is_free).unwrap_or(at(0.65));
+        numbers.push([x, y]);
         let ink = ink(role(self.rays[&piece.ray].kind, piece.end));
         let _ = writeln!(
             svg,
@@ -228,8 +237,7 @@ impl View<'_> {
             }
         }
         if all > pieces.len() {
-            let more = count(all - pieces.len(), "more");
-            let _ = write!(svg, "<tspan>({} not drawn)</tspan>", more.trim_end_matches('s'));
+            let _ = write!(svg, "<tspan>({} more not drawn)</tspan>", all - pieces.len());
         }
         svg.push_str("</text>\n");
     }

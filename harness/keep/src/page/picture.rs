@@ -2,13 +2,17 @@
 
 use groundtruth::film::Film;
 use groundtruth::render::{self, RaysPerSample, Renderer};
-use groundtruth::trace::Unlimited;
+use groundtruth::trace::RayBudget;
 use rayon::prelude::*;
 
 /// The largest width and height, in pixels.
 const SIDE: u32 = 480;
 /// The most rays that it takes, if one sample of each of its pixels takes no more.
 const MAX_RAYS: f64 = 6e6;
+/// However many rays a pixel takes, the picture's larger side has so many pixels.
+const LEAST_SIDE: u32 = 48;
+/// The most rays of a sample: the tree of glass in glass may have no end.
+const MAX_RAYS_OF_SAMPLE: u64 = 20_000;
 /// The most rays that its estimate takes.
 const ESTIMATE: u64 = 100_000;
 
@@ -24,19 +28,26 @@ pub struct SmallPicture {
 }
 
 impl SmallPicture {
-    /// Renders it: some seconds at most for scenes whose single samples are not large trees.
+    /// Renders it: some seconds, also if single samples are large trees.
     pub fn rendered(renderer: &impl Renderer) -> Self {
         let world = renderer.world();
-        let step = step(world.picture_size());
-        let [width, height] = world.picture_size().map(|side| side.div_ceil(step));
-        let of_samples = world.samples_per_pixel();
+        let size = world.picture_size();
         let rays = RaysPerSample::measured(world, ESTIMATE).mean.max(1.0);
+        let whole = rays * f64::from(size[0]) * f64::from(size[1]);
+        // the cast saturates
+        let affordable = (whole / MAX_RAYS).sqrt().ceil() as u32;
+        let step = step(size).max(affordable.min(size[0].max(size[1]) / LEAST_SIDE));
+        let [width, height] = size.map(|side| side.div_ceil(step));
+        let of_samples = world.samples_per_pixel();
         let affordable = MAX_RAYS / (rays * f64::from(width) * f64::from(height));
         // the cast saturates
         let samples = (affordable as u32).clamp(1, of_samples);
         let color = |index: u32| {
             let pixel = [step * (index % width), step * (index / width)];
-            let sample = |sample| renderer.sample(pixel, sample, &mut (), &mut Unlimited);
+            let sample = |sample| {
+                let budget = &mut RayBudget::up_to(MAX_RAYS_OF_SAMPLE);
+                renderer.sample(pixel, sample, &mut (), budget)
+            };
             render::expose(world, (0..samples).map(sample))
         };
         let colors: Vec<_> = (0..width * height).into_par_iter().map(color).collect();

@@ -15,7 +15,7 @@ h2 { font-size: 1.3em; }
 svg { width: 100%; height: auto; display: block; }
 figure { margin: 0; min-width: 0; }
 figcaption { color: var(--quiet); margin-top: 0.3em; }
-.two { display: grid; grid-template-columns: minmax(0, 2fr) minmax(0, 3fr); gap: 1.5em; align-items: start; margin: 1em 0; }
+.two { display: grid; grid-template-columns: minmax(0, 3fr) minmax(0, 5fr); gap: 1.5em; align-items: start; margin: 1em 0; }
 .picture { position: relative; border: 1px solid var(--edge); }
 .picture img { display: block; width: 100%; image-rendering: pixelated; }
 .picture svg { position: absolute; inset: 0; height: 100%; }
@@ -30,7 +30,8 @@ print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 linear-gradient(to right, #cfe0f5 var(--part, 0), #f0f0f0 var(--part, 0)); print-color-adjust: exact; \
 -webkit-print-color-adjust: exact; }
 .little { color: var(--quiet); }
-.section svg { max-width: 34em; }
+.section svg { max-width: 30em; }
+.space svg { max-width: 44em; }
 @media (max-width: 40em) { .two { grid-template-columns: minmax(0, 1fr); } .tree ul { margin-left: 1em; } }
 @media print { body { font-size: 11pt; } .tree ul { margin-left: 4.4em; } .space { break-inside: avoid; } }
 ";

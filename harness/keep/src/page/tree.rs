@@ -9,8 +9,10 @@ use pictures::digits::shortened;
 use pictures::html::escaped;
 use space::{Role, Section, ink};
 
-/// Smaller trees are shown whole, and each of their rays has its section.
+/// Smaller trees are shown whole.
 const SMALL_TREE: usize = 16;
+/// In smaller trees each ray has its section.
+const SECTIONS: usize = 40;
 /// Rays that add a smaller part of the sample are folded together.
 const MIN_SHARE: f64 = 0.01;
 /// The most rays on a page.
@@ -23,6 +25,7 @@ pub struct Tree<'a> {
     /// The ray whose section stands elsewhere on the page.
     shown: Option<usize>,
     is_small: bool,
+    has_sections: bool,
     /// The rays that still fit.
     left: usize,
 }
@@ -30,8 +33,9 @@ pub struct Tree<'a> {
 impl<'a> Tree<'a> {
     /// The tree of this root; the section of `shown` is not repeated.
     pub fn new(world: &'a World, root: &'a RecordedRay, shown: Option<usize>) -> Self {
-        let is_small = root.count() <= SMALL_TREE;
-        Self { world, root, shown, is_small, left: MAX_RAYS }
+        let rays = root.count();
+        let (is_small, has_sections) = (rays <= SMALL_TREE, rays <= SECTIONS);
+        Self { world, root, shown, is_small, has_sections, left: MAX_RAYS }
     }
 
     /// The whole tree.
@@ -85,7 +89,9 @@ impl<'a> Tree<'a> {
     /// Opens a ray: its line, its numbers and terms, and its section.
     fn open(&self, html: &mut String, ray: &RecordedRay) {
         let (number, ink) = (ray.number, ink(role(ray)));
-        let [share, line] = [percent(ray.share), shortened(&ray.line())].map(|text| escaped(&text));
+        // the line has two spaces between its parts
+        let line = shortened(&ray.line()).replace("  ", " · ");
+        let [share, line] = [&percent(ray.share), &line].map(|text| escaped(text));
         let contribution = escaped(&short(ray.contribution));
         let bar = (100.0 * ray.share).clamp(0.0, 100.0);
         let _ = writeln!(
@@ -98,8 +104,8 @@ impl<'a> Tree<'a> {
             let _ = writeln!(html, "<li>{line}</li>");
         }
         html.push_str("</ul>\n");
-        let has_section = self.is_small && self.shown != Some(number);
-        let section = has_section.then(|| Section::of(self.world, self.root, number)).flatten();
+        let is_new = self.has_sections && self.shown != Some(number);
+        let section = is_new.then(|| Section::of(self.world, self.root, number)).flatten();
         if let Some(section) = section {
             let _ = writeln!(
                 html,

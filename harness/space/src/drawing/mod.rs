@@ -2,7 +2,7 @@
 
 mod svg;
 
-pub use svg::{ink, wrapped};
+pub use svg::ink;
 
 /// What a line or a word of a drawing stands for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

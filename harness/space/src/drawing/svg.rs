@@ -13,7 +13,7 @@ const HEIGHT: f64 = 640.0;
 /// The space around what is drawn.
 const MARGIN: f64 = 24.0;
 /// The size of the letters.
-const LETTER: f64 = 20.0;
+const LETTER: f64 = 25.0;
 /// The mean width of a letter, as a part of its size.
 const LETTER_WIDTH: f64 = 0.56;
 /// The height of a line of words.
@@ -23,7 +23,7 @@ const GAP: f64 = 8.0;
 /// The length of arrowheads.
 const HEAD: f64 = 18.0;
 /// The most letters on a line of the notes.
-const COLUMNS: usize = 76;
+const COLUMNS: usize = 60;
 
 /// The colour of what has this role on white paper, as `#rrggbb`.
 pub fn ink(role: Role) -> &'static str {
@@ -188,16 +188,21 @@ fn listed(points: &[[f64; 2]]) -> String {
     points.collect::<Vec<_>>().join(" ")
 }
 
-/// The words of a text in lines of at most this many letters; a longer word has a line of its own.
-pub fn wrapped(text: &str, columns: usize) -> Vec<String> {
+/// The words of each line of a text in lines of at most this many letters; a longer word has a line of its own.
+fn wrapped(text: &str, columns: usize) -> Vec<String> {
     let mut lines: Vec<String> = Vec::new();
-    for word in text.split_whitespace() {
-        match lines.last_mut() {
-            Some(line) if line.chars().count() + 1 + word.chars().count() <= columns => {
-                *line += " ";
-                *line += word;
+    for line in text.lines() {
+        lines.push(String::new());
+        for word in line.split_whitespace() {
+            let Some(last) = lines.last_mut() else { continue };
+            if last.is_empty() {
+                word.clone_into(last);
+            } else if last.chars().count() + 1 + word.chars().count() <= columns {
+                *last += " ";
+                *last += word;
+            } else {
+                lines.push(word.to_owned());
             }
-            _ => lines.push(word.to_owned()),
         }
     }
     lines

@@ -220,7 +220,7 @@ fn label(at: [f64; 2], text: String, role: Role, side: [i8; 2]) -> Label {
     Label { at, text, role, side }
 }
 
-/// `n₁ sin θ₁ = n₂ sin θ₂: 1 × sin 41.81° = 0.6667, 1.5 × sin 26.39° = 0.6667`.
+/// `n₁ sin θ₁ = n₂ sin θ₂:`, and on a second line `1 × sin 41.81° = 0.6667, 1.5 × sin 26.39° = 0.6667`.
 impl std::fmt::Display for Refraction {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         let [front, behind] = self.indices;
@@ -231,11 +231,11 @@ impl std::fmt::Display for Refraction {
         let incident = side(front, self.incidence);
         match self.refraction {
             Some(degrees) => {
-                write!(f, "n₁ sin θ₁ = n₂ sin θ₂: {incident}, {}", side(behind, degrees))
+                write!(f, "n₁ sin θ₁ = n₂ sin θ₂:\n{incident}, {}", side(behind, degrees))
             }
             None => write!(
                 f,
-                "n₁ sin θ₁ > n₂: {incident} > {}: total internal reflection",
+                "n₁ sin θ₁ > n₂, total internal reflection:\n{incident} > {}",
                 short(behind)
             ),
         }
