@@ -14,6 +14,7 @@ mod interrupt;
 mod list;
 mod provenance;
 mod stereo;
+mod why_not;
 mod witness;
 
 use rayon::prelude::*;

@@ -11,35 +11,23 @@ impl WhyNot {
     /// The answer in one sentence.
     pub fn sentence(&self) -> String {
         let (ray, object) = (self.subject(), quoted(&self.object));
-        let it = format!("{} does not hit {object}", capital(&ray));
         let distance = self.meets.map_or(String::new(), |at| brief(at.distance));
-        let light = self.light.as_deref().map(quoted).unwrap_or_default();
-        match &self.answer {
-            Answer::Hits { front: true, .. } => {
-                format!("{} hits {object} after {distance}.", capital(&ray))
-            }
+        capital(&match &self.answer {
+            Answer::Hits { front: true, .. } => format!("{ray} hits {object} after {distance}."),
             Answer::Hits { is_dark_back: false, .. } => {
-                format!("{} hits the back of {object} after {distance}.", capital(&ray))
+                format!("{ray} hits the back of {object} after {distance}.")
             }
             Answer::Hits { .. } => format!(
-                "{} hits {object} after {distance}, but on its back, and the material is one-sided: its back scatters \
-                 nothing.",
-                capital(&ray)
+                "{ray} hits {object} after {distance}, but on its back, and the material is one-sided: its back \
+                 scatters nothing."
             ),
             Answer::Blocks => format!("{object} blocks {ray} after {distance}."),
-            Answer::SwitchedOff => format!("{it}: it is switched off; {}.", self.if_on()),
-            Answer::NotCast { is_too_deep } => {
-                let why = match is_too_deep {
-                    true => "it is beyond the largest depth (max_depth)",
-                    false => "the limit on the number of rays was reached",
-                };
-                format!("{} was not cast: {why}.", capital(&ray))
+            Answer::NotCast { is_too_deep: true } => {
+                format!("{ray} was not cast: it is beyond the largest depth (max_depth).")
             }
-            Answer::BeyondHit => format!("{it}: {}.", self.order("is met")),
-            Answer::BeyondBlocker => format!(
-                "{it}: {}. Whatever is beyond the first object adds no more shadow.",
-                self.order("blocks it")
-            ),
+            Answer::NotCast { is_too_deep: false } => {
+                format!("{ray} was not cast: the limit on the number of rays was reached.")
+            }
             Answer::AlsoBlocks => {
                 let other = self.ended.as_ref().map_or(String::new(), |it| quoted(&it.object));
                 format!(
@@ -47,52 +35,58 @@ impl WhyNot {
                      enough."
                 )
             }
-            Answer::BeyondLight => format!(
-                "{it}: it is not before the light {light}, where the ray ends; beyond, it would be met after {distance}."
-            ),
-            Answer::LightCastsNone => format!(
-                "{it}: it is in the way after {distance}, but nothing casts shadows in the light {light} (shadows = \
-                 false)."
-            ),
-            Answer::CastsNone => format!(
-                "{it}: it is in the way after {distance}, but casts no shadows (casts_shadows = false of the object or \
-                 its material)."
-            ),
-            Answer::LetsThrough => format!(
-                "{it}: it is in the way after {distance}, but transparent, and the scene lets shadow rays through \
-                 transparent surfaces."
-            ),
-            Answer::Touches => format!(
-                "{it}: its surface at {distance} is as near as rounding can tell to the ray's end or to another surface."
-            ),
             Answer::StartsOnIt => {
-                format!(
-                    "{} starts on {object}, leaves it and does not meet it again.",
-                    capital(&ray)
-                )
+                format!("{ray} starts on {object}, leaves it and does not meet it again.")
             }
+            Answer::Passes => {
+                format!("{ray} does not hit {object}: it passes it{}.", self.passes())
+            }
+            _ => format!("{ray} does not hit {object}: {}.", self.why(&distance)),
+        })
+    }
+
+    /// Why it is not hit, for answers that say so. `distance` is where it would be.
+    fn why(&self, distance: &str) -> String {
+        let light = self.light.as_deref().map(quoted).unwrap_or_default();
+        let in_the_way = format!("it is in the way after {distance}, but");
+        match &self.answer {
+            Answer::SwitchedOff => format!("it is switched off; {}", self.if_on()),
+            Answer::BeyondHit => self.order("is met"),
+            Answer::BeyondBlocker => {
+                format!("{}. What is beyond adds no more shadow", self.order("blocks it"))
+            }
+            Answer::BeyondLight => {
+                format!("the light {light} is before it; beyond, it would be met after {distance}")
+            }
+            Answer::LightCastsNone => {
+                format!("{in_the_way} nothing casts shadows in the light {light} (shadows = false)")
+            }
+            Answer::CastsNone => {
+                format!("{in_the_way} it or its material casts no shadows (casts_shadows = false)")
+            }
+            Answer::LetsThrough => format!(
+                "{in_the_way} transparent, and shadow rays go through (transparency.shadows = \"attenuated\")"
+            ),
             Answer::OutsidePart { whole, at } => format!(
-                "{it}: it is a part of a larger surface; the {whole} is met after {}, outside the part.",
+                "it is a part of a larger surface; the {whole} is met after {}, outside the part",
                 brief(at.distance)
             ),
             Answer::Behind { at } => format!(
-                "{it}: it is behind the origin of the ray, whose line meets it at {} behind.",
+                "it is behind the origin of the ray, whose line meets it at {} behind",
                 brief(at.distance)
             ),
-            Answer::Passes => format!("{it}: it passes it{}.", self.passes()),
+            _ => format!(
+                "its surface, after {distance}, is as near as rounding can tell to the ray's end or to another one"
+            ),
         }
     }
 
-    /// The numbers, a line each.
+    /// The numbers, a line each, shortened for people.
     pub fn numbers(&self) -> Vec<String> {
         let mut lines = Vec::new();
         let met = |words: &str, at: &Meeting| {
-            format!(
-                "{words} at t {}, distance {}, point {}",
-                at.t,
-                brief(at.distance),
-                shown(at.point)
-            )
+            let [t, distance] = [at.t, at.distance].map(brief);
+            format!("{words} at t {t}, distance {distance}, point {}", shown(at.point))
         };
         let ends_there = matches!(self.answer, Answer::Hits { .. } | Answer::Blocks);
         if let Some(at) = &self.meets {
@@ -100,9 +94,10 @@ impl WhyNot {
             lines.push(met(&format!("{word} {}", quoted(&self.object)), at));
         }
         if let Some(approach) = &self.approach {
-            lines.push(format!("nearest to it at t {}: {}", approach.t, shown(approach.on_ray)));
-            lines.push(format!("its nearest point: {}", shown(approach.on_surface)));
-            lines.push(format!("their distance: {}", approach.distance));
+            let (t, distance) = (brief(approach.t), brief(approach.distance));
+            lines.push(format!("nearest to it at t {t}, point {}", shown(approach.on_ray)));
+            lines.push(format!("its nearest point {}", shown(approach.on_surface)));
+            lines.push(format!("distance of the two points {distance}"));
         }
         match &self.answer {
             Answer::OutsidePart { whole, at } => lines.push(met(&format!("meets its {whole}"), at)),
@@ -185,5 +180,6 @@ fn capital(text: &str) -> String {
 }
 
 fn shown(point: Point) -> String {
-    format!("{:?}", point.to_array())
+    let [x, y, z] = point.to_array().map(brief);
+    format!("({x}, {y}, {z})")
 }
