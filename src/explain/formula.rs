@@ -138,10 +138,10 @@ fn weighed(mis: Option<f64>, factor: Factor) -> Vec<Factor> {
 /// The formula, with what the term has besides: only a renderer with a known mistake adds a factor.
 fn besides(mut formula: Formula, value: Rgb) -> Formula {
     let (found, wanted) = (formula.value().to_array(), value.to_array());
-    let ratios = [0, 1, 2].map(|channel| match found[channel] {
-        0.0 => 1.0,
-        found => wanted[channel] / found,
-    });
+    let ratio = |channel: usize| (found[channel] != 0.0).then(|| wanted[channel] / found[channel]);
+    // a black channel says nothing: as another one
+    let other = (0..3).find_map(ratio).unwrap_or(1.0);
+    let ratios = [0, 1, 2].map(|channel| ratio(channel).unwrap_or(other));
     if ratios.iter().any(|ratio| (ratio - 1.0).abs() > ROUNDING) {
         formula.factors.push(Factor::color(MISTAKEN, Rgb::from(ratios)));
     }

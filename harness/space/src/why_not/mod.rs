@@ -161,7 +161,7 @@ pub fn object_named(scene: &Scene, name: &str) -> Result<u32, String> {
         let all: Vec<String> =
             known.iter().map(|name| format!("\"{}\"", printable::name(name))).collect();
         let all = if all.is_empty() { "none".to_owned() } else { all.join(", ") };
-        format!("no object \"{}\"{hint} The objects are: {all}", printable::name(name))
+        format!("no object \"{}\"; the objects are {all}{hint}", printable::name(name))
     })
 }
 
