@@ -1,7 +1,7 @@
 //! `groundtruth explain`.
 
 use std::error::Error;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
 use groundtruth::explain::{self, PixelExplanation};
@@ -16,6 +16,7 @@ use super::kept::{self, Keeping};
 use super::mistake::MistakeArgument;
 use super::numbers::whole;
 use super::scene::SceneArguments;
+use super::why_not::{Asked, WhyNotArguments};
 use super::{Exit, Outcome, output, print};
 
 #[derive(Args)]
@@ -39,22 +40,28 @@ pub struct Explain {
     /// Show only the path of rays along which most of the light comes
     #[arg(long)]
     largest: bool,
+    #[command(flatten)]
+    why_not: WhyNotArguments,
+    /// Below each term, show its formula in the book's letters with this hit's numbers, the chapter and the source file
+    #[arg(long)]
+    formulas: bool,
     /// Break lines that are longer than this, such as 100
     #[arg(long, value_name = "N", value_parser = whole::<usize>(60..=1000))]
     columns: Option<usize>,
     /// Print JSON, with every ray; docs/explain-json.md describes it
-    #[arg(long, conflicts_with_all = ["largest", "columns"])]
+    #[arg(long, conflicts_with_all = ["largest", "columns", "formulas"])]
     json: bool,
     /// Write a page for a class (.html), the rays as lines for modelling programs (.obj) or as a drawing over the scene
     /// (.svg), or what --json prints (.json); with --test a test (.rs) or a scene file (.toml)
-    #[arg(short, long, value_name = "FILE", conflicts_with_all = ["json", "largest", "columns"])]
+    #[arg(short, long, value_name = "FILE", group = "about", conflicts_with_all = ["json", "largest", "columns", "formulas"])]
     output: Option<PathBuf>,
-    /// The ray whose section the page shows, instead of the first that is mirrored or refracted
-    #[arg(long, value_name = "N", requires = "output")]
+    /// The ray that --why-not asks about, instead of the camera's; or whose section the page of -o shows, instead of the
+    /// first that is mirrored or refracted
+    #[arg(long, value_name = "N", requires = "about")]
     ray: Option<usize>,
     /// Print a test in Rust that the pixel (or the sample of --sample) keeps its bits, with the scene reduced to what its
     /// rays touch
-    #[arg(long, conflicts_with_all = ["json", "largest", "columns", "all", "mistake", "ray"])]
+    #[arg(long, conflicts_with_all = ["json", "largest", "columns", "formulas", "all", "mistake", "ray"])]
     test: bool,
 }
 
@@ -115,6 +122,13 @@ impl Explain {
             return Err(format!("no sample {index}: the pixel has {count}, numbered from 0").into());
         }
         let explanation = explain::pixel(rendered, renderer, pixel, only)?;
+        if let Some(object) = self.why_not.object() {
+            let made = self.json.then(|| self.made(scene, world)).transpose()?;
+            let (folder, command) = (self.scene.folder().unwrap_or(Path::new("")), self.command());
+            let asked =
+                Asked { object, ray: self.ray.unwrap_or(0), scene: rendered, folder, world };
+            return asked.print(&explanation, &command, made);
+        }
         if self.json {
             return print(&self.report(scene, world, explanation)?);
         }
@@ -126,7 +140,11 @@ impl Explain {
             output::write(path, text.as_bytes())?;
             return Ok(Exit::Yes);
         }
-        let text = explanation.text(self.min_share / 100.0, self.largest);
+        let min_share = self.min_share / 100.0;
+        let text = match self.formulas {
+            true => explanation.text_with_formulas(min_share, self.largest),
+            false => explanation.text(min_share, self.largest),
+        };
         match self.columns {
             Some(columns) => print(&wrapped(&text, columns)),
             None => print(&text),
@@ -140,9 +158,15 @@ impl Explain {
         world: &World,
         explanation: PixelExplanation,
     ) -> Result<String, Box<dyn Error>> {
+        let made = self.made(scene, world)?;
+        Ok(serde_json::to_string_pretty(&Report { made, explanation })? + "\n")
+    }
+
+    /// How the pixel was made.
+    fn made(&self, scene: &Scene, world: &World) -> Result<Provenance, Box<dyn Error>> {
         let mut made = self.scene.provenance(scene, world)?;
         made.mistake = self.mistake.name().map(str::to_owned);
-        Ok(serde_json::to_string_pretty(&Report { made, explanation })? + "\n")
+        Ok(made)
     }
 
     /// The explanation as a file of this format.

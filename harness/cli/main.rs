@@ -35,6 +35,7 @@ mod report;
 mod scene;
 mod sets;
 mod verify;
+mod why_not;
 mod witness;
 
 use std::error::Error;

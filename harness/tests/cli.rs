@@ -15,6 +15,7 @@ mod kept;
 mod list;
 mod provenance;
 mod stereo;
+mod why_not;
 mod witness;
 
 use rayon::prelude::*;

@@ -5,6 +5,7 @@
 //! [`Sources`] are the contributions of each light and each lobe to the pixel, over all samples. The
 //! command line prints them and the inspector shows them; neither computes anything.
 
+mod formula;
 mod omissions;
 mod outline;
 mod page;
@@ -22,6 +23,7 @@ use crate::world::World;
 use sources::{SampleSums, SourceRecorder};
 
 pub use crate::trace::{RecordedHit, RecordedRay, RecordedTerm, TooManyRays, UnlitLight};
+pub use formula::{Formula, MISTAKEN};
 pub use omissions::omissions;
 pub use outline::{Outline, Row};
 pub use page::table;

@@ -9,23 +9,43 @@ use super::{
 use crate::printable::{self, name};
 use crate::trace::RecordedRay;
 
+/// What of a tree is shown.
+#[derive(Clone, Copy)]
+struct Shown {
+    /// Rays that add a smaller part of their sample are folded.
+    min_share: f64,
+    /// Whether only the path that carries most light is shown.
+    largest: bool,
+    /// Whether the terms have their formulas.
+    formulas: bool,
+}
+
 impl PixelExplanation {
     /// The explanation as text; rays that add less than `min_share` of their sample are folded. With
     /// `largest` only the path that carries most light is shown.
     pub fn text(&self, min_share: f64, largest: bool) -> String {
+        self.written(Shown { min_share, largest, formulas: false })
+    }
+
+    /// The same text with the formula of each term, in the book's letters and with its numbers.
+    pub fn text_with_formulas(&self, min_share: f64, largest: bool) -> String {
+        self.written(Shown { min_share, largest, formulas: true })
+    }
+
+    fn written(&self, shown: Shown) -> String {
         let mut text = String::new();
-        self.write(&mut text, min_share, largest).expect("a string takes everything");
+        self.write(&mut text, shown).expect("a string takes everything");
         text
     }
 
-    fn write(&self, f: &mut String, min_share: f64, largest: bool) -> fmt::Result {
+    fn write(&self, f: &mut String, shown: Shown) -> fmt::Result {
         let [x, y] = self.pixel;
         let samples = self.samples.len();
         writeln!(f, "pixel ({x}, {y}), {samples} of {} samples", self.samples_per_pixel)?;
         self.notes.iter().try_for_each(|note| writeln!(f, "{}", printable::text(note)))?;
         for sample in &self.samples {
             writeln!(f)?;
-            sample.write(f, min_share, largest)?;
+            sample.write(f, shown)?;
         }
         writeln!(f)?;
         let mut samples: Vec<_> = self.samples.iter().collect();
@@ -94,7 +114,7 @@ pub fn table(sources: &[SourceExplanation]) -> Vec<String> {
 }
 
 impl SampleExplanation {
-    fn write(&self, f: &mut String, min_share: f64, largest: bool) -> fmt::Result {
+    fn write(&self, f: &mut String, shown: Shown) -> fmt::Result {
         let index = self.index;
         let Some([px, py]) = self.film else {
             return writeln!(f, "sample {index}: between the two images, no ray");
@@ -109,8 +129,13 @@ impl SampleExplanation {
         writeln!(f)?;
         match &self.ray {
             None => writeln!(f, "no ray: the camera sees nothing there")?,
-            Some(root) if largest => write_rows(f, &path_of_the_light(root))?,
-            Some(root) => write_rows(f, &Outline::folding_below(min_share).rows(root))?,
+            Some(root) => {
+                let rows = match shown.largest {
+                    true => path_of_the_light(root),
+                    false => Outline::folding_below(shown.min_share).rows(root),
+                };
+                write_rows(f, &rows, shown.formulas)?;
+            }
         }
         if !self.complete {
             writeln!(
@@ -129,14 +154,14 @@ fn path_of_the_light(root: &RecordedRay) -> Vec<Row<'_>> {
 }
 
 /// The share of each ray at the left, its line, and its details below.
-fn write_rows(f: &mut String, rows: &[Row<'_>]) -> fmt::Result {
+fn write_rows(f: &mut String, rows: &[Row<'_>], formulas: bool) -> fmt::Result {
     for row in rows {
         match row {
             Row::Ray { ray, indent, .. } => {
                 let pad = "    ".repeat(*indent);
                 let (share, contribution) = (percent(ray.share), short(ray.contribution));
                 writeln!(f, "{share:>7}  {pad}{}  contributes {contribution}", ray.line())?;
-                for line in ray.details() {
+                for line in ray.details(formulas) {
                     writeln!(f, "         {pad}      {line}")?;
                 }
             }

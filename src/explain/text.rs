@@ -83,8 +83,8 @@ impl RecordedRay {
         format!("{}{parent}  {kind}  {outcome}", self.number)
     }
 
-    /// Its numbers and terms, a line each.
-    pub fn details(&self) -> Vec<String> {
+    /// Its numbers and terms, a line each; with `formulas`, that of each term in a line below it.
+    pub fn details(&self, formulas: bool) -> Vec<String> {
         let mut lines = {
             let (origin, direction) = (self.ray.origin.to_array(), self.ray.direction.to_array());
             vec![format!("from {origin:?} towards {direction:?}")]
@@ -101,7 +101,10 @@ impl RecordedRay {
         let terms = self.terms.iter().filter(|term| {
             !is_shadow || term.weight != Rgb::WHITE || self.transmittance != Rgb::WHITE
         });
-        lines.extend(terms.map(|term| format!("  {}", term.line())));
+        for term in terms {
+            lines.push(format!("  {}", term.line()));
+            lines.extend(formulas.then(|| format!("    {}", self.formula(term))));
+        }
         lines.extend(unlit::lines(&self.unlit).iter().map(|line| format!("  + 0  {line}")));
         if self.transmittance != Rgb::WHITE {
             lines.push(format!("  × {}  through the medium", short(self.transmittance)));

@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Branch, Claims, LobeSample, Scatter, fresnel, mirrored, relative};
+use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered, fresnel, mirrored, relative};
 use crate::invalid::{Invalid, index_ratio};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -38,6 +38,10 @@ impl Scatter for FresnelReflector {
 
     fn albedo(&self, wo: Vector) -> Rgb {
         Rgb::grey(fresnel(wo.z().abs(), relative(self.eta, wo)).reflected)
+    }
+
+    fn written(&self, of: Scattered) -> Vec<Factor> {
+        vec![Factor::number("k_r", of.over(Rgb::WHITE))]
     }
 
     fn specimens() -> Vec<Self> {

@@ -2,7 +2,10 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Branch, Claims, LobeSample, Scatter, fresnel, normal_towards, refract, relative};
+use super::{
+    Branch, Claims, Factor, LobeSample, Scatter, Scattered, fresnel, normal_towards, refract,
+    relative,
+};
 use crate::invalid::{Invalid, index_ratio};
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -45,6 +48,16 @@ impl Scatter for FresnelTransmitter {
 
     fn eta(&self) -> Option<f64> {
         Some(self.eta)
+    }
+
+    fn written(&self, of: Scattered) -> Vec<Factor> {
+        match of {
+            Scattered::Single { eta, .. } if eta != 1.0 => vec![
+                Factor::number("k_t", eta * eta * of.over(Rgb::WHITE)),
+                Factor::divisor("η²", eta * eta),
+            ],
+            _ => vec![Factor::number("k_t", of.over(Rgb::WHITE))],
+        }
     }
 
     fn specimens() -> Vec<Self> {

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_1_PI, PI};
 
 use serde::{Deserialize, Serialize};
 
-use super::{Branch, Claims, LobeSample, Scatter};
+use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered};
 use crate::invalid::Invalid;
 use crate::math::{Vector, maps};
 use crate::rgb::Rgb;
@@ -49,6 +49,15 @@ impl Scatter for Lambertian {
 
     fn albedo(&self, wo: Vector) -> Rgb {
         if wo.z() > 0.0 { self.reflectance } else { Rgb::BLACK }
+    }
+
+    fn written(&self, of: Scattered) -> Vec<Factor> {
+        let mut factors = vec![Factor::color("k_d c_d", self.reflectance)];
+        if let Scattered::Drawn(_) = of {
+            factors.push(Factor::number("cos θ_i", PI * of.over(self.reflectance)));
+        }
+        factors.push(Factor::over_pi());
+        factors
     }
 
     fn specimens() -> Vec<Self> {

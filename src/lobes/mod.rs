@@ -17,6 +17,7 @@ mod bsdf;
 mod cosine_power;
 mod fresnel;
 mod refract;
+mod written;
 
 use arrayvec::ArrayVec;
 
@@ -29,6 +30,7 @@ pub(crate) use cosine_power::check_exponent;
 pub use fresnel::{Fresnel, Polarised, fresnel, polarised};
 pub use glossy_reflection::GlossyRule;
 pub use refract::refract;
+pub use written::{Factor, Scattered};
 
 /// A direction drawn by a lobe.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -103,6 +105,9 @@ trait Scatter {
     fn eta(&self) -> Option<f64> {
         None
     }
+
+    /// See [`Lobe::written`].
+    fn written(&self, of: Scattered) -> Vec<Factor>;
 
     /// Examples, each valid.
     fn specimens() -> Vec<Self>
@@ -187,6 +192,16 @@ macro_rules! lobes {
                 match self { $(Self::$Lobe(_) => $Lobe::BRANCH),* }
             }
 
+            /// What is recorded of it as a product, in the book's letters and with its numbers.
+            pub fn written(&self, of: Scattered) -> Vec<Factor> {
+                match self { $(Self::$Lobe(lobe) => lobe.written(of)),* }
+            }
+
+            /// The chapter that brings it, as `ch13`, and the file it lives in, without `.rs`.
+            pub fn place(&self) -> [&'static str; 2] {
+                match self { $(Self::$Lobe(_) => [stringify!($chapter), stringify!($module)]),* }
+            }
+
             /// What it promises.
             pub fn claims(&self) -> Claims {
                 match self { $(Self::$Lobe(lobe) => lobe.claims()),* }
@@ -217,6 +232,11 @@ impl Lobe {
     /// rays.
     pub fn is_lit(&self) -> bool {
         matches!(self.branch(), Branch::Diffuse | Branch::Highlight)
+    }
+
+    /// Whether its light comes from the other side of the surface.
+    pub fn refracts(&self) -> bool {
+        self.eta().is_some()
     }
 
     /// For lobes that refract: the index of refraction behind the surface over the one in front of

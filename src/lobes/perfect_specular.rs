@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::{Branch, Claims, LobeSample, Scatter, mirrored};
+use super::{Branch, Claims, Factor, LobeSample, Scatter, Scattered, mirrored};
 use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
@@ -39,6 +39,10 @@ impl Scatter for PerfectSpecular {
 
     fn albedo(&self, _: Vector) -> Rgb {
         self.reflectance
+    }
+
+    fn written(&self, _: Scattered) -> Vec<Factor> {
+        vec![Factor::color("k_r c_r", self.reflectance)]
     }
 
     fn specimens() -> Vec<Self> {

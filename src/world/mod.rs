@@ -189,11 +189,26 @@ impl World {
         let objects = &*self.objects;
         let hit = move |index: u32, span| objects[index as usize].shape.hit(ray, span);
         let (index, candidate) = self.accel.nearest(ray, span, hit)?;
-        let object = &objects[index as usize];
+        Some(self.hit_at(&objects[index as usize], ray, candidate))
+    }
+
+    /// The first hit of one object, as if it were alone. It is an object of this world.
+    pub fn hit_of<'a>(
+        &'a self,
+        object: &'a PlacedObject,
+        ray: &Ray,
+        span: Span,
+    ) -> Option<Hit<'a>> {
+        let candidate = object.shape.hit(ray, span)?;
+        Some(self.hit_at(object, ray, candidate))
+    }
+
+    #[inline]
+    fn hit_at<'a>(&'a self, object: &'a PlacedObject, ray: &Ray, candidate: Candidate) -> Hit<'a> {
         let surface = object.shape.surface(ray, &candidate);
         let front = surface.is_front(ray.direction);
         let material = &self.materials[surface.material.unwrap_or(object.material) as usize];
-        Some(Hit { t: candidate.t, object, material, surface, front, candidate })
+        Hit { t: candidate.t, object, material, surface, front, candidate }
     }
 
     /// An object that blocks light along the ray, if there is one.

@@ -4,18 +4,23 @@
 //! from which they are looked at, [`Backdrop`] is the scene seen from it, and [`Visibility`] says which pieces
 //! a surface hides. A [`Section`] is the plane of incidence of a hit as a [`Drawing`]. Nothing here is tessellated:
 //! every shape is seen by the tracer's own rays. [`svg_of_rays`] and [`obj()`] are the rays for pages and for
-//! modelling programs.
+//! modelling programs. [`why_not`] says why a ray does not hit an object.
 
+mod approach;
 mod backdrop;
 mod drawing;
 mod extent;
+mod hits;
 mod obj;
 mod orbit;
 mod section;
 mod segments;
+mod untrimmed;
 mod view;
 mod visibility;
+pub mod why_not;
 
+pub use approach::{Approach, Beside};
 pub use backdrop::Backdrop;
 pub use drawing::{Drawing, Label, Role, Stroke, arrowhead, ink};
 pub use extent::{of_hits, of_scene, of_segments};

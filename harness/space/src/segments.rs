@@ -85,7 +85,11 @@ pub(crate) fn pieces(
 }
 
 /// The point of its light to which a shadow ray goes; `None` if the light is infinitely far away.
-fn light_point(world: &World, ray: &RecordedRay, parent: Option<&RecordedRay>) -> Option<Point> {
+pub(crate) fn light_point(
+    world: &World,
+    ray: &RecordedRay,
+    parent: Option<&RecordedRay>,
+) -> Option<Point> {
     let RayKind::Shadow { light } = ray.kind else { return None };
     let placed = world.lights.iter().find(|placed| placed.index == light)?;
     let hit = parent?.hit.as_ref()?;

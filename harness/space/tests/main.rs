@@ -5,3 +5,4 @@ mod section;
 mod seen;
 mod segments;
 mod view;
+mod why_not;

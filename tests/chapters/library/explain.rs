@@ -2,6 +2,7 @@
 //!
 //! The numbers are checked elsewhere (`tests/chapters`); this snapshot shows changes of the text.
 
+mod formulas;
 mod paths;
 mod shares;
 mod sources;

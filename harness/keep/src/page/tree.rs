@@ -99,7 +99,7 @@ impl<'a> Tree<'a> {
             "<details open><summary data-ray=\"{number}\"><span class=\"share\" style=\"--part:{bar:.1}%\">{share}\
              </span> <b style=\"color:{ink}\">{line}</b> contributes {contribution}</summary>\n<ul>"
         );
-        for line in ray.details() {
+        for line in ray.details(false) {
             let line = escaped(&shortened(line.trim_start()));
             let _ = writeln!(html, "<li>{line}</li>");
         }

@@ -1,0 +1,108 @@
+//! `groundtruth explain --why-not`: why a ray does not hit an object.
+
+use std::path::Path;
+
+use clap::Args;
+use groundtruth::explain::PixelExplanation;
+use groundtruth::film::Provenance;
+use groundtruth::scene::Scene;
+use groundtruth::world::World;
+use pictures::shell;
+use serde::Serialize;
+use space::why_not::{Question, WhyNot, object_named};
+
+use super::{Outcome, print};
+
+/// An object that is asked about.
+#[derive(Args)]
+pub struct WhyNotArguments {
+    /// Say why a ray of the sample does not hit this object: how far it passes it, or what is in the way; --ray chooses
+    /// the ray
+    #[arg(
+        long,
+        value_name = "OBJECT",
+        group = "about",
+        conflicts_with_all = ["all", "largest", "min_share", "columns", "formulas", "test"]
+    )]
+    why_not: Option<String>,
+}
+
+/// What `--why-not --json` prints.
+#[derive(Serialize)]
+struct Report {
+    made: Provenance,
+    pixel: [u32; 2],
+    sample: u32,
+    /// The answer in one sentence.
+    sentence: String,
+    #[serde(flatten)]
+    why_not: WhyNot,
+    /// A command that tells more.
+    next: String,
+}
+
+impl WhyNotArguments {
+    /// The object that is asked about.
+    pub fn object(&self) -> Option<&str> {
+        self.why_not.as_deref()
+    }
+}
+
+/// A question about a pixel.
+pub struct Asked<'a> {
+    /// The name of the object.
+    pub object: &'a str,
+    /// The number of the ray.
+    pub ray: usize,
+    /// The scene that was rendered.
+    pub scene: &'a Scene,
+    /// The folder of its files.
+    pub folder: &'a Path,
+    /// Its world.
+    pub world: &'a World,
+}
+
+impl Asked<'_> {
+    /// Prints the answer for the explained sample, as text or, with how it was made, as JSON. `command` explains the
+    /// sample.
+    ///
+    /// # Errors
+    /// No such object, or no such ray.
+    pub fn print(
+        &self,
+        explanation: &PixelExplanation,
+        command: &str,
+        made: Option<Provenance>,
+    ) -> Outcome {
+        let Self { ray, scene, folder, world, .. } = *self;
+        let object = object_named(scene, self.object)?;
+        let sample = explanation.samples.first().ok_or("no sample is explained")?;
+        let root = sample.ray.as_ref().ok_or("no ray: the camera sees nothing at this pixel")?;
+        let why_not = Question { scene, folder, world, root, ray, object }.answer()?;
+        let next = next(&why_not, command);
+        if let Some(made) = made {
+            let (pixel, sample) = (explanation.pixel, sample.index);
+            let sentence = why_not.sentence();
+            let report = Report { made, pixel, sample, sentence, why_not, next };
+            return print(&(serde_json::to_string_pretty(&report)? + "\n"));
+        }
+        let mut text = why_not.sentence() + "\n";
+        why_not.numbers().iter().for_each(|line| text += &format!("  {line}\n"));
+        print(&(text + &format!("next: {next}\n")))
+    }
+}
+
+/// The command that tells more: about a ray that meets the object, about the object that is in the way, or about all
+/// rays.
+fn next(why_not: &WhyNot, command: &str) -> String {
+    let about = |object: &str, ray: usize| {
+        let ray = if ray > 0 { format!(" --ray {ray}") } else { String::new() };
+        format!("{command} --why-not {}{ray}", shell::quoted(object))
+    };
+    let is_met = why_not.met_by.contains(&why_not.ray);
+    match (why_not.met_by.first(), &why_not.ended) {
+        (Some(&other), _) if !is_met => about(&why_not.object, other),
+        (_, Some(ended)) if !is_met => about(&ended.object, why_not.ray),
+        _ => command.to_owned(),
+    }
+}

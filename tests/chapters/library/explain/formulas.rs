@@ -1,0 +1,146 @@
+//! The formula of each term, with its numbers.
+
+use groundtruth::explain::{Formula, MISTAKEN, RecordedRay};
+use groundtruth::lobes::Lobe;
+use groundtruth::math::power;
+use groundtruth::trace::{RecordedTerm, TermSource};
+
+use crate::prelude::*;
+
+/// Numbers are printed with six digits, and a term has at most ten of them.
+const PRINTED: f64 = 1e-5 * 10.0;
+
+/// A printed number: `π`, `0.98^20`, `(0.8, 0.4, 0.1)`.
+fn read(token: &str) -> Rgb {
+    if token == "π" {
+        return Rgb::grey(std::f64::consts::PI);
+    }
+    let number = |text: &str| text.parse::<f64>().unwrap_or_else(|_| panic!("no number: {text}"));
+    if let Some(list) = token.strip_prefix('(') {
+        let channels: Vec<f64> = list.trim_end_matches(')').split(", ").map(number).collect();
+        return Rgb::new(channels[0], channels[1], channels[2]);
+    }
+    match token.split_once('^') {
+        Some((base, exponent)) => Rgb::grey(power(number(base), number(exponent))),
+        None => Rgb::grey(number(token)),
+    }
+}
+
+/// The product of printed numbers: `0.8 / π · (1, 0.5, 0)`.
+fn product(numbers: &str) -> Rgb {
+    let factors = numbers.split(" · ").map(|factor| {
+        let mut parts = factor.split(" / ");
+        let first = read(parts.next().expect("a number"));
+        parts.fold(first, |value, divisor| value * read(divisor).map(|x| 1.0 / x))
+    });
+    factors.fold(Rgb::WHITE, |product, factor| product * factor)
+}
+
+/// Calls `check` for each term of two pixels of each gallery scene.
+fn for_each_term(mut check: impl FnMut(&str, &RecordedRay, &RecordedTerm, &Formula)) {
+    for entry in gallery::scenes() {
+        let mut scene = (entry.build)();
+        (scene.image.samples, scene.image.sampler) = (1, None);
+        let world = World::build(&scene).expect("gallery scenes are valid");
+        let [width, height] = world.picture_size();
+        for pixel in [[width / 2, height / 2], [width / 3, 2 * height / 3]] {
+            let Some(root) = explain::sample(&scene, &world, pixel, 0).ray else { continue };
+            for ray in root.rays().into_iter().take(300) {
+                for term in &ray.terms {
+                    check(entry.name, ray, term, &ray.formula(term));
+                }
+            }
+        }
+    }
+}
+
+/// Law: the printed numbers multiply to the value of the term, no factor is left over, and the source is a file of the
+/// repository. Oracle: the product of the numbers as they are read.
+#[test]
+fn printed_numbers_multiply_to_the_term() {
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+    let mut lobes = std::collections::BTreeSet::new();
+    for_each_term(|scene, ray, term, formula| {
+        let (symbols, numbers) = (formula.symbols(), formula.numbers());
+        let (found, wanted) = (product(&numbers), term.value);
+        let off = (found + -1.0 * wanted).map(f64::abs).max();
+        let number = ray.number;
+        assert!(
+            off <= PRINTED * wanted.max(),
+            "{scene}, ray {number}: {symbols} = {numbers} = {found:?}, not {wanted:?}"
+        );
+        assert!(!symbols.contains(MISTAKEN), "{scene}, ray {number}: {symbols} = {numbers}");
+        assert_eq!(symbols.matches(" · ").count(), numbers.matches(" · ").count());
+        assert!(Path::new(root).join(&formula.source).is_file(), "{}", formula.source);
+        assert!(formula.place.starts_with("ch. "), "{}", formula.place);
+        if let TermSource::Traced { lobe, .. } | TermSource::Direct { lobe, .. } = term.source {
+            lobes.insert(lobe.name());
+        }
+    });
+    assert_eq!(lobes.len(), Lobe::ENTRIES.len(), "lobes of the gallery: {lobes:?}");
+}
+
+/// Law: the cosines in a formula are those between the recorded directions, and its k_r and k_t those of the recorded
+/// optics. Oracle: scalar products of the directions of the rays and of the normal.
+#[test]
+fn the_numbers_of_a_formula_are_those_of_the_hit() {
+    let mut checked = std::collections::BTreeMap::<&str, u32>::new();
+    for_each_term(|scene, ray, term, formula| {
+        let Some(hit) = &ray.hit else { return };
+        let Some(child) = term.ray.and_then(|number| ray.child(number)) else { return };
+        let normal = if hit.front { hit.shading_normal } else { -hit.shading_normal };
+        let wo = -1.0 * ray.ray.direction;
+        let Some(wi) = child.ray.direction.unit() else { return };
+        let cos_i = normal.dot(wi);
+        let mirrored = 2.0 * cos_i * Vector::from(normal) - wi;
+        // interpolated normals have rules of their own
+        let is_flat = hit.shading_normal == hit.normal;
+        for factor in formula.factors.iter().filter(|_| is_flat) {
+            let (wanted, tolerance) = match (factor.symbol, &hit.optics) {
+                ("cos θ_i", _) => (cos_i, 1e-9),
+                ("(r·ω_o)^e", _) => match factor.number.split_once('^') {
+                    // the base itself
+                    Some((base, _)) => {
+                        let base: f64 = base.parse().expect("a number");
+                        let apart = (base - mirrored.dot(wo)).abs();
+                        assert!(apart < 1e-5, "{scene}: {}, not {}", base, mirrored.dot(wo));
+                        continue;
+                    }
+                    None => continue,
+                },
+                ("k_r", Some(optics)) => (optics.reflected.max(), 1e-9),
+                ("k_t", Some(optics)) => (optics.transmitted.max(), 1e-9),
+                ("η²", Some(optics)) => (optics.eta * optics.eta, 1e-9),
+                _ => continue,
+            };
+            let found = factor.value.max();
+            let symbol = factor.symbol;
+            *checked.entry(symbol).or_default() += 1;
+            assert!(
+                (found - wanted).abs() < tolerance * wanted.abs().max(1.0),
+                "{scene}, ray {}: {symbol} is {found}, not {wanted}",
+                ray.number
+            );
+        }
+    });
+    let symbols: Vec<&str> = checked.keys().copied().collect();
+    assert_eq!(symbols, ["cos θ_i", "k_r", "k_t", "η²"], "{checked:?}");
+}
+
+/// Oracle: the formula of the book, by hand. A term of a known mistake has a factor that the formula has not.
+#[test]
+fn a_formula_is_written_in_the_books_letters() {
+    let scene = gallery::find("ch14/page-one").map(|entry| (entry.build)()).expect("listed");
+    let world = World::build(&scene).expect("gallery scenes are valid");
+    let root = explain::sample(&scene, &world, [300, 300], 0).ray.expect("it sees a sphere");
+    let is_direct = |term: &&RecordedTerm| matches!(term.source, TermSource::Direct { .. });
+    let term = root.terms.iter().find(is_direct).expect("it is lit");
+    let formula = root.formula(term);
+    assert_eq!(formula.symbols(), "k_d c_d / π · cos θ_i · L_i");
+    assert_eq!([&*formula.place, &*formula.source], ["ch. 13", "src/lobes/lambertian.rs"]);
+    let mut altered = term.clone();
+    (altered.weight, altered.value) = (2.0 * term.weight, 2.0 * term.value);
+    let formula = root.formula(&altered);
+    assert!(formula.symbols().ends_with(MISTAKEN), "{}", formula.symbols());
+    assert!(formula.numbers().ends_with(" · 2"), "{}", formula.numbers());
+}
