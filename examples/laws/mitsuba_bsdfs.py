@@ -64,7 +64,9 @@ def described(name, p):
         coat = {"type": "roughconductor", "alpha": p["alpha"]}
         return {"type": name, "weight": p["weight"], "a": {"type": "diffuse", "reflectance": rgb(p["reflectance"])}, "b": coat}
     plugin, _, variety = name.partition("_")
-    made = {"type": plugin, **{k: rgb(x) if k.endswith(("reflectance", "base_color")) else x for k, x in p.items()}}
+    # the index of air is 1.000277 otherwise
+    outside = {"ext_ior": 1.0} if "int_ior" in p else {}
+    made = {"type": plugin, **outside, **{k: rgb(x) if k.endswith(("reflectance", "base_color")) else x for k, x in p.items()}}
     return {**made, "material": "Au"} if variety == "gold" else made
 
 
@@ -107,8 +109,8 @@ def sample(name, parameters, wo, u):
     bsdf, interaction = Seen.of(name, parameters, wo)
     drawn, weight = bsdf.sample(CONTEXT, interaction, u[2], u[:2])
     weight, is_single = three(weight), mi.has_flag(drawn.sampled_type, SINGLE)
-    # a weight of 0 is how it says that there is no sample; it is one where `pdf` knows of it
-    if weight == [0, 0, 0] and (is_single or bsdf.pdf(CONTEXT, interaction, drawn.wo) == 0):
+    # a weight of 0 says that there is no sample, as in Mitsuba's own χ² test (mitsuba.chi2.BSDFAdapter)
+    if weight == [0, 0, 0]:
         return None
     return three(drawn.wo), weight, None if is_single else float(drawn.pdf)
 

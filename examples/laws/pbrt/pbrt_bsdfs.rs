@@ -67,7 +67,8 @@ fn listed() -> Value {
         lobe("microfacet_conductor", facets(json!({"alpha": alpha})), reflects(true)),
         lobe("microfacet_transmission", facets(json!({"alpha": alpha, "eta": index})), glass("transmits")),
         lobe("rough_glass", facets(json!({"alpha": alpha, "eta": index})), glass("both")),
-        lobe("plastic", json!({"r": color, "alpha": alpha}), reflects(true)),
+        // beside a coat of 0.25, the base may have what is left of 1
+        lobe("plastic", json!({"r": [0.1, 0.75], "alpha": alpha}), reflects(true)),
         lobe("fresnel_blend", facets(json!({"r": color, "rs": [0.02, 1.0], "alpha": alpha})), reflects(true)),
         lobe("disney_diffuse", json!({"r": color}), reflects(true)),
         lobe("disney_fake_ss", json!({"r": color, "roughness": [0.0, 1.0]}), reflects(true)),

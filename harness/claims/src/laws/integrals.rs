@@ -199,7 +199,7 @@ pub fn whole<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Trouble
     }
     let (n, k) = (it.drawn as f64, it.scattered);
     // the nearest share that is right; of 1 itself a test of counts would tell nothing: no other is expected
-    let expected = share.clamp(value.min(1.0) - slack, value + slack);
+    let expected = share.max(value.min(1.0) - slack).min(value + slack);
     let p = goodness_of_fit(&[k, it.drawn - k], &[n * expected, n - n * expected]);
     Ok(Finding::Chance(p, breach))
 }

@@ -84,7 +84,8 @@ pub struct Breach {
     pub found: String,
     /// What the law says.
     pub expected: String,
-    /// How far off that is: of two numbers their difference over the larger one, of a number that is none ∞, else 1.
+    /// How far off that is, for cases of the same law: of two numbers their difference over the larger one, ∞ of a number
+    /// that is none, 1 where nothing is between right and wrong.
     pub error: f64,
     /// The factor that was left out or put in, if it was recognised, in a sentence.
     pub mistake: Option<String>,
