@@ -124,3 +124,27 @@ fn programs_to_start_from_keep_all_laws() {
         assert_eq!(output.status.code(), Some(0), "{words:?}: {}", text(&output.stdout));
     }
 }
+
+/// Law: each adapter of a program that people use is run by `scripts/law-cards.sh`, and named in the document of its card.
+/// Oracle: the files.
+#[test]
+fn every_adapter_of_bsdfs_is_run_and_named() {
+    let folder = root().join("examples/laws");
+    let [script, document] =
+        ["scripts/law-cards.sh", "docs/cards.md"].map(|name| read(&root().join(name)));
+    let mut count = 0;
+    for entry in
+        [folder.join("pbrt"), folder].iter().flat_map(|it| it.read_dir().expect("a folder"))
+    {
+        let path = entry.expect("it can be read").path();
+        let name = path.file_name().and_then(|name| name.to_str()).expect("text");
+        let Some((stem, _)) = name.split_once('.').filter(|(stem, _)| stem.ends_with("_bsdfs"))
+        else {
+            continue;
+        };
+        count += 1;
+        assert!(script.contains(stem), "scripts/law-cards.sh does not run {name}");
+        assert!(document.contains(&format!("[{name}](../examples/laws/")), "no link to {name}");
+    }
+    assert_eq!(count, 3, "adapters whose names end with _bsdfs");
+}

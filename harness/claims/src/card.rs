@@ -84,7 +84,7 @@ impl Card {
                 }
                 Status::Broken(Broken { setting, breach }) => {
                     let Setting { parameters, seen } = setting;
-                    let Breach { found, expected, mistake, questions } = breach;
+                    let Breach { found, expected, mistake, questions, .. } = breach;
                     entry = json!({
                         "law": law.name, "status": "broken", "sentence": law.sentence, "cause": law.cause,
                         "found": found, "expected": expected, "mistake": mistake, "parameters": parameters,

@@ -19,6 +19,7 @@ mod measured;
 mod naming;
 mod run;
 mod setting;
+mod smaller;
 
 pub use asked::Trouble;
 pub use card::{junit, page, told};

@@ -9,6 +9,7 @@ use crate::asked::{Trouble, answer};
 use crate::description::{Description, Kind};
 use crate::laws::{Breach, Finding, Law};
 use crate::setting::{Case, Setting};
+use crate::smaller;
 
 /// The probability that chance calls any right lobe of a card wrong, before it is asked again.
 const LEVEL: f64 = 1e-2;
@@ -39,7 +40,7 @@ pub enum Status {
     NotClaimed,
 }
 
-/// The first case in which a law is broken.
+/// A case in which a law is broken: the first, made smaller.
 #[derive(Clone, Debug)]
 pub struct Broken {
     /// The parameters, and from where it is seen.
@@ -177,6 +178,9 @@ pub fn run(
                 rows[test.row].trouble = Some(trouble);
             }
         }
+    }
+    for (row, lobe) in rows.iter_mut().zip(lobes) {
+        is_whole = is_whole && smaller::row(subject, lobe, options.seed, row).is_ok();
     }
     Card { rows, seed: options.seed, tests: planned, is_whole }
 }

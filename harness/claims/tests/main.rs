@@ -9,5 +9,6 @@ mod own;
 mod protocol;
 mod right;
 mod scattering;
+mod smaller;
 mod squares;
 mod subject;

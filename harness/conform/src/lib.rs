@@ -34,4 +34,5 @@ pub use language::Language;
 pub use program::{Limits, Program};
 pub use run::{NoAnswer, Options, run};
 pub use scenes::first_difference;
+pub use shrink::{simpler, weight};
 pub use subject::{Fault, Ours, Reply, Subject, ours};

@@ -248,15 +248,20 @@ fn simpler_numbers(path: &str, value: &Value, with: &mut With<'_>) {
     let Value::Number(number) = value else { return };
     let is_whole = number.is_u64() || number.is_i64();
     let Some(x) = number.as_f64() else { return };
-    let simple = [0.0, 1.0, -1.0, x.trunc(), x.round()].into_iter();
-    let decimals = [10.0, 100.0, 1000.0].into_iter().map(|scale| (x * scale).round() / scale);
-    for y in simple.chain(decimals).filter(|y| weight(*y) < weight(x)) {
+    for y in simpler(x) {
         with(path, &|slot| *slot = if is_whole { json!(y as i64) } else { json!(y) });
     }
 }
 
-/// How much a number has to be read: 0, then ±1, then the number of its digits.
-fn weight(x: f64) -> u32 {
+/// Numbers that are simpler than this one: 0, 1, −1, whole ones near to it, and itself with fewer decimals.
+pub fn simpler(x: f64) -> impl Iterator<Item = f64> {
+    let simple = [0.0, 1.0, -1.0, x.trunc(), x.round()].into_iter();
+    let decimals = [10.0, 100.0, 1000.0].into_iter().map(move |scale| (x * scale).round() / scale);
+    simple.chain(decimals).filter(move |y| weight(*y) < weight(x))
+}
+
+/// How much of a number there is to read: nothing of 0, then ±1, then its digits.
+pub fn weight(x: f64) -> u32 {
     match x {
         0.0 => 0,
         1.0 => 1,

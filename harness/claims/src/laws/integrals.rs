@@ -5,7 +5,7 @@ use statistics::chi_square::goodness_of_fit;
 use statistics::means;
 
 use super::directed::{Directed, Drawn};
-use super::{Breach, Finding};
+use super::{Breach, Finding, apart};
 use crate::asked::Trouble;
 use crate::case::Case;
 use crate::cells::{Cells, Integral, Integrals, Samples, integrals};
@@ -25,6 +25,8 @@ const BUDGET: usize = 400_000;
 const GROUPS: usize = 64;
 /// The density times these factors is tried where the density itself does not fit: the first so many of its kind.
 const TRIED: usize = 8;
+/// A factor has to bring the whole so near to what it should be.
+const TOLD: f64 = 0.01;
 /// pdf; three channels of f |cos θi|; and the density times each factor.
 const INTEGRANDS: usize = 4 + TRIED;
 
@@ -118,6 +120,15 @@ impl Integrated {
         }
     }
 
+    /// The distance in total variation of the counts from the density, both as if the whole were 1.
+    fn apart(&self) -> f64 {
+        let (scattered, whole) = (self.scattered as f64, self.integrals.whole.value[0]);
+        let pairs = self.counts.iter().zip(&self.integrals.cells);
+        let apart =
+            pairs.map(|(count, cell)| (*count as f64 / scattered - cell.value[0] / whole).abs());
+        0.5 * apart.sum::<f64>()
+    }
+
     /// The mean weight of a channel, and the probability of one as far from an integral that is known to an error.
     fn mean(&self, k: usize, value: f64, error: f64) -> (f64, f64) {
         let groups: Vec<f64> = self.weights.iter().map(|mean| mean[k]).collect();
@@ -131,17 +142,21 @@ impl Integrated {
 
     /// The factor with which the density fits the counts, in its whole too if that is asked.
     fn factor<C: Directed>(&self, share: Option<f64>) -> Option<String> {
+        // a whole that is off by no more than the factors are told by fits too many of them
+        if share.is_some_and(|share| (self.integrals.whole.value[0] - share).abs() <= 2.0 * TOLD) {
+            return None;
+        }
         let named = |name: &str| format!("the pdf fits the samples if it is multiplied by {name}");
         // a narrow peak fits whatever is smooth: constants are tried first, then what has the right whole
         if let Some(share) = share
             && self.fit(0) > 1e-3
-            && let Some(name) = constant(share / self.integrals.whole.value[0], 0.01)
+            && let Some(name) = constant(share / self.integrals.whole.value[0], TOLD)
         {
             return Some(named(name));
         }
         let is_whole = |k: usize| {
             let whole = self.integrals.whole.value[k];
-            share.is_none_or(|share| (whole - share).abs() <= 0.01)
+            share.is_none_or(|share| (whole - share).abs() <= TOLD)
         };
         let fits = |k: &usize| is_whole(*k) && self.fit(*k) > 1e-3;
         (4..INTEGRANDS).find(fits).map(|k| named(C::FACTORS[k - 4].name))
@@ -167,21 +182,24 @@ pub fn whole<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Trouble
     }
     let (value, error) = (it.integrals.whole.value[0], it.integrals.whole.error[0]);
     let share = it.scattered as f64 / it.drawn as f64;
-    let is_right = (value - share).abs() <= error + C::GRANTED;
+    let slack = error + C::GRANTED;
+    let is_right = (value - share).abs() <= slack;
     let breach = Breach {
         found: format!("∫ pdf = {value:.5} ± {error:.0e}"),
         expected: format!("{share:.5}, the share of samples that have a density"),
+        error: apart(value, share),
         mistake: if is_right { None } else { it.factor::<C>(Some(share)) },
         questions,
     };
-    if value > 1.0 + error + C::GRANTED {
+    if value > 1.0 + slack {
         return Ok(Finding::Broken(breach));
     }
     if is_right {
         return Ok(Finding::Holds);
     }
     let (n, k) = (it.drawn as f64, it.scattered);
-    let expected = value.min(1.0);
+    // the nearest share that is right; of 1 itself a test of counts would tell nothing: no other is expected
+    let expected = share.max(value.min(1.0) - slack).min(value + slack);
     let p = goodness_of_fit(&[k, it.drawn - k], &[n * expected, n - n * expected]);
     Ok(Finding::Chance(p, breach))
 }
@@ -215,6 +233,7 @@ pub fn density<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Troub
                 it.counts.len()
             ),
             expected: format!("{:.1} by the pdf", it.scattered as f64 * cell.value[0] / whole),
+            error: it.apart(),
             mistake: if p < 1e-3 { it.factor::<C>(None) } else { None },
             questions,
         },
@@ -247,21 +266,25 @@ pub fn albedo(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
     for k in 0..3 {
         let (value, error) = (it.integrals.whole.value[1 + k], it.integrals.whole.error[1 + k]);
         let error = error + Case::GRANTED * value;
-        let breach = |expected: String| Breach {
+        let breach = |right: f64, expected: String| Breach {
             found: format!("∫ f |cos θi| = {value:.5} in channel {k}"),
             expected,
+            error: apart(value, right),
             mistake: None,
             questions: questions.clone(),
         };
         if value > 1.0 + error {
-            return Ok(Finding::Broken(breach("at most 1".to_owned())));
+            return Ok(Finding::Broken(breach(1.0, "at most 1".to_owned())));
         }
         if is_lossless && value < 1.0 - error {
-            return Ok(Finding::Broken(breach("1, as is claimed: nothing is lost".to_owned())));
+            return Ok(Finding::Broken(breach(
+                1.0,
+                "1, as is claimed: nothing is lost".to_owned(),
+            )));
         }
         let (mean, p) = it.mean(k, value, error);
         if p < least.0 {
-            least = (p, Some(breach(format!("{mean:.5}, the mean weight of samples"))));
+            least = (p, Some(breach(mean, format!("{mean:.5}, the mean weight of samples"))));
         }
     }
     Ok(match least {
@@ -288,8 +311,8 @@ fn conserved(
         if p < least.0 {
             let expected = if is_lossless { "1: nothing is lost" } else { "at most 1" };
             let (found, expected) = (format!("the mean weight is {mean:.6}"), expected.to_owned());
-            least =
-                (p, Some(Breach { found, expected, mistake: None, questions: questions.clone() }));
+            let (error, questions) = (apart(mean, 1.0), questions.clone());
+            least = (p, Some(Breach { found, expected, error, mistake: None, questions }));
         }
     }
     match least {
@@ -320,6 +343,7 @@ pub fn arriving(case: &mut LightCase<'_>, scale: usize) -> Result<Finding, Troub
                 Breach {
                     found: format!("the mean of radiance / pdf = {mean:.5e} in channel {k}"),
                     expected: format!("{value:.5e}, the integral of the radiance"),
+                    error: apart(mean, value),
                     mistake: constant(mean / value, 0.01)
                         .map(|name| format!("what is found is {name} times what is expected")),
                     questions: questions.clone(),

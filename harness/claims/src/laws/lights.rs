@@ -4,7 +4,7 @@ use groundtruth::math::{Point, Vector};
 use serde_json::Value;
 
 use super::pairs::{self, Equality};
-use super::{Breach, Finding};
+use super::{Breach, Finding, apart, negative};
 use crate::asked::Trouble;
 use crate::description::Sampling;
 use crate::light::{LightCase, LightSample};
@@ -20,8 +20,9 @@ const BEYOND: f64 = 1e-3;
 /// At the rim of a curved light a point beyond it sees another part: with more samples that is no excuse.
 const SHARE: f64 = 0.5;
 
-fn broken(found: String, expected: &str, questions: Vec<Value>) -> Finding {
-    Finding::Broken(Breach { found, expected: expected.to_owned(), mistake: None, questions })
+fn broken(found: String, expected: &str, error: f64, questions: Vec<Value>) -> Finding {
+    let expected = expected.to_owned();
+    Finding::Broken(Breach { found, expected, error, mistake: None, questions })
 }
 
 /// Samples that bring light.
@@ -68,7 +69,10 @@ pub fn positive(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> 
         if it.radiance.into_iter().any(is_bad) || it.pdf.is_some_and(|p| is_bad(p) || p == 0.0) {
             let found = format!("a sample with radiance = {:?}, pdf = {:?}", it.radiance, it.pdf);
             let questions = vec![case.sample_question(&[it.u])];
-            return Ok(broken(found, "radiance of at least 0, and a pdf above 0", questions));
+            let numbers = it.radiance.into_iter().chain(it.pdf);
+            let error = numbers.map(negative).fold(0.0, f64::max);
+            let expected = "radiance of at least 0, and a pdf above 0";
+            return Ok(broken(found, expected, error, questions));
         }
     }
     let mut directions = case.directions(COMPARED);
@@ -77,7 +81,9 @@ pub fn positive(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> 
         if is_bad(it.value.pdf) || it.value.f.into_iter().any(is_bad) {
             let found = format!("radiance = {:?} and pdf = {:e}", it.value.f, it.value.pdf);
             let questions = vec![case.eval_question(case.from, &[*wi])];
-            return Ok(broken(found, "finite numbers of at least 0", questions));
+            let numbers = it.value.f.into_iter().chain([it.value.pdf]);
+            let error = numbers.map(negative).fold(0.0, f64::max);
+            return Ok(broken(found, "finite numbers of at least 0", error, questions));
         }
     }
     Ok(Finding::Holds)
@@ -89,7 +95,7 @@ pub fn directions(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble
         let questions = vec![case.sample_question(&[it.u])];
         if (length - 1.0).abs().is_nan() || (length - 1.0).abs() > UNITS * case.rounding {
             let found = format!("wi = {:?}, of length {length}", it.wi.to_array());
-            return Ok(broken(found, "a unit direction", questions));
+            return Ok(broken(found, "a unit direction", apart(length, 1.0), questions));
         }
         let is_far = it.distance.is_infinite();
         if it.distance.is_nan() || it.distance <= 0.0 || is_far != case.claims.infinite {
@@ -97,7 +103,8 @@ pub fn directions(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble
                 true => "no distance: the light is infinitely far away",
                 false => "a distance above 0",
             };
-            return Ok(broken(format!("distance = {}", it.distance), expected, questions));
+            let found = format!("distance = {}", it.distance);
+            return Ok(broken(found, expected, 1.0, questions));
         }
     }
     Ok(Finding::Holds)
@@ -163,7 +170,7 @@ pub fn sides(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> {
     let (wrong, all) = (wrong.len(), samples.len());
     let found = format!("radiance = {seen:?} behind a point, so for {wrong} of {all} points");
     let expected = if is_lit { "light: both sides shine" } else { "0: one side shines" };
-    Ok(broken(found, expected, vec![question.clone()]))
+    Ok(broken(found, expected, wrong as f64 / all as f64, vec![question.clone()]))
 }
 
 /// A point nearer to that of a sample, and the share of the distance that is left; of an infinite light any point.

@@ -4,7 +4,7 @@ use groundtruth::math::Vector;
 use libm::cbrt;
 
 use super::pairs::{self, Equality};
-use super::{Breach, Finding};
+use super::{Breach, Finding, negative};
 use crate::asked::Trouble;
 use crate::cells::Cells;
 use crate::map::MapCase;
@@ -16,8 +16,9 @@ const COMPARED: usize = 64;
 /// The largest number below 1.
 const LAST: f64 = 1.0 - f64::EPSILON / 2.0;
 
-fn broken(found: String, expected: &str, questions: Vec<serde_json::Value>) -> Finding {
-    Finding::Broken(Breach { found, expected: expected.to_owned(), mistake: None, questions })
+fn broken(found: String, expected: &str, error: f64, questions: Vec<serde_json::Value>) -> Finding {
+    let expected = expected.to_owned();
+    Finding::Broken(Breach { found, expected, error, mistake: None, questions })
 }
 
 /// A pair at a point, with the pair of numbers that gives it.
@@ -44,10 +45,11 @@ pub fn inside(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
         u.extend([0.0, 0.5, LAST].map(|b| [a, b]));
     }
     for (x, u) in case.map(&u)?.into_iter().zip(&u) {
-        if case.domain.outside(x) > UNITS * case.rounding {
+        let outside = case.domain.outside(x);
+        if outside > UNITS * case.rounding {
             let found = format!("x = {:?}", x.to_array());
             let expected = format!("a point of the {:?}", case.domain).to_lowercase();
-            return Ok(broken(found, &expected, vec![case.map_question(&[*u])]));
+            return Ok(broken(found, &expected, outside, vec![case.map_question(&[*u])]));
         }
     }
     Ok(Finding::Holds)
@@ -70,11 +72,8 @@ pub fn positive(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
     for (x, pdf) in x.iter().zip(case.pdf(&x)?) {
         if !pdf.is_finite() || pdf < 0.0 {
             let questions = vec![case.question_at("pdf", &[*x])];
-            return Ok(broken(
-                format!("pdf = {pdf:e}"),
-                "a finite number of at least 0",
-                questions,
-            ));
+            let (found, expected) = (format!("pdf = {pdf:e}"), "a finite number of at least 0");
+            return Ok(broken(found, expected, negative(pdf), questions));
         }
     }
     Ok(Finding::Holds)
@@ -205,5 +204,6 @@ pub fn stratified(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> 
     let found =
         format!("counts in regions have {share:.2} times the variance of independent points");
     let questions = vec![case.map_question(&[[0.49, 0.5], [0.51, 0.5]])];
-    Ok(broken(found, "less than half of it: each stratum of 64 × 64 has one point", questions))
+    let expected = "less than half of it: each stratum of 64 × 64 has one point";
+    Ok(broken(found, expected, share, questions))
 }

@@ -84,8 +84,25 @@ pub struct Breach {
     pub found: String,
     /// What the law says.
     pub expected: String,
+    /// How far off that is, for cases of the same law: of two numbers their difference over the larger one, ∞ of a number
+    /// that is none, 1 where nothing is between right and wrong.
+    pub error: f64,
     /// The factor that was left out or put in, if it was recognised, in a sentence.
     pub mistake: Option<String>,
     /// The questions that show it.
     pub questions: Vec<Value>,
+}
+
+/// The difference of two numbers over the larger one; ∞ if there is none.
+fn apart(found: f64, expected: f64) -> f64 {
+    if found == expected {
+        return 0.0;
+    }
+    let apart = (found - expected).abs() / found.abs().max(expected.abs());
+    if apart.is_nan() { f64::INFINITY } else { apart }
+}
+
+/// The error of a number that should be finite and not negative.
+fn negative(x: f64) -> f64 {
+    if x.is_finite() { 1.0 } else { f64::INFINITY }
 }

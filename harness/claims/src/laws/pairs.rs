@@ -2,7 +2,7 @@
 
 use serde_json::Value;
 
-use super::{Breach, Finding};
+use super::{Breach, Finding, apart};
 use crate::asked::{Asked, Numbers, Trouble};
 use crate::naming::{Factor, Given, factor};
 
@@ -44,6 +44,7 @@ pub fn equal(
     Finding::Broken(Breach {
         found: format!("{found} = {:.6e} at {place}", worst.found),
         expected: format!("{expected} = {:.6e}", worst.expected),
+        error: apart(worst.found, worst.expected),
         mistake: factor(&ratios, factors)
             .map(|factor| format!("what is found is {factor} times what is expected")),
         questions,
@@ -64,6 +65,7 @@ pub fn repeated(
             return Ok(Finding::Broken(Breach {
                 found: format!("asked again: {found}"),
                 expected: expected.to_string(),
+                error: 1.0,
                 mistake: None,
                 questions: vec![question.clone()],
             }));

@@ -3,7 +3,7 @@
 use groundtruth::math::{Vector, cos, sin};
 
 use super::pairs::{self, Equality};
-use super::{Breach, Finding};
+use super::{Breach, Finding, negative};
 use crate::asked::Trouble;
 use crate::case::Case;
 use crate::lobe::{Evaluated, Sampled};
@@ -139,6 +139,7 @@ pub fn positive(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
                 return Ok(Finding::Broken(Breach {
                     found: format!("f = {f:?} and pdf = {pdf:e}"),
                     expected: "finite numbers of at least 0".to_owned(),
+                    error: f.into_iter().chain([pdf]).map(negative).fold(0.0, f64::max),
                     mistake: None,
                     questions: vec![case.lobe.eval_question(wo, &[*wi])],
                 }));
@@ -171,6 +172,7 @@ pub fn sides(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
         return Ok(Finding::Broken(Breach {
             found: format!("the sample wi = {:?}", wi.to_array()),
             expected,
+            error: if is_unit { 1.0 } else { (length - 1.0).abs() },
             mistake: None,
             questions: vec![case.lobe.sample_question(case.wo, &[*u])],
         }));
@@ -187,6 +189,7 @@ pub fn sides(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
         Finding::Broken(Breach {
             found: format!("f = {:?} and pdf = {:e} at wi = {:?}", it.f, it.pdf, wi.to_array()),
             expected: "0 on the side that is not claimed".to_owned(),
+            error: 1.0,
             mistake: None,
             questions: vec![case.lobe.eval_question(case.wo, &[*wi])],
         })
