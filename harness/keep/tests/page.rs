@@ -6,6 +6,7 @@ use groundtruth::explain::{self, PixelExplanation};
 use groundtruth::film::Film;
 use groundtruth::render;
 use groundtruth::scene::Scene;
+use groundtruth::trace::RayKind;
 use groundtruth::world::{self, World};
 use keep::{PixelPage, SmallPicture};
 use pictures::digits::shortened;
@@ -96,8 +97,15 @@ fn a_page_is_one_file_with_every_ray() {
         for ray in root.rays() {
             let line = format!("<summary data-ray=\"{}\">", ray.number);
             assert_eq!(html.matches(&line).count(), 1, "{name}: ray {}", ray.number);
+            let is_shadow = matches!(ray.kind, RayKind::Shadow { .. });
+            for term in ray.terms.iter().filter(|_| !is_shadow) {
+                let formula = shortened(&ray.formula(term).to_string());
+                let line = format!("<li class=\"formula\">{formula}</li>");
+                assert!(html.contains(&line), "{name}: {line}");
+            }
         }
-        let lines = html.split("<li>").skip(1).map(|rest| rest.split("</li>").next().unwrap());
+        let lines = html.replace(" class=\"formula\"", "");
+        let lines = lines.split("<li>").skip(1).map(|rest| rest.split("</li>").next().unwrap());
         let long: Vec<&str> = lines.filter(|line| shortened(line) != **line).collect();
         assert!(long.is_empty(), "{name}: more than four digits: {long:?}");
         assert!(html.contains("<code>groundtruth explain &lt;&amp;&gt;</code>"));

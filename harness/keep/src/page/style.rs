@@ -26,6 +26,7 @@ print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 .tree summary { cursor: pointer; padding: 0.15em 0.3em; break-after: avoid; }
 .tree ul { margin: 0 0 0.4em 5.2em; padding: 0; list-style: none; }
 .tree li { break-inside: avoid; }
+.formula { padding-left: 1.6em; color: #1d4f91; }
 .share { display: inline-block; width: 4.2em; padding: 0 0.3em; text-align: right; font-size: 85%; background: \
 linear-gradient(to right, #cfe0f5 var(--part, 0), #f0f0f0 var(--part, 0)); print-color-adjust: exact; \
 -webkit-print-color-adjust: exact; }

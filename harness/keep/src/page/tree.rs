@@ -99,9 +99,11 @@ impl<'a> Tree<'a> {
             "<details open><summary data-ray=\"{number}\"><span class=\"share\" style=\"--part:{bar:.1}%\">{share}\
              </span> <b style=\"color:{ink}\">{line}</b> contributes {contribution}</summary>\n<ul>"
         );
-        for line in ray.details(false) {
+        for line in ray.details(true) {
+            // the formula of a term is indented below it
+            let class = if line.starts_with("    ") { " class=\"formula\"" } else { "" };
             let line = escaped(&shortened(line.trim_start()));
-            let _ = writeln!(html, "<li>{line}</li>");
+            let _ = writeln!(html, "<li{class}>{line}</li>");
         }
         html.push_str("</ul>\n");
         let is_new = self.has_sections && self.shown != Some(number);
