@@ -270,6 +270,11 @@ impl Inspector {
                 theirs.paint(painter, placement, rendering);
             }
         });
+        let asks = ui.input(|input| input.pointer.secondary_clicked());
+        let pointed = self.hovered.filter(|_| asks);
+        if let Some(object) = pointed.and_then(|pixel| rendering.object_in(pixel)) {
+            self.selection.ask_why_not(object);
+        }
         let placement = self.picture.placement(size);
         let framed = theirs.and_then(|theirs| {
             theirs.show_divider(ui, area);
@@ -289,6 +294,9 @@ impl Inspector {
         let pointed = self.space.show(ui, area, rendering, pixel, traced.as_ref());
         if let Some(number) = pointed.clicked {
             self.selection.go_to(number);
+        }
+        if let Some(object) = pointed.why_not {
+            self.selection.ask_why_not(object);
         }
         self.selection.tree.hovered = self.selection.tree.hovered.or(pointed.hovered);
     }

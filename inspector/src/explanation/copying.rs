@@ -1,11 +1,73 @@
-//! Commands that reproduce a pixel outside the window, and the word that says they are copied.
+//! What reproduces a pixel outside the window: commands, a page, a test; and the word that says they are copied.
+
+use std::path::Path;
+use std::sync::Arc;
 
 use eframe::egui::{Context, Id, Ui};
+use groundtruth::explain::PixelExplanation;
 use groundtruth::scene;
+use keep::{Kept, PixelPage, ReducedScene, SmallPicture};
 use pictures::shell::quoted;
 
 use crate::explanation::Shown;
-use crate::picture::worker::Rendering;
+use crate::picture::worker::{Background, Rendering};
+
+/// A text for the clipboard that takes a while to make.
+#[derive(Default)]
+pub struct Making(Background<Result<String, String>>);
+
+impl Making {
+    /// Puts the text on the clipboard once it is made. Returns the problem if it cannot be.
+    pub fn refresh(&mut self, ctx: &Context) -> Option<String> {
+        match self.0.poll()?.unwrap_or_else(|lost| Err(lost.to_string())) {
+            Ok(text) => {
+                ctx.copy_text(text);
+                set_copied(ctx);
+                None
+            }
+            Err(problem) => Some(problem),
+        }
+    }
+
+    /// Whether it is being made.
+    pub fn is_busy(&self) -> bool {
+        self.0.is_busy()
+    }
+
+    /// Makes the page of a pixel, with the section of a ray.
+    pub fn page(
+        &mut self,
+        ctx: &Context,
+        shown: &Shown<'_>,
+        answer: &Arc<PixelExplanation>,
+        ray: usize,
+        command: String,
+    ) {
+        let rendering = shown.rendering;
+        let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
+        let (canvas, answer) = (Arc::clone(&rendering.canvas), Arc::clone(answer));
+        let name = rendering.source.name();
+        self.0.start(ctx, move || {
+            let picture = &SmallPicture::of(&canvas.film(), world.samples_per_pixel());
+            let (name, scene, world) = (&*name, &*scene, &*world);
+            let (explanation, ray, command) = (&*answer, Some(ray), &*command);
+            Ok(PixelPage { name, scene, world, explanation, picture, ray, command }.html())
+        });
+    }
+
+    /// Makes a test that a sample keeps its bits, with the scene reduced to what it needs.
+    pub fn test(&mut self, ctx: &Context, rendering: &Rendering, pixel: [u32; 2], sample: u32) {
+        let scene = Arc::clone(&rendering.scene);
+        let folder = rendering.source.folder().to_owned();
+        let kept = Kept { pixel, sample: Some(sample), seed: rendering.world.seed };
+        let name = rendering.source.name();
+        self.0.start(ctx, move || {
+            let reduced = ReducedScene::of(&scene, &folder, kept).map_err(|e| e.to_string())?;
+            let file = if folder.as_os_str().is_empty() { "scene.toml" } else { &name };
+            Ok(reduced.rust_test(&name, Path::new(file)))
+        });
+    }
+}
 
 /// The command that explains a sample of a pixel in a terminal.
 pub fn explain_command(shown: &Shown<'_>, [x, y]: [u32; 2], sample: u32) -> String {

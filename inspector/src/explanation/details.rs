@@ -29,15 +29,20 @@ pub fn exact(numbers: [f64; 3]) -> String {
     format!("({x:?}, {y:?}, {z:?})")
 }
 
+/// Shows the line of a ray.
+pub fn head(ui: &mut Ui, ray: &RecordedRay) {
+    ui.label(RichText::new(ray.line()).color(ink(ui, kind_color(ray))).strong());
+}
+
 /// Shows all fields of a ray and of its hit. Returns the number of another ray if it was clicked, and notes the one that
 /// is pointed at.
 pub fn show(ui: &mut Ui, ray: &RecordedRay, hovered: &mut Option<usize>) -> Option<usize> {
-    ui.label(RichText::new(ray.line()).color(ink(ui, kind_color(ray))).strong());
     let mut clicked = None;
     if !(ray.terms.is_empty() && ray.unlit.is_empty()) {
         ui.add_space(4.0);
         clicked = terms(ui, ray, hovered);
     }
+    formulas(ui, ray);
     if let Some(zeros) = &ray.black {
         ui.add_space(4.0);
         ui.label(format!("black: {zeros}"));
@@ -196,4 +201,20 @@ fn terms(ui: &mut Ui, ray: &RecordedRay, hovered: &mut Option<usize>) -> Option<
         }
     });
     clicked
+}
+
+/// Shows the formula of each term that is not 0 in the book's letters, with this hit's numbers.
+fn formulas(ui: &mut Ui, ray: &RecordedRay) {
+    let shown: Vec<_> = ray.terms.iter().filter(|term| !term.value.is_black()).collect();
+    if shown.is_empty() {
+        return;
+    }
+    ui.add_space(4.0);
+    ui.strong("in the book's letters");
+    for term in shown {
+        let formula = ray.formula(term);
+        let text = format!("{} = {}", formula.symbols(), formula.numbers());
+        ui.label(RichText::new(shortened(&text)).monospace().size(11.5)).on_hover_text(text);
+        ui.weak(format!("{}: {}, {}", term.name(), formula.place, formula.source));
+    }
 }

@@ -18,6 +18,7 @@ pub mod section;
 pub mod selection;
 pub mod trail;
 pub mod tree;
+pub mod why_not;
 
 /// The pictures on the screen, whose pixels are explained.
 pub struct Shown<'a> {

@@ -1,5 +1,7 @@
 //! The pixel as a whole: its sum, its sources of light, its samples, and the menu to copy it.
 
+use std::sync::Arc;
+
 use eframe::egui::{Color32, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
 use groundtruth::explain::{self, PixelExplanation, RecordedRay, percent, short};
 use groundtruth::film::Tone;
@@ -7,7 +9,8 @@ use groundtruth::rgb::Rgb;
 use pictures::digits::shortened;
 
 use crate::comparison::theirs::Theirs;
-use crate::explanation::{Shown, copying, details, tree};
+use crate::explanation::copying::{self, Making};
+use crate::explanation::{Shown, details, tree};
 use crate::picture::display;
 
 /// The order of the list of samples.
@@ -38,13 +41,14 @@ pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
     *chosen = sample;
 }
 
-/// Shows a menu that copies commands that reproduce this pixel outside the window, and the selected ray.
+/// Shows a menu that copies what reproduces this pixel outside the window, and the selected ray.
 pub fn copy_menu(
     ui: &mut Ui,
     shown: &Shown<'_>,
-    answer: &PixelExplanation,
+    answer: &Arc<PixelExplanation>,
     sample: u32,
     ray: Option<&RecordedRay>,
+    making: &mut Making,
 ) {
     let (pixel, radiance) = (answer.pixel, answer.radiance);
     let copy = |ui: &mut Ui, text: String| {
@@ -61,6 +65,21 @@ pub fn copy_menu(
         if probe.on_hover_text("`probe` answers it with this pixel").clicked() {
             copy(ui, copying::probe_line(shown.rendering, pixel));
         }
+        // not of a program with a mistake: page and test are of our own
+        if shown.mistaken().is_none() {
+            let page = ui.button("A page for a class");
+            if page.on_hover_text("HTML of one file: save it as page.html").clicked() {
+                let command = copying::explain_command(shown, pixel, sample);
+                let ray = ray.map_or(0, |ray| ray.number);
+                making.page(ui.ctx(), shown, answer, ray, command);
+                ui.close();
+            }
+            let test = ui.button("A test in Rust");
+            if test.on_hover_text("The bits of this sample, in a reduced scene").clicked() {
+                making.test(ui.ctx(), shown.rendering, pixel, sample);
+                ui.close();
+            }
+        }
         if ui.button("The pixel, all its digits").clicked() {
             copy(ui, details::exact(radiance.to_array()));
         }
@@ -70,7 +89,10 @@ pub fn copy_menu(
             copy(ui, details::text(ray));
         }
     });
-    copying::show_copied(ui);
+    match making.is_busy() {
+        true => drop(ui.spinner()),
+        false => copying::show_copied(ui),
+    }
 }
 
 /// Shows the sum of the samples that gives the pixel, and whether it equals the rendered pixel.

@@ -97,7 +97,7 @@ fn paint(ui: &Ui, painter: &Painter, response: &Response, drawing: &Drawing) -> 
         match &points[..] {
             [] => {}
             [dot] => drop(painter.circle_filled(*dot, 3.5, color)),
-            _ if stroke.dashed => drop(painter.extend(Shape::dashed_line(&points, pen, 6.0, 4.0))),
+            _ if stroke.dashed => painter.extend(Shape::dashed_line(&points, pen, 6.0, 4.0)),
             _ => drop(painter.add(Shape::line(points.clone(), pen))),
         }
         if stroke.arrow

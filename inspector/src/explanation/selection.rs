@@ -13,12 +13,14 @@ use groundtruth::world::World;
 use judge::mistakes::Mistaken;
 use judge::verdict::Verdict;
 
+use crate::explanation::copying::{self, Making};
 use crate::explanation::pixel::{self, Order, SumList};
 use crate::explanation::samples::Samples;
 use crate::explanation::section::SectionView;
 use crate::explanation::trail::{self, TrailPoint};
 use crate::explanation::tree::{self, Tree};
-use crate::explanation::{Shown, copying, details, proposal};
+use crate::explanation::why_not::WhyNotView;
+use crate::explanation::{Shown, details, proposal};
 use crate::picture::display;
 use crate::picture::worker::{Background, Lost, Rendering};
 use crate::splits::{Splits, part};
@@ -65,6 +67,10 @@ pub struct Selection {
     /// The samples, when they are below the tree.
     pub samples: Samples,
     section: SectionView,
+    why_not: WhyNotView,
+    making: Making,
+    /// Why a page or a test could not be made.
+    problem: Option<String>,
     /// Whether the pixel was proposed, and not chosen by the user.
     pub is_proposed: bool,
     answered: Option<(Question, Explained)>,
@@ -109,6 +115,9 @@ impl Selection {
         rendering: &Rendering,
         mistaken: Option<&Arc<Mistaken>>,
     ) {
+        if let Some(problem) = self.making.refresh(ctx) {
+            self.problem = Some(problem);
+        }
         let finished = self.working.poll();
         let mistake = mistaken.map(|program| program.mistake().name);
         let Some(question) = self.question(rendering, mistake) else {
@@ -203,7 +212,10 @@ impl Selection {
     /// Whether the selected pixel is not explained yet.
     pub fn is_waiting(&self) -> bool {
         let current = self.answered.as_ref().map(|(question, _)| question.pixel);
-        self.working.is_busy() || self.proposing.is_busy() || current != self.pixel
+        self.working.is_busy()
+            || self.proposing.is_busy()
+            || self.making.is_busy()
+            || current != self.pixel
     }
 
     /// Shows the explanation; returns whether `wanted` was changed.
@@ -268,7 +280,7 @@ impl Selection {
         let area = area.min_scrolled_height(MIN_HEIGHT);
         let (tone, chosen) = (shown.tone, &mut self.sample);
         match self.tab {
-            Tab::Ray => drop(area.show(ui, |ui| self.ray_details(ui, answer))),
+            Tab::Ray => drop(area.show(ui, |ui| self.ray_details(ui, shown.rendering))),
             Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|verdict| read(ui, verdict)))),
             Tab::Section => self.section_of_ray(ui, &shown.rendering.world),
             Tab::Sum => SumList { answer, tone, order: &mut self.order, chosen }.show(ui, area),
@@ -280,12 +292,24 @@ impl Selection {
         false
     }
 
-    fn ray_details(&mut self, ui: &mut Ui, answer: &PixelExplanation) {
-        if let Some(root) = self.sample_of(answer).and_then(|sample| sample.ray.as_ref())
-            && let Some(number) =
-                details::show(ui, self.tree.selected(root), &mut self.tree.hovered)
-        {
-            self.tree.go_to(root, number);
+    /// Asks why the selected ray does not hit an object.
+    pub fn ask_why_not(&mut self, object: u32) {
+        (self.tab, self.why_not.object) = (Tab::Ray, Some(object));
+    }
+
+    fn ray_details(&mut self, ui: &mut Ui, rendering: &Rendering) {
+        let mut why_not = std::mem::take(&mut self.why_not);
+        let (mut clicked, mut hovered) = (None, None);
+        if let Some((question, root)) = self.root() {
+            let ray = self.tree.selected(root);
+            details::head(ui, ray);
+            why_not.show(ui, rendering, (question, root), ray.number);
+            clicked = details::show(ui, ray, &mut hovered);
+        }
+        self.why_not = why_not;
+        self.tree.hovered = self.tree.hovered.or(hovered);
+        if let Some(number) = clicked {
+            self.go_to(number);
         }
     }
 
@@ -325,7 +349,7 @@ impl Selection {
         self.tree.show(ui, root, tone);
     }
 
-    fn head(&mut self, ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
+    fn head(&mut self, ui: &mut Ui, answer: &Arc<PixelExplanation>, shown: &Shown<'_>) {
         let [x, y] = answer.pixel;
         ui.horizontal_wrapped(|ui| {
             tree::swatch(ui, display::color(shown.tone, answer.radiance));
@@ -343,8 +367,11 @@ impl Selection {
             ui.separator();
             let root = self.sample_of(answer).and_then(|sample| sample.ray.as_ref());
             let ray = root.map(|root| self.tree.selected(root));
-            pixel::copy_menu(ui, shown, answer, self.sample.min(last), ray);
+            pixel::copy_menu(ui, shown, answer, self.sample.min(last), ray, &mut self.making);
         });
+        if let Some(problem) = &self.problem {
+            ui.colored_label(ui.visuals().error_fg_color, problem);
+        }
         if self.is_proposed {
             ui.weak("A pixel with many rays, to begin with. Click any other one.");
         }

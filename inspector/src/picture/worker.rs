@@ -8,8 +8,8 @@ use std::thread::{Builder, JoinHandle};
 use std::time::{Duration, Instant};
 
 use eframe::egui;
-use groundtruth::render::Canvas;
-use groundtruth::render::{MAX_COUNTED, RaysPerSample};
+use groundtruth::math::Span;
+use groundtruth::render::{self, Canvas, MAX_COUNTED, RaysPerSample};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
@@ -160,6 +160,12 @@ impl Rendering {
     /// The radiance of a pixel, if it is rendered.
     pub fn radiance(&self, pixel: [u32; 2]) -> Option<Rgb> {
         self.canvas.look_partly(|picture| picture.get(pixel))
+    }
+
+    /// The index of the object that the first sample of a pixel hits.
+    pub fn object_in(&self, pixel: [u32; 2]) -> Option<u32> {
+        let ray = render::camera_sample(&self.world, pixel, 0)?.ray?;
+        Some(self.world.hit(&ray, Span::AHEAD)?.object.index)
     }
 
     /// Pixels across and down.

@@ -84,6 +84,8 @@ pub struct Pointed {
     pub hovered: Option<usize>,
     /// The ray that was clicked.
     pub clicked: Option<usize>,
+    /// The object of which is asked why the selected ray does not hit it.
+    pub why_not: Option<u32>,
 }
 
 /// The pieces of rays that are drawn: for which tree and filter.
@@ -261,7 +263,7 @@ impl SpaceView {
             (None, None) => "drag: turn · Shift or right drag: move · wheel: nearer".to_owned(),
         };
         self.write(&painter, view, Align2::LEFT_BOTTOM, &text);
-        self.object_menu(response, object, world);
+        pointed.why_not = self.object_menu(response, object, world);
         pointed
     }
 
@@ -276,20 +278,31 @@ impl SpaceView {
         painter.galley(place.min, galley, Color32::WHITE);
     }
 
-    /// Shows the menu of the object that was clicked with the right button.
-    fn object_menu(&mut self, response: &Response, object: Option<u32>, world: &World) {
+    /// Shows the menu of the object that was clicked with the right button. Returns the object of which is asked why the
+    /// selected ray does not hit it.
+    fn object_menu(
+        &mut self,
+        response: &Response,
+        object: Option<u32>,
+        world: &World,
+    ) -> Option<u32> {
         if response.secondary_clicked() {
             self.menu = object;
         }
-        let Some(object) = self.menu else { return };
-        let Some(object_name) = world.names.objects.get(object as usize) else { return };
+        let object = self.menu?;
+        let object_name = name(world.names.objects.get(object as usize)?);
+        let mut asked = None;
         response.context_menu(|ui| {
             let mut is_faded = self.camera.faded.contains(&object);
-            let text = format!("Look through {}", name(object_name));
-            if ui.checkbox(&mut is_faded, text).changed() {
+            if ui.checkbox(&mut is_faded, format!("Look through {object_name}")).changed() {
                 self.camera.toggle(object);
                 ui.close();
             }
+            let question = format!("Why does the selected ray not hit {object_name}?");
+            if ui.button(question).clicked() {
+                asked = Some(object);
+            }
         });
+        asked
     }
 }

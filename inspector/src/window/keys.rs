@@ -5,8 +5,9 @@ use eframe::egui::{Align2, Context, Grid, Key, KeyboardShortcut, Modifiers, Rich
 use crate::action::{Action, Shows};
 
 /// The keys and what they do.
-const KEYS: [(&str, &str); 19] = [
+const KEYS: [(&str, &str); 20] = [
     ("click", "explain this pixel"),
+    ("right click", "on an object: why does the selected ray not hit it?"),
     ("arrows", "explain the next pixel (Shift: ten pixels on)"),
     ("L", "follow the light: the next ray on the path of the largest share"),
     ("wheel, pinch", "zoom in and out under the mouse"),

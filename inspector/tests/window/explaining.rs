@@ -1,7 +1,7 @@
 //! Selecting a pixel: its tree, its sum, its samples.
 
 use eframe::egui::{Key, Modifiers};
-use egui_kittest::kittest::Queryable;
+use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::cameras::{Stereo, Viewing};
 use groundtruth::explain::RecordedRay;
 use groundtruth::render;
@@ -36,6 +36,13 @@ fn a_click_on_the_glass_sphere_shows_its_tree() {
     }
 }
 
+/// The printed sum of the pixel's samples.
+fn sum(window: &Window) -> String {
+    let labels = window.query_all_by_label_contains("= (");
+    let mut texts = labels.filter_map(|label| label.accesskit_node().label());
+    texts.find(|text| text.starts_with("= (")).expect("a sum")
+}
+
 /// The three channels of a colour as the window shows them.
 fn shown_sum(color: Rgb) -> String {
     let [r, g, b] = color.to_array();
@@ -53,7 +60,7 @@ fn the_printed_sum_is_the_rendered_pixel_bit_for_bit() {
         click(&mut window, pixel);
         let bits = |color: Rgb| color.to_array().map(f64::to_bits);
         let rendered = render::pixel(&world, pixel);
-        assert_eq!(text_with(&window, "= ("), shown_sum(rendered), "{pixel:?}");
+        assert_eq!(sum(&window), shown_sum(rendered), "{pixel:?}");
         let explained = window.state().selection.explanation().expect("explained").radiance;
         assert_eq!(bits(explained), bits(rendered), "{pixel:?}");
         assert!(window.query_by_label("= the pixel of the picture, bit for bit").is_some());
@@ -170,7 +177,7 @@ fn many_samples_are_explained_one_at_a_time() {
     click(&mut window, [2, 2]);
     let explanation = window.state().selection.explanation().expect("explained");
     assert_eq!((explanation.samples.len(), explanation.samples_per_pixel), (1, 3600));
-    assert_eq!(text_with(&window, "= ("), shown_sum(render::pixel(&world, [2, 2])));
+    assert_eq!(sum(&window), shown_sum(render::pixel(&world, [2, 2])));
     assert_eq!(explanation.radiance, render::pixel(&world, [2, 2]));
     window.get_by_label(">").click();
     settle(&mut window);

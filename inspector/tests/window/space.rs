@@ -1,6 +1,6 @@
 //! The rays of the selected sample in space.
 
-use eframe::egui::{Key, Pos2, Rect, accesskit::Role, pos2};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, accesskit::Role, pos2};
 use egui_kittest::kittest::Queryable;
 use groundtruth::cameras::{Pinhole, View, ViewPlane, Viewpoint};
 use groundtruth::explain::RecordedRay;
@@ -168,4 +168,38 @@ fn the_section_of_a_ray_says_its_angles() {
     for angle in [hit.angle_of_incidence, refracted] {
         assert!(law.contains(&format!("{angle:.2}°")), "{law}: {angle}");
     }
+}
+
+/// Law: a click with the right button on an object of the picture says why the selected ray does not hit it. Closed form:
+/// the glass sphere is before the ground on the way of the camera's ray.
+#[test]
+fn the_right_button_asks_why_not() {
+    let mut window = glass_window();
+    click(&mut window, PIXEL);
+    let pos = on_screen(&window, [24, 46]);
+    window.hover_at(pos);
+    window.step();
+    let press = |pressed| Event::PointerButton {
+        pos,
+        button: PointerButton::Secondary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    window.input_mut().events.extend([true, false].map(press));
+    settle(&mut window);
+    let sentence = text_with(&window, "does not hit");
+    assert!(sentence.contains("ground") && sentence.contains("glass sphere"), "{sentence}");
+    assert_eq!(window.state().selection.pixel, Some(PIXEL), "the pixel stays");
+}
+
+/// Law: below the terms of a ray stands the formula of each that is not black, in letters. Oracle: the lobes of glass.
+#[test]
+fn the_terms_are_written_in_letters() {
+    let mut window = glass_window();
+    click(&mut window, PIXEL);
+    assert!(window.query_by_label_contains("src/lobes/fresnel_transmitter.rs").is_some());
+    assert!(
+        window.query_by_label_contains("L_i = ").is_some()
+            || window.query_by_label_contains("L_r").is_some()
+    );
 }

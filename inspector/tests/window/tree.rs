@@ -1,5 +1,7 @@
 //! The tree of rays: what matters is near the top, and each ray can be reached.
 
+use std::time::{Duration, Instant};
+
 use eframe::egui::{Key, OutputCommand};
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::explain::{Outline, RecordedRay, Row};
@@ -119,6 +121,10 @@ fn what_is_copied_reproduces_the_pixel() {
     let expected = window.state().selection.explanation().expect("explained").radiance.to_array();
     let mean: Vec<f64> = mean.iter().filter_map(serde_json::Value::as_f64).collect();
     assert_eq!(mean, expected);
+    let page = copied(&mut window, "A page for a class");
+    assert!(page.starts_with("<!doctype html>") && page.contains("(17, 19)"), "{}", &page[..200]);
+    let test = copied(&mut window, "A test in Rust");
+    assert!(test.contains("#[test]") && test.contains("[17, 19]"), "{test}");
     let numbers = copied(&mut window, "All numbers of the selected ray");
     assert!(numbers.contains("\nt\t") && numbers.contains("\nrelative η\t1.5\n"), "{numbers}");
 }
@@ -154,8 +160,11 @@ fn copied(window: &mut Window, button: &str) -> String {
         window.run_steps(3);
     }
     window.get_by_label(button).click();
-    for _ in 0..5 {
+    let start = Instant::now();
+    // a page takes a while
+    while start.elapsed() < Duration::from_secs(60) {
         window.step();
+        std::thread::sleep(Duration::from_millis(2));
         let commands = &window.output().platform_output.commands;
         let text = commands.iter().find_map(|command| match command {
             OutputCommand::CopyText(text) => Some(text.clone()),

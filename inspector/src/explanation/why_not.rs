@@ -1,0 +1,74 @@
+//! Why the selected ray does not hit an object.
+
+use std::path::Path;
+
+use eframe::egui::{ComboBox, RichText, Ui};
+use groundtruth::explain::RecordedRay;
+use groundtruth::printable::name;
+use space::why_not;
+
+use crate::explanation::selection::Question;
+use crate::picture::worker::Rendering;
+
+/// The object that is asked about, and the answer for the ray that was selected last.
+#[derive(Default)]
+pub struct WhyNotView {
+    /// The index of the object in the scene, once one is chosen.
+    pub object: Option<u32>,
+    answered: Option<(Question, usize, u32, Vec<String>)>,
+}
+
+impl WhyNotView {
+    /// Shows the list of objects, and why the ray does not hit the chosen one.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        rendering: &Rendering,
+        (question, root): (Question, &RecordedRay),
+        ray: usize,
+    ) {
+        let objects = &rendering.world.names.objects;
+        let chosen = self.object.and_then(|object| objects.get(object as usize));
+        ui.horizontal(|ui| {
+            let label = ui.label("Why does it not hit");
+            let text = chosen.map_or("…".to_owned(), |object| name(object).to_string());
+            let list = ComboBox::from_id_salt("why not").selected_text(text).truncate();
+            let list = list.show_ui(ui, |ui| {
+                for (index, object) in (0..).zip(objects) {
+                    ui.selectable_value(&mut self.object, Some(index), name(object).to_string());
+                }
+            });
+            let hint = "Or click an object of the picture or of space with the right button";
+            list.response.labelled_by(label.id).on_hover_text(hint);
+        });
+        let Some(object) = self.object.filter(|_| chosen.is_some()) else { return };
+        let is_answered = |(of, number, about, _): &(Question, usize, u32, _)| {
+            (*of, *number, *about) == (question, ray, object)
+        };
+        if !self.answered.as_ref().is_some_and(is_answered) {
+            let lines = answer(rendering, rendering.source.folder(), root, ray, object);
+            self.answered = Some((question, ray, object, lines));
+        }
+        let lines = self.answered.iter().flat_map(|(.., lines)| lines);
+        for (index, line) in lines.enumerate() {
+            let text = RichText::new(line);
+            ui.label(if index == 0 { text.strong() } else { text.monospace().size(11.5) });
+        }
+    }
+}
+
+/// The answer in a sentence, and its numbers.
+fn answer(
+    rendering: &Rendering,
+    folder: &Path,
+    root: &RecordedRay,
+    ray: usize,
+    object: u32,
+) -> Vec<String> {
+    let (scene, world) = (&*rendering.scene, &*rendering.world);
+    let question = why_not::Question { scene, folder, world, root, ray, object };
+    match question.answer() {
+        Ok(answer) => std::iter::once(answer.sentence()).chain(answer.numbers()).collect(),
+        Err(problem) => vec![problem],
+    }
+}
