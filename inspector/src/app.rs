@@ -207,7 +207,8 @@ impl Inspector {
         });
         Panel::bottom("status").frame(bar).show(ui, |ui| {
             let (theirs, is_loading) = (self.theirs.as_ref(), self.session.loading.is_busy());
-            actions.extend(panels::status(ui, rendering, theirs, self.hovered, is_loading));
+            let shown = (theirs, &self.picture.layer);
+            actions.extend(panels::status(ui, rendering, shown, self.hovered, is_loading));
         });
         Panel::top("view").frame(bar).show(ui, |ui| {
             panels::view_settings(ui, &mut self.picture, &mut self.space.mode, rendering);
@@ -265,7 +266,8 @@ impl Inspector {
         let rendering = &self.session.rendering;
         let size = rendering.size();
         let theirs = self.theirs.as_mut().filter(|theirs| theirs.fits(rendering));
-        self.hovered = self.picture.show(ui, size, self.selection.pixel, |painter, placement| {
+        let selected = self.selection.pixel;
+        self.hovered = self.picture.show(ui, rendering, selected, |painter, placement| {
             if let Some(theirs) = &theirs {
                 theirs.paint(painter, placement, rendering);
             }
