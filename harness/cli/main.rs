@@ -19,6 +19,7 @@ mod interrupt;
 mod kept;
 mod kinds;
 mod laws;
+mod layers;
 mod list;
 mod merge;
 mod mistake;

@@ -9,11 +9,12 @@ use clap::{Args, ValueEnum};
 use groundtruth::explain;
 use groundtruth::film::{self, Film, Format};
 use groundtruth::printable;
-use groundtruth::render::{self, Canvas, Renderer};
+use groundtruth::render::{self, Canvas, Crop, Renderer};
 use groundtruth::render::{MAX_COUNTED, RaysPerSample};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
+use super::layers::{Content, LayerArguments};
 use super::mistake::MistakeArgument;
 use super::numbers::whole;
 use super::output;
@@ -47,6 +48,8 @@ pub struct Render {
     /// How the two images of a stereo pair are written; side-by-side if left out
     #[arg(long, value_enum, value_name = "HOW")]
     stereo: Option<StereoOutput>,
+    #[command(flatten)]
+    layer: LayerArguments,
     #[command(flatten)]
     mistake: MistakeArgument,
     /// Threads to use; all cores if left out. The picture is the same for any number
@@ -96,19 +99,22 @@ impl Render {
     fn rendered(&self, start: Instant, scene: &Scene, renderer: &impl Renderer) -> Outcome {
         let world = renderer.world();
         let files = self.files(scene, world)?;
-        let canvas = Arc::new(match self.crop {
-            Some(crop) => Canvas::cropped(crop.inside(world)?),
-            None => Canvas::new(world),
-        });
+        let [width, height] = world.picture_size();
+        let whole = Crop { x: 0, y: 0, width, height };
+        let crop = self.crop.map_or(Ok(whole), |crop| crop.inside(world))?;
+        let content = self.layer.content(world, crop, (&self.output, files.format))?;
+        let canvas = Arc::new(Canvas::cropped(crop));
         explain::notes(world).iter().for_each(|note| eprintln!("note: {}", printable::text(note)));
-        let rays = RaysPerSample::measured(world, MAX_COUNTED);
-        let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
-        rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));
+        if content.needs_rays() {
+            let rays = RaysPerSample::measured(world, MAX_COUNTED);
+            let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
+            rays.note(samples).iter().for_each(|note| eprintln!("note: {note}"));
+        }
         let loaded = start.elapsed();
         let on_interrupt = Arc::clone(&canvas);
         ctrlc::set_handler(move || on_interrupt.cancel())?;
         progress::watched(
-            || canvas.render(renderer),
+            || content.render(renderer, &canvas),
             || canvas.is_cancelled(),
             || canvas.progress(),
         );
@@ -116,12 +122,15 @@ impl Render {
             return progress::nothing_written();
         }
         let rendered = start.elapsed() - loaded;
-        files.write(self, (scene, world), canvas.film())?;
+        let film = canvas.film();
+        files.write(self, (scene, world), &content, &film)?;
         let paths = files.paths.iter().map(|file| printable::name(&file.display().to_string()));
         let paths = paths.collect::<Vec<String>>().join(", ");
         let (loaded, rendered) = (loaded.as_secs_f64(), rendered.as_secs_f64());
         eprintln!("{paths}: loaded in {loaded:.2} s, rendered in {rendered:.2} s");
-        eprintln!("{paths}: {}", transfer(files.format, scene.image.gamma));
+        let legend = content.legend(&film, files.format, (scene, world));
+        let transfer = || transfer(files.format, scene.image.gamma);
+        eprintln!("{paths}: {}", legend.unwrap_or_else(transfer));
         Ok(Exit::Yes)
     }
 
@@ -174,12 +183,13 @@ impl Files {
         &self,
         render: &Render,
         (scene, world): (&Scene, &World),
-        film: Film,
+        content: &Content,
+        film: &Film,
     ) -> Result<(), Box<dyn Error>> {
-        let films = match (self.pair, render::eye_images(world, &film)) {
+        let films = match (self.pair, render::eye_images(world, film)) {
             (StereoOutput::Anaglyph, Some([left, right])) => vec![film::anaglyph(&left, &right)],
             (StereoOutput::TwoFiles, Some(images)) => images.to_vec(),
-            _ => vec![film],
+            _ => vec![film.clone()],
         };
         let mut made = render.scene.provenance(scene, world)?;
         made.mistake = render.mistake.name().map(str::to_owned);
@@ -189,8 +199,9 @@ impl Files {
             (StereoOutput::SideBySide, crop) => [crop.map(|crop| format!("crop {crop}")), None],
         };
         for ((film, file), part) in films.iter().zip(&self.paths).zip(parts) {
-            made.part = part;
-            output::write(file, &film::encode(film, &scene.image.tone(), self.format, &made)?)?;
+            let parts: Vec<String> = content.part().into_iter().chain(part).collect();
+            made.part = (!parts.is_empty()).then(|| parts.join(", "));
+            output::write(file, &content.encode(film, self.format, (scene, world), &made)?)?;
         }
         Ok(())
     }

@@ -12,6 +12,7 @@ mod goldens;
 #[cfg(unix)]
 mod interrupt;
 mod kept;
+mod layers;
 mod list;
 mod provenance;
 mod stereo;

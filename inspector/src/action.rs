@@ -14,6 +14,10 @@ pub enum Action {
     Save,
     /// Save the picture in this file.
     SaveAs(PathBuf),
+    /// Hold the picture of this file against ours.
+    Compare(PathBuf),
+    /// Let the other picture go.
+    EndComparison,
     /// Show the desktop's file chooser.
     Choose(Purpose),
     /// Give the keys to the field of the scene file.
@@ -45,6 +49,8 @@ pub enum Purpose {
     Scene,
     /// The file for the picture.
     Picture,
+    /// A picture to compare ours with.
+    Theirs,
 }
 
 /// The view of the two pictures.

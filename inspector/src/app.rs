@@ -8,6 +8,7 @@ use pictures::parse_pixel;
 use crate::action::{Action, Purpose};
 use crate::comparison::bar;
 use crate::comparison::mistake::WithMistake;
+use crate::comparison::opening::{self, Opening};
 use crate::comparison::theirs::Theirs;
 use crate::explanation::selection::Selection;
 use crate::explanation::tree::Tree;
@@ -43,6 +44,7 @@ pub struct Inspector {
     pub theirs: Option<Theirs>,
     /// The mistake with which another picture is made.
     pub mistake: WithMistake,
+    opening: Opening,
     /// The text in the fields.
     pub fields: Fields,
     /// The message, and whether it is an error.
@@ -83,6 +85,7 @@ impl Inspector {
             space: SpaceView::default(),
             theirs: None,
             mistake: WithMistake::default(),
+            opening: Opening::default(),
             fields: Fields { save: session.rendering.source.picture_name(), ..Fields::default() },
             message: None,
             picker: ScenePicker::default(),
@@ -125,6 +128,7 @@ impl Inspector {
             || matches!(rendering.progress(), Progress::Running(..))
             || !self.picture.is_fresh(rendering)
             || self.mistake.is_busy()
+            || self.opening.is_busy()
             || self.space.is_busy()
             || self.theirs.as_ref().is_some_and(|it| it.is_busy(rendering))
     }
@@ -138,6 +142,9 @@ impl Inspector {
             None => {}
         }
         self.message = self.saving.poll().or(self.message.take());
+        let opened =
+            self.opening.refresh(&ctx, &mut self.session, &mut self.mistake, &mut self.theirs);
+        self.message = opened.or(self.message.take());
         self.open_dropped(&ctx);
         self.session.follow_files(&ctx);
         self.frame.refresh(&ctx, &self.session.rendering);
@@ -207,7 +214,8 @@ impl Inspector {
         });
         Panel::bottom("status").frame(bar).show(ui, |ui| {
             let (theirs, is_loading) = (self.theirs.as_ref(), self.session.loading.is_busy());
-            actions.extend(panels::status(ui, rendering, theirs, self.hovered, is_loading));
+            let shown = (theirs, &self.picture.layer);
+            actions.extend(panels::status(ui, rendering, shown, self.hovered, is_loading));
         });
         Panel::top("view").frame(bar).show(ui, |ui| {
             panels::view_settings(ui, &mut self.picture, &mut self.space.mode, rendering);
@@ -232,11 +240,12 @@ impl Inspector {
             ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
         }
         let margin = vec2(8.0, 6.0);
+        let mut choosing = None;
         let is_changed = part(ui, "scene", parts.scene, margin, |ui| {
             let show = |ui: &mut Ui| {
                 // their picture of a file keeps its place
                 if self.theirs.as_ref().is_none_or(|theirs| theirs.program.is_some()) {
-                    self.mistake.show(ui, &self.session.rendering);
+                    choosing = self.mistake.show(ui, &self.session.rendering);
                     ui.add_space(8.0);
                 }
                 panels::scene(ui, &mut self.session, &mut self.settings)
@@ -257,7 +266,7 @@ impl Inspector {
             part(ui, "space", area, Vec2::ZERO, |ui| self.rays_in_space(ui, area));
         }
         let rebuild = (is_changed || is_resampled).then_some(Action::Rebuild);
-        rebuild.into_iter().chain(framed).collect()
+        rebuild.into_iter().chain(framed).chain(choosing).collect()
     }
 
     /// Shows our picture, and theirs over it, in this area.
@@ -265,7 +274,8 @@ impl Inspector {
         let rendering = &self.session.rendering;
         let size = rendering.size();
         let theirs = self.theirs.as_mut().filter(|theirs| theirs.fits(rendering));
-        self.hovered = self.picture.show(ui, size, self.selection.pixel, |painter, placement| {
+        let selected = self.selection.pixel;
+        self.hovered = self.picture.show(ui, rendering, selected, |painter, placement| {
             if let Some(theirs) = &theirs {
                 theirs.paint(painter, placement, rendering);
             }
@@ -308,10 +318,13 @@ impl Inspector {
         is_ours.then(|| display::stepped(ui, pixel, self.session.rendering.size()))?
     }
 
-    /// Opens a file that is dropped on the window.
+    /// Opens a scene that is dropped on the window, or compares with a picture.
     fn open_dropped(&mut self, ctx: &Context) {
         if let Some(file) = ctx.input(|input| input.raw.dropped_files.first().cloned()) {
             let path = file.path().to_owned();
+            if opening::is_picture(&path) {
+                return self.perform(ctx, Action::Compare(path));
+            }
             self.fields.open = path.display().to_string();
             self.perform(ctx, Action::Open(Source::File(path)));
         }
@@ -330,6 +343,7 @@ impl Inspector {
                 self.fields.open = name;
                 Action::Open(Source::File(path))
             }
+            Purpose::Theirs => Action::Compare(path),
             Purpose::Picture => {
                 self.fields.save = name;
                 Action::SaveAs(path)
@@ -384,6 +398,11 @@ impl Inspector {
                 self.message = None;
                 self.saving.start(ctx, rendering, &self.picture, &path);
             }
+            Action::Compare(path) => {
+                self.message = None;
+                self.opening.start(ctx, path);
+            }
+            Action::EndComparison => self.theirs = None,
             Action::Choose(purpose) => self.chooser.show(ctx, purpose),
             Action::NameScene => {
                 ctx.memory_mut(|memory| memory.request_focus(panels::file_field()))

@@ -1,5 +1,6 @@
 //! Film: finished pixels, tone mapping, and picture files.
 
+mod channels;
 mod files;
 mod provenance;
 mod replace;
@@ -7,6 +8,7 @@ mod tone;
 
 use crate::rgb::Rgb;
 
+pub use channels::{Channel, encode_channels};
 pub use files::{Format, ImageError, data_uri, encode, read_exr, writable, write, write_made};
 pub use provenance::{Provenance, Replicas};
 pub use replace::{TEMPORARY, folder_of, replace, replace_all, replaceable, without_path};

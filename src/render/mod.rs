@@ -284,17 +284,26 @@ impl Canvas {
 
     /// Renders every pixel once, in parallel on the current rayon pool; returns early if cancelled.
     pub fn render(&self, renderer: &impl Renderer) {
-        self.render_coarse(renderer);
-        self.render_those(renderer, |pixel| !is_coarse(pixel));
+        self.fill(|at| pixel(renderer, at));
+    }
+
+    /// As [`Canvas::render`], with another value for each pixel of the view.
+    pub fn fill(&self, value: impl Fn([u32; 2]) -> Rgb + Sync) {
+        self.fill_those(&value, is_coarse);
+        self.fill_those(&value, |pixel| !is_coarse(pixel));
     }
 
     /// Renders the pixels of the coarse picture only.
     pub fn render_coarse(&self, renderer: &impl Renderer) {
-        self.render_those(renderer, is_coarse);
+        self.fill_those(&|at| pixel(renderer, at), is_coarse);
     }
 
-    /// Renders the wanted pixels, tile by tile.
-    fn render_those(&self, renderer: &impl Renderer, wanted: impl Fn([u32; 2]) -> bool + Sync) {
+    /// Fills the wanted pixels, tile by tile.
+    fn fill_those(
+        &self,
+        value: &(impl Fn([u32; 2]) -> Rgb + Sync),
+        wanted: impl Fn([u32; 2]) -> bool + Sync,
+    ) {
         let Crop { x, y, width, height } = self.crop;
         let (across, down) = (width.div_ceil(TILE), height.div_ceil(TILE));
         (0..across * down).into_par_iter().for_each(|tile| {
@@ -306,7 +315,7 @@ impl Canvas {
                 if self.is_cancelled() {
                     return;
                 }
-                finished.push((at, pixel(renderer, [x + column, y + row])));
+                finished.push((at, value([x + column, y + row])));
             }
             let mut picture = self.lock();
             finished.iter().for_each(|&(at, color)| picture.set(at, color));

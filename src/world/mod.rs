@@ -2,6 +2,7 @@
 
 mod build;
 mod bumped;
+mod cost;
 mod file;
 mod placing;
 

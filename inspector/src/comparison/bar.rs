@@ -36,6 +36,10 @@ pub fn show(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<A
 /// Shows the views to choose from, and how much differs.
 fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Action> {
     let show = |ui: &mut Ui| {
+        let is_of_file = theirs.program.is_none();
+        if is_of_file && ui.small_button("×").on_hover_text("Compare no more").clicked() {
+            return Some(Action::EndComparison);
+        }
         if !theirs.fits(rendering) {
             let ([w, h], [width, height]) = (theirs.size(), rendering.size());
             let name = &theirs.name;

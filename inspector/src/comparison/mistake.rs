@@ -8,7 +8,7 @@ use groundtruth::film::Film;
 use groundtruth::render::{self, Canvas, Renderer};
 use judge::mistakes::{self, Mistake, Mistaken};
 
-use crate::action::Shows;
+use crate::action::{Action, Purpose, Shows};
 use crate::comparison::theirs::Theirs;
 use crate::picture::worker::{Background, Rendering};
 
@@ -38,8 +38,9 @@ impl WithMistake {
         self.chosen = mistake;
     }
 
-    /// Shows the list of mistakes: those that the scene of the gallery shows, or all.
-    pub fn show(&mut self, ui: &mut Ui, rendering: &Rendering) {
+    /// Shows the list of mistakes: those that the scene of the gallery shows, or all; and a button for a picture of a
+    /// file instead.
+    pub fn show(&mut self, ui: &mut Ui, rendering: &Rendering) -> Option<Action> {
         let name = self.chosen.map_or("none", |mistake| mistake.name);
         let label = ui.label("With the mistake");
         let list = ComboBox::from_id_salt("mistake").selected_text(name).truncate();
@@ -56,6 +57,9 @@ impl WithMistake {
         if self.is_busy() {
             ui.spinner();
         }
+        let button = ui.button("Compare with …");
+        let hint = "A picture of another program, which can also be dropped on the window: ours is rendered at its size";
+        button.on_hover_text(hint).clicked().then_some(Action::Choose(Purpose::Theirs))
     }
 
     /// Starts to make the picture that is chosen, and puts it in the place of theirs once it is made. Returns why there

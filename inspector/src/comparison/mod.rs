@@ -4,4 +4,5 @@ pub mod bar;
 pub mod judgement;
 pub mod layer;
 pub mod mistake;
+pub mod opening;
 pub mod theirs;

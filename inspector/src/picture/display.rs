@@ -11,7 +11,9 @@ use groundtruth::film::Tone;
 use groundtruth::render::Canvas;
 use groundtruth::rgb::Rgb;
 
+use crate::picture::chosen_layer::ChosenLayer;
 use crate::picture::tiles::{self, Images, Tiles};
+use crate::picture::values;
 use crate::picture::view::{Placement, View};
 use crate::picture::worker::{Background, Rendering};
 
@@ -26,6 +28,8 @@ pub struct Picture {
     pub view: View,
     /// The tone in which radiance is shown.
     pub tone: Tone,
+    /// The layer that is shown in its place.
+    pub layer: ChosenLayer,
     tiles: Tiles,
     /// The previous picture, shown darker where the new one is not rendered yet.
     previous_tiles: Tiles,
@@ -94,6 +98,7 @@ impl Picture {
         Self {
             view: View::WHOLE,
             tone,
+            layer: ChosenLayer::default(),
             tiles: Tiles::default(),
             previous_tiles: Tiles::default(),
             shown: None,
@@ -106,6 +111,7 @@ impl Picture {
 
     /// Updates the textures with the tiles that are ready.
     pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering) {
+        self.layer.refresh(ctx, rendering, self.tone);
         if let Some(Ok((version, tiles))) = self.developing.poll()
             && version.generation == rendering.generation
         {
@@ -130,7 +136,7 @@ impl Picture {
 
     /// Whether the screen shows this picture as far as it is rendered.
     pub fn is_fresh(&self, rendering: &Rendering) -> bool {
-        self.shown == Some(Version::of(rendering, self.tone))
+        self.shown == Some(Version::of(rendering, self.tone)) && self.layer.is_fresh(rendering)
     }
 
     /// Keeps the last picture beneath a new one of the same size.
@@ -169,16 +175,17 @@ impl Picture {
         self.placement(size).pixel(at?)
     }
 
-    /// Draws the picture, with what `over` draws on its pixels, and handles the mouse. Returns the pixel under the
-    /// mouse.
+    /// Draws the picture or the layer, with what `over` draws on its pixels, and handles the mouse. Returns the pixel
+    /// under the mouse.
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        size: [u32; 2],
+        rendering: &Rendering,
         selected: Option<[u32; 2]>,
         over: impl FnOnce(&Painter, &Placement),
     ) -> Option<[u32; 2]> {
         let (response, painter) = ui.allocate_painter(ui.available_size(), Sense::click_and_drag());
+        let size = rendering.size();
         (self.area, self.id) = (response.rect, Some(response.id));
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "picture"));
         let pointer = response.hover_pos();
@@ -208,25 +215,36 @@ impl Picture {
             EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
         ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, keys));
 
-        self.paint(&painter, &placement, selected, over);
+        self.paint(&painter, (&placement, rendering), selected, over);
+        values::legend(ui, self.area, &self.layer);
         hovered
     }
 
     fn paint(
         &self,
         painter: &Painter,
-        placement: &Placement,
+        (placement, rendering): (&Placement, &Rendering),
         selected: Option<[u32; 2]>,
         over: impl FnOnce(&Painter, &Placement),
     ) {
         let whole = placement.whole();
         painter.rect_filled(painter.clip_rect(), 0.0, Color32::from_gray(24));
         painter.rect_filled(whole, 0.0, Color32::BLACK);
-        self.previous_tiles.paint(painter, placement, Color32::from_gray(90));
-        if !self.shown.is_some_and(|shown| shown.finished) {
+        let is_layer = self.layer.chosen.is_some();
+        if !is_layer {
+            self.previous_tiles.paint(painter, placement, Color32::from_gray(90));
+        }
+        let is_finished = self.shown.is_some_and(|shown| shown.finished);
+        if !(if is_layer { self.layer.is_complete() } else { is_finished }) {
             hatch(&painter.with_clip_rect(painter.clip_rect().intersect(whole)));
         }
-        self.tiles.paint(painter, placement, Color32::WHITE);
+        if is_layer {
+            self.layer.paint(painter, placement);
+        } else {
+            self.tiles.paint(painter, placement, Color32::WHITE);
+        }
+        let tone = |radiance| self.tone.to_bytes(radiance);
+        values::write(painter, placement, rendering, &self.layer, tone);
         over(painter, placement);
         if placement.scale >= GRID_MIN_SCALE {
             grid(painter, placement);

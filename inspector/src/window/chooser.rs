@@ -1,4 +1,4 @@
-//! The desktop's file chooser, for a scene to open and for the file of the picture.
+//! The desktop's file chooser, for a scene to open, for the file of the picture, and for one to compare with.
 
 use std::path::PathBuf;
 use std::pin::Pin;
@@ -7,6 +7,7 @@ use eframe::egui::Context;
 use rfd::{AsyncFileDialog, FileHandle};
 
 use crate::action::Purpose;
+use crate::comparison::opening::FORMATS;
 use crate::picture::worker::Background;
 
 /// The chooser while it is open.
@@ -25,6 +26,7 @@ impl FileChooser {
         let dialog = AsyncFileDialog::new();
         let chosen: Pin<Box<dyn Future<Output = Option<FileHandle>> + Send>> = match purpose {
             Purpose::Scene => Box::pin(dialog.add_filter("scenes", &["toml"]).pick_file()),
+            Purpose::Theirs => Box::pin(dialog.add_filter("pictures", &FORMATS).pick_file()),
             Purpose::Picture => {
                 let formats = ["png", "ppm", "exr", "pfm"];
                 Box::pin(dialog.add_filter("pictures", &formats).save_file())

@@ -8,6 +8,7 @@ use groundtruth::explain::{self, count, short};
 
 use crate::action::{Action, Purpose};
 use crate::comparison::theirs::Theirs;
+use crate::picture::chosen_layer::ChosenLayer;
 use crate::picture::display::Picture;
 use crate::picture::image_settings::ImageSettings;
 use crate::picture::session::Session;
@@ -34,6 +35,9 @@ const ONE_ROW_MIN_WIDTH: f32 = 1250.0;
 
 /// The length of sliders in a narrow window.
 const SHORT_SLIDER: f32 = 24.0;
+
+/// The least width of the bar of the view with its separators and all of its buttons in one row.
+const WIDE_VIEW_BAR: f32 = 980.0;
 
 /// The id of the field for the scene file, which a shortcut focuses.
 pub fn file_field() -> Id {
@@ -159,6 +163,12 @@ pub fn view_settings(ui: &mut Ui, picture: &mut Picture, mode: &mut Mode, render
         if ui.available_width() < ONE_ROW_MIN_WIDTH {
             ui.spacing_mut().slider_width = SHORT_SLIDER;
         }
+        let is_narrow = ui.available_width() < WIDE_VIEW_BAR;
+        let separator = |ui: &mut Ui| {
+            if !is_narrow {
+                drop(ui.separator())
+            }
+        };
         for (shown, text, hint) in [
             (Mode::Picture, "Picture", "The picture (S: the next view)"),
             (Mode::Both, "Both", "The picture, and the rays of the selected sample in space"),
@@ -166,7 +176,9 @@ pub fn view_settings(ui: &mut Ui, picture: &mut Picture, mode: &mut Mode, render
         ] {
             ui.selectable_value(mode, shown, text).on_hover_text(hint);
         }
-        ui.separator();
+        separator(ui);
+        picture.layer.choose(ui, is_narrow);
+        separator(ui);
         let label = ui.label("Exposure");
         let exposure = Slider::new(&mut picture.tone.exposure, 0.01..=100.0).logarithmic(true);
         ui.add(exposure.max_decimals(3)).labelled_by(label.id);
@@ -178,17 +190,22 @@ pub fn view_settings(ui: &mut Ui, picture: &mut Picture, mode: &mut Mode, render
         if reset.on_hover_text("Exposure 1 and the gamma of the scene").clicked() {
             picture.tone = own;
         }
-        ui.separator();
+        separator(ui);
         let size = rendering.size();
         if ui.button("Whole").on_hover_text("The whole picture, as large as fits").clicked() {
             picture.view = View::WHOLE;
         }
-        for zoom in [1.0_f32, 4.0, 12.0] {
-            if ui
-                .button(format!("{zoom}×"))
-                .on_hover_text("Screen points per pixel of the picture")
-                .clicked()
-            {
+        for (zoom, hint) in [
+            (1.0_f32, "A point of the screen for each pixel of the picture"),
+            (4.0, "4 × 4 points for each pixel"),
+            (12.0, "12 × 12 points for each pixel, with a grid"),
+            (64.0, "64 × 64 points for each pixel, with its values as text"),
+        ] {
+            // the wheel zooms as far
+            if is_narrow && zoom > 12.0 {
+                continue;
+            }
+            if ui.button(format!("{zoom}×")).on_hover_text(hint).clicked() {
                 picture.set_zoom(size, zoom);
             }
         }
@@ -199,7 +216,7 @@ pub fn view_settings(ui: &mut Ui, picture: &mut Picture, mode: &mut Mode, render
 pub fn status(
     ui: &mut Ui,
     rendering: &Rendering,
-    theirs: Option<&Theirs>,
+    (theirs, layer): (Option<&Theirs>, &ChosenLayer),
     hovered: Option<[u32; 2]>,
     is_loading: bool,
 ) -> Option<Action> {
@@ -213,9 +230,17 @@ pub fn status(
             ui.label("loading");
         }
         progress(ui, rendering);
+        if let Some(part) = layer.progress() {
+            ui.add(ProgressBar::new(part).desired_width(80.0).text("layer"));
+        }
         ui.separator();
         match hovered {
-            Some(pixel) => drop(ui.monospace(under_mouse(rendering, theirs, pixel))),
+            Some(pixel) => {
+                let layer = layer.in_words(rendering, pixel);
+                let layer = layer.map_or(String::new(), |layer| format!("  {layer}"));
+                let text = under_mouse(rendering, theirs, pixel) + &layer;
+                ui.add(Label::new(RichText::new(text).monospace()).truncate());
+            }
             None => drop(ui.weak("point at a pixel to read it")),
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {

@@ -224,3 +224,66 @@ fn bytes_are_decoded_as_srgb() {
         assert_eq!(theirs.radiance([1, 0]), None);
     }
 }
+
+/// A file that is dropped on the window.
+#[derive(Debug)]
+struct Dropped(std::path::PathBuf);
+
+impl eframe::egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        std::fs::read(&self.0).map_err(|error| error.to_string())
+    }
+}
+
+fn drop_file(window: &mut Window, path: &Path) {
+    let file = std::sync::Arc::new(Dropped(path.to_owned()));
+    window.input_mut().dropped_files.push(file);
+    settle(window);
+}
+
+/// Law: a picture that is dropped on the window is compared with ours, rendered at its size, in place of the picture of a
+/// mistake; the bar ends the comparison; what is no picture is an error, and ours stays. Oracle: a picture of ours in
+/// another size, of which no pixel differs.
+#[test]
+fn a_dropped_picture_is_compared() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let mut scene = small_glass_sphere();
+    scene.image.resize(24, 24);
+    let smaller = render::render(&built(&scene));
+    let path = folder.path().join("Theirs.EXR");
+    let written = folder.path().join("theirs.exr");
+    film::write(&smaller, &Tone::PLAIN, &written).expect("written");
+    std::fs::rename(written, &path).expect("renamed");
+    let mut window = glass_window();
+    window.state_mut().mistake.choose(judge::mistakes::find("no-eta-squared"));
+    settle(&mut window);
+    assert!(window.state().theirs.as_ref().is_some_and(|theirs| theirs.program.is_some()));
+
+    drop_file(&mut window, &path);
+    let inspector = window.state();
+    assert_eq!(inspector.session.rendering.size(), [24, 24]);
+    let theirs = inspector.theirs.as_ref().expect("it was dropped");
+    assert!(theirs.program.is_none() && theirs.name.ends_with("Theirs.EXR"));
+    assert_eq!(theirs.comparison(&inspector.session.rendering).expect("compared").differing, 0);
+
+    let broken = folder.path().join("broken.png");
+    std::fs::write(&broken, "no picture").expect("written");
+    drop_file(&mut window, &broken);
+    let inspector = window.state();
+    assert!(inspector.theirs.is_some());
+    assert!(
+        inspector
+            .message
+            .as_ref()
+            .is_some_and(|(text, is_error)| { *is_error && text.contains("broken.png") })
+    );
+    window.state_mut().message = None;
+    window.run_steps(2);
+    window.get_by_role_and_label(Role::Button, "×").click();
+    settle(&mut window);
+    assert!(window.state().theirs.is_none());
+}

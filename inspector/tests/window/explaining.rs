@@ -39,7 +39,7 @@ fn a_click_on_the_glass_sphere_shows_its_tree() {
 /// The printed sum of the pixel's samples.
 fn sum(window: &Window) -> String {
     let labels = window.query_all_by_label_contains("= (");
-    let mut texts = labels.filter_map(|label| label.accesskit_node().label());
+    let mut texts = labels.map(|label| text_of(&label.accesskit_node()));
     texts.find(|text| text.starts_with("= (")).expect("a sum")
 }
 

@@ -5,6 +5,7 @@ mod choosing;
 mod comparing;
 mod explaining;
 mod judging;
+mod layers;
 mod looking;
 mod mistaken;
 mod noise;

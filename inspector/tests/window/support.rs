@@ -131,7 +131,8 @@ pub fn text_with(window: &Window, part: &str) -> String {
     text_of(&window.get_by_label_contains(part).accesskit_node())
 }
 
-fn text_of(node: &egui_kittest::kittest::AccessKitNode<'_>) -> String {
+/// The text of a node.
+pub fn text_of(node: &egui_kittest::kittest::AccessKitNode<'_>) -> String {
     node.label().or_else(|| node.value()).unwrap_or_default()
 }
 

@@ -122,7 +122,7 @@ fn what_is_copied_reproduces_the_pixel() {
     let mean: Vec<f64> = mean.iter().filter_map(serde_json::Value::as_f64).collect();
     assert_eq!(mean, expected);
     let page = copied(&mut window, "A page for a class");
-    assert!(page.starts_with("<!doctype html>") && page.contains("(17, 19)"), "{}", &page[..200]);
+    assert!(page.starts_with("<!DOCTYPE html>") && page.contains("(17, 19)"), "{}", &page[..200]);
     let test = copied(&mut window, "A test in Rust");
     assert!(test.contains("#[test]") && test.contains("[17, 19]"), "{test}");
     let numbers = copied(&mut window, "All numbers of the selected ray");

@@ -1,0 +1,178 @@
+//! `groundtruth render --layers` and `--layer NAME`.
+
+use std::error::Error;
+use std::fmt::Write;
+use std::io::{IsTerminal, stderr};
+use std::path::Path;
+
+use clap::Args;
+use groundtruth::film::{self, Film, Format, Provenance, Tone};
+use groundtruth::printable;
+use groundtruth::render::{Canvas, Crop, Renderer};
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use groundtruth::world::World;
+use layers::{Colors, Layer, LayerFilms, LegendRow, Scale, encode_layer};
+
+#[derive(Args)]
+pub struct LayerArguments {
+    /// Write all layers into one EXR file of named channels: the picture (R, G, B), normals (N), distance (Z), objects
+    /// (id.object), counts, the light of each lamp, lobe and depth …
+    #[arg(long, conflicts_with_all = ["layer", "replicas", "stereo"])]
+    layers: bool,
+    /// Write this layer in false colours (.png, .ppm), whose legend is printed, or its values (.exr): normal, distance,
+    /// object, rays, light:NAME, depth:N … A wrong name lists all
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["replicas", "stereo"])]
+    layer: Option<String>,
+}
+
+/// What is written of a scene.
+pub enum Content {
+    /// The picture.
+    Picture,
+    /// All layers.
+    All(LayerFilms),
+    /// One layer.
+    One(Layer),
+}
+
+impl LayerArguments {
+    /// What they ask for, of this part of a world's picture.
+    ///
+    /// # Errors
+    /// No layer has the name, or no file of the format has layers.
+    pub fn content(
+        &self,
+        world: &World,
+        crop: Crop,
+        (file, format): (&Path, Format),
+    ) -> Result<Content, Box<dyn Error>> {
+        let refused = |problem: &str| Err(format!("{}: {problem}", file.display()).into());
+        match &self.layer {
+            _ if self.layers && format != Format::Exr => {
+                refused("--layers are channels of one file: end its name with .exr")
+            }
+            None if self.layers => Ok(Content::All(LayerFilms::new(crop))),
+            None => Ok(Content::Picture),
+            Some(_) if format == Format::Pfm => {
+                refused("a layer is written as .exr (its values), .png or .ppm (in false colours)")
+            }
+            Some(name) => {
+                let layer =
+                    Layer::named(name, world).map_err(|why| format!("--layer {name}: {why}"))?;
+                Ok(Content::One(layer))
+            }
+        }
+    }
+}
+
+impl Content {
+    /// Whether all samples are traced for it.
+    pub fn needs_rays(&self) -> bool {
+        match self {
+            Self::Picture | Self::All(_) => true,
+            Self::One(layer) => !layer.is_of_hit(),
+        }
+    }
+
+    /// Finds it; `canvas` shows the progress, and can cancel.
+    pub fn render(&self, renderer: &impl Renderer, canvas: &Canvas) {
+        match self {
+            Self::Picture => canvas.render(renderer),
+            Self::All(films) => films.render(renderer, canvas),
+            Self::One(layer) => {
+                canvas.fill(|pixel| layer.to_film(layer.value(renderer, pixel)));
+            }
+        }
+    }
+
+    /// The bytes of its file.
+    pub fn encode(
+        &self,
+        film: &Film,
+        format: Format,
+        (scene, world): (&Scene, &World),
+        made: &Provenance,
+    ) -> std::io::Result<Vec<u8>> {
+        let tone = scene.image.tone();
+        match self {
+            Self::Picture => film::encode(film, &tone, format, made),
+            Self::All(films) => films.encode(world, made),
+            Self::One(layer) if format == Format::Exr => encode_layer(layer, film, world, made),
+            Self::One(layer) if layer.kind().scale == Scale::Radiance => {
+                film::encode(film, &tone, format, made)
+            }
+            Self::One(layer) => {
+                let colors = colors(layer, film, (scene, world));
+                film::encode(&shown(layer, film, &colors), &Tone::SCREEN, format, made)
+            }
+        }
+    }
+
+    /// What a person must know to read its file; nothing of a picture.
+    pub fn legend(
+        &self,
+        film: &Film,
+        format: Format,
+        (scene, world): (&Scene, &World),
+    ) -> Option<String> {
+        let layer = match self {
+            Self::Picture => return None,
+            Self::All(films) => return Some(format!("channels {}", films.channels().join(", "))),
+            Self::One(layer) => layer,
+        };
+        let mut text = format!("{layer} ({})", layer.kind().about);
+        if format == Format::Exr {
+            let unit = layer.kind().unit;
+            let unit = if unit.is_empty() { String::new() } else { format!(", in {unit}") };
+            return Some(format!("{text}: channels {}{unit}", layer.channels().join(", ")));
+        }
+        let colors = colors(layer, film, (scene, world));
+        let rows = colors.legend(layer, values(layer, film));
+        if rows.is_empty() {
+            text += &format!(", shown as the picture is: {}", scene.image.tone());
+        }
+        for row in &rows {
+            let _ = write!(text, "\n  {}", legend_row(row));
+        }
+        Some(text)
+    }
+
+    /// What it is a part of, for its file.
+    pub fn part(&self) -> Option<String> {
+        match self {
+            Self::Picture => None,
+            Self::All(_) => Some("all layers".to_owned()),
+            Self::One(layer) => Some(format!("layer {layer}")),
+        }
+    }
+}
+
+fn values(layer: &Layer, film: &Film) -> impl Iterator<Item = Option<Rgb>> {
+    film.pixels().iter().map(|&value| layer.from_film(value))
+}
+
+fn colors(layer: &Layer, film: &Film, (scene, world): (&Scene, &World)) -> Colors {
+    Colors::of(layer, values(layer, film).flatten(), world, scene.image.tone())
+}
+
+/// A film that [`Tone::SCREEN`] shows in these colours.
+fn shown(layer: &Layer, film: &Film, colors: &Colors) -> Film {
+    let mut shown = Film::new(film.width(), film.height());
+    let all = (0..film.height()).flat_map(|y| (0..film.width()).map(move |x| [x, y]));
+    for at in all {
+        let bytes = colors.color(layer.from_film(film.get(at)));
+        let color = Rgb::from(bytes.map(|byte| f64::from(byte) / 255.0));
+        shown.set(at, color.powc(Tone::SCREEN.gamma));
+    }
+    shown
+}
+
+/// A line of a legend, with a patch of its colour on a terminal.
+fn legend_row(LegendRow { color: [r, g, b], text }: &LegendRow) -> String {
+    let text = printable::text(text);
+    match stderr().is_terminal() && std::env::var_os("NO_COLOR").is_none() {
+        true => format!("\x1b[48;2;{r};{g};{b}m    \x1b[0m {text}"),
+        false => format!("#{r:02x}{g:02x}{b:02x} {text}"),
+    }
+}

@@ -1,0 +1,7 @@
+//! Laws of the layers of a picture.
+
+mod colors;
+mod explained;
+mod files;
+mod named;
+mod scenes;

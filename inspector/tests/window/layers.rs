@@ -1,0 +1,116 @@
+//! Layers in place of the picture.
+
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use eframe::egui::accesskit::Role;
+use egui_kittest::kittest::Queryable;
+use groundtruth::film::Tone;
+use layers::{Colors, Layer};
+
+use crate::support::*;
+
+/// Chooses a layer in the list.
+fn choose(window: &mut Window, name: &str) {
+    window.get_by_role_and_label(Role::ComboBox, "Layer").click();
+    window.run_steps(3);
+    window.get_by_role_and_label(Role::Button, name).click();
+    window.run_steps(3);
+}
+
+/// Law: where a layer is chosen, the screen has its colours, the legend its names, the status its value under the mouse,
+/// and a click explains the pixel as before. Oracle: the layer from the library, one pixel at a time.
+#[test]
+fn a_chosen_layer_is_shown() {
+    let scene = small_glass_sphere();
+    let mut window = glass_window();
+    let world = built(&scene);
+    let before = shown(&mut window, [40, 45]);
+    choose(&mut window, "object");
+    settle(&mut window);
+    let layer = Layer::named("object", &world).expect("a layer");
+    let colors = Colors::of(&layer, std::iter::empty(), &world, Tone::PLAIN);
+    let mut names = Vec::new();
+    for pixel in [[24, 24], [33, 22], [10, 44], [40, 45], [3, 3]] {
+        let value = layer.value(&world, pixel);
+        assert_eq!(shown(&mut window, pixel), colors.color(value), "{pixel:?}");
+        let at = on_screen(&window, pixel);
+        window.hover_at(at);
+        window.run_steps(2);
+        let words = value.map_or("none".to_owned(), |value| layer.in_words(value, &world));
+        let status = text_with(&window, &format!("({}, {})  ", pixel[0], pixel[1]));
+        assert!(status.ends_with(&format!("object {words}")), "{status}");
+        names.extend(value.map(|_| words));
+    }
+    names.sort();
+    names.dedup();
+    assert!(names.len() > 1, "{names:?}");
+    for name in &names {
+        assert!(window.query_all_by_label(name).count() > 0, "the legend has no {name}");
+    }
+    click(&mut window, [24, 24]);
+    assert_eq!(window.state().selection.pixel, Some([24, 24]));
+    assert!(window.query_all_by_label_contains(&root_line(&scene, [24, 24])).count() > 0);
+
+    choose(&mut window, "picture");
+    settle(&mut window);
+    assert_eq!(shown(&mut window, [40, 45]), before);
+}
+
+/// Law: the work for a layer ends when another is chosen. Oracle: the references to the world, of which the work has one.
+#[test]
+fn a_layer_that_is_left_is_not_found_further() {
+    let mut scene = small_glass_sphere();
+    scene.image.samples = 1;
+    let mut window = open(scene.clone());
+    settle(&mut window);
+    // hours
+    scene.image.resize(2000, 2000);
+    scene.image.samples = 1024;
+    let count = |window: &Window| Arc::strong_count(&window.state().session.rendering.world);
+    let mut slow = open(scene);
+    slow.run_steps(3);
+    slow.state_mut().session.rendering.canvas.cancel();
+    let start = Instant::now();
+    let wait_for = |window: &mut Window, wanted: &dyn Fn(usize) -> bool| {
+        while !wanted(count(window)) {
+            assert!(start.elapsed() < Duration::from_secs(60), "{} references", count(window));
+            std::thread::sleep(Duration::from_millis(5));
+            window.step();
+        }
+    };
+    let idle = count(&window);
+    wait_for(&mut slow, &|count| count == idle);
+    let rays = Layer::named("rays", &slow.state().session.rendering.world).expect("a layer");
+    slow.state_mut().picture.layer.chosen = Some(rays);
+    slow.run_steps(2);
+    assert!(count(&slow) > idle, "it is being found");
+    slow.state_mut().picture.layer.chosen = None;
+    wait_for(&mut slow, &|count| count == idle);
+}
+
+/// Law: values are written into pixels of 64 points and more, and not into smaller ones, for the picture and for a layer.
+/// Oracle: a pixel of one colour has none but that on the screen, unless something is written there.
+#[test]
+fn large_pixels_have_their_values_as_text() {
+    let mut window = glass_window();
+    let size = window.state().session.rendering.size();
+    for layer in ["picture", "distance"] {
+        choose(&mut window, layer);
+        for (zoom, is_written) in [(60.0, false), (64.0, true)] {
+            window.state_mut().picture.set_zoom(size, zoom);
+            settle(&mut window);
+            let pixel = [24, 24];
+            window.state_mut().picture.reveal(size, pixel);
+            window.run_steps(2);
+            let at = window.state().picture.placement(size).rect(pixel).shrink(6.0);
+            let image = window.render().expect("drawn");
+            let rows = at.min.y as u32..at.max.y as u32;
+            let colors = rows.flat_map(|y| (at.min.x as u32..at.max.x as u32).map(move |x| [x, y]));
+            let mut colors: Vec<_> = colors.map(|[x, y]| image.get_pixel(x, y).0).collect();
+            colors.sort_unstable();
+            colors.dedup();
+            assert_eq!(colors.len() > 1, is_written, "{layer} at {zoom}: {} colours", colors.len());
+        }
+    }
+}
