@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
 use conform::family::Family;
-use conform::{self, Card, Known, Options, Profile, Row, card};
+use conform::{self, Card, KnownFailures, Options, Profile, Row, card};
 use groundtruth::printable;
 use pictures::told::Told;
 
@@ -74,7 +74,7 @@ impl Conform {
         let families = self.families()?;
         output::once(self.files(), "output")?;
         self.files().try_for_each(output::writable)?;
-        let known = self.known.as_deref().map(Known::read).transpose()?;
+        let known = self.known.as_deref().map(KnownFailures::read).transpose()?;
         let interrupted = interrupt::flag()?;
         let profile = match self.profile {
             Exact::Careful => Profile::Careful,
@@ -150,12 +150,12 @@ impl Conform {
         };
         write(&self.output, &|| card::page(card, told, &command))?;
         write(&self.junit, &|| card::junit(card, &command))?;
-        write(&self.write_known, &|| conform::Known::of(card).to_string())?;
+        write(&self.write_known, &|| conform::KnownFailures::of(card).to_string())?;
         Ok(())
     }
 }
 
-fn exit(card: &Card, known: Option<&Known>) -> Exit {
+fn exit(card: &Card, known: Option<&KnownFailures>) -> Exit {
     if !card.is_whole {
         return Exit::Interrupted;
     }
@@ -167,7 +167,7 @@ fn exit(card: &Card, known: Option<&Known>) -> Exit {
 }
 
 /// Prints how a card differs from the failures that are known; whether it does.
-fn is_new(known: &Known, card: &Card) -> bool {
+fn is_new(known: &KnownFailures, card: &Card) -> bool {
     let (new, passed) = known.compare(card);
     new.iter().for_each(|name| eprintln!("not known to fail: {name}"));
     passed.iter().for_each(|name| eprintln!("known to fail, but does not: {name}"));

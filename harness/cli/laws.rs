@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use claims::{Card, Description, Options, Row, Trouble};
+use claims::{ClaimsCard, ClaimsOptions, Description, SubjectRow, Trouble};
 use clap::Args;
 use groundtruth::printable;
 use pictures::told::Told;
@@ -59,7 +59,7 @@ impl Laws {
             }
         };
         let seed = if self.fresh { fresh_seed() } else { self.seed };
-        let options = Options { cases: self.cases, seed };
+        let options = ClaimsOptions { cases: self.cases, seed };
         let style = "{bar:30} {pos} of {len}  {wide_msg}";
         let bar = progress::bar(lobes.len() as u64, style);
         let card = claims::run(&mut program, &lobes, options, &mut |name| {
@@ -94,7 +94,7 @@ impl Laws {
         output::say(text, self.files().find(|file| output::is_standard(file)))
     }
 
-    fn write(&self, card: &Card, told: &Told) -> Result<(), Box<dyn Error>> {
+    fn write(&self, card: &ClaimsCard, told: &Told) -> Result<(), Box<dyn Error>> {
         let command = self.program.command();
         if let Some(file) = &self.output {
             output::write(file, claims::page(card, told, &command).as_bytes())?;
@@ -106,14 +106,14 @@ impl Laws {
     }
 }
 
-fn exit(card: &Card) -> Exit {
+fn exit(card: &ClaimsCard) -> Exit {
     if !card.is_whole {
         return Exit::Interrupted;
     }
     if card.is_failed() {
         return Exit::No;
     }
-    match !card.is_judged() || card.rows.iter().all(Row::is_unsupported) {
+    match !card.is_judged() || card.rows.iter().all(SubjectRow::is_unsupported) {
         true => Exit::Unanswered,
         false => Exit::Yes,
     }

@@ -8,7 +8,7 @@ use clap::Args;
 use groundtruth::film::{self, Film, Format, Provenance, Tone};
 use indicatif::ProgressBar;
 use pictures::shell::quoted;
-use pictures::sums::{self, MergeError, Part, Plan, Sums};
+use pictures::sums::{self, MergeError, Plan, Sums, SumsFile};
 use pictures::told::Told;
 
 use super::scene::SceneArguments;
@@ -63,8 +63,8 @@ impl Merge {
             }
             output::writable(file)?;
         }
-        let parts: Vec<Part> =
-            self.files.iter().map(|file| Part::open(file)).collect::<Result<_, _>>()?;
+        let parts: Vec<SumsFile> =
+            self.files.iter().map(|file| SumsFile::open(file)).collect::<Result<_, _>>()?;
         let plan = match Plan::new(parts) {
             Ok(plan) => plan,
             Err(error) => return refused(error),

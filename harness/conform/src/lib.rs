@@ -29,7 +29,7 @@ mod values;
 
 pub use card::{Card, Row, Status};
 pub use judgement::{Judgement, Profile, Wrong, number, numbers, triple};
-pub use known::{Known, KnownError};
+pub use known::{KnownError, KnownFailures};
 pub use language::Language;
 pub use program::{Limits, Program};
 pub use run::{NoAnswer, Options, run};

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::known::Known;
+use super::known::KnownMistake;
 use super::local::CHANGES;
 use super::shown::{Cover, fewest_scenes, scenes_that_show};
 use super::table::{CHANGE, SAMPLES, SHARE, WIDTH};
@@ -59,7 +59,7 @@ pub fn page() -> String {
 fn introduction(count: usize) -> String {
     let (change, share) = (100.0 * CHANGE, 100.0 * SHARE);
     format!(
-        "# Known mistakes
+        "# KnownMistake mistakes
 
 The {count} mistakes whose pictures the harness can render. \"The picture agrees with ours if …\" is completed by the
 words in the second column. How the picture is made: *terms* weighs each term that our tracer adds up anew, with the
@@ -84,7 +84,7 @@ pass glass. A material whose diffuse part is black lacks the part of Blinn's hig
 }
 
 fn row(mistake: &Mistake) -> String {
-    let Known { name, words, place, .. } = mistake.known;
+    let KnownMistake { name, words, place, .. } = mistake.known;
     let how = match mistake.how {
         How::Term(_) | How::Ray(_) => "terms",
         How::Scene(_) | How::Both(..) => "scene",

@@ -8,7 +8,7 @@ use statistics::quantile;
 
 use super::divisions::{Divisions, Rank};
 use super::noise::{Noise, Pairs};
-use super::sums::{Design, Pictures, SumKind, Sums, channels};
+use super::sums::{AreaSums, Design, SumKind, SummedPictures, channels};
 use super::{Method, Sets};
 use crate::verdict::Areas;
 use crate::verdict::residuals::{around, own_variance};
@@ -33,9 +33,9 @@ const FEW_TILES: usize = 16;
 const MEDIAN_SQUARE: f64 = 0.4549;
 
 /// The sums of two sets, and how they are tested.
-pub struct Evidence<'a> {
+pub struct SetEvidence<'a> {
     /// The sums of what is divided: the pictures, those before first; or differences, after less before.
-    pub sums: Sums<'a>,
+    pub sums: AreaSums<'a>,
     /// How it is tested.
     pub method: Method,
     /// The weights of the pictures that make the difference that is tested.
@@ -69,7 +69,7 @@ pub enum Reason {
     Noise,
 }
 
-impl<'a> Evidence<'a> {
+impl<'a> SetEvidence<'a> {
     /// The best that there is of these sets.
     ///
     /// `not_finite` has the number of values of each picture that are no numbers.
@@ -102,11 +102,11 @@ impl<'a> Evidence<'a> {
         let values: Vec<Vec<f64>> = sets.all().map(|picture| less(picture, &mean)).collect();
         let variance = with_rounding(smoothed(&values, (n + m) as f64 - 1.0, sets), sets);
         let values = values.into_iter().zip(centred(not_finite)).collect();
-        let pictures = Pictures { values, mean: &mean, variance: &variance };
+        let pictures = SummedPictures { values, mean: &mean, variance: &variance };
         let all = (n + m) as f64;
         let both = |before: f64, after: f64| [vec![before; n], vec![after; m]].concat();
         Self {
-            sums: Sums::of(&pictures, &sets.areas, design),
+            sums: AreaSums::of(&pictures, &sets.areas, design),
             method,
             correlation: 1.0,
             weights: both(-1.0 / n as f64, 1.0 / m as f64),
@@ -138,7 +138,7 @@ impl<'a> Evidence<'a> {
         let more = pairs.0.iter().map(|[a, b]| not_finite[sets.before.len() + b] - not_finite[*a]);
         let values = values.into_iter().zip(more).collect();
         let design = Design::differences(count);
-        let pictures = Pictures { values, mean: &mean, variance: &variance };
+        let pictures = SummedPictures { values, mean: &mean, variance: &variance };
         let method = match &divisions {
             Some(divisions) => Method::Signs {
                 pairs: count,
@@ -148,7 +148,7 @@ impl<'a> Evidence<'a> {
             None => Method::PairedAreas { pairs: count, because: Reason::Few(least) },
         };
         Self {
-            sums: Sums::of(&pictures, &sets.areas, design),
+            sums: AreaSums::of(&pictures, &sets.areas, design),
             method,
             correlation: 1.0,
             weights: vec![1.0 / count as f64; count],
@@ -168,9 +168,9 @@ impl<'a> Evidence<'a> {
         let own = channels(&difference).map(|channel| own_variance(&channel, sets.areas.size));
         let variance = with_rounding(interleaved(&own), sets);
         let values = vec![(difference, 0.0)];
-        let pictures = Pictures { values, mean: &mean, variance: &variance };
+        let pictures = SummedPictures { values, mean: &mean, variance: &variance };
         let design = Design::differences(1);
-        let sums = Sums::of(&pictures, &sets.areas, design);
+        let sums = AreaSums::of(&pictures, &sets.areas, design);
         Self {
             correlation: correlation(&sums),
             sums,
@@ -194,7 +194,7 @@ impl<'a> Evidence<'a> {
         self.found_in(&self.sums)
     }
 
-    fn found_in(&self, sums: &Sums<'_>) -> Found {
+    fn found_in(&self, sums: &AreaSums<'_>) -> Found {
         match (&self.divisions, &self.method) {
             (Some(divisions), _) => self.by_divisions(sums, divisions),
             (None, Method::OnePicture) => self.by_details(sums),
@@ -237,7 +237,7 @@ impl<'a> Evidence<'a> {
         self.sums.places(level, number).map(of_channel).iter().sum()
     }
 
-    fn by_divisions(&self, sums: &Sums<'_>, divisions: &Divisions) -> Found {
+    fn by_divisions(&self, sums: &AreaSums<'_>, divisions: &Divisions) -> Found {
         let rank = Rank::of(sums, self.design, divisions, self.level);
         let mut found: Vec<(f64, usize)> = Vec::new();
         if rank.probability <= self.level {
@@ -257,7 +257,7 @@ impl<'a> Evidence<'a> {
 
     /// The test of each large area by its t, all together at the level (Holm, "A Simple Sequentially Rejective Multiple Test
     /// Procedure", 1979); if the noise has changed, by Welch's test too, which does not take it for the same.
-    fn by_holm(&self, sums: &Sums<'_>) -> Found {
+    fn by_holm(&self, sums: &AreaSums<'_>) -> Found {
         let differences = sums.differences(&self.weights);
         let is_changed = self.method == Method::Areas { because: Reason::Noise };
         let mut tests: Vec<(f64, usize)> = Vec::new();
@@ -282,7 +282,7 @@ impl<'a> Evidence<'a> {
     }
 
     /// Each area of one difference against the noise of its finest details, at the level of all together (Bonferroni).
-    fn by_details(&self, sums: &Sums<'_>) -> Found {
+    fn by_details(&self, sums: &AreaSums<'_>) -> Found {
         let z = z_of_one(sums);
         let is_tested = |level| match level {
             SumKind::Tiles(level) => 1 << level >= SMALLEST_OF_ONE,
@@ -305,7 +305,7 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    /// The smallest side of tiles that [`Evidence::by_holm`] tests.
+    /// The smallest side of tiles that [`SetEvidence::by_holm`] tests.
     fn smallest(&self) -> usize {
         let levels = self.sums.levels.iter();
         let largest = levels.filter_map(|(level, _)| match level {
@@ -317,7 +317,7 @@ impl<'a> Evidence<'a> {
 }
 
 /// One difference in standard deviations of its finest details.
-fn z_of_one(sums: &Sums<'_>) -> Vec<f64> {
+fn z_of_one(sums: &AreaSums<'_>) -> Vec<f64> {
     let differences = sums.differences(&[1.0]).into_iter().enumerate();
     let z = |(index, difference)| sums.t(index, f64::from(difference), Design::differences(1));
     differences.map(z).collect()
@@ -325,7 +325,7 @@ fn z_of_one(sums: &Sums<'_>) -> Vec<f64> {
 
 /// How many times as large as of independent pixels the variance of sums is: of neighbouring tiles, whose differences a
 /// change of the whole picture hardly alters.
-fn correlation(sums: &Sums<'_>) -> f64 {
+fn correlation(sums: &AreaSums<'_>) -> f64 {
     let (z, mut factor) = (z_of_one(sums), 1.0_f64);
     for (level, range) in &sums.levels {
         if matches!(level, SumKind::Tiles(_)) && range.len() >= 3 * FEW_TILES {
@@ -339,7 +339,7 @@ fn correlation(sums: &Sums<'_>) -> f64 {
 }
 
 /// The sums of regions, patterns, and tiles of at least this side.
-fn large<'a>(sums: &'a Sums<'_>, smallest: usize) -> impl Iterator<Item = usize> + 'a {
+fn large<'a>(sums: &'a AreaSums<'_>, smallest: usize) -> impl Iterator<Item = usize> + 'a {
     let is_large = move |level: SumKind| match level {
         SumKind::Tiles(level) => 1 << level >= smallest,
         SumKind::Regions | SumKind::Patterns | SumKind::NotFinite => true,

@@ -2,7 +2,7 @@
 //!
 //! No scene of ours is needed, and nothing of ours is rendered. If the change did nothing, it is chance which pictures are
 //! before and which after: the difference that is there is held against those of other divisions of the same pictures, in
-//! areas of every size ([`Sums`], [`Rank`]). Pictures with equal seeds are compared in pairs, of which the noise is gone but
+//! areas of every size ([`AreaSums`], [`Rank`]). Pictures with equal seeds are compared in pairs, of which the noise is gone but
 //! for what the change did to it; few pictures by tests of means, and one picture a side by its own details ([`Method`]).
 
 mod divisions;
@@ -27,9 +27,9 @@ pub use means::AreaMeans;
 pub use noise::{Noise, Pairs};
 pub use page::page;
 pub use power::Power;
-pub use sums::{Design, Pattern, Pictures, SumKind, Sums};
+pub use sums::{AreaSums, Design, Pattern, SumKind, SummedPictures};
 
-use evidence::{Evidence, Found};
+use evidence::{Found, SetEvidence};
 
 /// The pictures of one scene before and after a change.
 #[derive(Clone, Debug)]
@@ -265,7 +265,7 @@ impl SetsVerdict {
         let pairs = Pairs::of(&sets);
         let noise = Noise::of(&sets);
         let counts = not_finite.iter().map(|count| *count as f64).collect();
-        let evidence = Evidence::of(&sets, counts, &pairs, &noise, level);
+        let evidence = SetEvidence::of(&sets, counts, &pairs, &noise, level);
         let found = if is_exact { evidence.by_rounding() } else { evidence.found() };
         let differs = !found.sums.is_empty();
         let method = if is_exact { Method::Rounding } else { evidence.method.clone() };
@@ -304,7 +304,7 @@ impl SetsVerdict {
 }
 
 /// The areas that differ, the farthest first, without those that overlap one before them.
-fn areas(sets: &Sets, evidence: &Evidence<'_>, found: &Found) -> Vec<AreaDifference> {
+fn areas(sets: &Sets, evidence: &SetEvidence<'_>, found: &Found) -> Vec<AreaDifference> {
     let (mut taken, mut areas) = (vec![false; sets.areas.object_of.len()], Vec::new());
     let [before, after] = [&sets.before, &sets.after].map(|set| sets.mean(set));
     for index in &found.sums {

@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::Sets;
-use super::evidence::Evidence;
+use super::evidence::SetEvidence;
 use super::sums::{channels, slope};
 use crate::verdict::residuals::around;
 
@@ -34,7 +34,7 @@ pub struct Power {
 
 impl Power {
     /// Of sets that agree.
-    pub fn of(sets: &Sets, evidence: &Evidence<'_>) -> Self {
+    pub fn of(sets: &Sets, evidence: &SetEvidence<'_>) -> Self {
         let mean = sets.mean(&sets.before);
         let patch = PATCH.min(sets.areas.size[0]).min(sets.areas.size[1]);
         let corner = usual_patch(&mean, sets, patch);
@@ -50,7 +50,7 @@ impl Power {
 }
 
 /// The smallest of the gains for which this change is seen with either sign.
-fn smallest(change: &[f64], evidence: &Evidence<'_>) -> Option<f64> {
+fn smallest(change: &[f64], evidence: &SetEvidence<'_>) -> Option<f64> {
     // what a gain shows, larger ones show
     let (mut low, mut high) = (0, GAINS.len());
     while low < high {
@@ -64,7 +64,7 @@ fn smallest(change: &[f64], evidence: &Evidence<'_>) -> Option<f64> {
 }
 
 /// Whether so many times this change of the pictures before is seen, against what noise adds to it.
-fn is_seen(change: &[f64], times: f64, evidence: &Evidence<'_>) -> bool {
+fn is_seen(change: &[f64], times: f64, evidence: &SetEvidence<'_>) -> bool {
     [-1.0, 1.0].iter().all(|sign| {
         let change: Vec<f64> = change.iter().map(|value| sign * times * value).collect();
         !evidence.with_change(&change).sums.is_empty()
