@@ -9,7 +9,7 @@ use statistics::quantile;
 use super::divisions::{Divisions, Rank};
 use super::noise::{Noise, Pairs};
 use super::sums::{AreaSums, Design, SumKind, SummedPictures, channels};
-use super::{Method, Sets};
+use super::{Method, Sets, Watch};
 use crate::verdict::Areas;
 use crate::verdict::residuals::{around, own_variance};
 
@@ -48,6 +48,7 @@ pub struct SetEvidence<'a> {
     /// How many times as large the variance of sums is as of independent pixels: of one picture a side.
     correlation: f64,
     level: f64,
+    watch: Watch<'a>,
 }
 
 /// What a test found.
@@ -76,17 +77,17 @@ impl<'a> SetEvidence<'a> {
     pub fn of(
         sets: &'a Sets,
         not_finite: Vec<f64>,
-        pairs: &Pairs,
-        noise: &Noise,
+        (pairs, noise): (&Pairs, &Noise),
         level: f64,
+        watch: Watch<'a>,
     ) -> Self {
         let most = (DIVISIONS / level).ceil() as usize;
         let sizes @ [n, m] = sets.sizes();
         if pairs.0.len() >= 2 {
-            return Self::of_pairs(sets, &not_finite, pairs, level, most);
+            return Self::of_pairs(sets, &not_finite, pairs, (level, most), watch);
         }
         if n < 2 || m < 2 {
-            return Self::of_one(sets, level);
+            return Self::of_one(sets, level, watch);
         }
         let (least, design) = (1.0 / Divisions::of_sets(sizes), Design::means(sizes));
         let is_alike = (ALIKE..=1.0 / ALIKE).contains(&noise.factor) || noise.probability > level;
@@ -115,6 +116,7 @@ impl<'a> SetEvidence<'a> {
             design,
             divisions,
             level,
+            watch,
         }
     }
 
@@ -123,8 +125,8 @@ impl<'a> SetEvidence<'a> {
         sets: &'a Sets,
         not_finite: &[f64],
         pairs: &Pairs,
-        level: f64,
-        most: usize,
+        (level, most): (f64, usize),
+        watch: Watch<'a>,
     ) -> Self {
         let (count, mean) = (pairs.0.len(), sets.mean_of_all());
         let least = 1.0 / Divisions::of_signs(count);
@@ -157,11 +159,12 @@ impl<'a> SetEvidence<'a> {
             design,
             divisions,
             level,
+            watch,
         }
     }
 
     /// Of one picture before or after: its noise is estimated from its finest details.
-    fn of_one(sets: &'a Sets, level: f64) -> Self {
+    fn of_one(sets: &'a Sets, level: f64, watch: Watch<'a>) -> Self {
         let mean = sets.mean_of_all();
         let [before, after] = [&sets.before, &sets.after].map(|set| sets.mean(set));
         let difference: Vec<f64> = after.iter().zip(&before).map(|(b, a)| b - a).collect();
@@ -181,6 +184,7 @@ impl<'a> SetEvidence<'a> {
             design,
             divisions: None,
             level,
+            watch,
         }
     }
 
@@ -238,7 +242,7 @@ impl<'a> SetEvidence<'a> {
     }
 
     fn by_divisions(&self, sums: &AreaSums<'_>, divisions: &Divisions) -> Found {
-        let rank = Rank::of(sums, self.design, divisions, self.level);
+        let rank = Rank::of(sums, self.design, (divisions, self.watch), self.level);
         let mut found: Vec<(f64, usize)> = Vec::new();
         if rank.probability <= self.level {
             let differences = sums.differences(&self.weights);
