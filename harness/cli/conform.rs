@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
 use conform::family::Family;
-use conform::{self, Card, KnownFailures, Options, Profile, Row, card};
+use conform::{self, Card, Invocation, KnownFailures, Options, Profile, Row, card};
 use groundtruth::printable;
 use pictures::told::Told;
 
@@ -30,7 +30,7 @@ pub struct Conform {
     #[arg(long, conflicts_with = "seed")]
     fresh: bool,
     /// Cases in each family
-    #[arg(long, value_name = "N", default_value_t = 48, value_parser = whole::<usize>(0..=u32::MAX.into()))]
+    #[arg(long, value_name = "N", default_value_t = conform::CASES, value_parser = whole::<usize>(0..=conform::MOST_CASES as u64))]
     cases: usize,
     /// Only families whose names match, as "intersect.*.grazing"
     #[arg(long, value_name = "GLOB")]
@@ -106,11 +106,28 @@ impl Conform {
                 return Ok(Exit::Unanswered);
             }
         };
-        let told = card::told(&card, self.fresh, self.program.words());
+        let told = card::told(&card, &self.invocation());
         self.write(&card, &told)?;
         let text = if self.json { told.json(&card.json())? } else { told.text() };
         self.say(&text)?;
         Ok(exit(&card, known.as_ref()))
+    }
+
+    /// What was typed, to be asked again.
+    fn invocation(&self) -> Invocation<'_> {
+        let option = |name: &str, value: String| [name.to_owned(), value];
+        let only = self.only.iter().map(|only| option("--only", only.to_string()));
+        let book =
+            matches!(self.profile, Exact::Book).then(|| option("--profile", "book".to_owned()));
+        let known = self.known.iter().map(|file| option("--known", file.display().to_string()));
+        let options = book.into_iter().chain(known).flatten();
+        Invocation {
+            selection: self.what.iter().cloned().chain(only.flatten()).collect(),
+            options: options.chain(self.program.limits()).collect(),
+            cases: (self.cases != conform::CASES).then_some(self.cases),
+            is_fresh: self.fresh,
+            program: self.program.words(),
+        }
     }
 
     /// The families that the arguments select; at least one.

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use claims::{ClaimsCard, ClaimsOptions, Description, SubjectRow, Trouble};
 use clap::Args;
+use conform::Invocation;
 use groundtruth::printable;
 use pictures::told::Told;
 
@@ -23,7 +24,7 @@ pub struct Laws {
     #[arg(long, conflicts_with = "seed")]
     fresh: bool,
     /// Cases of each lobe, light or map
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = whole::<usize>(1..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = claims::CASES, value_parser = whole::<usize>(1..=claims::MOST_CASES as u64))]
     cases: usize,
     /// Write the results for continuous integration (JUnit's XML)
     #[arg(long, value_name = "FILE")]
@@ -68,10 +69,21 @@ impl Laws {
         });
         bar.finish_and_clear();
         drop(program);
-        let told = claims::told(&card, self.program.words(), self.fresh);
+        let told = claims::told(&card, &self.invocation());
         self.write(&card, &told)?;
         self.say(&if self.json { told.json(&card.json())? } else { told.text() })?;
         Ok(exit(&card))
+    }
+
+    /// What was typed, to be asked again.
+    fn invocation(&self) -> Invocation<'_> {
+        Invocation {
+            selection: self.only.iter().map(ToString::to_string).collect(),
+            options: self.program.limits(),
+            cases: (self.cases != claims::CASES).then_some(self.cases),
+            is_fresh: self.fresh,
+            program: self.program.words(),
+        }
     }
 
     fn chosen(&self, mut lobes: Vec<Description>) -> Result<Vec<Description>, Box<dyn Error>> {

@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Write as _};
 
+use conform::Invocation;
 use pictures::digits::shortened;
 use pictures::html::{self, escaped};
 use pictures::shell::quoted;
@@ -13,12 +14,12 @@ use serde_json::{Value, json};
 use crate::asked::Trouble;
 use crate::description::Kind;
 use crate::laws::{Breach, Law};
-use crate::run::{Broken, ClaimsCard, LawStatus, SubjectRow};
+use crate::run::{Broken, CASES, ClaimsCard, LawStatus, MOST_CASES, SubjectRow};
 use crate::setting::Setting;
 
-/// What is told of a card; `command` is the program and its arguments, and `is_fresh` says whether nobody has seen its seed.
-pub fn told(card: &ClaimsCard, command: &[String], is_fresh: bool) -> Told {
-    Told { verdict: verdict(card), details: rows(card), next: next(card, command, is_fresh) }
+/// What is told of a card of a program that was asked by this command.
+pub fn told(card: &ClaimsCard, invocation: &Invocation<'_>) -> Told {
+    Told { verdict: verdict(card), details: rows(card), next: next(card, invocation) }
 }
 
 impl fmt::Display for ClaimsCard {
@@ -29,22 +30,17 @@ impl fmt::Display for ClaimsCard {
 
 /// The next step: the first that fails, by itself; if it was alone, the question that shows it; if none fails, a seed that
 /// nobody has seen, or more cases.
-fn next(card: &ClaimsCard, command: &[String], is_fresh: bool) -> String {
-    let program: String = command.iter().map(|word| format!(" {}", quoted(word))).collect();
+fn next(card: &ClaimsCard, invocation: &Invocation<'_>) -> String {
     let failed = card.rows.iter().find(|row| row.is_failed());
     let question = || failed?.broken().next()?.1.breach.questions.first();
     match (failed, question()) {
         (Some(_), Some(question)) if card.rows.len() == 1 => {
             let mut question = question.clone();
             question["id"] = 1.into();
-            format!("echo {} |{program}", quoted(&question.to_string()))
+            format!("echo {} | {}", quoted(&question.to_string()), invocation.program())
         }
-        (Some(row), _) => {
-            let only = quoted(&glob::Pattern::escape(&row.name));
-            format!("groundtruth laws {only} --seed {} --{program}", card.seed)
-        }
-        (None, _) if is_fresh => format!("groundtruth laws --fresh --cases 80 --{program}"),
-        (None, _) => format!("groundtruth laws --fresh --{program}"),
+        (Some(row), _) => invocation.of_one("laws", &glob::Pattern::escape(&row.name), card.seed),
+        (None, _) => invocation.with_fresh_seed("laws", CASES, MOST_CASES),
     }
 }
 

@@ -18,6 +18,12 @@ const AT_ONCE: f64 = 1e-12;
 /// How many times the samples are drawn when a law of chance is asked again.
 const AGAIN: usize = 10;
 
+/// Cases of each lobe, if it is not said how many.
+pub const CASES: usize = 8;
+
+/// At most so many can be asked for.
+pub const MOST_CASES: usize = 10_000;
+
 /// How lobes are asked.
 #[derive(Clone, Copy, Debug)]
 pub struct ClaimsOptions {

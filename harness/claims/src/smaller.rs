@@ -13,7 +13,7 @@ use serde_json::Value;
 use crate::asked::Trouble;
 use crate::description::{Description, Kind, Values};
 use crate::laws::{Breach, Finding, Law};
-use crate::run::{Broken, SubjectRow, LawStatus};
+use crate::run::{Broken, LawStatus, SubjectRow};
 use crate::setting::{Case, Setting};
 
 /// Cases that are tried for one finding.

@@ -72,7 +72,7 @@ fn troubles_are_told() {
         assert_eq!(card.is_failed(), is_failed, "{reply:?}");
         assert!(!card.is_judged() && card.is_whole, "{reply:?}");
         assert!(card.to_string().contains(words), "{card}");
-        let html = page(&card, &told(&card, &[], false), "./<b>");
+        let html = page(&card, &told(&card, &Default::default()), "./<b>");
         assert!(html.contains("&lt;x&gt; &amp; y") && html.contains("./&lt;b&gt;"), "{html}");
         let xml = junit(&card, "./<b>");
         assert!(xml.contains("&lt;x&gt; &amp; y"), "{xml}");

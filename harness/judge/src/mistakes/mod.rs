@@ -18,6 +18,7 @@ mod mistaken;
 mod observed;
 mod page;
 mod path_terms;
+mod probed;
 mod recorder;
 mod replicas;
 mod shown;
@@ -35,6 +36,7 @@ pub use films::{Films, films, pixel};
 pub use mistaken::Mistaken;
 pub use observed::{ObservedRay, ObservedSurface, ObservedTerm};
 pub use page::page;
+pub use probed::matching;
 pub use recorder::Reweighing;
 pub use replicas::{replica, replicas};
 pub use shown::{

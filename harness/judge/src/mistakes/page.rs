@@ -59,7 +59,7 @@ pub fn page() -> String {
 fn introduction(count: usize) -> String {
     let (change, share) = (100.0 * CHANGE, 100.0 * SHARE);
     format!(
-        "# KnownMistake mistakes
+        "# Known mistakes
 
 The {count} mistakes whose pictures the harness can render. \"The picture agrees with ours if …\" is completed by the
 words in the second column. How the picture is made: *terms* weighs each term that our tracer adds up anew, with the

@@ -86,7 +86,7 @@ fn map(verdict: &Verdict) -> String {
     let frames: String = verdict.regions.iter().map(framed).collect();
     let hatching = if excluded.is_empty() { String::new() } else { hatching(excluded, size) };
     format!(
-        "<h2>DifferingArea in standard deviations of the noise (z)</h2>\n<p>Brighter where theirs is larger. Regions that differ \
+        "<h2>Difference in standard deviations of the noise (z)</h2>\n<p>Brighter where theirs is larger. Regions that differ \
          are framed; pixels that do not count are hatched.</p>\n\
          <div class=\"map\"><img alt=\"map of z\" src=\"{}\">{hatching}{frames}</div>\n{}",
         data_uri(&film, &Tone::PLAIN),

@@ -13,7 +13,7 @@ pub enum MergeError {
     #[error(transparent)]
     File(#[from] FileError),
     /// A file is not of the picture of the first one.
-    #[error("{}: is of {difference}; the first file is {}", path.display(), first.display())]
+    #[error("{}: is of {difference}; the first file is {}: merge them apart", path.display(), first.display())]
     Foreign {
         /// The file.
         path: PathBuf,
