@@ -4,11 +4,13 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use groundtruth::film;
+use groundtruth::film::{self, Film};
 use groundtruth::printable;
 use groundtruth::render;
+use groundtruth::rgb::Rgb;
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
+use judge::mistakes::Mistake;
 use judge::verdict::Areas;
 use pictures::compare::{self, Comparison, Picture, Transfer};
 use pictures::shell::quoted;
@@ -91,24 +93,29 @@ impl Compare {
                         self.output.as_deref(),
                         named.iter().map(|file| &**file),
                     )?;
-                    let world = world_of(*scene, source, name, size)?;
+                    let (scene, world) = world_of(*scene, source, name, size)?;
                     announce::long_rendering(&world, &printable::text(name), 1);
                     pictures.push(Picture::of_film(&render::render(&world)));
-                    *built = Some(world);
+                    *built = Some((scene, world));
                 }
             }
         }
         let size = |world: &World| [world.image.width, world.image.height];
         let ours = [&*self.a, &*self.b].into_iter().zip(&worlds);
-        let ours = ours.filter_map(|(name, world)| Some((name, size(world.as_ref()?)))).next();
+        let ours = ours.filter_map(|(name, world)| Some((name, size(&world.as_ref()?.1)))).next();
         let names = self.names();
         let names = [&*names[0], &*names[1]];
         let both = [&pictures[0], &pictures[1]];
         let mut comparison = Comparison::named(names, both, self.tolerance)?;
+        let mut known = Vec::new();
         if !comparison.is_same() {
-            self.ask_scenes(&mut comparison, &pictures, worlds);
+            known = self.ask_scenes(&mut comparison, &pictures, worlds);
         }
-        self.tell(&comparison, ours, both)?;
+        let next = match known.first() {
+            Some(mistake) => format!("groundtruth mistakes {}", mistake.name),
+            None => self.next(&comparison, ours),
+        };
+        self.tell(&comparison, ours, both, next)?;
         Ok(if comparison.is_same() { Exit::Yes } else { Exit::No })
     }
 
@@ -118,10 +125,11 @@ impl Compare {
         comparison: &Comparison,
         ours: Option<Ours<'_>>,
         both: [&Picture; 2],
+        next: String,
     ) -> Outcome {
         let verdict = comparison.sentence();
         let details = comparison.details() + &self.advice(comparison, ours);
-        let told = Told { verdict, details, next: self.next(comparison, ours) };
+        let told = Told { verdict, details, next };
         if let Some(file) = &self.output {
             let commands = |pixel| ours.map_or(Vec::new(), |ours| self.commands(ours, pixel));
             let html = compare::page(comparison, &told, [&*self.a, &*self.b], both, &commands);
@@ -131,15 +139,17 @@ impl Compare {
         output::say(&text, self.output.as_deref())
     }
 
-    /// What only a scene can tell: whether its film points are off by half a pixel, and whether it has noise.
+    /// What only a scene can tell: whether its film points are off by half a pixel, whether it has noise, and if it has
+    /// none, the known mistakes with which it has the other picture.
     fn ask_scenes(
         &self,
         comparison: &mut Comparison,
         pictures: &[Picture],
-        worlds: [Option<World>; 2],
-    ) {
+        worlds: [Option<(Scene, World)>; 2],
+    ) -> Vec<&'static Mistake> {
+        let mut known = Vec::new();
         for (index, world) in worlds.into_iter().enumerate() {
-            let Some(mut world) = world else { continue };
+            let Some((scene, mut world)) = world else { continue };
             let ours = if index == 0 { &self.a } else { &self.b };
             let theirs = &comparison.names[1 - index];
             if comparison.explained_by.is_empty() {
@@ -150,8 +160,16 @@ impl Compare {
                 let Areas { objects, object_of, .. } = Areas::of(&world);
                 comparison.find_object((&objects, &object_of), [&pictures[0], &pictures[1]]);
             }
-            comparison.notes.extend(compare::noise_note(&mut world, comparison, ours));
+            let noise = compare::noise_note(&mut world, comparison, ours);
+            let is_unexplained = noise.is_none() && comparison.explained_by.is_empty();
+            if is_unexplained && index == 0 && !is_scene(&self.b) {
+                let both = [&pictures[0], &pictures[1]];
+                known = mistakes_of((&scene, &world, ours), comparison, both);
+                comparison.known_mistakes = known.iter().map(|mistake| in_words(mistake)).collect();
+            }
+            comparison.notes.extend(noise);
         }
+        known
     }
 
     /// What the sides are called: `ours` and `yours`, if one is a scene, else as they were given.
@@ -235,6 +253,50 @@ impl Compare {
     }
 }
 
+/// Known mistakes are tried on about so many pixels, and on the worst of each region; only if they give their values, on
+/// the whole picture.
+const TRIED: usize = 256;
+
+/// Floating-point values of two renderers without a difference are within this of each other, relative to the larger.
+const ROUNDING: f64 = 1e-5;
+
+/// The known mistakes with which a scene without noise, of this name, has their picture.
+fn mistakes_of(
+    (scene, world, name): (&Scene, &World, &str),
+    comparison: &Comparison,
+    [ours, theirs]: [&Picture; 2],
+) -> Vec<&'static Mistake> {
+    let tolerance = comparison.tolerance.max(ROUNDING);
+    let is_theirs = |ours: &Picture, theirs: &Picture| {
+        Comparison::of(ours, theirs, tolerance).is_ok_and(|found| found.is_same())
+    };
+    if is_theirs(ours, theirs) {
+        // so has every mistake that changes nothing
+        return Vec::new();
+    }
+    let mut pixels: Vec<[u32; 2]> = comparison.listed().map(|region| region.worst).collect();
+    pixels.extend(compare::some_pixels(comparison.size, TRIED));
+    let size = [pixels.len() as u32, 1];
+    let values = pixels.iter().map(|at| theirs.values[theirs.index(*at)]).collect();
+    let tried = Picture { values, size, ..theirs.clone() };
+    let matches = |colors: &[Rgb]| {
+        let mut film = Film::new(size[0], 1);
+        (0..).zip(colors).for_each(|(column, color)| film.set([column, 0], *color));
+        is_theirs(&Picture::of_film(&film), &tried)
+    };
+    let folder = film::folder_of(Path::new(name));
+    let mut known = judge::mistakes::matching((scene, world, folder), &pixels, &matches);
+    known.retain(|mistake| {
+        let film = judge::mistakes::replica(mistake, scene, folder, world.seed).ok().flatten();
+        film.is_some_and(|film| is_theirs(&Picture::of_film(&film), theirs))
+    });
+    known
+}
+
+fn in_words(mistake: &Mistake) -> String {
+    format!("{} ({}, ch. {})", mistake.words, mistake.name, mistake.chapter)
+}
+
 /// Whether a size has the shape of the scene of this name; `false` if that cannot be said.
 fn has_shape(name: &str, size: [u32; 2]) -> bool {
     let scene = match gallery::find(name) {
@@ -245,13 +307,13 @@ fn has_shape(name: &str, size: [u32; 2]) -> bool {
     matches!(compare::fit(&mut scene, size), Ok(true))
 }
 
-/// The scene, built at this size.
+/// The scene at this size, and built.
 fn world_of(
     mut scene: Scene,
     source: Option<scene::Source>,
     name: &str,
     size: Option<[u32; 2]>,
-) -> Result<World, Box<dyn Error>> {
+) -> Result<(Scene, World), Box<dyn Error>> {
     if let Some(size) = size {
         let [w, h] = [scene.image.width, scene.image.height];
         if !compare::fit(&mut scene, size)? {
@@ -261,8 +323,9 @@ fn world_of(
             );
         }
     }
-    Ok(match &source {
+    let world = match &source {
         Some(source) => World::of_source(&scene, source, DEFAULT_SEED)?,
         None => World::build_seeded(&scene, Path::new(""), DEFAULT_SEED)?,
-    })
+    };
+    Ok((scene, world))
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
 use conform::family::Family;
-use conform::{self, Card, Known, Options, Profile, Row, card};
+use conform::{self, Card, Invocation, KnownFailures, Options, Profile, Row, card};
 use groundtruth::printable;
 use pictures::told::Told;
 
@@ -30,7 +30,7 @@ pub struct Conform {
     #[arg(long, conflicts_with = "seed")]
     fresh: bool,
     /// Cases in each family
-    #[arg(long, value_name = "N", default_value_t = 48, value_parser = whole::<usize>(0..=u32::MAX.into()))]
+    #[arg(long, value_name = "N", default_value_t = conform::CASES, value_parser = whole::<usize>(0..=conform::MOST_CASES as u64))]
     cases: usize,
     /// Only families whose names match, as "intersect.*.grazing"
     #[arg(long, value_name = "GLOB")]
@@ -74,7 +74,7 @@ impl Conform {
         let families = self.families()?;
         output::once(self.files(), "output")?;
         self.files().try_for_each(output::writable)?;
-        let known = self.known.as_deref().map(Known::read).transpose()?;
+        let known = self.known.as_deref().map(KnownFailures::read).transpose()?;
         let interrupted = interrupt::flag()?;
         let profile = match self.profile {
             Exact::Careful => Profile::Careful,
@@ -106,11 +106,28 @@ impl Conform {
                 return Ok(Exit::Unanswered);
             }
         };
-        let told = card::told(&card, self.fresh, self.program.words());
+        let told = card::told(&card, &self.invocation());
         self.write(&card, &told)?;
         let text = if self.json { told.json(&card.json())? } else { told.text() };
         self.say(&text)?;
         Ok(exit(&card, known.as_ref()))
+    }
+
+    /// What was typed, to be asked again.
+    fn invocation(&self) -> Invocation<'_> {
+        let option = |name: &str, value: String| [name.to_owned(), value];
+        let only = self.only.iter().map(|only| option("--only", only.to_string()));
+        let book =
+            matches!(self.profile, Exact::Book).then(|| option("--profile", "book".to_owned()));
+        let known = self.known.iter().map(|file| option("--known", file.display().to_string()));
+        let options = book.into_iter().chain(known).flatten();
+        Invocation {
+            selection: self.what.iter().cloned().chain(only.flatten()).collect(),
+            options: options.chain(self.program.limits()).collect(),
+            cases: (self.cases != conform::CASES).then_some(self.cases),
+            is_fresh: self.fresh,
+            program: self.program.words(),
+        }
     }
 
     /// The families that the arguments select; at least one.
@@ -150,12 +167,12 @@ impl Conform {
         };
         write(&self.output, &|| card::page(card, told, &command))?;
         write(&self.junit, &|| card::junit(card, &command))?;
-        write(&self.write_known, &|| conform::Known::of(card).to_string())?;
+        write(&self.write_known, &|| conform::KnownFailures::of(card).to_string())?;
         Ok(())
     }
 }
 
-fn exit(card: &Card, known: Option<&Known>) -> Exit {
+fn exit(card: &Card, known: Option<&KnownFailures>) -> Exit {
     if !card.is_whole {
         return Exit::Interrupted;
     }
@@ -167,7 +184,7 @@ fn exit(card: &Card, known: Option<&Known>) -> Exit {
 }
 
 /// Prints how a card differs from the failures that are known; whether it does.
-fn is_new(known: &Known, card: &Card) -> bool {
+fn is_new(known: &KnownFailures, card: &Card) -> bool {
     let (new, passed) = known.compare(card);
     new.iter().for_each(|name| eprintln!("not known to fail: {name}"));
     passed.iter().for_each(|name| eprintln!("known to fail, but does not: {name}"));

@@ -3,8 +3,9 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use claims::{Card, Description, Options, Row, Trouble};
+use claims::{ClaimsCard, ClaimsOptions, Description, SubjectRow, Trouble};
 use clap::Args;
+use conform::Invocation;
 use groundtruth::printable;
 use pictures::told::Told;
 
@@ -23,7 +24,7 @@ pub struct Laws {
     #[arg(long, conflicts_with = "seed")]
     fresh: bool,
     /// Cases of each lobe, light or map
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = whole::<usize>(1..=10_000))]
+    #[arg(long, value_name = "N", default_value_t = claims::CASES, value_parser = whole::<usize>(1..=claims::MOST_CASES as u64))]
     cases: usize,
     /// Write the results for continuous integration (JUnit's XML)
     #[arg(long, value_name = "FILE")]
@@ -59,7 +60,7 @@ impl Laws {
             }
         };
         let seed = if self.fresh { fresh_seed() } else { self.seed };
-        let options = Options { cases: self.cases, seed };
+        let options = ClaimsOptions { cases: self.cases, seed };
         let style = "{bar:30} {pos} of {len}  {wide_msg}";
         let bar = progress::bar(lobes.len() as u64, style);
         let card = claims::run(&mut program, &lobes, options, &mut |name| {
@@ -68,10 +69,21 @@ impl Laws {
         });
         bar.finish_and_clear();
         drop(program);
-        let told = claims::told(&card, self.program.words(), self.fresh);
+        let told = claims::told(&card, &self.invocation());
         self.write(&card, &told)?;
         self.say(&if self.json { told.json(&card.json())? } else { told.text() })?;
         Ok(exit(&card))
+    }
+
+    /// What was typed, to be asked again.
+    fn invocation(&self) -> Invocation<'_> {
+        Invocation {
+            selection: self.only.iter().map(ToString::to_string).collect(),
+            options: self.program.limits(),
+            cases: (self.cases != claims::CASES).then_some(self.cases),
+            is_fresh: self.fresh,
+            program: self.program.words(),
+        }
     }
 
     fn chosen(&self, mut lobes: Vec<Description>) -> Result<Vec<Description>, Box<dyn Error>> {
@@ -94,7 +106,7 @@ impl Laws {
         output::say(text, self.files().find(|file| output::is_standard(file)))
     }
 
-    fn write(&self, card: &Card, told: &Told) -> Result<(), Box<dyn Error>> {
+    fn write(&self, card: &ClaimsCard, told: &Told) -> Result<(), Box<dyn Error>> {
         let command = self.program.command();
         if let Some(file) = &self.output {
             output::write(file, claims::page(card, told, &command).as_bytes())?;
@@ -106,14 +118,14 @@ impl Laws {
     }
 }
 
-fn exit(card: &Card) -> Exit {
+fn exit(card: &ClaimsCard) -> Exit {
     if !card.is_whole {
         return Exit::Interrupted;
     }
     if card.is_failed() {
         return Exit::No;
     }
-    match !card.is_judged() || card.rows.iter().all(Row::is_unsupported) {
+    match !card.is_judged() || card.rows.iter().all(SubjectRow::is_unsupported) {
         true => Exit::Unanswered,
         false => Exit::Yes,
     }

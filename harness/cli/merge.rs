@@ -8,8 +8,8 @@ use clap::Args;
 use groundtruth::film::{self, Film, Format, Provenance, Tone};
 use indicatif::ProgressBar;
 use pictures::shell::quoted;
-use pictures::sums::{self, MergeError, Part, Plan, Sums};
-use pictures::told::Told;
+use pictures::sums::{self, Contradiction, MergeError, Plan, Seeds, Sums, SumsFile};
+use pictures::told::{NEXT, Told};
 
 use super::scene::SceneArguments;
 use super::{Exit, Outcome, output, progress, replicas};
@@ -63,24 +63,24 @@ impl Merge {
             }
             output::writable(file)?;
         }
-        let parts: Vec<Part> =
-            self.files.iter().map(|file| Part::open(file)).collect::<Result<_, _>>()?;
-        let plan = match Plan::new(parts) {
+        let parts: Vec<SumsFile> =
+            self.files.iter().map(|file| SumsFile::open(file)).collect::<Result<_, _>>()?;
+        let plan = match Plan::new(parts.clone()) {
             Ok(plan) => plan,
-            Err(error) => return refused(error),
+            Err(error) => return self.refused(&parts, error),
         };
         let bar = bar(self.files.len() as u64, "files");
         let sums = plan.sums(|| bar.inc(1));
         bar.finish_and_clear();
         let sums = match sums {
             Ok(sums) => sums,
-            Err(error) => return self.refused_after_audit(&plan, error),
+            Err(error) => return self.refused_after_audit(&parts, &plan, error),
         };
         let mut audited = None;
         if let Some(share) = self.audit {
             match self.audit(&plan, share)? {
                 Ok(rows) => audited = Some(rows),
-                Err(error) => return refused(error),
+                Err(error) => return self.refused(&parts, error),
             }
         }
         self.report(&plan, &sums, audited)?;
@@ -143,17 +143,7 @@ impl Merge {
         let name = |path: &Path| quoted(&path.display().to_string());
         let output = name(&self.output);
         match (arguments.first(), is_sums(&self.output)) {
-            _ if !is_audited => {
-                let files: Vec<String> = self.files.iter().map(|file| name(file)).collect();
-                let scene = self.scene.as_ref().map(|it| format!(" --scene {}", quoted(it)));
-                let format = self.format.and_then(|format| {
-                    let named = Format::ALL.into_iter().find(|(known, _)| *known == format)?;
-                    Some(format!(" --format {}", named.1))
-                });
-                let (files, scene) = (files.join(" "), scene.unwrap_or_default());
-                let format = format.unwrap_or_default();
-                format!("groundtruth merge {files} -o {output}{format}{scene} --audit 1%")
-            }
+            _ if !is_audited => self.with_audit("1%"),
             (_, true) => {
                 format!("groundtruth merge {output} -o mean.exr --standard-error error.exr")
             }
@@ -162,6 +152,22 @@ impl Merge {
             }
             (None, false) => format!("groundtruth scene {output}"),
         }
+    }
+
+    /// This command, with an audit of this share.
+    fn with_audit(&self, share: &str) -> String {
+        let name = |path: &Path| quoted(&path.display().to_string());
+        let files: Vec<String> = self.files.iter().map(|file| name(file)).collect();
+        let scene = self.scene.as_ref().map(|it| format!(" --scene {}", quoted(it)));
+        let format = self.format.and_then(|format| {
+            let named = Format::ALL.into_iter().find(|(known, _)| *known == format)?;
+            Some(format!(" --format {}", named.1))
+        });
+        let error =
+            self.standard_error.as_ref().map(|it| format!(" --standard-error {}", name(it)));
+        let options = [format, error, scene].into_iter().flatten().collect::<String>();
+        let (files, output) = (files.join(" "), name(&self.output));
+        format!("groundtruth merge {files} -o {output}{options} --audit {share}")
     }
 
     /// Puts the name of the scene on this machine into the arguments.
@@ -174,14 +180,40 @@ impl Merge {
     }
 
     /// With --audit, also two parts that contradict each other are audited, to tell which is wrong.
-    fn refused_after_audit(&self, plan: &Plan, error: MergeError) -> Outcome {
+    fn refused_after_audit(&self, parts: &[SumsFile], plan: &Plan, error: MergeError) -> Outcome {
         if let (Some(share), MergeError::Contradiction(_)) = (self.audit, &error)
             && let Err(found) = self.audit(plan, share)?
         {
             eprintln!("error: {error}");
-            return refused(found);
+            return self.refused(parts, found);
         }
-        refused(error)
+        self.refused(parts, error)
+    }
+
+    /// The exit status of parts that cannot be added; of those that contradict each other it prints the next step.
+    fn refused(&self, parts: &[SumsFile], error: MergeError) -> Outcome {
+        let MergeError::Contradiction(found) = error else { return Err(error.into()) };
+        eprintln!("error: {found}");
+        let next = match &found {
+            Contradiction::Differs { .. } => Some(self.with_audit("100%")),
+            Contradiction::Overlap { both, common } => self.rendered_anew(parts, &both[0], common),
+            Contradiction::Audit { path, .. } => self.rendered_anew(parts, path, &Seeds::default()),
+            // kinds of contradictions that are not known here
+            _ => None,
+        };
+        if let Some(next) = next {
+            eprintln!("{NEXT}{next}");
+        }
+        Ok(Exit::No)
+    }
+
+    /// The command that renders the seeds of a part again, without some: the first range of them.
+    fn rendered_anew(&self, parts: &[SumsFile], path: &Path, without: &Seeds) -> Option<String> {
+        let part = parts.iter().find(|part| part.path() == path)?;
+        let mut header = part.header().clone();
+        self.rename(&mut header.arguments);
+        let range = part.header().seeds.without(without).ranges().next()?;
+        Some(header.command(range))
     }
 
     /// Renders a share of the rows of each part again, those that come twice included.
@@ -207,7 +239,10 @@ impl Merge {
             let (header, mut world) = replicas::open(&scene)?;
             if let Some(difference) = part.header().difference(&header) {
                 let path = part.path().display();
-                return Err(format!("{path}: cannot be audited: is of {difference}").into());
+                return Err(format!(
+                    "{path}: cannot be audited: is of {difference}; name its scene with --scene"
+                )
+                .into());
             }
             let rows = random_rows(header.size[1], share);
             if let Err(error) = sums::audit(part, &mut world, &rows, || bar.inc(1)) {
@@ -259,17 +294,6 @@ impl Merge {
 
 fn is_sums(file: &Path) -> bool {
     file.extension().is_some_and(|end| end == "sums")
-}
-
-/// The exit status of parts that cannot be added.
-fn refused(error: MergeError) -> Outcome {
-    match error {
-        MergeError::Contradiction(found) => {
-            eprintln!("error: {found}");
-            Ok(Exit::No)
-        }
-        error => Err(error.into()),
-    }
 }
 
 /// Some rows of a picture, ascending: a share of them, at least one.

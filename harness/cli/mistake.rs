@@ -11,7 +11,7 @@ use groundtruth::printable;
 use groundtruth::scene::Scene;
 use groundtruth::similar;
 use groundtruth::world::{DEFAULT_SEED, World};
-use judge::mistakes::known::Known;
+use judge::mistakes::known::KnownMistake;
 use judge::mistakes::table::{CHANGE, SAMPLES, sized};
 use judge::mistakes::{self, Beside, Mistake, MistakeInScene, Mistaken};
 
@@ -45,7 +45,7 @@ impl MistakeArgument {
         let folder = arguments.folder().unwrap_or(Path::new(""));
         let mistaken = Mistaken::new(mistake, scene, folder, arguments.seed())?;
         let refused = || {
-            let Mistake { known: Known { name, words, .. }, .. } = mistake;
+            let Mistake { known: KnownMistake { name, words, .. }, .. } = mistake;
             format!(
                 "the scene has nothing that {name} changes ({words}); `groundtruth mistakes {name}` lists scenes \
                  that show it"
@@ -74,7 +74,7 @@ const NAMED: usize = 3;
 pub fn told(mistake: &'static Mistake, file: Option<&Path>) -> Outcome {
     let format = file.map(|file| output::format(file, None)).transpose()?;
     file.map_or(Ok(()), output::writable)?;
-    let Known { name, chapter, words, place, .. } = mistake.known;
+    let KnownMistake { name, chapter, words, place, .. } = mistake.known;
     let mut text = format!("{name} (ch. {chapter}): {words}\n  right        {place}\n");
     for form in mistakes::forms().into_iter().filter(|it| it.name == *name) {
         let _ = form.form.map(|form| writeln!(text, "  also         …, {form}"));

@@ -8,14 +8,17 @@ use clap::Args;
 use conform::{Limits, Program};
 use groundtruth::math::hash;
 
+const ANSWER_SECONDS: f64 = 5.0;
+const START_SECONDS: f64 = 60.0;
+
 /// A program, and how long it may take.
 #[derive(Args)]
 pub struct ProgramArguments {
     /// Seconds for an answer
-    #[arg(long, value_name = "SECONDS", default_value_t = 5.0, value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", default_value_t = ANSWER_SECONDS, value_parser = seconds)]
     timeout: f64,
     /// Seconds for the first answer after a start
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", default_value_t = START_SECONDS, value_parser = seconds)]
     start_timeout: f64,
     /// The program and its arguments
     #[arg(last = true, required_unless_present = "init", value_name = "PROGRAM")]
@@ -34,6 +37,16 @@ impl ProgramArguments {
     pub fn program(&self, interrupted: Arc<AtomicBool>) -> Program {
         let [answer, start] = [self.timeout, self.start_timeout].map(Duration::from_secs_f64);
         Program::new(self.program.clone(), Limits { answer, start: start.max(answer) }, interrupted)
+    }
+
+    /// The options that say how long it may take, if they are not the defaults.
+    pub fn limits(&self) -> Vec<String> {
+        let all = [
+            ("--timeout", self.timeout, ANSWER_SECONDS),
+            ("--start-timeout", self.start_timeout, START_SECONDS),
+        ];
+        let chosen = all.into_iter().filter(|(_, seconds, default)| seconds != default);
+        chosen.flat_map(|(name, seconds, _)| [name.to_owned(), seconds.to_string()]).collect()
     }
 
     /// The program and its arguments.

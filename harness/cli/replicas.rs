@@ -10,7 +10,7 @@ use groundtruth::render::{self, Canvas};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use indicatif::ProgressBar;
-use pictures::sums::{self, Header, Part, Seeds, Sums};
+use pictures::sums::{self, Header, Seeds, Sums, SumsFile};
 
 use super::claim::Claim;
 use super::part::PartOf;
@@ -109,7 +109,7 @@ pub fn header(
 
 /// The sums of an existing part, to be continued.
 fn begun(output: &Path, header: &Header, asked: &Seeds) -> Result<Sums, Box<dyn Error>> {
-    let part = Part::open(output)?;
+    let part = SumsFile::open(output)?;
     let sums = part.read()?;
     let other = "; write to another file";
     if let Some(difference) = part.header().difference(header) {

@@ -2,6 +2,7 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering;
 
 use groundtruth::printable;
 use judge::sets::{self, SetsDecision, SetsVerdict};
@@ -10,7 +11,7 @@ use pictures::compare::{Picture, Transfer};
 use pictures::shell;
 use pictures::told::Told;
 
-use super::{Exit, Outcome, output};
+use super::{Exit, Outcome, interrupt, output, progress};
 
 /// What is asked of two sets.
 pub struct Request<'a> {
@@ -38,9 +39,18 @@ impl Request<'_> {
         output::once(inputs().chain(self.regions), "input")?;
         output::check_distinct(self.output, inputs().chain(self.regions))?;
         self.output.map_or(Ok(()), output::writable)?;
-        let [before, after] =
-            [self.before, self.after].map(|files| self.read(files, self.before[0].as_path()));
-        let (before, after) = (before?, after?);
+        let interrupted = interrupt::flag()?;
+        let bar = progress::bar(inputs().count() as u64, "{bar:30} {pos} of {len} pictures read");
+        let [before, after] = [self.before, self.after].map(|files| {
+            self.read(files, self.before[0].as_path(), &|| {
+                bar.inc(1);
+                interrupted.load(Ordering::Relaxed)
+            })
+        });
+        bar.finish_and_clear();
+        let (Some(before), Some(after)) = (before?, after?) else {
+            return progress::nothing_written();
+        };
         check_size((&before[0], &self.before[0]), (&after, self.after))?;
         let are_fixed = is_fixed(&before) && is_fixed(&after);
         if !are_fixed {
@@ -53,7 +63,11 @@ impl Request<'_> {
             let file = self.regions.map_or(String::new(), |file| file.display().to_string());
             format!("{}: {problem}", printable::name(&file))
         })?;
-        let mut verdict = SetsVerdict::of(sets, self.level);
+        let bar = progress::bar(0, "{spinner} {human_pos} divisions tried, {elapsed} elapsed");
+        let watch = sets::Watch { tried: &|| bar.inc(1), interrupted: &interrupted };
+        let verdict = SetsVerdict::of(sets, self.level, watch);
+        bar.finish_and_clear();
+        let Some(mut verdict) = verdict else { return progress::nothing_written() };
         if let Some(margin) = self.margin {
             verdict.hold_to(margin);
         }
@@ -67,8 +81,13 @@ impl Request<'_> {
         Ok(exit(&verdict))
     }
 
-    /// The pictures of a set, all of one size.
-    fn read(&self, files: &[PathBuf], first: &Path) -> Result<Vec<Picture>, Box<dyn Error>> {
+    /// The pictures of a set, all of one size; `None` if it is interrupted, which `is_last` says after each.
+    fn read(
+        &self,
+        files: &[PathBuf],
+        first: &Path,
+        is_last: &dyn Fn() -> bool,
+    ) -> Result<Option<Vec<Picture>>, Box<dyn Error>> {
         let mut pictures = Vec::new();
         for file in files {
             let picture = Picture::read(file, self.encoding)?;
@@ -81,9 +100,12 @@ impl Request<'_> {
                 return Err(format!("{name}: {problem}").into());
             }
             pictures.push(picture);
+            if is_last() {
+                return Ok(None);
+            }
         }
         check_size((&pictures[0], &files[0]), (&pictures, files))?;
-        Ok(pictures)
+        Ok(Some(pictures))
     }
 
     /// The next step: where one picture before differs from one after; of sets that agree, how close their means are.

@@ -15,11 +15,11 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use indicatif::ProgressBar;
 use judge::verdict::{
-    self, Answer, Case, Decision, Evaluation, Reference, Region, Strictness, Verdict,
+    self, Answer, Case, Decision, DifferingRegion, Evaluation, Reference, Strictness, Verdict,
 };
 use pictures::compare::{Picture, Transfer};
 use pictures::shell::quoted;
-use pictures::sums::Part;
+use pictures::sums::SumsFile;
 use pictures::told::Told;
 
 use super::numbers::whole;
@@ -230,7 +230,7 @@ impl Verify {
             )
             .into());
         }
-        let sums = Part::open(file)?.read()?;
+        let sums = SumsFile::open(file)?.read()?;
         let scene = replicas::header(arguments, scene, world)?;
         let problem = |problem| format!("{}: {problem}", file.display());
         Ok(Some(Reference::new(&sums, &scene).map_err(problem)?))
@@ -295,7 +295,7 @@ impl Verify {
 /// explain the worst pixels of one that differs.
 fn advice(scene: &str, verdict: &Verdict, arguments: &str) -> (String, String) {
     let mistakes = judge::mistakes::command(scene);
-    let explain = |region: &Region| {
+    let explain = |region: &DifferingRegion| {
         let [x, y] = region.worst;
         format!("groundtruth explain {} {x},{y}{arguments}", quoted(scene))
     };

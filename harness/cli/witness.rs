@@ -50,8 +50,8 @@ pub struct Witnessed {
 
 /// The program that was found.
 enum Program {
-    Pov(pov::Program),
-    Mitsuba(mitsuba::Program),
+    Pov(pov::PovRay),
+    Mitsuba(mitsuba::Mitsuba),
 }
 
 /// Samples per pixel of both sides, if the user does not say.
@@ -75,8 +75,8 @@ impl By {
 
     fn find(self, program: Option<PathBuf>) -> Result<Program, String> {
         match self {
-            Self::Pov => pov::Program::find(program).map(Program::Pov),
-            Self::Mitsuba => mitsuba::Program::find(program).map(Program::Mitsuba),
+            Self::Pov => pov::PovRay::find(program).map(Program::Pov),
+            Self::Mitsuba => mitsuba::Mitsuba::find(program).map(Program::Mitsuba),
         }
     }
 

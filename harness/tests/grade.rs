@@ -2,7 +2,8 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+use std::process::{Child, Command, Output, Stdio};
+use std::time::Duration;
 
 use serde_json::Value;
 
@@ -129,4 +130,51 @@ fn a_table_to_start_from_is_one_and_bad_ones_are_refused() {
     assert_eq!(wrong.status.code(), Some(2));
     assert!(text(&wrong.stderr).contains("did you mean `points`?"), "{}", text(&wrong.stderr));
     assert_eq!(grade(&[TABLE]).status.code(), Some(2), "a program is needed");
+}
+
+/// Law: a run that is interrupted ends with status 130 and writes no file. Oracle: a program that makes a file when it is
+/// asked the first question, and never answers.
+#[test]
+#[cfg(unix)]
+fn an_interrupted_run_has_status_130_and_writes_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let ((results, shown_results), (class, shown_class)) =
+        (file(folder.path(), "results.json"), file(folder.path(), "class.csv"));
+    let (asked, shown_asked) = file(folder.path(), "asked");
+    let program = format!("read line; touch '{shown_asked}'; exec sleep 60");
+    let mut command = Command::new(GROUNDTRUTH);
+    command.current_dir(root()).args(["grade", TABLE, "--results", &shown_results]);
+    command.args(["--class", &shown_class, "--student", "one", "--", "sh", "-c", &program]);
+    let child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts");
+    while !asked.exists() {
+        std::thread::sleep(Duration::from_millis(10));
+    }
+    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(kill.expect("kill starts").success());
+    let output = child.wait_with_output().expect("it ends");
+    assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
+    assert!(!results.exists() && !class.exists());
+}
+
+/// Law: students who are graded at once are all in the table of their class. Oracle: their names.
+#[test]
+fn writers_at_once_lose_no_row() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (class, shown) = file(folder.path(), "class.csv");
+    let students: Vec<String> = (0..6).map(|number| format!("student {number}")).collect();
+    let limits = ["--timeout", "0.2", "--start-timeout", "0.2"];
+    let start = |student: &String| {
+        let mut command = Command::new(GROUNDTRUTH);
+        command.current_dir(root()).args(["grade", TABLE, "--class", &shown, "--student", student]);
+        command.args(limits).args(["--", "sh", "-c", "exit 3"]);
+        command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().expect("it starts")
+    };
+    let running: Vec<Child> = students.iter().map(start).collect();
+    for child in running {
+        let output = child.wait_with_output().expect("it ends");
+        assert_eq!(output.status.code(), Some(2), "{}", text(&output.stderr));
+    }
+    let class = read(&class);
+    let found: Vec<&str> = class.lines().skip(1).filter_map(|row| row.split(',').next()).collect();
+    assert_eq!(found, students);
 }

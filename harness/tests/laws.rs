@@ -115,7 +115,7 @@ fn programs_to_start_from_keep_all_laws() {
     );
     let mut rust = Called(init::reply);
     let lobes = claims::listed(&mut rust).expect("it lists its lobe");
-    let options = claims::Options { cases: 2, seed: 1 };
+    let options = claims::ClaimsOptions { cases: 2, seed: 1 };
     let card = claims::run(&mut rust, &lobes, options, &mut |_| ());
     assert!(!card.is_failed() && !card.rows.is_empty(), "{card}");
     for program in programs {

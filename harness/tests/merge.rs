@@ -180,7 +180,7 @@ fn parts_that_overlap_are_refused() {
     assert_eq!(
         run.stderr,
         "error: b.sums and a.sums both have seeds 3 to 4, and neither has all of the other: render one of \
-         them anew\n"
+         them anew\nnext: groundtruth render ch18/rectangle --size 12x8 --samples 4 --seed 5 --replicas 2 -o seeds-5.sums\n"
     );
     assert!(!at.join("mean.exr").exists());
 }

@@ -1,7 +1,8 @@
 //! The command `verify --before … --after …`: its exit statuses and its errors.
 
+use std::io::Write;
 use std::path::Path;
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use groundtruth::film::{self, Film, Tone};
 use groundtruth::math::Pcg32;
@@ -75,6 +76,30 @@ fn every_exit_status() {
     }
     let (status, text) = verify(&["--before", &before[0]]);
     assert!(status == 2 && text.contains("--after"), "{text}");
+}
+
+/// Law: a comparison that is interrupted while it reads ends with status 130 and says so, and leaves no page. Oracle: the
+/// standard input, which ends after the signal; it is longer than a pipe holds, so that the program has begun to read.
+#[test]
+#[cfg(unix)]
+fn an_interrupted_comparison_has_status_130() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let bytes = std::fs::read(picture(folder.path(), [128, 1], 0.5)).expect("written");
+    assert!(bytes.len() > 1 << 17);
+    let (after, page) = (picture(folder.path(), [128, 2], 0.5), folder.path().join("page.html"));
+    let mut command = Command::new(env!("CARGO_BIN_EXE_groundtruth"));
+    let command = command.args(["verify", "--before", "-", "--after", &after, "-o"]).arg(&page);
+    let command = command.stdin(Stdio::piped()).stderr(Stdio::piped());
+    let mut child = command.spawn().expect("it starts");
+    let mut input = child.stdin.take().expect("piped");
+    input.write_all(&bytes).expect("it reads");
+    let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(kill.expect("kill starts").success());
+    drop(input);
+    let output = child.wait_with_output().expect("it ends");
+    let said = String::from_utf8(output.stderr).expect("UTF-8");
+    assert_eq!(output.status.code(), Some(130), "{said}");
+    assert!(said.ends_with("interrupted; nothing was written\n") && !page.exists(), "{said}");
 }
 
 /// Law: the tour of docs/ci.md can be taken: its lines render the sets, and its commands print what it shows, with these

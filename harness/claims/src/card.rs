@@ -2,6 +2,7 @@
 
 use std::fmt::{self, Write as _};
 
+use conform::Invocation;
 use pictures::digits::shortened;
 use pictures::html::{self, escaped};
 use pictures::shell::quoted;
@@ -13,15 +14,15 @@ use serde_json::{Value, json};
 use crate::asked::Trouble;
 use crate::description::Kind;
 use crate::laws::{Breach, Law};
-use crate::run::{Broken, Card, Row, Status};
+use crate::run::{Broken, CASES, ClaimsCard, LawStatus, MOST_CASES, SubjectRow};
 use crate::setting::Setting;
 
-/// What is told of a card; `command` is the program and its arguments, and `is_fresh` says whether nobody has seen its seed.
-pub fn told(card: &Card, command: &[String], is_fresh: bool) -> Told {
-    Told { verdict: verdict(card), details: rows(card), next: next(card, command, is_fresh) }
+/// What is told of a card of a program that was asked by this command.
+pub fn told(card: &ClaimsCard, invocation: &Invocation<'_>) -> Told {
+    Told { verdict: verdict(card), details: rows(card), next: next(card, invocation) }
 }
 
-impl fmt::Display for Card {
+impl fmt::Display for ClaimsCard {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}\n{}", verdict(self), rows(self))
     }
@@ -29,35 +30,30 @@ impl fmt::Display for Card {
 
 /// The next step: the first that fails, by itself; if it was alone, the question that shows it; if none fails, a seed that
 /// nobody has seen, or more cases.
-fn next(card: &Card, command: &[String], is_fresh: bool) -> String {
-    let program: String = command.iter().map(|word| format!(" {}", quoted(word))).collect();
+fn next(card: &ClaimsCard, invocation: &Invocation<'_>) -> String {
     let failed = card.rows.iter().find(|row| row.is_failed());
     let question = || failed?.broken().next()?.1.breach.questions.first();
     match (failed, question()) {
         (Some(_), Some(question)) if card.rows.len() == 1 => {
             let mut question = question.clone();
             question["id"] = 1.into();
-            format!("echo {} |{program}", quoted(&question.to_string()))
+            format!("echo {} | {}", quoted(&question.to_string()), invocation.program())
         }
-        (Some(row), _) => {
-            let only = quoted(&glob::Pattern::escape(&row.name));
-            format!("groundtruth laws {only} --seed {} --{program}", card.seed)
-        }
-        (None, _) if is_fresh => format!("groundtruth laws --fresh --cases 80 --{program}"),
-        (None, _) => format!("groundtruth laws --fresh --{program}"),
+        (Some(row), _) => invocation.of_one("laws", &glob::Pattern::escape(&row.name), card.seed),
+        (None, _) => invocation.with_fresh_seed("laws", CASES, MOST_CASES),
     }
 }
 
 /// The rows of all subjects, and what is wrong with each.
-fn rows(card: &Card) -> String {
+fn rows(card: &ClaimsCard) -> String {
     let mut text = "\n".to_owned();
     let width = card.rows.iter().map(|row| row.name.chars().count()).max().unwrap_or(0);
     let word = word(&card.rows);
     let width = width.max(word.len());
     let _ = writeln!(text, "{word:width$}  held  undecided  broken");
     for row in &card.rows {
-        let held = row.laws.iter().filter(|status| matches!(status, Status::Holds(_))).count();
-        let open = row.laws.iter().filter(|it| matches!(it, Status::Undecided(_))).count();
+        let held = row.laws.iter().filter(|status| matches!(status, LawStatus::Holds(_))).count();
+        let open = row.laws.iter().filter(|it| matches!(it, LawStatus::Undecided(_))).count();
         let broken: Vec<_> = row.broken().map(|(law, _)| law.name).collect();
         let broken = if broken.is_empty() { "·".to_owned() } else { broken.join(", ") };
         let open = if open == 0 { "·".to_owned() } else { open.to_string() };
@@ -69,20 +65,20 @@ fn rows(card: &Card) -> String {
     text + "\n"
 }
 
-impl Card {
+impl ClaimsCard {
     /// All of it, for programs.
     pub fn json(&self) -> Value {
-        let law = |kind: Kind, law: &Law, status: &Status| {
+        let law = |kind: Kind, law: &Law, status: &LawStatus| {
             let mut entry = json!({"law": law.name});
             match status {
-                Status::Holds(cases) => {
+                LawStatus::Holds(cases) => {
                     (entry["status"], entry["cases"]) = ("holds".into(), (*cases).into())
                 }
-                Status::NotClaimed => entry["status"] = "not claimed".into(),
-                Status::Undecided(why) => {
+                LawStatus::NotClaimed => entry["status"] = "not claimed".into(),
+                LawStatus::Undecided(why) => {
                     (entry["status"], entry["why"]) = ("undecided".into(), why.as_str().into())
                 }
-                Status::Broken(Broken { setting, breach }) => {
+                LawStatus::Broken(Broken { setting, breach }) => {
                     let Setting { parameters, seen } = setting;
                     let Breach { found, expected, mistake, questions, .. } = breach;
                     entry = json!({
@@ -97,7 +93,7 @@ impl Card {
             }
             entry
         };
-        let row = |row: &Row| {
+        let row = |row: &SubjectRow| {
             let laws = Law::of(row.kind).iter().zip(&row.laws);
             let laws: Vec<Value> = laws.map(|(it, status)| law(row.kind, it, status)).collect();
             let (kind, trouble) = (row.kind.word(), row.trouble.as_ref().map(Trouble::text));
@@ -114,8 +110,8 @@ impl Card {
 }
 
 /// One sentence.
-fn verdict(card: &Card) -> String {
-    let broken: Vec<&Row> = card.rows.iter().filter(|row| row.is_failed()).collect();
+fn verdict(card: &ClaimsCard) -> String {
+    let broken: Vec<&SubjectRow> = card.rows.iter().filter(|row| row.is_failed()).collect();
     let seed = card.seed;
     let rest = format!("seed {seed}, {} tests of chance", card.tests);
     match &broken[..] {
@@ -135,17 +131,17 @@ fn verdict(card: &Card) -> String {
 }
 
 /// What all of them are: a kind, or subjects of several.
-fn word(rows: &[Row]) -> &'static str {
+fn word(rows: &[SubjectRow]) -> &'static str {
     let first = rows.first().map_or(Kind::Lobe, |row| row.kind);
     if rows.iter().all(|row| row.kind == first) { first.word() } else { "subject" }
 }
 
-fn counted(rows: &[Row]) -> String {
+fn counted(rows: &[SubjectRow]) -> String {
     format!("{} {}{}", rows.len(), word(rows), if rows.len() == 1 { "" } else { "s" })
 }
 
 /// What is wrong with a subject: each broken law, the one to begin with first.
-fn details(row: &Row) -> String {
+fn details(row: &SubjectRow) -> String {
     let mut text = String::new();
     if let Some(trouble) = row.trouble.as_ref().filter(|it| **it != Trouble::Interrupted) {
         let what =
@@ -177,7 +173,7 @@ fn details(row: &Row) -> String {
 }
 
 /// The page for a program with this command line, of which this is told.
-pub fn page(card: &Card, told: &Told, command: &str) -> String {
+pub fn page(card: &ClaimsCard, told: &Told, command: &str) -> String {
     let mut html = String::new();
     for kind in Kind::ALL {
         html += &table(card, kind);
@@ -194,7 +190,7 @@ pub fn page(card: &Card, told: &Told, command: &str) -> String {
 }
 
 /// The table of a kind; nothing if there is none of it.
-fn table(card: &Card, kind: Kind) -> String {
+fn table(card: &ClaimsCard, kind: Kind) -> String {
     let mut rows = card.rows.iter().filter(|row| row.kind == kind).peekable();
     if rows.peek().is_none() {
         return String::new();
@@ -208,10 +204,10 @@ fn table(card: &Card, kind: Kind) -> String {
         let _ = write!(html, "<tr><td>{}</td>", escaped(&row.name));
         for status in &row.laws {
             let (class, word) = match status {
-                Status::Holds(_) => ("", "holds"),
-                Status::Undecided(_) => ("quiet", "undecided"),
-                Status::Broken(_) => ("failed", "broken"),
-                Status::NotClaimed => ("quiet", "·"),
+                LawStatus::Holds(_) => ("", "holds"),
+                LawStatus::Undecided(_) => ("quiet", "undecided"),
+                LawStatus::Broken(_) => ("failed", "broken"),
+                LawStatus::NotClaimed => ("quiet", "·"),
             };
             let _ = write!(html, "<td class=\"{class}\">{word}</td>");
         }
@@ -221,13 +217,13 @@ fn table(card: &Card, kind: Kind) -> String {
 }
 
 /// JUnit's XML: a suite for each subject, a case for each law.
-pub fn junit(card: &Card, command: &str) -> String {
+pub fn junit(card: &ClaimsCard, command: &str) -> String {
     let mut report = Report::new(held(&format!("groundtruth laws -- {command}")));
     for row in &card.rows {
         let mut suite = TestSuite::new(held(&row.name));
         for (law, status) in Law::of(row.kind).iter().zip(&row.laws) {
             let status = match (status, &row.trouble) {
-                (Status::Broken(broken), _) => {
+                (LawStatus::Broken(broken), _) => {
                     let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
                     let Broken { breach, .. } = broken;
                     status.set_message(held(&format!(
@@ -236,13 +232,13 @@ pub fn junit(card: &Card, command: &str) -> String {
                     )));
                     status
                 }
-                (Status::Undecided(_), Some(Trouble::Refused(why) | Trouble::Fault(why))) => {
+                (LawStatus::Undecided(_), Some(Trouble::Refused(why) | Trouble::Fault(why))) => {
                     let mut status = TestCaseStatus::non_success(NonSuccessKind::Error);
                     status.set_message(held(why));
                     status
                 }
-                (Status::NotClaimed | Status::Undecided(_), _) => TestCaseStatus::skipped(),
-                (Status::Holds(_), _) => TestCaseStatus::success(),
+                (LawStatus::NotClaimed | LawStatus::Undecided(_), _) => TestCaseStatus::skipped(),
+                (LawStatus::Holds(_), _) => TestCaseStatus::success(),
             };
             suite.add_test_case(TestCase::new(law.name, status));
         }

@@ -10,7 +10,7 @@ use crate::lobe::{Lobe, Sampled};
 use crate::measured::{Measured, UNITS, measured};
 
 /// A lobe with parameters and a viewer.
-pub struct Case<'a> {
+pub struct LobeCase<'a> {
     /// What is asked.
     pub lobe: Lobe<'a>,
     /// What the lobe claims.
@@ -27,7 +27,7 @@ pub struct Case<'a> {
     pub integrated: Option<Integrated>,
 }
 
-impl Case<'_> {
+impl LobeCase<'_> {
     /// The index on the side of a direction over the one above the surface.
     pub fn index_at(&self, w: Vector) -> f64 {
         if w.z() < 0.0 { self.eta } else { 1.0 }

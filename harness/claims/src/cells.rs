@@ -256,7 +256,7 @@ const SMALLEST: f64 = 1e-18;
 
 /// The samples of a density.
 #[derive(Clone, Copy, Debug)]
-pub struct Samples<'a> {
+pub struct DensitySamples<'a> {
     /// Their directions.
     pub directions: &'a [Vector],
     /// How many were drawn, with those that have no direction.
@@ -271,7 +271,7 @@ pub struct Samples<'a> {
 /// Those of `values`.
 pub fn integrals<const N: usize, E>(
     cells: &Cells,
-    samples: Samples<'_>,
+    samples: DensitySamples<'_>,
     tolerances: [f64; N],
     budget: usize,
     values: &mut impl FnMut(&[Vector]) -> Result<Vec<[f64; N]>, E>,

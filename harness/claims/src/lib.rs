@@ -27,5 +27,7 @@ pub use description::{Claims, Description, Index, Kind, Sampling, Sides, Values}
 pub use domain::Domain;
 pub use language::Language;
 pub use laws::{Breach, Law};
-pub use run::{Broken, Card, Options, Row, Status, listed, run};
+pub use run::{
+    Broken, CASES, ClaimsCard, ClaimsOptions, LawStatus, MOST_CASES, SubjectRow, listed, run,
+};
 pub use setting::Setting;

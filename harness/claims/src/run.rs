@@ -18,9 +18,15 @@ const AT_ONCE: f64 = 1e-12;
 /// How many times the samples are drawn when a law of chance is asked again.
 const AGAIN: usize = 10;
 
+/// Cases of each lobe, if it is not said how many.
+pub const CASES: usize = 8;
+
+/// At most so many can be asked for.
+pub const MOST_CASES: usize = 10_000;
+
 /// How lobes are asked.
 #[derive(Clone, Copy, Debug)]
-pub struct Options {
+pub struct ClaimsOptions {
     /// Cases of each lobe.
     pub cases: usize,
     /// Of the cases.
@@ -29,7 +35,7 @@ pub struct Options {
 
 /// What became of a law for a lobe.
 #[derive(Clone, Debug)]
-pub enum Status {
+pub enum LawStatus {
     /// It holds in so many cases.
     Holds(usize),
     /// It was not decided in any case, and why.
@@ -51,22 +57,22 @@ pub struct Broken {
 
 /// What became of a lobe.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub struct SubjectRow {
     /// Its name.
     pub name: String,
     /// What it is.
     pub kind: Kind,
     /// Of each law of the kind.
-    pub laws: Vec<Status>,
+    pub laws: Vec<LawStatus>,
     /// Why it could not be judged further, if so.
     pub trouble: Option<Trouble>,
 }
 
-impl Row {
+impl SubjectRow {
     /// The laws that it breaks.
     pub fn broken(&self) -> impl Iterator<Item = (&'static Law, &Broken)> {
         self.laws.iter().zip(Law::of(self.kind)).filter_map(|(status, law)| match status {
-            Status::Broken(broken) => Some((law, broken)),
+            LawStatus::Broken(broken) => Some((law, broken)),
             _ => None,
         })
     }
@@ -85,9 +91,9 @@ impl Row {
 
 /// What was found of all lobes.
 #[derive(Clone, Debug)]
-pub struct Card {
+pub struct ClaimsCard {
     /// The lobes, in the program's order.
-    pub rows: Vec<Row>,
+    pub rows: Vec<SubjectRow>,
     /// Of the cases.
     pub seed: u64,
     /// Tests that chance decides.
@@ -96,15 +102,16 @@ pub struct Card {
     pub is_whole: bool,
 }
 
-impl Card {
+impl ClaimsCard {
     /// Whether a lobe breaks a law.
     pub fn is_failed(&self) -> bool {
-        self.rows.iter().any(Row::is_failed)
+        self.rows.iter().any(SubjectRow::is_failed)
     }
 
     /// Whether a law was decided for any lobe.
     pub fn is_judged(&self) -> bool {
-        let is_decided = |status: &Status| matches!(status, Status::Holds(_) | Status::Broken(_));
+        let is_decided =
+            |status: &LawStatus| matches!(status, LawStatus::Holds(_) | LawStatus::Broken(_));
         self.rows.iter().any(|row| row.laws.iter().any(is_decided))
     }
 }
@@ -145,9 +152,9 @@ struct Test {
 pub fn run(
     subject: &mut dyn Subject,
     lobes: &[Description],
-    options: Options,
+    options: ClaimsOptions,
     finished: &mut dyn FnMut(&str),
-) -> Card {
+) -> ClaimsCard {
     let (mut rows, mut tests) = (Vec::new(), Vec::new());
     let mut is_whole = true;
     for (index, lobe) in lobes.iter().enumerate() {
@@ -168,7 +175,7 @@ pub fn run(
         match judge.again(test.law, test.case, planned) {
             Ok(Some(status)) => {
                 let status_of = &mut rows[test.row].laws[test.law];
-                if !matches!(status_of, Status::Broken(_)) {
+                if !matches!(status_of, LawStatus::Broken(_)) {
                     *status_of = status;
                 }
             }
@@ -182,7 +189,7 @@ pub fn run(
     for (row, lobe) in rows.iter_mut().zip(lobes) {
         is_whole = is_whole && smaller::row(subject, lobe, options.seed, row).is_ok();
     }
-    Card { rows, seed: options.seed, tests: planned, is_whole }
+    ClaimsCard { rows, seed: options.seed, tests: planned, is_whole }
 }
 
 /// The tests that fail at the level of the card (Holm, "A Simple Sequentially Rejective Multiple Test Procedure",
@@ -201,18 +208,18 @@ fn rejected(mut tests: Vec<Test>) -> Vec<Test> {
 struct Judge<'a> {
     subject: &'a mut dyn Subject,
     lobe: &'a Description,
-    options: Options,
+    options: ClaimsOptions,
     row: usize,
     tests: &'a mut Vec<Test>,
 }
 
 impl Judge<'_> {
-    fn row(&mut self) -> Row {
+    fn row(&mut self) -> SubjectRow {
         let status = |law: &Law| match (law.applies)(&self.lobe.claims) {
-            true => Status::Holds(0),
-            false => Status::NotClaimed,
+            true => LawStatus::Holds(0),
+            false => LawStatus::NotClaimed,
         };
-        let mut laws: Vec<Status> = Law::of(self.lobe.kind).iter().map(status).collect();
+        let mut laws: Vec<LawStatus> = Law::of(self.lobe.kind).iter().map(status).collect();
         let mut trouble = None;
         for case in 0..self.options.cases {
             if let Err(found) = self.case(case, &mut laws) {
@@ -221,20 +228,20 @@ impl Judge<'_> {
             }
         }
         for status in &mut laws {
-            if let Status::Holds(0) = status {
-                *status = Status::Undecided("no case was asked".to_owned());
+            if let LawStatus::Holds(0) = status {
+                *status = LawStatus::Undecided("no case was asked".to_owned());
             }
         }
-        Row { name: self.lobe.name.clone(), kind: self.lobe.kind, laws, trouble }
+        SubjectRow { name: self.lobe.name.clone(), kind: self.lobe.kind, laws, trouble }
     }
 
     /// Holds one case to all laws that are not broken yet.
-    fn case(&mut self, index: usize, laws: &mut [Status]) -> Result<(), Trouble> {
+    fn case(&mut self, index: usize, laws: &mut [LawStatus]) -> Result<(), Trouble> {
         let (lobe, options, row) = (self.lobe, self.options, self.row);
         let (setting, draw) = Setting::drawn(lobe, options.seed, index);
         let mut case = Case::new(self.subject, lobe, &setting, draw);
         for (number, (law, status)) in Law::of(lobe.kind).iter().zip(laws).enumerate() {
-            if matches!(status, Status::Broken(_) | Status::NotClaimed) {
+            if matches!(status, LawStatus::Broken(_) | LawStatus::NotClaimed) {
                 continue;
             }
             let mut finding = law.check(&mut case, 1)?;
@@ -256,12 +263,12 @@ impl Judge<'_> {
                     count(status);
                 }
                 Finding::Undecided(why) => {
-                    if let Status::Holds(0) = status {
-                        *status = Status::Undecided(why);
+                    if let LawStatus::Holds(0) = status {
+                        *status = LawStatus::Undecided(why);
                     }
                 }
                 Finding::Broken(breach) => {
-                    *status = Status::Broken(Broken { setting: setting.clone(), breach });
+                    *status = LawStatus::Broken(Broken { setting: setting.clone(), breach });
                 }
             }
         }
@@ -269,7 +276,12 @@ impl Judge<'_> {
     }
 
     /// What became of a law of chance that seemed broken, with more samples; `None` if it holds.
-    fn again(&mut self, law: usize, index: usize, tests: usize) -> Result<Option<Status>, Trouble> {
+    fn again(
+        &mut self,
+        law: usize,
+        index: usize,
+        tests: usize,
+    ) -> Result<Option<LawStatus>, Trouble> {
         let seed = self.options.seed;
         let (setting, _) = Setting::drawn(self.lobe, seed, index);
         let draw = Draw::new(hash(&[seed, index as u64, law as u64]));
@@ -279,14 +291,14 @@ impl Judge<'_> {
             Finding::Broken(breach) => Some(breach),
             _ => None,
         };
-        Ok(breach.map(|breach| Status::Broken(Broken { setting, breach })))
+        Ok(breach.map(|breach| LawStatus::Broken(Broken { setting, breach })))
     }
 }
 
 /// One case more in which a law holds.
-fn count(status: &mut Status) {
+fn count(status: &mut LawStatus) {
     match status {
-        Status::Holds(cases) => *cases += 1,
-        other => *other = Status::Holds(1),
+        LawStatus::Holds(cases) => *cases += 1,
+        other => *other = LawStatus::Holds(1),
     }
 }

@@ -8,7 +8,7 @@ use groundtruth::math::{Vector, cos, hash, sin};
 use serde_json::{Map, Value};
 
 use crate::asked::Asked;
-use crate::case::Case as LobeCase;
+use crate::case::LobeCase;
 use crate::description::{Description, Kind, point_within};
 use crate::light::LightCase;
 use crate::lobe::Lobe;

@@ -13,7 +13,7 @@ use serde_json::Value;
 use crate::asked::Trouble;
 use crate::description::{Description, Kind, Values};
 use crate::laws::{Breach, Finding, Law};
-use crate::run::{Broken, Row, Status};
+use crate::run::{Broken, LawStatus, SubjectRow};
 use crate::setting::{Case, Setting};
 
 /// Cases that are tried for one finding.
@@ -35,11 +35,11 @@ pub fn row(
     subject: &mut dyn Subject,
     description: &Description,
     seed: u64,
-    row: &mut Row,
+    row: &mut SubjectRow,
 ) -> Result<(), Trouble> {
     let mut found: Vec<Setting> = Vec::new();
     for (law, status) in Law::of(row.kind).iter().zip(&mut row.laws) {
-        let Status::Broken(broken) = status else { continue };
+        let LawStatus::Broken(broken) = status else { continue };
         let mut search = Search {
             subject: &mut Counted { subject, asked: 0 },
             description,

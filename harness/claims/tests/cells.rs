@@ -2,7 +2,7 @@
 
 use std::convert::Infallible;
 
-use claims::cells::{Cells, Samples, integrals};
+use claims::cells::{Cells, DensitySamples, integrals};
 use exact::Draw;
 use groundtruth::math::{Frame, Normal, Vector, cos, exp, sin};
 use libm::log;
@@ -26,8 +26,8 @@ fn drawn(axis: Vector, kappa: f64, draw: &mut Draw) -> Vector {
 }
 
 /// All of them are samples.
-fn all(directions: &[Vector]) -> Samples<'_> {
-    Samples { directions, drawn: directions.len() }
+fn all(directions: &[Vector]) -> DensitySamples<'_> {
+    DensitySamples { directions, drawn: directions.len() }
 }
 
 /// Law: a density that is uniform, or as narrow as 10⁻⁴, has the integral 1, in cells that 8,000 of its directions place,

@@ -1,6 +1,6 @@
 //! Laws of lights and maps: right ones keep them, and mistakes break the law that names them.
 
-use claims::{Card, Kind, Law, Status};
+use claims::{ClaimsCard, Kind, Law, LawStatus};
 use conform::Subject;
 
 use super::lamps::{self, Lamps};
@@ -61,7 +61,7 @@ const MAPS: [Planted; 19] = [
     (H, "scrambled", "stratified"),
 ];
 
-fn first_law(card: &Card) -> Option<&'static str> {
+fn first_law(card: &ClaimsCard) -> Option<&'static str> {
     Some(card.rows[0].broken().next()?.0.name)
 }
 
@@ -111,7 +111,7 @@ fn assert_right(subject: &mut dyn Subject, cases: usize, seed: u64, open: usize)
     let card = card(subject, cases, seed);
     assert!(!card.is_failed(), "{card}");
     for row in &card.rows {
-        let undecided = row.laws.iter().filter(|it| matches!(it, Status::Undecided(_))).count();
+        let undecided = row.laws.iter().filter(|it| matches!(it, LawStatus::Undecided(_))).count();
         assert!(undecided <= open, "{}: {:?}", row.name, row.laws);
     }
 }

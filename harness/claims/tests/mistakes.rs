@@ -1,6 +1,6 @@
 //! Mistakes that people make break the law that names them.
 
-use claims::{Card, Kind, Law};
+use claims::{ClaimsCard, Kind, Law};
 
 use super::right::card;
 use super::subject::Adapter;
@@ -72,7 +72,7 @@ const MORE: [Planted; 7] = [
     (G, "not divided by the choice", "albedo"),
 ];
 
-fn first_law(card: &Card) -> Option<&'static str> {
+fn first_law(card: &ClaimsCard) -> Option<&'static str> {
     Some(card.rows[0].broken().next()?.0.name)
 }
 

@@ -1,6 +1,6 @@
 //! The tracer's own lobes as subjects: what they promise, they keep.
 
-use claims::Card;
+use claims::ClaimsCard;
 use conform::{Reply, Subject, numbers};
 use groundtruth::lobes::{Lobe, LobeSample};
 use groundtruth::math::Vector;
@@ -68,7 +68,7 @@ impl Subject for Own {
 }
 
 /// The laws that a row breaks.
-fn broken(card: &Card, name: &str) -> Vec<&'static str> {
+fn broken(card: &ClaimsCard, name: &str) -> Vec<&'static str> {
     let row = card.rows.iter().find(|row| row.name == name).expect("it was asked");
     row.broken().map(|(law, _)| law.name).collect()
 }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use claims::{Options, Trouble, junit, listed, page, run, told};
+use claims::{ClaimsOptions, Trouble, junit, listed, page, run, told};
 use conform::{Fault, Reply, Subject, numbers};
 use groundtruth::math::{Frame, Normal, Vector, cos, sin};
 use libm::{exp, log};
@@ -47,13 +47,13 @@ fn bad_lists_are_refused() {
 }
 
 /// The card of one lobe whose `eval` and `sample` are answered by a function.
-fn card(answer: impl Fn(&Value) -> Reply) -> claims::Card {
+fn card(answer: impl Fn(&Value) -> Reply) -> claims::ClaimsCard {
     let mut subject = Answers(|question: &Value| match question.get("list") {
         Some(_) => Reply::Answer(json!([{"name": "<x> & y"}])),
         None => answer(question),
     });
     let lobes = listed(&mut subject).expect("it lists one");
-    run(&mut subject, &lobes, Options { cases: 2, seed: 1 }, &mut |_| {})
+    run(&mut subject, &lobes, ClaimsOptions { cases: 2, seed: 1 }, &mut |_| {})
 }
 
 /// Law: lobes without an answer that can be judged are not called right, and the reason is told on each form of the card.
@@ -72,7 +72,7 @@ fn troubles_are_told() {
         assert_eq!(card.is_failed(), is_failed, "{reply:?}");
         assert!(!card.is_judged() && card.is_whole, "{reply:?}");
         assert!(card.to_string().contains(words), "{card}");
-        let html = page(&card, &told(&card, &[], false), "./<b>");
+        let html = page(&card, &told(&card, &Default::default()), "./<b>");
         assert!(html.contains("&lt;x&gt; &amp; y") && html.contains("./&lt;b&gt;"), "{html}");
         let xml = junit(&card, "./<b>");
         assert!(xml.contains("&lt;x&gt; &amp; y"), "{xml}");

@@ -1,14 +1,14 @@
 //! Right lobes keep all laws, at every roughness, in single and in double precision.
 
-use claims::{Card, Options, Status, listed, run};
+use claims::{ClaimsCard, ClaimsOptions, LawStatus, listed, run};
 use conform::Subject;
 use statistics::significance::proportion;
 
 use super::subject::{ALL, Adapter};
 
-pub fn card(subject: &mut dyn Subject, cases: usize, seed: u64) -> Card {
+pub fn card(subject: &mut dyn Subject, cases: usize, seed: u64) -> ClaimsCard {
     let lobes = listed(subject).expect("it lists its lobes");
-    run(subject, &lobes, Options { cases, seed }, &mut |_| {})
+    run(subject, &lobes, ClaimsOptions { cases, seed }, &mut |_| {})
 }
 
 fn false_alarms(seeds: std::ops::Range<u64>, cases: usize, is_single: bool) -> u64 {
@@ -30,7 +30,7 @@ fn right_lobes_keep_all_laws() {
         let card = card(&mut Adapter::new(&ALL, "", is_single), 4, 0);
         assert!(!card.is_failed(), "{card}");
         for row in &card.rows {
-            let open = row.laws.iter().filter(|it| matches!(it, Status::Undecided(_))).count();
+            let open = row.laws.iter().filter(|it| matches!(it, LawStatus::Undecided(_))).count();
             assert!(open <= 1, "{}: {:?}", row.name, row.laws);
         }
     }

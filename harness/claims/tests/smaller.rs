@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_PI, TAU};
 
-use claims::{Broken, Card};
+use claims::{Broken, ClaimsCard};
 use conform::{Reply, Subject, numbers};
 use exact::Draw;
 use groundtruth::math::{cos, sin};
@@ -95,7 +95,7 @@ impl<F: Fn(&At) -> f64> Subject for Planted<F> {
 }
 
 /// The case of the first broken law, which has this name.
-fn broken<'c>(card: &'c Card, law: &str) -> &'c Broken {
+fn broken<'c>(card: &'c ClaimsCard, law: &str) -> &'c Broken {
     let found = card.rows[0].broken().next();
     let (first, broken) = found.unwrap_or_else(|| panic!("nothing is broken\n{card}"));
     assert_eq!(first.name, law, "{card}");
@@ -134,7 +134,7 @@ fn a_mistake_is_told_with_the_simplest_numbers_that_have_it() {
 #[test]
 fn a_viewer_keeps_what_the_mistake_needs() {
     let grazing = |at: &At| if at.wo[2].abs() < 0.1 { 2.0 } else { 1.0 };
-    let seen = |card: &Card| broken(card, "albedo").setting.seen.expect("a viewer");
+    let seen = |card: &ClaimsCard| broken(card, "albedo").setting.seen.expect("a viewer");
     let [x, y, z] = seen(&card(&mut Planted::new(Mistake::Mirror, grazing), 8, 1));
     assert!(x > 0.9 && y == 0.0 && z > 0.0 && z < 0.1, "{:?}", [x, y, z]);
     let behind = |at: &At| if at.wo[0] < -0.1 { 2.0 } else { 1.0 };

@@ -10,7 +10,7 @@ use super::card::Card;
 
 /// The names of families that may fail.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Known(BTreeSet<String>);
+pub struct KnownFailures(BTreeSet<String>);
 
 /// Why a file of known failures cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -36,7 +36,7 @@ pub enum KnownError {
     },
 }
 
-impl Known {
+impl KnownFailures {
     /// Reads names, one a line, from a file or, if its path is `-`, the standard input; `#` begins a comment.
     ///
     /// # Errors
@@ -79,7 +79,7 @@ impl Known {
     }
 }
 
-impl fmt::Display for Known {
+impl fmt::Display for KnownFailures {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.0.iter().try_for_each(|name| writeln!(f, "{name}"))
     }

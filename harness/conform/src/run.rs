@@ -17,6 +17,12 @@ use super::program::{MOST_FAULTS, WINDOW};
 use super::shrink;
 use super::subject::{Fault, Reply, Subject};
 
+/// Cases in each family, if it is not said how many.
+pub const CASES: usize = 48;
+
+/// At most so many can be asked for.
+pub const MOST_CASES: usize = u32::MAX as usize;
+
 /// What is asked.
 #[derive(Clone, Debug)]
 pub struct Options {

@@ -46,7 +46,7 @@ fn within(a: f32, b: f32, relative: f64, floor: f64) -> bool {
 
 /// A pixel in which two pictures differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Difference {
+pub struct DifferingPixel {
     /// x right and y down, from 0.
     pub pixel: [u32; 2],
     /// The expected colour.
@@ -58,7 +58,7 @@ pub struct Difference {
 }
 
 /// The pixels whose bits differ, the largest difference first. Both pictures have the same size.
-pub fn differences(expected: &Film, got: &Film) -> Vec<Difference> {
+pub fn differences(expected: &Film, got: &Film) -> Vec<DifferingPixel> {
     let mut all = Vec::new();
     for (i, (a, b)) in expected.to_f32().zip(got.to_f32()).enumerate() {
         if a.map(f32::to_bits) != b.map(f32::to_bits) {
@@ -67,7 +67,7 @@ pub fn differences(expected: &Film, got: &Film) -> Vec<Difference> {
             let not_a_number = channels.iter().any(|c| c.is_nan());
             let size = channels.into_iter().fold(0.0, f64::max);
             let i = i as u32;
-            all.push(Difference {
+            all.push(DifferingPixel {
                 pixel: [i % expected.width(), i / expected.width()],
                 expected: a,
                 got: b,

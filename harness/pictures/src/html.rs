@@ -1,4 +1,4 @@
-//! HTML pages that need nothing beside them, and no script.
+//! HTML pages that need nothing beside them; what a script adds, they can be read without.
 
 use groundtruth::printable;
 
@@ -23,12 +23,14 @@ a { color: inherit; }
 img { max-width: 100%; }
 pre { white-space: pre-wrap; overflow-wrap: anywhere; }
 code { font-size: 90%; user-select: all; overflow-wrap: anywhere; }
-table { border-collapse: collapse; }
+table { border-collapse: collapse; overflow-wrap: normal; }
 .wide { overflow-x: auto; }
 tr, figure { break-inside: avoid; }
 @media print {
   body { margin: 0; max-width: none; font-size: 10pt; }
   .wide { overflow: visible; }
+  table { font-size: 8.5pt; }
+  .wide th, .wide td { padding: 0.1em 0.4em; }
   img, .ramp, .failed { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
 }
 ";
@@ -52,14 +54,35 @@ pub const CARD: &str = "\
 pre { background: var(--box); padding: 0.5em; }
 ";
 
-/// A whole page: its title (escaped), the rules that it adds to the common style, and its body.
+/// The class of two pictures one over the other, of which a checkbox shows the second.
+pub const FLIP: &str = "flip";
+
+/// For pages with such pictures: F flips all of them; + and − make pictures larger and smaller by the factor `--zoom` of
+/// the rules, up to 16 times. Without it the checkboxes flip, and the browser zooms.
+const SCRIPT: &str = "\
+<script>
+let zoom = 1;
+addEventListener('keydown', event => {
+  if (event.ctrlKey || event.altKey || event.metaKey) return;
+  const key = event.key.toLowerCase();
+  if (key == 'f') document.querySelectorAll('.flip input').forEach(box => box.checked = !box.checked);
+  zoom = Math.min(16, Math.max(1, zoom * ({ '+': 2, '=': 2, '-': 0.5 }[key] || 1)));
+  document.documentElement.style.setProperty('--zoom', zoom);
+});
+</script>
+";
+
+/// A whole page: its title (escaped), the rules that it adds to the common style, and its body; with a script if it has
+/// pictures that flip.
 pub fn page(title: &str, rules: &[&str], body: &str) -> String {
     let rules = rules.concat();
+    let has_flip = body.contains(&format!("class=\"{FLIP}\""));
+    let script = if has_flip { SCRIPT } else { "" };
     format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n\
          <title>{title}</title>\n<style>\n{STYLE}{rules}</style>\n</head>\n<body>\n\
-         {body}</body>\n</html>\n"
+         {body}{script}</body>\n</html>\n"
     )
 }
 

@@ -6,7 +6,8 @@ use std::process::{Command, Stdio};
 
 use serde_json::Value;
 
-use super::{blocks, example, has, root, text_of};
+use super::document::blocks;
+use super::{example, has, root, text_of};
 
 /// The adapters of programs that people use.
 fn of_programs() -> Vec<String> {

@@ -7,7 +7,7 @@ use std::path::Path;
 
 use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
-use pictures::sums::{Header, NotFinite, Part, Seeds, Sums};
+use pictures::sums::{Header, NotFinite, Seeds, Sums, SumsFile};
 
 use super::header::header;
 use super::{SCENE, command, expect, parts, read};
@@ -75,7 +75,7 @@ fn an_audit_of_less_than_a_row_is_of_one_row() {
     expect(0, at, line);
     let audit = "merge a.sums -o mean.exr --audit 0.001%";
     expect(0, at, audit);
-    let sums = Part::open(&at.join("a.sums")).and_then(|part| part.read()).expect("whole");
+    let sums = SumsFile::open(&at.join("a.sums")).and_then(|part| part.read()).expect("whole");
     let seeds = sums.header().seeds.clone();
     let mut other = Sums::new(Header { seeds: Seeds::default(), ..sums.header().clone() });
     for seed in seeds.iter() {
@@ -98,7 +98,7 @@ fn the_list_of_values_that_are_not_finite_is_in_the_digest() {
     film.set([1, 0], Rgb::new(f64::NAN, 1.0, f64::INFINITY));
     sums.add(&film, 3).expect("it fits");
     sums.write(&file).expect("written");
-    let whole = Part::open(&file).and_then(|part| part.read()).expect("whole");
+    let whole = SumsFile::open(&file).and_then(|part| part.read()).expect("whole");
     let found: Vec<[u64; 2]> = whole
         .not_finite()
         .iter()
@@ -112,7 +112,7 @@ fn the_list_of_values_that_are_not_finite_is_in_the_digest() {
             let mut bad = good.clone();
             bad[place] ^= 1 << bit;
             fs::write(&file, bad).expect("written");
-            let part = Part::open(&file).expect("its header is whole");
+            let part = SumsFile::open(&file).expect("its header is whole");
             part.check().expect_err("a bit of the list was flipped");
         }
     }
@@ -173,7 +173,7 @@ fn two_parts_at_once_do_not_lose_one() {
     assert_eq!(statuses[1 - kept], Some(2), "one is refused");
     let said = String::from_utf8_lossy(&ended[1 - kept].stderr).into_owned();
     assert!(said.contains("write to another file"), "{said}");
-    let part = Part::open(&at.join("one.sums")).expect("whole");
+    let part = SumsFile::open(&at.join("one.sums")).expect("whole");
     part.check().expect("whole");
     assert_eq!(part.header().seeds, Seeds::range(1 + 4 * kept as u64, 4).expect("they fit"));
     assert_eq!(names(at), ["one.sums"]);

@@ -94,16 +94,24 @@ fn a_faulty_machine_is_found() {
     fs::write(at.join("bad.sums"), faulty(&read(at, "a1.sums"), 3 * 12 + 5)).expect("written");
     let run = expect(1, at, "merge a0.sums a1.sums bad.sums -o mean.exr");
     let text = "error: bad.sums and a1.sums have the same seeds 3 to 4 but differ at pixel 5, 3: one of the \
-                machines is faulty; --audit tells which\n";
+                machines is faulty; --audit tells which\n\
+                next: groundtruth merge a0.sums a1.sums bad.sums -o mean.exr --audit 100%\n";
     assert_eq!(run.stderr, text);
+    let again = "next: groundtruth render ch18/rectangle --size 12x8 --samples 4 --seed 3 --replicas 2 -o seeds-3.sums\n";
     let named = "error: bad.sums: pixel 5, 3 is not what is rendered here from its seeds 3 to 4: that machine is \
                  faulty, or this one\n";
+    let named = &format!("{named}{again}");
     for files in ["a0.sums a1.sums bad.sums", "a0.sums bad.sums a1.sums"] {
         let run = expect(1, at, &format!("merge {files} -o mean.exr --audit 100%"));
         assert!(run.stderr.ends_with(named), "{}", run.stderr);
     }
     let run = expect(1, at, "merge a0.sums bad.sums -o mean.exr --audit 1 --scene ch18/rectangle");
-    assert_eq!(run.stderr, named);
+    assert_eq!(&run.stderr, named);
+    // the next step gives the right part
+    let next = again.trim_end().strip_prefix("next: groundtruth ").expect("a command");
+    expect(0, at, next);
+    expect(0, at, "merge a0.sums seeds-3.sums -o mean.exr --audit 1");
+    fs::remove_file(at.join("mean.exr")).expect("it was written");
     assert!(!at.join("mean.exr").exists());
     expect(2, at, "merge a0.sums a1.sums -o mean.exr --audit 1 --scene ch03/single-sphere");
     for share in ["0", "2", "101%", "x"] {

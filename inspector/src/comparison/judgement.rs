@@ -12,7 +12,7 @@ use groundtruth::film::Tone;
 use groundtruth::render::{self, Canvas};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use judge::verdict::{self, Case, Evaluation, RayTolerance, Region, Strictness, Verdict};
+use judge::verdict::{self, Case, DifferingRegion, Evaluation, RayTolerance, Strictness, Verdict};
 use pictures::compare::Picture;
 
 use crate::action::Action;
@@ -194,7 +194,7 @@ impl Judgement {
         let list = |ui: &mut Ui| {
             let mut explained = None;
             for (number, region) in (1..).zip(regions) {
-                let Region { name, z, .. } = region;
+                let DifferingRegion { name, z, .. } = region;
                 let z = z.map_or(String::new(), |z| format!(", z = {z:+.1}"));
                 let link = ui.link(format!("{number} {name}{z}"));
                 if link.on_hover_text(region.to_string()).clicked() {
@@ -277,6 +277,6 @@ fn line(verdict: &Verdict) -> String {
     verdict.sentence() + &z
 }
 
-fn worst(region: &Region) -> [u32; 2] {
+fn worst(region: &DifferingRegion) -> [u32; 2] {
     region.worst.map(|along| along as u32)
 }

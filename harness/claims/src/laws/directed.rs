@@ -5,7 +5,7 @@ use serde_json::Value;
 
 use super::Integrated;
 use crate::asked::Trouble;
-use crate::case::Case;
+use crate::case::LobeCase;
 use crate::light::LightCase;
 use crate::map::MapCase;
 use crate::naming::{Factor, Given, LIGHTS, LOBES, MAPS};
@@ -63,7 +63,7 @@ pub trait Directed {
     fn example(&self) -> Value;
 }
 
-impl Case<'_> {
+impl LobeCase<'_> {
     /// What f and weights are multiplied with for the energy of light: radiance over the square of the index stays the
     /// same across a boundary, radiance does not.
     fn invariant(&self, wi: Vector) -> f64 {
@@ -72,7 +72,7 @@ impl Case<'_> {
     }
 }
 
-impl Directed for Case<'_> {
+impl Directed for LobeCase<'_> {
     const FACTORS: &'static [Factor] = &LOBES;
 
     fn drawn(&mut self, count: usize) -> Result<Vec<Option<Drawn>>, Trouble> {

@@ -7,8 +7,8 @@ use statistics::means;
 use super::directed::{Directed, Drawn};
 use super::{Breach, Finding, apart};
 use crate::asked::Trouble;
-use crate::case::Case;
-use crate::cells::{Cells, Integral, Integrals, Samples, integrals};
+use crate::case::LobeCase;
+use crate::cells::{Cells, DensitySamples, Integral, Integrals, integrals};
 use crate::light::LightCase;
 use crate::naming::constant;
 
@@ -101,7 +101,7 @@ fn integrate<C: Directed>(case: &mut C, scale: usize) -> Result<Integrated, Trou
         });
         Ok::<_, Trouble>(integrands.collect())
     };
-    let guide = Samples { drawn: samples.len().min(GUIDING), directions: &directions };
+    let guide = DensitySamples { drawn: samples.len().min(GUIDING), directions: &directions };
     let integrals = integrals(&cells, guide, tolerances, BUDGET, &mut values)?;
     let (scattered, drawn) = (counts.iter().sum(), samples.len() as u64);
     Ok(Integrated { scale, counts, scattered, drawn, weights, has_deltas, integrals })
@@ -240,7 +240,7 @@ pub fn density<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Troub
     ))
 }
 
-pub fn albedo(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
+pub fn albedo(case: &mut LobeCase<'_>, scale: usize) -> Result<Finding, Trouble> {
     let questions = vec![case.example()];
     let is_lossless = case.claims.lossless;
     if case.claims.delta {
@@ -254,7 +254,7 @@ pub fn albedo(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
     let groups = |k: usize| it.weights.iter().map(|mean| mean[k]).collect::<Vec<f64>>();
     if it.has_deltas {
         return Ok(conserved(
-            [0, 1, 2].map(|k| (groups(k), Case::GRANTED)),
+            [0, 1, 2].map(|k| (groups(k), LobeCase::GRANTED)),
             is_lossless,
             questions,
         ));
@@ -265,7 +265,7 @@ pub fn albedo(case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
     let mut least = (1.0, None);
     for k in 0..3 {
         let (value, error) = (it.integrals.whole.value[1 + k], it.integrals.whole.error[1 + k]);
-        let error = error + Case::GRANTED * value;
+        let error = error + LobeCase::GRANTED * value;
         let breach = |right: f64, expected: String| Breach {
             found: format!("∫ f |cos θi| = {value:.5} in channel {k}"),
             expected,

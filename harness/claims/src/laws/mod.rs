@@ -11,7 +11,7 @@ mod values;
 use serde_json::Value;
 
 use crate::asked::Trouble;
-use crate::case::Case as LobeCase;
+use crate::case::LobeCase;
 use crate::description::{Claims, Kind};
 use crate::light::LightCase;
 use crate::map::MapCase;

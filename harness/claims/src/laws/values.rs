@@ -5,7 +5,7 @@ use groundtruth::math::{Vector, cos, sin};
 use super::pairs::{self, Equality};
 use super::{Breach, Finding, negative};
 use crate::asked::Trouble;
-use crate::case::Case;
+use crate::case::LobeCase;
 use crate::lobe::{Evaluated, Sampled};
 use crate::measured::Measured;
 use crate::naming::{Given, LOBES};
@@ -14,7 +14,7 @@ use crate::naming::{Given, LOBES};
 const COMPARED: usize = 48;
 
 /// As [`equal`] of all kinds, for directions of a lobe.
-fn equal(case: &Case<'_>, pairs: &[Equality], found: &str, expected: &str) -> Finding {
+fn equal(case: &LobeCase<'_>, pairs: &[Equality], found: &str, expected: &str) -> Finding {
     pairs::equal(pairs, &LOBES, [found, expected], |pair| {
         let wi = pair.given.wi;
         (format!("wi = {:?}", wi.to_array()), vec![case.lobe.eval_question(case.wo, &[wi])])
@@ -22,12 +22,12 @@ fn equal(case: &Case<'_>, pairs: &[Equality], found: &str, expected: &str) -> Fi
 }
 
 /// A pair at a direction.
-fn pair(case: &Case<'_>, wi: Vector, [found, expected, slack]: [f64; 3]) -> Equality {
+fn pair(case: &LobeCase<'_>, wi: Vector, [found, expected, slack]: [f64; 3]) -> Equality {
     Equality { given: Given::of(case.wo, wi, case.eta), u: [0.0; 4], found, expected, slack }
 }
 
 /// Samples with a density, and the values in their directions.
-fn valued(case: &mut Case<'_>) -> Result<Vec<(Sampled, f64, Measured)>, Trouble> {
+fn valued(case: &mut LobeCase<'_>) -> Result<Vec<(Sampled, f64, Measured)>, Trouble> {
     let samples = case.samples(COMPARED)?.into_iter().flatten();
     let samples: Vec<_> = samples.filter_map(|it| Some((it, it.pdf?))).collect();
     let directions: Vec<Vector> = samples.iter().map(|(it, _)| it.wi).collect();
@@ -37,7 +37,7 @@ fn valued(case: &mut Case<'_>) -> Result<Vec<(Sampled, f64, Measured)>, Trouble>
     Ok(all.filter(is_above).collect())
 }
 
-pub fn same_pdf(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn same_pdf(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
     let values = valued(case)?.into_iter();
     let pair = |(it, pdf, value): (Sampled, f64, Measured)| {
         pair(case, it.wi, [pdf, value.value.pdf, value.pdf_slack])
@@ -46,7 +46,7 @@ pub fn same_pdf(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
     Ok(equal(case, &pairs, "the pdf of the sample", "the pdf of `eval`"))
 }
 
-pub fn weight(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn weight(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
     let rounding = 64.0 * case.rounding;
     let values = valued(case)?;
     let mut pairs = Vec::new();
@@ -63,7 +63,7 @@ pub fn weight(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
     Ok(equal(case, &pairs, "weight × pdf", "f |cos θi|"))
 }
 
-pub fn reciprocal(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn reciprocal(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
     let mut directions: Vec<Vector> =
         case.samples(COMPARED)?.into_iter().flatten().map(|it| it.wi).collect();
     for side in [1.0, -1.0] {
@@ -90,7 +90,7 @@ pub fn reciprocal(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
     Ok(equal(case, &pairs, &found, &expected))
 }
 
-pub fn turned(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn turned(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
     let mut directions: Vec<Vector> =
         case.samples(COMPARED)?.into_iter().flatten().map(|it| it.wi).collect();
     directions.retain(|wi| !case.is_level(*wi));
@@ -119,7 +119,7 @@ pub fn turned(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
 /// Cosines of directions that nearly lie in the surface.
 const LIMB: [f64; 2] = [1e-3, 1e-5];
 
-pub fn positive(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn positive(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
     let mut directions: Vec<Vector> =
         case.samples(COMPARED)?.into_iter().flatten().map(|it| it.wi).collect();
     for side in [1.0, -1.0] {
@@ -155,7 +155,7 @@ fn lowered(w: Vector, z: f64) -> Vector {
     (1.0 - z * z).sqrt() * level + z * Vector::Z
 }
 
-pub fn sides(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn sides(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
     let u = case.numbers(8 * COMPARED);
     let samples = case.lobe.sample(case.wo, &u)?;
     for (sample, u) in samples.iter().zip(&u).filter_map(|(it, u)| Some((it.as_ref()?, u))) {
@@ -196,7 +196,7 @@ pub fn sides(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
     }))
 }
 
-pub fn repeated(case: &mut Case<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn repeated(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
     let u = case.numbers(4);
     let wi = case.directions(4, case.wo.z().signum());
     // another viewer, so that what is kept of the last call is another's; on the other side if that is served

@@ -2,13 +2,12 @@
 
 use std::fmt;
 
-use super::super::judgement::Profile;
+use super::super::invocation::Invocation;
 use super::super::mistakes::{Mistake, Name};
-use super::super::run::FEW;
+use super::super::run::{CASES, FEW, MOST_CASES};
 use super::{Card, Row, Status};
 use groundtruth::printable;
 use pictures::digits::short;
-use pictures::shell::quoted;
 use pictures::told::Told;
 
 /// The table of chapters: those of which an answer was judged or a fault happened, and only statuses that there are.
@@ -170,10 +169,10 @@ fn first(row: &Row) -> String {
     }
 }
 
-/// What is told of a card; `command` is the line by which the program was started.
-pub fn told(card: &Card, is_fresh: bool, command: &[String]) -> Told {
-    let details = details(card);
-    Told { verdict: verdict(card, is_fresh), details, next: next(card, is_fresh, command) }
+/// What is told of a card of a program that was asked by this command.
+pub fn told(card: &Card, invocation: &Invocation<'_>) -> Told {
+    let (details, verdict) = (details(card), verdict(card, invocation.is_fresh));
+    Told { verdict, details, next: next(card, invocation) }
 }
 
 /// What failed, conventions, counts, and what was not judged.
@@ -201,20 +200,11 @@ pub(super) fn rest(card: &Card) -> String {
 
 /// The next step: the first family that failed, by itself; if it was alone, the scene in which its mistake shows; if none
 /// failed, a seed that nobody has seen.
-fn next(card: &Card, is_fresh: bool, command: &[String]) -> String {
-    let program: String = command.iter().map(|word| format!(" {}", quoted(word))).collect();
-    let profile = match card.profile {
-        Profile::Careful => "",
-        Profile::Book => " --profile book",
-    };
+fn next(card: &Card, invocation: &Invocation<'_>) -> String {
     let asked = count(card, &|row| row.total() > 0);
     match failures(card).first() {
         Some(row) if asked > 1 || !row.is_failed() => {
-            format!(
-                "groundtruth conform{profile} {} --seed {} --{program}",
-                quoted(&row.name),
-                card.seed
-            )
+            invocation.of_one("conform", &row.name, card.seed)
         }
         Some(row) => match row.names.first() {
             Some(Name::Known { mistake: Mistake { picture: Some(name), .. }, .. }) => {
@@ -228,8 +218,7 @@ fn next(card: &Card, is_fresh: bool, command: &[String]) -> String {
         None if count(card, &Row::is_unsupported) == asked => {
             "groundtruth conform --init python".to_owned()
         }
-        None if is_fresh => format!("groundtruth conform{profile} --fresh --cases 480 --{program}"),
-        None => format!("groundtruth conform{profile} --fresh --{program}"),
+        None => invocation.with_fresh_seed("conform", CASES, MOST_CASES),
     }
 }
 

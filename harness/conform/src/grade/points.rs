@@ -5,7 +5,7 @@ use std::sync::atomic::AtomicBool;
 
 use serde_json::{Value, json};
 
-use super::table::{Part, Table};
+use super::table::{Table, TablePart};
 use crate::card::{Card, Row, Status};
 use crate::judgement::Profile;
 use crate::run::{NoAnswer, Options, run};
@@ -43,7 +43,7 @@ pub(super) fn worth(row: &Row) -> Option<f64> {
 }
 
 impl PartGrade {
-    fn new(part: &Part, rows: Vec<Row>) -> Self {
+    fn new(part: &TablePart, rows: Vec<Row>) -> Self {
         let worths: Vec<f64> = rows.iter().filter_map(worth).collect();
         let share = match worths.len() {
             0 => 0.0,
@@ -82,7 +82,7 @@ impl Grade {
             interrupted,
         };
         let card = run(subject, &table.families, &options, watch);
-        let rows = |part: &Part| match &card {
+        let rows = |part: &TablePart| match &card {
             Ok(card) => {
                 card.rows.iter().filter(|row| part.families.contains(&row.name)).cloned().collect()
             }

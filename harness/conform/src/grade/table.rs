@@ -38,13 +38,13 @@ pub struct Table {
     /// Cases of each family.
     pub cases: usize,
     /// In the order of the file.
-    pub parts: Vec<Part>,
+    pub parts: Vec<TablePart>,
     /// What all parts ask, in the order of the suite.
     pub families: Vec<Family>,
 }
 
 /// A part of an assignment.
-pub struct Part {
+pub struct TablePart {
     /// What students read.
     pub name: String,
     /// At most so many.
@@ -153,7 +153,7 @@ impl File {
             return Err((0..0, problem.to_owned()));
         }
         let all: Vec<Family> = suite::all();
-        let mut parts: Vec<Part> = Vec::new();
+        let mut parts: Vec<TablePart> = Vec::new();
         for part in &self.part {
             parts.push(part.build(&all, &parts)?);
         }
@@ -190,7 +190,7 @@ fn whole(
 }
 
 impl FilePart {
-    fn build(&self, all: &[Family], before: &[Part]) -> Result<Part, Problem> {
+    fn build(&self, all: &[Family], before: &[TablePart]) -> Result<TablePart, Problem> {
         let name = printable::name(self.name.get_ref().trim());
         let of_name = |problem: &str| Err((self.name.span(), problem.to_owned()));
         if name.is_empty() {
@@ -230,7 +230,7 @@ impl FilePart {
                 return Err((self.ask.span(), problem));
             }
         }
-        Ok(Part { name, points, families })
+        Ok(TablePart { name, points, families })
     }
 }
 

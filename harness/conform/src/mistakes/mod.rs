@@ -9,7 +9,7 @@
 mod clues;
 mod names;
 
-use judge::mistakes::known::{self, Known};
+use judge::mistakes::known::{self, KnownMistake};
 use judge::mistakes::{find, scenes_that_show};
 
 pub use clues::{clues, clues_of_color, ratio, same};
@@ -39,8 +39,8 @@ impl Mistake {
     }
 
     /// An entry of the catalogue, as answers of single functions tell it.
-    pub const fn of_pictures(known: &Known) -> Self {
-        let Known { name, words, place, clue, .. } = *known;
+    pub const fn of_pictures(known: &KnownMistake) -> Self {
+        let KnownMistake { name, words, place, clue, .. } = *known;
         let told = match clue {
             Some(clue) => clue,
             None => words,

@@ -4,7 +4,7 @@ use groundtruth::math::Transform;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Instance, Kind, transform_of};
 
-use super::parts::{self, Part, apart, parts};
+use super::parts::{self, SolidPart, apart, parts};
 use super::{Target, Unsupported, item, kinds};
 
 /// More shapes are refused: their text would be of many megabytes.
@@ -129,7 +129,7 @@ impl<'a> Leaves<'a> {
         self.number += 1;
     }
 
-    fn parts(&mut self, parts: Vec<Part>, at: &Setting) {
+    fn parts(&mut self, parts: Vec<SolidPart>, at: &Setting) {
         parts.iter().for_each(|part| self.part(part, at));
     }
 
@@ -147,7 +147,7 @@ impl<'a> Leaves<'a> {
     }
 
     /// A part, of a material of its own if it has one.
-    fn part(&mut self, Part { name, material, shape }: &Part, at: &Setting) {
+    fn part(&mut self, SolidPart { name, material, shape }: &SolidPart, at: &Setting) {
         let path = format!("{}.{name}", at.path);
         let material = match material {
             None => Some(at.material),

@@ -10,7 +10,7 @@ use groundtruth::shapes::{
 use super::{How, Target};
 
 /// A part of a shape.
-pub struct Part {
+pub struct SolidPart {
     /// Its place in the whole, as `parts[2]` or `wall`.
     pub name: String,
     /// The name of its material; that of the whole if `None`.
@@ -36,7 +36,7 @@ pub fn apart(kind: &Kind, target: Target) -> Option<How> {
 }
 
 /// The parts of a shape, in order, of a lattice its copies; `None` if it has none.
-pub fn parts(kind: &Kind) -> Option<Vec<Part>> {
+pub fn parts(kind: &Kind) -> Option<Vec<SolidPart>> {
     Some(match kind {
         Kind::Compound(it) => {
             let parts = it.parts.iter().map(|part| (part.material.clone(), part.shape.clone()));
@@ -53,7 +53,7 @@ pub fn parts(kind: &Kind) -> Option<Vec<Part>> {
     })
 }
 
-fn copies(it: &Lattice) -> Vec<Part> {
+fn copies(it: &Lattice) -> Vec<SolidPart> {
     let [columns, rows, layers] = it.counts;
     let [x, y, z] = it.spacing.to_array();
     let mut copies = Vec::new();
@@ -92,14 +92,17 @@ pub fn random_color(seed: u64, leaf: u64) -> Rgb {
     Rgb::new(channel(), channel(), channel())
 }
 
-fn numbered(list: &str, parts: impl IntoIterator<Item = (Option<String>, Kind)>) -> Vec<Part> {
-    let part =
-        |(index, (material, shape))| Part { name: format!("{list}[{index}]"), material, shape };
+fn numbered(list: &str, parts: impl IntoIterator<Item = (Option<String>, Kind)>) -> Vec<SolidPart> {
+    let part = |(index, (material, shape))| SolidPart {
+        name: format!("{list}[{index}]"),
+        material,
+        shape,
+    };
     parts.into_iter().enumerate().map(part).collect()
 }
 
-fn named<const N: usize>(parts: [(&str, Kind); N], materials: &Materials) -> Vec<Part> {
-    let part = |(name, shape): (&str, Kind)| Part {
+fn named<const N: usize>(parts: [(&str, Kind); N], materials: &Materials) -> Vec<SolidPart> {
+    let part = |(name, shape): (&str, Kind)| SolidPart {
         name: name.to_owned(),
         material: materials.get(name).cloned(),
         shape,
@@ -107,7 +110,7 @@ fn named<const N: usize>(parts: [(&str, Kind); N], materials: &Materials) -> Vec
     parts.into_iter().map(part).collect()
 }
 
-fn solid_cylinder(it: &SolidCylinder) -> Vec<Part> {
+fn solid_cylinder(it: &SolidCylinder) -> Vec<SolidPart> {
     let SolidCylinder { y0, y1, radius, .. } = *it;
     let parts = [
         ("bottom", Disk { center: on_axis(y0), normal: -Vector::Y, radius }.into()),
@@ -117,7 +120,7 @@ fn solid_cylinder(it: &SolidCylinder) -> Vec<Part> {
     named(parts, &it.materials)
 }
 
-fn solid_cone(it: &SolidCone) -> Vec<Part> {
+fn solid_cone(it: &SolidCone) -> Vec<SolidPart> {
     let SolidCone { height, radius, .. } = *it;
     let parts = [
         ("base", Disk { center: on_axis(0.0), normal: -Vector::Y, radius }.into()),
@@ -126,7 +129,7 @@ fn solid_cone(it: &SolidCone) -> Vec<Part> {
     named(parts, &it.materials)
 }
 
-fn thick_ring(it: &ThickRing) -> Vec<Part> {
+fn thick_ring(it: &ThickRing) -> Vec<SolidPart> {
     let ThickRing { y0, y1, inner_radius, outer_radius, .. } = *it;
     let lid = |y, normal| Annulus { center: on_axis(y), normal, inner_radius, outer_radius }.into();
     let wall = |radius, inward| OpenCylinder { y0, y1, radius, inward }.into();

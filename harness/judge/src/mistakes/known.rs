@@ -5,7 +5,7 @@
 
 /// A mistake.
 #[derive(Debug)]
-pub struct Known {
+pub struct KnownMistake {
     /// Its name, in lower case with hyphens.
     pub name: &'static str,
     /// The chapter of the book that has the right rule.
@@ -23,7 +23,7 @@ macro_rules! catalogue {
     ($($entry:ident $chapter:literal $name:literal: $words:literal, $place:literal $(, $clue:literal)?;)*) => {
         $(
             #[doc = $words]
-            pub static $entry: Known = Known {
+            pub static $entry: KnownMistake = KnownMistake {
                 name: $name,
                 chapter: $chapter,
                 words: $words,
@@ -33,7 +33,7 @@ macro_rules! catalogue {
         )*
 
         /// All of them, by chapter.
-        pub static ALL: &[&Known] = &[$(&$entry),*];
+        pub static ALL: &[&KnownMistake] = &[$(&$entry),*];
     };
 }
 

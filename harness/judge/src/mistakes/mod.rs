@@ -18,6 +18,7 @@ mod mistaken;
 mod observed;
 mod page;
 mod path_terms;
+mod probed;
 mod recorder;
 mod replicas;
 mod shown;
@@ -28,13 +29,14 @@ use std::path::Path;
 
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
-use known::Known;
+use known::KnownMistake;
 
 pub use beside::Beside;
 pub use films::{Films, films, pixel};
 pub use mistaken::Mistaken;
 pub use observed::{ObservedRay, ObservedSurface, ObservedTerm};
 pub use page::page;
+pub use probed::matching;
 pub use recorder::Reweighing;
 pub use replicas::{replica, replicas};
 pub use shown::{
@@ -46,7 +48,7 @@ pub use shown::{
 #[derive(Clone, Copy, Debug)]
 pub struct Mistake {
     /// Its entry.
-    pub known: &'static Known,
+    pub known: &'static KnownMistake,
     /// How its picture is made.
     pub how: How,
     /// In which other form people make it: a half sentence that follows the words. Only forms without one are in the
@@ -69,15 +71,18 @@ pub enum How {
 }
 
 impl Mistake {
-    const fn term(known: &'static Known, value: fn(&ObservedTerm<'_>) -> Rgb) -> Self {
+    const fn term(known: &'static KnownMistake, value: fn(&ObservedTerm<'_>) -> Rgb) -> Self {
         Self { known, how: How::Term(value), form: None }
     }
 
-    const fn ray(known: &'static Known, arriving: fn(&ObservedRay<'_>) -> Rgb) -> Self {
+    const fn ray(known: &'static KnownMistake, arriving: fn(&ObservedRay<'_>) -> Rgb) -> Self {
         Self { known, how: How::Ray(arriving), form: None }
     }
 
-    const fn scene(known: &'static Known, change: fn(&Scene, &Path) -> Option<Scene>) -> Self {
+    const fn scene(
+        known: &'static KnownMistake,
+        change: fn(&Scene, &Path) -> Option<Scene>,
+    ) -> Self {
         Self { known, how: How::Scene(change), form: None }
     }
 
@@ -118,9 +123,9 @@ impl Mistake {
 
 /// What the catalogue says of it: its name, chapter, words.
 impl std::ops::Deref for Mistake {
-    type Target = Known;
+    type Target = KnownMistake;
 
-    fn deref(&self) -> &Known {
+    fn deref(&self) -> &KnownMistake {
         self.known
     }
 }

@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use super::known::Known;
+use super::known::KnownMistake;
 use super::local::CHANGES;
 use super::shown::{Cover, fewest_scenes, scenes_that_show};
 use super::table::{CHANGE, SAMPLES, SHARE, WIDTH};
@@ -84,7 +84,7 @@ pass glass. A material whose diffuse part is black lacks the part of Blinn's hig
 }
 
 fn row(mistake: &Mistake) -> String {
-    let Known { name, words, place, .. } = mistake.known;
+    let KnownMistake { name, words, place, .. } = mistake.known;
     let how = match mistake.how {
         How::Term(_) | How::Ray(_) => "terms",
         How::Scene(_) | How::Both(..) => "scene",

@@ -3,7 +3,8 @@
 use groundtruth::math::{Pcg32, power_of_two};
 use rayon::prelude::*;
 
-use super::sums::{Design, Sums};
+use super::Watch;
+use super::sums::{AreaSums, Design};
 
 /// The ways in which chance could have divided pictures, as weights of the pictures; the first is the one that was.
 pub struct Divisions {
@@ -100,8 +101,18 @@ impl Rank {
     /// Among these divisions, at this level. Each is scored by the most improbable of its levels' largest differences; if
     /// chance divided the pictures, each is as likely to have the largest score, however the noise is distributed
     /// (Fisher, *The Design of Experiments*, 1935; Westfall & Young, *Resampling-Based Multiple Testing*, 1993).
-    pub fn of(sums: &Sums<'_>, design: Design, divisions: &Divisions, level: f64) -> Self {
+    /// Of a comparison that is interrupted it has no meaning.
+    pub fn of(
+        sums: &AreaSums<'_>,
+        design: Design,
+        (divisions, watch): (&Divisions, Watch<'_>),
+        level: f64,
+    ) -> Self {
         let score = |weights: &Vec<f64>| -> f64 {
+            if watch.is_interrupted() {
+                return f64::MIN;
+            }
+            (watch.tried)();
             let largest = sums.largest(weights, design).into_iter().zip(&sums.levels);
             largest.map(|(t, (_, range))| design.score(t, range.len())).fold(f64::MIN, f64::max)
         };

@@ -8,8 +8,8 @@ use statistics::quantile;
 
 use super::divisions::{Divisions, Rank};
 use super::noise::{Noise, Pairs};
-use super::sums::{Design, Pictures, SumKind, Sums, channels};
-use super::{Method, Sets};
+use super::sums::{AreaSums, Design, SumKind, SummedPictures, channels};
+use super::{Method, Sets, Watch};
 use crate::verdict::Areas;
 use crate::verdict::residuals::{around, own_variance};
 
@@ -33,9 +33,9 @@ const FEW_TILES: usize = 16;
 const MEDIAN_SQUARE: f64 = 0.4549;
 
 /// The sums of two sets, and how they are tested.
-pub struct Evidence<'a> {
+pub struct SetEvidence<'a> {
     /// The sums of what is divided: the pictures, those before first; or differences, after less before.
-    pub sums: Sums<'a>,
+    pub sums: AreaSums<'a>,
     /// How it is tested.
     pub method: Method,
     /// The weights of the pictures that make the difference that is tested.
@@ -48,6 +48,7 @@ pub struct Evidence<'a> {
     /// How many times as large the variance of sums is as of independent pixels: of one picture a side.
     correlation: f64,
     level: f64,
+    watch: Watch<'a>,
 }
 
 /// What a test found.
@@ -69,24 +70,24 @@ pub enum Reason {
     Noise,
 }
 
-impl<'a> Evidence<'a> {
+impl<'a> SetEvidence<'a> {
     /// The best that there is of these sets.
     ///
     /// `not_finite` has the number of values of each picture that are no numbers.
     pub fn of(
         sets: &'a Sets,
         not_finite: Vec<f64>,
-        pairs: &Pairs,
-        noise: &Noise,
+        (pairs, noise): (&Pairs, &Noise),
         level: f64,
+        watch: Watch<'a>,
     ) -> Self {
         let most = (DIVISIONS / level).ceil() as usize;
         let sizes @ [n, m] = sets.sizes();
         if pairs.0.len() >= 2 {
-            return Self::of_pairs(sets, &not_finite, pairs, level, most);
+            return Self::of_pairs(sets, &not_finite, pairs, (level, most), watch);
         }
         if n < 2 || m < 2 {
-            return Self::of_one(sets, level);
+            return Self::of_one(sets, level, watch);
         }
         let (least, design) = (1.0 / Divisions::of_sets(sizes), Design::means(sizes));
         let is_alike = (ALIKE..=1.0 / ALIKE).contains(&noise.factor) || noise.probability > level;
@@ -102,11 +103,11 @@ impl<'a> Evidence<'a> {
         let values: Vec<Vec<f64>> = sets.all().map(|picture| less(picture, &mean)).collect();
         let variance = with_rounding(smoothed(&values, (n + m) as f64 - 1.0, sets), sets);
         let values = values.into_iter().zip(centred(not_finite)).collect();
-        let pictures = Pictures { values, mean: &mean, variance: &variance };
+        let pictures = SummedPictures { values, mean: &mean, variance: &variance };
         let all = (n + m) as f64;
         let both = |before: f64, after: f64| [vec![before; n], vec![after; m]].concat();
         Self {
-            sums: Sums::of(&pictures, &sets.areas, design),
+            sums: AreaSums::of(&pictures, &sets.areas, design),
             method,
             correlation: 1.0,
             weights: both(-1.0 / n as f64, 1.0 / m as f64),
@@ -115,6 +116,7 @@ impl<'a> Evidence<'a> {
             design,
             divisions,
             level,
+            watch,
         }
     }
 
@@ -123,8 +125,8 @@ impl<'a> Evidence<'a> {
         sets: &'a Sets,
         not_finite: &[f64],
         pairs: &Pairs,
-        level: f64,
-        most: usize,
+        (level, most): (f64, usize),
+        watch: Watch<'a>,
     ) -> Self {
         let (count, mean) = (pairs.0.len(), sets.mean_of_all());
         let least = 1.0 / Divisions::of_signs(count);
@@ -138,7 +140,7 @@ impl<'a> Evidence<'a> {
         let more = pairs.0.iter().map(|[a, b]| not_finite[sets.before.len() + b] - not_finite[*a]);
         let values = values.into_iter().zip(more).collect();
         let design = Design::differences(count);
-        let pictures = Pictures { values, mean: &mean, variance: &variance };
+        let pictures = SummedPictures { values, mean: &mean, variance: &variance };
         let method = match &divisions {
             Some(divisions) => Method::Signs {
                 pairs: count,
@@ -148,7 +150,7 @@ impl<'a> Evidence<'a> {
             None => Method::PairedAreas { pairs: count, because: Reason::Few(least) },
         };
         Self {
-            sums: Sums::of(&pictures, &sets.areas, design),
+            sums: AreaSums::of(&pictures, &sets.areas, design),
             method,
             correlation: 1.0,
             weights: vec![1.0 / count as f64; count],
@@ -157,20 +159,21 @@ impl<'a> Evidence<'a> {
             design,
             divisions,
             level,
+            watch,
         }
     }
 
     /// Of one picture before or after: its noise is estimated from its finest details.
-    fn of_one(sets: &'a Sets, level: f64) -> Self {
+    fn of_one(sets: &'a Sets, level: f64, watch: Watch<'a>) -> Self {
         let mean = sets.mean_of_all();
         let [before, after] = [&sets.before, &sets.after].map(|set| sets.mean(set));
         let difference: Vec<f64> = after.iter().zip(&before).map(|(b, a)| b - a).collect();
         let own = channels(&difference).map(|channel| own_variance(&channel, sets.areas.size));
         let variance = with_rounding(interleaved(&own), sets);
         let values = vec![(difference, 0.0)];
-        let pictures = Pictures { values, mean: &mean, variance: &variance };
+        let pictures = SummedPictures { values, mean: &mean, variance: &variance };
         let design = Design::differences(1);
-        let sums = Sums::of(&pictures, &sets.areas, design);
+        let sums = AreaSums::of(&pictures, &sets.areas, design);
         Self {
             correlation: correlation(&sums),
             sums,
@@ -181,6 +184,7 @@ impl<'a> Evidence<'a> {
             design,
             divisions: None,
             level,
+            watch,
         }
     }
 
@@ -194,7 +198,7 @@ impl<'a> Evidence<'a> {
         self.found_in(&self.sums)
     }
 
-    fn found_in(&self, sums: &Sums<'_>) -> Found {
+    fn found_in(&self, sums: &AreaSums<'_>) -> Found {
         match (&self.divisions, &self.method) {
             (Some(divisions), _) => self.by_divisions(sums, divisions),
             (None, Method::OnePicture) => self.by_details(sums),
@@ -237,8 +241,8 @@ impl<'a> Evidence<'a> {
         self.sums.places(level, number).map(of_channel).iter().sum()
     }
 
-    fn by_divisions(&self, sums: &Sums<'_>, divisions: &Divisions) -> Found {
-        let rank = Rank::of(sums, self.design, divisions, self.level);
+    fn by_divisions(&self, sums: &AreaSums<'_>, divisions: &Divisions) -> Found {
+        let rank = Rank::of(sums, self.design, (divisions, self.watch), self.level);
         let mut found: Vec<(f64, usize)> = Vec::new();
         if rank.probability <= self.level {
             let differences = sums.differences(&self.weights);
@@ -257,7 +261,7 @@ impl<'a> Evidence<'a> {
 
     /// The test of each large area by its t, all together at the level (Holm, "A Simple Sequentially Rejective Multiple Test
     /// Procedure", 1979); if the noise has changed, by Welch's test too, which does not take it for the same.
-    fn by_holm(&self, sums: &Sums<'_>) -> Found {
+    fn by_holm(&self, sums: &AreaSums<'_>) -> Found {
         let differences = sums.differences(&self.weights);
         let is_changed = self.method == Method::Areas { because: Reason::Noise };
         let mut tests: Vec<(f64, usize)> = Vec::new();
@@ -282,7 +286,7 @@ impl<'a> Evidence<'a> {
     }
 
     /// Each area of one difference against the noise of its finest details, at the level of all together (Bonferroni).
-    fn by_details(&self, sums: &Sums<'_>) -> Found {
+    fn by_details(&self, sums: &AreaSums<'_>) -> Found {
         let z = z_of_one(sums);
         let is_tested = |level| match level {
             SumKind::Tiles(level) => 1 << level >= SMALLEST_OF_ONE,
@@ -305,7 +309,7 @@ impl<'a> Evidence<'a> {
         }
     }
 
-    /// The smallest side of tiles that [`Evidence::by_holm`] tests.
+    /// The smallest side of tiles that [`SetEvidence::by_holm`] tests.
     fn smallest(&self) -> usize {
         let levels = self.sums.levels.iter();
         let largest = levels.filter_map(|(level, _)| match level {
@@ -317,7 +321,7 @@ impl<'a> Evidence<'a> {
 }
 
 /// One difference in standard deviations of its finest details.
-fn z_of_one(sums: &Sums<'_>) -> Vec<f64> {
+fn z_of_one(sums: &AreaSums<'_>) -> Vec<f64> {
     let differences = sums.differences(&[1.0]).into_iter().enumerate();
     let z = |(index, difference)| sums.t(index, f64::from(difference), Design::differences(1));
     differences.map(z).collect()
@@ -325,7 +329,7 @@ fn z_of_one(sums: &Sums<'_>) -> Vec<f64> {
 
 /// How many times as large as of independent pixels the variance of sums is: of neighbouring tiles, whose differences a
 /// change of the whole picture hardly alters.
-fn correlation(sums: &Sums<'_>) -> f64 {
+fn correlation(sums: &AreaSums<'_>) -> f64 {
     let (z, mut factor) = (z_of_one(sums), 1.0_f64);
     for (level, range) in &sums.levels {
         if matches!(level, SumKind::Tiles(_)) && range.len() >= 3 * FEW_TILES {
@@ -339,7 +343,7 @@ fn correlation(sums: &Sums<'_>) -> f64 {
 }
 
 /// The sums of regions, patterns, and tiles of at least this side.
-fn large<'a>(sums: &'a Sums<'_>, smallest: usize) -> impl Iterator<Item = usize> + 'a {
+fn large<'a>(sums: &'a AreaSums<'_>, smallest: usize) -> impl Iterator<Item = usize> + 'a {
     let is_large = move |level: SumKind| match level {
         SumKind::Tiles(level) => 1 << level >= smallest,
         SumKind::Regions | SumKind::Patterns | SumKind::NotFinite => true,

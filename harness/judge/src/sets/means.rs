@@ -4,7 +4,7 @@ use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, Normal};
 
 use super::Sets;
-use super::evidence::Evidence;
+use super::evidence::SetEvidence;
 use super::noise::Pairs;
 use super::sums::SumKind;
 use crate::verdict::Answer;
@@ -25,7 +25,7 @@ pub struct AreaMeans {
 
 impl AreaMeans {
     /// Of the whole picture and of each region; all intervals together hold with the probability 1 − `level`.
-    pub fn of(sets: &Sets, pairs: &Pairs, evidence: &Evidence<'_>, level: f64) -> Vec<Self> {
+    pub fn of(sets: &Sets, pairs: &Pairs, evidence: &SetEvidence<'_>, level: f64) -> Vec<Self> {
         let largest = sets.areas.levels() - 1;
         let whole = (SumKind::Tiles(largest), 0, "the whole picture".to_owned());
         let regions = sets.areas.objects.iter().enumerate();

@@ -2,7 +2,7 @@
 //!
 //! No scene of ours is needed, and nothing of ours is rendered. If the change did nothing, it is chance which pictures are
 //! before and which after: the difference that is there is held against those of other divisions of the same pictures, in
-//! areas of every size ([`Sums`], [`Rank`]). Pictures with equal seeds are compared in pairs, of which the noise is gone but
+//! areas of every size ([`AreaSums`], [`Rank`]). Pictures with equal seeds are compared in pairs, of which the noise is gone but
 //! for what the change did to it; few pictures by tests of means, and one picture a side by its own details ([`Method`]).
 
 mod divisions;
@@ -15,6 +15,7 @@ mod sums;
 mod text;
 
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use serde::Serialize;
 
@@ -27,9 +28,24 @@ pub use means::AreaMeans;
 pub use noise::{Noise, Pairs};
 pub use page::page;
 pub use power::Power;
-pub use sums::{Design, Pattern, Pictures, SumKind, Sums};
+pub use sums::{AreaSums, Design, Pattern, SumKind, SummedPictures};
 
-use evidence::{Evidence, Found};
+use evidence::{Found, SetEvidence};
+
+/// Who follows a comparison of two sets, and may end it.
+#[derive(Clone, Copy)]
+pub struct Watch<'a> {
+    /// Called for each division that is tried, on any thread.
+    pub tried: &'a (dyn Fn() + Sync),
+    /// Set to end early.
+    pub interrupted: &'a AtomicBool,
+}
+
+impl Watch<'_> {
+    fn is_interrupted(&self) -> bool {
+        self.interrupted.load(Ordering::Relaxed)
+    }
+}
 
 /// The pictures of one scene before and after a change.
 #[derive(Clone, Debug)]
@@ -257,15 +273,15 @@ pub struct SetsVerdict {
 const LISTED: usize = 5;
 
 impl SetsVerdict {
-    /// Compares two sets; a false alarm has this probability. Each has one picture or more.
-    pub fn of(sets: Sets, level: f64) -> Self {
+    /// Compares two sets; a false alarm has this probability. Each has one picture or more. `None` if it is interrupted.
+    pub fn of(sets: Sets, level: f64, watch: Watch<'_>) -> Option<Self> {
         let pictures = sets.sizes();
         let (sets, not_finite) = sets.without_not_finite();
         let is_exact = sets.is_fixed() && (pictures != [1, 1] || sets.before[0] == sets.after[0]);
         let pairs = Pairs::of(&sets);
         let noise = Noise::of(&sets);
         let counts = not_finite.iter().map(|count| *count as f64).collect();
-        let evidence = Evidence::of(&sets, counts, &pairs, &noise, level);
+        let evidence = SetEvidence::of(&sets, counts, (&pairs, &noise), level, watch);
         let found = if is_exact { evidence.by_rounding() } else { evidence.found() };
         let differs = !found.sums.is_empty();
         let method = if is_exact { Method::Rounding } else { evidence.method.clone() };
@@ -279,7 +295,7 @@ impl SetsVerdict {
             Picture::of_radiance(&mean, sets.areas.size.map(|side| side as u32))
         });
         let explained_by = differs.then(|| explained(&sets, &shown)).flatten();
-        Self {
+        let verdict = Self {
             decision,
             pictures,
             level,
@@ -294,7 +310,8 @@ impl SetsVerdict {
             shown,
             probability: found.probability,
             method,
-        }
+        };
+        (!watch.is_interrupted()).then_some(verdict)
     }
 
     /// Also says whether all means are within this part of those before.
@@ -304,7 +321,7 @@ impl SetsVerdict {
 }
 
 /// The areas that differ, the farthest first, without those that overlap one before them.
-fn areas(sets: &Sets, evidence: &Evidence<'_>, found: &Found) -> Vec<AreaDifference> {
+fn areas(sets: &Sets, evidence: &SetEvidence<'_>, found: &Found) -> Vec<AreaDifference> {
     let (mut taken, mut areas) = (vec![false; sets.areas.object_of.len()], Vec::new());
     let [before, after] = [&sets.before, &sets.after].map(|set| sets.mean(set));
     for index in &found.sums {

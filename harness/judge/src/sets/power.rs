@@ -3,7 +3,7 @@
 use serde::Serialize;
 
 use super::Sets;
-use super::evidence::Evidence;
+use super::evidence::SetEvidence;
 use super::sums::{channels, slope};
 use crate::verdict::residuals::around;
 
@@ -28,13 +28,15 @@ pub struct Power {
     pub corner: [usize; 2],
     /// The smallest gain of it that is sure to be seen.
     pub gain_of_patch: Option<f64>,
-    /// Whether a shift by half a pixel is sure to be seen.
-    pub shift: bool,
+    /// Whether it is sure to be seen that one lamp of twelve is missing: see [`one_lamp`].
+    pub lamp: bool,
+    /// Whether a shift by half a pixel is sure to be seen: along rows, and down columns.
+    pub shift: [bool; 2],
 }
 
 impl Power {
     /// Of sets that agree.
-    pub fn of(sets: &Sets, evidence: &Evidence<'_>) -> Self {
+    pub fn of(sets: &Sets, evidence: &SetEvidence<'_>) -> Self {
         let mean = sets.mean(&sets.before);
         let patch = PATCH.min(sets.areas.size[0]).min(sets.areas.size[1]);
         let corner = usual_patch(&mean, sets, patch);
@@ -44,13 +46,15 @@ impl Power {
             patch,
             corner,
             gain_of_patch: smallest(&in_patch, evidence),
-            shift: is_seen(&half_shift(&mean, sets.areas.size), PART, evidence),
+            lamp: is_seen(&one_lamp(&mean, sets.areas.size), PART, evidence),
+            shift: [0, 1]
+                .map(|axis| is_seen(&half_shift(&mean, sets.areas.size, axis), PART, evidence)),
         }
     }
 }
 
 /// The smallest of the gains for which this change is seen with either sign.
-fn smallest(change: &[f64], evidence: &Evidence<'_>) -> Option<f64> {
+fn smallest(change: &[f64], evidence: &SetEvidence<'_>) -> Option<f64> {
     // what a gain shows, larger ones show
     let (mut low, mut high) = (0, GAINS.len());
     while low < high {
@@ -64,7 +68,7 @@ fn smallest(change: &[f64], evidence: &Evidence<'_>) -> Option<f64> {
 }
 
 /// Whether so many times this change of the pictures before is seen, against what noise adds to it.
-fn is_seen(change: &[f64], times: f64, evidence: &Evidence<'_>) -> bool {
+fn is_seen(change: &[f64], times: f64, evidence: &SetEvidence<'_>) -> bool {
     [-1.0, 1.0].iter().all(|sign| {
         let change: Vec<f64> = change.iter().map(|value| sign * times * value).collect();
         !evidence.with_change(&change).sums.is_empty()
@@ -95,9 +99,35 @@ fn usual_patch(mean: &[f64], sets: &Sets, side: usize) -> [usize; 2] {
     all[all.len() / 2].1
 }
 
-/// What a shift by half a pixel to the left adds to a picture. The picture is smoothed first: the noise of its mean would
-/// be taken for edges.
-fn half_shift(mean: &[f64], size: [usize; 2]) -> Vec<f64> {
-    let slopes = channels(mean).map(|channel| slope(&around(&channel, size), size, 0));
+/// Lamps in a row, and rows.
+const LAMPS: [usize; 2] = [4, 3];
+
+/// What one lamp of twelve adds to a picture: they hang in a grid over it, as high as they are apart, and light it by the
+/// inverse square of the distance. It is the one whose light is the median of all.
+fn one_lamp(mean: &[f64], [width, height]: [usize; 2]) -> Vec<f64> {
+    let apart = [width as f64 / LAMPS[0] as f64, height as f64 / LAMPS[1] as f64];
+    let lamps = (0..LAMPS[1]).flat_map(|row| (0..LAMPS[0]).map(move |column| [column, row]));
+    let light = |lamp: [usize; 2], pixel: usize| {
+        let at = [pixel % width, pixel / width];
+        let away = [0, 1].map(|i| (at[i] as f64 + 0.5) / apart[i] - (lamp[i] as f64 + 0.5));
+        1.0 / (1.0 + away[0] * away[0] + away[1] * away[1])
+    };
+    let pixels = 0..width * height;
+    let of_all: Vec<f64> =
+        pixels.clone().map(|pixel| lamps.clone().map(|lamp| light(lamp, pixel)).sum()).collect();
+    let part = |lamp: [usize; 2]| -> Vec<f64> {
+        let share = |index: usize| light(lamp, index / 3) / of_all[index / 3];
+        (0..mean.len()).map(|index| share(index) * mean[index]).collect()
+    };
+    let mut parts: Vec<(f64, Vec<f64>)> =
+        lamps.clone().map(part).map(|part| (part.iter().sum(), part)).collect();
+    parts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    parts.swap_remove(parts.len() / 2).1
+}
+
+/// What a shift by half a pixel to the left, or up, adds to a picture. The picture is smoothed first: the noise of its mean
+/// would be taken for edges.
+fn half_shift(mean: &[f64], size: [usize; 2], axis: usize) -> Vec<f64> {
+    let slopes = channels(mean).map(|channel| slope(&around(&channel, size), size, axis));
     (0..mean.len()).map(|index| 0.5 * slopes[index % 3][index / 3]).collect()
 }

@@ -89,7 +89,7 @@ impl Design {
         Self { between: count as f64, freedom: count as f64 - 1.0 }
     }
 
-    /// Half of the variance is of the sums themselves, half expected from the noise of pixels: see [`Sums::t`].
+    /// Half of the variance is of the sums themselves, half expected from the noise of pixels: see [`AreaSums::t`].
     fn student(self) -> StudentsT {
         StudentsT::new(0.0, 1.0, 2.0 * self.freedom).expect("two pictures or more")
     }
@@ -117,7 +117,7 @@ impl Design {
 }
 
 /// The sums over the areas of all levels.
-pub struct Sums<'a> {
+pub struct AreaSums<'a> {
     /// The levels, and the places of their sums. Those of a level begin with the areas of red.
     pub levels: Vec<(SumKind, Range<usize>)>,
     /// For each sum, the variance that it has if pixels have independent noise.
@@ -132,7 +132,7 @@ pub struct Sums<'a> {
 }
 
 /// Pictures to be added up, three values a pixel.
-pub struct Pictures<'a> {
+pub struct SummedPictures<'a> {
     /// The values of each, less their mean over the pictures if two means are compared; and the number of its values
     /// that are no numbers, less the same.
     pub values: Vec<(Vec<f64>, f64)>,
@@ -142,9 +142,9 @@ pub struct Pictures<'a> {
     pub variance: &'a [f64],
 }
 
-impl<'a> Sums<'a> {
+impl<'a> AreaSums<'a> {
     /// The sums of these pictures.
-    pub fn of(pictures: &Pictures<'_>, areas: &'a Areas, design: Design) -> Self {
+    pub fn of(pictures: &SummedPictures<'_>, areas: &'a Areas, design: Design) -> Self {
         let layout = Layout::new(areas, pictures.mean, pictures.variance);
         let squared = layout.weights.each_ref().map(|patterns| {
             patterns.each_ref().map(|pattern| pattern.iter().map(|w| w * w).collect())

@@ -86,11 +86,17 @@ impl SetsVerdict {
         };
         let (whole, patch, side) = (gain(power.gain), gain(power.gain_of_patch), power.patch);
         let [x, y] = power.corner;
-        let shift =
-            if power.shift { "a shift by half a pixel" } else { "no shift by half a pixel" };
+        let lamp = if power.lamp { "one lamp" } else { "no single lamp" };
+        let shift = match power.shift {
+            [true, true] => "a shift by half a pixel",
+            [true, false] => "a shift by half a pixel along rows (not down columns)",
+            [false, true] => "a shift by half a pixel down columns (not along rows)",
+            [false, false] => "no shift by half a pixel",
+        };
         writeln!(
             f,
-            "would have been seen: {whole} everywhere, {patch} in {x},{y},{side}x{side}, {shift}"
+            "would have been seen: {whole} everywhere, {patch} in {x},{y},{side}x{side}, {lamp} of twelve that is missing, \
+             {shift}"
         )
     }
 

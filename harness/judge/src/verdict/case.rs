@@ -7,7 +7,7 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
 use super::attempt::{Attempt, Judge, better, read};
-use super::verdict::{Explanation, REGIONS, Region, Verdict};
+use super::verdict::{DifferingRegion, Explanation, REGIONS, Verdict};
 use super::{
     Areas, Decision, Evaluation, Evidence, Factors, Map, RayTolerance, Reference, Renders,
     Replicas, Stored, Strictness, Suspects, factors, plausible, several, smallest_gains, terms,
@@ -158,14 +158,14 @@ fn equal_to(films: &[Film], theirs: &Picture, stored: Stored) -> Option<usize> {
 }
 
 /// Where the picture differs, the farthest out first; no two regions share a pixel.
-fn regions(judged: &Evaluation, areas: &Areas, shown: &[f32]) -> Vec<Region> {
+fn regions(judged: &Evaluation, areas: &Areas, shown: &[f32]) -> Vec<DifferingRegion> {
     let theirs = judged.pool.count() - 1;
     let map = Map::of(&judged.pool, areas, theirs, judged.ranking.noise[theirs]);
     let mut taken = vec![false; areas.object_of.len()];
     let mut regions = Vec::new();
     let outliers: Vec<usize> = map.outliers().collect();
     if judged.is_fixed && !outliers.is_empty() {
-        regions.push(Region::of_pixels(&judged.pool, areas, &outliers, shown));
+        regions.push(DifferingRegion::of_pixels(&judged.pool, areas, &outliers, shown));
     }
     for difference in judged.ranking.differences(&judged.pool, areas, theirs) {
         let pixels = areas.pixels(difference.area);
@@ -173,10 +173,10 @@ fn regions(judged: &Evaluation, areas: &Areas, shown: &[f32]) -> Vec<Region> {
             continue;
         }
         pixels.iter().for_each(|pixel| taken[*pixel] = true);
-        regions.push(Region::of_area(&judged.pool, areas, &map, (difference, shown)));
+        regions.push(DifferingRegion::of_area(&judged.pool, areas, &map, (difference, shown)));
     }
     if regions.is_empty() && !outliers.is_empty() {
-        regions.push(Region::of_pixels(&judged.pool, areas, &outliers, shown));
+        regions.push(DifferingRegion::of_pixels(&judged.pool, areas, &outliers, shown));
     }
     regions
 }

@@ -12,7 +12,7 @@ use super::terms::TermFilm;
 
 /// How much of a term a picture holds.
 #[derive(Clone, Debug, Serialize)]
-pub struct Factor {
+pub struct TermFactor {
     /// The term; several if the picture cannot tell them apart.
     pub terms: Vec<String>,
     /// How many times ours it holds.
@@ -27,7 +27,7 @@ pub struct Factor {
 #[derive(Clone, Debug, Serialize)]
 pub struct Factors {
     /// The factors, the one that explains most first.
-    pub factors: Vec<Factor>,
+    pub factors: Vec<TermFactor>,
     /// The part of the squared difference that they explain, weighted by the noise.
     pub share: f64,
 }
@@ -48,7 +48,7 @@ const CERTAIN: f64 = 0.05;
 /// A term is left out if its factor is at most this, or is 0 within an error of at most so much.
 const NOTHING: [f64; 2] = [0.02, 0.1];
 
-impl Factor {
+impl TermFactor {
     /// What the factor is, if it is known and certain enough.
     pub fn meaning(&self) -> Option<&'static str> {
         let [none, uncertain] = NOTHING;
@@ -209,18 +209,18 @@ fn fitted(columns: Vec<Column>, evidence: &Evidence<'_>) -> Option<Factors> {
     let after = product(&rest, &rest, &weights);
     let beyond = (after / (rest.len() as f64 - chosen.len() as f64)).max(1.0);
     let ours: f64 = tiles.iter().map(|values| values.iter().sum::<f64>()).sum();
-    let factor = |(index, column): (usize, &usize)| Factor {
+    let factor = |(index, column): (usize, &usize)| TermFactor {
         terms: columns[*column].0.clone(),
         factor: 1.0 + solution[index],
         error: (beyond * variances[index]).sqrt(),
         share: tiles[*column].iter().sum::<f64>() / ours,
     };
-    let factors: Vec<Factor> = chosen.iter().enumerate().map(factor).collect();
+    let factors: Vec<TermFactor> = chosen.iter().enumerate().map(factor).collect();
     // light is not taken away
     if factors.iter().any(|it| it.factor < -(3.0 * it.error).max(NOTHING[0])) {
         return None;
     }
-    Some(Factors { factors: factors.into_iter().filter(Factor::is_off).collect(), share })
+    Some(Factors { factors: factors.into_iter().filter(TermFactor::is_off).collect(), share })
 }
 
 /// The cosine of the angle between two pictures.

@@ -2,7 +2,7 @@
 
 use super::areas::{Area, Areas};
 use super::pool::Pool;
-use super::ranking::{Difference, DifferenceKind};
+use super::ranking::{DifferenceKind, DifferingArea};
 use super::residuals::{Residuals, around, neighbours, own_variance};
 
 /// Where the others hardly differ, their variance is at least this part of that around it.
@@ -64,7 +64,7 @@ impl Map {
     /// The largest difference of each level, in standard deviations.
     pub fn largest(&self, areas: &Areas, levels: &[DifferenceKind]) -> Vec<f64> {
         let root_of = |counts: &[f64]| 2.0 * counts.iter().sum::<f64>().sqrt();
-        let largest = |sums: Sums| match sums.level {
+        let largest = |sums: DifferenceSums| match sums.level {
             DifferenceKind::Outliers => root_of(&self.outliers),
             DifferenceKind::InnerOutliers => root_of(&inside(&self.outliers, areas.size)),
             _ => sums.differences(areas).map(|it| it.z.abs()).fold(0.0, f64::max),
@@ -73,7 +73,7 @@ impl Map {
     }
 
     /// The sums over the areas of each level.
-    pub fn sums(&self, areas: &Areas, levels: &[DifferenceKind]) -> Vec<Sums> {
+    pub fn sums(&self, areas: &Areas, levels: &[DifferenceKind]) -> Vec<DifferenceSums> {
         let both = |of: &dyn Fn(&[f64]) -> Vec<f64>| {
             [0, 1, 2].map(|channel| [of(&self.differences[channel]), of(&self.variances[channel])])
         };
@@ -97,7 +97,7 @@ impl Map {
                     .map(|both| both.each_ref().map(|values| areas.by_object(values))),
                 DifferenceKind::Outliers | DifferenceKind::InnerOutliers => Default::default(),
             };
-            Sums { level: *level, channels }
+            DifferenceSums { level: *level, channels }
         };
         levels.iter().map(&mut of_level).collect()
     }
@@ -167,14 +167,14 @@ fn leave_out_bright(
 }
 
 /// Sums over the areas of a level: for each channel, of the differences and of their variances.
-pub struct Sums {
+pub struct DifferenceSums {
     level: DifferenceKind,
     channels: [[Vec<f64>; 2]; 3],
 }
 
-impl Sums {
+impl DifferenceSums {
     /// The differences of all areas, in standard deviations.
-    pub fn differences<'a>(&'a self, areas: &'a Areas) -> impl Iterator<Item = Difference> + 'a {
+    pub fn differences<'a>(&'a self, areas: &'a Areas) -> impl Iterator<Item = DifferingArea> + 'a {
         self.channels.iter().enumerate().flat_map(move |(channel, [differences, variances])| {
             let both = differences.iter().zip(variances).enumerate();
             both.filter(|(_, (_, variance))| **variance > 0.0).map(
@@ -184,7 +184,7 @@ impl Sums {
                         DifferenceKind::Structure => Area::Structure(index),
                         _ => Area::Object(index),
                     };
-                    Difference { area, channel, z: sum / variance.sqrt() }
+                    DifferingArea { area, channel, z: sum / variance.sqrt() }
                 },
             )
         })

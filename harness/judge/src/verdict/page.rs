@@ -5,9 +5,9 @@ use std::fmt::Write;
 use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::rgb::Rgb;
 
-use super::pictures_shown::Pictures;
+use super::pictures_shown::ShownPictures;
 use super::text;
-use super::verdict::{Region, Verdict};
+use super::verdict::{DifferingRegion, Verdict};
 use pictures::compare::pair;
 use pictures::digits::short;
 use pictures::html::{self, escaped};
@@ -24,7 +24,7 @@ const FARTHEST: f64 = 6.0;
 
 /// The page of a verdict on a picture with this name, of which this is told.
 pub fn page(verdict: &Verdict, name: &str, told: &Told) -> String {
-    let Pictures { ours, theirs, .. } = &verdict.shown;
+    let ShownPictures { ours, theirs, .. } = &verdict.shown;
     let body = pair::views(["the mean of ours", "theirs"], [ours, theirs])
         + &map(verdict)
         + &excluded(&verdict.shown)
@@ -33,7 +33,7 @@ pub fn page(verdict: &Verdict, name: &str, told: &Told) -> String {
 }
 
 /// Their picture with hatching over the pixels that are set apart, if there are any.
-fn excluded(shown: &Pictures) -> String {
+fn excluded(shown: &ShownPictures) -> String {
     if shown.excluded.is_empty() {
         return String::new();
     }
@@ -82,7 +82,7 @@ pub fn map_scale() -> String {
 fn map(verdict: &Verdict) -> String {
     let (size, excluded) = (verdict.shown.theirs.size, &verdict.shown.excluded);
     let film = map_film(&verdict.shown.z, size);
-    let framed = |region: &Region| frame(&region.name, region.bounds, size);
+    let framed = |region: &DifferingRegion| frame(&region.name, region.bounds, size);
     let frames: String = verdict.regions.iter().map(framed).collect();
     let hatching = if excluded.is_empty() { String::new() } else { hatching(excluded, size) };
     format!(

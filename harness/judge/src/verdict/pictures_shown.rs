@@ -15,7 +15,7 @@ pub struct Shown<'a> {
 
 /// What a verdict is about, for the eye.
 #[derive(Clone, Debug)]
-pub struct Pictures {
+pub struct ShownPictures {
     /// The mean of ours.
     pub ours: Picture,
     /// Theirs, as it is in the file.
@@ -31,7 +31,7 @@ pub struct Pictures {
 /// A pixel differs from so many standard deviations on; by noise alone, about one of a hundred does.
 const FAR: f64 = 3.0;
 
-impl Pictures {
+impl ShownPictures {
     pub(super) fn of(pool: &Pool, areas: &Areas, noise: f64, shown: Shown<'_>) -> Self {
         let (theirs, size) = (pool.count() - 1, areas.size.map(|side| side as u32));
         let mean: Vec<f32> = (0..pool.picture(theirs).len())

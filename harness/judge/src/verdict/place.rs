@@ -8,7 +8,7 @@ use serde_json::Value;
 
 use super::causes::finite;
 use super::evidence::Evidence;
-use super::factors::Factor;
+use super::factors::TermFactor;
 
 /// The object to which a difference is confined, or the objects of one material.
 #[derive(Clone, Debug, Serialize)]
@@ -22,7 +22,7 @@ pub struct Place {
     /// The part of the squared difference that is there, weighted by the noise.
     pub share: f64,
     /// If there each channel is a multiple of ours: red, green and blue.
-    pub factors: Option<[Factor; 3]>,
+    pub factors: Option<[TermFactor; 3]>,
 }
 
 /// A difference is in one place if at least this part of its squares is.
@@ -125,7 +125,7 @@ fn parts(evidence: &Evidence<'_>) -> Parts {
 }
 
 /// For each channel, the multiple of ours that is nearest to theirs, if these explain it.
-fn factors(parts: &[[Part; 3]]) -> Option<[Factor; 3]> {
+fn factors(parts: &[[Part; 3]]) -> Option<[TermFactor; 3]> {
     let (mut before, mut after) = (0.0, 0.0);
     let factors = [0, 1, 2].map(|channel| {
         let its = || parts.iter().map(|part| part[channel]).filter(|part| part.variance > 0.0);
@@ -142,7 +142,7 @@ fn factors(parts: &[[Part; 3]]) -> Option<[Factor; 3]> {
         let beyond = (1.0 + left / (its().count() as f64 - 1.0).max(1.0)).max(1.0);
         let error = if ours > 0.0 { (beyond / ours).sqrt() } else { 0.0 };
         let name = ["red", "green", "blue"][channel].to_owned();
-        Factor { terms: vec![name], factor, error, share: 1.0 }
+        TermFactor { terms: vec![name], factor, error, share: 1.0 }
     });
     (before > 0.0 && after <= LEFT * before).then_some(factors)
 }

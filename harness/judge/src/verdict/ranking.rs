@@ -43,7 +43,7 @@ pub enum DifferenceKind {
 
 /// An area in which a picture differs from the others.
 #[derive(Clone, Copy, Debug)]
-pub struct Difference {
+pub struct DifferingArea {
     /// The area.
     pub area: Area,
     /// Red, green or blue.
@@ -107,9 +107,9 @@ impl Ranking {
     }
 
     /// The areas in which a picture is farther out than any other is on the same level, the farthest first.
-    pub fn differences(&self, pool: &Pool, areas: &Areas, picture: usize) -> Vec<Difference> {
+    pub fn differences(&self, pool: &Pool, areas: &Areas, picture: usize) -> Vec<DifferingArea> {
         let map = Map::of(pool, areas, picture, self.noise[picture]);
-        let mut found: Vec<(f64, Difference)> = Vec::new();
+        let mut found: Vec<(f64, DifferingArea)> = Vec::new();
         for (at, sums) in map.sums(areas, &self.levels).iter().enumerate() {
             let others = self.largest.iter().enumerate().filter(|(index, _)| *index != picture);
             let limit = others.map(|(_, largest)| largest[at]).fold(0.0, f64::max);

@@ -4,8 +4,8 @@ use std::fmt;
 
 use groundtruth::explain::{brief, count};
 
-use super::verdict::{DecidedBy, Explanation, Region, Verdict};
-use super::{Cause, Causes, Decision, Factor, Factors, Means, Nearest, Place, Relative};
+use super::verdict::{DecidedBy, DifferingRegion, Explanation, Verdict};
+use super::{Cause, Causes, Decision, Factors, Means, Nearest, Place, Relative, TermFactor};
 use pictures::compare::article;
 use pictures::digits::{short, three};
 use pictures::percent;
@@ -90,7 +90,7 @@ impl Verdict {
             return format!("; {what} explains a part of it");
         }
         if let Some(Factors { factors, .. }) = &self.factors {
-            let one = |Factor { terms, factor, .. }: &Factor| {
+            let one = |TermFactor { terms, factor, .. }: &TermFactor| {
                 format!("{} is {} times ours", terms.join(" and "), short(*factor))
             };
             let all: Vec<String> = factors.iter().map(one).collect();
@@ -268,7 +268,7 @@ impl Verdict {
     }
 }
 
-impl fmt::Display for Region {
+impl fmt::Display for DifferingRegion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { name, bounds: [x, y, w, h], z, ours, theirs, worst: [wx, wy] } = self;
         let z = z.map_or(String::new(), |z| {
@@ -287,7 +287,7 @@ fn because(Cause { name, words, chapter }: &Cause) -> String {
     }
 }
 
-impl fmt::Display for Factor {
+impl fmt::Display for TermFactor {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let [times, error] = [self.factor, self.error].map(brief);
         let meaning = self.meaning().map_or(String::new(), |name| format!(": {name}"));
@@ -306,7 +306,7 @@ impl fmt::Display for Place {
         let (how_much, objects) = (self.how_much(), self.objects.join(", "));
         writeln!(f, "{how_much} in {objects}{of}: {share:.0} % of the difference")?;
         let Some(factors) = &self.factors else { return Ok(()) };
-        let counts: Vec<String> = factors.iter().map(Factor::to_string).collect();
+        let counts: Vec<String> = factors.iter().map(TermFactor::to_string).collect();
         writeln!(f, "  there {}", counts.join(", "))
     }
 }

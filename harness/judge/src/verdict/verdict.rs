@@ -5,11 +5,11 @@ use serde::Serialize;
 
 use pictures::compare::{Affected, Picture};
 
-use super::pictures_shown::{Pictures, Shown};
+use super::pictures_shown::{Shown, ShownPictures};
 
 use super::{
-    Answer, Area, Areas, Causes, Decision, Difference, Evaluation, Factors, Map, Means, Negative,
-    PlantedDefect, Pool, Ranking, Stored, Strictness, WelchTest,
+    Answer, Area, Areas, Causes, Decision, DifferingArea, Evaluation, Factors, Map, Means,
+    Negative, PlantedDefect, Pool, Ranking, Stored, Strictness, WelchTest,
 };
 
 /// What is said of a picture.
@@ -52,7 +52,7 @@ pub struct Verdict {
     /// The object that differs most, if the picture does.
     pub affected: Option<Affected>,
     /// Where it differs.
-    pub regions: Vec<Region>,
+    pub regions: Vec<DifferingRegion>,
     /// The change that explains the difference.
     pub explained: Option<Explanation>,
     /// The terms of which the picture holds another multiple, if these explain it and no known mistake does.
@@ -65,7 +65,7 @@ pub struct Verdict {
     pub gains: Vec<(usize, Option<f64>)>,
     /// The pictures.
     #[serde(skip)]
-    pub shown: Pictures,
+    pub shown: ShownPictures,
 }
 
 /// What alone decided that a picture differs.
@@ -91,7 +91,7 @@ pub struct Explanation {
 
 /// A region in which a picture differs.
 #[derive(Clone, Debug, Serialize)]
-pub struct Region {
+pub struct DifferingRegion {
     /// Where: a tile, an object, or pixels.
     pub name: String,
     /// Left column, top row, columns and rows of the box around it.
@@ -131,7 +131,7 @@ impl Verdict {
     ) -> Self {
         let theirs = judged.pool.count() - 1;
         let noise = judged.ranking.noise[theirs];
-        let pictures = Pictures::of(&judged.pool, areas, noise, shown);
+        let pictures = ShownPictures::of(&judged.pool, areas, noise, shown);
         let differs = judged.decision == Decision::Differs;
         Self {
             affected: if differs { pictures.affected(areas) } else { None },
@@ -217,7 +217,7 @@ impl Verdict {
             let object = |object| areas.pixels(Area::Object(object));
             let pixels = outside.checked_sub(1).map_or_else(whole, object);
             let shown = self.shown.theirs.values.as_flattened();
-            self.regions.push(Region::of_pixels(pool, areas, &pixels, shown));
+            self.regions.push(DifferingRegion::of_pixels(pool, areas, &pixels, shown));
         }
         self
     }
@@ -231,7 +231,7 @@ impl Verdict {
             self.decide(DecidedBy::Negative);
             let pixel = y * areas.size[0] + x;
             let shown = self.shown.theirs.values.as_flattened();
-            self.regions.push(Region::of_pixels(pool, areas, &[pixel], shown));
+            self.regions.push(DifferingRegion::of_pixels(pool, areas, &[pixel], shown));
         }
     }
 }
@@ -261,13 +261,13 @@ impl Verdict {
         let judged = Evaluation { pool, ranking, decision, is_fixed: false, is_coarse: false };
         let pool = &judged.pool;
         let shown = Shown { values: pool.picture(ours), excluded: &[] };
-        let mut regions: Vec<Region> = Vec::new();
+        let mut regions: Vec<DifferingRegion> = Vec::new();
         let mut taken = vec![false; areas.object_of.len()];
         for test in tests.iter().filter(|test| is_off(test)) {
             let pixels = areas.pixels(test.area);
             if regions.len() < REGIONS && !pixels.iter().any(|pixel| taken[*pixel]) {
                 pixels.iter().for_each(|pixel| taken[*pixel] = true);
-                regions.push(Region::of_pixels(pool, areas, &pixels, shown.values));
+                regions.push(DifferingRegion::of_pixels(pool, areas, &pixels, shown.values));
             }
         }
         let both = [&pictures[ours..], &pictures[..ours]];
@@ -283,13 +283,13 @@ impl Verdict {
 /// Regions that are listed at most.
 pub(super) const REGIONS: usize = 8;
 
-impl Region {
+impl DifferingRegion {
     /// An area, with its pixel that is farthest out; `shown` is the picture as it is in the file.
     pub fn of_area(
         pool: &Pool,
         areas: &Areas,
         map: &Map,
-        (difference, shown): (Difference, &[f32]),
+        (difference, shown): (DifferingArea, &[f32]),
     ) -> Self {
         let pixels = areas.pixels(difference.area);
         let z = map.pixels();

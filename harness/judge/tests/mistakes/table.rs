@@ -3,7 +3,7 @@
 use groundtruth::math::Pcg32;
 use groundtruth::render;
 use groundtruth::world::{DEFAULT_SEED, World};
-use judge::mistakes::known::{self, Known};
+use judge::mistakes::known::{self, KnownMistake};
 use judge::mistakes::{self, How, MistakeInScene, table};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -19,7 +19,7 @@ fn names_are_unique_and_chapters_exist() {
     assert!(all.len() >= 25);
     let entries: BTreeSet<&str> = known::ALL.iter().map(|entry| entry.name).collect();
     assert_eq!(names, entries);
-    for Known { name, words, chapter, place, .. } in known::ALL {
+    for KnownMistake { name, words, chapter, place, .. } in known::ALL {
         assert!(name.chars().all(|c| c.is_ascii_lowercase() || c == '-'), "{name}");
         assert!((1..=31).contains(chapter), "{name}: chapter {chapter}");
         for text in [words, place] {

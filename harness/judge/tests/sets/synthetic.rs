@@ -1,7 +1,9 @@
 //! Pictures made by formulas: their mean is known, and their noise is of a chosen kind.
 
-use groundtruth::math::Pcg32;
-use judge::sets::{Sets, SetsVerdict};
+use std::sync::atomic::AtomicBool;
+
+use groundtruth::math::{self, Pcg32};
+use judge::sets::{Sets, SetsVerdict, Watch};
 use pictures::compare::Picture;
 
 pub const SIZE: [u32; 2] = [32, 40];
@@ -81,6 +83,30 @@ pub fn brighter(all: &[Picture], factor: f64, wanted: impl Fn([u32; 2]) -> bool)
     all.iter().map(changed).collect()
 }
 
+/// The pictures without the light of one lamp of twelve that hang in a ring: each lights the picture by the fourth power of
+/// the cosine.
+pub fn without_a_lamp(all: &[Picture]) -> Vec<Picture> {
+    let [width, height] = SIZE.map(f64::from);
+    let light = |lamp: usize, [x, y]: [u32; 2]| {
+        let angle = std::f64::consts::TAU * lamp as f64 / 12.0;
+        let at = [0.5 + 0.35 * math::cos(angle), 0.5 + 0.35 * math::sin(angle)];
+        let away = [f64::from(x) / width - at[0], f64::from(y) / height - at[1]];
+        let distance = away[0] * away[0] + away[1] * away[1];
+        1.0 / ((1.0 + 4.0 * distance) * (1.0 + 4.0 * distance))
+    };
+    let left = |at| 1.0 - light(7, at) / (0..12).map(|lamp| light(lamp, at)).sum::<f64>();
+    let dimmed = |picture: &Picture| {
+        let mut picture = picture.clone();
+        let width = picture.size[0];
+        for (index, color) in (0..).zip(&mut picture.values) {
+            let factor = left([index % width, index / width]) as f32;
+            *color = color.map(|value| value * factor);
+        }
+        picture
+    };
+    all.iter().map(dimmed).collect()
+}
+
 /// The picture, each pixel taken from another place.
 pub fn moved(picture: &Picture, from: &dyn Fn([u32; 2]) -> [u32; 2]) -> Picture {
     let width = picture.size[0];
@@ -90,10 +116,15 @@ pub fn moved(picture: &Picture, from: &dyn Fn([u32; 2]) -> [u32; 2]) -> Picture 
 }
 
 pub fn verdict(before: &[Picture], after: &[Picture]) -> SetsVerdict {
-    SetsVerdict::of(Sets::new([before, after], None).expect("one size"), super::LEVEL)
+    of(Sets::new([before, after], None).expect("one size"))
 }
 
 pub fn verdict_of_regions(before: &[Picture], after: &[Picture], regions: &Picture) -> SetsVerdict {
-    let sets = Sets::new([before, after], Some(regions)).expect("one size");
-    SetsVerdict::of(sets, super::LEVEL)
+    of(Sets::new([before, after], Some(regions)).expect("one size"))
+}
+
+/// The verdict, which nobody interrupts.
+fn of(sets: Sets) -> SetsVerdict {
+    let watch = Watch { tried: &|| (), interrupted: &AtomicBool::new(false) };
+    SetsVerdict::of(sets, super::LEVEL, watch).expect("it is not interrupted")
 }

@@ -3,8 +3,8 @@
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::Pcg32;
 use judge::verdict::{
-    Area, Areas, Bright, DifferenceKind, Evaluation, Evidence, Factor, Map, Mean, Pool,
-    PoolContext, Quantiser, Ranking, Stored, Strictness, TermFilm, factors, terms,
+    Area, Areas, Bright, DifferenceKind, Evaluation, Evidence, Map, Mean, Pool, PoolContext,
+    Quantiser, Ranking, Stored, Strictness, TermFactor, TermFilm, factors, terms,
 };
 use pictures::compare::{Picture, Transfer};
 use statistics::chi_square;
@@ -174,7 +174,7 @@ fn factors_of(
     name: &str,
     [side, samples]: [u32; 2],
     made: impl Fn(&TermFilm) -> f64,
-) -> Vec<Factor> {
+) -> Vec<TermFactor> {
     let mut world = world(&scene(name, [side; 2], samples), 1);
     let areas = Areas::of(&world);
     let mut known: Vec<Vec<f32>> =
@@ -227,7 +227,7 @@ fn a_lamp_that_is_gone_is_left_out() {
 fn depths_that_are_left_out_are_named() {
     let made = |term: &TermFilm| if term.depth > 1 { 0.0 } else { 1.0 };
     let factors = factors_of("ch24/hall-of-mirrors", [80, 16], made);
-    let off: Vec<&Factor> = factors.iter().filter(|factor| factor.is_off()).collect();
+    let off: Vec<&TermFactor> = factors.iter().filter(|factor| factor.is_off()).collect();
     let names: Vec<&str> = off.iter().map(|factor| &*factor.terms[0]).collect();
     assert_eq!(names, ["light at depth 2", "light at depth 3 or more"], "{factors:?}");
     assert!(off.iter().all(|factor| factor.meaning() == Some("left out")), "{off:?}");

@@ -24,7 +24,7 @@ pub use differences::Differences;
 pub use fitted::{NoPair, fit};
 pub use half_pixel::{half_pixel_directions, half_pixel_shifts, half_pixel_words, shift};
 pub use hypotheses::{Hypothesis, changes_that_explain, distance_of};
-pub use noise::noise_note;
+pub use noise::{noise_note, some_pixels};
 pub use page::page;
 pub use picture::{Decoded, Picture, Transfer};
 pub use regions::Region;
@@ -69,6 +69,8 @@ pub struct Comparison {
     /// Whether objects are known.
     #[serde(skip)]
     pub are_objects_known: bool,
+    /// The known mistakes with which the scene has the other picture, in words; several if it cannot tell them apart.
+    pub known_mistakes: Vec<String>,
     /// What else to know about the difference, in sentences.
     pub notes: Vec<String>,
 }
@@ -126,6 +128,7 @@ impl Comparison {
             explained_by,
             affected: text::affected(&both, tolerance, whole),
             are_objects_known: false,
+            known_mistakes: Vec::new(),
             notes: Vec::new(),
         })
     }

@@ -10,11 +10,15 @@ use super::hypotheses::evenly_spread;
 /// At most about so many pixels are rendered again.
 const PIXELS: usize = 1 << 10;
 
+/// At most about so many pixels of a picture of this size, evenly spread.
+pub fn some_pixels(size: [u32; 2], most: usize) -> impl Iterator<Item = [u32; 2]> {
+    evenly_spread(size, most).into_iter().map(|at| at.map(|x| x as u32))
+}
+
 /// A sentence for the user if another seed changes pixels of the scene: of the worst ones of all regions, and of
 /// others, evenly spread.
 pub fn noise_note(world: &mut World, comparison: &Comparison, name: &str) -> Option<String> {
-    let mut pixels: Vec<[u32; 2]> =
-        evenly_spread(comparison.size, PIXELS).into_iter().map(|at| at.map(|x| x as u32)).collect();
+    let mut pixels: Vec<[u32; 2]> = some_pixels(comparison.size, PIXELS).collect();
     pixels.extend(comparison.listed().map(|region| region.worst));
     pixels.sort_unstable();
     pixels.dedup();

@@ -1,4 +1,4 @@
-//! Two pictures of one size on an HTML page, without a script: side by side, flip, difference in three scales, swipe, and
+//! Two pictures of one size on an HTML page: side by side, flip, difference in three scales, swipe, and
 //! the worst pixel of each region.
 
 use std::fmt::Write;
@@ -10,13 +10,14 @@ use groundtruth::rgb::Rgb;
 use super::differences::{Differences, NOT_A_NUMBER};
 use super::{Comparison, Picture, Region};
 use crate::digits::{short, three};
-use crate::html::escaped;
+use crate::html::{FLIP, escaped};
 
 /// The rules for a pair and for a map with frames, for the style of their page.
 pub const STYLE: &str = "\
 img { display: block; image-rendering: pixelated; }
-.row { display: flex; flex-wrap: wrap; gap: 1em; margin: 1em 0; }
-.row figure { margin: 0; flex: 1 1 min(20em, 100%); max-width: 40em; min-width: 0; }
+.row { display: grid; grid-template-columns: repeat(auto-fit, minmax(calc(var(--zoom, 1) * min(20em, 100%)), 1fr)); \
+gap: 1em; margin: 1em 0; overflow-x: auto; }
+.row figure { margin: 0; max-width: calc(var(--zoom, 1) * 40em); min-width: 0; }
 .row img { width: 100%; box-sizing: border-box; border: 1px solid var(--edge); }
 figcaption { color: var(--quiet); font-size: 90%; }
 .flip, .swipe { display: block; position: relative; }
@@ -28,10 +29,9 @@ figcaption { color: var(--quiet); font-size: 90%; }
   .flip:hover img + img { opacity: 1; }
   .flip:hover :checked ~ img + img { opacity: 0; }
 }
-.flip:focus-within { outline: 3px solid var(--mark); }
-.swipe { max-width: 40em; }
-.swipe img { width: 40em; max-width: none; }
-.swipe { overflow: hidden; width: 40em; max-width: 100%; border: 1px solid var(--edge); }
+.flip:focus-within { outline: 3px solid var(--mark); outline-offset: -3px; }
+.swipe img { width: min(40em, 100vw - 2em); max-width: none; }
+.swipe { overflow: hidden; width: min(40em, 100vw - 2em); border: 1px solid var(--edge); }
 .swipe div { position: absolute; top: 0; left: 0; width: 50%; height: 100%; overflow: hidden; \
 resize: horizontal; border-right: 2px solid var(--mark); }
 .scale { display: grid; grid-template-columns: 1fr 1fr 1fr; margin-top: 0.3em; }
@@ -39,12 +39,13 @@ resize: horizontal; border-right: 2px solid var(--mark); }
 .scale span:nth-child(4) { text-align: right; }
 .ramp { grid-column: 1 / 4; height: 0.8em; border: 1px solid var(--edge); \
 background: linear-gradient(to right, #000, #fff); }
+.row.zoom { display: flex; flex-wrap: wrap; }
 .row.zoom figure { position: relative; flex: 0 1 16em; height: max-content; }
 .row.zoom img { border: 0; }
 .row.zoom p { flex: 1 1 min(20em, 100%); margin: 0; }
 .zoom i, .map i { position: absolute; box-sizing: border-box; border: 2px solid #f80; }
-.map { position: relative; width: max-content; max-width: 100%; }
-.map img { width: 40em; max-width: 100%; box-sizing: border-box; border: 1px solid var(--edge); }
+.map { position: relative; width: max-content; max-width: calc(var(--zoom, 1) * 100%); }
+.map img { width: calc(var(--zoom, 1) * 40em); max-width: 100%; box-sizing: border-box; border: 1px solid var(--edge); }
 @media print { .flip input, .swipe, .swiped { display: none; } }
 ";
 
@@ -114,9 +115,9 @@ impl ComparedPictures<'_> {
         let [a, b] = self.names.map(escaped);
         let [shown_a, shown_b] = [0, 1].map(|i| self.image(i, &with_marked(&self.shown[i])));
         let mut html = format!(
-            "<div class=\"row\">\n<figure><label class=\"flip\"><input type=\"checkbox\" \
+            "<div class=\"row\">\n<figure><label class=\"{FLIP}\"><input type=\"checkbox\" \
              aria-label=\"show {b} in place of {a}\">{shown_a}{shown_b}</label>\
-             <figcaption>{a}; {b} under the pointer, by a tap, or by the space bar (after Tab)</figcaption></figure>\n\
+             <figcaption>{a}; {b} under the pointer, by a tap, or by F (or Tab and space); +\u{a0}and\u{a0}−\u{a0}zoom</figcaption></figure>\n\
              <figure>{shown_b}<figcaption>{b}. Magenta is not a number.</figcaption></figure>\n</div>\n"
         );
         if !self.comparison.is_same() {

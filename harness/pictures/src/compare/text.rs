@@ -24,7 +24,7 @@ impl Comparison {
             };
             return format!("differs: {}; {left}", change.what);
         }
-        match &self.affected {
+        let what = match &self.affected {
             Some(affected) if self.are_objects_known => format!("differs: {}", affected.words()),
             Some(affected) => {
                 let [a, b] = &self.names;
@@ -35,7 +35,9 @@ impl Comparison {
                 )
             }
             None => "differs".to_owned(),
-        }
+        };
+        let known = self.known_mistakes.first().map(|words| format!("; known mistake: {words}"));
+        what + &known.unwrap_or_default()
     }
 
     /// Says in which of the objects (name, number of pixels) of a scene it differs most; `object_of` has the index of that
@@ -80,6 +82,9 @@ impl Comparison {
         let [width, height] = self.size;
         let [name_a, name_b] = &self.names;
         let mut lines = Vec::new();
+        for words in self.known_mistakes.iter().skip(1) {
+            lines.push(format!("or, which this scene cannot tell apart: {words}"));
+        }
         if !self.is_same() {
             let share = self.differing as f64 / (f64::from(width) * f64::from(height));
             let (pixels, share) = (self.differing, percent::of_pixels(share));

@@ -4,7 +4,7 @@ use groundtruth::render;
 use groundtruth::world::World;
 use rayon::prelude::*;
 
-use super::{ChannelSums, Contradiction, MergeError, NotFinite, Part};
+use super::{ChannelSums, Contradiction, MergeError, NotFinite, SumsFile};
 
 /// Renders rows (counted from the top) of all replicas of a part again, in parallel, and compares the sums and the
 /// values that are not finite. `progress` is called after each replica. The world must be of the part's scene; its
@@ -13,7 +13,7 @@ use super::{ChannelSums, Contradiction, MergeError, NotFinite, Part};
 /// # Errors
 /// [`Contradiction::Audit`] names the first pixel that differs; a file that cannot be read.
 pub fn audit(
-    part: &Part,
+    part: &SumsFile,
     world: &mut World,
     rows: &[u32],
     mut progress: impl FnMut(),

@@ -57,7 +57,7 @@ pub enum FileError {
 
 /// A file of sums, of which only the header has been read.
 #[derive(Clone, Debug)]
-pub struct Part {
+pub struct SumsFile {
     path: PathBuf,
     header: Header,
     /// Bytes of the header.
@@ -72,7 +72,7 @@ pub(super) struct Rest {
     pub digest: [u8; DIGEST],
 }
 
-impl Part {
+impl SumsFile {
     /// Reads the header of a file.
     ///
     /// # Errors
@@ -194,7 +194,7 @@ impl Part {
         Ok(Rest { not_finite, digest: array(&found) })
     }
 
-    /// As [`Part::each_of`], for this part alone.
+    /// As [`SumsFile::each_of`], for this part alone.
     pub(super) fn each<T: Send>(
         &self,
         film: &mut [T],
@@ -209,7 +209,7 @@ impl Part {
         self.each(&mut no_film, |_, _, _| ())
     }
 
-    /// The sums of a row, counted from the top. They are not checked: see [`Part::check`].
+    /// The sums of a row, counted from the top. They are not checked: see [`SumsFile::check`].
     pub(super) fn row(&self, row: u32) -> Result<Vec<ChannelSums>, FileError> {
         let channels = 3 * self.header.size[0] as usize;
         let bytes = self.bytes(self.at(row as usize * channels), channels * CHANNEL)?;

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use super::{ChannelSums, FileError, Header, Overflow, Part, Seeds, Sums, place};
+use super::{ChannelSums, FileError, Header, Overflow, Seeds, Sums, SumsFile, place};
 
 /// Parts that cannot be added, which no other order or division would change.
 #[derive(Debug, thiserror::Error)]
@@ -13,7 +13,7 @@ pub enum MergeError {
     #[error(transparent)]
     File(#[from] FileError),
     /// A file is not of the picture of the first one.
-    #[error("{}: is of {difference}; the first file is {}", path.display(), first.display())]
+    #[error("{}: is of {difference}; the first file is {}: merge them apart", path.display(), first.display())]
     Foreign {
         /// The file.
         path: PathBuf,
@@ -71,11 +71,11 @@ const AT_A_TIME: usize = 8;
 #[derive(Debug)]
 pub struct Plan {
     /// The parts that count; no two have a common seed.
-    pub used: Vec<Part>,
+    pub used: Vec<SumsFile>,
     /// Parts that come twice, each with the one that counts.
-    pub twice: Vec<[Part; 2]>,
+    pub twice: Vec<[SumsFile; 2]>,
     /// Parts whose seeds another one has, with more of them, each with that one, which counts.
-    pub inside: Vec<[Part; 2]>,
+    pub inside: Vec<[SumsFile; 2]>,
     /// The seeds that are wanted, and that no part has.
     pub missing: Seeds,
 }
@@ -86,14 +86,14 @@ impl Plan {
     /// # Errors
     /// [`MergeError`], except for an overflow. A file that is damaged is named first: its header may be the reason of
     /// the other errors.
-    pub fn new(parts: Vec<Part>) -> Result<Self, MergeError> {
+    pub fn new(parts: Vec<SumsFile>) -> Result<Self, MergeError> {
         Self::chosen(&parts).or_else(|error| {
-            parts.iter().try_for_each(Part::check)?;
+            parts.iter().try_for_each(SumsFile::check)?;
             Err(error)
         })
     }
 
-    fn chosen(parts: &[Part]) -> Result<Self, MergeError> {
+    fn chosen(parts: &[SumsFile]) -> Result<Self, MergeError> {
         let first = &parts[0];
         for part in parts {
             if let Some(difference) = part.header().difference(first.header()) {
@@ -114,9 +114,9 @@ impl Plan {
     }
 
     /// Finds where a part belongs; all with more seeds have been placed before.
-    fn place(&mut self, part: Part) -> Result<(), Contradiction> {
+    fn place(&mut self, part: SumsFile) -> Result<(), Contradiction> {
         let seeds = &part.header().seeds;
-        let common = |other: &Part| seeds.intersection(&other.header().seeds);
+        let common = |other: &SumsFile| seeds.intersection(&other.header().seeds);
         match self.used.iter().find(|other| !common(other).is_empty()) {
             Some(other) if seeds == &other.header().seeds => self.twice.push([part, other.clone()]),
             Some(other) if seeds.is_within(&other.header().seeds) => {
@@ -160,7 +160,7 @@ impl Plan {
     /// The header of all parts that count, together.
     fn header(&self) -> Header {
         let first = self.used[0].header();
-        let headers = || self.used.iter().map(Part::header);
+        let headers = || self.used.iter().map(SumsFile::header);
         let wanted = headers().fold(Seeds::default(), |all, it| all.union(&it.wanted));
         let agree = headers().all(|header| header.arguments == first.arguments);
         let arguments = if agree { first.arguments.clone() } else { Vec::new() };
@@ -169,13 +169,13 @@ impl Plan {
 }
 
 impl Sums {
-    fn add_parts(&mut self, parts: &[Part]) -> Result<(), MergeError> {
+    fn add_parts(&mut self, parts: &[SumsFile]) -> Result<(), MergeError> {
         let overflow = First::default();
         let add = |index, sums: &mut ChannelSums, these| match sums.checked_add(these) {
             Some(sum) => *sums = sum,
             None => overflow.note(index),
         };
-        let rests = Part::each_of(parts, &mut self.channels, add)?;
+        let rests = SumsFile::each_of(parts, &mut self.channels, add)?;
         if let Some(index) = overflow.get() {
             return Err(super::overflow(index, self.header.size[0]).into());
         }
@@ -207,7 +207,7 @@ impl First {
 }
 
 /// Fails unless two parts of the same seeds have the same sums.
-fn check_equal(part: &Part, other: &Part) -> Result<(), MergeError> {
+fn check_equal(part: &SumsFile, other: &SumsFile) -> Result<(), MergeError> {
     let [a, b] = [part.checked()?, other.checked()?];
     let is_one_command = part.header() == other.header();
     if a.digest == b.digest && is_one_command {

@@ -21,7 +21,7 @@ use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
 
 pub use audit::audit;
-pub use file::{FileError, Part};
+pub use file::{FileError, SumsFile};
 pub use header::{Header, Made};
 pub use merge::{Contradiction, MergeError, Plan};
 pub use number::{ChannelSums, U256, fixed};

@@ -22,7 +22,7 @@ use groundtruth::printable;
 use groundtruth::scene::{Intersect, Scene};
 
 pub use passes::is_noiseless;
-pub use render::Program;
+pub use render::Mitsuba;
 
 use super::leaves::Leaves;
 use super::{AnyKind, Exported, How, Target, Unsupported};

@@ -13,13 +13,13 @@ const SCRIPT: &str = include_str!("render.py");
 
 /// A Python that has the module.
 #[derive(Clone, Debug)]
-pub struct Program {
+pub struct Mitsuba {
     file: PathBuf,
     /// Its version, in words.
     pub version: String,
 }
 
-impl Program {
+impl Mitsuba {
     /// The Python of this file, or `python3` on the path.
     ///
     /// # Errors

@@ -23,7 +23,7 @@ const NOT_ONE: f64 = 2.0 * f32::EPSILON as f64;
 const MOST_RAYS: u64 = 1_000_000;
 
 /// A shape of a body.
-pub(super) struct Part {
+pub(super) struct DielectricPart {
     /// Its words, without its last brace.
     words: String,
     object: usize,
@@ -79,7 +79,8 @@ impl Writer<'_> {
 
     /// Adds a shape to its body.
     pub(super) fn add_to_body(&mut self, words: String, at: &Leaf) {
-        let part = Part { words, object: at.object, casts_shadows: self.casts_shadows(at) };
+        let part =
+            DielectricPart { words, object: at.object, casts_shadows: self.casts_shadows(at) };
         self.bodies.entry(at.material).or_default().push(part);
     }
 

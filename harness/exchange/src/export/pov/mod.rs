@@ -15,7 +15,7 @@ mod text;
 mod textures;
 mod walk;
 
-pub use render::Program;
+pub use render::PovRay;
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -37,7 +37,7 @@ struct Writer<'a> {
     /// How many triangles are written.
     triangles: u64,
     /// The bodies of glass that are still to be written.
-    bodies: BTreeMap<Body, Vec<glass::Part>>,
+    bodies: BTreeMap<Body, Vec<glass::DielectricPart>>,
     /// The index of refraction inside each of those that our picture shows.
     indices: BTreeMap<Body, f64>,
     text: String,

@@ -8,11 +8,11 @@ use pictures::running::{last_lines, run};
 
 /// The program.
 #[derive(Clone, Debug)]
-pub struct Program {
+pub struct PovRay {
     file: PathBuf,
 }
 
-impl Program {
+impl PovRay {
     /// The program of this file, or `povray` on the path.
     ///
     /// # Errors

@@ -5,7 +5,7 @@ use serde_json::{Map, Value, json};
 
 use super::edits::edited;
 use crate::mistakes::Mistake;
-use crate::mistakes::known::{self, Known};
+use crate::mistakes::known::{self, KnownMistake};
 
 /// A change of a table within a material; whether it changed something.
 pub type Edit = fn(&mut Map<String, Value>) -> bool;
@@ -14,7 +14,7 @@ pub type Edit = fn(&mut Map<String, Value>) -> bool;
 #[derive(Clone, Copy, Debug)]
 pub struct TextureChange {
     /// The mistake that makes it in all materials.
-    pub known: &'static Known,
+    pub known: &'static KnownMistake,
     /// What it does with a table.
     pub edit: Edit,
 }
