@@ -1,6 +1,7 @@
 //! False colours and legends.
 
 use groundtruth::film::Tone;
+use groundtruth::math::power;
 use groundtruth::rgb::Rgb;
 use layers::{Colors, Layer, NOT_A_NUMBER, NOTHING};
 
@@ -8,7 +9,7 @@ use super::scenes::named;
 
 /// The relative luminance of a screen colour (sRGB primaries, linear by a power of 2.2).
 fn luminance(color: [u8; 3]) -> f64 {
-    let linear = color.map(|byte| (f64::from(byte) / 255.0).powf(2.2));
+    let linear = color.map(|byte| power(f64::from(byte) / 255.0, 2.2));
     0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
 }
 

@@ -43,7 +43,8 @@ impl Explained {
         let mut nearest: Option<(f64, &explain::SampleExplanation)> = None;
         for sample in &self.explanation.samples {
             let [film_x, film_y] = sample.film?;
-            let distance = (film_x - x).powi(2) + (film_y - y).powi(2);
+            let [dx, dy] = [film_x - x, film_y - y];
+            let distance = dx * dx + dy * dy;
             if nearest.is_none_or(|(least, _)| distance < least) {
                 nearest = Some((distance, sample));
             }
