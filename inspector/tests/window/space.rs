@@ -161,8 +161,7 @@ fn the_section_of_a_ray_says_its_angles() {
     let root = root(&window);
     let hit = root.hit.as_ref().expect("glass");
     let refracted = hit.optics.and_then(|optics| optics.angle_of_refraction).expect("it refracts");
-    let [sin_in, sin_out] =
-        [hit.angle_of_incidence, refracted].map(groundtruth::math::sin_degrees);
+    let [sin_in, sin_out] = [hit.angle_of_incidence, refracted].map(groundtruth::math::sin_degrees);
     assert!((sin_in - 1.5 * sin_out).abs() < 1e-12, "the sphere's glass has η = 1.5");
     let law = text_with(&window, "sin");
     for angle in [hit.angle_of_incidence, refracted] {
