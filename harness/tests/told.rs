@@ -253,7 +253,7 @@ fn a_picture_that_is_nearly_that_of_a_mistake_is_not_named() {
     assert!(told("compare one.toml wrong.pfm").contains("; known mistake: "));
     let one_more = |index: u32| if index == 45 * 15 + 22 { 1.01 } else { 1.0 };
     // not all of them, which would be a gain
-    let rounded = |index: u32| if index % 2 == 0 { 1.000_002 } else { 1.0 };
+    let rounded = |index: u32| if index.is_multiple_of(2) { 1.000_002 } else { 1.0 };
     let changes: [(&str, &dyn Fn(u32) -> f64); 2] =
         [("wrong.pfm", &one_more), ("right.pfm", &rounded)];
     for (from, factor) in changes {
