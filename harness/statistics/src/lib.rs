@@ -17,13 +17,16 @@
 //! | how fast does an error fall? | [`slope::power_law`] |
 //! | at what level, if there are many tests? | [`significance::sidak`] |
 //! | how uncertain is a counted rate? | [`significance::proportion`] |
+//! | which values are far from the others? | [`outliers()`] |
 
 pub mod chi_square;
 pub mod correlation;
 pub mod ks;
 pub mod means;
+mod outliers;
 mod quantile;
 pub mod significance;
 pub mod slope;
 
+pub use outliers::outliers;
 pub use quantile::quantile;

@@ -7,6 +7,7 @@ mod judge;
 mod ks;
 mod many_seeds;
 mod means;
+mod outliers;
 mod quantile;
 mod significance;
 mod slope;

@@ -162,17 +162,32 @@ pub struct SumList<'a> {
     pub chosen: &'a mut u32,
 }
 
+/// The most samples that are marked as outliers.
+const MAX_OUTLIERS: usize = 10;
+/// The level of the test for outliers.
+const OUTLIER_LEVEL: f64 = 0.01;
+/// What the mark says.
+const OUTLIER: &str = "Far from the other samples: Rosner's test for many outliers, at 1 %";
+
+/// The samples that are far from the others.
+pub fn outliers(answer: &PixelExplanation) -> Vec<usize> {
+    let values: Vec<f64> = answer.radiances.iter().map(|radiance| radiance.average()).collect();
+    let most = MAX_OUTLIERS.min(values.len() / 4);
+    statistics::outliers(&values, most, OUTLIER_LEVEL)
+}
+
 impl SumList<'_> {
     /// Shows the lines in view.
     pub fn show(mut self, ui: &mut Ui, area: ScrollArea) {
         let lines = self.lines();
+        let outliers = outliers(self.answer);
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.spacing_mut().interact_size.y = LINE;
         ui.spacing_mut().button_padding.y = 0.0;
         area.show_rows(ui, LINE, lines.len(), |ui, visible| {
             ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
             for line in &lines[visible] {
-                ui.horizontal(|ui| self.line(ui, line));
+                ui.horizontal(|ui| self.line(ui, line, &outliers));
             }
         });
     }
@@ -190,7 +205,7 @@ impl SumList<'_> {
         lines
     }
 
-    fn line(&mut self, ui: &mut Ui, line: &Line) {
+    fn line(&mut self, ui: &mut Ui, line: &Line, outliers: &[usize]) {
         match line {
             Line::Words(words) => drop(ui.strong(*words).on_hover_text(*words)),
             Line::Numbers(text) => drop(ui.label(RichText::new(text).monospace().size(11.5))),
@@ -200,7 +215,12 @@ impl SumList<'_> {
                 ui.selectable_value(self.order, Order::Index, "index");
             }
             Line::Spread => drop(ui.horizontal(|ui| self.spread(ui))),
-            Line::Sample(index) => drop(ui.horizontal(|ui| self.sample(ui, *index))),
+            Line::Sample(index) => {
+                self.sample(ui, *index);
+                if outliers.contains(&(*index as usize)) {
+                    ui.colored_label(ui.visuals().warn_fg_color, "outlier").on_hover_text(OUTLIER);
+                }
+            }
         }
     }
 

@@ -148,3 +148,27 @@ fn a_sample_is_one_click_from_its_tree() {
     let [first, second] = [0, 1].map(|index| height(&window, index));
     assert!(first.is_some() && first < second, "samples 0 and 1 at {first:?} and {second:?}");
 }
+
+/// Law: the sample that is far from the others is marked. Oracle: one of forty paths meets the small lamp.
+#[test]
+fn a_sample_far_from_the_others_is_marked() {
+    let mut scene = small_cornell_box();
+    scene.tracer = (gallery::find("ch26/cornell-box-path-trace").expect("it").build)().tracer;
+    scene.image.samples = 36;
+    let world = built(&scene);
+    let lit = |pixel: [u32; 2]| {
+        let explained = explain::pixel(&scene, &world, pixel, Some(0)).expect("few rays");
+        let lit = explained.radiances.iter().filter(|radiance| radiance.average() > 0.0);
+        (lit.count() == 1).then_some((pixel, explained.statistics.greatest))
+    };
+    let pixels = (4..20).flat_map(|y| (4..20).map(move |x| [x, y]));
+    let (pixel, greatest) = pixels.filter_map(lit).next().expect("one path of a pixel is lit");
+    let mut window = open(scene.clone());
+    settle(&mut window);
+    click(&mut window, pixel);
+    window.get_by_label("The sum").click();
+    settle(&mut window);
+    let mark = window.get_by_label("outlier").rect().center().y;
+    let row = window.get_by_label_contains(&format!("sample {greatest:>3}  ")).rect().center().y;
+    assert!((mark - row).abs() < 4.0, "the mark is at {mark}, the sample at {row}");
+}
