@@ -52,16 +52,20 @@ xdotool windowfocus --sync "$id"
 sleep 1
 
 failed=0
-# Fails unless the clipboard holds a text with these words.
+# Fails unless the clipboard holds a text with these words; a page takes some seconds to be made.
 expect() {
-    held=$(timeout 10 xclip -o -selection clipboard 2>/dev/null || true)
-    case $held in
-    *"$2"*) echo "ok: $1" ;;
-    *)
-        echo "error: $1: the clipboard holds \"$held\"" >&2
-        failed=1
-        ;;
-    esac
+    for _ in $(seq 20); do
+        held=$(timeout 10 xclip -o -selection clipboard 2>/dev/null || true)
+        case $held in
+        *"$2"*)
+            echo "ok: $1"
+            return
+            ;;
+        esac
+        sleep 1
+    done
+    echo "error: $1: the clipboard holds \"$held\"" >&2
+    failed=1
 }
 
 # Puts a text of another program on the clipboard.
@@ -80,7 +84,10 @@ try_entry() {
 }
 try_entry 106 "the command for a terminal" "groundtruth explain"
 try_entry 129 "the probe's line" '{"radiance":'
-try_entry 152 "all numbers of the selected ray" "angle of incidence"
+try_entry 152 "a page for a class" "<!DOCTYPE html>"
+try_entry 175 "a test in Rust" "#[test]"
+try_entry 198 "the pixel, all its digits" ", 0."
+try_entry 221 "all numbers of the selected ray" "angle of incidence"
 
 # pasted into the field of a scene file, and copied from there
 offer /from/another/program.toml

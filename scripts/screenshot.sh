@@ -1,9 +1,11 @@
 #!/bin/sh
-# Takes docs/inspector.png and the pictures of docs/inspector.md, or those whose names are given: opens the inspector on
-# a virtual screen, each time at a pixel. Needs the packages of scripts/headless.sh.
+# Takes docs/inspector.png and the pictures of docs/inspector.md, or those whose names are given (INTO=FOLDER: into another
+# folder): opens the inspector on a virtual screen, each time at a pixel. Needs the packages of scripts/headless.sh.
 set -eu
 cd "$(dirname "$0")/.."
 wanted=${*:-all}
+into=${INTO:-docs}
+taken=0
 
 for tool in Xvfb xdotool import; do
     if ! command -v "$tool" >/dev/null; then
@@ -46,11 +48,12 @@ picture() {
         exit 2
     fi
     sleep 4
-    import -window root "png24:docs/$name.png"
+    import -window root "png24:$into/$name.png"
     kill "$window"
     wait "$window" 2>/dev/null || true
     window=
-    echo "docs/$name.png"
+    taken=$((taken + 1))
+    echo "$into/$name.png"
 }
 
 picture inspector ch28/glass-sphere --size 300x300 --pixel 146,176 --view both
@@ -59,3 +62,8 @@ picture tour-lost-roots ch19/lost-roots --pixel 145,80
 picture tour-total-reflection ch27/mirror-ring --pixel 185,111 --view both --tab section
 picture tour-colour-bleeding ch26/cornell-box --size 140x140 --samples 16 --pixel 24,118 --sample 2 --view both
 picture tour-noise ch26/cornell-box-path-trace --size 140x140 --pixel 70,60 --view both --tab sum
+
+if [ "$taken" = 0 ]; then
+    echo "error: no picture has such a name: $wanted" >&2
+    exit 2
+fi

@@ -28,7 +28,7 @@ pub struct Power {
     pub corner: [usize; 2],
     /// The smallest gain of it that is sure to be seen.
     pub gain_of_patch: Option<f64>,
-    /// Whether it is sure to be seen that one lamp of twelve is missing: see [`one_lamp`].
+    /// Whether it is sure to be seen that one lamp of twelve is missing: see `one_lamp`.
     pub lamp: bool,
     /// Whether a shift by half a pixel is sure to be seen: along rows, and down columns.
     pub shift: [bool; 2],
