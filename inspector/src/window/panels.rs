@@ -2,7 +2,7 @@
 //! panel of the scene.
 
 use eframe::egui::{
-    Align, Button, Id, Key, Label, Layout, ProgressBar, RichText, Slider, TextEdit, Ui,
+    Align, Button, Id, Key, Label, Layout, ProgressBar, RichText, Slider, TextEdit, Ui, vec2,
 };
 use groundtruth::explain::{self, count, short};
 
@@ -44,7 +44,7 @@ pub fn file_field() -> Id {
     Id::unique("the field of the scene file")
 }
 
-/// Shows the scene, the file to open, the file to save and the pixel to explain.
+/// Shows the scene and the pixel to explain, then the file to open and the file to save.
 pub fn files(
     ui: &mut Ui,
     fields: &mut Fields,
@@ -53,65 +53,67 @@ pub fn files(
 ) -> Option<Action> {
     let width = ui.available_width();
     if width >= ONE_ROW_MIN_WIDTH {
-        let opened = |ui: &mut Ui| {
-            let opened = open(ui, fields, picker, source, 230.0);
+        let row = |ui: &mut Ui| {
+            let asked = scene_and_pixel(ui, fields, picker, source, 220.0);
             ui.separator();
-            opened.or(save_and_select(ui, fields, 190.0))
+            asked.or(open_and_save(ui, fields, [230.0, 190.0]))
         };
-        return ui.horizontal(opened).inner;
+        return ui.horizontal(row).inner;
     }
     // the width that labels, buttons and other fields leave
-    let opened = ui.horizontal(|ui| open(ui, fields, picker, source, width - 430.0)).inner;
-    opened.or(ui.horizontal(|ui| save_and_select(ui, fields, width - 360.0)).inner)
+    let asked =
+        ui.horizontal(|ui| scene_and_pixel(ui, fields, picker, source, width - 280.0)).inner;
+    let half = 0.5 * (width - 310.0);
+    asked.or(ui.horizontal(|ui| open_and_save(ui, fields, [half, half])).inner)
 }
 
-fn open(
+fn scene_and_pixel(
     ui: &mut Ui,
     fields: &mut Fields,
     picker: &mut ScenePicker,
     source: &Source,
     width: f32,
 ) -> Option<Action> {
-    let picked = picker.show(ui, &source.name(), 220.0);
+    let picked = picker.show(ui, &source.name(), width);
     ui.separator();
+    let field = TextEdit::singleline(&mut fields.pixel).hint_text("x, y");
+    let explain = |ui: &mut Ui| (ui.button("Explain").clicked(), false);
+    let (selected, _) = entry(ui, "Pixel", field, 70.0, explain);
+    if let Some(entry) = picked {
+        return Some(Action::Open(Source::Gallery(entry)));
+    }
+    let pixel = fields.pixel.trim();
+    (selected && !pixel.is_empty()).then(|| Action::RevealTyped(pixel.to_owned()))
+}
+
+fn open_and_save(ui: &mut Ui, fields: &mut Fields, widths: [f32; 2]) -> Option<Action> {
     let field = TextEdit::singleline(&mut fields.open).id(file_field());
     let field = field.hint_text("scene.toml, or drop a file");
-    let named = entry(ui, "File", field, width, |ui| {
+    let (named, is_choosing_scene) = entry(ui, "File", field, widths[0], |ui| {
         let is_choosing = choose(ui, "Choose a scene file");
         (ui.button("Open").clicked(), is_choosing)
     });
-    let file = fields.open.trim();
-    match (picked, named) {
-        (Some(entry), _) => Some(Action::Open(Source::Gallery(entry))),
-        (None, (_, true)) => Some(Action::Choose(Purpose::Scene)),
-        (None, (true, _)) if !file.is_empty() => Some(Action::Open(Source::File(file.into()))),
-        _ => None,
+    ui.separator();
+    let field = TextEdit::singleline(&mut fields.save).hint_text("picture.png or .exr");
+    let (saved, is_choosing) = entry(ui, "Picture", field, widths[1], |ui| {
+        let is_choosing = choose(ui, "Choose the file for the picture, and save it");
+        (ui.button("Save").clicked(), is_choosing)
+    });
+    let (file, name) = (fields.open.trim(), fields.save.trim());
+    if is_choosing_scene {
+        Some(Action::Choose(Purpose::Scene))
+    } else if is_choosing {
+        Some(Action::Choose(Purpose::Picture))
+    } else if named && !file.is_empty() {
+        Some(Action::Open(Source::File(file.into())))
+    } else {
+        (saved && !name.is_empty()).then_some(Action::Save)
     }
 }
 
 /// Shows the button of the desktop's file chooser.
 fn choose(ui: &mut Ui, hint: &str) -> bool {
     ui.button("…").on_hover_text(format!("{hint} (by the desktop's portal, or zenity)")).clicked()
-}
-
-fn save_and_select(ui: &mut Ui, fields: &mut Fields, width: f32) -> Option<Action> {
-    let field = TextEdit::singleline(&mut fields.save).hint_text("picture.png or .exr");
-    let (saved, is_choosing) = entry(ui, "Picture", field, width, |ui| {
-        let is_choosing = choose(ui, "Choose the file for the picture, and save it");
-        (ui.button("Save").clicked(), is_choosing)
-    });
-    ui.separator();
-    let field = TextEdit::singleline(&mut fields.pixel).hint_text("x, y");
-    let explain = |ui: &mut Ui| (ui.button("Explain").clicked(), false);
-    let (selected, _) = entry(ui, "Pixel", field, 70.0, explain);
-    let (name, pixel) = (fields.save.trim(), fields.pixel.trim());
-    if is_choosing {
-        return Some(Action::Choose(Purpose::Picture));
-    }
-    if saved && !name.is_empty() {
-        return Some(Action::Save);
-    }
-    (selected && !pixel.is_empty()).then(|| Action::RevealTyped(pixel.to_owned()))
 }
 
 /// Shows a field with its buttons. Returns whether the first of them, or Enter, was pressed, and whether the second was.
@@ -223,16 +225,18 @@ pub fn status(
     ui.horizontal(|ui| {
         let [width, height] = rendering.size();
         let samples = count(rendering.world.samples_per_pixel() as usize, "sample");
-        ui.label(format!("{width} × {height}, {samples}"));
+        fixed(ui, SIZE_WIDTH, |ui| drop(ui.label(format!("{width} × {height}, {samples}"))));
         ui.separator();
-        if is_loading {
-            ui.spinner();
-            ui.label("loading");
-        }
-        progress(ui, rendering);
-        if let Some(part) = layer.progress() {
-            ui.add(ProgressBar::new(part).desired_width(80.0).text("layer"));
-        }
+        fixed(ui, PROGRESS_WIDTH, |ui| match (is_loading, layer.progress()) {
+            (true, _) => {
+                ui.spinner();
+                ui.label("loading");
+            }
+            (false, Some(part)) => {
+                ui.add(ProgressBar::new(part).desired_width(120.0).text("layer"));
+            }
+            (false, None) => progress(ui, rendering),
+        });
         ui.separator();
         match hovered {
             Some(pixel) => {
@@ -253,6 +257,19 @@ pub fn status(
         .inner
     })
     .inner
+}
+
+/// The width of the size of the picture in the status bar, and of its progress, in points of the screen.
+const SIZE_WIDTH: f32 = 172.0;
+const PROGRESS_WIDTH: f32 = 190.0;
+
+/// Shows something in a part of a row that keeps its width, so that what comes after it does not move.
+fn fixed(ui: &mut Ui, width: f32, show: impl FnOnce(&mut Ui)) {
+    let size = vec2(width, ui.spacing().interact_size.y);
+    ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+        ui.set_min_width(width);
+        show(ui);
+    });
 }
 
 fn progress(ui: &mut Ui, rendering: &Rendering) {
