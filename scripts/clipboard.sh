@@ -91,7 +91,7 @@ try_entry 221 "all numbers of the selected ray" "angle of incidence"
 
 # pasted into the field of a scene file, and copied from there
 offer /from/another/program.toml
-xdotool mousemove 435 14 click 1
+xdotool mousemove 630 14 click 1
 sleep 1
 xdotool key ctrl+v
 sleep 1

@@ -13,8 +13,11 @@ const BAR: f32 = 8.0;
 const MIN: [f32; 3] = [0.1, 0.3, 0.25];
 /// The smallest and the largest share of the details.
 const DETAILS: [f32; 2] = [0.15, 0.85];
-/// The least width of the scene's panel, which its numbers need, in points of the screen.
-const SCENE_MIN_WIDTH: f32 = 152.0;
+/// The least width of the scene's panel, which its numbers and lists need, in points of the screen: less in a window that has
+/// no room for more.
+const SCENE_MIN_WIDTH: [f32; 2] = [152.0, 176.0];
+/// The share of the window that the least width is between these bounds.
+const SCENE_MIN_SHARE: f32 = 0.195;
 
 /// Shares of the window's width, of which the picture has the rest, and of the explanation's height.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -50,7 +53,9 @@ impl Splits {
     pub fn show(&mut self, ui: &mut Ui, area: Rect) -> Parts {
         let Self { scene: left, explanation: right, .. } = *self;
         let at = |share: f32| (area.left() + share * area.width()).round();
-        let left = left.max(SCENE_MIN_WIDTH / area.width());
+        let [least, most] = SCENE_MIN_WIDTH;
+        let min = (SCENE_MIN_SHARE * area.width()).clamp(least, most);
+        let left = left.max(min / area.width());
         let moved = bar(ui, "left bar", strip(area, at(left)), left);
         self.scene = match moved {
             Some(by) if by.x == 0.0 => self.scene,
