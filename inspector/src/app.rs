@@ -240,7 +240,7 @@ impl Inspector {
             ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
         }
         let margin = vec2(8.0, 6.0);
-        let mut choosing = None;
+        let (mut choosing, mut pointed) = (None, None);
         let is_changed = part(ui, "scene", parts.scene, margin, |ui| {
             let show = |ui: &mut Ui| {
                 // their picture of a file keeps its place
@@ -248,7 +248,7 @@ impl Inspector {
                     choosing = self.mistake.show(ui, &self.session.rendering);
                     ui.add_space(8.0);
                 }
-                panels::scene(ui, &mut self.session, &mut self.settings)
+                panels::scene(ui, &mut self.session, &mut self.settings, &mut pointed)
             };
             ScrollArea::both().auto_shrink(false).show(ui, show).inner
         });
@@ -258,6 +258,7 @@ impl Inspector {
             let shown = Shown { rendering, theirs, tone };
             self.selection.show(ui, &shown, wanted, &mut self.splits)
         });
+        self.space.pointed = pointed;
         let [of_picture, of_space] = self.space.mode.divide(parts.picture);
         self.hovered = None;
         let framed = of_picture

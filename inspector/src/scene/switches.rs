@@ -3,17 +3,23 @@
 use eframe::egui::{Align, Layout, TextWrapMode, Ui, vec2};
 use groundtruth::scene::Scene;
 
-/// Shows the switches; returns whether the scene was changed.
-pub fn show(ui: &mut Ui, scene: &mut Scene) -> bool {
+/// Shows the switches; returns whether the scene was changed, and notes the index of the object that is pointed at.
+pub fn show(ui: &mut Ui, scene: &mut Scene, pointed: &mut Option<u32>) -> bool {
     let lights = scene.lights.iter_mut().map(|light| (light.name.as_str(), &mut light.enabled));
-    let changed = list(ui, "Lights", "light", lights.collect());
+    let changed = list(ui, "Lights", "light", lights.collect(), &mut None);
     ui.add_space(8.0);
     let objects =
         scene.objects.iter_mut().map(|object| (object.name.as_str(), &mut object.enabled));
-    changed | list(ui, "Objects", "object", objects.collect())
+    changed | list(ui, "Objects", "object", objects.collect(), pointed)
 }
 
-fn list(ui: &mut Ui, title: &str, thing: &str, mut things: Vec<(&str, &mut bool)>) -> bool {
+fn list(
+    ui: &mut Ui,
+    title: &str,
+    thing: &str,
+    mut things: Vec<(&str, &mut bool)>,
+    pointed: &mut Option<u32>,
+) -> bool {
     let mut changed = false;
     ui.horizontal(|ui| {
         ui.strong(title);
@@ -38,7 +44,11 @@ fn list(ui: &mut Ui, title: &str, thing: &str, mut things: Vec<(&str, &mut bool)
                     ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
                     let unnamed = format!("{thing} {index}");
                     let label = if name.is_empty() { &unnamed } else { *name };
-                    changed |= ui.checkbox(on, label).on_hover_text(label).changed();
+                    let switch = ui.checkbox(on, label).on_hover_text(label);
+                    changed |= switch.changed();
+                    if switch.hovered() {
+                        *pointed = Some(index as u32);
+                    }
                 });
             });
         });

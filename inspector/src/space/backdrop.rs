@@ -136,6 +136,9 @@ impl Backdrop {
             let [width, height] = drawn.image.size.map(|count| (count * SIDES[drawn.step]) as f32);
             let place = Rect::from_min_size(area.min, [width, height].into());
             painter.image(texture.id(), place, whole, Color32::WHITE);
+            if object.is_none() {
+                self.lit = None;
+            }
             if let Some(object) = object {
                 if self.lit.as_ref().is_none_or(|(lit, _)| *lit != object) {
                     let light = drawn.objects.iter().map(|it| match it {
@@ -151,6 +154,11 @@ impl Backdrop {
                 }
             }
         }
+    }
+
+    /// The index of the object that is lit.
+    pub fn lit(&self) -> Option<u32> {
+        self.lit.as_ref().map(|(object, _)| *object)
     }
 
     /// The object at a point of the area, in points of the screen from its top left corner.

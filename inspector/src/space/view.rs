@@ -104,8 +104,11 @@ pub struct SpaceView {
     pub mode: Mode,
     /// The camera.
     pub camera: Camera,
+    /// The index of the object that is pointed at in the list of objects.
+    pub pointed: Option<u32>,
     filter: Filter,
-    backdrop: Backdrop,
+    /// The scene behind the rays.
+    pub backdrop: Backdrop,
     pieces: Option<Pieces>,
     /// The object for which the menu was opened.
     menu: Option<u32>,
@@ -234,7 +237,8 @@ impl SpaceView {
         let of_ray = lit_ray.and_then(|ray| Some(&*ray.hit.as_ref()?.object));
         let of_ray = world.objects().iter().find(|object| Some(&*object.name) == of_ray);
         painter.rect_filled(view, 0.0, Color32::from_gray(24));
-        self.backdrop.paint(&painter, view, of_ray.map(|object| object.index).or(object));
+        let of_ray = of_ray.map(|object| object.index);
+        self.backdrop.paint(&painter, view, self.pointed.or(of_ray).or(object));
         let (_, radius) = (orbit.target, orbit.distance);
         canvas.frustum(world, pixel, 0.08 * radius);
         let mut pointed = Pointed::default();

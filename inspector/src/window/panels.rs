@@ -144,8 +144,14 @@ pub fn message(ui: &mut Ui, message: &mut Option<(String, bool)>) {
     });
 }
 
-/// Shows the scene's panel: what it is, its settings and switches. Returns whether it was changed.
-pub fn scene(ui: &mut Ui, session: &mut Session, settings: &mut ImageSettings) -> bool {
+/// Shows the scene's panel: what it is, its settings and switches. Returns whether it was changed, and notes the index of
+/// the object that is pointed at.
+pub fn scene(
+    ui: &mut Ui,
+    session: &mut Session,
+    settings: &mut ImageSettings,
+    pointed: &mut Option<u32>,
+) -> bool {
     let Session { rendering, wanted, seed, .. } = session;
     if !wanted.about.is_empty() {
         ui.label(RichText::new(&wanted.about).italics());
@@ -156,7 +162,7 @@ pub fn scene(ui: &mut Ui, session: &mut Session, settings: &mut ImageSettings) -
         ui.label(RichText::new(note).color(ui.visuals().warn_fg_color));
     }
     ui.add_space(8.0);
-    changed | switches::show(ui, wanted)
+    changed | switches::show(ui, wanted, pointed)
 }
 
 /// Shows the settings of the view.

@@ -200,3 +200,18 @@ fn the_terms_are_written_in_letters() {
         assert!(window.query_all_by_label_contains(part).next().is_some(), "{part}");
     }
 }
+
+/// Law: an object that is pointed at in the list of objects is lit in space. Oracle: its index in the scene.
+#[test]
+fn an_object_of_the_list_is_lit() {
+    let mut window = in_space();
+    let at = window.get_by_label("red sphere").rect().center();
+    window.hover_at(at);
+    settle(&mut window);
+    let scene = small_glass_sphere();
+    let index = scene.objects.iter().position(|object| object.name == "red sphere");
+    assert_eq!(window.state().space.backdrop.lit().map(|lit| lit as usize), index);
+    window.hover_at(pos2(1.0, 1.0));
+    settle(&mut window);
+    assert_eq!(window.state().space.backdrop.lit(), None);
+}
