@@ -14,6 +14,7 @@ use crate::explanation::selection::Selection;
 use crate::explanation::tree::Tree;
 use crate::explanation::{Shown, trail};
 use crate::picture::display::{self, Picture};
+use crate::picture::histogram::Histogram;
 use crate::picture::image_settings::ImageSettings;
 use crate::picture::saving::Saving;
 use crate::picture::session::{Opened, Session};
@@ -55,6 +56,7 @@ pub struct Inspector {
     pub chooser: FileChooser,
     saving: Saving,
     settings: ImageSettings,
+    histogram: Histogram,
     splits: Splits,
     is_showing_keys: bool,
     /// Whether a pixel is explained before one is selected.
@@ -92,6 +94,7 @@ impl Inspector {
             chooser: FileChooser::default(),
             saving: Saving::default(),
             settings: ImageSettings::default(),
+            histogram: Histogram::default(),
             splits: Splits::default(),
             is_showing_keys: false,
             proposes: false,
@@ -248,7 +251,11 @@ impl Inspector {
                     choosing = self.mistake.show(ui, &self.session.rendering);
                     ui.add_space(8.0);
                 }
-                panels::scene(ui, &mut self.session, &mut self.settings, &mut pointed)
+                let is_changed =
+                    panels::scene(ui, &mut self.session, &mut self.settings, &mut pointed);
+                ui.add_space(8.0);
+                self.histogram.show(ui, &self.session.rendering);
+                is_changed
             };
             ScrollArea::both().auto_shrink(false).show(ui, show).inner
         });

@@ -3,6 +3,7 @@
 
 pub mod chosen_layer;
 pub mod display;
+pub mod histogram;
 pub mod image_settings;
 pub mod saving;
 pub mod session;

@@ -5,6 +5,9 @@ use eframe::egui::{
 };
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{SnapshotOptions, image_snapshot_options};
+use groundtruth::film::Film;
+use groundtruth::rgb::Rgb;
+use inspector::picture::histogram::Counts;
 use inspector::picture::view::View;
 use pictures::parse_pixel;
 
@@ -216,4 +219,32 @@ fn tree_looks_as_before() {
     click(&mut window, [17, 19]);
     window.run_steps(3);
     snapshot(&mut window, "tree", Rect::from_min_max(pos2(776.0, 60.0), pos2(1276.0, 370.0)));
+}
+
+/// Law: a pixel is counted at the stop of its radiance: from 2^s to 2^(s + 1), what is beyond the ends at the outermost,
+/// black ones apart. Closed form.
+#[test]
+fn a_histogram_counts_pixels_by_stops() {
+    let mut film = Film::new(4, 2);
+    let values = [1.0, 1.999, 2.0, 0.5, 0.0, 1e9, 1e-9, f64::NAN];
+    for (at, value) in (0..).zip(values) {
+        film.set([at % 4, at / 4], Rgb::grey(value));
+    }
+    let Counts { stops, black } = Counts::of(&film);
+    assert_eq!(black, 2);
+    // from −12 on: 2^0 is at 12
+    assert_eq!([stops[12], stops[13], stops[11], stops[0], stops[19]], [2, 1, 1, 1, 1]);
+    assert_eq!(stops.iter().sum::<u64>(), 6);
+}
+
+/// Law: the histogram unfolds in the panel of the scene and says how many pixels are black. Oracle: the film.
+#[test]
+fn the_histogram_is_of_the_picture() {
+    let mut window = glass_window();
+    window.get_by_label("Histogram").click();
+    settle(&mut window);
+    let film = window.state().session.rendering.canvas.film();
+    let black = film.pixels().iter().filter(|pixel| pixel.is_black()).count();
+    let text = text_with(&window, "log₂ of the radiance");
+    assert!(text.ends_with(&format!("; {black} black")), "{text}");
 }
