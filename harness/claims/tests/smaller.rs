@@ -169,7 +169,8 @@ fn no_parameter_can_be_simpler() {
     }
 }
 
-/// Law: a gross mistake is not exchanged for a small one, nor one that has a name for another. Oracle: what was planted.
+/// Law: the smaller case has at least a quarter of the first error, and a mistake that was recognised keeps its name.
+/// Oracle: the planted mistakes.
 #[test]
 fn the_mistake_stays_the_same() {
     // 5 and 10 have fewer digits, but an error of 3 % only

@@ -104,7 +104,8 @@ fn the_ray_of_a_term_is_a_click_away() {
 }
 
 /// Law: what is copied reproduces the pixel: the command names scene, pixel, size, samples and seed,
-/// and the probe's line is answered with the pixel. Oracle: the probe.
+/// and the probe's line is answered with the pixel; the
+/// test has the bits of the sample. Oracle: the probe, the explanation.
 #[test]
 fn what_is_copied_reproduces_the_pixel() {
     let mut window = glass_window();
@@ -124,7 +125,9 @@ fn what_is_copied_reproduces_the_pixel() {
     let page = copied(&mut window, "A page for a class");
     assert!(page.starts_with("<!DOCTYPE html>") && page.contains("(17, 19)"), "{}", &page[..200]);
     let test = copied(&mut window, "A test in Rust");
-    assert!(test.contains("#[test]") && test.contains("[17, 19]"), "{test}");
+    let sample = window.state().selection.explanation().expect("explained").radiances[0];
+    let bits = sample.to_array().map(|channel| format!("{:#018x}", channel.to_bits()));
+    assert!(test.contains("#[test]") && test.contains(&bits.join(", ")), "{test}");
     let numbers = copied(&mut window, "All numbers of the selected ray");
     assert!(numbers.contains("\nt\t") && numbers.contains("\nrelative η\t1.5\n"), "{numbers}");
 }
