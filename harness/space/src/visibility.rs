@@ -42,7 +42,6 @@ impl Visibility<'_> {
     }
 }
 
-/// The scene without a world's faded objects, for laws and tools that need no picture.
 impl<'a> Visibility<'a> {
     /// What can be seen of a world in which no object is faded.
     pub fn of(world: &'a World, eye: Point) -> Self {

@@ -34,23 +34,25 @@ impl Making {
         self.0.is_busy()
     }
 
-    /// Makes the page of a pixel, with the section of a ray.
+    /// Makes the page of a sample of a pixel, with the section of a ray.
     pub fn page(
         &mut self,
         ctx: &Context,
         shown: &Shown<'_>,
-        answer: &Arc<PixelExplanation>,
-        ray: usize,
-        command: String,
+        answer: &PixelExplanation,
+        (sample, ray): (u32, usize),
     ) {
         let rendering = shown.rendering;
+        let command = explain_command(shown, answer.pixel, sample);
         let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
-        let (canvas, answer) = (Arc::clone(&rendering.canvas), Arc::clone(answer));
+        let (canvas, mut answer) = (Arc::clone(&rendering.canvas), answer.clone());
+        // the page shows the first of the samples
+        answer.samples.retain(|explained| explained.index == sample);
         let name = rendering.source.name();
         self.0.start(ctx, move || {
             let picture = &SmallPicture::of(&canvas.film(), world.samples_per_pixel());
             let (name, scene, world) = (&*name, &*scene, &*world);
-            let (explanation, ray, command) = (&*answer, Some(ray), &*command);
+            let (explanation, ray, command) = (&answer, Some(ray), &*command);
             Ok(PixelPage { name, scene, world, explanation, picture, ray, command }.html())
         });
     }
@@ -60,10 +62,10 @@ impl Making {
         let scene = Arc::clone(&rendering.scene);
         let folder = rendering.source.folder().to_owned();
         let kept = Kept { pixel, sample: Some(sample), seed: rendering.world.seed };
-        let name = rendering.source.name();
+        let (name, is_file) = (rendering.source.name(), rendering.source.entry().is_none());
         self.0.start(ctx, move || {
             let reduced = ReducedScene::of(&scene, &folder, kept).map_err(|e| e.to_string())?;
-            let file = if folder.as_os_str().is_empty() { "scene.toml" } else { &name };
+            let file = if is_file { &*name } else { "scene.toml" };
             Ok(reduced.rust_test(&name, Path::new(file)))
         });
     }

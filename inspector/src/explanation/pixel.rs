@@ -1,7 +1,5 @@
 //! The pixel as a whole: its sum, its sources of light, its samples, and the menu to copy it.
 
-use std::sync::Arc;
-
 use eframe::egui::{Color32, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
 use groundtruth::explain::{self, PixelExplanation, RecordedRay, percent, short};
 use groundtruth::film::Tone;
@@ -45,7 +43,7 @@ pub fn chooser(ui: &mut Ui, chosen: &mut u32, last: u32) {
 pub fn copy_menu(
     ui: &mut Ui,
     shown: &Shown<'_>,
-    answer: &Arc<PixelExplanation>,
+    answer: &PixelExplanation,
     sample: u32,
     ray: Option<&RecordedRay>,
     making: &mut Making,
@@ -69,9 +67,8 @@ pub fn copy_menu(
         if shown.mistaken().is_none() {
             let page = ui.button("A page for a class");
             if page.on_hover_text("HTML of one file: save it as page.html").clicked() {
-                let command = copying::explain_command(shown, pixel, sample);
                 let ray = ray.map_or(0, |ray| ray.number);
-                making.page(ui.ctx(), shown, answer, ray, command);
+                making.page(ui.ctx(), shown, answer, (sample, ray));
                 ui.close();
             }
             let test = ui.button("A test in Rust");

@@ -349,7 +349,7 @@ impl Selection {
         self.tree.show(ui, root, tone);
     }
 
-    fn head(&mut self, ui: &mut Ui, answer: &Arc<PixelExplanation>, shown: &Shown<'_>) {
+    fn head(&mut self, ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
         let [x, y] = answer.pixel;
         ui.horizontal_wrapped(|ui| {
             tree::swatch(ui, display::color(shown.tone, answer.radiance));

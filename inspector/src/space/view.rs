@@ -26,6 +26,10 @@ const MAX_PIECES: usize = 4000;
 /// The margin of the buttons, in points of the screen.
 const MARGIN: Vec2 = vec2(6.0, 3.0);
 
+/// The lengths of the frustum of the scene's camera and of normals, in distances of the orbiting camera.
+const FRUSTUM: f64 = 0.08;
+const NORMAL: f64 = 0.05;
+
 /// What is shown where the picture is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Mode {
@@ -214,6 +218,7 @@ impl SpaceView {
         }
     }
 
+    /// Draws the scene, the rays and the line below them; returns what the mouse does.
     fn paint(
         &mut self,
         ui: &Ui,
@@ -239,8 +244,7 @@ impl SpaceView {
         painter.rect_filled(view, 0.0, Color32::from_gray(24));
         let of_ray = of_ray.map(|object| object.index);
         self.backdrop.paint(&painter, view, self.pointed.or(of_ray).or(object));
-        let (_, radius) = (orbit.target, orbit.distance);
-        canvas.frustum(world, pixel, 0.08 * radius);
+        canvas.frustum(world, pixel, FRUSTUM * orbit.distance);
         let mut pointed = Pointed::default();
         if let (Some(pieces), Some(traced)) = (&self.pieces, traced) {
             let runs = self.backdrop.runs(&pieces.segments);
@@ -250,7 +254,7 @@ impl SpaceView {
                 segments: &pieces.segments,
                 runs: runs.as_deref().map(Vec::as_slice),
                 lit: if traced.lit.is_some() || traced.selected > 0 { &lit } else { &[] },
-                normals: self.filter.normals.then_some(0.05 * radius),
+                normals: self.filter.normals.then_some(NORMAL * orbit.distance),
             });
             pointed.hovered = at.and_then(|at| pointing::nearest(&drawn, at));
             pointed.clicked = pointed.hovered.filter(|_| response.clicked());
