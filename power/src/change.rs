@@ -1,0 +1,126 @@
+//! A change of the source: what is written instead of what, and a scratch copy that holds all changes, each behind one switch.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
+use std::path::Path;
+
+use anyhow::{Context, Result, ensure};
+
+/// One change of one file.
+#[derive(Clone, Debug)]
+pub struct Change {
+    /// A name that no other change has.
+    pub name: String,
+    /// The file, from the root of the repository.
+    pub file: String,
+    /// The bytes of the expression that is replaced; empty where a statement or a condition is put in.
+    pub span: Range<usize>,
+    /// What stands there while the switch is on.
+    pub how: How,
+}
+
+/// What is done at the place of a change.
+#[derive(Clone, Debug)]
+pub enum How {
+    /// The expression is another one.
+    Expression(String),
+    /// The function returns at once what is said here.
+    Return(String),
+    /// The arm of a `match` is never taken.
+    NoArm,
+}
+
+impl How {
+    /// The text with the switch, of the text `ours` that is there now.
+    fn behind_switch(&self, number: usize, ours: &str) -> String {
+        match self {
+            Self::Expression(theirs) if ours.ends_with([';', '}']) => {
+                format!("if planted::on({number}) {{ {theirs} }} else {{ {ours} }}")
+            }
+            Self::Expression(theirs) => {
+                format!("(if planted::on({number}) {{ {theirs} }} else {{ {ours} }})")
+            }
+            Self::Return(value) => format!("if planted::on({number}) {{ return {value}; }} {ours}"),
+            Self::NoArm => format!(" if !planted::on({number}) {ours}"),
+        }
+    }
+}
+
+impl Change {
+    /// The text of the file with this change alone, behind a switch.
+    pub fn switched(&self, text: &str) -> String {
+        let ours = &text[self.span.clone()];
+        format!("{}{}{}", &text[..self.span.start], self.how.behind_switch(1, ours), &text[self.span.end..])
+    }
+}
+
+/// Where the changes of a file are in its text with switches: bytes, and the number of the change.
+pub type Places = Vec<(Range<usize>, usize)>;
+
+/// Writes the changes into the tree at `root`: number `k` of the list is on when the variable PLANTED is k + 1.
+///
+/// # Errors
+/// A file that cannot be read or written; two changes of which neither holds the other.
+pub fn write(root: &Path, changes: &[Change], left_out: &BTreeSet<usize>) -> Result<BTreeMap<String, Places>> {
+    let mut files: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
+    for (index, change) in changes.iter().enumerate() {
+        if !left_out.contains(&index) {
+            files.entry(&change.file).or_default().push(index);
+        }
+    }
+    let mut places = BTreeMap::new();
+    for (file, mut numbers) in files {
+        let path = root.join(file);
+        let text = std::fs::read_to_string(&path).with_context(|| format!("{}", path.display()))?;
+        // outer changes first
+        numbers.sort_by_key(|&k| (changes[k].span.start, std::cmp::Reverse(changes[k].span.end)));
+        let mut written = Written { text: &text, changes, out: String::new(), places: Vec::new() };
+        let rest = written.range(0..text.len(), &numbers)?;
+        ensure!(rest.is_empty(), "{file}: {} overlaps another change", changes[rest[0]].name);
+        std::fs::write(&path, &written.out)?;
+        places.insert(file.to_owned(), written.places);
+    }
+    Ok(places)
+}
+
+struct Written<'a> {
+    text: &'a str,
+    changes: &'a [Change],
+    out: String,
+    places: Places,
+}
+
+impl Written<'_> {
+    /// Writes the bytes of a range with the changes in it; gives back the changes that reach beyond it.
+    fn range<'n>(&mut self, range: Range<usize>, mut numbers: &'n [usize]) -> Result<&'n [usize]> {
+        let mut at = range.start;
+        while let [first, rest @ ..] = numbers {
+            let change = &self.changes[*first];
+            if change.span.start >= range.end && !(change.span.is_empty() && change.span.start == range.end) {
+                break;
+            }
+            ensure!(
+                change.span.start >= at && change.span.end <= range.end,
+                "{}: {} overlaps another change",
+                change.file,
+                change.name
+            );
+            self.out.push_str(&self.text[at..change.span.start]);
+            let begin = self.out.len();
+            // what is inside is written first, because it stands in the branch that is ours
+            let inside = rest.iter().take_while(|&&k| self.changes[k].span.end <= change.span.end && self.changes[k].span.start < change.span.end).count();
+            let mut inner = Written { text: self.text, changes: self.changes, out: String::new(), places: Vec::new() };
+            let left = inner.range(change.span.clone(), &rest[..inside])?;
+            ensure!(left.is_empty(), "{}: {} overlaps another change", change.file, change.name);
+            let whole = change.how.behind_switch(*first + 1, &inner.out);
+            let shift = begin + whole.rfind(&inner.out).unwrap_or(0);
+            self.out.push_str(&whole);
+            self.places.push((begin..self.out.len(), *first));
+            self.places.extend(inner.places.into_iter().map(|(range, k)| (range.start + shift..range.end + shift, k)));
+            at = change.span.end;
+            numbers = &rest[inside..];
+        }
+        self.out.push_str(&self.text[at..range.end]);
+        Ok(numbers)
+    }
+}

@@ -1,0 +1,218 @@
+//! How many mistakes the tests find: planted ones of `power/planted`, and a sample of cargo-mutants' list.
+//!
+//! All changes stand in one scratch copy behind a switch, so that it is built once. Each test is run once with nothing on,
+//! and notes which changes it reaches; then each change is on for the tests that reach it, laws first, until one fails.
+
+mod change;
+mod mutants;
+mod planted;
+mod run;
+mod score;
+mod scratch;
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use anyhow::{Context, Result, ensure};
+use clap::{Parser, Subcommand};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::change::Change;
+use crate::run::{End, Test};
+use crate::score::Row;
+
+/// How many mistakes the tests find.
+#[derive(Parser)]
+struct Arguments {
+    #[command(subcommand)]
+    what: What,
+    /// Where the scratch copies are.
+    #[arg(long, default_value = "target/power", global = true)]
+    folder: PathBuf,
+}
+
+#[derive(Subcommand)]
+enum What {
+    /// The planted mistakes and decoys of the repository.
+    Planted {
+        /// Only this part, as 2/8: the second of eight.
+        #[arg(default_value = "1/1")]
+        part: String,
+        /// Only those whose name holds this text.
+        #[arg(long, default_value = "")]
+        only: String,
+    },
+    /// A sample of the mutants that `cargo mutants --list --json` printed.
+    Mutants {
+        /// The list.
+        list: PathBuf,
+        /// Only this part, as 2/8.
+        #[arg(default_value = "1/1")]
+        part: String,
+        /// How many are drawn.
+        #[arg(long, default_value_t = 400)]
+        of: usize,
+        /// Another seed draws others.
+        #[arg(long, default_value_t = 1)]
+        seed: u64,
+    },
+    /// Reads the tables of planted mistakes, and says which do not fit the source.
+    Check,
+    /// The table of all rows that the parts of a run wrote.
+    Score {
+        /// `planted` or `mutants`.
+        run: String,
+    },
+}
+
+/// What is asked of a change.
+struct Asked {
+    change: Change,
+    law: Option<String>,
+    decoy: bool,
+}
+
+/// What the first runs of all tests said, kept for the other parts.
+#[derive(Serialize, Deserialize)]
+struct Known {
+    /// The commit and the changes.
+    of: String,
+    refused: BTreeSet<usize>,
+    tests: Vec<Test>,
+}
+
+fn main() -> Result<()> {
+    let arguments = Arguments::parse();
+    let root = std::env::current_dir()?;
+    ensure!(root.join("power/planted").is_dir(), "run this in the root of the repository");
+    let folder = root.join(&arguments.folder);
+    match arguments.what {
+        What::Planted { part, only } => {
+            let all = planted::read(&root.join("power/planted"))?;
+            let asked: Result<Vec<Asked>> = all
+                .iter()
+                .map(|it| {
+                    let change = it.change(&root)?;
+                    Ok(Asked { change, law: it.law.clone(), decoy: it.law.is_none() })
+                })
+                .collect();
+            measure(&root, &folder.join("planted"), &asked?, &part, &only)
+        }
+        What::Mutants { list, part, of, seed } => {
+            let (changes, total) = mutants::sample(&root, &list, of, seed)?;
+            eprintln!("{} of {total} mutants can stand behind the switch (of {of} drawn)", changes.len());
+            let ask = |change| Asked { change, law: None, decoy: false };
+            let asked: Vec<Asked> = changes.into_iter().map(ask).collect();
+            measure(&root, &folder.join("mutants"), &asked, &part, "")
+        }
+        What::Check => {
+            let all = planted::read(&root.join("power/planted"))?;
+            let wrong = all.iter().filter_map(|it| it.check(&root).err()).map(|it| eprintln!("{it:#}")).count();
+            let decoys = all.iter().filter(|it| it.law.is_none()).count();
+            ensure!(wrong == 0, "{wrong} of {} do not fit", all.len());
+            println!("{} mistakes and {decoys} decoys fit the source", all.len() - decoys);
+            Ok(())
+        }
+        What::Score { run } => {
+            print!("{}", score::table(&rows(&folder.join(run))?));
+            Ok(())
+        }
+    }
+}
+
+/// Asks for each change of the part, writes a file a change, and prints the table of all that are there.
+fn measure(root: &Path, folder: &Path, asked: &[Asked], part: &str, only: &str) -> Result<()> {
+    let (k, n) = part.split_once('/').with_context(|| format!("{part} is no part, as 2/8"))?;
+    let (k, n): (usize, usize) = (k.parse()?, n.parse()?);
+    ensure!(1 <= k && k <= n, "{part} is no part: the first number is from 1 to the second");
+    let known = known(root, folder, asked)?;
+    let texts = std::fs::read_to_string(root.join("power/texts"))?;
+    let texts: Vec<&str> = texts.lines().filter(|it| !it.starts_with('#') && !it.is_empty()).collect();
+    let found = folder.join("found");
+    std::fs::create_dir_all(&found)?;
+    let chosen: Vec<usize> = (0..asked.len())
+        .filter(|k| asked[*k].change.name.contains(only) && !known.refused.contains(k))
+        .collect();
+    let chosen: Vec<usize> = chosen.into_iter().enumerate().filter(|(at, _)| at % n == k - 1).map(|(_, it)| it).collect();
+    chosen.par_iter().try_for_each(|&index| -> Result<()> {
+        let file = found.join(format!("{index}.json"));
+        if file.exists() {
+            return Ok(());
+        }
+        let row = ask(&asked[index], index, &known.tests, &texts)?;
+        let by = row.law.as_ref().or(row.text.as_ref()).map_or("nothing", String::as_str);
+        println!("{}: {by}", row.name);
+        std::fs::write(&file, serde_json::to_vec_pretty(&row)?)?;
+        Ok(())
+    })?;
+    print!("\n{}", score::table(&rows(folder)?));
+    Ok(())
+}
+
+/// The scratch copy and its tests, made anew when the commit or the changes are others.
+fn known(root: &Path, folder: &Path, asked: &[Asked]) -> Result<Known> {
+    let head = std::process::Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root).output()?;
+    let changes: Vec<Change> = asked.iter().map(|it| it.change.clone()).collect();
+    let of = format!("{} {:x}", String::from_utf8_lossy(&head.stdout).trim(), xxhash_rust::xxh3::xxh3_64(format!("{changes:?}").as_bytes()));
+    let file = folder.join("known.json");
+    if let Ok(text) = std::fs::read(&file) {
+        let known: Known = serde_json::from_slice(&text)?;
+        if known.of == of {
+            return Ok(known);
+        }
+    }
+    std::fs::create_dir_all(folder)?;
+    let tree = folder.join("tree");
+    scratch::clone(root, &tree)?;
+    let built = scratch::build(&tree, &changes)?;
+    let tests = run::reach(&built.programs, &folder.join("reached"))?;
+    let known = Known { of, refused: built.refused, tests };
+    let found = folder.join("found");
+    if found.exists() {
+        std::fs::remove_dir_all(&found)?;
+    }
+    std::fs::write(&file, serde_json::to_vec(&known)?)?;
+    Ok(known)
+}
+
+/// Runs the tests that reach a change: the expected law, then the other laws, quick ones first, then goldens and texts.
+fn ask(asked: &Asked, index: usize, tests: &[Test], texts: &[&str]) -> Result<Row> {
+    let number = index + 1;
+    let mut reaching: Vec<&Test> = tests.iter().filter(|it| it.reached.contains(&number)).collect();
+    let is_text = |test: &Test| texts.iter().any(|it| test.name.contains(it));
+    let is_expected = |test: &Test| asked.law.as_ref().is_some_and(|law| test.name.starts_with(law.as_str()));
+    reaching.sort_by(|a, b| {
+        let key = |it: &Test| (is_text(it), !is_expected(it));
+        key(a).cmp(&key(b)).then(a.seconds.total_cmp(&b.seconds))
+    });
+    let mut row = Row {
+        name: asked.change.name.clone(),
+        package: score::package(&asked.change.file),
+        decoy: asked.decoy,
+        reached: reaching.len(),
+        law: None,
+        expected: asked.law.as_ref().map(|_| false),
+        text: None,
+        message: None,
+    };
+    for test in reaching {
+        let End::Failed(message) = test.with(number)? else { continue };
+        if is_text(test) {
+            row.text = Some(test.name.clone());
+        } else {
+            row.expected = row.expected.map(|_| is_expected(test));
+            row.law = Some(test.name.clone());
+        }
+        row.message = Some(message);
+        break;
+    }
+    Ok(row)
+}
+
+fn rows(folder: &Path) -> Result<Vec<Row>> {
+    let mut files: Vec<PathBuf> =
+        std::fs::read_dir(folder.join("found"))?.map(|it| Ok(it?.path())).collect::<Result<_>>()?;
+    files.sort();
+    files.iter().map(|file| Ok(serde_json::from_slice(&std::fs::read(file)?)?)).collect()
+}

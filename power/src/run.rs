@@ -1,0 +1,123 @@
+//! The tests of the scratch copy, each in a process of its own, so that it is known which changes it reaches.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use anyhow::{Context, Result};
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+
+use crate::scratch::Program;
+
+/// A test that passes while nothing is planted.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Test {
+    /// The program and the name, as `chapters ch03::spheres`.
+    pub name: String,
+    program: PathBuf,
+    folder: PathBuf,
+    /// How long it takes, alone in its process.
+    pub seconds: f64,
+    /// The numbers of the changes that it reaches.
+    pub reached: BTreeSet<usize>,
+}
+
+/// How a test ended while a change was on.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum End {
+    /// It passed.
+    Passed,
+    /// It failed, with this first message.
+    Failed(String),
+}
+
+/// All tests of the programs that pass, each run once with nothing on; those that fail are named on standard error.
+///
+/// # Errors
+/// A program that cannot be run.
+pub fn reach(programs: &[Program], notes: &Path) -> Result<Vec<Test>> {
+    std::fs::create_dir_all(notes)?;
+    let mut names: Vec<(&Program, String)> = Vec::new();
+    for program in programs {
+        let listed = Command::new(&program.path).arg("--list").current_dir(&program.folder).output();
+        let listed = listed.with_context(|| format!("{}", program.path.display()))?;
+        let text = String::from_utf8_lossy(&listed.stdout).into_owned();
+        names.extend(text.lines().filter_map(|it| Some((program, it.strip_suffix(": test")?.to_owned()))));
+    }
+    let ignored = |program: &Program| -> Result<BTreeSet<String>> {
+        let listed = Command::new(&program.path).args(["--list", "--ignored"]).current_dir(&program.folder).output()?;
+        let text = String::from_utf8_lossy(&listed.stdout).into_owned();
+        Ok(text.lines().filter_map(|it| it.strip_suffix(": test").map(str::to_owned)).collect())
+    };
+    for program in programs {
+        let left_out = ignored(program)?;
+        names.retain(|(of, name)| *of != program || !left_out.contains(name));
+    }
+    eprintln!("{} tests, each run once with nothing planted", names.len());
+    let tests: Vec<Result<Option<Test>>> = names
+        .par_iter()
+        .enumerate()
+        .map(|(index, (program, name))| first_run(program, name, &notes.join(format!("{index}.txt"))))
+        .collect();
+    Ok(tests.into_iter().collect::<Result<Vec<_>>>()?.into_iter().flatten().collect())
+}
+
+fn first_run(program: &Program, name: &str, notes: &Path) -> Result<Option<Test>> {
+    std::fs::write(notes, "")?;
+    let mut test = Test {
+        name: format!("{} {name}", program.name),
+        program: program.path.clone(),
+        folder: program.folder.clone(),
+        seconds: 0.0,
+        reached: BTreeSet::new(),
+    };
+    let start = Instant::now();
+    let end = test.run(&[("PLANTED_REACHED", notes.as_os_str())], Duration::from_secs(900))?;
+    test.seconds = start.elapsed().as_secs_f64();
+    if let End::Failed(message) = end {
+        eprintln!("not counted, it fails with nothing planted: {}: {message}", test.name);
+        return Ok(None);
+    }
+    test.reached = std::fs::read_to_string(notes)?.lines().filter_map(|it| it.parse().ok()).collect();
+    std::fs::remove_file(notes)?;
+    Ok(Some(test))
+}
+
+impl Test {
+    /// Runs the test while change `number` is on; a test that takes 20 times as long as it did is taken to have failed.
+    ///
+    /// # Errors
+    /// A program that cannot be started.
+    pub fn with(&self, number: usize) -> Result<End> {
+        let limit = Duration::from_secs_f64(30.0 + 20.0 * self.seconds);
+        self.run(&[("PLANTED", number.to_string().as_ref())], limit)
+    }
+
+    fn run(&self, variables: &[(&str, &std::ffi::OsStr)], limit: Duration) -> Result<End> {
+        let name = self.name.split_once(' ').map_or("", |(_, name)| name);
+        let output = Command::new("timeout")
+            .args(["--kill-after=5", &limit.as_secs().max(1).to_string(), "sh", "-c"])
+            // a mistake may ask for memory without end
+            .args(["ulimit -v 16000000; exec \"$0\" --exact \"$1\"", &self.program.display().to_string(), name])
+            .current_dir(&self.folder)
+            .env("CARGO_MANIFEST_DIR", &self.folder)
+            .envs(variables.iter().copied())
+            .stdin(Stdio::null())
+            .output()
+            .context("timeout")?;
+        if output.status.success() {
+            return Ok(End::Passed);
+        }
+        let text = String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
+        Ok(End::Failed(first_message(&text)))
+    }
+}
+
+/// What a failing test says first, without the place in the file.
+fn first_message(text: &str) -> String {
+    let rest = text.split_once("panicked at ").map_or(text, |(_, rest)| rest.split_once('\n').map_or("", |(_, rest)| rest));
+    let lines = rest.lines().take_while(|line| !line.starts_with("note: run with") && !line.starts_with("failures:"));
+    lines.take(12).collect::<Vec<_>>().join("\n").chars().take(1000).collect()
+}
