@@ -176,6 +176,45 @@ proptest! {
         prop_assert_eq!(clear.shadow, 0);
     }
 
+    /// Law: light without shadows that leaves its own body is absorbed by the sea outside, less where it passes a body
+    /// that absorbs less, and no more where it passes one that absorbs more; after each body the sea goes on. Oracle:
+    /// `exp(−σ Σ dᵢ σᵢ)` over the stretches of the straight way, whose lengths the test chooses.
+    #[test]
+    fn light_without_shadows_passes_body_after_body(
+        (n, up) in normal_and_direction_above(),
+        own in prop_oneof![0.01..1.0_f64, 1.0..3.0_f64],
+        sea in 0.1..2.0_f64,
+        bodies in prop::collection::vec((0.1..1.0_f64, 0.1..1.0_f64, prop_oneof![Just(0.0), 0.01..4.0_f64]), 0..4),
+        last in 0.1..1.0_f64,
+    ) {
+        let way = Vector::from(n) + up;
+        let way = way.unit().expect("n and up are less than 90° apart");
+        let medium = |times: f64| Medium { eta: 1.0, absorption: times * SIGMA };
+        let glass = |times| Dielectric { inside: medium(times), outside: medium(sea), ..Dielectric::default() };
+        let mut scene = stage(Rgb::BLACK);
+        scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
+        let ball = |center, radius| Sphere { center, radius, inward: false };
+        put(&mut scene, ball(Point::ORIGIN, 1.0), glass(own));
+        put(&mut scene, ball(Point::ORIGIN, 0.25), matte());
+        let start = Point::ORIGIN + 0.25 * n;
+        let inside = chord(start, way);
+        let (mut at, mut depth) = (inside, own * inside);
+        for (gap, radius, times) in bodies {
+            at += gap + radius;
+            put(&mut scene, ball(start + at * way, radius), glass(times));
+            at += radius;
+            depth += sea * gap + 2.0 * radius * times.min(sea);
+        }
+        depth += sea * last;
+        let location = start + (at + last) * way;
+        shine(&mut scene, Lamp { ls: 2.0, color: Rgb::WHITE, location, attenuation: 0.0 });
+        scene.lights[0].shadows = false;
+        scene.camera.medium = medium(own);
+        let seen = recorded(&built(&scene), Point::ORIGIN + 0.27 * n, -Vector::from(n));
+        let [ray] = shadows(&seen)[..] else { panic!("one ray to the light: {seen:?}") };
+        close!(ray.transmittance, through(depth), 1e-12);
+    }
+
     /// Law: in an absorbing medium light is dimmed twice: `exp(−σ d)` from the lamp to the surface
     /// and again to the eye; the shadow ray records the first. Oracle: the closed form, with the
     /// distances of the three points (Beer).

@@ -171,3 +171,37 @@ fn every_kind_of_the_chapter_is_left_for_good() {
 fn every_kind_of_the_chapter_is_left_for_good_thoroughly() {
     check_kinds("ch21", [1000, 1000], 2116);
 }
+
+/// Law: a ray that leaves a stretched rectangle beside its border starts as far inside as one that leaves a rectangle of
+/// that size: 4,096 roundings of its coordinates or more, not 16 times as many, wherever within them it was hit. Oracle:
+/// the coordinates of the stretched corner, which the test multiplies itself; stretches from 1e-6 to 1e6.
+#[test]
+fn a_stretched_border_is_left_like_a_large_one() {
+    let (mut draw, mut hits) = (Draw::new(2117), 0);
+    for case in 0..2_000 {
+        let corner = draw.point(8.0);
+        let [a, b] = [Vector::X, Vector::Z].map(|axis| draw.between(0.5, 4.0) * axis);
+        let stretch = draw.sign() * draw.decades(-6.0, 6.0);
+        let scale = Vector::new(stretch, 1.0, draw.decades(-1.0, 1.0));
+        let flat = Instance::new(Rectangle { corner, a, b }, vec![Step::Scale(scale)]);
+        let shape = Kind::from(flat).build(&mut Context::default()).expect("valid");
+        let size = corner.to_vector().max_abs().max((corner + a + b).to_vector().max_abs());
+        let rounding = stretch.abs() * U * size;
+        let inside = draw.decades(0.0, 3.0) * rounding;
+        let x = stretch * corner.x() + stretch.signum() * inside;
+        let target = Point::new(x, corner.y(), scale.z() * (corner + 0.5 * b).z());
+        let up = Vector::new(0.0, 1.0, 0.1 * draw.between(-1.0, 1.0));
+        let ray = Ray::new(target + up, -up);
+        let Some(hit) = shape.hit(&ray, Span::AHEAD) else { continue };
+        hits += 1;
+        let start = shape.surface(&ray, &hit).leave(up);
+        let roundings = stretch.signum() * (start.x() - stretch * corner.x()) / rounding;
+        at_least!(roundings, 4095.0, "case {case}, stretch {stretch:e}, hit {inside:e} inside");
+        at_most!(
+            roundings,
+            16.0 * 4096.0,
+            "case {case}, stretch {stretch:e}, hit {inside:e} inside"
+        );
+    }
+    at_least!(hits, 1_900);
+}

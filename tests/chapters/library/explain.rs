@@ -88,16 +88,39 @@ fn all(ray: &RecordedRay) -> Vec<&RecordedRay> {
 /// the others, and loses none. Oracle: all rays of the tree, counted one by one.
 #[test]
 fn what_is_folded_is_counted() {
-    let root = nested_glass();
-    let rays = all(&root);
-    assert!(rays.len() > 100, "only {} rays", rays.len());
+    let glass = nested_glass();
+    let rays = all(&glass).len();
+    assert!(rays > 100, "the tree of nested glass has {rays} rays, expected more than 100");
+    assert_folds(&glass);
+    let lamps = many_lamps();
+    let weak = lamps.children.iter().filter(|child| child.share < 0.1).count();
+    assert!(weak >= 3, "the ray has {weak} weak children, expected at least 3");
+    assert_folds(&lamps);
+}
+
+/// A matte floor under many lamps, each with two thirds of the light of the one before.
+fn many_lamps() -> RecordedRay {
+    let mut scene = stage(Rgb::BLACK);
+    let floor = Plane { point: Point::ORIGIN, normal: Vector::Z };
+    put(&mut scene, floor, Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() });
+    for k in 0..60 {
+        let location = Point::new(0.01 * f64::from(k), 0.0, 2.0);
+        let ls = groundtruth::math::power(2.0 / 3.0, f64::from(k));
+        shine(&mut scene, lights::PointLight { ls, color: Rgb::WHITE, location, attenuation: 0.0 });
+    }
+    let world = built(&scene);
+    explain::sample(&scene, &world, [0, 0], 0).ray.expect("the camera sees all its film")
+}
+
+fn assert_folds(root: &RecordedRay) {
+    let rays = all(root);
     assert_eq!(
         rays.iter().map(|ray| ray.number).collect::<Vec<_>>(),
         (0..rays.len()).collect::<Vec<_>>()
     );
     for min_share in [0.0, 0.001, 0.01, 0.1] {
         let (mut shown, mut hidden, mut folding) = (Vec::new(), 0, Vec::new());
-        for row in Outline::folding_below(min_share).rows(&root) {
+        for row in Outline::folding_below(min_share).rows(root) {
             match row {
                 Row::Ray { ray, .. } => shown.push(ray.number),
                 Row::Local { .. } => {}
