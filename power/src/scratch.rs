@@ -57,10 +57,10 @@ pub fn build(tree: &Path, changes: &[Change]) -> Result<Scratch> {
             std::fs::write(tree.join(file), text)?;
         }
         let places = change::write(tree, changes, &refused)?;
-        let messages = compiled(tree)?;
-        let wrong = blamed(&messages, &places);
+        // checked first: where a change does not compile, that is seen sooner
+        let wrong = blamed(&compiled(tree, &["check", "--tests", "--keep-going"])?, &places);
         if wrong.is_empty() {
-            let programs = programs(&messages);
+            let programs = programs(&compiled(tree, &["test", "--no-run"])?);
             ensure!(!programs.is_empty(), "no test program was built");
             return Ok(Scratch { programs, refused });
         }
@@ -73,7 +73,7 @@ pub fn build(tree: &Path, changes: &[Change]) -> Result<Scratch> {
 
 /// The package of the switch, and every package of a product uses it.
 fn add_switch(tree: &Path) -> Result<()> {
-    let package = tree.join("target/planted");
+    let package = tree.with_file_name("planted");
     std::fs::create_dir_all(package.join("src"))?;
     std::fs::write(package.join("src/lib.rs"), include_str!("switch.rs"))?;
     std::fs::write(
@@ -94,10 +94,11 @@ fn add_switch(tree: &Path) -> Result<()> {
     Ok(())
 }
 
-/// What cargo says while it builds all tests.
-fn compiled(tree: &Path) -> Result<Vec<Value>> {
+/// What the compiler says.
+fn compiled(tree: &Path, command: &[&str]) -> Result<Vec<Value>> {
     let output = Command::new("cargo")
-        .args(["test", "--workspace", "--no-run", "--keep-going", "--message-format=json"])
+        .args(command)
+        .args(["--workspace", "--message-format=json"])
         .current_dir(tree)
         .env("CARGO_TARGET_DIR", tree.with_file_name("build"))
         .env("CARGO_INCREMENTAL", "0")

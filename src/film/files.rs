@@ -148,7 +148,7 @@ fn pfm(film: &Film) -> Vec<u8> {
     let mut bytes = format!("PF\n{} {}\n-1.0\n", film.width(), film.height()).into_bytes();
     for row in film.pixels().chunks_exact(film.width() as usize).rev() {
         let samples = row.iter().flat_map(|pixel| pixel.to_array());
-        bytes.extend(samples.flat_map(|c| (c as f32).to_le_bytes()));
+        bytes.extend(samples.flat_map(|c| super::stored(c).to_le_bytes()));
     }
     bytes
 }

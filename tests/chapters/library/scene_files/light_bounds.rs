@@ -61,18 +61,23 @@ fn the_largest_numbers_make_finite_pictures() {
     }
 }
 
-/// Law: a channel beyond the largest `f32` is stored as that number. Oracle: the EXR file, read again.
+/// Law: a channel beyond the largest `f32` is stored as that number. Oracle: the EXR and the PFM file, read again.
 #[test]
 fn files_have_no_infinities() {
     let mut film = Film::new(1, 1);
     film.set([0, 0], Rgb::new(1e300, f64::INFINITY, 0.5));
-    let stored: Vec<[f32; 3]> = film.to_f32().collect();
-    assert_eq!(stored, [[f32::MAX, f32::MAX, 0.5]]);
+    let stored = [f32::MAX, f32::MAX, 0.5];
+    assert_eq!(film.to_f32().collect::<Vec<_>>(), [stored], "the film's numbers");
     let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("bright.exr");
-    film::write(&film, &Tone::PLAIN, &path).expect("it can be written");
-    let read = film::read_exr(&path).expect("it can be read");
-    assert_eq!(read.to_f32().collect::<Vec<_>>(), stored);
+    let [exr, pfm] = ["bright.exr", "bright.pfm"].map(|name| folder.path().join(name));
+    for path in [&exr, &pfm] {
+        film::write(&film, &Tone::PLAIN, path).expect("it can be written");
+    }
+    let read = film::read_exr(&exr).expect("it can be read");
+    assert_eq!(read.to_f32().collect::<Vec<_>>(), [stored], "the EXR file's numbers");
+    let bytes = std::fs::read(&pfm).expect("it can be read");
+    let numbers = &bytes[bytes.len() - 12..];
+    assert_eq!(numbers, stored.map(f32::to_le_bytes).concat(), "the PFM file's numbers");
 }
 
 /// Law: a triangle whose area is too small to divide by is one of area zero: refused alone and in lists. Oracle:
