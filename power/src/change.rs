@@ -50,18 +50,45 @@ impl Change {
     /// The text of the file with this change alone, behind a switch.
     pub fn switched(&self, text: &str) -> String {
         let ours = &text[self.span.clone()];
-        format!("{}{}{}", &text[..self.span.start], self.how.behind_switch(1, ours), &text[self.span.end..])
+        format!(
+            "{}{}{}",
+            &text[..self.span.start],
+            self.how.behind_switch(1, ours),
+            &text[self.span.end..]
+        )
     }
 }
 
 /// Where the changes of a file are in its text with switches: bytes, and the number of the change.
 pub type Places = Vec<(Range<usize>, usize)>;
 
+/// The changes that cross one before them in the list: one switch cannot stand in half of another.
+pub fn crossing(changes: &[Change]) -> BTreeSet<usize> {
+    let crosses = |a: &Change, b: &Change| {
+        let (a_first, b_first) = (a.span.start < b.span.start, a.span.start > b.span.start);
+        a.file == b.file
+            && ((a_first && b.span.start < a.span.end && a.span.end < b.span.end)
+                || (b_first && a.span.start < b.span.end && b.span.end < a.span.end))
+    };
+    let mut crossing = BTreeSet::new();
+    for (index, change) in changes.iter().enumerate() {
+        let mut before = changes[..index].iter().enumerate();
+        if before.any(|(k, it)| !crossing.contains(&k) && crosses(it, change)) {
+            crossing.insert(index);
+        }
+    }
+    crossing
+}
+
 /// Writes the changes into the tree at `root`: number `k` of the list is on when the variable PLANTED is k + 1.
 ///
 /// # Errors
 /// A file that cannot be read or written; two changes of which neither holds the other.
-pub fn write(root: &Path, changes: &[Change], left_out: &BTreeSet<usize>) -> Result<BTreeMap<String, Places>> {
+pub fn write(
+    root: &Path,
+    changes: &[Change],
+    left_out: &BTreeSet<usize>,
+) -> Result<BTreeMap<String, Places>> {
     let mut files: BTreeMap<&str, Vec<usize>> = BTreeMap::new();
     for (index, change) in changes.iter().enumerate() {
         if !left_out.contains(&index) {
@@ -96,7 +123,9 @@ impl Written<'_> {
         let mut at = range.start;
         while let [first, rest @ ..] = numbers {
             let change = &self.changes[*first];
-            if change.span.start >= range.end && !(change.span.is_empty() && change.span.start == range.end) {
+            if change.span.start >= range.end
+                && !(change.span.is_empty() && change.span.start == range.end)
+            {
                 break;
             }
             ensure!(
@@ -108,15 +137,31 @@ impl Written<'_> {
             self.out.push_str(&self.text[at..change.span.start]);
             let begin = self.out.len();
             // what is inside is written first, because it stands in the branch that is ours
-            let inside = rest.iter().take_while(|&&k| self.changes[k].span.end <= change.span.end && self.changes[k].span.start < change.span.end).count();
-            let mut inner = Written { text: self.text, changes: self.changes, out: String::new(), places: Vec::new() };
+            let inside = rest
+                .iter()
+                .take_while(|&&k| {
+                    self.changes[k].span.end <= change.span.end
+                        && self.changes[k].span.start < change.span.end
+                })
+                .count();
+            let mut inner = Written {
+                text: self.text,
+                changes: self.changes,
+                out: String::new(),
+                places: Vec::new(),
+            };
             let left = inner.range(change.span.clone(), &rest[..inside])?;
             ensure!(left.is_empty(), "{}: {} overlaps another change", change.file, change.name);
             let whole = change.how.behind_switch(*first + 1, &inner.out);
             let shift = begin + whole.rfind(&inner.out).unwrap_or(0);
             self.out.push_str(&whole);
             self.places.push((begin..self.out.len(), *first));
-            self.places.extend(inner.places.into_iter().map(|(range, k)| (range.start + shift..range.end + shift, k)));
+            self.places.extend(
+                inner
+                    .places
+                    .into_iter()
+                    .map(|(range, k)| (range.start + shift..range.end + shift, k)),
+            );
             at = change.span.end;
             numbers = &rest[inside..];
         }

@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::change::Change;
 use crate::run::{End, Test};
-use crate::score::Row;
+use crate::score::{Kind, Row};
 
 /// How many mistakes the tests find.
 #[derive(Parser)]
@@ -34,43 +34,35 @@ struct Arguments {
 
 #[derive(Subcommand)]
 enum What {
-    /// The planted mistakes and decoys of the repository.
-    Planted {
+    /// Plants each mistake and decoy of the repository, and says what finds it.
+    Run {
         /// Only this part, as 2/8: the second of eight.
         #[arg(default_value = "1/1")]
         part: String,
         /// Only those whose name holds this text.
         #[arg(long, default_value = "")]
         only: String,
-    },
-    /// A sample of the mutants that `cargo mutants --list --json` printed.
-    Mutants {
-        /// The list.
-        list: PathBuf,
-        /// Only this part, as 2/8.
-        #[arg(default_value = "1/1")]
-        part: String,
-        /// How many are drawn.
+        /// Mutants too, drawn from this list, which `cargo mutants --list --json` printed.
+        #[arg(long)]
+        mutants: Option<PathBuf>,
+        /// How many mutants are drawn.
         #[arg(long, default_value_t = 400)]
         of: usize,
-        /// Another seed draws others.
+        /// Another seed draws other mutants.
         #[arg(long, default_value_t = 1)]
         seed: u64,
     },
     /// Reads the tables of planted mistakes, and says which do not fit the source.
     Check,
-    /// The table of all rows that the parts of a run wrote.
-    Score {
-        /// `planted` or `mutants`.
-        run: String,
-    },
+    /// The tables of all that was found so far.
+    Score,
 }
 
 /// What is asked of a change.
 struct Asked {
     change: Change,
+    kind: Kind,
     law: Option<String>,
-    decoy: bool,
 }
 
 /// What the first runs of all tests said, kept for the other parts.
@@ -88,34 +80,40 @@ fn main() -> Result<()> {
     ensure!(root.join("power/planted").is_dir(), "run this in the root of the repository");
     let folder = root.join(&arguments.folder);
     match arguments.what {
-        What::Planted { part, only } => {
-            let all = planted::read(&root.join("power/planted"))?;
-            let asked: Result<Vec<Asked>> = all
-                .iter()
-                .map(|it| {
-                    let change = it.change(&root)?;
-                    Ok(Asked { change, law: it.law.clone(), decoy: it.law.is_none() })
-                })
-                .collect();
-            measure(&root, &folder.join("planted"), &asked?, &part, &only)
-        }
-        What::Mutants { list, part, of, seed } => {
-            let (changes, total) = mutants::sample(&root, &list, of, seed)?;
-            eprintln!("{} of {total} mutants can stand behind the switch (of {of} drawn)", changes.len());
-            let ask = |change| Asked { change, law: None, decoy: false };
-            let asked: Vec<Asked> = changes.into_iter().map(ask).collect();
-            measure(&root, &folder.join("mutants"), &asked, &part, "")
+        What::Run { part, only, mutants, of, seed } => {
+            let mut asked = Vec::new();
+            for it in planted::read(&root.join("power/planted"))? {
+                let kind = if it.law.is_some() { Kind::Planted } else { Kind::Decoy };
+                asked.push(Asked { change: it.change(&root)?, kind, law: it.law });
+            }
+            if let Some(list) = mutants {
+                let (changes, total) = mutants::sample(&root, &list, of, seed)?;
+                eprintln!(
+                    "of {of} mutants drawn from {total}, {} can stand behind a switch",
+                    changes.len()
+                );
+                asked.extend(changes.into_iter().map(|change| Asked {
+                    change,
+                    kind: Kind::Mutant,
+                    law: None,
+                }));
+            }
+            measure(&root, &folder, &asked, &part, &only)
         }
         What::Check => {
             let all = planted::read(&root.join("power/planted"))?;
-            let wrong = all.iter().filter_map(|it| it.check(&root).err()).map(|it| eprintln!("{it:#}")).count();
+            let wrong = all
+                .iter()
+                .filter_map(|it| it.check(&root).err())
+                .map(|it| eprintln!("{it:#}"))
+                .count();
             let decoys = all.iter().filter(|it| it.law.is_none()).count();
             ensure!(wrong == 0, "{wrong} of {} do not fit", all.len());
             println!("{} mistakes and {decoys} decoys fit the source", all.len() - decoys);
             Ok(())
         }
-        What::Score { run } => {
-            print!("{}", score::table(&rows(&folder.join(run))?));
+        What::Score => {
+            print!("{}", score::tables(&rows(&folder)?));
             Ok(())
         }
     }
@@ -128,13 +126,19 @@ fn measure(root: &Path, folder: &Path, asked: &[Asked], part: &str, only: &str) 
     ensure!(1 <= k && k <= n, "{part} is no part: the first number is from 1 to the second");
     let known = known(root, folder, asked)?;
     let texts = std::fs::read_to_string(root.join("power/texts"))?;
-    let texts: Vec<&str> = texts.lines().filter(|it| !it.starts_with('#') && !it.is_empty()).collect();
+    let texts: Vec<&str> =
+        texts.lines().filter(|it| !it.starts_with('#') && !it.is_empty()).collect();
     let found = folder.join("found");
     std::fs::create_dir_all(&found)?;
     let chosen: Vec<usize> = (0..asked.len())
         .filter(|k| asked[*k].change.name.contains(only) && !known.refused.contains(k))
         .collect();
-    let chosen: Vec<usize> = chosen.into_iter().enumerate().filter(|(at, _)| at % n == k - 1).map(|(_, it)| it).collect();
+    let chosen: Vec<usize> = chosen
+        .into_iter()
+        .enumerate()
+        .filter(|(at, _)| at % n == k - 1)
+        .map(|(_, it)| it)
+        .collect();
     chosen.par_iter().try_for_each(|&index| -> Result<()> {
         let file = found.join(format!("{index}.json"));
         if file.exists() {
@@ -146,15 +150,20 @@ fn measure(root: &Path, folder: &Path, asked: &[Asked], part: &str, only: &str) 
         std::fs::write(&file, serde_json::to_vec_pretty(&row)?)?;
         Ok(())
     })?;
-    print!("\n{}", score::table(&rows(folder)?));
+    print!("\n{}", score::tables(&rows(folder)?));
     Ok(())
 }
 
 /// The scratch copy and its tests, made anew when the commit or the changes are others.
 fn known(root: &Path, folder: &Path, asked: &[Asked]) -> Result<Known> {
-    let head = std::process::Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root).output()?;
+    let head =
+        std::process::Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root).output()?;
     let changes: Vec<Change> = asked.iter().map(|it| it.change.clone()).collect();
-    let of = format!("{} {:x}", String::from_utf8_lossy(&head.stdout).trim(), xxhash_rust::xxh3::xxh3_64(format!("{changes:?}").as_bytes()));
+    let of = format!(
+        "{} {:x}",
+        String::from_utf8_lossy(&head.stdout).trim(),
+        xxhash_rust::xxh3::xxh3_64(format!("{changes:?}").as_bytes())
+    );
     let file = folder.join("known.json");
     if let Ok(text) = std::fs::read(&file) {
         let known: Known = serde_json::from_slice(&text)?;
@@ -181,7 +190,8 @@ fn ask(asked: &Asked, index: usize, tests: &[Test], texts: &[&str]) -> Result<Ro
     let number = index + 1;
     let mut reaching: Vec<&Test> = tests.iter().filter(|it| it.reached.contains(&number)).collect();
     let is_text = |test: &Test| texts.iter().any(|it| test.name.contains(it));
-    let is_expected = |test: &Test| asked.law.as_ref().is_some_and(|law| test.name.starts_with(law.as_str()));
+    let is_expected =
+        |test: &Test| asked.law.as_ref().is_some_and(|law| test.name.starts_with(law.as_str()));
     reaching.sort_by(|a, b| {
         let key = |it: &Test| (is_text(it), !is_expected(it));
         key(a).cmp(&key(b)).then(a.seconds.total_cmp(&b.seconds))
@@ -189,7 +199,7 @@ fn ask(asked: &Asked, index: usize, tests: &[Test], texts: &[&str]) -> Result<Ro
     let mut row = Row {
         name: asked.change.name.clone(),
         package: score::package(&asked.change.file),
-        decoy: asked.decoy,
+        kind: asked.kind,
         reached: reaching.len(),
         law: None,
         expected: asked.law.as_ref().map(|_| false),

@@ -46,7 +46,10 @@ pub fn sample(root: &Path, list: &Path, count: usize, seed: u64) -> Result<(Vec<
     let mut strata: BTreeMap<(String, String), Vec<Mutant>> = BTreeMap::new();
     for mutant in all {
         let folder = Path::new(&mutant.file).parent().unwrap_or(Path::new(""));
-        strata.entry((mutant.package.clone(), folder.display().to_string())).or_default().push(mutant);
+        strata
+            .entry((mutant.package.clone(), folder.display().to_string()))
+            .or_default()
+            .push(mutant);
     }
     let total: usize = strata.values().map(Vec::len).sum();
     // one walk along all strata in equal steps, which gives each its share and small ones their chance
@@ -64,14 +67,23 @@ pub fn sample(root: &Path, list: &Path, count: usize, seed: u64) -> Result<(Vec<
 
 /// The change of a mutant; none if it is of a kind that cannot stand behind a switch (a field of a struct left out).
 fn change(root: &Path, mutant: &Mutant) -> Result<Option<Change>> {
-    let text = std::fs::read_to_string(root.join(&mutant.file)).with_context(|| mutant.file.clone())?;
+    let text =
+        std::fs::read_to_string(root.join(&mutant.file)).with_context(|| mutant.file.clone())?;
     let file = syn::parse_file(&text).with_context(|| mutant.file.clone())?;
     let target = byte(&text, mutant.span.start)..byte(&text, mutant.span.end);
-    let mut finder = Finder { text: &text, target, replacement: clean(&mutant.replacement), found: None };
+    let mut finder =
+        Finder { text: &text, target, replacement: clean(&mutant.replacement), found: None };
     match mutant.genre.as_str() {
-        "FnValue" => finder.found = Some((finder.target.start + body(&text, &finder.target), How::Return(finder.replacement.clone()))).map(|(at, how)| (at..at, how)),
+        "FnValue" => {
+            finder.found = Some((
+                finder.target.start + body(&text, &finder.target),
+                How::Return(finder.replacement.clone()),
+            ))
+            .map(|(at, how)| (at..at, how))
+        }
         "MatchArmGuard" => {
-            finder.found = Some((finder.target.clone(), How::Expression(finder.replacement.clone())));
+            finder.found =
+                Some((finder.target.clone(), How::Expression(finder.replacement.clone())));
         }
         _ => finder.visit_file(&file),
     }
@@ -134,7 +146,9 @@ impl<'ast> Visit<'ast> for Finder<'_> {
             // a guard that is there is joined with "and"
             self.found = Some(match &it.guard {
                 None => (end..end, How::NoArm),
-                Some((_, guard)) => (guard.span().byte_range(), How::Expression("false".to_owned())),
+                Some((_, guard)) => {
+                    (guard.span().byte_range(), How::Expression("false".to_owned()))
+                }
             });
         }
         visit::visit_arm(self, it);

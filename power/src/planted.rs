@@ -47,7 +47,12 @@ pub fn read(folder: &Path) -> Result<Vec<Planted>> {
         let text = std::fs::read_to_string(&file)?;
         let table: Table = toml::from_str(&text).with_context(|| format!("{}", file.display()))?;
         for planted in table.planted {
-            ensure!(all.iter().all(|it| it.name != planted.name), "{}: {} occurs twice", file.display(), planted.name);
+            ensure!(
+                all.iter().all(|it| it.name != planted.name),
+                "{}: {} occurs twice",
+                file.display(),
+                planted.name
+            );
             all.push(planted);
         }
     }
@@ -61,10 +66,13 @@ impl Planted {
     /// A text that is not there, or that occurs twice.
     pub fn change(&self, root: &Path) -> Result<Change> {
         let path = root.join(&self.file);
-        let text = std::fs::read_to_string(&path).with_context(|| format!("{}: {}", self.name, self.file))?;
+        let text = std::fs::read_to_string(&path)
+            .with_context(|| format!("{}: {}", self.name, self.file))?;
         let at = self.at.as_ref().unwrap_or(&self.ours);
-        let begin = once(&text, at).with_context(|| format!("{}: `at` in {}", self.name, self.file))?;
-        let start = begin + once(at, &self.ours).with_context(|| format!("{}: `ours` within `at`", self.name))?;
+        let begin =
+            once(&text, at).with_context(|| format!("{}: `at` in {}", self.name, self.file))?;
+        let start = begin
+            + once(at, &self.ours).with_context(|| format!("{}: `ours` within `at`", self.name))?;
         let span = start..start + self.ours.len();
         let how = How::Expression(self.theirs.clone());
         Ok(Change { name: self.name.clone(), file: self.file.clone(), span, how })
@@ -79,10 +87,14 @@ impl Planted {
     pub fn check(&self, root: &Path) -> Result<()> {
         let change = self.change(root)?;
         let text = std::fs::read_to_string(root.join(&self.file))?;
-        let theirs = format!("{}{}{}", &text[..change.span.start], self.theirs, &text[change.span.end..]);
-        syn::parse_file(&theirs).with_context(|| format!("{}: `theirs` is no Rust there", self.name))?;
+        let theirs =
+            format!("{}{}{}", &text[..change.span.start], self.theirs, &text[change.span.end..]);
+        syn::parse_file(&theirs)
+            .with_context(|| format!("{}: `theirs` is no Rust there", self.name))?;
         let text = change.switched(&text);
-        syn::parse_file(&text).with_context(|| format!("{}: no switch can stand there; name a whole expression", self.name))?;
+        syn::parse_file(&text).with_context(|| {
+            format!("{}: no switch can stand there; name a whole expression", self.name)
+        })?;
         ensure!(!self.meaning.is_empty(), "{}: no meaning", self.name);
         Ok(())
     }

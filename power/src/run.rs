@@ -41,13 +41,19 @@ pub fn reach(programs: &[Program], notes: &Path) -> Result<Vec<Test>> {
     std::fs::create_dir_all(notes)?;
     let mut names: Vec<(&Program, String)> = Vec::new();
     for program in programs {
-        let listed = Command::new(&program.path).arg("--list").current_dir(&program.folder).output();
+        let listed =
+            Command::new(&program.path).arg("--list").current_dir(&program.folder).output();
         let listed = listed.with_context(|| format!("{}", program.path.display()))?;
         let text = String::from_utf8_lossy(&listed.stdout).into_owned();
-        names.extend(text.lines().filter_map(|it| Some((program, it.strip_suffix(": test")?.to_owned()))));
+        names.extend(
+            text.lines().filter_map(|it| Some((program, it.strip_suffix(": test")?.to_owned()))),
+        );
     }
     let ignored = |program: &Program| -> Result<BTreeSet<String>> {
-        let listed = Command::new(&program.path).args(["--list", "--ignored"]).current_dir(&program.folder).output()?;
+        let listed = Command::new(&program.path)
+            .args(["--list", "--ignored"])
+            .current_dir(&program.folder)
+            .output()?;
         let text = String::from_utf8_lossy(&listed.stdout).into_owned();
         Ok(text.lines().filter_map(|it| it.strip_suffix(": test").map(str::to_owned)).collect())
     };
@@ -59,7 +65,9 @@ pub fn reach(programs: &[Program], notes: &Path) -> Result<Vec<Test>> {
     let tests: Vec<Result<Option<Test>>> = names
         .par_iter()
         .enumerate()
-        .map(|(index, (program, name))| first_run(program, name, &notes.join(format!("{index}.txt"))))
+        .map(|(index, (program, name))| {
+            first_run(program, name, &notes.join(format!("{index}.txt")))
+        })
         .collect();
     Ok(tests.into_iter().collect::<Result<Vec<_>>>()?.into_iter().flatten().collect())
 }
@@ -80,7 +88,8 @@ fn first_run(program: &Program, name: &str, notes: &Path) -> Result<Option<Test>
         eprintln!("not counted, it fails with nothing planted: {}: {message}", test.name);
         return Ok(None);
     }
-    test.reached = std::fs::read_to_string(notes)?.lines().filter_map(|it| it.parse().ok()).collect();
+    test.reached =
+        std::fs::read_to_string(notes)?.lines().filter_map(|it| it.parse().ok()).collect();
     std::fs::remove_file(notes)?;
     Ok(Some(test))
 }
@@ -100,7 +109,11 @@ impl Test {
         let output = Command::new("timeout")
             .args(["--kill-after=5", &limit.as_secs().max(1).to_string(), "sh", "-c"])
             // a mistake may ask for memory without end
-            .args(["ulimit -v 16000000; exec \"$0\" --exact \"$1\"", &self.program.display().to_string(), name])
+            .args([
+                "ulimit -v 16000000; exec \"$0\" --exact \"$1\"",
+                &self.program.display().to_string(),
+                name,
+            ])
             .current_dir(&self.folder)
             .env("CARGO_MANIFEST_DIR", &self.folder)
             .envs(variables.iter().copied())
@@ -110,14 +123,19 @@ impl Test {
         if output.status.success() {
             return Ok(End::Passed);
         }
-        let text = String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
+        let text =
+            String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
         Ok(End::Failed(first_message(&text)))
     }
 }
 
 /// What a failing test says first, without the place in the file.
 fn first_message(text: &str) -> String {
-    let rest = text.split_once("panicked at ").map_or(text, |(_, rest)| rest.split_once('\n').map_or("", |(_, rest)| rest));
-    let lines = rest.lines().take_while(|line| !line.starts_with("note: run with") && !line.starts_with("failures:"));
+    let rest = text
+        .split_once("panicked at ")
+        .map_or(text, |(_, rest)| rest.split_once('\n').map_or("", |(_, rest)| rest));
+    let lines = rest
+        .lines()
+        .take_while(|line| !line.starts_with("note: run with") && !line.starts_with("failures:"));
     lines.take(12).collect::<Vec<_>>().join("\n").chars().take(1000).collect()
 }

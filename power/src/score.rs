@@ -6,6 +6,17 @@ use std::fmt::Write;
 use serde::{Deserialize, Serialize};
 use statrs::distribution::{Beta, ContinuousCDF};
 
+/// Where a change comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Kind {
+    /// A planted mistake.
+    Planted,
+    /// Planted, but it means the same, so that nothing should find it.
+    Decoy,
+    /// One that cargo-mutants lists.
+    Mutant,
+}
+
 /// What became of one change.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Row {
@@ -13,8 +24,8 @@ pub struct Row {
     pub name: String,
     /// The package that it is in: the folder of its `src`.
     pub package: String,
-    /// Whether it means the same, so that nothing should find it.
-    pub decoy: bool,
+    /// Where it comes from.
+    pub kind: Kind,
     /// How many tests reach it.
     pub reached: usize,
     /// The law that found it first.
@@ -38,7 +49,9 @@ pub fn package(file: &str) -> String {
 
 /// The interval of a share after Clopper and Pearson (1934), at 95 %.
 fn interval(found: usize, of: usize) -> (f64, f64) {
-    let quantile = |a: usize, b: usize, p: f64| Beta::new(a as f64, b as f64).map_or(p, |it| it.inverse_cdf(p));
+    let quantile = |a: usize, b: usize, p: f64| {
+        Beta::new(a as f64, b as f64).map_or(p, |it| it.inverse_cdf(p))
+    };
     let low = if found == 0 { 0.0 } else { quantile(found, of - found + 1, 0.025) };
     let high = if found == of { 1.0 } else { quantile(found + 1, of - found, 0.975) };
     (low, high)
@@ -51,12 +64,31 @@ struct Counts {
     texts: usize,
 }
 
-/// The table: a row a package, tracer and harness summed; then what nothing or only a text found, and decoys that failed.
-pub fn table(rows: &[Row]) -> String {
+/// Both tables, of planted mistakes and of mutants; then the decoys that failed a test.
+pub fn tables(rows: &[Row]) -> String {
+    let mut out = String::new();
+    for (kind, title) in [(Kind::Planted, "Planted mistakes"), (Kind::Mutant, "Mutants")] {
+        let rows: Vec<&Row> = rows.iter().filter(|it| it.kind == kind).collect();
+        if !rows.is_empty() {
+            let _ = writeln!(out, "{title}\n\n{}", table(&rows));
+        }
+    }
+    let decoys: Vec<&Row> = rows.iter().filter(|it| it.kind == Kind::Decoy).collect();
+    let failed: Vec<&&Row> =
+        decoys.iter().filter(|it| it.law.is_some() || it.text.is_some()).collect();
+    let _ = writeln!(out, "Decoys: {}, of which {} failed a test.", decoys.len(), failed.len());
+    for row in failed {
+        let by = row.law.as_ref().or(row.text.as_ref()).map_or("", String::as_str);
+        let _ = writeln!(out, "- {}: `{by}`", row.name);
+    }
+    out
+}
+
+/// A row a package, tracer and harness summed; then what nothing or only a text found.
+fn table(rows: &[&Row]) -> String {
     let mut counts: BTreeMap<&str, Counts> = BTreeMap::new();
-    let mistakes = rows.iter().filter(|it| !it.decoy);
-    for row in mistakes.clone() {
-        let sum = if row.package.starts_with("tracer") { "**tracer**" } else { "**all others**" };
+    for row in rows {
+        let sum = if row.package.starts_with("tracer") { "**tracer**" } else { "**harness**" };
         for key in [row.package.as_str(), sum, "**together**"] {
             let counts = counts.entry(key).or_default();
             counts.all += 1;
@@ -65,40 +97,35 @@ pub fn table(rows: &[Row]) -> String {
         }
     }
     let mut out = String::from(
-        "| where | mistakes | found by laws | 95 % interval | by a text or golden alone | by nothing |\n| --- | --- | --- | --- | --- | --- |\n",
+        "| where | mistakes | found by laws | 95 % interval | by a text or golden alone | by nothing |\n\
+         | --- | --- | --- | --- | --- | --- |\n",
     );
     for (key, it) in &counts {
         let (low, high) = interval(it.laws, it.all);
-        let share = 100.0 * it.laws as f64 / it.all as f64;
+        let [share, low, high] = [it.laws as f64 / it.all as f64, low, high].map(|it| 100.0 * it);
+        let Counts { all, laws, texts } = it;
+        let missed = all - laws - texts;
         let _ = writeln!(
             out,
-            "| {key} | {} | {} ({share:.0} %) | {:.0} to {:.0} % | {} | {} |",
-            it.all,
-            it.laws,
-            100.0 * low,
-            100.0 * high,
-            it.texts,
-            it.all - it.laws - it.texts
+            "| {key} | {all} | {laws} ({share:.0} %) | {low:.0} to {high:.0} % | {texts} | {missed} |"
         );
     }
-    let expected = mistakes.clone().filter_map(|it| it.expected);
-    let (named, hit) = expected.fold((0, 0), |(all, hit), it| (all + 1, hit + usize::from(it)));
-    if named > 0 {
-        let _ = writeln!(out, "\nThe law that was expected found {hit} of {named}.");
+    let expected: Vec<bool> = rows.iter().filter_map(|it| it.expected).collect();
+    if !expected.is_empty() {
+        let hit = expected.iter().filter(|it| **it).count();
+        let _ = writeln!(out, "\nThe law that was expected found {hit} of {}.", expected.len());
     }
-    let said = mistakes.clone().filter(|it| it.law.is_some()).filter_map(|it| it.message.as_deref());
-    let (all, full) = said.fold((0, 0), |(all, full), it| (all + 1, full + usize::from(says_all(it))));
-    let _ = writeln!(out, "\nOf {all} first messages of laws {full} say what was found and what was expected.");
-    let decoys: Vec<_> = rows.iter().filter(|it| it.decoy).collect();
-    let failed: Vec<_> = decoys.iter().filter(|it| it.law.is_some() || it.text.is_some()).collect();
-    let _ = writeln!(out, "\nDecoys: {}, of which {} failed a test.", decoys.len(), failed.len());
-    for row in failed {
-        let by = row.law.as_ref().or(row.text.as_ref()).map_or("", String::as_str);
-        let _ = writeln!(out, "- decoy {}: `{by}`", row.name);
-    }
+    let said = rows.iter().filter(|it| it.law.is_some()).filter_map(|it| it.message.as_deref());
+    let (all, full) =
+        said.fold((0, 0), |(all, full), it| (all + 1, full + usize::from(says_all(it))));
+    let _ = writeln!(
+        out,
+        "\nOf {all} first messages of laws {full} say what was found and what was expected."
+    );
     let _ = writeln!(out, "\nNot found by a law:\n");
-    for row in mistakes.filter(|it| it.law.is_none()) {
-        let by = row.text.as_ref().map_or_else(|| "nothing".to_owned(), |it| format!("`{it}` alone"));
+    for row in rows.iter().filter(|it| it.law.is_none()) {
+        let by =
+            row.text.as_ref().map_or_else(|| "nothing".to_owned(), |it| format!("`{it}` alone"));
         let _ = writeln!(out, "- {}: {by}, of {} tests that reach it", row.name, row.reached);
     }
     out

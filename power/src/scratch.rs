@@ -51,7 +51,7 @@ pub fn build(tree: &Path, changes: &[Change]) -> Result<Scratch> {
         .iter()
         .map(|it| Ok((it.file.as_str(), std::fs::read_to_string(tree.join(&it.file))?)))
         .collect::<Result<_>>()?;
-    let mut refused = BTreeSet::new();
+    let mut refused = change::crossing(changes);
     loop {
         for (file, text) in &originals {
             std::fs::write(tree.join(file), text)?;
@@ -80,7 +80,8 @@ fn add_switch(tree: &Path) -> Result<()> {
         package.join("Cargo.toml"),
         "[package]\nname = \"planted\"\nversion = \"0.0.0\"\nedition = \"2024\"\n\n[workspace]\n",
     )?;
-    let listed = Command::new("git").args(["ls-files", "*Cargo.toml"]).current_dir(tree).output()?;
+    let listed =
+        Command::new("git").args(["ls-files", "*Cargo.toml"]).current_dir(tree).output()?;
     for manifest in String::from_utf8(listed.stdout)?.lines() {
         let path = tree.join(manifest);
         let text = std::fs::read_to_string(&path)?;
@@ -115,10 +116,15 @@ fn blamed(messages: &[Value], places: &BTreeMap<String, Places>) -> BTreeSet<usi
     let mut wrong = BTreeSet::new();
     for message in messages.iter().map(|it| &it["message"]).filter(|it| it["level"] == "error") {
         for span in message["spans"].as_array().into_iter().flatten() {
-            let Some(places) = span["file_name"].as_str().and_then(|it| places.get(it)) else { continue };
+            let Some(places) = span["file_name"].as_str().and_then(|it| places.get(it)) else {
+                continue;
+            };
             let at = span["byte_start"].as_u64().unwrap_or(0) as usize;
             // the innermost change at this place
-            let hit = places.iter().filter(|(range, _)| range.contains(&at)).min_by_key(|(range, _)| range.len());
+            let hit = places
+                .iter()
+                .filter(|(range, _)| range.contains(&at))
+                .min_by_key(|(range, _)| range.len());
             wrong.extend(hit.map(|(_, number)| *number));
         }
     }
@@ -128,7 +134,9 @@ fn blamed(messages: &[Value], places: &BTreeMap<String, Places>) -> BTreeSet<usi
 fn programs(messages: &[Value]) -> Vec<Program> {
     let mut programs: Vec<Program> = Vec::new();
     for message in messages {
-        let (Some(path), Some(true)) = (message["executable"].as_str(), message["profile"]["test"].as_bool()) else {
+        let (Some(path), Some(true)) =
+            (message["executable"].as_str(), message["profile"]["test"].as_bool())
+        else {
             continue;
         };
         let name = message["target"]["name"].as_str().unwrap_or("").to_owned();
