@@ -156,8 +156,14 @@ fn measure(root: &Path, folder: &Path, asked: &[Asked], part: &str, only: &str) 
 
 /// The scratch copy and its tests, made anew when the commit or the changes are others.
 fn known(root: &Path, folder: &Path, asked: &[Asked]) -> Result<Known> {
-    let head =
-        std::process::Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root).output()?;
+    let git = |arguments: &[&str]| {
+        std::process::Command::new("git").args(arguments).current_dir(root).output()
+    };
+    ensure!(
+        git(&["diff", "--quiet", "HEAD"])?.status.success(),
+        "some files are not as in the last commit, which is what is tried: commit them first"
+    );
+    let head = git(&["rev-parse", "HEAD"])?;
     let changes: Vec<Change> = asked.iter().map(|it| it.change.clone()).collect();
     let of = format!(
         "{} {:x}",

@@ -138,3 +138,28 @@ fn says_all(message: &str) -> bool {
     (named("expected") && (named("found") || named(" is ") || named(" has ") || named(" was ")))
         || (named("left:") && !message.starts_with("assertion `left == right` failed\n"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Law: to show 90 % takes 281 of 300; none of 10 may be up to 30.8 %, all of 10 at least 69.2 %. Oracle: published
+    /// tables of the exact binomial interval.
+    #[test]
+    fn the_interval_is_the_exact_one() {
+        let low = |found| interval(found, 300).0;
+        assert!(
+            low(281) >= 0.9 && low(280) < 0.9,
+            "found {} and {}, expected 0.9 between",
+            low(281),
+            low(280)
+        );
+        for (found, expected) in [(0, (0.0, 0.308)), (10, (0.692, 1.0))] {
+            let (low, high) = interval(found, 10);
+            assert!(
+                (low - expected.0).abs() < 6e-4 && (high - expected.1).abs() < 6e-4,
+                "found {low} to {high}, expected {expected:?}"
+            );
+        }
+    }
+}
