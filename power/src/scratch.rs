@@ -111,22 +111,31 @@ fn compiled(tree: &Path, command: &[&str]) -> Result<Vec<Value>> {
     Ok(lines.lines().filter_map(|line| serde_json::from_str(line).ok()).collect())
 }
 
-/// The changes at which errors of the compiler point.
+/// The changes at which errors of the compiler point: the innermost one there, or else the nearest one of the file, since
+/// an error of a function's result points at its head.
 fn blamed(messages: &[Value], places: &BTreeMap<String, Places>) -> BTreeSet<usize> {
     let mut wrong = BTreeSet::new();
     for message in messages.iter().map(|it| &it["message"]).filter(|it| it["level"] == "error") {
-        for span in message["spans"].as_array().into_iter().flatten() {
-            let Some(places) = span["file_name"].as_str().and_then(|it| places.get(it)) else {
-                continue;
-            };
+        let spans = message["spans"].as_array().into_iter().flatten();
+        let at = |span: &Value| {
             let at = span["byte_start"].as_u64().unwrap_or(0) as usize;
-            // the innermost change at this place
-            let hit = places
-                .iter()
-                .filter(|(range, _)| range.contains(&at))
-                .min_by_key(|(range, _)| range.len());
-            wrong.extend(hit.map(|(_, number)| *number));
-        }
+            Some((places.get(span["file_name"].as_str()?)?, at))
+        };
+        let spans: Vec<(&Places, usize)> = spans.filter_map(at).collect();
+        let holding = |(places, at): &(&Places, usize)| {
+            let holds = places.iter().filter(|(range, _)| range.contains(at));
+            holds.min_by_key(|(range, _)| range.len()).map(|(_, number)| *number)
+        };
+        let nearest = |(places, at): &(&Places, usize)| {
+            let nearest = places.iter().min_by_key(|(range, _)| range.start.abs_diff(*at));
+            nearest.map(|(_, number)| *number)
+        };
+        let held: Vec<usize> = spans.iter().filter_map(holding).collect();
+        wrong.extend(if held.is_empty() {
+            spans.iter().filter_map(nearest).collect()
+        } else {
+            held
+        });
     }
     wrong
 }
