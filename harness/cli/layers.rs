@@ -6,13 +6,12 @@ use std::io::{IsTerminal, stderr};
 use std::path::Path;
 
 use clap::Args;
-use groundtruth::film::{self, Film, Format, Provenance, Tone};
+use groundtruth::film::{self, Film, Format, Provenance};
 use groundtruth::printable;
 use groundtruth::render::{Canvas, Crop, Renderer};
-use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use layers::{Colors, Layer, LayerFilms, LegendRow, Scale, encode_layer};
+use layers::{Colors, Layer, LayerFilms, LegendRow, values};
 
 #[derive(Args)]
 pub struct LayerArguments {
@@ -54,9 +53,7 @@ impl LayerArguments {
             }
             None if self.layers => Ok(Content::All(LayerFilms::new(crop))),
             None => Ok(Content::Picture),
-            Some(_) if format == Format::Pfm => {
-                refused("a layer is written as .exr (its values), .png or .ppm (in false colours)")
-            }
+            Some(_) if format == Format::Pfm => refused(layers::NO_FILE),
             Some(name) => {
                 let layer =
                     Layer::named(name, world).map_err(|why| format!("--layer {name}: {why}"))?;
@@ -98,14 +95,7 @@ impl Content {
         match self {
             Self::Picture => film::encode(film, &tone, format, made),
             Self::All(films) => films.encode(world, made),
-            Self::One(layer) if format == Format::Exr => encode_layer(layer, film, world, made),
-            Self::One(layer) if layer.kind().scale == Scale::Radiance => {
-                film::encode(film, &tone, format, made)
-            }
-            Self::One(layer) => {
-                let colors = colors(layer, film, (scene, world));
-                film::encode(&shown(layer, film, &colors), &Tone::SCREEN, format, made)
-            }
+            Self::One(layer) => layers::encode_film(layer, film, format, (world, tone), made),
         }
     }
 
@@ -148,24 +138,8 @@ impl Content {
     }
 }
 
-fn values(layer: &Layer, film: &Film) -> impl Iterator<Item = Option<Rgb>> {
-    film.pixels().iter().map(|&value| layer.from_film(value))
-}
-
 fn colors(layer: &Layer, film: &Film, (scene, world): (&Scene, &World)) -> Colors {
     Colors::of(layer, values(layer, film).flatten(), world, scene.image.tone())
-}
-
-/// A film that [`Tone::SCREEN`] shows in these colours.
-fn shown(layer: &Layer, film: &Film, colors: &Colors) -> Film {
-    let mut shown = Film::new(film.width(), film.height());
-    let all = (0..film.height()).flat_map(|y| (0..film.width()).map(move |x| [x, y]));
-    for at in all {
-        let bytes = colors.color(layer.from_film(film.get(at)));
-        let color = Rgb::from(bytes.map(|byte| f64::from(byte) / 255.0));
-        shown.set(at, color.powc(Tone::SCREEN.gamma));
-    }
-    shown
 }
 
 /// A line of a legend, with a patch of its colour on a terminal.

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::scene::fields::Change;
 use crate::scene::source::Source;
 
 /// A request that concerns more than the part of the window that returns it.
@@ -10,14 +11,12 @@ pub enum Action {
     Open(Source),
     /// Build the scene again with its changed settings and switches.
     Rebuild,
-    /// Save the picture under the name in its field.
+    /// Save the picture, or the layer that is shown, under the name in its field.
     Save,
-    /// Save the picture in this file.
+    /// Save the picture, or the layer that is shown, in this file.
     SaveAs(PathBuf),
-    /// Hold the picture of this file against ours.
-    Compare(PathBuf),
-    /// Let the other picture go.
-    EndComparison,
+    /// Compare with another picture.
+    Compare(With),
     /// Show the desktop's file chooser.
     Choose(Purpose),
     /// Give the keys to the field of the scene file.
@@ -28,18 +27,36 @@ pub enum Action {
     Reveal([u32; 2]),
     /// Select the pixel of these coordinates, as typed, and move the picture if it is not in view.
     RevealTyped(String),
-    /// Show this of the two pictures; ours, if it is shown already.
-    Flip(Shows),
     /// Reveal the worst pixel of the next region of difference.
     NextRegion,
-    /// Judge their picture.
-    Judge,
     /// Show the picture, the picture and the space view, or the space view: the next of them.
     NextView,
     /// Change from a dark ground to a light one, or back.
     ChangeGround,
     /// Show or hide the list of keys.
     ToggleKeys,
+}
+
+/// What ours is compared with, and what is shown of it.
+pub enum With {
+    /// The picture of this file.
+    Picture(PathBuf),
+    /// The scene with this change.
+    Field(Change),
+    /// Another scene.
+    Scene(Source),
+    /// The scene as it is now, which is kept while ours is changed.
+    State,
+    /// Another one of the pictures, by its place.
+    Other(usize),
+    /// The next one of the pictures.
+    Next,
+    /// The picture that is held against ours no more.
+    NoMore,
+    /// Show this of the two pictures; ours, if it is shown already.
+    Flip(Shows),
+    /// Judge their picture.
+    Judge,
 }
 
 /// The purpose of the desktop's file chooser.
@@ -51,6 +68,8 @@ pub enum Purpose {
     Picture,
     /// A picture to compare ours with.
     Theirs,
+    /// A scene to compare ours with.
+    OtherScene,
 }
 
 /// The view of the two pictures.

@@ -2,32 +2,32 @@
 
 use std::time::Duration;
 
-use eframe::egui::{CentralPanel, Context, Frame, Margin, Panel, Rect, ScrollArea, Ui, Vec2, vec2};
+use eframe::egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, Vec2, vec2};
 use pictures::parse_pixel;
 
-use crate::action::{Action, Purpose};
+use crate::action::Action;
 use crate::comparison::bar;
-use crate::comparison::mistake::WithMistake;
-use crate::comparison::opening::{self, Opening};
+use crate::comparison::opening;
+use crate::comparison::others::Others;
 use crate::comparison::theirs::Theirs;
 use crate::explanation::selection::Selection;
-use crate::explanation::tree::Tree;
-use crate::explanation::{Shown, trail};
+use crate::explanation::{Shown, Subject};
 use crate::picture::display::{self, Picture};
-use crate::picture::histogram::Histogram;
-use crate::picture::image_settings::ImageSettings;
 use crate::picture::saving::Saving;
 use crate::picture::session::{Opened, Session};
 use crate::picture::worker::Progress;
 use crate::scene::source::{Loaded, Source};
 use crate::scene::waiting::Broken;
-use crate::space::view::{SpaceView, Traced};
+use crate::space::view::SpaceView;
 use crate::splits::{Splits, part};
 use crate::window::chooser::FileChooser;
 use crate::window::frame::WindowFrame;
 use crate::window::keys;
 use crate::window::panels::{self, Fields};
 use crate::window::picker::ScenePicker;
+use crate::window::picture_pane;
+use crate::window::saved;
+use crate::window::scene_panel::ScenePanel;
 use crate::window::stored_settings::StoredSettings;
 
 /// The whole state of the window. Its parts are lent to the bars and panels, which change what no other part shows and
@@ -41,11 +41,8 @@ pub struct Inspector {
     pub selection: Selection,
     /// The rays of the selected pixel in space.
     pub space: SpaceView,
-    /// The picture that ours is compared with.
-    pub theirs: Option<Theirs>,
-    /// The mistake with which another picture is made.
-    pub mistake: WithMistake,
-    opening: Opening,
+    /// The pictures that ours can be compared with.
+    pub others: Others,
     /// The text in the fields.
     pub fields: Fields,
     /// The message, and whether it is an error.
@@ -55,8 +52,7 @@ pub struct Inspector {
     /// The desktop's file chooser.
     pub chooser: FileChooser,
     saving: Saving,
-    settings: ImageSettings,
-    histogram: Histogram,
+    scene: ScenePanel,
     splits: Splits,
     is_showing_keys: bool,
     /// Whether a pixel is explained before one is selected.
@@ -85,16 +81,13 @@ impl Inspector {
             picture: Picture::new(session.rendering.world.image.tone()),
             selection: Selection::default(),
             space: SpaceView::default(),
-            theirs: None,
-            mistake: WithMistake::default(),
-            opening: Opening::default(),
-            fields: Fields { save: session.rendering.source.picture_name(), ..Fields::default() },
+            others: Others::default(),
+            fields: Fields::default(),
             message: None,
             picker: ScenePicker::default(),
             chooser: FileChooser::default(),
             saving: Saving::default(),
-            settings: ImageSettings::default(),
-            histogram: Histogram::default(),
+            scene: ScenePanel::default(),
             splits: Splits::default(),
             is_showing_keys: false,
             proposes: false,
@@ -130,10 +123,8 @@ impl Inspector {
             || self.selection.is_waiting()
             || matches!(rendering.progress(), Progress::Running(..))
             || !self.picture.is_fresh(rendering)
-            || self.mistake.is_busy()
-            || self.opening.is_busy()
             || self.space.is_busy()
-            || self.theirs.as_ref().is_some_and(|it| it.is_busy(rendering))
+            || self.others.is_busy(rendering)
     }
 
     /// Draws the window and performs what the user asks for.
@@ -145,13 +136,12 @@ impl Inspector {
             None => {}
         }
         self.message = self.saving.poll().or(self.message.take());
-        let opened =
-            self.opening.refresh(&ctx, &mut self.session, &mut self.mistake, &mut self.theirs);
+        let opened = self.others.accept_opened(&ctx, &mut self.session);
         self.message = opened.or(self.message.take());
-        self.open_dropped(&ctx);
+        opening::dropped(&ctx).into_iter().for_each(|action| self.perform(&ctx, action));
         self.session.follow_files(&ctx);
         self.frame.refresh(&ctx, &self.session.rendering);
-        self.selection.tree.lit = self.selection.tree.hovered.take();
+        self.selection.begin_frame();
 
         // before anything is drawn, so that the tree is in the frame of the click
         if let Some(pixel) = self.picture.clicked(&ctx, self.session.rendering.size()) {
@@ -172,8 +162,12 @@ impl Inspector {
         // an opened scene replaces one that is built again
         actions.extend(of_bars);
         // before an action opens the question: the Enter that caused it must not answer it
-        self.saving.ask(&ctx, &self.session.rendering, &self.picture);
-        actions.extend(self.chosen());
+        self.saving.ask(&ctx, &self.session.rendering, self.picture.tone);
+        match self.chooser.chosen(&mut self.fields) {
+            Some(Ok(action)) => actions.push(action),
+            Some(Err(why)) => self.message = Some((why.to_owned(), false)),
+            None => {}
+        }
         if !self.saving.is_asking() {
             let is_text = !(self.picture.has_keys(&ctx) || self.space.has_keys(&ctx));
             actions.extend(keys::pressed(&ctx, is_text));
@@ -185,14 +179,14 @@ impl Inspector {
 
         let rendering = &self.session.rendering;
         self.picture.refresh(&ctx, rendering);
-        if let Some(problem) = self.mistake.refresh(&ctx, rendering, &mut self.theirs) {
+        if let Some(problem) = self.others.refresh(&ctx, rendering) {
             self.message = Some((problem, true));
         }
-        if let Some(theirs) = &mut self.theirs {
+        if let Some(theirs) = self.others.shown_mut() {
             theirs.refresh(&ctx, rendering, self.picture.tone);
         }
         self.explain_selected(&ctx);
-        if self.selection.tree.hovered != self.selection.tree.lit {
+        if self.selection.is_changed() {
             ctx.request_repaint();
         }
         if self.is_busy() {
@@ -202,13 +196,14 @@ impl Inspector {
 
     /// Explains the selected pixel of the picture that is shown.
     fn explain_selected(&mut self, ctx: &Context) {
-        let mistaken = self.theirs.as_ref().and_then(Theirs::explained);
-        self.selection.refresh(ctx, &self.session.rendering, mistaken);
+        self.selection.refresh(ctx, &self.session.rendering, self.others.shown());
     }
 
     /// Shows the bars at the top and the bottom.
     fn bars(&mut self, ui: &mut Ui) -> Vec<Action> {
         let (rendering, mut actions) = (&self.session.rendering, Vec::new());
+        let shown = (&self.picture, self.others.shown());
+        self.fields.propose(saved::proposed_name(shown, rendering));
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(8, 4));
         Panel::top("files").frame(bar).show(ui, |ui| {
             let source = &rendering.source;
@@ -216,17 +211,18 @@ impl Inspector {
             panels::message(ui, &mut self.message);
         });
         Panel::bottom("status").frame(bar).show(ui, |ui| {
-            let (theirs, is_loading) = (self.theirs.as_ref(), self.session.loading.is_busy());
+            let (theirs, is_loading) = (self.others.shown(), self.session.loading.is_busy());
             let shown = (theirs, &self.picture.layer);
             actions.extend(panels::status(ui, rendering, shown, self.hovered, is_loading));
         });
         Panel::top("view").frame(bar).show(ui, |ui| {
-            panels::view_settings(ui, &mut self.picture, &mut self.space.mode, rendering);
+            let (theirs, mode) = (self.others.shown_mut(), &mut self.space.mode);
+            panels::view_settings(ui, &mut self.picture, theirs, mode, rendering);
         });
-        if let Some(theirs) = self.theirs.as_mut().filter(|_| self.session.waiting.is_none()) {
-            Panel::top("comparison")
-                .frame(bar)
-                .show(ui, |ui| actions.extend(bar::show(ui, theirs, rendering)));
+        if self.others.count() > 0 && self.session.waiting.is_none() {
+            let others = &mut self.others;
+            let bar = Panel::top("comparison").frame(bar);
+            bar.show(ui, |ui| actions.extend(bar::show(ui, others, rendering)));
         }
         actions
     }
@@ -243,80 +239,36 @@ impl Inspector {
             ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
         }
         let margin = vec2(8.0, 6.0);
-        let (mut choosing, mut pointed) = (None, None);
-        let is_changed = part(ui, "scene", parts.scene, margin, |ui| {
-            let show = |ui: &mut Ui| {
-                // their picture of a file keeps its place
-                if self.theirs.as_ref().is_none_or(|theirs| theirs.program.is_some()) {
-                    choosing = self.mistake.show(ui, &self.session.rendering);
-                    ui.add_space(8.0);
-                }
-                let is_changed =
-                    panels::scene(ui, &mut self.session, &mut self.settings, &mut pointed);
-                ui.add_space(8.0);
-                self.histogram.show(ui, &self.session.rendering);
-                is_changed
-            };
-            ScrollArea::both().auto_shrink(false).show(ui, show).inner
+        let mut pointed = None;
+        let mut actions = part(ui, "scene", parts.scene, margin, |ui| {
+            self.scene.show(ui, &mut self.session, &mut self.others, &mut pointed)
         });
         let is_resampled = part(ui, "explanation", parts.explanation, margin, |ui| {
             let Session { rendering, wanted, .. } = &mut self.session;
-            let (theirs, tone) = (self.theirs.as_ref(), &self.picture.tone);
+            let (theirs, tone) = (self.others.shown(), &self.picture.tone);
             let shown = Shown { rendering, theirs, tone };
             self.selection.show(ui, &shown, wanted, &mut self.splits)
         });
         self.space.pointed = pointed;
         let [of_picture, of_space] = self.space.mode.divide(parts.picture);
         self.hovered = None;
-        let framed = of_picture
-            .and_then(|area| part(ui, "picture", area, Vec2::ZERO, |ui| self.pictures(ui, area)));
+        let Self { picture, others, selection, space, .. } = self;
+        let rendering = &self.session.rendering;
+        if let Some(area) = of_picture {
+            let show =
+                |ui: &mut Ui| picture_pane::show(ui, area, picture, others, selection, rendering);
+            let (hovered, framed) = part(ui, "picture", area, Vec2::ZERO, show);
+            self.hovered = hovered;
+            actions.extend(framed);
+        }
         if let Some(area) = of_space {
-            part(ui, "space", area, Vec2::ZERO, |ui| self.rays_in_space(ui, area));
+            let program = others.shown().and_then(Theirs::explained);
+            let subject = Subject { rendering, program };
+            let show = |ui: &mut Ui| space.show(ui, area, &subject, selection);
+            part(ui, "space", area, Vec2::ZERO, show);
         }
-        let rebuild = (is_changed || is_resampled).then_some(Action::Rebuild);
-        rebuild.into_iter().chain(framed).chain(choosing).collect()
-    }
-
-    /// Shows our picture, and theirs over it, in this area.
-    fn pictures(&mut self, ui: &mut Ui, area: Rect) -> Option<Action> {
-        let rendering = &self.session.rendering;
-        let size = rendering.size();
-        let theirs = self.theirs.as_mut().filter(|theirs| theirs.fits(rendering));
-        let selected = self.selection.pixel;
-        self.hovered = self.picture.show(ui, rendering, selected, |painter, placement| {
-            if let Some(theirs) = &theirs {
-                theirs.paint(painter, placement, rendering);
-            }
-        });
-        let asks = ui.input(|input| input.pointer.secondary_clicked());
-        let pointed = self.hovered.filter(|_| asks);
-        if let Some(object) = pointed.and_then(|pixel| rendering.object_in(pixel)) {
-            self.selection.ask_why_not(object);
-        }
-        let placement = self.picture.placement(size);
-        let framed = theirs.and_then(|theirs| {
-            theirs.show_divider(ui, area);
-            theirs.judgement.show_frames(ui, &placement)
-        });
-        trail::paint(ui.painter(), &placement, &self.selection.trail(rendering));
-        framed
-    }
-
-    /// Shows the rays of the selected sample in space, in this area.
-    fn rays_in_space(&mut self, ui: &mut Ui, area: Rect) {
-        let Selection { pixel, tree, .. } = &self.selection;
-        let (pixel, selected, lit) = (*pixel, tree.ray, tree.lit);
-        let traced = self.selection.root();
-        let traced = traced.map(|(question, root)| Traced { question, root, selected, lit });
-        let rendering = &self.session.rendering;
-        let pointed = self.space.show(ui, area, rendering, pixel, traced.as_ref());
-        if let Some(number) = pointed.clicked {
-            self.selection.go_to(number);
-        }
-        if let Some(object) = pointed.why_not {
-            self.selection.ask_why_not(object);
-        }
-        self.selection.tree.hovered = self.selection.tree.hovered.or(pointed.hovered);
+        actions.extend(is_resampled.then_some(Action::Rebuild));
+        actions
     }
 
     /// The next pixel that the arrow keys ask for, unless they are needed elsewhere.
@@ -324,39 +276,6 @@ impl Inspector {
         let pixel = self.selection.pixel?;
         let is_ours = self.picture.has_keys(ui.ctx()) && !self.saving.is_asking();
         is_ours.then(|| display::stepped(ui, pixel, self.session.rendering.size()))?
-    }
-
-    /// Opens a scene that is dropped on the window, or compares with a picture.
-    fn open_dropped(&mut self, ctx: &Context) {
-        if let Some(file) = ctx.input(|input| input.raw.dropped_files.first().cloned()) {
-            let path = file.path().to_owned();
-            if opening::is_picture(&path) {
-                return self.perform(ctx, Action::Compare(path));
-            }
-            self.fields.open = path.display().to_string();
-            self.perform(ctx, Action::Open(Source::File(path)));
-        }
-    }
-
-    /// The action for the file that was chosen; its name is put in its field.
-    fn chosen(&mut self) -> Option<Action> {
-        let Some((purpose, path)) = self.chooser.poll()? else {
-            let text = "no file chosen (the chooser is that of the desktop's portal, or zenity); the path can be typed, too";
-            self.message = Some((text.to_owned(), false));
-            return None;
-        };
-        let name = path.display().to_string();
-        Some(match purpose {
-            Purpose::Scene => {
-                self.fields.open = name;
-                Action::Open(Source::File(path))
-            }
-            Purpose::Theirs => Action::Compare(path),
-            Purpose::Picture => {
-                self.fields.save = name;
-                Action::SaveAs(path)
-            }
-        })
     }
 
     /// Shows a scene that was opened; keeps what still belongs to it.
@@ -372,7 +291,7 @@ impl Inspector {
             self.selection = Selection::default();
             self.space.restart();
             self.fields.pixel.clear();
-            self.fields.save = rendering.source.picture_name();
+            self.fields.forget_save();
             if self.proposes {
                 self.selection.propose(ctx, rendering);
             }
@@ -395,6 +314,9 @@ impl Inspector {
         match action {
             Action::Open(source) => {
                 self.message = None;
+                if let Source::File(path) = &source {
+                    self.fields.open = path.display().to_string();
+                }
                 self.session.open(ctx, source);
             }
             Action::Rebuild => self.session.rebuild(ctx),
@@ -403,14 +325,18 @@ impl Inspector {
                 name => self.perform(ctx, Action::SaveAs(name.into())),
             },
             Action::SaveAs(path) => {
-                self.message = None;
-                self.saving.start(ctx, rendering, &self.picture, &path);
+                match saved::content(&self.picture, self.others.shown(), rendering) {
+                    Ok(content) => {
+                        self.message = None;
+                        let shown = (rendering, self.picture.tone);
+                        self.saving.start(ctx, shown, content, &path);
+                    }
+                    Err(why) => self.message = Some((why, true)),
+                }
             }
-            Action::Compare(path) => {
-                self.message = None;
-                self.opening.start(ctx, path);
+            Action::Compare(with) => {
+                self.message = self.others.perform(ctx, &mut self.session, with);
             }
-            Action::EndComparison => self.theirs = None,
             Action::Choose(purpose) => self.chooser.show(ctx, purpose),
             Action::NameScene => {
                 ctx.memory_mut(|memory| memory.request_focus(panels::file_field()))
@@ -422,16 +348,6 @@ impl Inspector {
                 Err(error) => self.message = Some((error, true)),
             },
             Action::NextRegion => self.reveal_next_region(),
-            Action::Flip(shows) => {
-                if let Some(theirs) = &mut self.theirs {
-                    theirs.flip(shows);
-                }
-            }
-            Action::Judge => {
-                if let Some(theirs) = &mut self.theirs {
-                    theirs.judge(ctx, rendering);
-                }
-            }
             Action::NextView => self.space.mode = self.space.mode.next(),
             Action::ChangeGround => self.frame.set_ground(ctx, self.frame.ground().other()),
             Action::ToggleKeys => self.is_showing_keys ^= true,
@@ -446,18 +362,11 @@ impl Inspector {
 
     /// Selects a pixel, if the picture has it.
     fn select(&mut self, pixel @ [x, y]: [u32; 2]) {
-        let [width, height] = self.session.rendering.size();
-        if x >= width || y >= height {
-            let text = format!("pixel ({x}, {y}) is outside the picture of {width} × {height}");
-            self.message = Some((text, true));
-            return;
+        let selected = self.selection.select(pixel, self.session.rendering.size());
+        if selected.is_ok() {
+            self.fields.pixel = format!("{x}, {y}");
         }
-        self.message = None;
-        if self.selection.pixel != Some(pixel) {
-            self.selection.tree = Tree::default();
-        }
-        (self.selection.pixel, self.selection.is_proposed) = (Some(pixel), false);
-        self.fields.pixel = format!("{x}, {y}");
+        self.message = selected.err().map(|problem| (problem, true));
     }
 
     /// Selects a pixel and moves the picture if it is not in view.
@@ -470,7 +379,7 @@ impl Inspector {
 
     /// Reveals the worst pixel of the next region of difference.
     fn reveal_next_region(&mut self) {
-        let Some(theirs) = &mut self.theirs else { return };
+        let Some(theirs) = self.others.shown_mut() else { return };
         match theirs.next_region(&self.session.rendering) {
             Ok(pixel) => self.reveal(pixel),
             Err(why) => self.message = Some((why.to_owned(), false)),

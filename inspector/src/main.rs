@@ -32,18 +32,18 @@ fn report(error: &str) {
 struct Start {
     /// The scene, or its file that is not valid yet.
     scene: Result<Loaded, Broken>,
-    /// The picture that ours is compared with.
-    theirs: Option<Theirs>,
+    /// The pictures that ours is compared with.
+    theirs: Vec<Theirs>,
 }
 
 /// Reads scene and picture before a window opens. A bad picture, or arguments that do not fit, are errors; the error of
 /// a scene file is reported here and in the window.
 fn start(arguments: &Arguments) -> Result<Start, String> {
     let theirs = arguments.theirs()?;
-    let scene = match arguments.load(theirs.as_ref()) {
+    let scene = match arguments.load(theirs.first()) {
         Ok(loaded) => Ok(loaded),
         Err(error) => {
-            let broken = arguments.broken(theirs.as_ref()).ok_or(error)?;
+            let broken = arguments.broken(theirs.first()).ok_or(error)?;
             report(&broken.error);
             Err(broken)
         }
@@ -78,7 +78,8 @@ fn open(Start { scene, theirs }: Start, arguments: &Arguments) -> Result<(), Box
                 inspector
             }
         };
-        inspector.theirs = theirs;
+        theirs.into_iter().for_each(|theirs| inspector.others.add_picture(theirs));
+        inspector.others.choose(0);
         (inspector.space.mode, inspector.selection.tab) = (view, tab);
         let stored = StoredSettings::read(context.storage);
         let ground = ground.unwrap_or(stored.ground);

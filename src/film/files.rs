@@ -109,19 +109,6 @@ pub fn write(film: &Film, tone: &Tone, path: &Path) -> Result<(), ImageError> {
     written(path, encoded(film, tone, Format::of(path)?))
 }
 
-/// As [`write()`]; PNG and EXR files say how the picture was made.
-///
-/// # Errors
-/// As [`write()`].
-pub fn write_made(
-    film: &Film,
-    tone: &Tone,
-    path: &Path,
-    made: &Provenance,
-) -> Result<(), ImageError> {
-    written(path, encode(film, tone, Format::of(path)?, made))
-}
-
 fn written(path: &Path, bytes: std::io::Result<Vec<u8>>) -> Result<(), ImageError> {
     let unwritable = |source| ImageError::Unwritable { path: path.to_owned(), source };
     replace(path, &bytes.map_err(unwritable)?).map_err(unwritable)

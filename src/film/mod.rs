@@ -9,7 +9,7 @@ mod tone;
 use crate::rgb::Rgb;
 
 pub use channels::{Channel, encode_channels};
-pub use files::{Format, ImageError, data_uri, encode, read_exr, writable, write, write_made};
+pub use files::{Format, ImageError, data_uri, encode, read_exr, writable, write};
 pub use provenance::{Provenance, Replicas};
 pub use replace::{TEMPORARY, folder_of, replace, replace_all, replaceable, without_path};
 pub use tone::{OutOfGamut, Tone};

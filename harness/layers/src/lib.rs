@@ -10,11 +10,13 @@ mod events;
 mod films;
 mod kinds;
 mod layer;
+mod shown;
 mod terms;
 
 pub use colors::{Color, Colors, LegendRow, NOT_A_NUMBER, NOTHING, Scale};
 pub use events::{centre_sample, first_hit};
-pub use films::{LayerFilms, encode_layer};
+pub use films::LayerFilms;
 pub use kinds::{Argument, KINDS, Kind};
 pub use layer::{Layer, Part};
+pub use shown::{NO_FILE, encode_film, values};
 pub use terms::{Dividing, LightSource, TermKey, Terms};

@@ -1,10 +1,10 @@
 //! EXR files of layers.
 
 use exr::prelude::{FlatSamples, ReadChannels, ReadLayers, read};
-use groundtruth::film::Provenance;
+use groundtruth::film::{Format, Provenance, Tone};
 use groundtruth::render::{self, Canvas, Crop};
 use groundtruth::world::World;
-use layers::{Layer, encode_layer};
+use layers::{Layer, encode_film};
 
 use super::scenes::{films, named, whole};
 
@@ -101,7 +101,9 @@ fn nothing_is_no_object() {
     let mut nothing = 0;
     for (name, none) in [("object", -1.0), ("distance", 0.0)] {
         let layer = Layer::named(name, &world).expect("a layer");
-        let bytes = encode_layer(&layer, &film(&layer, &world), &world, &made()).expect("encoded");
+        let bytes =
+            encode_film(&layer, &film(&layer, &world), Format::Exr, (&world, Tone::PLAIN), &made())
+                .expect("encoded");
         let (size, channels, _) = contents(&bytes);
         let [columns, rows] = world.picture_size();
         assert_eq!(size, (columns as usize, rows as usize));

@@ -1,10 +1,12 @@
 //! The bar of a comparison: what is shown, how much differs, the next region, and the verdict.
 
-use eframe::egui::{Align, Button, Layout, RichText, Ui};
+use eframe::egui::{Align, Button, ComboBox, Layout, RichText, Ui};
 use groundtruth::explain::{brief, count};
 use pictures::compare::Comparison;
 
-use crate::action::{Action, Shows};
+use crate::action::{Action, Shows, With};
+use crate::comparison::opening;
+use crate::comparison::others::Others;
 use crate::comparison::theirs::{SCALES, Theirs};
 use crate::picture::worker::Rendering;
 
@@ -25,58 +27,94 @@ const SHOWN: [(Shows, &str, &str); 5] = [
     ),
 ];
 
+/// The width of the list of pictures, in points of the screen.
+const LIST_WIDTH: f32 = 150.0;
+
 /// Shows the bar. Returns what the user asks for.
-pub fn show(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Action> {
-    let next = views(ui, theirs, rendering);
+pub fn show(ui: &mut Ui, others: &mut Others, rendering: &Rendering) -> Option<Action> {
+    let next = ui.horizontal(|ui| {
+        let chosen = choice(ui, others);
+        match others.shown_mut() {
+            Some(theirs) => chosen.or(views(ui, theirs, rendering)),
+            None => {
+                ui.spinner();
+                chosen
+            }
+        }
+    });
+    let theirs = others.shown().filter(|theirs| theirs.fits(rendering));
     let is_finished = rendering.is_finished();
-    let judged = theirs.fits(rendering).then(|| theirs.judgement.show(ui, is_finished));
-    next.or(judged.flatten())
+    let judged = theirs.and_then(|theirs| theirs.judgement.show(ui, is_finished));
+    next.inner.or(judged)
+}
+
+/// Shows which of the pictures is held against ours, if there are several, and the button that lets it go.
+fn choice(ui: &mut Ui, others: &Others) -> Option<Action> {
+    let close = ui.small_button("×").on_hover_text("Compare with this picture no more");
+    let closed = close.clicked().then_some(Action::Compare(With::NoMore));
+    let names = others.names();
+    let [chosen, about] = names.get(others.chosen())?;
+    let mut next = None;
+    let label = ui.label("With");
+    let list = ComboBox::from_id_salt("other").selected_text(last_part(chosen)).truncate();
+    let list = list.width(LIST_WIDTH).show_ui(ui, |ui| {
+        for (index, [name, about]) in names.iter().enumerate() {
+            let is_chosen = index == others.chosen();
+            let entry = ui.selectable_label(is_chosen, last_part(name)).on_hover_text(about);
+            next = next.take().or(entry.clicked().then_some(Action::Compare(With::Other(index))));
+        }
+    });
+    let hint = format!("Compared with: {about} (O: the next of {})", names.len());
+    list.response.labelled_by(label.id).on_hover_text(hint);
+    closed.or(next)
+}
+
+/// The name of a file without its folders; another name as it is.
+fn last_part(name: &str) -> &str {
+    let path = std::path::Path::new(name);
+    match opening::is_picture(path) {
+        true => path.file_name().and_then(|name| name.to_str()).unwrap_or(name),
+        false => name,
+    }
 }
 
 /// Shows the views to choose from, and how much differs.
 fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Action> {
-    let show = |ui: &mut Ui| {
-        let is_of_file = theirs.program.is_none();
-        if is_of_file && ui.small_button("×").on_hover_text("Compare no more").clicked() {
-            return Some(Action::EndComparison);
+    if !theirs.fits(rendering) {
+        let ([w, h], [width, height]) = (theirs.size(), rendering.size());
+        let name = &theirs.name;
+        let text = format!("{name} has {w} × {h} pixels, our picture {width} × {height}");
+        ui.colored_label(ui.visuals().warn_fg_color, text);
+        return None;
+    }
+    for (shows, name, hint) in SHOWN {
+        if shows != Shows::Map || theirs.judgement.verdict().is_some() {
+            ui.selectable_value(&mut theirs.shows, shows, name).on_hover_text(hint);
         }
-        if !theirs.fits(rendering) {
-            let ([w, h], [width, height]) = (theirs.size(), rendering.size());
-            let name = &theirs.name;
-            let text = format!("{name} has {w} × {h} pixels, our picture {width} × {height}");
-            ui.colored_label(ui.visuals().warn_fg_color, text);
-            return None;
+    }
+    ui.separator();
+    if theirs.shows == Shows::Difference
+        && let Some(largest) = theirs.largest(rendering)
+    {
+        for scale in SCALES {
+            let percent = format!("{} %", 100.0 * scale);
+            let hint = "The share of the differences that are shown unclipped";
+            ui.selectable_value(&mut theirs.scale, scale, percent).on_hover_text(hint);
         }
-        for (shows, name, hint) in SHOWN {
-            if shows != Shows::Map || theirs.judgement.verdict().is_some() {
-                ui.selectable_value(&mut theirs.shows, shows, name).on_hover_text(hint);
-            }
-        }
+        ui.weak(format!("white: +{largest:.2e}"));
         ui.separator();
-        if theirs.shows == Shows::Difference
-            && let Some(largest) = theirs.largest(rendering)
-        {
-            for scale in SCALES {
-                let percent = format!("{} %", 100.0 * scale);
-                let hint = "The share of the differences that are shown unclipped";
-                ui.selectable_value(&mut theirs.scale, scale, percent).on_hover_text(hint);
-            }
-            ui.weak(format!("white: +{largest:.2e}"));
-            ui.separator();
-        }
-        let comparison = theirs.comparison(rendering);
-        let differs = comparison.is_some_and(|comparison| !comparison.is_same());
-        let next = ui.add_enabled(differs, Button::new("Next region"));
-        let next = next.on_hover_text("Explains the worst pixel of the next region (N)");
-        let text = comparison.map_or("compared when our picture is finished".to_owned(), summary);
-        ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-            let hint = comparison.map_or(String::new(), Comparison::to_string);
-            let label = eframe::egui::Label::new(RichText::new(&text)).truncate();
-            ui.add(label).on_hover_text(RichText::new(hint).monospace());
-        });
-        next.clicked().then_some(Action::NextRegion)
-    };
-    ui.horizontal(show).inner
+    }
+    let comparison = theirs.comparison(rendering);
+    let differs = comparison.is_some_and(|comparison| !comparison.is_same());
+    let next = ui.add_enabled(differs, Button::new("Next region"));
+    let next = next.on_hover_text("Explains the worst pixel of the next region (N)");
+    let text = comparison.map_or("compared when our picture is finished".to_owned(), summary);
+    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
+        let hint = comparison.map_or(String::new(), Comparison::to_string);
+        let label = eframe::egui::Label::new(RichText::new(&text)).truncate();
+        ui.add(label).on_hover_text(RichText::new(hint).monospace());
+    });
+    next.clicked().then_some(Action::NextRegion)
 }
 
 /// A sentence of a comparison with names for A and B.

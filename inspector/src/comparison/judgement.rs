@@ -15,7 +15,7 @@ use groundtruth::world::World;
 use judge::verdict::{self, Case, DifferingRegion, Evaluation, RayTolerance, Strictness, Verdict};
 use pictures::compare::Picture;
 
-use crate::action::Action;
+use crate::action::{Action, With};
 use crate::comparison::layer::{Layer, shown};
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
@@ -204,7 +204,7 @@ impl Judgement {
             explained
         };
         let explained = if regions.is_empty() { None } else { ui.horizontal_wrapped(list).inner };
-        is_judging.then_some(Action::Judge).or(explained)
+        is_judging.then_some(Action::Compare(With::Judge)).or(explained)
     }
 
     /// Shows the button, and how far the judgement is. Returns whether to judge.

@@ -1,8 +1,13 @@
-//! Another program's picture compared with ours: its file, its layers over our picture, its bar, and the verdict on it.
+//! Other pictures compared with ours: of files, of programs with a mistake, of the scene with a change, and of other
+//! scenes; their layers over our picture, their bar, and the verdict on them.
 
 pub mod bar;
 pub mod judgement;
 pub mod layer;
+pub mod menu;
 pub mod mistake;
 pub mod opening;
+pub mod others;
+pub mod program;
+pub mod recipe;
 pub mod theirs;

@@ -1,14 +1,16 @@
-//! A picture file that is opened in the window, to be held against ours.
+//! Picture files that are opened in the window, to be held against ours.
 
+use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::Context;
 use pictures::compare;
 
-use crate::comparison::mistake::WithMistake;
+use crate::action::{Action, With};
 use crate::comparison::theirs::Theirs;
 use crate::picture::session::Session;
 use crate::picture::worker::Background;
+use crate::scene::source::Source;
 
 /// The ends of the names of pictures that can be read.
 pub const FORMATS: [&str; 8] = ["png", "jpg", "jpeg", "ppm", "pnm", "hdr", "exr", "pfm"];
@@ -19,58 +21,66 @@ pub fn is_picture(path: &Path) -> bool {
     FORMATS.contains(&end.as_str())
 }
 
-/// The file that is being read.
+/// What opens a file: a picture is held against ours, another file is a scene.
+pub fn named(path: PathBuf) -> Action {
+    if is_picture(&path) {
+        Action::Compare(With::Picture(path))
+    } else {
+        Action::Open(Source::File(path))
+    }
+}
+
+/// What opens the files that are dropped on the window.
+pub fn dropped(ctx: &Context) -> Vec<Action> {
+    let files = ctx.input(|input| input.raw.dropped_files.clone());
+    files.iter().map(|file| named(file.path().to_owned())).collect()
+}
+
+/// The files that are being read, one after the other.
 #[derive(Default)]
 pub struct Opening {
+    queue: VecDeque<PathBuf>,
     reading: Background<Result<Theirs, String>>,
 }
 
 impl Opening {
-    /// Starts to read a file.
-    pub fn start(&mut self, ctx: &Context, path: PathBuf) {
-        self.reading.start(ctx, move || Theirs::read(&path, None));
+    /// Reads a file after those that are being read.
+    pub fn start(&mut self, path: PathBuf) {
+        self.queue.push_back(path);
     }
 
     /// Whether a file is being read.
     pub fn is_busy(&self) -> bool {
-        self.reading.is_busy()
+        self.reading.is_busy() || !self.queue.is_empty()
     }
 
-    /// Once the file is read, holds its picture against ours, which is rendered at its size. Returns what the user must
-    /// know, and whether that is an error.
-    pub fn refresh(
-        &mut self,
-        ctx: &Context,
-        session: &mut Session,
-        mistake: &mut WithMistake,
-        theirs: &mut Option<Theirs>,
-    ) -> Option<(String, bool)> {
-        let read = self.reading.poll()?.unwrap_or_else(|lost| Err(lost.to_string()));
-        let picture = match read {
-            Ok(picture) if session.waiting.is_none() => picture,
-            Ok(_) => {
-                return Some(("there is no picture of ours to compare with yet".to_owned(), true));
-            }
-            Err(error) => return Some((error, true)),
-        };
-        let mut scene = session.wanted.clone();
-        let is_alike = match compare::fit(&mut scene, picture.size()) {
-            Ok(is_alike) => is_alike,
-            Err(error) => return Some((format!("{}: {error}", picture.name), true)),
-        };
-        let mut notes = picture.notes().to_vec();
-        if !is_alike {
-            notes
-                .push(format!("{} has another shape; the width of our view is kept", picture.name));
+    /// The picture of a file once it is read, in the order in which they were named.
+    pub fn poll(&mut self, ctx: &Context) -> Option<Result<Theirs, String>> {
+        if !self.reading.is_busy()
+            && let Some(path) = self.queue.pop_front()
+        {
+            self.reading.start(ctx, move || Theirs::read(&path, None));
         }
-        if session.rendering.size() != picture.size() {
-            session.wanted = scene;
-            session.rebuild(ctx);
-        }
-        // the mistake's picture goes first: it would take this one with it
-        mistake.choose(None);
-        mistake.refresh(ctx, &session.rendering, theirs);
-        *theirs = Some(picture);
-        (!notes.is_empty()).then(|| (notes.join("; "), false))
+        Some(self.reading.poll()?.unwrap_or_else(|lost| Err(lost.to_string())))
     }
+}
+
+/// Renders ours at the size of a file's picture. Returns what the user must know.
+///
+/// # Errors
+/// A size that no picture of ours has.
+pub fn fit(
+    ctx: &Context,
+    session: &mut Session,
+    picture: &Theirs,
+) -> Result<Option<String>, String> {
+    let mut scene = session.wanted.clone();
+    let is_alike = compare::fit(&mut scene, picture.size())
+        .map_err(|error| format!("{}: {error}", picture.name))?;
+    if session.rendering.size() != picture.size() {
+        session.wanted = scene;
+        session.rebuild(ctx);
+    }
+    let note = format!("{} has another shape; the width of our view is kept", picture.name);
+    Ok((!is_alike).then_some(note))
 }

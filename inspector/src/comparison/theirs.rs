@@ -10,12 +10,15 @@ use eframe::egui::{
 use groundtruth::explain;
 use groundtruth::film::{Film, Tone};
 use groundtruth::rgb::Rgb;
-use judge::mistakes::Mistaken;
+use judge::verdict;
 use pictures::compare::{Comparison, Differences, Picture, Transfer};
 
 use crate::action::Shows;
 use crate::comparison::judgement::Judgement;
 use crate::comparison::layer::{Layer, shown};
+use crate::comparison::program::Program;
+use crate::picture::chosen_layer::named;
+use crate::picture::saving::Beside;
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
 
@@ -40,8 +43,8 @@ pub struct Theirs {
     pub scale: f64,
     /// The verdict on it.
     pub judgement: Judgement,
-    /// The program with a known mistake that made it, if it is not of a file.
-    pub program: Option<Arc<Mistaken>>,
+    /// The program that made it, if it is not of a file.
+    pub program: Option<Arc<Program>>,
     picture: Arc<Picture>,
     radiance: Arc<Film>,
     layer: Layer<Tone>,
@@ -64,9 +67,9 @@ impl Theirs {
         Ok(Self::of(path.display().to_string(), picture, radiance))
     }
 
-    /// The picture of a program with a known mistake, in this view.
-    pub fn with_mistake(program: Mistaken, film: Film, shows: Shows) -> Self {
-        let theirs = Self::of(program.mistake().name.to_owned(), Picture::of_film(&film), film);
+    /// The picture of a program, in this view.
+    pub fn of_program(program: Program, film: Film, shows: Shows) -> Self {
+        let theirs = Self::of(program.name.clone(), Picture::of_film(&film), film);
         Self { program: Some(Arc::new(program)), shows, ..theirs }
     }
 
@@ -88,8 +91,8 @@ impl Theirs {
         }
     }
 
-    /// The program whose pixels are explained, if it is another than ours: that with a mistake, where its picture is shown.
-    pub fn explained(&self) -> Option<&Arc<Mistaken>> {
+    /// The program whose pixels are explained, if it is another than ours: the one whose picture is shown.
+    pub fn explained(&self) -> Option<&Arc<Program>> {
         self.program.as_ref().filter(|_| self.shows == Shows::Theirs)
     }
 
@@ -112,6 +115,9 @@ impl Theirs {
     /// Its value at a pixel in words: as stored if that is radiance, else radiance and the stored integers.
     pub fn value(&self, pixel: [u32; 2]) -> Option<String> {
         let radiance = self.radiance(pixel)?;
+        if self.program.is_some() {
+            return Some(explain::short(radiance));
+        }
         let [r, g, b] = self.picture.values[self.picture.index(pixel)];
         Some(match self.picture.step {
             None => format!("({r:?}, {g:?}, {b:?})"),
@@ -128,9 +134,14 @@ impl Theirs {
         Some(&self.compared_with(rendering)?.0)
     }
 
-    /// The difference of theirs from ours at a pixel, 0 where the values count as equal; `None` until both are compared.
-    pub fn difference(&self, rendering: &Rendering, [x, y]: [u32; 2]) -> Option<Rgb> {
+    /// The difference of theirs from ours at a pixel, 0 where the values of a file count as equal; `None` until both are
+    /// rendered, and compared if theirs is of a file.
+    pub fn difference(&self, rendering: &Rendering, pixel @ [x, y]: [u32; 2]) -> Option<Rgb> {
         let [width, height] = self.size();
+        if self.program.is_some() {
+            // both are of double precision
+            return Some(self.radiance(pixel)? - rendering.radiance(pixel)?);
+        }
         let (_, differences) = &**self.compared_with(rendering)?;
         (x < width && y < height).then(|| differences.at([x, y]).into())
     }
@@ -162,6 +173,27 @@ impl Theirs {
         let next = self.region.map_or(0, |region| region + 1) % worst.len().max(1);
         self.region = Some(next);
         worst.get(next).copied().ok_or("no pixel differs")
+    }
+
+    /// The difference or the map of z that is shown, to be saved; `Some(None)` if it is not there yet.
+    pub fn layer(&self, rendering: &Rendering) -> Option<Option<Beside>> {
+        let (name, _) = named(self.shows).filter(|_| self.fits(rendering))?;
+        if self.shows == Shows::Map {
+            let map = self.judgement.verdict().map(|verdict| {
+                let (z, size) = (&verdict.shown.z, verdict.shown.theirs.size);
+                let values = film(size, |index| Rgb::grey(z[index]));
+                Beside { name, colors: verdict::map_film(z, size), values }
+            });
+            return Some(map);
+        }
+        let size @ [width, _] = self.size();
+        let difference = self.compared_with(rendering).map(|compared| {
+            let differences = &compared.1;
+            let at = |index: usize| [index as u32 % width, index as u32 / width];
+            let values = film(size, |index| differences.at(at(index)).into());
+            Beside { name, colors: differences.film(differences.within(self.scale)), values }
+        });
+        Some(difference)
     }
 
     /// Whether anything is still being computed for it.
@@ -269,6 +301,14 @@ impl Theirs {
             painter.text(at, align, name, FontId::default(), Color32::from_rgb(255, 190, 110));
         }
     }
+}
+
+fn film([width, height]: [u32; 2], value: impl Fn(usize) -> Rgb) -> Film {
+    let mut film = Film::new(width, height);
+    for index in 0..width as usize * height as usize {
+        film.set([index as u32 % width, index as u32 / width], value(index));
+    }
+    film
 }
 
 fn divider_x(area: Rect, share: f32) -> f32 {

@@ -9,7 +9,7 @@ use groundtruth::scene;
 use keep::{Kept, PixelPage, ReducedScene, SmallPicture};
 use pictures::shell::quoted;
 
-use crate::explanation::Shown;
+use crate::explanation::{Shown, Subject};
 use crate::picture::worker::{Background, Rendering};
 
 /// A text for the clipboard that takes a while to make.
@@ -73,16 +73,16 @@ impl Making {
 
 /// The command that explains a sample of a pixel in a terminal.
 pub fn explain_command(shown: &Shown<'_>, [x, y]: [u32; 2], sample: u32) -> String {
-    let rendering = shown.rendering;
-    let mistake = shown.mistaken().map(|program| program.mistake().name);
-    let mistake = mistake.map_or(String::new(), |name| format!(" --mistake {name}"));
-    let image = &rendering.scene.image;
+    let subject = shown.subject();
+    let mistake = subject.program.and_then(|program| program.mistake());
+    let mistake = mistake.map_or(String::new(), |it| format!(" --mistake {}", it.name));
+    let image = &subject.scene().image;
     let (width, height, samples) = (image.width, image.height, image.samples);
-    let (name, seed) = (quoted(&rendering.source.name()), rendering.world.seed);
-    let mut tracer = rendering.scene.tracer;
+    let (name, seed) = (quoted(&subject.source().name()), subject.world().seed);
+    let mut tracer = subject.scene().tracer;
     let depth = tracer.max_depth().map_or(String::new(), |depth| format!(" --max-depth {depth}"));
     let tracer = format!("--tracer {}{depth}", tracer.name());
-    let changed = if is_changed(rendering) { "  # the window shows a changed scene" } else { "" };
+    let changed = if is_changed(&subject) { "  # the window shows a changed scene" } else { "" };
     format!(
         "groundtruth explain {name} {x} {y} --size {width}x{height} --samples {samples} \
          {tracer} --seed {seed} --sample {sample}{mistake}{changed}"
@@ -123,11 +123,12 @@ pub fn show_copied(ui: &mut Ui) {
 }
 
 /// Whether something was changed in the window that the command line has no option for.
-fn is_changed(rendering: &Rendering) -> bool {
-    let mut read = rendering.read.clone();
-    let image = &rendering.scene.image;
-    read.image.resize(image.width, image.height);
-    read.image.samples = image.samples;
-    read.tracer = rendering.scene.tracer;
-    scene::to_toml(&read).ok() != scene::to_toml(&rendering.scene).ok()
+fn is_changed(subject: &Subject<'_>) -> bool {
+    let own = subject.program.filter(|program| program.own_world().is_some());
+    let mut read = own.map_or(&subject.rendering.read, |program| &program.read).clone();
+    let scene = subject.scene();
+    read.image.resize(scene.image.width, scene.image.height);
+    read.image.samples = scene.image.samples;
+    read.tracer = scene.tracer;
+    scene::to_toml(&read).ok() != scene::to_toml(scene).ok()
 }

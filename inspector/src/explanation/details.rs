@@ -60,6 +60,19 @@ pub fn text(ray: &RecordedRay) -> String {
     ray.line() + "\n" + &fields(ray).into_iter().map(line).collect::<String>()
 }
 
+/// The fields of two rays, one beside the other; those that only one has are empty for the other.
+pub fn rows(this: &RecordedRay, other: &RecordedRay) -> Vec<(&'static str, [String; 2])> {
+    let mut others = fields(other);
+    let mut rows = Vec::new();
+    for (name, value) in fields(this) {
+        let at = others.iter().position(|(field, _)| *field == name);
+        let theirs = at.map_or(String::new(), |at| others.remove(at).1);
+        rows.push((name, [value, theirs]));
+    }
+    rows.extend(others.into_iter().map(|(name, value)| (name, [String::new(), value])));
+    rows
+}
+
 /// The names and values of a ray's fields, without its terms.
 fn fields(ray: &RecordedRay) -> Vec<(&'static str, String)> {
     let color = |color: Rgb| exact(color.to_array());

@@ -1,13 +1,21 @@
 //! The explanation of the selected pixel: the sum of its samples, the tree of rays of one sample,
 //! the details of one ray, and commands that reproduce it outside the window.
 
-use groundtruth::film::Tone;
-use groundtruth::rgb::Rgb;
-use judge::mistakes::Mistaken;
+use std::sync::Arc;
 
+use groundtruth::film::Tone;
+use groundtruth::render::Renderer;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use groundtruth::world::World;
+
+use crate::comparison::program::Program;
 use crate::comparison::theirs::Theirs;
 use crate::picture::worker::Rendering;
+use crate::scene::source::Source;
 
+pub mod asked;
+pub mod beside;
 pub mod copying;
 pub mod details;
 pub mod pixel;
@@ -18,7 +26,49 @@ pub mod section;
 pub mod selection;
 pub mod trail;
 pub mod tree;
+pub mod verdict_text;
 pub mod why_not;
+
+/// Which picture is explained: the number of our rendering, and that of the program if it is another.
+pub type Version = (u64, Option<u32>);
+
+/// What is explained: a pixel of our picture, or of that of another program.
+#[derive(Clone, Copy)]
+pub struct Subject<'a> {
+    /// Our picture.
+    pub rendering: &'a Rendering,
+    /// The other program, if that is explained.
+    pub program: Option<&'a Arc<Program>>,
+}
+
+impl<'a> Subject<'a> {
+    /// Which it is.
+    pub fn version(&self) -> Version {
+        (self.rendering.generation, self.program.map(|program| program.number))
+    }
+
+    /// Its world: that of a program with a mistake is ours.
+    pub fn world(&self) -> &'a Arc<World> {
+        self.program.and_then(|program| program.own_world()).unwrap_or(&self.rendering.world)
+    }
+
+    /// Its scene: that of a program with a mistake is ours.
+    pub fn scene(&self) -> &'a Scene {
+        let own = self.program.filter(|program| program.own_world().is_some());
+        own.map_or(&self.rendering.scene, |program| &program.scene)
+    }
+
+    /// Where its scene is from.
+    pub fn source(&self) -> &'a Source {
+        self.program.map_or(&self.rendering.source, |program| &program.source)
+    }
+
+    /// The samples of each of its pixels.
+    pub fn samples_per_pixel(&self) -> u32 {
+        let program = self.program.map(|program| program.world().samples_per_pixel());
+        program.unwrap_or_else(|| self.rendering.world.samples_per_pixel())
+    }
+}
 
 /// The pictures on the screen, whose pixels are explained.
 pub struct Shown<'a> {
@@ -30,10 +80,10 @@ pub struct Shown<'a> {
     pub tone: &'a Tone,
 }
 
-impl Shown<'_> {
-    /// The program with a mistake that is explained in place of ours.
-    pub fn mistaken(&self) -> Option<&Mistaken> {
-        self.theirs?.explained().map(|program| &**program)
+impl<'a> Shown<'a> {
+    /// What is explained.
+    pub fn subject(&self) -> Subject<'a> {
+        Subject { rendering: self.rendering, program: self.theirs.and_then(Theirs::explained) }
     }
 
     /// The radiance of a pixel of the picture that is explained, if it is rendered.

@@ -63,8 +63,8 @@ pub fn copy_menu(
         if probe.on_hover_text("`probe` answers it with this pixel").clicked() {
             copy(ui, copying::probe_line(shown.rendering, pixel));
         }
-        // not of a program with a mistake: page and test are of our own
-        if shown.mistaken().is_none() {
+        // not of another program: page and test are of our picture
+        if shown.subject().program.is_none() {
             let page = ui.button("A page for a class");
             if page.on_hover_text("HTML of one file: save it as page.html").clicked() {
                 let ray = ray.map_or(0, |ray| ray.number);
@@ -126,15 +126,16 @@ pub fn theirs(ui: &mut Ui, pixel: [u32; 2], theirs: &Theirs, shown: &Shown<'_>) 
     let (Some(radiance), Some(value)) = (theirs.radiance(pixel), theirs.value(pixel)) else {
         return;
     };
+    let name = theirs.program.as_ref().map_or("theirs", |program| &program.name);
     let small = |text: String| RichText::new(text).monospace().size(12.0);
     let difference = theirs.difference(shown.rendering, pixel);
     let equal = if difference == Some(Rgb::BLACK) { ": equal" } else { "" };
     ui.horizontal_wrapped(|ui| {
         tree::swatch(ui, display::color(shown.tone, radiance));
-        ui.label(small(format!("theirs: {value}{equal}")));
+        ui.label(small(format!("{name}: {value}{equal}")));
     });
     if let Some(difference) = difference.filter(|difference| *difference != Rgb::BLACK) {
-        ui.label(small(format!("theirs − ours: {}", short(difference))));
+        ui.label(small(format!("{name} − ours: {}", short(difference))));
     }
 }
 
@@ -157,6 +158,8 @@ pub struct SumList<'a> {
     pub order: &'a mut Order,
     /// The sample whose tree is shown; a click chooses another one.
     pub chosen: &'a mut u32,
+    /// The sample that is pointed at.
+    pub pointed: &'a mut Option<u32>,
 }
 
 /// The most samples that are marked as outliers.
@@ -246,8 +249,12 @@ impl SumList<'_> {
         let share = percent(share);
         let text = format!("sample {index:>3}  {share:>7} of the pixel  {}", short(radiance));
         let text = RichText::new(text).monospace();
-        if ui.selectable_label(*self.chosen == index, text).clicked() {
+        let row = ui.selectable_label(*self.chosen == index, text);
+        if row.clicked() {
             *self.chosen = index;
+        }
+        if row.hovered() {
+            *self.pointed = Some(index);
         }
     }
 }

@@ -4,14 +4,15 @@
 use eframe::egui::{
     Align2, Color32, ComboBox, FontId, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
 };
-use groundtruth::explain::{PixelExplanation, count};
+use groundtruth::explain::{PixelExplanation, RecordedRay, count, short};
 use groundtruth::render;
 use groundtruth::samplers::{self, Key, PathKey, Purpose, SETS};
 use groundtruth::scene::Scene;
+use groundtruth::trace::RayKind;
 use groundtruth::world::World;
 use statistics::chi_square;
 
-use crate::explanation::Shown;
+use crate::explanation::{Shown, Subject, Version};
 use crate::picture::display;
 use crate::picture::worker::Rendering;
 
@@ -25,11 +26,32 @@ const CLICK_RADIUS: f32 = 8.0;
 /// The contents of the plots, computed once for each pixel of each rendering.
 #[derive(Default)]
 pub struct Samples {
-    /// The generation of the rendering, and the pixel.
-    of: Option<(u64, [u32; 2])>,
+    /// Of which picture, and the pixel.
+    of: Option<(Version, [u32; 2])>,
     plots: Vec<Plot>,
     uniformity: Option<Uniformity>,
+    /// The light of the last plot.
+    light: Option<u32>,
+    /// The sample under the mouse in the last frame, whose points are lit in all plots.
+    lit: Option<u32>,
 }
+
+/// The tree of the sample that is shown, and what is pointed at.
+#[derive(Default)]
+pub struct Linked<'a> {
+    /// The camera's ray.
+    pub root: Option<&'a RecordedRay>,
+    /// The ray that is pointed at elsewhere.
+    pub lit: Option<usize>,
+    /// The sample whose point is under the mouse.
+    pub sample: Option<u32>,
+    /// The ray of that point, as far as it is in the tree: the camera's, or the shadow ray to the light.
+    pub ray: Option<usize>,
+}
+
+/// The plots, by their place: the points of the pixel and of the lens are of the camera's ray, those of the light of a
+/// shadow ray.
+const LIGHT_PLOT: usize = 2;
 
 /// The points of one purpose, and their plot on the screen.
 pub struct Plot {
@@ -104,16 +126,16 @@ impl Uniformity {
 
 impl Samples {
     /// Computes the contents, unless that is done.
-    fn refresh(&mut self, rendering: &Rendering, pixel: [u32; 2]) {
-        let generation = rendering.generation;
-        if self.of == Some((generation, pixel)) {
+    fn refresh(&mut self, subject: &Subject<'_>, pixel: [u32; 2]) {
+        let version = subject.version();
+        if self.of == Some((version, pixel)) {
             return;
         }
-        let world = &rendering.world;
-        if self.of.is_none_or(|(of, _)| of != generation) {
+        let world = subject.world();
+        if self.of.is_none_or(|(of, _)| of != version) {
             self.uniformity = Some(Uniformity::of(world));
         }
-        self.of = Some((generation, pixel));
+        self.of = Some((version, pixel));
         let count = world.samples_per_pixel().min(MAX_POINTS);
         // for a stereo pair, the pixel of the eye's image
         let drawn = render::camera_sample(world, pixel, 0).map(|sample| sample.pixel);
@@ -125,6 +147,7 @@ impl Samples {
         let lens = |i| render::camera_sample(world, pixel, i)?.lens;
         let lens_points = (0..count).filter_map(lens).collect();
         let sampled = world.lights.iter().find(|light| light.light.draws() > 0);
+        self.light = sampled.map(|light| light.index);
         let light_points = sampled.map_or(Vec::new(), |light| {
             let (path, light) = (PathKey::CAMERA, light.index);
             let purpose = Purpose::Light { path, light, pair: 0 };
@@ -150,17 +173,19 @@ impl Samples {
     }
 
     /// Shows the samples of a pixel, each point in the colour of its sample; a click on a point chooses its `sample`.
-    /// Returns whether `wanted` was changed.
+    /// Lights the points of the ray that is pointed at elsewhere, and notes the point that is pointed at. Returns whether
+    /// `wanted` was changed.
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        shown: &Shown<'_>,
-        answer: &PixelExplanation,
+        (shown, answer): (&Shown<'_>, &PixelExplanation),
         sample: &mut u32,
+        linked: &mut Linked<'_>,
         wanted: &mut Scene,
     ) -> bool {
         let rendering = shown.rendering;
-        self.refresh(rendering, answer.pixel);
+        self.refresh(&shown.subject(), answer.pixel);
+        let rays = linked.root.map_or([None; 2], |root| self.rays(root));
         let color = |i: u32| display::color(shown.tone, answer.radiances[i as usize]);
         let changed = choose(ui, rendering, wanted);
         // side by side if they fit
@@ -168,11 +193,20 @@ impl Samples {
         let gaps = (plots - 1.0) * ui.spacing().item_spacing.x;
         let side = ((ui.available_width() - gaps) / plots).floor().clamp(SIDES[0], SIDES[1]);
         ui.horizontal_wrapped(|ui| {
-            for plot in &mut self.plots {
-                plot.show(ui, side, &color, sample);
+            let lit = self.lit.take();
+            for (index, plot) in self.plots.iter_mut().enumerate() {
+                let ray = rays[usize::from(index == LIGHT_PLOT)];
+                let is_pointed = ray.is_some() && ray == linked.lit;
+                let lit = lit.or(is_pointed.then_some(*sample));
+                if let Some(hovered) = plot.show(ui, side, &color, (sample, lit)) {
+                    let word = short(answer.radiances[hovered as usize]);
+                    ui.ctx().request_repaint();
+                    plot.say(ui, format!("sample {hovered}: {word}"));
+                    (self.lit, linked.sample, linked.ray) = (Some(hovered), Some(hovered), ray);
+                }
             }
         });
-        if rendering.world.samples_per_pixel() > MAX_POINTS {
+        if answer.samples_per_pixel > MAX_POINTS {
             ui.weak(format!("the first {MAX_POINTS} samples"));
         }
         if let Some(uniformity) = &self.uniformity {
@@ -185,18 +219,37 @@ impl Samples {
     }
 }
 
+impl Samples {
+    /// The rays of the points: the camera's, and the shadow ray from the first hit to the light of the last plot.
+    fn rays(&self, root: &RecordedRay) -> [Option<usize>; 2] {
+        let is_to_light = |ray: &&RecordedRay| match ray.kind {
+            RayKind::Shadow { light } => Some(light) == self.light,
+            RayKind::Camera | RayKind::Reflected | RayKind::Transmitted => false,
+        };
+        let shadow = root.children.iter().find(is_to_light);
+        [Some(root.number), shadow.map(|ray| ray.number)]
+    }
+}
+
 impl Plot {
     fn to_screen(&self, [x, y]: [f64; 2]) -> Pos2 {
         let half = 0.5 * self.area.width() - 6.0;
         self.area.center() + half * vec2(x as f32, -y as f32)
     }
 
-    fn show(&mut self, ui: &mut Ui, side: f32, color: &dyn Fn(u32) -> Color32, sample: &mut u32) {
-        ui.vertical(|ui| {
+    /// Shows the points, that of the chosen sample and the lit one marked; a click chooses a sample. Returns the sample under
+    /// the mouse.
+    fn show(
+        &mut self,
+        ui: &mut Ui,
+        side: f32,
+        color: &dyn Fn(u32) -> Color32,
+        (sample, lit): (&mut u32, Option<u32>),
+    ) -> Option<u32> {
+        let show = |ui: &mut Ui| {
             ui.label(self.title).on_hover_text(self.hint);
             let (area, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::click());
             self.area = area;
-            let response = response.on_hover_text(self.hint);
             let painter = ui.painter_at(area);
             painter.rect_filled(area, 2.0, Color32::from_gray(18));
             let edge = Stroke::new(1.0, Color32::from_gray(110));
@@ -227,12 +280,36 @@ impl Plot {
                 let ring = Stroke::new(1.5, Color32::from_rgb(255, 200, 60));
                 painter.circle_stroke(at, radius + 4.0, ring);
             }
+            if let Some(&lit) = lit.and_then(|lit| self.points.get(lit as usize)) {
+                let ring = Stroke::new(2.5, Color32::WHITE);
+                painter.circle_stroke(self.to_screen(lit), radius + 5.5, ring);
+            }
             if let (true, Some(at)) = (response.clicked(), response.interact_pointer_pos())
                 && let Some(nearest) = self.nearest(at)
             {
                 *sample = nearest;
             }
-        });
+            response.hover_pos().and_then(|at| self.nearest(at))
+        };
+        ui.vertical(show).inner
+    }
+
+    /// Writes a line into the plot, at the end that is away from the mouse.
+    fn say(&self, ui: &Ui, text: String) {
+        let is_low = ui
+            .input(|input| input.pointer.hover_pos())
+            .is_some_and(|at| at.y > self.area.center().y);
+        let corner = if is_low { Align2::CENTER_TOP } else { Align2::CENTER_BOTTOM };
+        let at = corner.pos_in_rect(&self.area.shrink(4.0));
+        let galley = ui.painter().layout(
+            text,
+            FontId::proportional(12.0),
+            Color32::from_gray(230),
+            self.area.width() - 8.0,
+        );
+        let place = corner.anchor_size(at, galley.size());
+        ui.painter().rect_filled(place.expand(2.0), 2.0, Color32::from_black_alpha(190));
+        ui.painter().galley(place.min, galley, Color32::WHITE);
     }
 
     /// The sample nearest to a position on the screen, if it is near.

@@ -8,7 +8,7 @@ use groundtruth::explain::RecordedRay;
 use groundtruth::world::World;
 use space::{Drawing, Label, Role, Section, arrowhead};
 
-use crate::explanation::selection::Question;
+use crate::explanation::asked::Question;
 use crate::explanation::tree::{BLOCKED, CAMERA, LOCAL, REFLECTED, TRANSMITTED, UNBLOCKED, ink};
 use crate::explanation::{copying, pointing};
 
@@ -19,10 +19,51 @@ const MARGIN: f32 = 34.0;
 /// The least height of the drawing.
 const MIN_HEIGHT: f32 = 150.0;
 
-/// The section that was drawn last: of which tree and ray.
+/// The zoom: all of the drawing, and the largest.
+const ZOOM: [f64; 2] = [1.0, 1e6];
+
+/// The section that was drawn last: of which tree and ray, and the part of it that is in view.
 #[derive(Default)]
 pub struct SectionView {
     drawn: Option<(Question, usize, Option<Section>)>,
+    view: View,
+}
+
+/// The part of the drawing that is in view.
+#[derive(Clone, Copy)]
+struct View {
+    /// How many times larger than the whole drawing fits.
+    zoom: f64,
+    /// Where the middle of the fitting drawing is, in points of the screen from the middle of the view.
+    moved: Vec2,
+}
+
+impl Default for View {
+    fn default() -> Self {
+        Self { zoom: ZOOM[0], moved: Vec2::ZERO }
+    }
+}
+
+impl View {
+    /// Follows the mouse: the wheel zooms under it, a drag moves, a double click fits the drawing again.
+    fn follow(&mut self, ui: &Ui, response: &Response) {
+        if let Some(at) = response.hover_pos() {
+            let (wheel, pinch) =
+                ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
+            let factor = f64::from((wheel * 0.005).exp() * pinch);
+            let zoom = (self.zoom * factor).clamp(ZOOM[0], ZOOM[1]);
+            let from_middle = at - response.rect.center();
+            self.moved = from_middle + (zoom / self.zoom) as f32 * (self.moved - from_middle);
+            self.zoom = zoom;
+        }
+        self.moved += response.drag_delta();
+        if response.double_clicked() {
+            *self = Self::default();
+        }
+        // some of the drawing stays in view
+        let reach = 0.5 * self.zoom as f32 * response.rect.size();
+        self.moved = self.moved.clamp(-reach, reach);
+    }
 }
 
 /// A drawing at its place on the screen.
@@ -34,13 +75,13 @@ struct Place {
 }
 
 impl Place {
-    fn of(drawing: &Drawing, area: Rect) -> Option<Self> {
+    fn of(drawing: &Drawing, area: Rect, view: View) -> Option<Self> {
         let [low, high] = drawing.bounds()?;
         let room = area.shrink(MARGIN.min(0.25 * area.width().min(area.height()))).size();
         let extent = [high[0] - low[0], high[1] - low[1]].map(|side| side.max(1e-300));
         let scale = (f64::from(room.x) / extent[0]).min(f64::from(room.y) / extent[1]);
         let center = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
-        Some(Self { center, scale, middle: area.center() })
+        Some(Self { center, scale: view.zoom * scale, middle: area.center() + view.moved })
     }
 
     fn screen(&self, [x, y]: [f64; 2]) -> Pos2 {
@@ -61,6 +102,7 @@ impl SectionView {
     ) {
         if self.drawn.as_ref().is_none_or(|(of, number, _)| (*of, *number) != (question, ray)) {
             self.drawn = Some((question, ray, Section::of(world, root, ray)));
+            self.view = View::default();
         }
         let Some((.., section)) = &self.drawn else { return };
         let Some(Section { drawing, .. }) = section else {
@@ -69,7 +111,8 @@ impl SectionView {
         };
         ui.horizontal(|ui| {
             ui.strong(&drawing.title);
-            if ui.small_button("Copy as SVG").clicked() {
+            let hint = "wheel: zoom · drag: move · double click: all of it";
+            if ui.small_button("Copy as SVG").on_hover_text(hint).clicked() {
                 ui.ctx().copy_text(drawing.svg());
                 copying::set_copied(ui.ctx());
             }
@@ -79,15 +122,21 @@ impl SectionView {
             ui.label(note);
         }
         let size = vec2(ui.available_width(), ui.available_height().max(MIN_HEIGHT));
-        let (response, painter) = ui.allocate_painter(size, Sense::hover());
+        let (response, painter) = ui.allocate_painter(size, Sense::click_and_drag());
+        self.view.follow(ui, &response);
         response.widget_info(|| WidgetInfo::labeled(NodeRole::Image, true, "section"));
-        *hovered = hovered.or(paint(ui, &painter, &response, drawing));
+        *hovered = hovered.or(paint(ui, &painter, (&response, self.view), drawing));
     }
 }
 
 /// Paints a drawing; returns the ray under the mouse.
-fn paint(ui: &Ui, painter: &Painter, response: &Response, drawing: &Drawing) -> Option<usize> {
-    let place = Place::of(drawing, response.rect)?;
+fn paint(
+    ui: &Ui,
+    painter: &Painter,
+    (response, view): (&Response, View),
+    drawing: &Drawing,
+) -> Option<usize> {
+    let place = Place::of(drawing, response.rect, view)?;
     let mut lines = Vec::new();
     for stroke in &drawing.strokes {
         let color = color(ui, stroke.role);

@@ -1,55 +1,32 @@
 //! The selected pixel: its samples, their sum, and the selected ray.
 
 use std::sync::Arc;
-use std::time::Duration;
 
-use eframe::egui::{self, Frame, Key, Margin, Panel, RichText, ScrollArea, Ui, vec2};
+use eframe::egui::{self, Frame, Key, Margin, Panel, ScrollArea, Ui, vec2};
 use groundtruth::explain::{self, PixelExplanation, RecordedRay, SampleExplanation};
 use groundtruth::film::Tone;
-use groundtruth::render::Renderer;
 use groundtruth::scene::Scene;
-use groundtruth::trace::RayBudget;
 use groundtruth::world::World;
-use judge::mistakes::Mistaken;
-use judge::verdict::Verdict;
 
-use crate::explanation::copying::{self, Making};
+use crate::comparison::theirs::Theirs;
+use crate::explanation::asked::{Asked, Question, sample_of};
+use crate::explanation::copying::Making;
 use crate::explanation::pixel::{self, Order, SumList};
-use crate::explanation::samples::Samples;
+use crate::explanation::samples::{Linked, Samples};
 use crate::explanation::section::SectionView;
 use crate::explanation::trail::{self, TrailPoint};
 use crate::explanation::tree::{self, Tree};
 use crate::explanation::why_not::WhyNotView;
-use crate::explanation::{Shown, details, proposal};
+use crate::explanation::{Shown, Subject, beside, details, proposal, verdict_text};
 use crate::picture::display;
-use crate::picture::worker::{Background, Lost, Rendering};
+use crate::picture::worker::{Background, Rendering};
 use crate::splits::{Splits, part};
-
-/// The most rays of a pixel whose samples are explained together; with more, one at a time.
-const MAX_RAYS_PER_PIXEL: u64 = 30_000;
-/// The most rays of a sample that is explained: a larger tree would be unreadable and take gigabytes.
-const MAX_RAYS_PER_SAMPLE: u64 = 500_000;
 
 /// The least height of tree and details in a low window, in points of the screen.
 const MIN_HEIGHT: f32 = 24.0;
 
-/// The longest wait for an explanation, which is then drawn in the frame of the click.
-const MAX_WAIT: Duration = Duration::from_millis(12);
 /// The least height with room for the legend of the tree's colours, in points of the screen.
 const LEGEND_MIN_HEIGHT: f32 = 160.0;
-
-/// The pixel and sample to explain.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Question {
-    /// The number of the rendering.
-    generation: u64,
-    pixel: [u32; 2],
-    sample: u32,
-    /// The mistake of the program that is explained, if it is not ours.
-    mistake: Option<&'static str>,
-}
-
-type Explained = Result<Arc<PixelExplanation>, String>;
 
 /// The selected pixel and why it has its colour.
 #[derive(Default)]
@@ -66,6 +43,9 @@ pub struct Selection {
     pub tab: Tab,
     /// The samples, when they are below the tree.
     pub samples: Samples,
+    /// The sample that is pointed at in this frame, and that of the last one, whose tree is shown meanwhile.
+    pointed: Option<u32>,
+    previewed: Option<u32>,
     section: SectionView,
     why_not: WhyNotView,
     making: Making,
@@ -73,8 +53,9 @@ pub struct Selection {
     problem: Option<String>,
     /// Whether the pixel was proposed, and not chosen by the user.
     pub is_proposed: bool,
-    answered: Option<(Question, Explained)>,
-    working: Background<(Question, Explained)>,
+    asked: Asked,
+    /// The same pixel of the other one of two pictures that can be explained.
+    beside: Asked,
     proposing: Background<[u32; 2]>,
 }
 
@@ -92,53 +73,28 @@ pub enum Tab {
     Samples,
     /// The verdict on the picture that ours is compared with, once there is one.
     Verdict,
-}
-
-/// Explains all samples, or only the one asked for if all would be too many rays.
-fn answer(scene: &Scene, renderer: &impl Renderer, question: Question) -> Explained {
-    let mut budget = RayBudget::up_to(MAX_RAYS_PER_SAMPLE);
-    renderer.sample(question.pixel, question.sample, &mut (), &mut budget);
-    budget.check(|| format!("sample {}", question.sample)).map_err(|e| e.to_string())?;
-    let all = budget.spent().saturating_mul(renderer.world().samples_per_pixel().into());
-    let few = all <= MAX_RAYS_PER_PIXEL;
-    let only = if few { None } else { Some(question.sample) };
-    let explained = explain::pixel(scene, renderer, question.pixel, only);
-    explained.map(Arc::new).map_err(|e| e.to_string())
+    /// The selected ray in both of two pictures that can be explained.
+    #[value(skip)]
+    Beside,
 }
 
 impl Selection {
-    /// Starts to explain the selected pixel, unless that is done or under way. Waits for a short
-    /// explanation.
-    pub fn refresh(
-        &mut self,
-        ctx: &egui::Context,
-        rendering: &Rendering,
-        mistaken: Option<&Arc<Mistaken>>,
-    ) {
+    /// Starts to explain the selected pixel of the picture that is shown, and of the other one, unless that is done or under
+    /// way. Waits for a short explanation.
+    pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering, theirs: Option<&Theirs>) {
         if let Some(problem) = self.making.refresh(ctx) {
             self.problem = Some(problem);
         }
-        let finished = self.working.poll();
-        let mistake = mistaken.map(|program| program.mistake().name);
-        let Some(question) = self.question(rendering, mistake) else {
-            self.answered = None;
-            return;
-        };
-        self.accept(finished, question);
-        if self.working.is_busy() || self.answers(question) {
-            return;
+        let shown = Subject { rendering, program: theirs.and_then(Theirs::explained) };
+        let program = theirs.and_then(|theirs| theirs.program.as_ref());
+        let other = Subject { rendering, program: program.filter(|_| shown.program.is_none()) };
+        let asked = self.pixel.map(|pixel| (pixel, self.sample));
+        if self.beside.version() == Some(shown.version()) {
+            // the pictures were flipped
+            std::mem::swap(&mut self.asked, &mut self.beside);
         }
-        let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
-        let mistaken = mistaken.map(Arc::clone);
-        self.working.start(ctx, move || {
-            let answer = match mistaken {
-                None => answer(&scene, &*world, question),
-                Some(program) => answer(&program.scene, &*program, question),
-            };
-            (question, answer)
-        });
-        let finished = self.working.wait(MAX_WAIT);
-        self.accept(finished, question);
+        self.asked.refresh(ctx, &shown, asked);
+        self.beside.refresh(ctx, &other, asked.filter(|_| program.is_some()));
     }
 
     /// Starts to look for a pixel that is worth explaining.
@@ -153,44 +109,59 @@ impl Selection {
         found.filter(|_| self.pixel.is_none())
     }
 
-    fn accept(&mut self, finished: Option<Result<(Question, Explained), Lost>>, asked: Question) {
-        match finished {
-            Some(Ok((question, answer))) if question.generation == asked.generation => {
-                self.answered = Some((question, answer));
-            }
-            // not asked again: the same question would fail again
-            Some(Err(lost)) => self.answered = Some((asked, Err(lost.to_string()))),
-            Some(Ok(_)) | None => {}
-        }
-    }
-
-    fn question(&self, rendering: &Rendering, mistake: Option<&'static str>) -> Option<Question> {
-        let last = rendering.world.samples_per_pixel() - 1;
-        let (generation, sample) = (rendering.generation, self.sample.min(last));
-        self.pixel.map(|pixel| Question { generation, pixel, sample, mistake })
-    }
-
-    fn answers(&self, question: Question) -> bool {
-        let Some((answered, answer)) = &self.answered else { return false };
-        let has_it = answer.as_ref().is_ok_and(|explanation| {
-            explanation.samples.iter().any(|sample| sample.index == question.sample)
-        });
-        let same_pixel = Question { sample: question.sample, ..*answered } == question;
-        *answered == question || (same_pixel && has_it)
-    }
-
     /// The explanation, if it is finished.
     pub fn explanation(&self) -> Option<&PixelExplanation> {
-        self.answered.as_ref()?.1.as_deref().ok()
+        self.asked.explanation()
+    }
+
+    /// The explanation of the other one of two pictures, if it is finished.
+    pub fn explanation_beside(&self) -> Option<&PixelExplanation> {
+        self.beside.explanation()
     }
 
     /// The camera's ray of the selected sample, and the question that its tree answers; not that of another pixel.
     pub fn root(&self) -> Option<(Question, &RecordedRay)> {
-        let (question, _) = self.answered.as_ref()?;
-        let sample = self.sample_of(self.explanation()?)?;
-        let is_current = self.pixel == Some(question.pixel);
-        let root = sample.ray.as_ref().filter(|_| is_current)?;
-        Some((Question { sample: sample.index, ..*question }, root))
+        self.asked
+            .root(self.shown_sample())
+            .filter(|(question, _)| self.pixel == Some(question.pixel))
+    }
+
+    /// The sample whose tree is shown: the one that is pointed at, if it is explained, or the chosen one.
+    fn shown_sample(&self) -> u32 {
+        let is_explained = |sample: &u32| {
+            self.explanation().is_some_and(|answer| sample_of(answer, *sample).is_some())
+        };
+        self.previewed.filter(is_explained).unwrap_or(self.sample)
+    }
+
+    /// Begins a frame: what was pointed at in the last one is lit in this one.
+    pub fn begin_frame(&mut self) {
+        self.tree.lit = self.tree.hovered.take();
+        self.previewed = self.pointed.take();
+    }
+
+    /// Whether the next frame looks other than this one, because something else is pointed at.
+    pub fn is_changed(&self) -> bool {
+        (self.tree.hovered, self.pointed) != (self.tree.lit, self.previewed)
+    }
+
+    /// Selects a pixel of a picture of this size.
+    ///
+    /// # Errors
+    /// The picture has no such pixel.
+    pub fn select(
+        &mut self,
+        pixel @ [x, y]: [u32; 2],
+        [width, height]: [u32; 2],
+    ) -> Result<(), String> {
+        if x >= width || y >= height {
+            return Err(format!("pixel ({x}, {y}) is outside the picture of {width} × {height}"));
+        }
+        if self.pixel != Some(pixel) {
+            self.tree = Tree::default();
+        }
+        (self.pixel, self.is_proposed) = (Some(pixel), false);
+        Ok(())
     }
 
     /// Selects a ray of the tree and scrolls to it.
@@ -203,16 +174,17 @@ impl Selection {
     }
 
     /// The hits along the path to the selected ray, projected into the picture.
-    pub fn trail(&self, rendering: &Rendering) -> Vec<TrailPoint> {
+    pub fn trail(&self, world: &World) -> Vec<TrailPoint> {
         self.root().map_or(Vec::new(), |(Question { pixel, .. }, root)| {
-            trail::points(&rendering.world, pixel, root, self.tree.ray)
+            trail::points(world, pixel, root, self.tree.ray)
         })
     }
 
     /// Whether the selected pixel is not explained yet.
     pub fn is_waiting(&self) -> bool {
-        let current = self.answered.as_ref().map(|(question, _)| question.pixel);
-        self.working.is_busy()
+        let current = self.asked.pixel();
+        self.asked.is_busy()
+            || self.beside.is_busy()
             || self.proposing.is_busy()
             || self.making.is_busy()
             || current != self.pixel
@@ -226,9 +198,9 @@ impl Selection {
         wanted: &mut Scene,
         splits: &mut Splits,
     ) -> bool {
-        let answer = match &self.answered {
-            Some((_, Ok(explanation))) => Arc::clone(explanation),
-            Some((_, Err(error))) => {
+        let answer = match self.asked.outcome() {
+            Some(Ok(explanation)) => Arc::clone(explanation),
+            Some(Err(error)) => {
                 ui.colored_label(ui.visuals().error_fg_color, error);
                 return false;
             }
@@ -240,7 +212,7 @@ impl Selection {
         };
         let inner = Frame::new().inner_margin(Margin::symmetric(0, 4));
         Panel::top("pixel").frame(inner).show(ui, |ui| self.head(ui, &answer, shown));
-        let sample = self.sample_of(&answer);
+        let sample = sample_of(&answer, self.shown_sample());
         let [above, below] = splits.show_lower(ui, ui.available_rect_before_wrap());
         let margin = vec2(0.0, 4.0);
         part(ui, "tree", above, margin, |ui| match sample {
@@ -248,12 +220,6 @@ impl Selection {
             None => drop(ui.spinner()),
         });
         part(ui, "details", below, margin, |ui| self.details(ui, &answer, shown, wanted))
-    }
-
-    /// The sample whose tree is shown, if it is explained.
-    fn sample_of<'a>(&self, answer: &'a PixelExplanation) -> Option<&'a SampleExplanation> {
-        let index = self.sample.min(answer.samples_per_pixel - 1);
-        answer.samples.iter().find(|sample| sample.index == index)
     }
 
     /// Shows what is below the tree; returns whether `wanted` was changed.
@@ -275,18 +241,27 @@ impl Selection {
                 None if self.tab == Tab::Verdict => self.tab = Tab::default(),
                 None => {}
             }
+            if shown.theirs.is_some_and(|theirs| theirs.program.is_some()) {
+                let tab = ui.selectable_value(&mut self.tab, Tab::Beside, "Side by side");
+                tab.on_hover_text("The selected ray in both pictures, number by number");
+            } else if self.tab == Tab::Beside {
+                self.tab = Tab::default();
+            }
         });
         let area = ScrollArea::both().id_salt("details").auto_shrink(false);
         let area = area.min_scrolled_height(MIN_HEIGHT);
         let (tone, chosen) = (shown.tone, &mut self.sample);
         match self.tab {
-            Tab::Ray => drop(area.show(ui, |ui| self.ray_details(ui, shown.rendering))),
-            Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|verdict| read(ui, verdict)))),
-            Tab::Section => self.section_of_ray(ui, &shown.rendering.world),
-            Tab::Sum => SumList { answer, tone, order: &mut self.order, chosen }.show(ui, area),
+            Tab::Ray => drop(area.show(ui, |ui| self.ray_details(ui, shown))),
+            Tab::Beside => drop(area.show(ui, |ui| self.side_by_side(ui, shown))),
+            Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|it| verdict_text::show(ui, it)))),
+            Tab::Section => self.section_of_ray(ui, shown.subject().world()),
+            Tab::Sum => {
+                let (order, pointed) = (&mut self.order, &mut self.pointed);
+                SumList { answer, tone, order, chosen, pointed }.show(ui, area);
+            }
             Tab::Samples => {
-                let show = |ui: &mut Ui| self.samples.show(ui, shown, answer, chosen, wanted);
-                return area.show(ui, show).inner;
+                return area.show(ui, |ui| self.samples_of(ui, shown, answer, wanted)).inner;
             }
         }
         false
@@ -297,13 +272,13 @@ impl Selection {
         (self.tab, self.why_not.object) = (Tab::Ray, Some(object));
     }
 
-    fn ray_details(&mut self, ui: &mut Ui, rendering: &Rendering) {
+    fn ray_details(&mut self, ui: &mut Ui, shown: &Shown<'_>) {
         let mut why_not = std::mem::take(&mut self.why_not);
         let (mut clicked, mut hovered) = (None, None);
         if let Some((question, root)) = self.root() {
             let ray = self.tree.selected(root);
             details::head(ui, ray);
-            why_not.show(ui, rendering, (question, root), ray.number);
+            why_not.show(ui, &shown.subject(), (question, root), ray.number);
             clicked = details::show(ui, ray, &mut hovered);
         }
         self.why_not = why_not;
@@ -311,6 +286,37 @@ impl Selection {
         if let Some(number) = clicked {
             self.go_to(number);
         }
+    }
+
+    /// Shows the selected ray of both pictures: ours at the left, whichever tree is above.
+    fn side_by_side(&mut self, ui: &mut Ui, shown: &Shown<'_>) {
+        let program = shown.theirs.and_then(|theirs| theirs.program.as_ref());
+        let (Some((_, this)), Some((_, other)), Some(program)) =
+            (self.root(), self.beside.root(self.sample), program)
+        else {
+            ui.weak("One of the pictures has no ray here, or is not explained yet.");
+            return;
+        };
+        let is_ours = shown.subject().program.is_none();
+        beside::show(ui, [this, other], self.tree.ray, (is_ours, &program.name));
+    }
+
+    /// Shows the samples of the pixel; returns whether `wanted` was changed.
+    fn samples_of(
+        &mut self,
+        ui: &mut Ui,
+        shown: &Shown<'_>,
+        answer: &PixelExplanation,
+        wanted: &mut Scene,
+    ) -> bool {
+        let (mut samples, mut chosen) = (std::mem::take(&mut self.samples), self.sample);
+        let root = self.root().map(|(_, root)| root);
+        let mut linked = Linked { root, lit: self.tree.lit, ..Linked::default() };
+        let changed = samples.show(ui, (shown, answer), &mut chosen, &mut linked, wanted);
+        let Linked { sample, ray, .. } = linked;
+        (self.samples, self.sample, self.pointed) = (samples, chosen, sample);
+        self.tree.hovered = self.tree.hovered.or(ray);
+        changed
     }
 
     fn section_of_ray(&mut self, ui: &mut Ui, world: &World) {
@@ -353,8 +359,8 @@ impl Selection {
         let [x, y] = answer.pixel;
         ui.horizontal_wrapped(|ui| {
             tree::swatch(ui, display::color(shown.tone, answer.radiance));
-            let mistake = self.answered.as_ref().and_then(|(question, _)| question.mistake);
-            let with = mistake.map_or(String::new(), |name| format!(" with {name}"));
+            let program = shown.subject().program;
+            let with = program.map_or(String::new(), |program| format!(" with {}", program.name));
             ui.heading(format!("Pixel ({x}, {y}){with}"));
             if self.is_waiting() {
                 ui.spinner();
@@ -365,7 +371,7 @@ impl Selection {
                 pixel::chooser(ui, &mut self.sample, last);
             }
             ui.separator();
-            let root = self.sample_of(answer).and_then(|sample| sample.ray.as_ref());
+            let root = sample_of(answer, self.sample).and_then(|sample| sample.ray.as_ref());
             let ray = root.map(|root| self.tree.selected(root));
             pixel::copy_menu(ui, shown, answer, self.sample.min(last), ray, &mut self.making);
         });
@@ -383,17 +389,4 @@ impl Selection {
             pixel::theirs(ui, answer.pixel, theirs, shown);
         }
     }
-}
-
-/// Shows a verdict as the command prints it, to be read, selected and copied.
-fn read(ui: &mut Ui, verdict: &Verdict) {
-    let text = verdict.to_string();
-    ui.horizontal(|ui| {
-        if ui.small_button("Copy the verdict").clicked() {
-            ui.ctx().copy_text(text.clone());
-            copying::set_copied(ui.ctx());
-        }
-        copying::show_copied(ui);
-    });
-    ui.label(RichText::new(text).monospace().size(12.0));
 }

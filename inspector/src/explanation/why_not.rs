@@ -1,14 +1,12 @@
 //! Why the selected ray does not hit an object.
 
-use std::path::Path;
-
 use eframe::egui::{ComboBox, RichText, Ui};
 use groundtruth::explain::RecordedRay;
 use groundtruth::printable::name;
 use space::why_not;
 
-use crate::explanation::selection::Question;
-use crate::picture::worker::Rendering;
+use crate::explanation::Subject;
+use crate::explanation::asked::Question;
 
 /// The object that is asked about, and the answer for the ray that was selected last.
 #[derive(Default)]
@@ -23,11 +21,11 @@ impl WhyNotView {
     pub fn show(
         &mut self,
         ui: &mut Ui,
-        rendering: &Rendering,
+        subject: &Subject<'_>,
         (question, root): (Question, &RecordedRay),
         ray: usize,
     ) {
-        let objects = &rendering.world.names.objects;
+        let objects = &subject.world().names.objects;
         let chosen = self.object.and_then(|object| objects.get(object as usize));
         ui.horizontal(|ui| {
             let label = ui.label("Why does it not hit");
@@ -46,7 +44,7 @@ impl WhyNotView {
             (*of, *number, *about) == (question, ray, object)
         };
         if !self.answered.as_ref().is_some_and(is_answered) {
-            let lines = answer(rendering, rendering.source.folder(), root, ray, object);
+            let lines = answer(subject, root, ray, object);
             self.answered = Some((question, ray, object, lines));
         }
         let lines = self.answered.iter().flat_map(|(.., lines)| lines);
@@ -58,14 +56,8 @@ impl WhyNotView {
 }
 
 /// The answer in a sentence, and its numbers.
-fn answer(
-    rendering: &Rendering,
-    folder: &Path,
-    root: &RecordedRay,
-    ray: usize,
-    object: u32,
-) -> Vec<String> {
-    let (scene, world) = (&*rendering.scene, &*rendering.world);
+fn answer(subject: &Subject<'_>, root: &RecordedRay, ray: usize, object: u32) -> Vec<String> {
+    let (scene, world, folder) = (subject.scene(), subject.world(), subject.source().folder());
     let question = why_not::Question { scene, folder, world, root, ray, object };
     match question.answer() {
         Ok(answer) => std::iter::once(answer.sentence()).chain(answer.numbers()).collect(),

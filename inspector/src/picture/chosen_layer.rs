@@ -3,12 +3,13 @@
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
-use eframe::egui::{Color32, ComboBox, Context, Painter, Ui};
-use groundtruth::film::Tone;
+use eframe::egui::{Button, Color32, ComboBox, Context, Painter, Ui};
+use groundtruth::film::{Film, Tone};
 use groundtruth::render::Canvas;
 use groundtruth::rgb::Rgb;
 use layers::{Colors, Layer, LegendRow};
 
+use crate::action::Shows;
 use crate::picture::tiles::{self, Images, Tiles};
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
@@ -17,6 +18,23 @@ use crate::picture::worker::{Background, Rendering};
 const REFRESH: Duration = Duration::from_millis(150);
 /// The opacity of the coarse layer, through which the hatching shows.
 const COARSE_ALPHA: u8 = 215;
+
+/// The layers of a comparison, which are chosen in the same list.
+pub struct Compared<'a> {
+    /// The view of the two pictures.
+    pub shows: &'a mut Shows,
+    /// Whether there is a verdict, and so a map of z.
+    pub is_judged: bool,
+}
+
+/// The name of a view of two pictures that is a layer, and what it is.
+pub fn named(shows: Shows) -> Option<(&'static str, &'static str)> {
+    match shows {
+        Shows::Difference => Some(("difference", "The other picture less ours, around grey (D)")),
+        Shows::Map => Some(("map of z", "The difference in standard deviations, around grey (Z)")),
+        Shows::Ours | Shows::Theirs | Shows::Swipe => None,
+    }
+}
 
 /// Which layer is shown, if one is, as far as it is found.
 #[derive(Default)]
@@ -113,21 +131,44 @@ fn develop(
 }
 
 impl ChosenLayer {
-    /// Shows the list of layers; in a narrow bar without its name.
-    pub fn choose(&mut self, ui: &mut Ui, is_narrow: bool) {
+    /// Shows the list of layers, with those of a comparison at its end; in a narrow bar without its name.
+    pub fn choose(&mut self, ui: &mut Ui, is_narrow: bool, compared: Option<Compared<'_>>) {
         let label = (!is_narrow).then(|| ui.label("Layer"));
         let width = if is_narrow { 64.0 } else { 130.0 };
-        let name = self.chosen.as_ref().map_or("picture".to_owned(), Layer::to_string);
+        let beside = compared.as_ref().and_then(|it| named(*it.shows));
+        let of_scene = || self.chosen.as_ref().map_or("picture".to_owned(), Layer::to_string);
+        let name = beside.map_or_else(of_scene, |(name, _)| name.to_owned());
         let list = ComboBox::from_id_salt("layer")
             .selected_text(name)
             .truncate()
             .width(width)
             .height(480.0);
         let entries = |ui: &mut Ui| {
+            let mut compared = compared;
             for layer in &self.offered {
                 let chosen = Some(layer).filter(|layer| **layer != Layer::PICTURE).cloned();
-                let entry = ui.selectable_value(&mut self.chosen, chosen, layer.to_string());
-                entry.on_hover_text(layer.kind().about);
+                let is_shown = beside.is_none() && self.chosen == chosen;
+                let entry = ui.selectable_label(is_shown, layer.to_string());
+                if entry.on_hover_text(layer.kind().about).clicked() {
+                    if let Some(compared) = &mut compared
+                        && (chosen.is_some() || beside.is_some())
+                    {
+                        // ours, of which it is a layer
+                        *compared.shows = Shows::Ours;
+                    }
+                    self.chosen = chosen;
+                }
+            }
+            let Some(Compared { shows, is_judged }) = compared else { return };
+            for wanted in [Shows::Difference, Shows::Map] {
+                let Some((name, about)) = named(wanted) else { continue };
+                let entry = Button::selectable(*shows == wanted, name);
+                let is_there = wanted != Shows::Map || is_judged;
+                let entry = ui.add_enabled(is_there, entry).on_hover_text(about);
+                let entry = entry.on_disabled_hover_text("Once the picture is judged");
+                if entry.clicked() {
+                    (*shows, self.chosen) = (wanted, None);
+                }
             }
         };
         let list = list.show_ui(ui, entries).response.on_hover_text("What is shown of each pixel");
@@ -200,6 +241,13 @@ impl ChosenLayer {
         let finding = self.finding.as_ref().filter(|finding| finding.running.is_busy())?;
         let (done, whole) = finding.canvas.progress();
         Some(done as f32 / whole as f32)
+    }
+
+    /// The layer, and a film of its values once all are found.
+    pub fn film(&self) -> Option<(Layer, Option<Film>)> {
+        let layer = self.chosen.clone()?;
+        let finding = self.finding.as_ref().filter(|it| it.layer == layer && self.is_complete());
+        Some((layer, finding.map(|finding| finding.canvas.film())))
     }
 
     /// The value of the layer at a pixel, if it is found; `Some(None)` where nothing is hit.

@@ -1,53 +1,120 @@
-//! Saving the picture: on a separate thread, and asking before a file is replaced.
+//! Saving the picture, or a layer of it: on a separate thread, and asking before a file is replaced.
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use eframe::egui::{Context, Event, Id, Key, Modal};
-use groundtruth::film::{self, Format};
+use groundtruth::film::{self, Film, Format, ImageError, Provenance, Tone};
+use groundtruth::render::Canvas;
+use groundtruth::world::World;
+use layers::Layer;
 use pictures::provenance;
 
-use crate::picture::display::Picture;
 use crate::picture::worker::{Background, Rendering};
+
+/// What is saved.
+#[derive(Clone, Debug)]
+pub enum Content {
+    /// The picture.
+    Picture,
+    /// A layer that is found: a film of its values.
+    Layer(Layer, Film),
+    /// Another film beside the picture.
+    Beside(Beside),
+}
+
+/// A film that is no layer of the scene.
+#[derive(Clone, Debug)]
+pub struct Beside {
+    /// What it is, for the file.
+    pub name: &'static str,
+    /// Its colours, for files to look at.
+    pub colors: Film,
+    /// Its values.
+    pub values: Film,
+}
 
 /// The state of saving.
 #[derive(Debug, Default)]
 pub struct Saving {
     working: Background<Result<PathBuf, String>>,
-    /// The existing file that the question is about.
-    asking: Option<PathBuf>,
+    /// The existing file that the question is about, and what is to be in it.
+    asking: Option<(PathBuf, Content)>,
 }
 
-impl Saving {
-    /// Saves the picture, or asks first if the file exists.
-    pub fn start(&mut self, ctx: &Context, rendering: &Rendering, picture: &Picture, to: &Path) {
-        if to.exists() {
-            self.asking = Some(to.to_owned());
-        } else {
-            self.write(ctx, rendering, picture, to.to_owned());
+impl Content {
+    fn part(&self) -> Option<String> {
+        match self {
+            Self::Picture => None,
+            Self::Layer(layer, _) => Some(format!("layer {layer}")),
+            Self::Beside(beside) => Some(beside.name.to_owned()),
         }
     }
 
-    fn write(&mut self, ctx: &Context, rendering: &Rendering, picture: &Picture, to: PathBuf) {
-        let (canvas, tone, of_scene) =
-            (rendering.canvas.clone(), picture.tone, rendering.world.image.tone());
-        let is_for_display = Format::of(&to).is_ok_and(Format::is_for_display);
+    fn encode(
+        &self,
+        format: Format,
+        (canvas, world): (&Canvas, &World),
+        tone: Tone,
+        made: &Provenance,
+    ) -> std::io::Result<Vec<u8>> {
+        match self {
+            Self::Picture => film::encode(&canvas.film(), &tone, format, made),
+            Self::Layer(layer, film) => {
+                layers::encode_film(layer, film, format, (world, tone), made)
+            }
+            Self::Beside(Beside { colors, .. }) if format.is_for_display() => {
+                film::encode(colors, &Tone::PLAIN, format, made)
+            }
+            Self::Beside(Beside { values, .. }) => film::encode(values, &Tone::PLAIN, format, made),
+        }
+    }
+}
+
+impl Saving {
+    /// Saves it, or asks first if the file exists.
+    pub fn start(
+        &mut self,
+        ctx: &Context,
+        (rendering, tone): (&Rendering, Tone),
+        content: Content,
+        to: &Path,
+    ) {
+        if to.exists() {
+            self.asking = Some((to.to_owned(), content));
+        } else {
+            self.write(ctx, (rendering, tone), content, to.to_owned());
+        }
+    }
+
+    fn write(
+        &mut self,
+        ctx: &Context,
+        (rendering, tone): (&Rendering, Tone),
+        content: Content,
+        to: PathBuf,
+    ) {
+        let (canvas, of_scene) = (rendering.canvas.clone(), rendering.world.image.tone());
         let (source, read) = (rendering.source.clone(), rendering.read.clone());
         let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
         self.working.start(ctx, move || {
             let made = provenance((source.entry(), &read), (&scene, &world), source.folder());
             let mut made = made.map_err(|error| error.to_string())?;
-            made.tone = (is_for_display && tone != of_scene).then(|| tone.to_string());
-            let written = film::write_made(&canvas.film(), &tone, &to, &made);
+            let format = Format::of(&to).map_err(|error| error.to_string())?;
+            made.tone = (format.is_for_display() && tone != of_scene).then(|| tone.to_string());
+            made.part = content.part();
+            let bytes = content.encode(format, (&canvas, &world), tone, &made);
+            let unwritable = |source| ImageError::Unwritable { path: to.clone(), source };
+            let written = bytes.and_then(|bytes| film::replace(&to, &bytes)).map_err(unwritable);
             // with its folder, which a relative name hides
-            let whole = std::path::absolute(&to).unwrap_or(to);
+            let whole = std::path::absolute(&to).unwrap_or(to.clone());
             written.map(|()| whole).map_err(|error| error.to_string())
         });
     }
 
     /// Asks whether to replace the file, until the user answers.
-    pub fn ask(&mut self, ctx: &Context, rendering: &Rendering, picture: &Picture) {
-        let Some(path) = self.asking.clone() else { return };
+    pub fn ask(&mut self, ctx: &Context, rendering: &Rendering, tone: Tone) {
+        let Some((path, _)) = &self.asking else { return };
         let enter = ctx.input(|input| input.events.iter().any(is_enter));
         let modal = Modal::new(Id::unique("replace")).show(ctx, |ui| {
             ui.set_max_width(420.0);
@@ -63,8 +130,9 @@ impl Saving {
             .inner
         });
         if modal.inner || enter {
-            self.asking = None;
-            self.write(ctx, rendering, picture, path);
+            if let Some((path, content)) = self.asking.take() {
+                self.write(ctx, (rendering, tone), content, path);
+            }
         } else if modal.should_close() {
             self.asking = None;
         }

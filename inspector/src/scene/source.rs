@@ -44,11 +44,15 @@ impl Source {
         }
     }
 
-    /// The file name that is proposed for its picture: that of the scene, as `glass-sphere.png`.
-    pub fn picture_name(&self) -> String {
+    /// The file name that is proposed for its picture, or for a layer of it: that of the scene, as `glass-sphere.png` and
+    /// `glass-sphere-normal.png`.
+    pub fn picture_name(&self, layer: Option<&str>) -> String {
         let name = self.name();
         let stem = Path::new(&name).file_stem().unwrap_or_default();
-        format!("{}.png", stem.to_string_lossy())
+        let safe = |letter: char| if letter.is_alphanumeric() { letter } else { '-' };
+        let layer: String = layer.map_or(String::new(), |it| format!("-{it}"));
+        let layer: String = layer.chars().map(safe).collect();
+        format!("{}{layer}.png", stem.to_string_lossy())
     }
 
     /// The scene of the gallery.

@@ -12,6 +12,7 @@ use groundtruth::film::Tone;
 use groundtruth::world::World;
 use space::{Backdrop as Scene, Orbit, Segment, Visibility};
 
+use crate::explanation::Version;
 use crate::picture::worker::Background;
 
 /// The sides of the squares that share one ray, in points of the screen, from the first picture to the last.
@@ -33,8 +34,8 @@ pub type Runs = Vec<([f64; 2], bool)>;
 /// The view that is drawn: which scene, from where, how large, and what of it is looked through.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Request {
-    /// The number of the rendering.
-    pub generation: u64,
+    /// Of which picture.
+    pub version: Version,
     /// The camera.
     pub orbit: Orbit,
     /// Width and height in points of the screen.

@@ -12,9 +12,10 @@ use groundtruth::printable::name;
 use groundtruth::world::World;
 use space::Segment;
 
+use crate::explanation::Subject;
+use crate::explanation::asked::Question;
 use crate::explanation::pointing;
-use crate::explanation::selection::Question;
-use crate::picture::worker::Rendering;
+use crate::explanation::selection::Selection;
 use crate::space::backdrop::{Backdrop, Request};
 use crate::space::camera::{Camera, Seen};
 use crate::space::filter::Filter;
@@ -83,13 +84,13 @@ pub struct Traced<'a> {
 
 /// What the mouse does in the view.
 #[derive(Default)]
-pub struct Pointed {
+struct Pointed {
     /// The ray under the mouse.
-    pub hovered: Option<usize>,
+    hovered: Option<usize>,
     /// The ray that was clicked.
-    pub clicked: Option<usize>,
+    clicked: Option<usize>,
     /// The object of which is asked why the selected ray does not hit it.
-    pub why_not: Option<u32>,
+    why_not: Option<u32>,
 }
 
 /// The pieces of rays that are drawn: for which tree and filter.
@@ -135,16 +136,37 @@ impl SpaceView {
         self.id.is_some() && ctx.memory(|memory| memory.focused()) == self.id
     }
 
-    /// Shows it in this area.
+    /// Shows the rays of the selected sample in this area, and passes on what the mouse does.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         area: Rect,
-        rendering: &Rendering,
+        subject: &Subject<'_>,
+        selection: &mut Selection,
+    ) {
+        let Selection { pixel, tree, .. } = &*selection;
+        let (pixel, selected, lit) = (*pixel, tree.ray, tree.lit);
+        let traced = selection.root();
+        let traced = traced.map(|(question, root)| Traced { question, root, selected, lit });
+        let pointed = self.show_rays(ui, area, subject, pixel, traced.as_ref());
+        if let Some(number) = pointed.clicked {
+            selection.go_to(number);
+        }
+        if let Some(object) = pointed.why_not {
+            selection.ask_why_not(object);
+        }
+        selection.tree.hovered = selection.tree.hovered.or(pointed.hovered);
+    }
+
+    fn show_rays(
+        &mut self,
+        ui: &mut Ui,
+        area: Rect,
+        subject: &Subject<'_>,
         pixel: Option<[u32; 2]>,
         traced: Option<&Traced<'_>>,
     ) -> Pointed {
-        let world = &rendering.world;
+        let world = subject.world();
         self.update_pieces(world, traced);
         let segments =
             self.pieces.as_ref().map_or_else(Arc::default, |it| Arc::clone(&it.segments));
@@ -159,7 +181,7 @@ impl SpaceView {
 
         let Some(orbit) = self.camera.orbit else { return Pointed::default() };
         let request = Request {
-            generation: rendering.generation,
+            version: subject.version(),
             orbit,
             size: [view.width(), view.height()].map(|side| side as usize),
             faded: self.camera.faded.clone(),

@@ -55,9 +55,10 @@ pub struct Arguments {
     /// A dark ground, for judging colours, or a light one, for projectors; as the last time if left out
     #[arg(long, value_enum)]
     pub theme: Option<Ground>,
-    /// Hold this picture (PNG, JPEG, PPM, HDR, EXR or PFM) against ours, which is rendered at its size
+    /// Hold this picture (PNG, JPEG, PPM, HDR, EXR or PFM) against ours, which is rendered at its size; once for each of
+    /// several pictures, of which the first is shown
     #[arg(long, value_name = "FILE", conflicts_with = "size")]
-    pub compare: Option<PathBuf>,
+    pub compare: Vec<PathBuf>,
     /// How a PNG, JPEG or PPM file encodes radiance: srgb (if left out), linear, or gamma=2.2
     #[arg(long, value_name = "CURVE", requires = "compare")]
     pub encoding: Option<Transfer>,
@@ -73,12 +74,12 @@ fn parse_size(text: &str) -> Result<[u32; 2], String> {
 }
 
 impl Arguments {
-    /// The picture that ours is compared with.
+    /// The pictures that ours is compared with.
     ///
     /// # Errors
-    /// If it cannot be read.
-    pub fn theirs(&self) -> Result<Option<Theirs>, String> {
-        self.compare.as_ref().map(|path| Theirs::read(path, self.encoding)).transpose()
+    /// If one cannot be read.
+    pub fn theirs(&self) -> Result<Vec<Theirs>, String> {
+        self.compare.iter().map(|path| Theirs::read(path, self.encoding)).collect()
     }
 
     /// The scene of the arguments, at the size of the picture that it is compared with.

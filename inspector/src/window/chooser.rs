@@ -6,9 +6,14 @@ use std::pin::Pin;
 use eframe::egui::Context;
 use rfd::{AsyncFileDialog, FileHandle};
 
-use crate::action::Purpose;
-use crate::comparison::opening::FORMATS;
+use crate::action::{Action, Purpose, With};
+use crate::comparison::opening::{self, FORMATS};
 use crate::picture::worker::Background;
+use crate::scene::source::Source;
+use crate::window::panels::Fields;
+
+/// What is said when no file is chosen.
+const NO_FILE: &str = "no file chosen (the chooser is that of the desktop's portal, or zenity); the path can be typed, too";
 
 /// The chooser while it is open.
 #[derive(Default)]
@@ -25,7 +30,9 @@ impl FileChooser {
         // made on this thread: macOS shows it from no other
         let dialog = AsyncFileDialog::new();
         let chosen: Pin<Box<dyn Future<Output = Option<FileHandle>> + Send>> = match purpose {
-            Purpose::Scene => Box::pin(dialog.add_filter("scenes", &["toml"]).pick_file()),
+            Purpose::Scene | Purpose::OtherScene => {
+                Box::pin(dialog.add_filter("scenes", &["toml"]).pick_file())
+            }
             Purpose::Theirs => Box::pin(dialog.add_filter("pictures", &FORMATS).pick_file()),
             Purpose::Picture => {
                 let formats = ["png", "ppm", "exr", "pfm"];
@@ -43,6 +50,20 @@ impl FileChooser {
         choose: impl FnOnce() -> Option<PathBuf> + Send + 'static,
     ) {
         self.answer.start(ctx, move || (purpose, choose()));
+    }
+
+    /// What the chosen file is for; its name is put in its field. Or why there is none.
+    pub fn chosen(&mut self, fields: &mut Fields) -> Option<Result<Action, &'static str>> {
+        let Some((purpose, path)) = self.poll()? else { return Some(Err(NO_FILE)) };
+        Some(Ok(match purpose {
+            Purpose::Scene => opening::named(path),
+            Purpose::Theirs => Action::Compare(With::Picture(path)),
+            Purpose::OtherScene => Action::Compare(With::Scene(Source::File(path))),
+            Purpose::Picture => {
+                fields.save = path.display().to_string();
+                Action::SaveAs(path)
+            }
+        }))
     }
 
     /// Whether it is open.

@@ -2,10 +2,10 @@
 
 use eframe::egui::{Align2, Context, Grid, Key, KeyboardShortcut, Modifiers, RichText, Window};
 
-use crate::action::{Action, Shows};
+use crate::action::{Action, Shows, With};
 
 /// The keys and what they do.
-const KEYS: [(&str, &str); 20] = [
+const KEYS: [(&str, &str); 21] = [
     ("click", "explain this pixel"),
     ("right click", "on an object: why does the selected ray not hit it?"),
     ("arrows", "explain the next pixel (Shift: ten pixels on)"),
@@ -13,11 +13,12 @@ const KEYS: [(&str, &str); 20] = [
     ("wheel, pinch", "zoom in and out under the mouse"),
     ("drag", "move the picture; a bar between two parts: resize them"),
     ("double click", "on a bar: its default place"),
-    ("T", "with another picture (--compare, a mistake): flip between ours and theirs"),
+    ("T", "with another picture (Compare with …, a mistake): flip between ours and theirs"),
     ("W", "with another picture: ours at the left of a line, theirs at its right; drag the line"),
     ("D", "with another picture: theirs less ours"),
     ("Z", "with another picture, once it is judged: the map of z"),
     ("N", "with another picture: explain the worst pixel of the next region of difference"),
+    ("O", "with several other pictures: compare with the next of them"),
     ("S", "the picture, the picture and its rays in space, or space alone"),
     (
         "1 2 3, C, F, A, R",
@@ -34,11 +35,12 @@ const KEYS: [(&str, &str); 20] = [
 /// The action of the pressed shortcut. `?` and letters are shortcuts only if no text is being typed (`is_text`).
 pub fn pressed(ctx: &Context, is_text: bool) -> Option<Action> {
     let letters = [
-        (Key::T, Action::Flip(Shows::Theirs)),
-        (Key::W, Action::Flip(Shows::Swipe)),
-        (Key::D, Action::Flip(Shows::Difference)),
-        (Key::Z, Action::Flip(Shows::Map)),
+        (Key::T, Action::Compare(With::Flip(Shows::Theirs))),
+        (Key::W, Action::Compare(With::Flip(Shows::Swipe))),
+        (Key::D, Action::Compare(With::Flip(Shows::Difference))),
+        (Key::Z, Action::Compare(With::Flip(Shows::Map))),
         (Key::N, Action::NextRegion),
+        (Key::O, Action::Compare(With::Next)),
         (Key::S, Action::NextView),
         (Key::B, Action::ChangeGround),
     ];

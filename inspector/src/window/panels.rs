@@ -1,21 +1,18 @@
-//! The bars: fields for scene, file and pixel, the message, settings of the view, and the pixel under the mouse; and the
-//! panel of the scene.
+//! The bars: fields for scene, file and pixel, the message, settings of the view, and the pixel under the mouse.
 
 use eframe::egui::{
     Align, Button, Id, Key, Label, Layout, ProgressBar, RichText, Slider, TextEdit, Ui, vec2,
 };
-use groundtruth::explain::{self, count, short};
+use groundtruth::explain::{count, short};
 
 use crate::action::{Action, Purpose};
+use crate::comparison::opening;
 use crate::comparison::theirs::Theirs;
-use crate::picture::chosen_layer::ChosenLayer;
+use crate::picture::chosen_layer::{ChosenLayer, Compared};
 use crate::picture::display::Picture;
-use crate::picture::image_settings::ImageSettings;
-use crate::picture::session::Session;
 use crate::picture::view::View;
 use crate::picture::worker::{Progress, Rendering};
 use crate::scene::source::Source;
-use crate::scene::switches;
 use crate::space::view::Mode;
 use crate::window::picker::ScenePicker;
 
@@ -24,10 +21,27 @@ use crate::window::picker::ScenePicker;
 pub struct Fields {
     /// A scene file to open.
     pub open: String,
-    /// The file for the picture.
+    /// The file for the picture or the layer.
     pub save: String,
+    /// What was proposed for it.
+    proposed: String,
     /// The coordinates of a pixel.
     pub pixel: String,
+}
+
+impl Fields {
+    /// Proposes the name of a file, unless another one was typed.
+    pub fn propose(&mut self, name: String) {
+        if self.save == self.proposed {
+            self.save.clone_from(&name);
+        }
+        self.proposed = name;
+    }
+
+    /// Forgets the name that was typed: it was for another scene.
+    pub fn forget_save(&mut self) {
+        self.save.clone_from(&self.proposed);
+    }
 }
 
 /// The least width of a window with one row of fields; narrower ones have two.
@@ -88,7 +102,7 @@ fn scene_and_pixel(
 
 fn open_and_save(ui: &mut Ui, fields: &mut Fields, widths: [f32; 2]) -> Option<Action> {
     let field = TextEdit::singleline(&mut fields.open).id(file_field());
-    let field = field.hint_text("scene.toml, or drop a file");
+    let field = field.hint_text("scene.toml or a picture; or drop files");
     let (named, is_choosing_scene) = entry(ui, "File", field, widths[0], |ui| {
         let is_choosing = choose(ui, "Choose a scene file");
         (ui.button("Open").clicked(), is_choosing)
@@ -105,7 +119,7 @@ fn open_and_save(ui: &mut Ui, fields: &mut Fields, widths: [f32; 2]) -> Option<A
     } else if is_choosing {
         Some(Action::Choose(Purpose::Picture))
     } else if named && !file.is_empty() {
-        Some(Action::Open(Source::File(file.into())))
+        Some(opening::named(file.into()))
     } else {
         (saved && !name.is_empty()).then_some(Action::Save)
     }
@@ -144,29 +158,14 @@ pub fn message(ui: &mut Ui, message: &mut Option<(String, bool)>) {
     });
 }
 
-/// Shows the scene's panel: what it is, its settings and switches. Returns whether it was changed, and notes the index of
-/// the object that is pointed at.
-pub fn scene(
-    ui: &mut Ui,
-    session: &mut Session,
-    settings: &mut ImageSettings,
-    pointed: &mut Option<u32>,
-) -> bool {
-    let Session { rendering, wanted, seed, .. } = session;
-    if !wanted.about.is_empty() {
-        ui.label(RichText::new(&wanted.about).italics());
-        ui.add_space(6.0);
-    }
-    let changed = settings.show(ui, wanted, seed);
-    for note in explain::notes(&rendering.world) {
-        ui.label(RichText::new(note).color(ui.visuals().warn_fg_color));
-    }
-    ui.add_space(8.0);
-    changed | switches::show(ui, wanted, pointed)
-}
-
 /// Shows the settings of the view.
-pub fn view_settings(ui: &mut Ui, picture: &mut Picture, mode: &mut Mode, rendering: &Rendering) {
+pub fn view_settings(
+    ui: &mut Ui,
+    picture: &mut Picture,
+    theirs: Option<&mut Theirs>,
+    mode: &mut Mode,
+    rendering: &Rendering,
+) {
     ui.horizontal_wrapped(|ui| {
         if ui.available_width() < ONE_ROW_MIN_WIDTH {
             ui.spacing_mut().slider_width = SHORT_SLIDER;
@@ -185,7 +184,12 @@ pub fn view_settings(ui: &mut Ui, picture: &mut Picture, mode: &mut Mode, render
             ui.selectable_value(mode, shown, text).on_hover_text(hint);
         }
         separator(ui);
-        picture.layer.choose(ui, is_narrow);
+        let theirs = theirs.filter(|theirs| theirs.fits(rendering));
+        let compared = theirs.map(|theirs| {
+            let is_judged = theirs.judgement.verdict().is_some();
+            Compared { shows: &mut theirs.shows, is_judged }
+        });
+        picture.layer.choose(ui, is_narrow, compared);
         separator(ui);
         let label = ui.label("Exposure");
         let exposure = Slider::new(&mut picture.tone.exposure, 0.01..=100.0).logarithmic(true);

@@ -154,7 +154,7 @@ fn our_picture_has_the_size_of_theirs() {
         let path = path.to_str().expect("UTF-8");
         let arguments = Arguments::parse_from(["inspector", scene, "--compare", path]);
         let theirs = arguments.theirs().expect("a picture");
-        let loaded = arguments.load(theirs.as_ref()).expect("it fits");
+        let loaded = arguments.load(theirs.first()).expect("it fits");
         assert_eq!(loaded.world.picture_size(), [45, 30], "{scene}");
     }
 }

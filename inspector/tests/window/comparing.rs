@@ -41,13 +41,13 @@ fn read(folder: &Path, film: &Film, name: &str) -> Theirs {
 fn held_against(film: &Film) -> Window {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut window = open(small_glass_sphere());
-    window.state_mut().theirs = Some(read(folder.path(), film, "theirs.exr"));
+    window.state_mut().others.add_picture(read(folder.path(), film, "theirs.exr"));
     settle(&mut window);
     window
 }
 
 fn shows(window: &Window) -> Shows {
-    window.state().theirs.as_ref().expect("it was given").shows
+    window.state().others.shown().expect("it was given").shows
 }
 
 /// The colours of both marked pixels on the screen.
@@ -115,7 +115,7 @@ fn the_line_is_dragged() {
     assert!((line.x - to.x).abs() < 2.0, "{line} {to}");
     drag(&mut window, line, line + vec2(3000.0, 0.0));
     assert_eq!(both(&mut window), [LEFT, RIGHT].map(|pixel| tone.to_bytes(ours.get(pixel))));
-    assert_eq!(window.state().theirs.as_ref().map(|theirs| theirs.divider), Some(1.0));
+    assert_eq!(window.state().others.shown().map(|theirs| theirs.divider), Some(1.0));
     assert_eq!(window.state().picture.placement([48, 48]).corner, before);
     assert_eq!(window.state().selection.pixel, None);
 }
@@ -216,8 +216,7 @@ fn bytes_are_decoded_as_srgb() {
     // ((188/255 + 0.055)/1.055)^2.4
     for (encoding, expected) in [(&[][..], 0.5029), (&["--encoding", "linear"], 188.0 / 255.0)] {
         let line = [&["inspector", "ch28/glass-sphere", "--compare", file], encoding].concat();
-        let theirs =
-            Arguments::parse_from(line).theirs().expect("it is read").expect("it is named");
+        let theirs = Arguments::parse_from(line).theirs().expect("it is read").remove(0);
         let value = theirs.radiance([0, 0]).expect("inside");
         assert!(value.to_array().iter().all(|c| (c - expected).abs() < 1e-4), "{value:?}");
         assert!(theirs.value([0, 0]).is_some_and(|it| it.ends_with("188, 188, 188 of 255")));
@@ -239,14 +238,83 @@ impl eframe::egui::DroppedFile for Dropped {
     }
 }
 
+/// Law: of several pictures, opened by drop, by *Open* and from the start, each stays; the list and O choose which one is
+/// compared, in the same view, and ours gets its size; × lets one go. Oracle: the names and sizes of the files.
+#[test]
+fn several_pictures_are_kept() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let paths = [[48, 48], [24, 24], [30, 30]].map(|[width, height]: [u32; 2]| {
+        let path = folder.path().join(format!("{width}.exr"));
+        film::write(&Film::new(width, height), &Tone::PLAIN, &path).expect("written");
+        path
+    });
+    let mut window = glass_window();
+    for path in &paths[..2] {
+        let file = std::sync::Arc::new(Dropped(path.clone()));
+        window.input_mut().dropped_files.push(file);
+    }
+    settle(&mut window);
+    type_into(&mut window, "File", paths[2].to_str().expect("UTF-8"));
+    assert_eq!(window.state().others.count(), 3);
+    let sizes = |window: &Window| {
+        let theirs = window.state().others.shown().expect("one is chosen");
+        (theirs.size()[0], window.state().session.rendering.size()[0], theirs.shows)
+    };
+    assert_eq!(sizes(&window), (30, 30, Shows::Swipe));
+    window.key_press(Key::T);
+    settle(&mut window);
+    for side in [48, 24, 30] {
+        window.key_press(Key::O);
+        settle(&mut window);
+        assert_eq!(sizes(&window), (side, side, Shows::Theirs));
+    }
+    window.get_by_role_and_label(Role::ComboBox, "With").click();
+    window.run_steps(4);
+    window.get_by_role_and_label(Role::Button, "24.exr").click();
+    settle(&mut window);
+    assert_eq!(sizes(&window), (24, 24, Shows::Theirs));
+    window.get_by_role_and_label(Role::Button, "×").click();
+    settle(&mut window);
+    assert_eq!((window.state().others.count(), sizes(&window).0), (2, 30));
+}
+
+/// Law: the difference is in the list of layers while a picture is compared, and shows what D shows; the map of z is there,
+/// but not before the verdict; a layer of the scene is seen again after them. Oracle: `Tone` of the difference, as for D, and
+/// the layer of the library.
+#[test]
+fn the_list_of_layers_has_the_difference() {
+    let mut window = held_against(&films()[1]);
+    window.state_mut().picture.layer.chosen = None;
+    let choose = |window: &mut Window, name: &str| {
+        window.get_by_role_and_label(Role::ComboBox, "Layer").click();
+        window.run_steps(4);
+        window.get_by_role_and_label(Role::Button, name).click();
+        settle(window);
+    };
+    choose(&mut window, "difference");
+    window.get_by_label("100 %").click();
+    settle(&mut window);
+    assert_eq!(both(&mut window), [[255; 3], [191; 3]]);
+    choose(&mut window, "map of z");
+    assert_eq!(shows(&window), Shows::Difference, "there is none before the verdict");
+    window.key_press(Key::Escape);
+    window.run_steps(2);
+    let layer = layers::Layer::named("object", &built(&small_glass_sphere())).expect("a layer");
+    choose(&mut window, "object");
+    let world = built(&small_glass_sphere());
+    let colors = layers::Colors::of(&layer, std::iter::empty(), &world, Tone::PLAIN);
+    assert_eq!(both(&mut window)[0], colors.color(layer.value(&world, LEFT)));
+    assert_eq!(shows(&window), Shows::Ours);
+}
+
 fn drop_file(window: &mut Window, path: &Path) {
     let file = std::sync::Arc::new(Dropped(path.to_owned()));
     window.input_mut().dropped_files.push(file);
     settle(window);
 }
 
-/// Law: a picture that is dropped on the window is compared with ours, rendered at its size, in place of the picture of a
-/// mistake; the bar ends the comparison; what is no picture is an error, and ours stays. Oracle: a picture of ours in
+/// Law: a picture that is dropped on the window is compared with ours, rendered at its size, beside the picture of a
+/// mistake, which comes back when the bar lets the dropped one go; what is no picture is an error, and ours stays. Oracle: a picture of ours in
 /// another size, of which no pixel differs.
 #[test]
 fn a_dropped_picture_is_compared() {
@@ -259,14 +327,14 @@ fn a_dropped_picture_is_compared() {
     film::write(&smaller, &Tone::PLAIN, &written).expect("written");
     std::fs::rename(written, &path).expect("renamed");
     let mut window = glass_window();
-    window.state_mut().mistake.choose(judge::mistakes::find("no-eta-squared"));
+    window.state_mut().others.set_mistake(judge::mistakes::find("no-eta-squared"));
     settle(&mut window);
-    assert!(window.state().theirs.as_ref().is_some_and(|theirs| theirs.program.is_some()));
+    assert!(window.state().others.shown().is_some_and(|theirs| theirs.program.is_some()));
 
     drop_file(&mut window, &path);
     let inspector = window.state();
     assert_eq!(inspector.session.rendering.size(), [24, 24]);
-    let theirs = inspector.theirs.as_ref().expect("it was dropped");
+    let theirs = inspector.others.shown().expect("it was dropped");
     assert!(theirs.program.is_none() && theirs.name.ends_with("Theirs.EXR"));
     assert_eq!(theirs.comparison(&inspector.session.rendering).expect("compared").differing, 0);
 
@@ -274,7 +342,7 @@ fn a_dropped_picture_is_compared() {
     std::fs::write(&broken, "no picture").expect("written");
     drop_file(&mut window, &broken);
     let inspector = window.state();
-    assert!(inspector.theirs.is_some());
+    assert!(inspector.others.shown().is_some());
     assert!(
         inspector
             .message
@@ -285,5 +353,9 @@ fn a_dropped_picture_is_compared() {
     window.run_steps(2);
     window.get_by_role_and_label(Role::Button, "×").click();
     settle(&mut window);
-    assert!(window.state().theirs.is_none());
+    // the picture with the mistake was not lost
+    assert!(window.state().others.shown().is_some_and(|theirs| theirs.program.is_some()));
+    window.get_by_role_and_label(Role::Button, "×").click();
+    settle(&mut window);
+    assert!(window.state().others.shown().is_none());
 }

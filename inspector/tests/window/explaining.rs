@@ -274,7 +274,7 @@ fn the_path_to_a_ray_is_marked_in_the_picture() {
     let number = with_hit.expect("glass sends on rays that hit").number;
     window.state_mut().selection.tree.go_to(&root, number);
     settle(&mut window);
-    let trail = window.state().selection.trail(&window.state().session.rendering);
+    let trail = window.state().selection.trail(&window.state().session.rendering.world);
     assert_eq!(trail.len(), 2);
     let film = render::camera_sample(&world, ON_GLASS, 0).expect("no gap").film;
     let expected = render::image_point(&world.image, film);
@@ -296,7 +296,7 @@ fn each_eye_marks_its_own_hits() {
     settle(&mut window);
     for pixel in [ON_GLASS, in_the_right_image] {
         click(&mut window, pixel);
-        let trail = window.state().selection.trail(&window.state().session.rendering);
+        let trail = window.state().selection.trail(&window.state().session.rendering.world);
         let [x, y] = trail[0].0.expect("the eye sees what it hit");
         assert_eq!([x as u32, y as u32], pixel);
     }

@@ -51,12 +51,12 @@ fn written(film: &Film) -> (Theirs, Picture) {
 /// A window on a scene that is compared with this picture.
 fn held_against(scene: Scene, theirs: Theirs) -> Window {
     let mut window = open_sized(scene, [900.0, 600.0]);
-    window.state_mut().theirs = Some(theirs);
+    window.state_mut().others.add_picture(theirs);
     window
 }
 
 fn theirs(window: &Window) -> &Theirs {
-    window.state().theirs.as_ref().expect("it was given")
+    window.state().others.shown().expect("it was given")
 }
 
 /// The verdict of the command with its defaults.

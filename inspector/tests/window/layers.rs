@@ -57,6 +57,39 @@ fn a_chosen_layer_is_shown() {
     assert_eq!(shown(&mut window, [40, 45]), before);
 }
 
+/// Law: *Save* writes the layer that is shown, under a name with that of scene and layer: its colours as PNG, its values in
+/// named channels as EXR. A typed name stays. Oracle: the colours of the library, and the channels' names in the file.
+#[test]
+fn a_shown_layer_is_saved() {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let world = built(&small_glass_sphere());
+    let mut window = glass_window();
+    choose(&mut window, "object");
+    settle(&mut window);
+    assert_eq!(window.state().fields.save, "glass-sphere-object.png");
+    let png = folder.path().join("object.png");
+    type_into(&mut window, "Picture", png.to_str().expect("UTF-8"));
+    let layer = Layer::named("object", &world).expect("a layer");
+    let colors = Colors::of(&layer, std::iter::empty(), &world, Tone::PLAIN);
+    let image = image::open(&png).expect("a picture").to_rgb8();
+    for (x, y, color) in image.enumerate_pixels() {
+        assert_eq!(color.0, colors.color(layer.value(&world, [x, y])), "({x}, {y})");
+    }
+    choose(&mut window, "normal");
+    settle(&mut window);
+    assert_eq!(window.state().fields.save, png.display().to_string(), "typed");
+    let exr = folder.path().join("normal.exr");
+    type_into(&mut window, "Picture", exr.to_str().expect("UTF-8"));
+    let bytes = std::fs::read(&exr).expect("written");
+    for channel in ["N.X", "N.Y", "N.Z"] {
+        assert!(bytes.windows(3).any(|part| part == channel.as_bytes()), "{channel}");
+    }
+    let pfm = folder.path().join("normal.pfm");
+    type_into(&mut window, "Picture", pfm.to_str().expect("UTF-8"));
+    assert!(window.state().message.as_ref().is_some_and(|(_, is_error)| *is_error));
+    assert!(!pfm.exists());
+}
+
 /// Law: the work for a layer ends when another is chosen. Oracle: the references to the world, of which the work has one.
 #[test]
 fn a_layer_that_is_left_is_not_found_further() {

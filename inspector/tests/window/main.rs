@@ -1,6 +1,7 @@
 //! The inspector as a user operates it, in a window that exists only in memory.
 
 mod arguments;
+mod beside;
 mod choosing;
 mod comparing;
 mod explaining;

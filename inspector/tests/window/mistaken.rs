@@ -42,7 +42,7 @@ fn right_and_wrong_are_flipped_and_explained() {
     let pixel = pixels.max_by(|a, b| change(a).total_cmp(&change(b))).expect("there are pixels");
     assert!(change(&pixel) > 0.05);
     choose(&mut window, NAME);
-    let theirs = window.state().theirs.as_ref().expect("it is rendered");
+    let theirs = window.state().others.shown().expect("it is rendered");
     assert_eq!((&*theirs.name, theirs.shows), (NAME, Shows::Swipe));
     window.key_press(Key::T);
     settle(&mut window);
@@ -60,19 +60,19 @@ fn right_and_wrong_are_flipped_and_explained() {
         settle(&mut window);
     }
     choose(&mut window, "none");
-    assert!(window.state().theirs.is_none());
+    assert!(window.state().others.shown().is_none());
 }
 
 /// Law: the wrong picture follows the scene: with another size it is rendered again, in the same view. Oracle: its size.
 #[test]
 fn the_wrong_picture_follows_the_scene() {
     let mut window = glass_window();
-    window.state_mut().mistake.choose(mistakes::find(NAME));
+    window.state_mut().others.set_mistake(mistakes::find(NAME));
     settle(&mut window);
     window.key_press(Key::T);
     settle(&mut window);
     type_number(&mut window, "Width", "50");
-    let theirs = window.state().theirs.as_ref().expect("it is rendered");
+    let theirs = window.state().others.shown().expect("it is rendered");
     assert_eq!((theirs.size(), theirs.shows), ([50, 48], Shows::Theirs));
 }
 
@@ -80,9 +80,9 @@ fn the_wrong_picture_follows_the_scene() {
 #[test]
 fn what_changes_nothing_is_said() {
     let mut window = glass_window();
-    window.state_mut().mistake.choose(mistakes::find("not-focused"));
+    window.state_mut().others.set_mistake(mistakes::find("not-focused"));
     settle(&mut window);
-    assert!(window.state().theirs.is_none());
+    assert!(window.state().others.shown().is_none());
     let message = window.state().message.clone().expect("a message");
     assert!(
         message.0.starts_with("the scene has nothing that not-focused changes"),

@@ -1,6 +1,6 @@
 //! Windows of every size: each part has room, and nothing is out of reach.
 
-use eframe::egui::{Event, Modifiers, PointerButton, Pos2, Rect, accesskit::Role, pos2, vec2};
+use eframe::egui::{Rect, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 use crate::support::*;
@@ -19,20 +19,6 @@ fn window_of([width, height]: [f32; 2]) -> (Window, Rect) {
 
 fn picture(window: &Window) -> Rect {
     window.get_by_role_and_label(Role::Image, "picture").rect()
-}
-
-/// Two clicks in one frame: each event of its own would take one, too slow for a double click.
-fn double_click(window: &mut Window, pos: Pos2) {
-    window.hover_at(pos);
-    window.step();
-    let click = |pressed| Event::PointerButton {
-        pos,
-        button: PointerButton::Primary,
-        pressed,
-        modifiers: Modifiers::NONE,
-    };
-    window.input_mut().events.extend([true, false, true, false].map(click));
-    window.run_steps(3);
 }
 
 /// Law: the picture has about a third of the window, whatever its size.

@@ -7,6 +7,7 @@ use groundtruth::lights::AmbientOccluder;
 use groundtruth::render;
 use groundtruth::samplers::{Jittered, Kind, PathKey, Purpose, Regular};
 use groundtruth::scene::{Light, Scene};
+use groundtruth::trace::RayKind;
 
 use crate::support::*;
 
@@ -60,6 +61,50 @@ fn a_click_on_a_point_shows_its_ray() {
         let [r, g, b, _] = image.get_pixel(at.x as u32, at.y as u32).0;
         assert!(r > 200 && b < 120, "sample {sample} is ({r}, {g}, {b})");
     }
+}
+
+/// Law: while a point is under the mouse, its sample's tree is shown with the ray of the point lit, the camera's for the pixel
+/// and the shadow ray for the light; the chosen sample comes back after it; a row of the tree that is pointed at lights the
+/// point. Oracle: the library's explanation of the sample, and the pixels of the window.
+#[test]
+fn a_point_and_its_ray_are_lit_together() {
+    let mut scene = sixteen();
+    scene.lights.push(Light::new("occluder", AmbientOccluder::default()));
+    let light = scene.lights.len() as u32 - 1;
+    let mut window = samples_of(scene.clone(), ON_GLASS);
+    let to_light = |sample: u32| {
+        let root = ray_of(&scene, ON_GLASS, sample);
+        let is_it = |ray: &&groundtruth::explain::RecordedRay| matches!(ray.kind, RayKind::Shadow { light: it } if it == light);
+        root.children.iter().find(is_it).map(|ray| ray.number)
+    };
+    for (plot, sample) in [(0, 5), (2, 7)] {
+        let at = point(&window, plot, sample);
+        window.hover_at(at);
+        window.run_steps(4);
+        let line = root_line_of(&scene, ON_GLASS, sample as u32);
+        assert!(window.query_all_by_label(&line).next().is_some(), "{line}");
+        assert!(window.query_by_label(&format!("Sample {sample}")).is_some());
+        let ray = if plot == 0 { Some(0) } else { to_light(sample as u32) };
+        assert!(ray.is_some());
+        assert_eq!(window.state().selection.tree.lit, ray, "plot {plot}");
+        assert_eq!(window.state().selection.sample, 0, "it is not chosen");
+    }
+    window.hover_at(Pos2::new(5.0, 5.0));
+    window.run_steps(4);
+    assert!(window.query_by_label("Sample 0").is_some());
+    let ring = |window: &mut Window, plot| {
+        let at = point(window, plot, 0) + eframe::egui::vec2(0.0, 7.9);
+        window.render().expect("drawn").get_pixel(at.x as u32, at.y as u32).0
+    };
+    let before = ring(&mut window, 0);
+    let line = root_line_of(&scene, ON_GLASS, 0);
+    let row = window.query_all_by_label(&line).next().expect("a row");
+    let row = row.rect().center();
+    window.hover_at(row);
+    window.run_steps(4);
+    assert_eq!(window.state().selection.tree.lit, Some(0));
+    let [r, g, b, _] = ring(&mut window, 0);
+    assert!([r, g, b].iter().all(|channel| *channel > 200), "({r}, {g}, {b}) before {before:?}");
 }
 
 /// Asserts that the points of a plot lie relative to its first point as `expected` says: x to the right,

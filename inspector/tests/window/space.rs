@@ -1,6 +1,6 @@
 //! The rays of the selected sample in space.
 
-use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, accesskit::Role, pos2};
+use eframe::egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use groundtruth::cameras::{Pinhole, View, ViewPlane, Viewpoint};
 use groundtruth::explain::RecordedRay;
@@ -167,6 +167,53 @@ fn the_section_of_a_ray_says_its_angles() {
     for angle in [hit.angle_of_incidence, refracted] {
         assert!(law.contains(&format!("{angle:.2}°")), "{law}: {angle}");
     }
+}
+
+/// Law: a drag moves the section as far as the mouse, the wheel makes it larger around the mouse, and a double click fits it
+/// again. Oracle: the pixels of the window before.
+#[test]
+fn the_section_is_zoomed_moved_and_fitted() {
+    let mut window = glass_window();
+    click(&mut window, PIXEL);
+    window.get_by_label("The section").click();
+    settle(&mut window);
+    let area = window.get_by_role_and_label(Role::Image, "section").rect();
+    let drawn = |window: &mut Window| {
+        window.hover_at(pos2(1.0, 1.0));
+        window.run_steps(3);
+        window.render().expect("drawn")
+    };
+    let fitted = drawn(&mut window);
+    let (at, by) = (area.center(), vec2(24.0, -16.0));
+    window.drag_at(at);
+    window.hover_at(at + by);
+    window.drop_at(at + by);
+    let moved = drawn(&mut window);
+    let mut differing = 0;
+    for x in (area.left() as u32 + 40)..(area.right() as u32 - 40) {
+        for y in (area.top() as u32 + 30)..(area.bottom() as u32 - 30) {
+            let there = moved.get_pixel((x as f32 + by.x) as u32, (y as f32 + by.y) as u32);
+            assert_eq!(fitted.get_pixel(x, y), there, "({x}, {y})");
+            differing += u32::from(fitted.get_pixel(x, y) != moved.get_pixel(x, y));
+        }
+    }
+    assert!(differing > 100, "{differing} pixels were moved");
+
+    double_click(&mut window, at);
+    assert!(drawn(&mut window) == fitted, "a double click fits");
+    window.hover_at(at);
+    window.event(Event::MouseWheel {
+        unit: eframe::egui::MouseWheelUnit::Point,
+        delta: vec2(0.0, 200.0),
+        phase: eframe::egui::TouchPhase::Move,
+        source: eframe::egui::MouseWheelSource::Wheel,
+        modifiers: Modifiers::NONE,
+    });
+    window.run_steps(30);
+    let larger = drawn(&mut window);
+    assert!(larger != fitted);
+    double_click(&mut window, at);
+    assert!(drawn(&mut window) == fitted);
 }
 
 /// Law: a click with the right button on an object of the picture says why the selected ray does not hit it. Oracle: the

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use eframe::egui::{Context, Pos2, Theme, accesskit::Role};
+use eframe::egui::{Context, Event, Modifiers, PointerButton, Pos2, Theme, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::explain::{self, RecordedRay};
@@ -98,6 +98,20 @@ pub fn click(window: &mut Window, pixel: [u32; 2]) {
     window.drag_at(at);
     window.drop_at(at);
     settle(window);
+}
+
+/// Two clicks in one frame: each event of its own would take one, too slow for a double click.
+pub fn double_click(window: &mut Window, pos: Pos2) {
+    window.hover_at(pos);
+    window.step();
+    let click = |pressed| Event::PointerButton {
+        pos,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    window.input_mut().events.extend([true, false, true, false].map(click));
+    window.run_steps(3);
 }
 
 /// Types into the field of this name, and Enter.

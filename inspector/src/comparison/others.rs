@@ -1,0 +1,282 @@
+//! The pictures that ours can be compared with: those of files, and those that are made from the scene. One of them is
+//! held against ours.
+
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+use eframe::egui::Context;
+use judge::mistakes::Mistake;
+
+use crate::action::{Shows, With};
+use crate::comparison::opening::{self, Opening};
+use crate::comparison::recipe::{Made, Recipe, State};
+use crate::comparison::theirs::Theirs;
+use crate::picture::session::Session;
+use crate::picture::worker::{Background, Rendering};
+
+/// All pictures beside ours, in the order in which they came.
+#[derive(Default)]
+pub struct Others {
+    entries: Vec<Entry>,
+    /// The place of the one that is held against ours.
+    chosen: usize,
+    /// The number of the next entry or program.
+    next_number: u32,
+    /// The entry that is being made, and for which rendering of ours.
+    asked: Option<(u32, u64)>,
+    is_stopped: Arc<AtomicBool>,
+    working: Background<Made>,
+    /// The view of the picture before.
+    shows: Shows,
+    opening: Opening,
+    /// How many states were kept.
+    kept: usize,
+}
+
+/// What the user must know, and whether it is an error.
+pub type Message = (String, bool);
+
+/// A picture, or how it is made.
+struct Entry {
+    number: u32,
+    /// How it is made; nothing for a file.
+    recipe: Option<Recipe>,
+    /// The rendering of ours beside which it was made.
+    made_beside: Option<u64>,
+    theirs: Option<Theirs>,
+}
+
+impl Entry {
+    fn name(&self) -> String {
+        let of_recipe = self.recipe.as_ref().map(Recipe::name);
+        of_recipe.or(self.theirs.as_ref().map(|it| it.name.clone())).unwrap_or_default()
+    }
+}
+
+impl Others {
+    /// The picture that is held against ours, once it is made.
+    pub fn shown(&self) -> Option<&Theirs> {
+        self.entries.get(self.chosen)?.theirs.as_ref()
+    }
+
+    /// As [`Self::shown`].
+    pub fn shown_mut(&mut self) -> Option<&mut Theirs> {
+        self.entries.get_mut(self.chosen)?.theirs.as_mut()
+    }
+
+    /// Does what a user asks for.
+    pub fn perform(
+        &mut self,
+        ctx: &Context,
+        session: &mut Session,
+        asked: With,
+    ) -> Option<Message> {
+        match asked {
+            With::Picture(path) => self.opening.start(path),
+            With::Field(change) => self.add(Recipe::Field(change)),
+            With::Scene(source) => self.add(Recipe::Scene(source)),
+            With::State => {
+                self.kept += 1;
+                let name = format!("state {}", self.kept);
+                self.add(Recipe::State(State::of(name, &session.rendering)));
+            }
+            With::Other(index) => return self.choose_fitting(ctx, session, index),
+            With::Next => {
+                let next = (self.chosen + 1) % self.entries.len().max(1);
+                return self.choose_fitting(ctx, session, next);
+            }
+            With::NoMore => self.let_go(),
+            With::Flip(shows) => self.shown_mut().into_iter().for_each(|it| it.flip(shows)),
+            With::Judge => {
+                let rendering = &session.rendering;
+                self.shown_mut().into_iter().for_each(|theirs| theirs.judge(ctx, rendering));
+            }
+        }
+        None
+    }
+
+    /// Holds another one against ours, which is rendered at its size if it is of a file.
+    fn choose_fitting(
+        &mut self,
+        ctx: &Context,
+        session: &mut Session,
+        index: usize,
+    ) -> Option<Message> {
+        self.choose(index);
+        let of_file = self.shown().filter(|theirs| theirs.program.is_none())?;
+        opening::fit(ctx, session, of_file).err().map(|problem| (problem, true))
+    }
+
+    /// Holds the picture of a file that is read now against ours, which is rendered at its size.
+    pub fn accept_opened(&mut self, ctx: &Context, session: &mut Session) -> Option<Message> {
+        let picture = match self.opening.poll(ctx)? {
+            Ok(picture) if session.waiting.is_none() => picture,
+            Ok(_) => {
+                return Some(("there is no picture of ours to compare with yet".to_owned(), true));
+            }
+            Err(error) => return Some((error, true)),
+        };
+        let mut notes = picture.notes().to_vec();
+        match opening::fit(ctx, session, &picture) {
+            Ok(note) => notes.extend(note),
+            Err(error) => return Some((error, true)),
+        }
+        self.add_picture(picture);
+        (!notes.is_empty()).then(|| (notes.join("; "), false))
+    }
+
+    /// How many there are.
+    pub fn count(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// The name of each, and all that there is to say of it.
+    pub fn names(&self) -> Vec<[String; 2]> {
+        let both = |entry: &Entry| {
+            let name = entry.name();
+            [name.clone(), entry.recipe.as_ref().map_or(name, Recipe::about)]
+        };
+        self.entries.iter().map(both).collect()
+    }
+
+    /// The place of the one that is held against ours.
+    pub fn chosen(&self) -> usize {
+        self.chosen
+    }
+
+    /// Adds the picture of a file, and holds it against ours.
+    pub fn add_picture(&mut self, theirs: Theirs) {
+        self.push(None, Some(theirs));
+    }
+
+    /// Adds a picture that is made from the scene, and holds it against ours.
+    pub fn add(&mut self, recipe: Recipe) {
+        self.push(Some(recipe), None);
+    }
+
+    fn push(&mut self, recipe: Option<Recipe>, theirs: Option<Theirs>) {
+        let number = self.number();
+        self.entries.push(Entry { number, recipe, made_beside: None, theirs });
+        self.choose(self.entries.len() - 1);
+    }
+
+    fn number(&mut self) -> u32 {
+        self.next_number += 1;
+        self.next_number
+    }
+
+    /// Holds another one against ours, in the same view.
+    pub fn choose(&mut self, index: usize) {
+        let shows = self.shown().map_or(self.shows, |theirs| theirs.shows);
+        self.shows = shows;
+        self.chosen = index.min(self.entries.len().saturating_sub(1));
+        if let Some(theirs) = self.shown_mut() {
+            theirs.shows = shows;
+        }
+    }
+
+    /// Lets the one that is held against ours go.
+    pub fn let_go(&mut self) {
+        if self.chosen < self.entries.len() {
+            self.shows = self.shown().map_or(self.shows, |theirs| theirs.shows);
+            self.entries.remove(self.chosen);
+            self.choose(self.chosen);
+        }
+    }
+
+    /// The mistake of the one that is held against ours.
+    pub fn mistake(&self) -> Option<&'static Mistake> {
+        match self.entries.get(self.chosen)?.recipe {
+            Some(Recipe::Mistake(mistake)) => Some(mistake),
+            _ => None,
+        }
+    }
+
+    /// Holds the picture of a program with this mistake against ours, in place of that with another one; without one, lets
+    /// it go.
+    pub fn set_mistake(&mut self, mistake: Option<&'static Mistake>) {
+        let is_of_mistake = |entry: &Entry| matches!(entry.recipe, Some(Recipe::Mistake(_)));
+        let at = self.entries.iter().position(is_of_mistake);
+        match (at, mistake.map(Recipe::Mistake)) {
+            (None, None) => {}
+            (None, Some(recipe)) => self.add(recipe),
+            (Some(at), None) => {
+                self.choose(at);
+                self.let_go();
+            }
+            (Some(at), Some(recipe)) => {
+                self.choose(at);
+                self.shows = self.shown().map_or(self.shows, |theirs| theirs.shows);
+                let number = self.number();
+                self.entries[at] =
+                    Entry { number, recipe: Some(recipe), made_beside: None, theirs: None };
+            }
+        }
+    }
+
+    /// Whether a picture is being made.
+    fn is_making(&self) -> bool {
+        self.working.is_busy()
+    }
+
+    /// Whether anything is still being computed for what is shown.
+    pub fn is_busy(&self, rendering: &Rendering) -> bool {
+        let is_due = self.wanted(rendering).is_some();
+        is_due
+            || self.is_making()
+            || self.opening.is_busy()
+            || self.shown().is_some_and(|theirs| theirs.is_busy(rendering))
+    }
+
+    /// What must be made: the entry, and the rendering of ours.
+    fn wanted(&self, rendering: &Rendering) -> Option<(u32, u64)> {
+        let entry = self.entries.get(self.chosen)?;
+        let is_made = entry.recipe.is_none() || entry.made_beside == Some(rendering.generation);
+        (!is_made).then_some((entry.number, rendering.generation))
+    }
+
+    /// Starts to make the picture that is chosen, and holds it against ours once it is made. Returns why there is none.
+    pub fn refresh(&mut self, ctx: &Context, rendering: &Rendering) -> Option<String> {
+        let wanted = self.wanted(rendering);
+        if wanted != self.asked {
+            self.is_stopped.store(true, Ordering::Relaxed);
+            (self.asked, self.working) = (wanted, Background::default());
+            if wanted.is_some() {
+                self.start(ctx, rendering);
+            }
+        }
+        let made = self.working.poll()?.unwrap_or_else(|lost| Err(lost.to_string()));
+        let (_, generation) = self.asked.take()?;
+        let problem = match made {
+            Ok(Some((mut program, film))) => {
+                program.number = self.number();
+                let theirs = Theirs::of_program(program, film, self.shows);
+                let entry = self.entries.get_mut(self.chosen)?;
+                (entry.theirs, entry.made_beside) = (Some(theirs), Some(generation));
+                return None;
+            }
+            Ok(None) => self.mistake().map_or(String::new(), |mistake| {
+                let (name, words) = (mistake.name, mistake.words);
+                format!("the scene has nothing that {name} changes ({words})")
+            }),
+            Err(error) => error,
+        };
+        self.let_go();
+        Some(problem)
+    }
+
+    fn start(&mut self, ctx: &Context, rendering: &Rendering) {
+        let Some(entry) = self.entries.get_mut(self.chosen) else { return };
+        let Some(recipe) = &entry.recipe else { return };
+        self.is_stopped = Arc::default();
+        self.working.start(ctx, recipe.work(rendering, Arc::clone(&self.is_stopped)));
+        // one beside an earlier picture of ours
+        self.shows = entry.theirs.take().map_or(self.shows, |theirs| theirs.shows);
+    }
+}
+
+impl Drop for Others {
+    fn drop(&mut self) {
+        self.is_stopped.store(true, Ordering::Relaxed);
+    }
+}

@@ -1,0 +1,46 @@
+//! What *Save* writes, and the name that is proposed for it.
+
+use layers::Layer;
+
+use crate::comparison::theirs::Theirs;
+use crate::picture::chosen_layer::named;
+use crate::picture::display::Picture;
+use crate::picture::saving::Content;
+use crate::picture::worker::Rendering;
+
+/// The layer that is shown: that of the comparison, if one is, else that of the picture.
+fn layer_name(picture: &Picture, theirs: Option<&Theirs>, rendering: &Rendering) -> Option<String> {
+    let theirs = theirs.filter(|theirs| theirs.fits(rendering));
+    let beside = theirs.and_then(|theirs| named(theirs.shows));
+    let of_scene = || picture.layer.chosen.as_ref().map(Layer::to_string);
+    beside.map(|(name, _)| name.to_owned()).or_else(of_scene)
+}
+
+/// The file name that is proposed for what is shown.
+pub fn proposed_name(
+    (picture, theirs): (&Picture, Option<&Theirs>),
+    rendering: &Rendering,
+) -> String {
+    let layer = layer_name(picture, theirs, rendering);
+    rendering.source.picture_name(layer.as_deref())
+}
+
+/// What is saved: the layer that is shown, or the picture.
+///
+/// # Errors
+/// The layer is not finished.
+pub fn content(
+    picture: &Picture,
+    theirs: Option<&Theirs>,
+    rendering: &Rendering,
+) -> Result<Content, String> {
+    if let Some(beside) = theirs.and_then(|theirs| theirs.layer(rendering)) {
+        let late = "the layer can be saved once it is finished".to_owned();
+        return beside.map(Content::Beside).ok_or(late);
+    }
+    match picture.layer.film() {
+        None => Ok(Content::Picture),
+        Some((layer, Some(film))) => Ok(Content::Layer(layer, film)),
+        Some((layer, None)) => Err(format!("{layer} can be saved once it is finished")),
+    }
+}

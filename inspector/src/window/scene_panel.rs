@@ -1,0 +1,61 @@
+//! The panel of the scene: what ours is compared with, what the scene is, its settings and switches, and the histogram.
+
+use eframe::egui::{RichText, ScrollArea, Ui};
+use groundtruth::explain;
+
+use crate::action::Action;
+use crate::comparison::menu::CompareMenu;
+use crate::comparison::mistake;
+use crate::comparison::others::Others;
+use crate::picture::histogram::Histogram;
+use crate::picture::image_settings::ImageSettings;
+use crate::picture::session::Session;
+use crate::scene::switches;
+
+/// The panel's own state.
+#[derive(Default)]
+pub struct ScenePanel {
+    menu: CompareMenu,
+    settings: ImageSettings,
+    histogram: Histogram,
+}
+
+impl ScenePanel {
+    /// Shows it. Returns what the user asks for, and notes the index of the object that is pointed at.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        session: &mut Session,
+        others: &mut Others,
+        pointed: &mut Option<u32>,
+    ) -> Vec<Action> {
+        let mut actions = Vec::new();
+        let show = |ui: &mut Ui| {
+            mistake::show(ui, others, &session.rendering);
+            actions.extend(self.menu.show(ui, &session.rendering));
+            ui.add_space(8.0);
+            if self.scene(ui, session, pointed) {
+                actions.push(Action::Rebuild);
+            }
+            ui.add_space(8.0);
+            self.histogram.show(ui, &session.rendering);
+        };
+        ScrollArea::both().auto_shrink(false).show(ui, show);
+        actions
+    }
+
+    /// Shows what the scene is, its settings and switches. Returns whether it was changed.
+    fn scene(&mut self, ui: &mut Ui, session: &mut Session, pointed: &mut Option<u32>) -> bool {
+        let Session { rendering, wanted, seed, .. } = session;
+        if !wanted.about.is_empty() {
+            ui.label(RichText::new(&wanted.about).italics());
+            ui.add_space(6.0);
+        }
+        let changed = self.settings.show(ui, wanted, seed);
+        for note in explain::notes(&rendering.world) {
+            ui.label(RichText::new(note).color(ui.visuals().warn_fg_color));
+        }
+        ui.add_space(8.0);
+        changed | switches::show(ui, wanted, pointed)
+    }
+}

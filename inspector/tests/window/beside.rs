@@ -1,0 +1,201 @@
+//! The scene beside itself with another value of a field, beside another scene, and beside an earlier state.
+
+use eframe::egui::{Key, Modifiers, accesskit::Role};
+use egui_kittest::kittest::Queryable;
+use groundtruth::explain::{self, short};
+use groundtruth::film::Film;
+use groundtruth::render;
+use groundtruth::scene::{self, Scene};
+use inspector::action::Shows;
+use inspector::comparison::theirs::Theirs;
+use inspector::scene::fields::{self, Change};
+use std::path::Path;
+
+use crate::support::*;
+
+/// A pixel in which both spheres are seen.
+const ON_GLASS: [u32; 2] = [17, 19];
+const ETA: &str = "materials.glass sphere.recipe.dielectric.inside.eta";
+
+/// The small glass sphere with water in place of glass, changed as text.
+fn water() -> Scene {
+    let text = scene::to_toml(&small_glass_sphere()).expect("plain data");
+    assert_eq!(text.matches("eta = 1.5\n").count(), 1);
+    let text = text.replace("eta = 1.5\n", "eta = 1.33\n");
+    scene::parse(text, Path::new("")).expect("valid").0
+}
+
+fn film(scene: &Scene) -> Film {
+    render::render(&built(scene))
+}
+
+/// Opens the menu; its field has the keys.
+fn open_menu(window: &mut Window) {
+    window.get_by_role_and_label(Role::Button, "Compare with …").click();
+    window.run_steps(8);
+}
+
+/// Types into the field that has the keys, over what is selected there.
+fn type_text(window: &mut Window, text: &str) {
+    window.get_all_by(|node| node.is_focused()).next().expect("it has the keys").type_text(text);
+    window.run_steps(3);
+}
+
+fn enter(window: &mut Window) {
+    window.key_press(Key::Enter);
+    settle(window);
+}
+
+fn theirs(window: &Window) -> &Theirs {
+    window.state().others.shown().expect("it is made")
+}
+
+/// Law: a field that is chosen in the menu is put into its line, its value selected; the value that is typed over it gives
+/// another picture of the scene, with that value. A click explains the pixel in both: both values and their difference are
+/// shown, T flips the trees, and each adds up to its own pixel. Oracle: the scene changed as text, rendered and explained
+/// without a window.
+#[test]
+fn a_field_with_another_value_is_compared() {
+    let [ours, with_water] = [small_glass_sphere(), water()].map(|scene| film(&scene));
+    let mut window = glass_window();
+    click(&mut window, ON_GLASS);
+    open_menu(&mut window);
+    type_text(&mut window, "inside.eta");
+    window.get_by_role_and_label(Role::Button, &format!("{ETA} = 1.5")).click();
+    window.run_steps(4);
+    type_text(&mut window, "1.33");
+    enter(&mut window);
+
+    assert_eq!((&*theirs(&window).name, theirs(&window).shows), ("eta = 1.33", Shows::Swipe));
+    let [a, b] = [&ours, &with_water].map(|film| film.get(ON_GLASS));
+    assert_ne!(a, b);
+    assert_eq!(theirs(&window).radiance(ON_GLASS), Some(b));
+    let selection = &window.state().selection;
+    assert_eq!(selection.explanation().expect("explained").radiance, a);
+    assert_eq!(selection.explanation_beside().expect("explained").radiance, b);
+    assert!(window.query_by_label(&format!("eta = 1.33: {}", short(b))).is_some());
+    assert!(window.query_by_label(&format!("eta = 1.33 − ours: {}", short(b - a))).is_some());
+    window.key_press(Key::T);
+    settle(&mut window);
+    assert!(window.query_by_label("Pixel (17, 19) with eta = 1.33").is_some());
+    let with_water = explain::sample(&water(), &built(&water()), ON_GLASS, 0);
+    let line = with_water.ray.expect("it sees").largest_child().expect("glass").line();
+    assert!(window.query_all_by_label(&line).next().is_some(), "{line}");
+    assert!(window.query_by_label("= the pixel of the picture, bit for bit").is_some());
+    assert_eq!(window.state().selection.explanation().expect("explained").radiance, b);
+}
+
+/// Law: side by side stand the numbers of the selected ray in both, ours first, whichever is shown. Oracle: the angles of
+/// refraction that the library explains.
+#[test]
+fn the_selected_ray_is_shown_side_by_side() {
+    let mut window = glass_window();
+    click(&mut window, ON_GLASS);
+    open_menu(&mut window);
+    type_text(&mut window, &format!("{ETA} = 1.33"));
+    enter(&mut window);
+    window.get_by_label("Side by side").click();
+    settle(&mut window);
+    let angle = |scene: &Scene| {
+        let hit = ray_of(scene, ON_GLASS, 0).hit.expect("glass");
+        let angle = hit.optics.and_then(|it| it.angle_of_refraction).expect("it refracts");
+        pictures::digits::shortened(&format!("{angle:?}°"))
+    };
+    let angles = [angle(&small_glass_sphere()), angle(&water())];
+    assert_ne!(angles[0], angles[1]);
+    for _ in 0..2 {
+        let [ours, theirs] = angles.each_ref().map(|angle| window.get_by_label(angle).rect());
+        assert!(ours.right() < theirs.left(), "{ours} {theirs}");
+        assert!((ours.center().y - theirs.center().y).abs() < 1.0, "one row");
+        window.key_press(Key::T);
+        settle(&mut window);
+    }
+    window.get_by_role_and_label(Role::Button, "×").click();
+    settle(&mut window);
+    assert!(window.query_by_label("Side by side").is_none());
+}
+
+/// Law: a state that is kept stays as it was while ours is changed. Oracle: both films.
+#[test]
+fn a_kept_state_stays() {
+    let before = film(&small_glass_sphere());
+    let mut window = glass_window();
+    open_menu(&mut window);
+    window.get_by_role_and_label(Role::Button, "This state").click();
+    settle(&mut window);
+    assert_eq!(
+        theirs(&window).comparison(&window.state().session.rendering).map(|it| it.differing),
+        Some(0)
+    );
+    window.get_by_label("high lamp").click();
+    settle(&mut window);
+    let mut without = small_glass_sphere();
+    without.lights[1].enabled = false;
+    assert_eq!(window.state().session.rendering.canvas.film().pixels(), film(&without).pixels());
+    for y in 0..48 {
+        assert_eq!(theirs(&window).radiance([24, y]), Some(before.get([24, y])));
+    }
+    assert_eq!(theirs(&window).name, "state 1");
+}
+
+/// Law: another scene is compared at the size of ours; a name that no scene has is an error in the menu, which stays open; a
+/// value that a field does not take is a message, and the picture goes again. Oracle: the other scene, resized and rendered.
+#[test]
+fn another_scene_is_compared() {
+    let mut window = glass_window();
+    open_menu(&mut window);
+    type_text(&mut window, "ch28/no-such-scene");
+    enter(&mut window);
+    assert!(window.query_by_label_contains("ch28/no-such-scene").is_some());
+    assert_eq!(window.state().others.count(), 0);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.run_steps(2);
+    type_text(&mut window, "ch03/single-sphere");
+    enter(&mut window);
+    let mut other = (gallery::find("ch03/single-sphere").expect("in the gallery").build)();
+    other.image.resize(48, 48);
+    let film = film(&other);
+    assert_eq!(theirs(&window).name, "ch03/single-sphere");
+    for y in 0..48 {
+        assert_eq!(theirs(&window).radiance([24, y]), Some(film.get([24, y])));
+    }
+
+    open_menu(&mut window);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.run_steps(2);
+    type_text(&mut window, &format!("{ETA} = -1"));
+    enter(&mut window);
+    let (text, is_error) = window.state().message.clone().expect("a message");
+    assert!(is_error && text.contains("eta") && text.contains("-1"), "{text}");
+    assert_eq!(window.state().others.count(), 1);
+}
+
+/// Law: every field that is listed takes its own value, which changes nothing; a wrong path names what there is. Oracle: the
+/// scene as it was, in the words of a scene file.
+#[test]
+fn every_field_takes_its_own_value() {
+    for entry in ["ch28/glass-sphere", "ch19/lost-roots", "ch26/cornell-box"] {
+        let scene = (gallery::find(entry).expect("in the gallery").build)();
+        let all = fields::all(&scene);
+        assert!(all.len() > 20, "{entry}: {}", all.len());
+        for change in all {
+            let same = change.applied(&scene).unwrap_or_else(|error| panic!("{entry}: {error}"));
+            assert_eq!(scene::to_toml(&same).ok(), scene::to_toml(&scene).ok(), "{change}");
+        }
+    }
+    let scene = small_glass_sphere();
+    let changed = |text: &str| Change::parse(text).expect("path = value").applied(&scene);
+    let eta = changed(&format!("{ETA} = 2")).expect("a number");
+    assert!(scene::to_toml(&eta).expect("plain data").contains("eta = 2.0\n"));
+    for (wrong, named) in [
+        ("materials.glas.recipe = 1", "glass sphere"),
+        ("no.such = 1", "materials"),
+        ("image.no_such = 1", "no_such"),
+        ("image.width = wide", "wide"),
+        ("image.width = ", "no value"),
+        (" = 1", "a field has a name"),
+    ] {
+        let error = changed(wrong).expect_err(wrong);
+        assert!(error.contains(named), "{wrong}: {error}");
+    }
+}
