@@ -27,6 +27,24 @@ pub struct Compared<'a> {
     pub is_judged: bool,
 }
 
+impl Compared<'_> {
+    /// Shows their entries of the list. Returns whether one was chosen.
+    fn choose(&mut self, ui: &mut Ui) -> bool {
+        let mut is_chosen = false;
+        for wanted in [Shows::Difference, Shows::Map] {
+            let Some((name, about)) = named(wanted) else { continue };
+            let entry = Button::selectable(*self.shows == wanted, name);
+            let is_there = wanted != Shows::Map || self.is_judged;
+            let entry = ui.add_enabled(is_there, entry).on_hover_text(about);
+            let entry = entry.on_disabled_hover_text("Once the picture is judged");
+            if entry.clicked() {
+                (*self.shows, is_chosen) = (wanted, true);
+            }
+        }
+        is_chosen
+    }
+}
+
 /// The name of a view of two pictures that is a layer, and what it is.
 pub fn named(shows: Shows) -> Option<(&'static str, &'static str)> {
     match shows {
@@ -131,8 +149,8 @@ fn develop(
 }
 
 impl ChosenLayer {
-    /// Shows the list of layers, with those of a comparison at its end; in a narrow bar without its name.
-    pub fn choose(&mut self, ui: &mut Ui, is_narrow: bool, compared: Option<Compared<'_>>) {
+    /// Shows the list of layers, with those of a comparison below the picture; in a narrow bar without its name.
+    pub fn choose(&mut self, ui: &mut Ui, is_narrow: bool, mut compared: Option<Compared<'_>>) {
         let label = (!is_narrow).then(|| ui.label("Layer"));
         let width = if is_narrow { 64.0 } else { 130.0 };
         let beside = compared.as_ref().and_then(|it| named(*it.shows));
@@ -144,30 +162,22 @@ impl ChosenLayer {
             .width(width)
             .height(480.0);
         let entries = |ui: &mut Ui| {
-            let mut compared = compared;
             for layer in &self.offered {
                 let chosen = Some(layer).filter(|layer| **layer != Layer::PICTURE).cloned();
                 let is_shown = beside.is_none() && self.chosen == chosen;
                 let entry = ui.selectable_label(is_shown, layer.to_string());
                 if entry.on_hover_text(layer.kind().about).clicked() {
-                    if let Some(compared) = &mut compared
-                        && (chosen.is_some() || beside.is_some())
-                    {
+                    let is_hidden = chosen.is_some() || beside.is_some();
+                    if let Some(compared) = compared.as_mut().filter(|_| is_hidden) {
                         // ours, of which it is a layer
                         *compared.shows = Shows::Ours;
                     }
                     self.chosen = chosen;
                 }
-            }
-            let Some(Compared { shows, is_judged }) = compared else { return };
-            for wanted in [Shows::Difference, Shows::Map] {
-                let Some((name, about)) = named(wanted) else { continue };
-                let entry = Button::selectable(*shows == wanted, name);
-                let is_there = wanted != Shows::Map || is_judged;
-                let entry = ui.add_enabled(is_there, entry).on_hover_text(about);
-                let entry = entry.on_disabled_hover_text("Once the picture is judged");
-                if entry.clicked() {
-                    (*shows, self.chosen) = (wanted, None);
+                if let Some(compared) = compared.as_mut().filter(|_| *layer == Layer::PICTURE)
+                    && compared.choose(ui)
+                {
+                    self.chosen = None;
                 }
             }
         };

@@ -303,7 +303,8 @@ fn the_list_of_layers_has_the_difference() {
     choose(&mut window, "object");
     let world = built(&small_glass_sphere());
     let colors = layers::Colors::of(&layer, std::iter::empty(), &world, Tone::PLAIN);
-    assert_eq!(both(&mut window)[0], colors.color(layer.value(&world, LEFT)));
+    // the legend is over the left one
+    assert_eq!(both(&mut window)[1], colors.color(layer.value(&world, RIGHT)));
     assert_eq!(shows(&window), Shows::Ours);
 }
 

@@ -193,7 +193,9 @@ fn the_section_is_zoomed_moved_and_fitted() {
     for x in (area.left() as u32 + 40)..(area.right() as u32 - 40) {
         for y in (area.top() as u32 + 30)..(area.bottom() as u32 - 30) {
             let there = moved.get_pixel((x as f32 + by.x) as u32, (y as f32 + by.y) as u32);
-            assert_eq!(fitted.get_pixel(x, y), there, "({x}, {y})");
+            let [before, after] = [fitted.get_pixel(x, y).0, there.0];
+            let is_same = before.iter().zip(after).all(|(a, b)| a.abs_diff(b) <= 8);
+            assert!(is_same, "({x}, {y}): {before:?} and {after:?}");
             differing += u32::from(fitted.get_pixel(x, y) != moved.get_pixel(x, y));
         }
     }
