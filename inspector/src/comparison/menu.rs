@@ -1,7 +1,8 @@
 //! The menu *Compare with …*: one field for a value of the scene, another scene or a picture, and a list of what there is.
 
 use eframe::egui::{
-    Button, Key, Popup, PopupCloseBehavior, RichText, ScrollArea, TextEdit, TextWrapMode, Ui,
+    Button, Key, Margin, Popup, PopupCloseBehavior, RichText, ScrollArea, TextEdit, TextWrapMode,
+    Ui,
     text::{CCursor, CCursorRange},
 };
 
@@ -17,6 +18,8 @@ const FRAMES_TO_OPEN: u8 = 3;
 const LINE: f32 = 18.0;
 const LIST_HEIGHT: f32 = 260.0;
 const WIDTH: f32 = 460.0;
+/// Around the text of the field.
+const FIELD_MARGIN: Margin = Margin::symmetric(6, 4);
 
 /// The menu, closed or open.
 #[derive(Default)]
@@ -65,9 +68,10 @@ impl CompareMenu {
                 .or(action(ui, "A picture …", "A file", Action::Choose(Purpose::Theirs)))
                 .or(action(ui, "A scene …", "A file", Action::Choose(Purpose::OtherScene)));
         });
+        ui.add_space(4.0);
         let label = ui.label("or a field with another value, or a scene");
         let hint = "words of a path, path = value, a scene, or a file";
-        let field = TextEdit::singleline(&mut self.typed).hint_text(hint);
+        let field = TextEdit::singleline(&mut self.typed).hint_text(hint).margin(FIELD_MARGIN);
         let output = field.desired_width(f32::INFINITY).show(ui);
         let field = output.response.response.labelled_by(label.id);
         let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));

@@ -292,8 +292,9 @@ impl Theirs {
         let painter = ui.painter();
         painter.vline(x, area.y_range(), Stroke::new(4.0, Color32::BLACK));
         painter.vline(x, area.y_range(), Stroke::new(2.0, Color32::from_rgb(255, 140, 0)));
+        let theirs = self.program.as_ref().map_or("theirs", |program| &program.name);
         for (name, align, side) in
-            [("ours", Align2::RIGHT_TOP, -8.0), ("theirs", Align2::LEFT_TOP, 8.0)]
+            [("ours", Align2::RIGHT_TOP, -8.0), (theirs, Align2::LEFT_TOP, 8.0)]
         {
             let at = area.left_top() + vec2(x - area.left() + side, 6.0);
             let shadow = at + vec2(1.0, 1.0);

@@ -1,6 +1,6 @@
 //! The selected ray in two pictures, number by number.
 
-use eframe::egui::{Grid, RichText, Ui};
+use eframe::egui::{Align, Grid, Label, Layout, RichText, Ui, vec2};
 use groundtruth::explain::RecordedRay;
 use pictures::digits::shortened;
 
@@ -22,11 +22,9 @@ pub fn counterpart<'a>(
     Some(found)
 }
 
-/// The lines of the first rays, from the camera on, that do not have the same end in two trees.
-pub fn first_parting<'a>(
-    this: &'a RecordedRay,
-    other: &'a RecordedRay,
-) -> Option<[&'a RecordedRay; 2]> {
+/// The rays, one of each tree in the same place, at which the trees part: the first ones from the camera on that do not have
+/// the same end. Of several the pair with the largest share of the light in one of the trees.
+pub fn parting<'a>(this: &'a RecordedRay, other: &'a RecordedRay) -> Option<[&'a RecordedRay; 2]> {
     let end = |ray: &RecordedRay| {
         let hit = ray.hit.as_ref().map(|hit| (hit.object.clone(), hit.front));
         (ray.kind, hit, ray.blocked_by.clone(), ray.children.len())
@@ -35,8 +33,14 @@ pub fn first_parting<'a>(
         return Some([this, other]);
     }
     let pairs = this.children.iter().zip(&other.children);
-    pairs.map(|(this, other)| first_parting(this, other)).find(Option::is_some).flatten()
+    let partings = pairs.filter_map(|(this, other)| parting(this, other));
+    let share = |[this, other]: &[&RecordedRay; 2]| this.share.max(other.share);
+    partings.max_by(|a, b| share(a).total_cmp(&share(b)))
 }
+
+/// The width of the column of names, in points of the screen.
+const NAMES: f32 = 120.0;
+const GAP: f32 = 10.0;
 
 /// Shows the numbers of a ray of the tree that is shown and of its counterpart. `of` says whether that tree is ours, and the
 /// name of the other picture.
@@ -46,41 +50,58 @@ pub fn show(
     number: usize,
     (is_ours, name): (bool, &str),
 ) {
-    let in_order = |[a, b]: [&RecordedRay; 2]| {
-        if is_ours { [a.line(), b.line()] } else { [b.line(), a.line()] }
-    };
-    match first_parting(this, other) {
-        None => drop(ui.weak("Both trees have the same rays: only their numbers differ.")),
-        Some(rays) => {
-            let [ours, theirs] = in_order(rays);
-            ui.strong("The trees part first at these rays:");
-            ui.label(format!("ours: {ours}"));
-            ui.label(format!("{name}: {theirs}"));
+    let selected = this.path_to(number).last().copied().unwrap_or(this);
+    match counterpart(this, selected.number, other) {
+        Some(counterpart) => numbers(ui, [selected, counterpart], (is_ours, name)),
+        None => {
+            ui.label(selected.line());
+            ui.label("The other tree has no ray in the place of the selected one.");
         }
     }
-    ui.add_space(4.0);
-    let selected = this.path_to(number).last().copied().unwrap_or(this);
-    let Some(counterpart) = counterpart(this, selected.number, other) else {
-        ui.label("The other tree has no ray in the place of the selected one.");
-        return;
+    ui.add_space(6.0);
+    match parting(this, other) {
+        None => drop(ui.weak("Both trees have the same rays: only their numbers differ.")),
+        Some([this, other]) => {
+            let [ours, theirs] = if is_ours { [this, other] } else { [other, this] };
+            ui.strong("where the trees part, of several rays the one with the most light:");
+            for (whose, ray) in [("ours", ours), (name, theirs)] {
+                ui.label(format!("{whose}: {}", ray.line()));
+            }
+        }
+    }
+}
+
+/// Shows the fields that differ in two columns, ours first, and names the others.
+fn numbers(ui: &mut Ui, [this, other]: [&RecordedRay; 2], (is_ours, name): (bool, &str)) {
+    let (differing, equal): (Vec<_>, Vec<_>) =
+        details::rows(this, other).into_iter().partition(|(_, [this, other])| this != other);
+    // both in view, whatever their texts are
+    let room = ui.clip_rect().width().min(ui.available_width());
+    let column = (0.5 * (room - NAMES - 3.0 * GAP)).max(60.0);
+    let cell = |ui: &mut Ui, text: RichText, hint: &str| {
+        let size = vec2(column, 16.0);
+        ui.allocate_ui_with_layout(size, Layout::left_to_right(Align::Center), |ui| {
+            ui.set_min_width(column);
+            ui.add(Label::new(text).truncate()).on_hover_text(hint);
+        });
     };
-    let rows = details::rows(selected, counterpart);
     let grid = Grid::new("beside").num_columns(3).striped(true).min_row_height(16.0);
-    grid.spacing([10.0, 1.0]).show(ui, |ui| {
-        ui.label("");
-        ui.strong("ours");
-        ui.strong(name);
+    grid.min_col_width(0.0).spacing([GAP, 1.0]).show(ui, |ui| {
+        ui.strong(format!("ray {}", this.number));
+        for whose in ["ours", name] {
+            cell(ui, RichText::new(whose).strong(), whose);
+        }
         ui.end_row();
-        for (field, values) in rows {
-            let [this, other] = values;
-            let differs = this != other;
-            let in_order = if is_ours { [this, other] } else { [other, this] };
-            ui.label(field);
-            for value in in_order {
-                let text = RichText::new(shortened(&value)).monospace().size(11.5);
-                ui.label(if differs { text.strong() } else { text.weak() }).on_hover_text(value);
+        for (field, [this, other]) in &differing {
+            ui.label(*field);
+            for value in if is_ours { [this, other] } else { [other, this] } {
+                cell(ui, RichText::new(shortened(value)).monospace().size(11.5), value);
             }
             ui.end_row();
         }
     });
+    let equal: Vec<&str> = equal.iter().map(|(field, _)| *field).collect();
+    if !equal.is_empty() {
+        ui.weak(format!("equal: {}", equal.join(", ")));
+    }
 }

@@ -87,7 +87,7 @@ impl<'a> Shown<'a> {
     }
 
     /// The radiance of a pixel of the picture that is explained, if it is rendered.
-    fn radiance(&self, pixel: [u32; 2]) -> Option<Rgb> {
+    pub fn radiance(&self, pixel: [u32; 2]) -> Option<Rgb> {
         match self.theirs.filter(|theirs| theirs.explained().is_some()) {
             Some(theirs) => theirs.radiance(pixel),
             None => self.rendering.radiance(pixel),

@@ -93,7 +93,11 @@ pub fn copy_menu(
 }
 
 /// Shows the sum of the samples that gives the pixel, and whether it equals the rendered pixel.
-pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
+pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
+    let rendered = shown.radiance(answer.pixel);
+    let program = shown.subject().program;
+    let subject =
+        program.map_or("The pixel".to_owned(), |it| format!("With {} the pixel", it.name));
     let exposure = match answer.exposure_time {
         1.0 => String::new(),
         time => format!(", times the exposure time {time:?}"),
@@ -102,7 +106,7 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, rendered: Option<Rgb>) {
         1 => "the radiance of its one sample".to_owned(),
         count => format!("the mean of its {count} samples"),
     };
-    ui.label(format!("The pixel is {mean}{exposure}:"));
+    ui.label(format!("{subject} is {mean}{exposure}:"));
     let total = format!("= {}", details::exact(answer.radiance.to_array()));
     let text = RichText::new(shortened(&total)).monospace().size(12.0).strong();
     ui.label(text).on_hover_text(total);

@@ -359,9 +359,7 @@ impl Selection {
         let [x, y] = answer.pixel;
         ui.horizontal_wrapped(|ui| {
             tree::swatch(ui, display::color(shown.tone, answer.radiance));
-            let program = shown.subject().program;
-            let with = program.map_or(String::new(), |program| format!(" with {}", program.name));
-            ui.heading(format!("Pixel ({x}, {y}){with}"));
+            ui.heading(format!("Pixel ({x}, {y})"));
             if self.is_waiting() {
                 ui.spinner();
             }
@@ -384,7 +382,7 @@ impl Selection {
         for note in &answer.notes {
             ui.weak(note);
         }
-        pixel::sum(ui, answer, shown.radiance(answer.pixel));
+        pixel::sum(ui, answer, shown);
         if let Some(theirs) = shown.theirs {
             pixel::theirs(ui, answer.pixel, theirs, shown);
         }
