@@ -5,6 +5,7 @@ use groundtruth::explain::{brief, count};
 use pictures::compare::Comparison;
 
 use crate::action::{Action, Shows, With};
+use crate::comparison::judgement::Judgement;
 use crate::comparison::opening;
 use crate::comparison::others::Others;
 use crate::comparison::theirs::{SCALES, Theirs};
@@ -108,13 +109,14 @@ fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Acti
     let differs = comparison.is_some_and(|comparison| !comparison.is_same());
     let next = ui.add_enabled(differs, Button::new("Next region"));
     let next = next.on_hover_text("Explains the worst pixel of the next region (N)");
+    let judges = theirs.judgement.is_unasked() && Judgement::button(ui, rendering.is_finished());
     let text = comparison.map_or("compared when our picture is finished".to_owned(), summary);
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
         let hint = comparison.map_or(String::new(), Comparison::to_string);
         let label = eframe::egui::Label::new(RichText::new(&text)).truncate();
         ui.add(label).on_hover_text(RichText::new(hint).monospace());
     });
-    next.clicked().then_some(Action::NextRegion)
+    next.clicked().then_some(Action::NextRegion).or(judges.then_some(Action::Compare(With::Judge)))
 }
 
 /// A sentence of a comparison with names for A and B.

@@ -187,8 +187,23 @@ impl Judgement {
         }
     }
 
-    /// Shows its lines of the bar: the button, which waits until our picture is finished; the verdict, and the regions.
+    /// Shows the button that starts it, which waits until our picture is finished. Returns whether to judge.
+    pub fn button(ui: &mut Ui, is_finished: bool) -> bool {
+        let hint = "Is the difference noise? Renders pictures of ours with other seeds, as `groundtruth verify` does";
+        let button = ui.add_enabled(is_finished, Button::new("Judge")).on_hover_text(hint);
+        button.on_disabled_hover_text("When our picture is finished").clicked()
+    }
+
+    /// Whether nobody asked yet; then it has no lines of the bar.
+    pub fn is_unasked(&self) -> bool {
+        matches!(self.state, State::Nothing)
+    }
+
+    /// Shows its lines of the bar: the button, the verdict, and the regions.
     pub fn show(&self, ui: &mut Ui, is_finished: bool) -> Option<Action> {
+        if self.is_unasked() {
+            return None;
+        }
         let is_judging = ui.horizontal(|ui| self.line(ui, is_finished)).inner;
         let regions = self.verdict().map_or(&[][..], |verdict| &verdict.regions);
         let list = |ui: &mut Ui| {
@@ -217,9 +232,7 @@ impl Judgement {
             ui.label(course.words());
             return false;
         }
-        let hint = "Is the difference noise? Renders pictures of ours with other seeds, as `groundtruth verify` does";
-        let button = ui.add_enabled(is_finished, Button::new("Judge")).on_hover_text(hint);
-        let button = button.on_disabled_hover_text("When our picture is finished");
+        let is_judging = Self::button(ui, is_finished);
         if let State::Done(outcome) = &self.state {
             let (line, all) = match outcome {
                 Ok(verdict) => (line(verdict), verdict.to_string()),
@@ -228,7 +241,7 @@ impl Judgement {
             let label = ui.add(Label::new(&line).truncate());
             label.on_hover_text(RichText::new(all).monospace());
         }
-        button.clicked()
+        is_judging
     }
 
     /// Draws the map of z; `false` if it is not made yet.
