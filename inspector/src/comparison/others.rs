@@ -78,7 +78,8 @@ impl Others {
             With::State => {
                 self.kept += 1;
                 let name = format!("state {}", self.kept);
-                self.add(Recipe::State(State::of(name, &session.rendering)));
+                let state = State::of(name, &session.rendering);
+                self.add(Recipe::State(Box::new(state)));
             }
             With::Other(index) => return self.choose_fitting(ctx, session, index),
             With::Next => {

@@ -30,7 +30,7 @@ pub struct Program {
 
 #[derive(Debug)]
 enum By {
-    Mistaken(Mistaken),
+    Mistaken(Box<Mistaken>),
     Ours(Arc<World>),
 }
 
@@ -39,7 +39,7 @@ impl Program {
     pub fn with_mistake(program: Mistaken, source: Source, read: Scene) -> Self {
         let scene = Arc::new(program.scene.clone());
         let name = program.mistake().name.to_owned();
-        Self { number: 0, name, source, read, scene, by: By::Mistaken(program) }
+        Self { number: 0, name, source, read, scene, by: By::Mistaken(Box::new(program)) }
     }
 
     /// Ours, with another scene and its world.

@@ -24,7 +24,7 @@ pub enum Recipe {
     /// Another scene.
     Scene(Source),
     /// The scene as it was shown once.
-    State(State),
+    State(Box<State>),
 }
 
 /// A scene as it was shown once, kept while ours is changed.
@@ -114,7 +114,8 @@ impl Recipe {
             }
             Self::Field(change) => source.rebuild(read, change.applied(scene)?, seed)?,
             Self::Scene(other) => other.load_changed(seed, fit)?,
-            Self::State(State { source, read, scene, seed, .. }) => {
+            Self::State(state) => {
+                let State { source, read, scene, seed, .. } = *state;
                 source.rebuild(read, fit((*scene).clone())?, seed)?
             }
         };

@@ -2,12 +2,14 @@
 
 use eframe::egui::{Align, Grid, Label, Layout, RichText, Ui, vec2};
 use groundtruth::explain::RecordedRay;
+use groundtruth::trace::RayKind;
 use pictures::digits::shortened;
 
+use crate::explanation::asked::Question;
 use crate::explanation::details;
 
 /// The ray of another tree in the place of a ray: the child with the same index of the ray with the same index …
-pub fn counterpart<'a>(
+fn counterpart<'a>(
     root: &RecordedRay,
     number: usize,
     other: &'a RecordedRay,
@@ -24,11 +26,7 @@ pub fn counterpart<'a>(
 
 /// The rays, one of each tree in the same place, at which the trees part: the first ones from the camera on that do not have
 /// the same end. Of several the pair with the largest share of the light in one of the trees.
-pub fn parting<'a>(this: &'a RecordedRay, other: &'a RecordedRay) -> Option<[&'a RecordedRay; 2]> {
-    let end = |ray: &RecordedRay| {
-        let hit = ray.hit.as_ref().map(|hit| (hit.object.clone(), hit.front));
-        (ray.kind, hit, ray.blocked_by.clone(), ray.children.len())
-    };
+fn parting<'a>(this: &'a RecordedRay, other: &'a RecordedRay) -> Option<[&'a RecordedRay; 2]> {
     if end(this) != end(other) {
         return Some([this, other]);
     }
@@ -38,35 +36,58 @@ pub fn parting<'a>(this: &'a RecordedRay, other: &'a RecordedRay) -> Option<[&'a
     partings.max_by(|a, b| share(a).total_cmp(&share(b)))
 }
 
+/// What must be equal of a ray for its tree not to part there.
+fn end(ray: &RecordedRay) -> (RayKind, Option<(&str, bool)>, Option<&str>, usize) {
+    let hit = ray.hit.as_ref().map(|hit| (&*hit.object, hit.front));
+    (ray.kind, hit, ray.blocked_by.as_deref(), ray.children.len())
+}
+
+/// Two trees, and the numbers of the rays at which they part, if they do.
+#[derive(Default)]
+pub struct Beside {
+    parted: Option<([Question; 2], Option<[usize; 2]>)>,
+}
+
 /// The width of the column of names, in points of the screen.
 const NAMES: f32 = 120.0;
 const GAP: f32 = 10.0;
 
-/// Shows the numbers of a ray of the tree that is shown and of its counterpart. `of` says whether that tree is ours, and the
-/// name of the other picture.
-pub fn show(
-    ui: &mut Ui,
-    [this, other]: [&RecordedRay; 2],
-    number: usize,
-    (is_ours, name): (bool, &str),
-) {
-    let selected = this.path_to(number).last().copied().unwrap_or(this);
-    match counterpart(this, selected.number, other) {
-        Some(counterpart) => numbers(ui, [selected, counterpart], (is_ours, name)),
-        None => {
-            ui.label(selected.line());
-            ui.label("The other tree has no ray in the place of the selected one.");
-        }
-    }
-    ui.add_space(6.0);
-    match parting(this, other) {
-        None => drop(ui.weak("Both trees have the same rays: only their numbers differ.")),
-        Some([this, other]) => {
-            let [ours, theirs] = if is_ours { [this, other] } else { [other, this] };
-            ui.strong("where the trees part, of several rays the one with the most light:");
-            for (whose, ray) in [("ours", ours), (name, theirs)] {
-                ui.label(format!("{whose}: {}", ray.line()));
+impl Beside {
+    /// Shows the numbers of a ray of the tree that is shown and of its counterpart. The last argument says whether that tree
+    /// is ours, and the name of the other picture.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        [this, other]: [(Question, &RecordedRay); 2],
+        number: usize,
+        (is_ours, name): (bool, &str),
+    ) {
+        let of = [this.0, other.0];
+        let (this, other) = (this.1, other.1);
+        let selected = this.path_to(number).last().copied().unwrap_or(this);
+        match counterpart(this, selected.number, other) {
+            Some(counterpart) => numbers(ui, [selected, counterpart], (is_ours, name)),
+            None => {
+                ui.label(selected.line());
+                ui.label("The other tree has no ray in the place of the selected one.");
             }
+        }
+        ui.add_space(6.0);
+        if self.parted.is_none_or(|(parted, _)| parted != of) {
+            let rays = parting(this, other).map(|rays| rays.map(|ray| ray.number));
+            self.parted = Some((of, rays));
+        }
+        let Some((_, Some([here, there]))) = self.parted else {
+            ui.weak("Both trees have the same rays: only their numbers differ.");
+            return;
+        };
+        ui.strong("where the trees part, of several rays the one with the most light:");
+        let lines = [(this, here), (other, there)].map(|(root, number)| {
+            root.path_to(number).last().map_or(String::new(), |ray| ray.line())
+        });
+        let [ours, theirs] = if is_ours { [0, 1] } else { [1, 0] };
+        for (whose, line) in [("ours", &lines[ours]), (name, &lines[theirs])] {
+            ui.label(format!("{whose}: {line}"));
         }
     }
 }

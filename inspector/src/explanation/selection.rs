@@ -10,6 +10,7 @@ use groundtruth::world::World;
 
 use crate::comparison::theirs::Theirs;
 use crate::explanation::asked::{Asked, Question, sample_of};
+use crate::explanation::beside::Beside;
 use crate::explanation::copying::Making;
 use crate::explanation::pixel::{self, Order, SumList};
 use crate::explanation::samples::{Linked, Samples};
@@ -17,7 +18,7 @@ use crate::explanation::section::SectionView;
 use crate::explanation::trail::{self, TrailPoint};
 use crate::explanation::tree::{self, Tree};
 use crate::explanation::why_not::WhyNotView;
-use crate::explanation::{Shown, Subject, beside, details, proposal, verdict_text};
+use crate::explanation::{Shown, Subject, details, proposal, verdict_text};
 use crate::picture::display;
 use crate::picture::worker::{Background, Rendering};
 use crate::splits::{Splits, part};
@@ -56,6 +57,7 @@ pub struct Selection {
     asked: Asked,
     /// The same pixel of the other one of two pictures that can be explained.
     beside: Asked,
+    numbers: Beside,
     proposing: Background<[u32; 2]>,
 }
 
@@ -290,15 +292,18 @@ impl Selection {
 
     /// Shows the selected ray of both pictures: ours at the left, whichever tree is above.
     fn side_by_side(&mut self, ui: &mut Ui, shown: &Shown<'_>) {
+        let mut numbers = std::mem::take(&mut self.numbers);
         let program = shown.theirs.and_then(|theirs| theirs.program.as_ref());
-        let (Some((_, this)), Some((_, other)), Some(program)) =
-            (self.root(), self.beside.root(self.sample), program)
-        else {
-            ui.weak("One of the pictures has no ray here, or is not explained yet.");
-            return;
-        };
         let is_ours = shown.subject().program.is_none();
-        beside::show(ui, [this, other], self.tree.ray, (is_ours, &program.name));
+        match (self.root(), self.beside.root(self.shown_sample()), program) {
+            (Some(this), Some(other), Some(program)) => {
+                numbers.show(ui, [this, other], self.tree.ray, (is_ours, &program.name));
+            }
+            _ => {
+                ui.weak("One of the pictures has no ray here, or is not explained yet.");
+            }
+        }
+        self.numbers = numbers;
     }
 
     /// Shows the samples of the pixel; returns whether `wanted` was changed.
