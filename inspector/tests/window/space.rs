@@ -203,7 +203,21 @@ fn the_section_is_zoomed_moved_and_fitted() {
 
     double_click(&mut window, at);
     assert!(drawn(&mut window) == fitted, "a double click fits");
-    window.hover_at(at);
+    // the dot of the hit, so large that no letter has it
+    let is_dot = |image: &image::RgbaImage, x: u32, y: u32| {
+        let square = (x - 1..=x + 1).flat_map(|x| (y - 1..=y + 1).map(move |y| [x, y]));
+        square.into_iter().all(|[x, y]| image.get_pixel(x, y).0 == [150, 215, 150, 255])
+    };
+    let columns = area.left() as u32 + 5..area.right() as u32 - 5;
+    let all = columns
+        .flat_map(|x| (area.top() as u32 + 5..area.bottom() as u32 - 5).map(move |y| [x, y]));
+    let dots: Vec<[u32; 2]> = all.filter(|[x, y]| is_dot(&fitted, *x, *y)).collect();
+    assert!(!dots.is_empty(), "the hit is marked");
+    let mean = |along: usize| {
+        dots.iter().map(|dot| dot[along] as f32 + 0.5).sum::<f32>() / dots.len() as f32
+    };
+    let [x, y] = [mean(0), mean(1)];
+    window.hover_at(pos2(x, y));
     window.event(Event::MouseWheel {
         unit: eframe::egui::MouseWheelUnit::Point,
         delta: vec2(0.0, 200.0),
@@ -214,6 +228,7 @@ fn the_section_is_zoomed_moved_and_fitted() {
     window.run_steps(30);
     let larger = drawn(&mut window);
     assert!(larger != fitted);
+    assert!(is_dot(&larger, x as u32, y as u32), "what is under the mouse stays there");
     double_click(&mut window, at);
     assert!(drawn(&mut window) == fitted);
 }
