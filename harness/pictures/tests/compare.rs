@@ -1,7 +1,9 @@
 //! Two pictures compared: what counts as a difference, and which changes are named.
 
+mod counted;
 mod encoded;
 mod films;
+mod writers;
 
 use groundtruth::film::Film;
 use groundtruth::render;

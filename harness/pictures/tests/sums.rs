@@ -1,6 +1,7 @@
 //! Exact sums of replicas: numbers, and parts.
 
 mod header;
+mod merged;
 mod seeds;
 
 use dashu_ratio::RBig;
