@@ -1,6 +1,7 @@
 //! Pictures judged: false alarms, what is found, which cause is named, and what is said of all that.
 
 mod alarms;
+mod borders;
 mod cases;
 mod causes;
 mod edges;
