@@ -1,5 +1,6 @@
 //! Two pictures compared: what counts as a difference, and which changes are named.
 
+mod affected;
 mod counted;
 mod encoded;
 mod films;

@@ -2,7 +2,7 @@
 
 use std::f64::consts::PI;
 
-use groundtruth::math::{Pcg32, exp, power, tan};
+use groundtruth::math::{Pcg32, atan2, exp, power, tan};
 use statistics::{chi_square, correlation, ks, means, outliers, quantile};
 
 use crate::biased_samples::normals;
@@ -214,4 +214,48 @@ fn ranks_are_mean_places() {
             }
         }
     }
+}
+
+/// Law: cells that expect exactly 5 are not pooled, and rows are as columns: of any table without equal totals, the transposed
+/// one has the same probability. Oracle: by hand: 30 in cells of 5 with χ² = 4 · 4/5 and two degrees; tables drawn.
+#[test]
+fn rows_are_as_columns() {
+    near(chi_square::independence(&[7, 5, 3, 3, 5, 7], 3), exp(-1.6), 1e-12);
+    let random = &mut Pcg32::new(5, 11);
+    for (rows, columns) in [(2, 3), (3, 2), (2, 4), (3, 4), (4, 5)] {
+        for _ in 0..60 {
+            let table: Vec<u64> =
+                (0..rows * columns).map(|_| u64::from(random.below(9) * random.below(4))).collect();
+            let of_row = |row: usize| table[row * columns..][..columns].iter().sum::<u64>();
+            let of_column = |at: usize| table.iter().skip(at).step_by(columns).sum::<u64>();
+            let mut totals: Vec<u64> =
+                (0..rows).map(of_row).chain((0..columns).map(of_column)).collect();
+            totals.sort_unstable();
+            totals.dedup();
+            // of equally rare ones either may be joined
+            if totals.len() < rows + columns {
+                continue;
+            }
+            let at = |at: usize| table[at % rows * columns + at / rows];
+            let transposed: Vec<u64> = (0..table.len()).map(at).collect();
+            let [own, other] = [(&table, columns), (&transposed, rows)]
+                .map(|(table, columns)| chi_square::independence(table, columns));
+            near(own, other, 1e-9);
+        }
+    }
+}
+
+/// Law: two values tell something of a mean: Student's t of one degree. Oracle: Cauchy's distribution: 0 and 2 have the mean
+/// 1 ± 1, so that the probability of e is `1 − (2/π) arctan |1 − e|`.
+#[test]
+fn two_values_have_one_degree() {
+    for expected in [1.0, 1.5, -3.0, 100.0] {
+        let p = 1.0 - 2.0 / PI * atan2((1.0_f64 - expected).abs(), 1.0);
+        near(means::one_sample(&[0.0, 2.0], expected), p, 1e-9);
+        let [mean, low, high] = means::interval(&[0.0, 2.0], 1.0 - p).expect("two values");
+        near(mean, 1.0, 1e-12);
+        near(low.min(high), 1.0 - (1.0 - expected).abs(), 1e-6);
+    }
+    near(means::two_samples(&[0.0, 2.0], &[1.0]), 1.0, 1e-12);
+    near(means::two_samples(&[0.0], &[1.0, 5.0]), 1.0, 1e-12);
 }
