@@ -4,6 +4,7 @@ mod affected;
 mod counted;
 mod encoded;
 mod films;
+mod shown;
 mod writers;
 
 use groundtruth::film::Film;

@@ -1,5 +1,6 @@
 //! Exact sums of replicas: numbers, and parts.
 
+mod audited;
 mod header;
 mod merged;
 mod seeds;

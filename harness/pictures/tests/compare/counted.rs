@@ -3,6 +3,8 @@
 use groundtruth::film::Film;
 use groundtruth::math::Pcg32;
 use pictures::compare::{Change, Comparison, Picture, some_pixels};
+use pictures::digits::short;
+use pictures::percent::{of_pixels, signed};
 
 use super::{compared, mapped};
 use crate::verbs::{between, equal, near};
@@ -138,6 +140,82 @@ fn check(a: &Picture, b: &Picture, found: &Comparison) {
     near("largest difference", found.worst.map_or(0.0, |it| it.difference), most, 0.0);
     if let Some(worst) = found.worst {
         near("difference of the worst pixel", apart(a.index(worst.worst)), most, 0.0);
+    }
+}
+
+/// Law: the sizes, the numbers of pixels and values, the shares and the means that are printed are those that were counted.
+/// Oracle: the fields, which other laws hold, and the percentages of them.
+#[test]
+fn what_is_printed_was_counted() {
+    let random = &mut Pcg32::new(2, 21);
+    for size @ [width, height] in [[5, 3], [16, 9], [1, 7]] {
+        let (mut a, mut b) = (picture(size, random), picture(size, random));
+        a.values[0] = [0.5, 2.0, 0.0];
+        b.values[0] = [1.0; 3];
+        let found = compared(&a, &b);
+        let text = found.to_string();
+        let has = |line: String| assert!(text.contains(&line), "expected `{line}`, found {text}");
+        let share = found.differing as f64 / f64::from(width * height);
+        let share = of_pixels(share);
+        has(format!("pixels that differ: {} of {width} × {height} ({share})\n", found.differing));
+        has(format!("root mean square of the differences: {}\n", short(found.root_mean_square)));
+        for (channel, name) in ["red", "green", "blue"].into_iter().enumerate() {
+            let [a, b] = found.means.map(|it| it[channel]);
+            if a != 0.0 {
+                let percent = signed(b / a - 1.0, 2);
+                has(format!("mean {name}: B {}, A {}, {percent}\n", short(b), short(a)));
+            }
+        }
+        for (name, unusual) in ["A", "B"].into_iter().zip(found.unusual) {
+            let all = [
+                (unusual.nan, "NaN"),
+                (unusual.infinite, "infinite"),
+                (unusual.negative, "negative"),
+            ];
+            let all =
+                all.iter().filter(|it| it.0 > 0).map(|(count, what)| format!("{count} {what}"));
+            let all: Vec<String> = all.collect();
+            if !all.is_empty() {
+                has(format!("{name}: {} values\n", all.join(", ")));
+            }
+        }
+    }
+}
+
+/// Law: of many regions, that with the largest difference is the worst, also if it is the largest, and of equal ones the
+/// first in the list. Oracle: regions drawn by hand.
+#[test]
+fn the_worst_of_many_regions_is_found() {
+    let black = Picture::of_film(&Film::new(60, 3));
+    for worst in 0..15 {
+        let mut theirs = black.clone();
+        for region in 0..15_usize {
+            // the first is two pixels large
+            theirs.values[4 * region] = [if region == worst { 0.75 } else { 0.5 }; 3];
+        }
+        theirs.values[1] = [0.25; 3];
+        let found = compared(&black, &theirs).worst.expect("they differ");
+        equal("worst pixel", found.worst, [4 * worst as u32, 0]);
+    }
+    let mut equal_ones = black.clone();
+    [8, 20, 32].into_iter().for_each(|at| equal_ones.values[at] = [0.5; 3]);
+    equal("first of equal ones", compared(&black, &equal_ones).worst.expect("some").worst, [8, 0]);
+}
+
+/// Law: a factor is named from a thousandth on. Oracle: factors on both sides.
+#[test]
+fn factors_begin_at_a_thousandth() {
+    let ours = ramp(32);
+    for (factor, is_named) in
+        [(1.0009, false), (1.0011, true), (0.9991, false), (0.9989, true), (1.02, true)]
+    {
+        let theirs = mapped(&ours, |color| color.map(|it| (f64::from(it) / factor) as f32));
+        let found = compared(&ours, &theirs).explained_by;
+        equal(
+            format!("{factor} is named"),
+            found.iter().any(|it| it.what.contains("divided by")),
+            is_named,
+        );
     }
 }
 
