@@ -13,4 +13,5 @@ mod rounding;
 mod sampling;
 mod shared;
 mod statistic;
+mod told;
 mod writers;

@@ -8,6 +8,8 @@ use judge::sets::{
 };
 use judge::verdict::{Answer, Areas};
 use pictures::compare::Picture;
+use pictures::digits::short;
+use pictures::percent::{of_pixels, percent, signed};
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::synthetic::verdict;
@@ -337,5 +339,40 @@ fn sets_of_any_size_are_compared() {
             0.5,
             0.1,
         );
+    }
+}
+
+/// Law: what is told of sets in percent is the relative difference of their means, with half of its interval; of an area that
+/// differs, its change relative to before; and the noise factor. Oracle: the numbers, which other laws hold.
+#[test]
+fn changes_are_told_in_percent() {
+    let random = &mut Pcg32::new(6, 51);
+    for gain in [0.8, 1.0, 1.3] {
+        let found = verdict(&pictures(random, 5, 0.05, 1.0), &pictures(random, 5, 0.05, gain));
+        let text = found.to_string();
+        let means = &found.means[0];
+        let [relative, low, high] = means.relative.expect("not black");
+        near("relative difference", relative, means.after / means.before - 1.0, 1e-9);
+        let half = percent(0.5 * (high - low), 2);
+        let [before, after] = [means.before, means.after].map(short);
+        let line = format!(
+            "the whole picture: {before} before, {after} after, {} ± {half}\n",
+            signed(relative, 2)
+        );
+        assert!(text.contains(&line), "gain {gain}: expected `{line}`, found {text}");
+        let noise =
+            format!("noise: {:.2} of that before", found.noise.expect("there is noise").factor);
+        assert!(text.contains(&noise), "expected `{noise}`, found {text}");
+        equal(format!("gain {gain}: areas that differ"), found.areas.is_empty(), gain == 1.0);
+        for area in &found.areas {
+            let by = of_pixels((area.after / area.before - 1.0).abs());
+            let direction = if gain < 1.0 { "darker" } else { "brighter" };
+            let [before, after] = [area.before, area.after].map(short);
+            let words =
+                format!("is {direction} after, by {by} on average (from {before} to {after})");
+            // the first is in the sentence unless a factor explains all
+            let is_first = area.name == found.areas[0].name && found.explained_by.is_some();
+            assert!(is_first || text.contains(&words), "expected `{words}`, found {text}");
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use groundtruth::film::Film;
 use groundtruth::math::Pcg32;
-use pictures::compare::{Change, Comparison, Picture, some_pixels};
+use pictures::compare::{Change, Comparison, Decoded, Picture, Transfer, some_pixels};
 use pictures::digits::short;
 use pictures::percent::{of_pixels, signed};
 
@@ -364,4 +364,47 @@ fn only_squares_are_transposed() {
     }
     let black = Picture::of_film(&Film::new(1, 1));
     equal("pixels of one black pixel that differ", compared(&black, &black).differing, 0);
+}
+
+/// Law: a changed picture has the radiance that the change gives each pixel, of floats and of integers by any curve; where the
+/// change takes a value from outside, it has none. Oracle: the change of single pixels.
+#[test]
+fn a_changed_picture_is_changed_in_each_pixel() {
+    let floats = ramp(9);
+    let curves = [Transfer::Linear, Transfer::Srgb, Transfer::Gamma(2.2)];
+    let integers = |transfer| Picture {
+        transfer,
+        step: Some(1.0 / 255.0),
+        ..mapped(&floats, |color| color.map(|it| (255.0 * it.min(1.0)).round() / 255.0))
+    };
+    let mut changes = Change::of_pixels([9, 9]);
+    changes.extend([Change::Same, Change::Scaled(0.5), Change::Scaled(0.9)]);
+    changes.extend(curves.map(Change::Decoded));
+    for picture in curves.map(integers).into_iter().chain([floats.clone()]) {
+        for change in &changes {
+            let changed = change.applied(&picture);
+            for at in 0..81_u32 {
+                let pixel = [i64::from(at % 9), i64::from(at / 9)];
+                let expected = change.at(&Decoded::new(&picture), pixel);
+                let stored = changed.values[at as usize];
+                let found = (!stored[0].is_nan())
+                    .then(|| stored.map(|it| changed.transfer.decoded(it.into())));
+                equal(
+                    format!("{change:?}: pixel {pixel:?} is inside"),
+                    found.is_some(),
+                    expected.is_some(),
+                );
+                for (found, expected) in
+                    found.into_iter().flatten().zip(expected.into_iter().flatten())
+                {
+                    near(
+                        format!("{change:?} of {}, {pixel:?}", picture.transfer),
+                        found,
+                        expected,
+                        1e-5,
+                    );
+                }
+            }
+        }
+    }
 }
