@@ -243,9 +243,9 @@ fn a_printed_command_can_be_pasted() {
 fn a_margin_has_three_statuses() {
     let folder = tempfile::tempdir().expect("a folder");
     let still = "ch14/set";
-    let film = films(&mut world(&scene(still, [16, 16], 1), 1), std::iter::once(1)).remove(0);
+    let film = films(&mut world(&scene(still, [24, 16], 1), 1), std::iter::once(1)).remove(0);
     let mut brighter = film.clone();
-    for at in (0..16).flat_map(|y| (0..16).map(move |x| [x, y])) {
+    for at in (0..16).flat_map(|y| (0..24).map(move |x| [x, y])) {
         brighter.set(at, 1.02 * film.get(at));
     }
     let brighter = written(&brighter, folder.path(), "brighter.pfm");
@@ -267,7 +267,7 @@ fn a_margin_has_three_statuses() {
 fn numbers_are_taken_in_their_ranges() {
     let folder = tempfile::tempdir().expect("a folder");
     let still = "ch14/set";
-    let film = films(&mut world(&scene(still, [4, 4], 1), 1), std::iter::once(1)).remove(0);
+    let film = films(&mut world(&scene(still, [6, 4], 1), 1), std::iter::once(1)).remove(0);
     let file = written(&film, folder.path(), "same.pfm");
     for (option, value, is_taken) in [
         ("--level", "0.0001", true),
