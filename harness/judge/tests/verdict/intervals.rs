@@ -251,7 +251,7 @@ fn the_level_is_a_border() {
     // pixels that are too bright, and too dark, so that the mean of the picture stays
     let theirs: Vec<Vec<f32>> = (0..4)
         .map(|_| {
-            let gain = |at: usize| if at / 3 % 2 == 0 { 1.12 } else { 0.88 };
+            let gain = |at: usize| if (at / 3).is_multiple_of(2) { 1.12 } else { 0.88 };
             noisy(random, PIXELS, 0.05).iter().enumerate().map(|(at, x)| gain(at) * x).collect()
         })
         .collect();

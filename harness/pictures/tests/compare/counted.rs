@@ -2,7 +2,8 @@
 
 use groundtruth::film::Film;
 use groundtruth::math::Pcg32;
-use pictures::compare::{Change, Comparison, Decoded, Picture, Transfer, some_pixels};
+use groundtruth::rgb::Rgb;
+use pictures::compare::{Change, Comparison, Decoded, Differences, Picture, Transfer, some_pixels};
 use pictures::digits::short;
 use pictures::percent::{of_pixels, signed};
 
@@ -178,6 +179,24 @@ fn what_is_printed_was_counted() {
             if !all.is_empty() {
                 has(format!("{name}: {} values\n", all.join(", ")));
             }
+        }
+    }
+}
+
+/// Law: a difference is shown in magenta where any of its channels is not a number, and in no other pixel, and lies in its own
+/// place. Oracle: the pixel and the channel that were changed, in a picture that is no square.
+#[test]
+fn what_is_not_a_number_is_magenta() {
+    let black = Picture::of_film(&Film::new(5, 3));
+    for channel in 0..3 {
+        for at in 0..15_u32 {
+            let mut theirs = black.clone();
+            theirs.values[at as usize][channel] = f32::NAN;
+            let film = Differences::of(&black, &theirs, 0.0).film(1.0);
+            let shown: Vec<u32> = (0..15)
+                .filter(|at| film.get([at % 5, at / 5]) == Rgb::new(1.0, 0.0, 1.0))
+                .collect();
+            equal(format!("magenta pixels, channel {channel}"), shown, vec![at]);
         }
     }
 }
