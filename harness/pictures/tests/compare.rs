@@ -1,6 +1,7 @@
 //! Two pictures compared: what counts as a difference, and which changes are named.
 
 mod affected;
+mod changed;
 mod counted;
 mod encoded;
 mod films;

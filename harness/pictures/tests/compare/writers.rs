@@ -7,8 +7,11 @@ use pictures::compare::{Comparison, Picture, Transfer};
 
 use crate::verbs::equal;
 
+/// A way to an integer, with its name.
+type Step = (&'static str, fn(f64, f64) -> f64);
+
 /// From a display value to an integer up to the largest, as programs write it.
-const QUANTISERS: [(&str, fn(f64, f64) -> f64); 6] = [
+const QUANTISERS: [Step; 6] = [
     ("int(N v)", |v, n| (n * v).floor()),
     ("int((N + 0.99) v)", |v, n| ((n + 0.99) * v).floor()),
     ("int((N + 0.999) v)", |v, n| ((n + 0.999) * v).floor()),
@@ -22,13 +25,15 @@ fn srgb(v: f64) -> f64 {
     if v <= 0.0031308 { 12.92 * v } else { 1.055 * power(v, 1.0 / 2.4) - 0.055 }
 }
 
-/// The curves, with what they are called.
-fn curves() -> Vec<(Transfer, Box<dyn Fn(f64) -> f64>)> {
+/// A curve, with what it is called.
+type Curve = (Transfer, Box<dyn Fn(f64) -> f64>);
+
+fn curves() -> Vec<Curve> {
     let gammas = [1.8, 2.0, 2.2, 2.4];
-    let of = |gamma: f64| -> (Transfer, Box<dyn Fn(f64) -> f64>) {
+    let of = |gamma: f64| -> Curve {
         (Transfer::Gamma(gamma), Box::new(move |v| power(v, 1.0 / gamma)))
     };
-    let mut all: Vec<(Transfer, Box<dyn Fn(f64) -> f64>)> = gammas.map(of).into_iter().collect();
+    let mut all: Vec<Curve> = gammas.map(of).into_iter().collect();
     all.push((Transfer::Linear, Box::new(|v| v)));
     all.push((Transfer::Srgb, Box::new(srgb)));
     all
