@@ -4,11 +4,12 @@ use std::time::Instant;
 
 use groundtruth::render;
 use groundtruth::world::World;
+use pictures::compare::some_pixels;
 
 /// Renderings that are shorter, in seconds, are not announced.
 const LONG: f64 = 5.0;
 
-/// At most so many pixels are rendered to estimate the time.
+/// About so many pixels are rendered to estimate the time.
 const PIXELS: u32 = 64;
 
 /// At most about so long, in seconds, is estimated.
@@ -46,10 +47,9 @@ pub fn words(
 fn seconds(world: &World) -> f64 {
     let [width, height] = world.picture_size().map(u64::from);
     let (count, start) = (width * height, Instant::now());
-    let step = count.div_ceil(PIXELS.into()) | 1;
     let mut rendered = 0.0;
-    for at in (0..count).step_by(step as usize) {
-        render::pixel(world, [(at % width) as u32, (at / width) as u32]);
+    for pixel in some_pixels(world.picture_size(), PIXELS as usize) {
+        render::pixel(world, pixel);
         rendered += 1.0;
         if start.elapsed().as_secs_f64() > PATIENCE {
             break;

@@ -69,8 +69,8 @@ pub struct Verify {
     /// shows smaller differences of a picture with little noise. Ours have other seeds
     #[arg(long, value_name = "FILE")]
     reference: Option<PathBuf>,
-    /// Say also whether the means of the picture and of each object are within this margin, such as 1%; if they are, the
-    /// exit status is 0
+    /// Say also whether the means of the picture and of each object are within this margin, such as 1%; the exit status is
+    /// then 0 if they are, 1 if one is beyond it, and 2 if the noise is too large to tell
     #[arg(long, value_name = "M", value_parser = margin)]
     margin: Option<f64>,
     /// Few scenes of the gallery that together show all known mistakes of a chapter, such as ch28
@@ -362,7 +362,8 @@ impl Watch {
 fn exit(verdict: &Verdict) -> Exit {
     match (verdict.margin, verdict.decision) {
         (Some((_, Answer::Agrees)), _) | (None, Decision::Agrees) => Exit::Yes,
-        (Some(_), _) | (None, Decision::Differs) => Exit::No,
+        (Some((_, Answer::DiffersByMore)), _) | (None, Decision::Differs) => Exit::No,
+        (Some((_, Answer::CannotTell)), _) => Exit::Unanswered,
         (None, Decision::Undecided) => Exit::Interrupted,
     }
 }

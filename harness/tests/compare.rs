@@ -135,3 +135,24 @@ fn signs_have_one_direction() {
     assert!(compare(["whole.pfm", "dim.pfm"]).contains(", −50.00 %"));
     assert!(compare(["dim.pfm", "whole.pfm"]).contains(", +100.00 %"));
 }
+
+/// Law: the tolerance is from 0 to below 1, and a difference as large as it is none. Oracle: pictures of 3 and 4, a quarter of
+/// 4 apart.
+#[test]
+fn the_tolerance_has_a_range() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (name, value) in [("three.pfm", 3.0), ("four.pfm", 4.0)] {
+        let mut film = Film::new(1, 1);
+        film.set([0, 0], Rgb::grey(value));
+        film::write(&film, &Tone::PLAIN, &folder.path().join(name)).expect("written");
+    }
+    for (tolerance, expected) in
+        [("0", 1), ("0.2499", 1), ("0.25", 0), ("0.999", 0), ("1", 2), ("-0.1", 2), ("nan", 2)]
+    {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_groundtruth"));
+        command.args(["compare", "three.pfm", "four.pfm", &format!("--tolerance={tolerance}")]);
+        let output = command.current_dir(folder.path()).output().expect("it runs");
+        let text = String::from_utf8_lossy(&output.stdout);
+        assert_eq!(output.status.code(), Some(expected), "--tolerance {tolerance}: {text}");
+    }
+}

@@ -8,6 +8,7 @@ mod header;
 mod interrupt;
 mod means;
 mod merged;
+mod shares;
 
 use std::fs;
 use std::hash::{BuildHasher, RandomState};

@@ -55,7 +55,13 @@ fn every_exit_status() {
     assert_eq!(status, 1, "{text}");
     assert!(text.starts_with("differ: ") && text.contains("groundtruth compare"), "{text}");
     assert!(std::fs::read_to_string(page).expect("written").contains("<h1>differ: "));
-    assert_eq!(asked(&before, &brighter, &["--margin", "50%"]).0, 0);
+    // 0.6 is 20 % more than 0.5
+    for (margin, expected) in [("50%", 0), ("25%", 0), ("15%", 1), ("1%", 1)] {
+        let (status, text) = asked(&before, &brighter, &["--margin", margin]);
+        assert_eq!(status, expected, "--margin {margin}: {text}");
+    }
+    let (status, text) = asked(&before, &after, &["--margin", "0.001%"]);
+    assert_eq!(status, 2, "--margin 0.001% of noise: {text}");
     let (status, json) = asked(&before, &brighter, &["--margin", "1%", "--json"]);
     let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
     assert_eq!((status, &json["decision"]), (1, &"differ".into()));

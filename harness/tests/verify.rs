@@ -236,3 +236,58 @@ fn a_printed_command_can_be_pasted() {
     let files = std::fs::read_dir(folder.path()).expect("it is a folder").count();
     assert_eq!(files, 1, "{line} made another file");
 }
+
+/// Law: a margin has the exit status of its answer: 0 within it, 1 beyond it, 2 if noise is too large to tell; it counts in
+/// place of the verdict. Oracle: a picture 2 % brighter without noise, and a correct one with noise.
+#[test]
+fn a_margin_has_three_statuses() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let still = "ch14/set";
+    let film = films(&mut world(&scene(still, [24, 16], 1), 1), std::iter::once(1)).remove(0);
+    let mut brighter = film.clone();
+    for at in (0..16).flat_map(|y| (0..24).map(move |x| [x, y])) {
+        brighter.set(at, 1.02 * film.get(at));
+    }
+    let brighter = written(&brighter, folder.path(), "brighter.pfm");
+    let samples = ["--their-samples", "1"];
+    for (margin, expected) in [("2.1%", 0), ("1.9%", 1), ("0.021", 0), ("0.019", 1), ("99%", 0)] {
+        let (status, text) =
+            verify(&[&[still, &*brighter, "--margin", margin], &samples[..]].concat());
+        assert_eq!(status, expected, "--margin {margin}: {text}");
+    }
+    let noisy = written(&picture(16, 501), folder.path(), "noisy.pfm");
+    let (status, text) = verify(&[SCENE, &noisy, "--their-samples", "16", "--margin", "0.0001"]);
+    assert_eq!(status, 2, "--margin 0.0001 of a picture with noise: {text}");
+    assert!(text.contains("cannot tell"), "{text}");
+}
+
+/// Law: levels, margins and numbers of replicas are taken in their ranges, and refused one step outside. Oracle: the ranges
+/// that `--help` says.
+#[test]
+fn numbers_are_taken_in_their_ranges() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let still = "ch14/set";
+    let film = films(&mut world(&scene(still, [6, 4], 1), 1), std::iter::once(1)).remove(0);
+    let file = written(&film, folder.path(), "same.pfm");
+    for (option, value, is_taken) in [
+        ("--level", "0.0001", true),
+        ("--level", "0.000099", false),
+        ("--level", "0.2", true),
+        ("--level", "0.21", false),
+        ("--level", "nan", false),
+        ("--margin", "0.0001%", true),
+        ("--margin", "0", false),
+        ("--margin", "0%", false),
+        ("--margin", "99.9%", true),
+        ("--margin", "100%", false),
+        ("--margin", "1", false),
+        ("--margin", "-1%", false),
+        ("--replicas", "3", true),
+        ("--replicas", "2", false),
+        ("--replicas", "3.5", false),
+    ] {
+        let (status, text) =
+            verify(&[still, &*file, "--their-samples", "1", &format!("{option}={value}")]);
+        assert_eq!(status, if is_taken { 0 } else { 2 }, "{option} {value}: {text}");
+    }
+}

@@ -3,4 +3,6 @@
 mod exercise;
 mod mistakes;
 mod sets;
+#[path = "../../pictures/tests/verbs.rs"]
+mod verbs;
 mod verdict;

@@ -1,13 +1,17 @@
 //! Pictures judged: false alarms, what is found, which cause is named, and what is said of all that.
 
 mod alarms;
+mod borders;
 mod cases;
 mod causes;
 mod edges;
+mod intervals;
 pub mod pictures;
+mod pool;
 mod power;
 mod rounding;
 mod sampling;
 mod shared;
 mod statistic;
+mod told;
 mod writers;

@@ -1,7 +1,12 @@
 //! Two pictures compared: what counts as a difference, and which changes are named.
 
+mod affected;
+mod changed;
+mod counted;
 mod encoded;
 mod films;
+mod shown;
+mod writers;
 
 use groundtruth::film::Film;
 use groundtruth::render;

@@ -10,4 +10,5 @@ mod running;
 #[cfg(unix)]
 mod shell;
 mod sums;
+mod verbs;
 mod xml;

@@ -1,6 +1,8 @@
 //! Exact sums of replicas: numbers, and parts.
 
+mod audited;
 mod header;
+mod merged;
 mod seeds;
 
 use dashu_ratio::RBig;

@@ -3,6 +3,7 @@
 mod biased_samples;
 mod chi_square;
 mod correlation;
+mod definition;
 mod judge;
 mod ks;
 mod many_seeds;

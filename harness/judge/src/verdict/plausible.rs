@@ -4,7 +4,7 @@ use groundtruth::film::Film;
 use rayon::prelude::*;
 
 use super::stored::Stored;
-use pictures::compare::Picture;
+use pictures::compare::{Picture, spread};
 
 /// About so many pixels are held against all ways, and so many against those that are left.
 const PIXELS: [usize; 2] = [1 << 10, 1 << 14];
@@ -37,11 +37,8 @@ pub fn plausible(candidates: &[Stored], theirs: &Picture, films: &[Film]) -> Vec
 fn tried(film: &Film, most: usize) -> Vec<usize> {
     let colors = film.pixels();
     let bright: Vec<usize> = (0..colors.len()).filter(|pixel| colors[*pixel].max() > 1.0).collect();
-    // odd steps, so that not only few columns are tried
-    let step = |count: usize| (count / most) | 1;
-    let bright = bright.iter().copied().step_by(step(bright.len()));
-    let mut pixels: Vec<usize> =
-        (0..colors.len()).step_by(step(colors.len())).chain(bright).collect();
+    let bright = spread(bright.len(), most).map(|at| bright[at]);
+    let mut pixels: Vec<usize> = spread(colors.len(), most).chain(bright).collect();
     pixels.sort_unstable();
     pixels.dedup();
     pixels

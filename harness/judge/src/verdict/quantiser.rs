@@ -7,7 +7,7 @@ pub enum Quantiser {
     Rounded,
     /// The largest not above N + `surplus` times the value, at most N: `int(255.99 * v)` has a surplus of 0.99.
     Truncated {
-        /// From 0 to 1.
+        /// From 0 to 1, or that of [`Quantiser::ALMOST_ONE`].
         surplus: f64,
     },
 }
@@ -21,6 +21,9 @@ impl Quantiser {
         Self::Truncated { surplus: 0.999 },
         Self::Truncated { surplus: 1.0 },
     ];
+
+    /// Truncated, where the largest display value is a little less than 1: sRGB's 1.055 − 0.055 in double precision.
+    pub const ALMOST_ONE: Self = Self::Truncated { surplus: -1e-9 };
 
     /// The integer of a display value from 0 to 1.
     pub fn integer(self, value: f64, largest: f64) -> f64 {
@@ -54,7 +57,7 @@ impl Quantiser {
         let bits = if largest < 256.0 { 8 } else { 16 };
         match self {
             Self::Rounded => format!("rounded to {bits} bits"),
-            Self::Truncated { surplus: 0.0 } => format!("truncated to {bits} bits"),
+            Self::Truncated { surplus: ..=0.0 } => format!("truncated to {bits} bits"),
             Self::Truncated { .. } => {
                 format!("times {} and truncated to {bits} bits", self.scale(largest))
             }

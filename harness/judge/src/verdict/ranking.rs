@@ -60,12 +60,8 @@ impl Ranking {
             all.clone().into_par_iter().map(|picture| detail(pool, picture)).collect();
         let known: Vec<f64> = details.iter().flatten().copied().collect();
         let usual = quantile(&known, 0.5).unwrap_or_default();
-        let others = pool.variance_of_mean();
         let factor = |detail: &Option<f64>| match detail {
-            // the difference from the mean of the others has its noise too
-            Some(detail) if usual > 0.0 => {
-                (detail / usual * (1.0 + others) - others).max(0.01).sqrt()
-            }
+            Some(detail) if usual > 0.0 => variance(detail / usual, pool).max(0.01).sqrt(),
             _ => 1.0,
         };
         let noise: Vec<f64> = details.iter().map(factor).collect();
@@ -134,6 +130,34 @@ impl Ranking {
             _ => None,
         })
     }
+}
+
+/// The variance x of a picture's noise, in units of that of the R others, of which each has 1, from how many times as large
+/// its details are as those of the others.
+///
+/// Its own details have the variance `x + 1/R`, with that of the mean of the others, relative to 1. Those of another picture
+/// are held against others of the mean variance `s = (R − 1 + x)/R`, this one among them: they have `1 + s/R`, relative to s.
+/// If all are held against the mean of M pictures beside them, 1/M is in the place of 1/R and s/R. Both are quadratic in x.
+fn variance(ratio: f64, pool: &Pool) -> f64 {
+    let others = pool.count() as f64 - 1.0;
+    let mean = pool.variance_of_mean();
+    // a x² + b x + c = 0
+    let [a, b, c] = match pool.reference() {
+        None => {
+            let squared = others * others;
+            [
+                others,
+                squared - others + 1.0 - ratio,
+                others - 1.0 - ratio * (squared + others - 1.0),
+            ]
+        }
+        Some(_) => {
+            let whole = ratio * others * (1.0 + mean);
+            [1.0, others - 1.0 + mean, mean * (others - 1.0) - whole]
+        }
+    };
+    let root = (b * b - 4.0 * a * c).max(0.0).sqrt();
+    (root - b) / (2.0 * a)
 }
 
 /// How far out each picture is: the largest over all levels of its difference from the median, in standard deviations

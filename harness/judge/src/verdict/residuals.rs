@@ -34,18 +34,17 @@ impl Residuals {
     }
 }
 
-/// A block's detail counts at most this many times the variance of the others, so that single bright pixels do not
-/// decide.
+/// A block's detail counts at most this many times the mean, so that single bright pixels do not decide.
 const MOST_DETAIL: f64 = 16.0;
 
 /// Fewer blocks say nothing of the noise.
-const FEW_BLOCKS: u32 = 16;
+const FEW_BLOCKS: usize = 16;
 
 /// The square of the finest details of a picture's difference from the others, relative to the variance of these: the
 /// mean over blocks of two by two pixels. `None` if there are few such blocks.
 pub fn detail(pool: &Pool, picture: usize) -> Option<f64> {
     let [width, height] = pool.size;
-    let (mut sum, mut count) = (0.0, 0_u32);
+    let mut squares = Vec::new();
     for channel in 0..3 {
         let Residuals { difference, variance, varied } =
             Residuals::of(pool, picture, channel, &mut vec![0.0; width * height]);
@@ -55,13 +54,32 @@ pub fn detail(pool: &Pool, picture: usize) -> Option<f64> {
                 let total: f64 = block.iter().map(|pixel| variance[*pixel]).sum();
                 if block.iter().any(|pixel| varied[*pixel]) && total > 0.0 {
                     let [a, b, c, d] = block.map(|pixel| difference[pixel]);
-                    sum += (square(a - b - c + d) / total).min(MOST_DETAIL);
-                    count += 1;
+                    squares.push(square(a - b - c + d) / total);
                 }
             }
         }
     }
-    (count >= FEW_BLOCKS).then(|| sum / f64::from(count))
+    (squares.len() >= FEW_BLOCKS).then(|| robust_mean(&squares))
+}
+
+/// The mean of values, of which each counts at most so many times that mean: twice the values have twice the mean.
+///
+/// Source: P. J. Huber, *Robust Statistics*, 1981, 5.2, "proposal 2" for a scale.
+fn robust_mean(values: &[f64]) -> f64 {
+    /// More steps change less than chance does.
+    const STEPS: usize = 30;
+    let count = values.len() as f64;
+    let mut mean = values.iter().sum::<f64>() / count;
+    for _ in 0..STEPS {
+        let most = MOST_DETAIL * mean;
+        let next = values.iter().map(|value| value.min(most)).sum::<f64>() / count;
+        let is_near = mean - next <= 1e-6 * mean;
+        mean = next;
+        if is_near {
+            break;
+        }
+    }
+    mean
 }
 
 fn square(x: f64) -> f64 {

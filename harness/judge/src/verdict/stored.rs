@@ -69,9 +69,12 @@ impl Stored {
         let mut bright = vec![Bright::Mapped(rule), Bright::Clamped];
         bright.extend([OutOfGamut::MaxToOne, OutOfGamut::ClampToColor].map(Bright::Mapped));
         let mut all: Vec<Self> = Vec::new();
+        let is_white_less = lacks_largest(picture, step);
         for transfer in transfers {
+            let almost =
+                (is_white_less && transfer == Transfer::Srgb).then_some(Quantiser::ALMOST_ONE);
             for bright in &bright {
-                for quantiser in Quantiser::ALL {
+                for quantiser in almost.into_iter().chain(Quantiser::ALL) {
                     let stored = Self::Integers { step, transfer, quantiser, bright: *bright };
                     if !all.contains(&stored) {
                         all.push(stored);
@@ -113,8 +116,11 @@ impl Stored {
             }
         };
         let largest = 1.0 / step;
-        let integer =
-            |radiance: f64| quantiser.integer(transfer.encoded(radiance.clamp(0.0, 1.0)), largest);
+        let integer = |radiance: f64| {
+            // that of sRGB would be a little less
+            let value = if radiance >= 1.0 { 1.0 } else { transfer.encoded(radiance.max(0.0)) };
+            quantiser.integer(value, largest)
+        };
         Some(color.to_array().map(integer))
     }
 
@@ -222,6 +228,13 @@ impl fmt::Display for Stored {
             }
         }
     }
+}
+
+/// Whether the largest integer of a picture is the one below the largest that can be.
+fn lacks_largest(picture: &Picture, step: f64) -> bool {
+    let values = picture.values.as_flattened().iter().filter(|value| value.is_finite());
+    let largest = values.fold(0.0_f64, |largest, value| largest.max((*value).into()));
+    (largest / step).round() + 1.0 == (1.0 / step).round()
 }
 
 /// The value of the last bit of the largest channel, for a shared exponent.

@@ -123,8 +123,17 @@ pub fn verdict_of_regions(before: &[Picture], after: &[Picture], regions: &Pictu
     of(Sets::new([before, after], Some(regions)).expect("one size"))
 }
 
-/// The verdict, which nobody interrupts.
+/// The verdict at another level.
+pub fn verdict_at(before: &[Picture], after: &[Picture], level: f64) -> SetsVerdict {
+    at(Sets::new([before, after], None).expect("one size"), level)
+}
+
 fn of(sets: Sets) -> SetsVerdict {
+    at(sets, super::LEVEL)
+}
+
+/// The verdict, which nobody interrupts.
+fn at(sets: Sets, level: f64) -> SetsVerdict {
     let watch = Watch { tried: &|| (), interrupted: &AtomicBool::new(false) };
-    SetsVerdict::of(sets, super::LEVEL, watch).expect("it is not interrupted")
+    SetsVerdict::of(sets, level, watch).expect("it is not interrupted")
 }

@@ -116,7 +116,10 @@ impl Change {
                 format!("{b} is {parts}")
             }
             Self::Channels(order) => {
-                let names = order.map(|channel| ["red", "green", "blue"][channel]).join(", ");
+                // the first of its channels is the one that is taken from there
+                let holds = |stored| order.iter().position(|from| *from == stored);
+                let name = |stored| holds(stored).map_or("none", |it| ["red", "green", "blue"][it]);
+                let names = [0, 1, 2].map(name).join(", ");
                 format!("the channels of {b} are in the order {names}")
             }
             Self::Decoded(transfer) => format!("{b} is encoded as {transfer}, not as {before}"),

@@ -1,5 +1,6 @@
 //! Simple changes that explain a difference.
 
+use groundtruth::math::hash;
 use serde::Serialize;
 
 use super::{Change, Decoded, Transfer};
@@ -62,11 +63,18 @@ pub fn distance_of(a: &Decoded<'_>, b: &Decoded<'_>) -> f64 {
 
 /// All pixels, or about `most` evenly spread ones.
 pub(super) fn evenly_spread([width, height]: [u32; 2], most: usize) -> Vec<[i64; 2]> {
-    let count = width as usize * height as usize;
-    // an odd step, so that not only few columns are tried
-    let step = (count / most) | 1;
     let pixel = |at: usize| [(at % width as usize) as i64, (at / width as usize) as i64];
-    (0..count).step_by(step).map(pixel).collect()
+    spread(width as usize * height as usize, most).map(pixel).collect()
+}
+
+/// All indices below `count`, or about `most` evenly spread ones, ascending: one of each so many, drawn by its hash, so that
+/// no column and no row is left out whatever the width is.
+pub fn spread(count: usize, most: usize) -> impl Iterator<Item = usize> {
+    let step = (count / most).max(1);
+    (0..count).step_by(step).map(move |first| {
+        let length = step.min(count - first) as u64;
+        first + (hash(&[first as u64]) % length) as usize
+    })
 }
 
 /// Both radiances of each pixel at which both are finite.

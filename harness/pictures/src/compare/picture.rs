@@ -217,13 +217,14 @@ impl<'a> Decoded<'a> {
     pub fn new(picture: &'a Picture) -> Self {
         let Some(step) = picture.step else { return Self { picture, table: Vec::new() } };
         let largest = (1.0 / step).round() as u32;
+        let white = white(picture, largest);
         let radiance = |value: f64| picture.transfer.decoded((value * step).max(0.0));
         let entry = |integer: u32| {
             let value = f64::from(integer);
             // int(256 v) is value + 1 from value/256 on, and int(255.99 v) hardly later
             let least = (value - 0.5).min(value * f64::from(largest) / f64::from(largest + 1));
             // what is brighter is clamped to the largest
-            let most = if integer < largest { radiance(value + 1.0) } else { f64::INFINITY };
+            let most = if integer < white { radiance(value + 1.0) } else { f64::INFINITY };
             [radiance(least), radiance(value), most]
         };
         Self { picture, table: (0..=largest).map(entry).collect() }
@@ -267,6 +268,15 @@ impl<'a> Decoded<'a> {
     pub fn at(&self, index: usize) -> [f64; 3] {
         self.linear(self.picture.values[index])
     }
+}
+
+/// The integer of all that is 1 or more: the largest. Of sRGB it may be the one before, if the picture has no larger one:
+/// 1.055 − 0.055 is a little less than 1 in double precision, which is truncated.
+fn white(picture: &Picture, largest: u32) -> u32 {
+    let half = 0.5 / f64::from(largest);
+    let has_largest =
+        || picture.values.as_flattened().iter().any(|value| f64::from(*value) > 1.0 - half);
+    if picture.transfer == Transfer::Srgb && !has_largest() { largest - 1 } else { largest }
 }
 
 /// 1/255 if all values are multiples of it, else 1/65535.

@@ -8,6 +8,7 @@ use groundtruth::rgb::Rgb;
 use pictures::compare::{Picture, Transfer};
 
 use super::compared;
+use crate::verbs::{equal, near};
 
 /// Radiance from 0 to 1, in steps that no integer of 8 bits falls on.
 fn radiance() -> Film {
@@ -153,4 +154,25 @@ fn integers_stand_for_what_any_program_stores_so() {
         };
         assert!(compared(&Picture::of_film(&ours), &theirs).is_same(), "quantiser {number}");
     }
+}
+
+/// Law: a file of 16 bits is one if any value is no integer of 8, by however little; a word of the user that says what the
+/// file says has no note. Oracle: values on both sides of an integer of 8 bits.
+#[test]
+fn files_of_16_bits_are_told_by_their_values() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("bits.png");
+    for (odd, largest) in
+        [(257 * 40, 255.0), (257 * 40 + 1, 65_535.0), (257 * 40 - 1, 65_535.0), (1, 65_535.0)]
+    {
+        let values = [0_u16, 257, 65_535, odd, 257 * 100, 257 * 7];
+        type Picture16 = image::ImageBuffer<image::Rgb<u16>, Vec<u16>>;
+        let picture = Picture16::from_raw(2, 1, values.to_vec()).expect("three values a pixel");
+        picture.save(&path).expect("written");
+        let read = Picture::read(&path, None).expect("a picture");
+        near(format!("{odd}: steps to 1"), read.step.map_or(0.0, f64::recip), largest, 1e-6);
+    }
+    let path = file(folder.path(), srgb, &[chunk("sRGB", &[0])]);
+    let said = Picture::read(&path, Some(Transfer::Srgb)).expect("a picture");
+    equal("notes", said.notes, Vec::<String>::new());
 }

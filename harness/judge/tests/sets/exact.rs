@@ -1,0 +1,388 @@
+//! Sets by their definition: divisions and signs counted one by one, intervals, noise, and sums of areas.
+
+use std::sync::atomic::AtomicBool;
+
+use groundtruth::math::Pcg32;
+use judge::sets::{
+    AreaMeans, AreaSums, Design, Divisions, Rank, SetsDecision, SumKind, SummedPictures, Watch,
+};
+use judge::verdict::{Answer, Areas};
+use pictures::compare::Picture;
+use pictures::digits::short;
+use pictures::percent::{of_pixels, percent, signed};
+use statrs::distribution::{ContinuousCDF, StudentsT};
+
+use super::synthetic::verdict;
+use crate::verbs::{equal, near};
+
+/// A normal number, nearly.
+fn normal(random: &mut Pcg32) -> f64 {
+    (0..12).map(|_| random.uniform()).sum::<f64>() - 6.0
+}
+
+/// The parts of the sums that are tested: of a channel, over each area, with the number of areas in its level.
+fn areas_by_hand([width, height]: [usize; 2]) -> Vec<(usize, Vec<Vec<usize>>)> {
+    let mut levels = Vec::new();
+    let mut side = 1;
+    loop {
+        let of = |x: usize, y: usize| -> Vec<usize> {
+            let rows = (y..(y + side).min(height))
+                .flat_map(|row| (x..(x + side).min(width)).map(move |x| [x, row]));
+            rows.map(|[x, row]| row * width + x).collect()
+        };
+        let corners =
+            (0..height).step_by(side).flat_map(|y| (0..width).step_by(side).map(move |x| [x, y]));
+        let tiles: Vec<Vec<usize>> = corners.map(|[x, y]| of(x, y)).collect();
+        levels.push((3 * tiles.len(), tiles));
+        if side >= width.max(height) {
+            return levels;
+        }
+        side *= 2;
+    }
+}
+
+/// Law: the probability of a division is the share of all divisions (or signs) whose most improbable area is at least as
+/// improbable: Westfall and Young's. Oracle: each division added up anew from the pixels, over tiles of every side and the
+/// region that is the whole picture, by Student's t of a variance that is half that of the sums and half that of pixels.
+#[test]
+fn the_probability_is_the_share_of_divisions_as_far_out() {
+    const SIZE: [usize; 2] = [3, 2];
+    let (areas, pixels) = (Areas::tiles(SIZE), SIZE[0] * SIZE[1]);
+    let random = &mut Pcg32::new(1, 51);
+    let never = AtomicBool::new(false);
+    for case in 0..24 {
+        let is_pairs = case % 2 == 1;
+        let (divisions, design, count) = match is_pairs {
+            false => (Divisions::sets([3, 4], 1000), Design::means([3, 4]), 7),
+            true => (Divisions::signs(6, 1000), Design::differences(6), 6),
+        };
+        let mut values: Vec<Vec<f64>> =
+            (0..count).map(|_| (0..3 * pixels).map(|_| normal(random)).collect()).collect();
+        // some of them differ, in a pixel or everywhere
+        for (index, picture) in values.iter_mut().enumerate() {
+            let shift = if is_pairs || index < 3 { [0.0, 1.0, 2.5][case / 2 % 3] } else { 0.0 };
+            let upto = if case % 4 < 2 { 3 } else { 3 * pixels };
+            picture[..upto].iter_mut().for_each(|x| *x += shift);
+        }
+        if !is_pairs {
+            for at in 0..3 * pixels {
+                let mean = values.iter().map(|it| it[at]).sum::<f64>() / f64::from(count);
+                values.iter_mut().for_each(|it| it[at] -= mean);
+            }
+        }
+        let (mean, variance) = (vec![0.0; 3 * pixels], vec![1.3; 3 * pixels]);
+        let summed = SummedPictures {
+            values: values.iter().map(|it| (it.clone(), 0.0)).collect(),
+            mean: &mean,
+            variance: &variance,
+        };
+        let sums = AreaSums::of(&summed, &areas, design);
+        let watch = Watch { tried: &|| (), interrupted: &never };
+        let rank = Rank::of(&sums, design, (&divisions, watch), 0.05);
+
+        let (between, freedom) = if is_pairs { (6.0, 5.0) } else { (12.0 / 7.0, 5.0) };
+        let student = StudentsT::new(0.0, 1.0, 2.0 * freedom).expect("it is one");
+        let mut levels = areas_by_hand(SIZE);
+        // the region that is the whole picture
+        levels.push((3, vec![(0..pixels).collect()]));
+        let score = |weights: &Vec<f64>| {
+            let mut most = f64::MIN;
+            for (number, tiles) in &levels {
+                for (tile, channel) in
+                    tiles.iter().flat_map(|tile| (0..3).map(move |channel| (tile, channel)))
+                {
+                    let of = |it: &Vec<f64>| {
+                        tile.iter().map(|pixel| it[3 * pixel + channel]).sum::<f64>()
+                    };
+                    let all: Vec<f64> = values.iter().map(of).collect();
+                    let difference: f64 =
+                        all.iter().zip(weights).map(|(sum, weight)| sum * weight).sum();
+                    let square = between * difference * difference;
+                    let left = all.iter().map(|sum| sum * sum).sum::<f64>() - square;
+                    let variance = 0.5 * (left / freedom + 1.3 * tile.len() as f64);
+                    let p = 2.0 * student.sf((square / variance).sqrt());
+                    most = most.max(-groundtruth::math::ln(*number as f64 * p));
+                }
+            }
+            most
+        };
+        let scores: Vec<f64> = divisions.weights.iter().map(score).collect();
+        // sums are kept in single precision
+        let as_far = scores.iter().filter(|score| **score >= scores[0] - 1e-4).count();
+        let expected = as_far as f64 / scores.len() as f64;
+        near(format!("case {case}: probability"), rank.probability, expected, 1e-9);
+    }
+}
+
+/// Law: Student's t that is needed for a score has this score, and more has a higher one. Oracle: the score itself.
+#[test]
+fn the_needed_t_has_its_score() {
+    for design in [Design::means([5, 5]), Design::means([3, 9]), Design::differences(7)] {
+        for t in [0.1, 1.0, 3.3, 20.0] {
+            for count in [1, 12, 4000] {
+                let score = design.score(t, count);
+                near("t of a score", design.t_of_score(score, count), t, 1e-6 * t);
+                assert!(design.score(1.001 * t, count) > score, "a larger t has a larger score");
+            }
+        }
+    }
+    // nm/(n + m), n + m − 2; k, k − 1
+    let (means, differences) = (Design::means([4, 6]), Design::differences(8));
+    near("between of means", means.between, 2.4, 1e-12);
+    near("freedom of means", means.freedom, 8.0, 0.0);
+    near("between of differences", differences.between, 8.0, 0.0);
+    near("freedom of differences", differences.freedom, 7.0, 0.0);
+}
+
+/// Law: of nothing, or of one picture a side, there is one division; their number is that of subsets, halved for sets of one
+/// size. Oracle: Pascal's triangle.
+#[test]
+fn divisions_are_subsets() {
+    let mut triangle = vec![vec![1.0_f64]];
+    for n in 1..24_usize {
+        let row = |k: usize| {
+            let above =
+                |k: Option<usize>| k.and_then(|k| triangle[n - 1].get(k)).copied().unwrap_or(0.0);
+            above(Some(k)) + above(k.checked_sub(1))
+        };
+        triangle.push((0..=n).map(row).collect());
+    }
+    for n in 1..12 {
+        for m in 1..12 {
+            let subsets = triangle[n + m][n];
+            let expected = if n == m { 0.5 * subsets } else { subsets };
+            near(format!("{n} and {m} pictures"), Divisions::of_sets([n, m]), expected, 1e-6);
+            // the most is a border: as many are all, one less are drawn
+            if expected < 1000.0 && expected > 1.0 {
+                let most = expected as usize;
+                assert!(Divisions::sets([n, m], most).is_all, "{n} and {m}: {most} are all");
+                assert!(
+                    !Divisions::sets([n, m], most - 1).is_all,
+                    "{n} and {m}: {most} − 1 are not all"
+                );
+            }
+        }
+        near(format!("{n} signs"), Divisions::of_signs(n), f64::from(1_u32 << (n - 1)), 0.0);
+        let signs = Divisions::signs(n, 1 << (n - 1)).weights;
+        let distinct: std::collections::BTreeSet<String> =
+            signs.iter().map(|it| format!("{it:?}")).collect();
+        equal(format!("{n} signs: distinct ways"), distinct.len(), 1 << (n - 1));
+    }
+}
+
+const SIZE: [u32; 2] = [16, 16];
+
+/// Pictures with the mean 1 and normal noise.
+fn pictures(random: &mut Pcg32, count: usize, noise: f64, gain: f64) -> Vec<Picture> {
+    let one = |random: &mut Pcg32| {
+        let values: Vec<f32> = (0..3 * 256)
+            .map(|at| (gain * (1.0 + 0.01 * f64::from(at % 7) + noise * normal(random))) as f32)
+            .collect();
+        Picture::of_radiance(&values, SIZE)
+    };
+    (0..count).map(|_| one(random)).collect()
+}
+
+/// Law: the interval of the difference of means leaves out the true one as often as the level says, on either side, for sets
+/// and for pairs with equal seeds. Oracle: the binomial distribution: of 300 at 10 %, 15 are left out on each side, give or
+/// take 3.8; four times that is allowed.
+#[test]
+fn intervals_of_sets_have_their_level() {
+    let random = &mut Pcg32::new(2, 51);
+    let mut outside = [[0.0; 2]; 2];
+    for _ in 0..300 {
+        let before = pictures(random, 4, 0.1, 1.0);
+        let after = pictures(random, 5, 0.1, 1.1);
+        // the same seeds: 1.1 times the noise before, and some of their own
+        let mut paired = before.clone();
+        for picture in &mut paired {
+            picture
+                .values
+                .as_flattened_mut()
+                .iter_mut()
+                .for_each(|x| *x = (1.1 * f64::from(*x) + 0.02 * normal(random)) as f32);
+        }
+        for (which, after) in [after, paired].iter().enumerate() {
+            let found = super::synthetic::verdict_at(&before, after, 0.1);
+            let [_, low, high] = found.means[0].relative.expect("not black");
+            // relative to the mean before, which is known to a hundredth of the interval's width
+            outside[which][0] += f64::from(u8::from(0.1 < low));
+            outside[which][1] += f64::from(u8::from(0.1 > high));
+        }
+    }
+    for (name, counts) in ["sets", "pairs"].iter().zip(outside) {
+        near(format!("{name}: truths below the interval"), counts[0], 15.0, 15.0);
+        near(format!("{name}: truths above the interval"), counts[1], 15.0, 15.0);
+        assert!(
+            counts[0] + counts[1] >= 12.0,
+            "{name}: found {counts:?} outside, expected 30 together"
+        );
+    }
+}
+
+/// Law: noise that is k times as large, pixel by pixel, has the factor k, and one of the same size the factor 1, with an
+/// interval that holds it. Oracle: the difference of each picture from the mean of all, multiplied.
+#[test]
+fn the_noise_of_sets_has_its_factor() {
+    let random = &mut Pcg32::new(3, 51);
+    for factor in [0.5, 1.0, 2.0, 3.0] {
+        let before = pictures(random, 6, 0.05, 1.0);
+        // of other pixels, so that no seeds are equal: turned by 180°
+        let sum = |at: usize| {
+            before.iter().map(|it| f64::from(it.values.as_flattened()[at])).sum::<f64>()
+        };
+        let mean: Vec<f64> = (0..3 * 256).map(|at| sum(at) / 6.0).collect();
+        let turned = |picture: &Picture| {
+            let values = picture.values.as_flattened();
+            let apart = |at: usize| f64::from(values[at]) - mean[at];
+            let new: Vec<f32> = (0..3 * 256)
+                .map(|at| (mean[at] + factor * apart(3 * 256 - 1 - at)) as f32)
+                .collect();
+            Picture::of_radiance(&new, SIZE)
+        };
+        let after: Vec<Picture> = before.iter().map(turned).collect();
+        let noise = verdict(&before, &after).noise.expect("there is noise");
+        near("noise factor", noise.factor / factor, 1.0, 0.03);
+        let [low, high] = noise.interval;
+        assert!(low <= factor && factor <= high, "factor {factor}: found {low} to {high}");
+    }
+}
+
+/// Law: of sets of other sizes with the same noise, the factor is 1, too: each picture is held against the mean of its own
+/// set, which takes 1/n of its variance. Oracle: the noise, of which that of nine pictures of 256 pixels is known to 2 %.
+#[test]
+fn sets_of_other_sizes_have_the_same_noise() {
+    let random = &mut Pcg32::new(7, 51);
+    for [n, m] in [[2, 7], [7, 2], [3, 6]] {
+        let found = verdict(&pictures(random, n, 0.05, 1.0), &pictures(random, m, 0.05, 1.0));
+        let factor = found.noise.expect("there is noise").factor;
+        near(format!("noise of {m} after relative to that of {n} before"), factor, 1.0, 0.08);
+    }
+}
+
+/// Law: a margin is held, broken or cannot be told at its own borders, of each area. Oracle: intervals by hand.
+#[test]
+fn a_margin_of_sets_has_borders() {
+    let means = |relative: Option<[f64; 3]>, after: f64| AreaMeans {
+        name: String::new(),
+        before: 1.0,
+        after,
+        relative,
+    };
+    let good = means(Some([0.0, -0.01, 0.01]), 1.0);
+    for (other, expected) in [
+        (means(Some([0.0, -0.01, 0.01]), 1.0), Answer::Agrees),
+        (means(Some([0.0, -0.0101, 0.01]), 1.0), Answer::CannotTell),
+        (means(Some([0.0, -0.01, 0.0101]), 1.0), Answer::CannotTell),
+        (means(Some([0.02, 0.0101, 0.03]), 1.0), Answer::DiffersByMore),
+        (means(Some([-0.02, -0.03, -0.0101]), 1.0), Answer::DiffersByMore),
+        (means(Some([0.02, 0.01, 0.03]), 1.0), Answer::CannotTell),
+        (means(None, 1.0), Answer::Agrees),
+        (means(None, 1.5), Answer::DiffersByMore),
+    ] {
+        let what = format!("{:?}", other.relative);
+        equal(what, AreaMeans::within(&[good.clone(), other.clone()], 0.01), expected);
+        equal("in the other order", AreaMeans::within(&[other, good.clone()], 0.01), expected);
+    }
+}
+
+/// Law: sums are of each channel over each tile and region, in their order, and the expected variance of each is that of its
+/// pixels. Oracle: sums by hand, for pictures of one pixel, one row, one column and odd sizes.
+#[test]
+fn sums_of_sets_are_sums() {
+    let random = &mut Pcg32::new(4, 51);
+    for size in [[1, 1], [5, 1], [1, 6], [3, 2], [8, 8], [7, 9]] {
+        let (areas, pixels) = (Areas::tiles(size), size[0] * size[1]);
+        let mut of = || (0..3 * pixels).map(|_| 1.0 + random.uniform()).collect::<Vec<f64>>();
+        let (values, mean, variance) = (of(), of(), of());
+        let summed = SummedPictures {
+            values: vec![(values.clone(), 4.0)],
+            mean: &mean,
+            variance: &variance,
+        };
+        let sums = AreaSums::of(&summed, &areas, Design::differences(1));
+        for (level, (_, tiles)) in areas_by_hand(size).iter().enumerate() {
+            for (number, tile) in tiles.iter().enumerate() {
+                let places = sums.places(SumKind::Tiles(level), number);
+                for (channel, place) in places.into_iter().enumerate() {
+                    let of = |values: &[f64]| {
+                        tile.iter().map(|pixel| values[3 * pixel + channel]).sum::<f64>()
+                    };
+                    let what = format!("{size:?}, level {level}, tile {number}, channel {channel}");
+                    near(&what, sums.in_pictures(place)[0], of(&values), 1e-5 * of(&values));
+                    near(&what, sums.mean[place], of(&mean), 1e-9);
+                    let rounding = 1e-5 * of(&mean);
+                    near(&what, sums.expected[place], of(&variance) + rounding * rounding, 1e-9);
+                    let found = areas.pixels(sums.area(place));
+                    equal(what, &found, tile);
+                }
+            }
+        }
+        let (_, last) = sums.levels.last().expect("levels").clone();
+        near("values that are no numbers", sums.in_pictures(last.start)[0], 4.0, 0.0);
+    }
+}
+
+/// Law: sets of pictures of one pixel, one row or one column are compared as large ones are: a gain far beyond the noise
+/// differs, none agrees. Oracle: the gain.
+#[test]
+fn sets_of_any_size_are_compared() {
+    let random = &mut Pcg32::new(5, 51);
+    for size @ [width, height] in [[1, 1], [1, 9], [9, 1], [2, 2], [33, 17], [70, 70]] {
+        let mut set = |gain: f64| -> Vec<Picture> {
+            let one = |random: &mut Pcg32| {
+                let values: Vec<f32> = (0..3 * width * height)
+                    .map(|_| (gain * (1.0 + 0.02 * normal(random))) as f32)
+                    .collect();
+                Picture::of_radiance(&values, size)
+            };
+            (0..5).map(|_| one(random)).collect()
+        };
+        let (before, after) = (set(1.0), set(1.5));
+        equal(
+            format!("{size:?}: a gain of a half"),
+            verdict(&before, &after).decision,
+            SetsDecision::Differ,
+        );
+        let found = verdict(&before, &after);
+        near(
+            format!("{size:?}: its relative mean"),
+            found.means[0].relative.expect("not black")[0],
+            0.5,
+            0.1,
+        );
+    }
+}
+
+/// Law: what is told of sets in percent is the relative difference of their means, with half of its interval; of an area that
+/// differs, its change relative to before; and the noise factor. Oracle: the numbers, which other laws hold.
+#[test]
+fn changes_are_told_in_percent() {
+    let random = &mut Pcg32::new(6, 51);
+    for gain in [0.8, 1.0, 1.3] {
+        let found = verdict(&pictures(random, 5, 0.05, 1.0), &pictures(random, 5, 0.05, gain));
+        let text = found.to_string();
+        let means = &found.means[0];
+        let [relative, low, high] = means.relative.expect("not black");
+        near("relative difference", relative, means.after / means.before - 1.0, 1e-9);
+        let half = percent(0.5 * (high - low), 2);
+        let [before, after] = [means.before, means.after].map(short);
+        let line = format!(
+            "the whole picture: {before} before, {after} after, {} ± {half}\n",
+            signed(relative, 2)
+        );
+        assert!(text.contains(&line), "gain {gain}: expected `{line}`, found {text}");
+        let noise =
+            format!("noise: {:.2} of that before", found.noise.expect("there is noise").factor);
+        assert!(text.contains(&noise), "expected `{noise}`, found {text}");
+        equal(format!("gain {gain}: areas that differ"), found.areas.is_empty(), gain == 1.0);
+        for area in &found.areas {
+            let by = of_pixels((area.after / area.before - 1.0).abs());
+            let direction = if gain < 1.0 { "darker" } else { "brighter" };
+            let [before, after] = [area.before, area.after].map(short);
+            let words =
+                format!("is {direction} after, by {by} on average (from {before} to {after})");
+            assert!(text.contains(&words), "expected `{words}`, found {text}");
+        }
+    }
+}

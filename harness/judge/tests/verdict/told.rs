@@ -1,0 +1,224 @@
+//! Numbers that are told of a picture: each is recomputed from what it is of.
+
+use groundtruth::math::Pcg32;
+use judge::verdict::{
+    Area, Areas, DifferenceKind, DifferingArea, DifferingRegion, Evaluation, Map, Pool,
+    PoolContext, Ranking, Shown, Strictness, Verdict, smallest_gains,
+};
+use pictures::digits::three;
+use pictures::percent::{of_pixels, percent, signed};
+
+use super::pool::noisy;
+use super::shared::FLOATS;
+use crate::verbs::{between, equal, near};
+
+/// A pool of five pictures with noise of this part of the mean, the last of which has these gains of its channels.
+fn pool(random: &mut Pcg32, size: [usize; 2], noise: f64, gains: [f32; 3]) -> Pool {
+    let pixels = size[0] * size[1];
+    let mut pictures: Vec<Vec<f32>> = (0..5).map(|_| noisy(random, pixels, noise)).collect();
+    (0..).zip(&mut pictures[4]).for_each(|(at, value): (usize, _)| *value *= gains[at % 3]);
+    Pool::new(size, FLOATS, pictures)
+}
+
+/// Law: a region has the box of its pixels, the mean of theirs and of ours over them, and as its worst the pixel that is
+/// farthest off, with either sign; it is called after the object that most of its pixels show. Oracle: the pixels, one by one.
+#[test]
+fn regions_have_the_box_of_their_pixels() {
+    const SIZE: [usize; 2] = [7, 5];
+    let random = &mut Pcg32::new(1, 61);
+    let mut areas = Areas::tiles(SIZE);
+    areas.object_of = (0..35).map(|at| u32::from(at % 7 >= 3)).collect();
+    areas.objects = vec![("left".into(), 15), ("right".into(), 20)];
+    for case in 0..40 {
+        let pool = pool(random, SIZE, 0.1, [1.0; 3]);
+        let mut pixels: Vec<usize> = (0..35).filter(|_| random.below(4) == 0).collect();
+        if pixels.is_empty() {
+            pixels.push(case % 35);
+        }
+        let shown = pool.picture(4);
+        let found = DifferingRegion::of_pixels(&pool, &areas, &pixels, shown);
+        let along = |of: fn(usize) -> usize| {
+            let all = || pixels.iter().map(|at| of(*at));
+            let [least, most] = [all().min(), all().max()].map(|it| it.expect("some"));
+            (least, 1 + most - least)
+        };
+        let ((x, w), (y, h)) = (along(|at| at % 7), along(|at| at / 7));
+        equal("box", found.bounds, [x, y, w, h]);
+        let mean = |of: &dyn Fn(usize) -> f64| {
+            pixels.iter().map(|at| of(*at)).sum::<f64>() / pixels.len() as f64
+        };
+        let ours = |at: usize| (0..4).map(|it| f64::from(pool.picture(it)[at])).sum::<f64>() / 4.0;
+        for channel in 0..3 {
+            near("mean of ours", found.ours[channel], mean(&|at| ours(3 * at + channel)), 1e-9);
+            near(
+                "mean of theirs",
+                found.theirs[channel],
+                mean(&|at| f64::from(shown[3 * at + channel])),
+                1e-9,
+            );
+        }
+        let apart = |at: usize| {
+            (3 * at..3 * at + 3)
+                .map(|it| (f64::from(shown[it]) - ours(it)).abs())
+                .fold(0.0, f64::max)
+        };
+        let most = pixels.iter().map(|at| apart(*at)).fold(0.0, f64::max);
+        near("difference of the worst", apart(found.worst[1] * 7 + found.worst[0]), most, 1e-9);
+        let left = pixels.iter().filter(|at| *at % 7 < 3).count();
+        if 2 * left != pixels.len() {
+            let object = if 2 * left > pixels.len() { "left" } else { "right" };
+            let word = if pixels.len() == 1 { "pixel" } else { "pixels" };
+            equal("name", &*found.name, &*format!("{} {word} of {object}", pixels.len()));
+        }
+    }
+}
+
+/// Law: the worst pixel of an area is the one with the largest z, of either sign; its z is that of the area. Oracle: the map.
+#[test]
+fn the_worst_pixel_has_the_largest_z() {
+    const SIZE: [usize; 2] = [6, 4];
+    let random = &mut Pcg32::new(2, 61);
+    let areas = Areas::tiles(SIZE);
+    for gain in [0.8, 1.0, 1.2] {
+        let pool = pool(random, SIZE, 0.1, [gain; 3]);
+        let map = Map::of(&pool, &areas, 4, 1.0);
+        for corner in [[0, 0], [4, 0], [0, 2]] {
+            let area = Area::Tile { corner, side: 2 };
+            let difference = DifferingArea { area, channel: 0, z: -3.5 };
+            let found =
+                DifferingRegion::of_area(&pool, &areas, &map, (difference, pool.picture(4)));
+            let z = map.pixels();
+            let most = areas.pixels(area).iter().map(|at| z[*at].abs()).fold(0.0, f64::max);
+            near("|z| of the worst", z[found.worst[1] * 6 + found.worst[0]].abs(), most, 0.0);
+            equal(
+                "z of the area",
+                (found.z, found.bounds),
+                (Some(-3.5), [corner[0], corner[1], 2, 2]),
+            );
+        }
+    }
+}
+
+/// The verdict on the last picture of a pool.
+fn verdict(pool: &Pool, areas: &Areas, level: f64) -> Verdict {
+    let mut known: Vec<Vec<f32>> = (0..4).map(|it| pool.picture(it).to_vec()).collect();
+    let strictness = Strictness { level, first: 4 };
+    let subject = PoolContext { areas, stored: FLOATS, reference: None };
+    let judged = Evaluation::of(pool.picture(4), subject, strictness, &mut known, |_| None);
+    let shown = Shown { values: pool.picture(4), excluded: &[] };
+    let slack = vec![0.0; pool.picture(4).len()];
+    Verdict::of(&judged.expect("enough"), areas, strictness, shown, &slack)
+}
+
+/// Law: the line of means has theirs, ours, and the relative difference in percent, with half of its interval: of all channels,
+/// or of each if they differ. Oracle: the means, which other laws hold.
+#[test]
+fn means_are_told_in_percent() {
+    let random = &mut Pcg32::new(3, 61);
+    let areas = Areas::tiles([8, 8]);
+    for (gains, is_coloured) in
+        [([1.0; 3], false), ([1.5; 3], false), ([1.0, 1.0, 1.4], true), ([0.5, 1.0, 1.0], true)]
+    {
+        let found = verdict(&pool(random, [8, 8], 0.01, gains), &areas, 0.2);
+        let whole = &found.means[0];
+        let words = |relative: Option<f64>, half: f64| {
+            format!("{} ± {}", signed(relative.expect("not black"), 2), percent(half, 2))
+        };
+        let expected = match is_coloured {
+            false => words(whole.relative, whole.half),
+            true => {
+                let [red, green, blue] = whole.channels.map(|it| words(it.relative, it.half));
+                format!("red {red}, green {green}, blue {blue}")
+            }
+        };
+        let line =
+            format!("mean: {}, ours {}, {expected}\n", three(whole.theirs), three(whole.ours));
+        let text = found.to_string();
+        assert!(text.contains(&line), "gains {gains:?}: expected `{line}`, found {text}");
+        let noise = format!("noise: {:.2} of that of our pictures", found.noise);
+        assert!(text.contains(&noise), "expected `{noise}`, found {text}");
+    }
+}
+
+/// Law: a picture that differs by its mean alone is told with that percentage, too dark or too bright, and never agrees; the
+/// areas beyond a margin are those whose interval reaches beyond it. Oracle: the means.
+#[test]
+fn a_mean_outside_is_told() {
+    let random = &mut Pcg32::new(4, 61);
+    let areas = Areas::tiles([8, 8]);
+    let mut told = 0;
+    for gain in [0.97, 0.99, 1.01, 1.03] {
+        // of so few pictures the rank says nothing at this level
+        let found = verdict(&pool(random, [8, 8], 0.02, [gain; 3]), &areas, 0.2);
+        for margin in [0.001, 0.005, 0.011, 0.02, 0.04] {
+            let mut held = found.clone();
+            held.hold_to(margin);
+            let text = held.to_string();
+            for means in &held.means {
+                let relative = means.relative.expect("not black");
+                let is_beyond = relative.abs() + means.half > margin;
+                let line = format!("  {}, ", means.name);
+                equal(
+                    format!("`{line}` is beyond {margin} in {text}"),
+                    text.contains(&line),
+                    is_beyond,
+                );
+            }
+        }
+        if found.decided_by.is_some() {
+            let relative = found.means[0].relative.expect("not black");
+            let direction = if relative < 0.0 { "dark" } else { "bright" };
+            let words = format!("is too {direction}, by {} on average", of_pixels(relative.abs()));
+            assert!(
+                found.sentence().contains(&words),
+                "expected `{words}`, found {}",
+                found.sentence()
+            );
+            told += 1;
+        }
+    }
+    between("verdicts by the mean alone", f64::from(told), [1.0, 4.0]);
+}
+
+/// Law: the smallest gain that is promised of tiles of a side is that with which a picture without noise of its own is just
+/// farther out than all of ours there, in the tile of median noise. Oracle: it is planted in the mean of ours; the noise of the pool's last picture takes
+/// some part in its variance, for which a half is allowed.
+#[test]
+fn the_promised_gain_stands_out() {
+    const SIDE: usize = 32;
+    let areas = Areas::tiles([SIDE; 2]);
+    let random = &mut Pcg32::new(5, 61);
+    for noise in [0.01, 0.04] {
+        // a quarter of the picture has six times the noise, which is not that of the median tile
+        let mut one = || -> Vec<f32> {
+            let [calm, wild] = [noise, 6.0 * noise].map(|it| noisy(random, SIDE * SIDE, it));
+            let is_wild = |at: usize| at / 3 % SIDE >= 24;
+            (0..calm.len()).map(|at| if is_wild(at) { wild[at] } else { calm[at] }).collect()
+        };
+        let pictures: Vec<Vec<f32>> = (0..12).map(|_| one()).collect();
+        let pool = Pool::new([SIDE; 2], FLOATS, pictures.clone());
+        let ranking = Ranking::of(&pool, &areas, 0);
+        let limits: Vec<(usize, f64)> = ranking.limits(11).collect();
+        for ((side, gain), (of_limit, limit)) in
+            smallest_gains(&pool, &areas, &ranking).into_iter().zip(limits)
+        {
+            equal("side", side, of_limit);
+            let gain = gain.expect("there is noise and light");
+            let level = side.trailing_zeros() as usize;
+            let mean =
+                |at: usize| (0..11).map(|it| f64::from(pictures[it][at])).sum::<f64>() / 11.0;
+            let planted = (0..3 * SIDE * SIDE).map(|at| (mean(at) * (1.0 + gain)) as f32).collect();
+            let with = pictures[..11].iter().cloned().chain([planted]).collect();
+            let map = Map::of(&Pool::new([SIDE; 2], FLOATS, with), &areas, 11, 1.0);
+            let sums = map.sums(&areas, &[DifferenceKind::Tiles(level)]);
+            let mut z: Vec<f64> = sums[0].differences(&areas).map(|it| it.z).collect();
+            z.sort_by(f64::total_cmp);
+            let median = z[z.len() / 2];
+            between(
+                format!("noise {noise}, side {side}: z of the gain over the limit"),
+                median / limit,
+                [0.75, 1.5],
+            );
+        }
+    }
+}
