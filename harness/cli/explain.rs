@@ -17,7 +17,7 @@ use super::mistake::MistakeArgument;
 use super::numbers::whole;
 use super::scene::SceneArguments;
 use super::why_not::{Asked, WhyNotArguments};
-use super::{Exit, Outcome, output, print};
+use super::{Exit, Outcome, formulas, output, print};
 
 #[derive(Args)]
 pub struct Explain {
@@ -42,18 +42,19 @@ pub struct Explain {
     largest: bool,
     #[command(flatten)]
     why_not: WhyNotArguments,
-    /// Below each term, show its formula in the book's letters with this hit's numbers, the chapter and the source file
+    /// Below each term, show its formula in the book's letters with this hit's numbers, the chapter and the source file;
+    /// in JSON as `formula` of each term
     #[arg(long)]
     formulas: bool,
     /// Break lines that are longer than this, such as 100
     #[arg(long, value_name = "N", value_parser = whole::<usize>(60..=1000))]
     columns: Option<usize>,
     /// Print JSON, with every ray; docs/explain-json.md describes it
-    #[arg(long, conflicts_with_all = ["largest", "columns", "formulas"])]
+    #[arg(long, conflicts_with_all = ["largest", "columns"])]
     json: bool,
     /// Write a page for a class (.html), the rays as lines for modelling programs (.obj) or as a drawing over the scene
     /// (.svg), or what --json prints (.json); with --test a test (.rs) or a scene file (.toml)
-    #[arg(short, long, value_name = "FILE", group = "about", conflicts_with_all = ["json", "largest", "columns", "formulas"])]
+    #[arg(short, long, value_name = "FILE", group = "about", conflicts_with_all = ["json", "largest", "columns"])]
     output: Option<PathBuf>,
     /// The ray that --why-not asks about, instead of the camera's; or whose section the page of -o shows, instead of the
     /// first that is mirrored or refracted
@@ -67,10 +68,18 @@ pub struct Explain {
 
 /// What --json prints.
 #[derive(Serialize)]
-struct Report {
+struct Report<'a> {
     made: Provenance,
     #[serde(flatten)]
-    explanation: PixelExplanation,
+    explanation: Explained<'a>,
+}
+
+/// An explanation as data.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Explained<'a> {
+    Plain(&'a PixelExplanation),
+    WithFormulas(serde_json::Value),
 }
 
 fn percentage(text: &str) -> Result<f64, String> {
@@ -130,11 +139,11 @@ impl Explain {
             return asked.print(&explanation, &command, made);
         }
         if self.json {
-            return print(&self.report(scene, world, explanation)?);
+            return print(&self.report(scene, world, &explanation)?);
         }
         if let (Some(path), Some(format)) = (&self.output, format) {
             let text = match format {
-                kept::Format::Json => self.report(scene, world, explanation)?,
+                kept::Format::Json => self.report(scene, world, &explanation)?,
                 _ => self.kept(format, rendered, renderer, &explanation)?,
             };
             output::write(path, text.as_bytes())?;
@@ -156,9 +165,13 @@ impl Explain {
         &self,
         scene: &Scene,
         world: &World,
-        explanation: PixelExplanation,
+        explanation: &PixelExplanation,
     ) -> Result<String, Box<dyn Error>> {
         let made = self.made(scene, world)?;
+        let explanation = match self.formulas {
+            true => Explained::WithFormulas(formulas::with_formulas(explanation)?),
+            false => Explained::Plain(explanation),
+        };
         Ok(serde_json::to_string_pretty(&Report { made, explanation })? + "\n")
     }
 
@@ -177,8 +190,11 @@ impl Explain {
         renderer: &impl Renderer,
         explanation: &PixelExplanation,
     ) -> Result<String, Box<dyn Error>> {
-        if self.all {
+        if self.all && format != kept::Format::Html {
             return Err("--all: the file shows one sample; choose it with --sample".into());
+        }
+        if self.formulas && format != kept::Format::Html {
+            return Err("--formulas: a page has them, and the file has none; leave it out".into());
         }
         let name = match self.mistake.name() {
             Some(mistake) => format!("{} with the mistake {mistake}", self.scene.name()),
@@ -196,6 +212,9 @@ impl Explain {
         words.extend(self.pixel.iter().cloned());
         let option = |name: &str, value: Option<String>| value.map(|it| [name.to_owned(), it]);
         let seed = self.scene.has_seed().then(|| self.scene.seed().to_string());
+        if self.all {
+            words.push("--all".to_owned());
+        }
         let options = [
             option("--seed", seed),
             option("--sample", self.sample.map(|sample| sample.to_string())),

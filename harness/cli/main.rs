@@ -3,6 +3,7 @@
 //! Exit status 0 means yes, 1 means the answer is no, 2 means an error, and 130 means that the user
 //! interrupted the command.
 
+mod against;
 mod announce;
 mod bounds;
 mod claim;
@@ -13,6 +14,7 @@ mod describe;
 mod exercise;
 mod explain;
 mod export;
+mod formulas;
 mod goldens;
 mod grade;
 mod interrupt;
@@ -36,6 +38,7 @@ mod report;
 mod scene;
 mod sets;
 mod verify;
+mod watch;
 mod why_not;
 mod witness;
 

@@ -87,6 +87,9 @@ impl Render {
     }
 
     fn picture(&self) -> Outcome {
+        if let Some(request) = self.layer.against()? {
+            return request.run(&self.scene, (&self.output, self.format));
+        }
         let start = Instant::now();
         let (scene, world) = self.scene.load()?;
         match self.mistake.mistaken(&self.scene, &scene)? {

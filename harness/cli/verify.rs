@@ -3,17 +3,16 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use clap::Args;
 use exchange::export::Term;
 use groundtruth::printable;
-use groundtruth::render::{self, Canvas};
+use groundtruth::render::Canvas;
 use groundtruth::samplers;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use indicatif::ProgressBar;
 use judge::verdict::{
     self, Answer, Case, Decision, DifferingRegion, Evaluation, Reference, Strictness, Verdict,
 };
@@ -24,8 +23,9 @@ use pictures::told::Told;
 
 use super::numbers::whole;
 use super::scene::SceneArguments;
+use super::watch::Watch;
 use super::witness::{By, Request, Witnessed};
-use super::{Exit, Outcome, announce, interrupt, mistakes, output, progress, replicas, sets};
+use super::{Exit, Outcome, announce, mistakes, output, replicas, sets};
 
 #[derive(Args)]
 pub struct Verify {
@@ -138,7 +138,7 @@ impl Verify {
             return Err(problem.into());
         }
         announce::long_rendering(&world, &printable::text(arguments.name()), self.replicas);
-        let mut watch = Watch::new(strictness.most())?;
+        let watch = Watch::new(strictness.most())?;
         let (interrupted, bar) = (Arc::clone(&watch.interrupted), watch.bar.clone());
         let mut case = Case {
             world: &mut world,
@@ -324,38 +324,6 @@ fn so_far(judged: &Evaluation) -> String {
         "; so far {} of {replicas} differ as much as theirs",
         judged.ranking.as_far_as(replicas)
     )
-}
-
-/// Renders our pictures, shows how many there are, and stops when the user interrupts.
-struct Watch {
-    bar: ProgressBar,
-    interrupted: Arc<AtomicBool>,
-}
-
-impl Watch {
-    fn new(most: usize) -> Result<Self, Box<dyn Error>> {
-        let style = "{spinner} {pos} of at most {len} pictures of ours  {elapsed} elapsed{msg}";
-        Ok(Self { bar: progress::bar(most as u64, style), interrupted: interrupt::flag()? })
-    }
-
-    fn is_interrupted(&self) -> bool {
-        self.interrupted.load(Ordering::Relaxed)
-    }
-
-    /// Whether the picture was finished.
-    fn render(&mut self, world: &World, canvas: &Canvas) -> bool {
-        render::watched(
-            || canvas.render(world),
-            || {
-                if self.is_interrupted() {
-                    canvas.cancel();
-                }
-                self.bar.tick();
-            },
-        );
-        self.bar.inc(1);
-        !canvas.is_cancelled()
-    }
 }
 
 /// The exit status of a verdict; by the margin, if there is one.

@@ -152,8 +152,20 @@ impl Accel {
         span: Span,
         hit: impl Fn(u32) -> Option<T>,
     ) -> Option<(u32, T)> {
+        self.any_counted(ray, span, &mut (), hit)
+    }
+
+    /// The same; `counter` counts the cost.
+    #[inline]
+    pub fn any_counted<T>(
+        &self,
+        ray: &Ray,
+        span: Span,
+        counter: &mut impl Counter,
+        hit: impl Fn(u32) -> Option<T>,
+    ) -> Option<(u32, T)> {
         let mut found = None;
-        self.visit(ray, span, &mut (), |index| {
+        self.visit(ray, span, counter, |index| {
             found = hit(index).map(|hit| (index, hit));
             if found.is_some() { f64::NEG_INFINITY } else { span.max }
         });

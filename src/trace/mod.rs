@@ -23,7 +23,7 @@ use crate::materials::Response;
 use crate::math::{Ray, Span, Vector};
 use crate::rgb::Rgb;
 use crate::samplers::{Draws, PathKey, Purpose};
-use crate::world::{Hit, PlacedLight, World};
+use crate::world::{Hit, PlacedLight, Search, World};
 
 pub use budget::{Budget, RayBudget, TooManyRays, Unlimited};
 pub use optics::Optics;
@@ -104,7 +104,7 @@ impl RadianceSum {
     }
 }
 
-impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
+impl<'a, R: Recorder, B: Budget> Tracing<'a, R, B> {
     /// The radiance that arrives along a ray; the ray before it multiplies this by `weight`.
     fn cast(&mut self, path: &PathState, weight: Rgb) -> Rgb {
         let PathState { ray, kind, depth, medium, .. } = path;
@@ -116,7 +116,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             self.recorder.outcome(Outcome::TooDeep);
         } else if !is_within {
             self.recorder.outcome(Outcome::OverBudget);
-        } else if let Some(hit) = &self.world.hit(ray, Span::AHEAD) {
+        } else if let Some(hit) = &self.first_hit(ray, Span::AHEAD) {
             self.recorder.outcome(Outcome::Hit);
             transmittance = medium.transmittance(hit.t);
             self.shade(path, hit, &mut sum);
@@ -133,6 +133,13 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         let arriving = transmittance * sum.0;
         self.recorder.leave(transmittance, arriving);
         arriving
+    }
+
+    /// The first hit along a ray, or along a part of it.
+    #[inline]
+    fn first_hit(&mut self, ray: &Ray, span: Span) -> Option<Hit<'a>> {
+        self.recorder.search(Search::FirstHit, ray, span);
+        self.world.hit(ray, span)
     }
 
     /// Adds up the light that leaves a surface towards the ray's origin.

@@ -7,8 +7,9 @@ use serde::Serialize;
 use super::ShadingPoint;
 use crate::lights::Unlit;
 use crate::lobes::{Lobe, Lobes};
-use crate::math::Ray;
+use crate::math::{Ray, Span};
 use crate::rgb::Rgb;
+use crate::world::Search;
 
 /// The purpose of a ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
@@ -136,6 +137,9 @@ pub enum TermSource {
 pub trait Recorder {
     /// A ray begins; the ray before it multiplies its radiance by `weight`.
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb);
+    /// A search along it, or along a part of it: a shadow ray that passes transparent surfaces needs several.
+    #[inline(always)]
+    fn search(&mut self, _search: Search, _ray: &Ray, _span: Span) {}
     /// Its outcome.
     fn outcome(&mut self, outcome: Outcome);
     /// The surface that it hit, with its lobes.
@@ -214,6 +218,11 @@ impl<A: Recorder, B: Recorder> Recorder for (A, B) {
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb) {
         self.0.enter(kind, ray, depth, weight);
         self.1.enter(kind, ray, depth, weight);
+    }
+
+    fn search(&mut self, search: Search, ray: &Ray, span: Span) {
+        self.0.search(search, ray, span);
+        self.1.search(search, ray, span);
     }
 
     fn outcome(&mut self, outcome: Outcome) {

@@ -9,7 +9,7 @@ use crate::materials::Response;
 use crate::math::{Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::rgb::Rgb;
 use crate::scene::TransparentShadows;
-use crate::world::{Hit, PlacedLight};
+use crate::world::{Hit, PlacedLight, Search};
 
 /// What lies between a point and a light.
 struct Between {
@@ -118,6 +118,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         let between = if !is_simple {
             self.straight_through(origin, sample.direction, segment, medium, blockers)
         } else {
+            self.recorder.search(Search::Occluder, &ray, span);
             let blocked_by = self.world.occluder(&ray, span).map(|object| object.index);
             let passed = if blocked_by.is_some() { Rgb::BLACK } else { Rgb::WHITE };
             let transmittance = medium.transmittance(length);
@@ -162,7 +163,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
     /// transparent surface that casts shadows transmits its share for the straight ray's angle on the side
     /// of the smaller index, and each stretch between surfaces its medium's transmittance.
     fn straight_through(
-        &self,
+        &mut self,
         mut origin: Point,
         direction: Vector,
         segment: Segment,
@@ -172,7 +173,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         let (mut boundaries, mut passed, mut transmittance) = (0, Rgb::WHITE, Rgb::WHITE);
         loop {
             let (ray, span, length) = stretch(origin, direction, segment);
-            let hit = self.world.hit(&ray, span);
+            let hit = self.first_hit(&ray, span);
             let end = hit.as_ref().map_or(length, |hit| hit.t * ray.direction.length());
             transmittance = transmittance * medium.transmittance(end);
             let Some(hit) = hit else {
@@ -198,14 +199,12 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             }
         }
     }
-}
 
-impl<R, B> Tracing<'_, R, B> {
     /// The number of boundaries between media on the straight way from a point to a light without shadows,
     /// and the transmittance of the way: each stretch between boundaries counts with its medium. Bodies that
     /// the point is not in do not absorb, as they do not for a point in a clear medium.
     fn way_out(
-        &self,
+        &mut self,
         mut medium: Rgb,
         mut from: Point,
         mut origin: Point,
@@ -217,7 +216,7 @@ impl<R, B> Tracing<'_, R, B> {
         let mut entered = 0_u32;
         loop {
             let (ray, span, _) = stretch(origin, direction, segment);
-            let Some(hit) = self.world.hit(&ray, span) else { break };
+            let Some(hit) = self.first_hit(&ray, span) else { break };
             origin = hit.surface.leave(direction);
             if hit.material.recipe.boundary().is_none() {
                 continue;

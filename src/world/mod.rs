@@ -23,6 +23,7 @@ use crate::textures::TexturePoint;
 
 pub use build::{DEFAULT_SEED, MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES, check_image, check_view};
 
+pub use cost::Search;
 pub use file::{from_toml, read};
 
 /// A scene ready to be traced.

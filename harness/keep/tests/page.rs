@@ -16,7 +16,16 @@ fn page(
     (scene, world): (&Scene, &World),
     pixel: [u32; 2],
 ) -> (PixelExplanation, String) {
-    let explanation = explain::pixel(scene, world, pixel, Some(0)).unwrap();
+    page_of(name, (scene, world), pixel, Some(0))
+}
+
+fn page_of(
+    name: &str,
+    (scene, world): (&Scene, &World),
+    pixel: [u32; 2],
+    only: Option<u32>,
+) -> (PixelExplanation, String) {
+    let explanation = explain::pixel(scene, world, pixel, only).unwrap();
     let picture = SmallPicture::of(&Film::new(40, 30), 1);
     let page = PixelPage {
         name,
@@ -169,4 +178,55 @@ fn a_pixel_without_a_hit_has_a_page() {
     let (_, html) = of_gallery("ch03/single-sphere", [0, 0]);
     assert_well_formed(&html);
     assert!(html.contains("hits nothing"));
+}
+
+/// A pixel of glass of several samples, on its page: one sample, or all.
+fn of_samples(only: Option<u32>) -> (PixelExplanation, String) {
+    let mut scene = (gallery::find("ch28/glass-sphere").expect("a scene of the gallery").build)();
+    scene.image.samples = 4;
+    let world = World::build(&scene).unwrap();
+    page_of("glass", (&scene, &world), [200, 150], only)
+}
+
+/// Law: a page of one sample of several says which, and lists the value of each. Oracle: the explanation of all samples.
+#[test]
+fn a_page_of_one_sample_says_which_and_lists_the_values_of_all() {
+    let (all, _) = of_samples(None);
+    assert!(all.samples.len() >= 4);
+    let (_, html) = of_samples(Some(2));
+    assert_well_formed(&html);
+    assert!(html.contains(&format!("This page shows sample 2 of {}", all.samples.len())));
+    for sample in &all.samples {
+        let value = pictures::digits::three(sample.radiance.to_array());
+        let mark = if sample.index == 2 { "shown" } else { "" };
+        let start = format!("<tr><td>{}</td>", sample.index);
+        let end = format!(" {value}</td><td>{mark}</td></tr>");
+        let row = html.lines().find(|line| line.starts_with(&start));
+        assert!(row.is_some_and(|row| row.ends_with(&end)), "{row:?}: {end}");
+    }
+    assert_eq!(html.matches("<div class=\"tree\">").count(), 1);
+}
+
+/// Law: a page of all samples has the tree of each, folded but for the first, with all of its rays, as long as they fit;
+/// drawings belong to the first alone. Oracle: the explanation.
+#[test]
+fn a_page_of_all_samples_has_the_tree_of_each() {
+    let (all, html) = of_samples(None);
+    assert_well_formed(&html);
+    assert!(html.contains("Section and space show sample 0."));
+    let parts: Vec<&str> = html.split("<details class=\"sample\"").skip(1).collect();
+    assert_eq!(parts.len(), all.samples.len());
+    for (part, sample) in parts.iter().zip(&all.samples) {
+        let is_first = sample.index == 0;
+        assert_eq!(part.starts_with(" open"), is_first);
+        let value = pictures::digits::three(sample.radiance.to_array());
+        assert!(part.contains(&format!("Sample {}: ", sample.index)));
+        assert!(part.contains(&format!(" radiance {value}</summary>")), "{value}");
+        let root = sample.ray.as_ref().expect("it hits the glass");
+        for ray in root.rays() {
+            let line = shortened(&ray.line()).replace("  ", " · ");
+            assert!(part.contains(&pictures::html::escaped(&line)), "{}: {line}", sample.index);
+        }
+        assert_eq!(part.contains("<summary data-ray="), is_first);
+    }
 }

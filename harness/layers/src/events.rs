@@ -5,7 +5,7 @@ use groundtruth::math::{Ray, Span};
 use groundtruth::render::{self, Renderer};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::{Outcome, RayKind, Recorder, Term, Unlimited};
-use groundtruth::world::{Hit, World};
+use groundtruth::world::{Hit, Search, World};
 
 use crate::terms::{Dividing, TermKey, Terms};
 
@@ -48,7 +48,7 @@ pub(crate) struct Events {
     pub rays: u64,
     /// The largest depth of a ray that was cast and is no shadow ray.
     pub depth: u32,
-    /// The cost of the searches for first hits; of shadow rays there are none.
+    /// The cost of the searches of all rays, shadow rays among them.
     pub cost: Counts,
     /// What each term adds to the pixel.
     pub terms: Terms,
@@ -108,36 +108,39 @@ struct Listening<'a> {
     cost: Counts,
     counts_cost: bool,
     terms: Option<Dividing>,
-    /// The ray that began last, and its depth.
-    last: Option<(Ray, u32)>,
+    /// The depth of the ray that began last.
+    last: u32,
 }
 
 impl<'a> Listening<'a> {
     fn to(world: &'a World, wanted: Wanted) -> Self {
         let terms = wanted.terms.then(|| Dividing::down_to(u32::MAX));
         let (cost, counts_cost) = (Counts::default(), wanted.cost);
-        Self { world, rays: 0, depth: 0, cost, counts_cost, terms, last: None }
+        Self { world, rays: 0, depth: 0, cost, counts_cost, terms, last: 0 }
     }
 }
 
 impl Recorder for Listening<'_> {
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb) {
         self.rays += 1;
-        self.last = Some((*ray, depth));
+        self.last = depth;
         if let Some(terms) = &mut self.terms {
             terms.enter(kind, ray, depth, weight);
         }
     }
 
+    fn search(&mut self, search: Search, ray: &Ray, span: Span) {
+        if self.counts_cost {
+            let cost = self.world.search_cost(search, ray, span);
+            self.cost.tests += cost.tests;
+            self.cost.steps += cost.steps;
+        }
+    }
+
     fn outcome(&mut self, outcome: Outcome) {
         // shadow rays end otherwise
-        if let (Outcome::Hit | Outcome::Background, Some((ray, depth))) = (outcome, self.last) {
-            self.depth = self.depth.max(depth);
-            if self.counts_cost {
-                let cost = self.world.search_cost(&ray, Span::AHEAD);
-                self.cost.tests += cost.tests;
-                self.cost.steps += cost.steps;
-            }
+        if let Outcome::Hit | Outcome::Background = outcome {
+            self.depth = self.depth.max(self.last);
         }
     }
 

@@ -159,14 +159,14 @@ pub static KINDS: [Kind; 18] = [
     ),
     kind(
         "tests",
-        "objects tested in the searches for first hits, of all samples; shadow rays and the insides of meshes apart",
+        "objects tested by the rays of all samples, shadow rays among them; the insides of meshes apart",
         ("tests", &["tree.tests"]),
         Scale::Linear,
         Find::Cost(|events| count(events.cost.tests)),
     ),
     kind(
         "steps",
-        "nodes of the bvh or cells of the grid visited in these searches",
+        "nodes of the bvh or cells of the grid visited in these tests",
         ("steps", &["tree.steps"]),
         Scale::Linear,
         Find::Cost(|events| count(events.cost.steps)),

@@ -54,7 +54,8 @@ fn a_file_has_all_layers() {
     let (_, world) = named("ch28/glass-sphere", 12, 2);
     let crop = Crop { x: 3, y: 2, width: 7, height: 5 };
     let (films, canvas) = films(&world, crop);
-    let (size, channels, comment) = contents(&films.encode(&world, &made()).expect("encoded"));
+    let (size, channels, comment) =
+        contents(&films.encode(&world, Vec::new(), &made()).expect("encoded"));
     assert_eq!(size, (7, 5));
     let mut left: Vec<&str> = channels.iter().map(|(name, _)| name.as_str()).collect();
     for y in 0..5_u32 {

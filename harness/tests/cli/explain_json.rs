@@ -23,6 +23,8 @@ fn kind_of(inside: &str, key: &str) -> Option<&'static str> {
         ("ray", "hit") => "hit",
         ("ray", "terms") => "term",
         ("ray", "unlit") => "unlit",
+        ("term", "formula") => "formula",
+        ("formula", "factors") => "factor",
         ("hit", "optics") => "optics",
         ("hit", "textures") => "texture",
         _ => return None,
@@ -62,6 +64,7 @@ fn documented() -> BTreeMap<String, BTreeSet<String>> {
 /// Scenes and pixels that together have almost every field.
 const ASKED: &[&[&str]] = &[
     &["ch28/glass-sphere", "200,150"],
+    &["ch28/glass-sphere", "200,150", "--formulas"],
     &["ch28/glass-sphere", "200,150", "--mistake", "fresnel-transmits-all"],
     &["ch10/near-focus", "100,100", "--all"],
     &["ch18/rectangle", "40,40"],
@@ -152,4 +155,73 @@ fn an_explanation_fits_a_hundred_columns() {
         assert!(line.chars().count() <= 100, "{line}");
     }
     assert!(whole.split_whitespace().eq(broken.split_whitespace()));
+}
+
+/// Law: `--formulas` changes nothing else in the JSON; each term has a formula, whose factors are its value, whose letters
+/// and numbers those of the text. Oracles: the JSON without it; the product by hand; the printed text.
+#[test]
+fn formulas_as_data_are_those_of_the_text_and_their_product_the_value() {
+    let explain = |more: &[&str]| {
+        let pixel = ["explain", "ch28/glass-sphere", "200,150", "--min-share", "0"];
+        let run = run_in(Path::new("."), &[&pixel, more].concat());
+        assert_eq!(run.status, Some(0), "{}", run.stderr);
+        run.stdout
+    };
+    let of = |text: &str| serde_json::from_str::<Value>(text).expect("it is JSON");
+    let (mut with, plain) = (of(&explain(&["--json", "--formulas"])), of(&explain(&["--json"])));
+    let text = explain(&["--formulas"]);
+    let mut found = 0;
+    take_formulas(&mut with, &mut |term, formula| {
+        found += 1;
+        let word = |name: &str| formula[name].as_str().expect("text").to_owned();
+        let line = format!(
+            "{} = {}  ({}, {})",
+            word("symbols"),
+            word("numbers"),
+            word("place"),
+            word("source")
+        );
+        // the text leaves out the light of a shadow ray that loses nothing
+        assert!(text.contains(&line) || term["source"] == "light", "{line}");
+        for channel in 0..3 {
+            let value = |data: &Value| data["value"][channel].as_f64().expect("a number");
+            let product = formula["factors"].as_array().expect("a list").iter().fold(
+                1.0,
+                |product, factor| {
+                    if factor["divides"] == true {
+                        product / value(factor)
+                    } else {
+                        product * value(factor)
+                    }
+                },
+            );
+            let wanted = value(term);
+            assert!(
+                (product - wanted).abs() <= 1e-9 * wanted.abs(),
+                "{line}: {product}, not {wanted}"
+            );
+        }
+    });
+    assert!(found > 10, "{found} formulas");
+    assert_eq!(with, plain);
+}
+
+/// Takes the formula out of each term, and shows both.
+fn take_formulas(data: &mut Value, seen: &mut impl FnMut(&Value, &Value)) {
+    match data {
+        Value::Array(all) => all.iter_mut().for_each(|data| take_formulas(data, seen)),
+        Value::Object(object) => {
+            for (key, data) in &mut *object {
+                if key != "terms" {
+                    take_formulas(data, seen);
+                    continue;
+                }
+                for term in data.as_array_mut().expect("a list") {
+                    let formula = term.as_object_mut().expect("a term").remove("formula");
+                    seen(term, &formula.expect("each term has one"));
+                }
+            }
+        }
+        _ => {}
+    }
 }

@@ -4,12 +4,12 @@ use std::path::Path;
 
 use groundtruth::lights::Unlit;
 use groundtruth::lobes::Lobes;
-use groundtruth::math::Ray;
+use groundtruth::math::{Ray, Span};
 use groundtruth::render::{self, Renderer};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, SceneError};
 use groundtruth::trace::{Budget, Outcome, RayKind, Recorder, ShadingPoint, Term};
-use groundtruth::world::World;
+use groundtruth::world::{Search, World};
 
 use super::recorder::Reweighing;
 use super::{How, Mistake, scene};
@@ -86,6 +86,10 @@ impl<R: Recorder> Recorder for Altered<'_, '_, R> {
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb) {
         self.found.enter(kind, ray, depth, weight);
         self.recorder.enter(kind, ray, depth, weight);
+    }
+
+    fn search(&mut self, search: Search, ray: &Ray, span: Span) {
+        self.recorder.search(search, ray, span);
     }
 
     fn outcome(&mut self, outcome: Outcome) {

@@ -1,14 +1,13 @@
 //! Why a pixel has its colour, as one HTML file without network or script.
 
 mod picture;
+mod samples;
 mod style;
 mod tree;
 
 use std::fmt::Write;
 
-use groundtruth::explain::{
-    PixelExplanation, RecordedRay, SampleExplanation, SourceExplanation, count, percent,
-};
+use groundtruth::explain::{PixelExplanation, RecordedRay, SourceExplanation, count, percent};
 use groundtruth::film::data_uri;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
@@ -18,7 +17,6 @@ use pictures::html::{LINES, escaped, page};
 use space::{Section, hiding, orbit_of, svg_of_rays};
 
 pub use picture::SmallPicture;
-use tree::Tree;
 
 /// What is on a page.
 #[derive(Clone, Copy, Debug)]
@@ -29,7 +27,7 @@ pub struct PixelPage<'a> {
     pub scene: &'a Scene,
     /// Its world.
     pub world: &'a World,
-    /// The pixel explained; its first explained sample is shown.
+    /// The pixel explained. Each explained sample has its tree; section and space are of the first.
     pub explanation: &'a PixelExplanation,
     /// The picture, in which the pixel is marked.
     pub picture: &'a SmallPicture,
@@ -63,7 +61,7 @@ impl PixelPage<'_> {
         body += &self.sum();
         let mut rays = 0;
         if let Some(sample) = sample {
-            body += &self.tree(sample, section.map(|(ray, _)| ray));
+            body += &self.samples(section.map(|(ray, _)| ray));
             rays = sample.ray.as_ref().map_or(0, RecordedRay::count);
         }
         let command = escaped(self.command);
@@ -157,26 +155,5 @@ impl PixelPage<'_> {
             self.color(source.mean),
             three(source.mean.to_array())
         );
-    }
-
-    fn tree(&self, sample: &SampleExplanation, shown: Option<usize>) -> String {
-        let of = self.explanation.samples_per_pixel;
-        let mut html = String::from("<h2>The tree of its rays</h2>\n");
-        if of > 1 {
-            let radiance = three(sample.radiance.to_array());
-            let _ = writeln!(
-                html,
-                "<p>Sample {} of {of} (they count from 0): radiance {radiance}.</p>",
-                sample.index
-            );
-        }
-        match &sample.ray {
-            Some(root) => html += &Tree::new(self.world, root, shown).html(),
-            None => html += "<p>The camera sees nothing there: no ray.</p>\n",
-        }
-        if !sample.complete {
-            html += "<p>The tree has more rays; a smaller max_depth makes a smaller one.</p>\n";
-        }
-        html
     }
 }

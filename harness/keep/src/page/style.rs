@@ -32,6 +32,8 @@ linear-gradient(to right, #cfe0f5 var(--part, 0), #f0f0f0 var(--part, 0)); print
 -webkit-print-color-adjust: exact; }
 .little { color: var(--quiet); }
 .section svg { max-width: 30em; }
+.sample > summary { cursor: pointer; font-weight: bold; padding: 0.3em 0; }
+.sample > .tree { margin-left: 1.2em; }
 .space svg { max-width: 44em; }
 @media (max-width: 40em) { .two { grid-template-columns: minmax(0, 1fr); } .tree ul { margin-left: 1em; } }
 @media print { body { font-size: 11pt; } .tree ul { margin-left: 4.4em; } .space { break-inside: avoid; } }

@@ -16,7 +16,7 @@ const SECTIONS: usize = 40;
 /// Rays that add a smaller part of the sample are folded together.
 const MIN_SHARE: f64 = 0.01;
 /// The most rays on a page.
-const MAX_RAYS: usize = 2000;
+pub const MAX_RAYS: usize = 2000;
 
 /// A tree that is written as HTML.
 pub struct Tree<'a> {
@@ -26,16 +26,23 @@ pub struct Tree<'a> {
     shown: Option<usize>,
     is_small: bool,
     has_sections: bool,
+    /// Whether its rays light up with those of the drawings: of one tree on a page.
+    is_linked: bool,
     /// The rays that still fit.
-    left: usize,
+    left: &'a mut usize,
 }
 
 impl<'a> Tree<'a> {
-    /// The tree of this root; the section of `shown` is not repeated.
-    pub fn new(world: &'a World, root: &'a RecordedRay, shown: Option<usize>) -> Self {
+    /// The tree of this root, on a page for which so many rays are left.
+    pub fn new(world: &'a World, root: &'a RecordedRay, left: &'a mut usize) -> Self {
         let rays = root.count();
         let (is_small, has_sections) = (rays <= SMALL_TREE, rays <= SECTIONS);
-        Self { world, root, shown, is_small, has_sections, left: MAX_RAYS }
+        Self { world, root, shown: None, is_small, has_sections, is_linked: false, left }
+    }
+
+    /// The same tree, which the drawings of the page show; the section of `shown` is one of them, and not repeated.
+    pub fn drawn(self, shown: Option<usize>) -> Self {
+        Self { shown, is_linked: true, ..self }
     }
 
     /// The whole tree.
@@ -47,10 +54,10 @@ impl<'a> Tree<'a> {
 
     /// Adds a ray with all after it. The bounces of a path stand below one another; branches are indented.
     fn add(&mut self, html: &mut String, ray: &RecordedRay) {
-        if self.left == 0 {
+        if *self.left == 0 {
             return;
         }
-        self.left -= 1;
+        *self.left -= 1;
         self.open(html, ray);
         let is_shadow = |ray: &&RecordedRay| matches!(ray.kind, RayKind::Shadow { .. });
         let is_little = |ray: &&RecordedRay| !self.is_small && ray.share < MIN_SHARE;
@@ -76,7 +83,7 @@ impl<'a> Tree<'a> {
         }
         let share = escaped(&percent(little.iter().map(|ray| ray.share).sum()));
         let words = count(rays, "more ray");
-        let cut = if rays > self.left { ", too many for a page" } else { "" };
+        let cut = if rays > *self.left { ", too many for a page" } else { "" };
         let _ = writeln!(
             html,
             "<details><summary class=\"little\"><span class=\"share\">{share}</span> {words} from {parent}{cut}\
@@ -94,9 +101,10 @@ impl<'a> Tree<'a> {
         let [share, line] = [&percent(ray.share), &line].map(|text| escaped(text));
         let contribution = escaped(&short(ray.contribution));
         let bar = (100.0 * ray.share).clamp(0.0, 100.0);
+        let link = if self.is_linked { format!(" data-ray=\"{number}\"") } else { String::new() };
         let _ = writeln!(
             html,
-            "<details open><summary data-ray=\"{number}\"><span class=\"share\" style=\"--part:{bar:.1}%\">{share}\
+            "<details open><summary{link}><span class=\"share\" style=\"--part:{bar:.1}%\">{share}\
              </span> <b style=\"color:{ink}\">{line}</b> contributes {contribution}</summary>\n<ul>"
         );
         for line in ray.details(true) {

@@ -41,6 +41,11 @@ impl Differences {
         self.values[y as usize * self.size[0] as usize + x as usize]
     }
 
+    /// The differences of all pixels, row by row.
+    pub fn values(&self) -> &[[f64; 3]] {
+        &self.values
+    }
+
     /// The magnitude that this share of all differences is within; 1 if there are none.
     pub fn within(&self, share: f64) -> f64 {
         quantile(&self.magnitudes, share).unwrap_or(1.0)
