@@ -83,11 +83,7 @@ impl Request<'_> {
             (Wanted::All, Format::Png | Format::Ppm | Format::Pfm) => {
                 return refused("--layers are channels of one file: end its name with .exr");
             }
-            (_, Format::Pfm) => {
-                return refused(
-                    "a layer is written as .exr (its values), .png or .ppm (in false colours)",
-                );
-            }
+            (_, Format::Pfm) => return refused(layers::NO_FILE),
             _ => {}
         }
         output::once([self.image, Path::new(arguments.name())], "input")?;

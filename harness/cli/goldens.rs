@@ -15,7 +15,7 @@ use super::list::is_in;
 use super::part::PartOf;
 use super::scene::{Size, samples};
 use super::{Exit, Outcome, print};
-use super::{interrupt, output};
+use super::{controls, interrupt, output};
 
 #[derive(Args)]
 pub struct Goldens {
@@ -45,6 +45,10 @@ struct Check {
     /// N − 1
     #[arg(long, value_name = "K/N")]
     part: Option<PartOf>,
+    /// Change the fields of their scenes a little, one at a time, and list those that no pixel of them shows; docs/power.md
+    /// says more
+    #[arg(long)]
+    controls: bool,
 }
 
 #[derive(Args)]
@@ -106,26 +110,37 @@ fn findings(
     names: &[String],
     part: PartOf,
 ) -> Result<Vec<Finding>, Box<dyn Error>> {
+    let names = wanted(goldens, names, part)?;
+    names.iter().map(|name| Ok(goldens.check(name)?)).collect()
+}
+
+/// The goldens of a part of these names and chapters, each once, in the manifest's order; all if there are none.
+fn wanted(goldens: &Folder, names: &[String], part: PartOf) -> Result<Vec<String>, Box<dyn Error>> {
     let mut known = goldens.names();
     if names.is_empty() && goldens.folder() != Path::new(review::DEFAULT_FOLDER) {
         known.retain(|name| goldens.find(name).is_some());
     }
-    let wanted = |name: &str, known: &str| golden::leaf(name) == known || is_in(known, name);
+    let is_meant = |name: &str, known: &str| golden::leaf(name) == known || is_in(known, name);
     for name in names {
-        if !known.iter().any(|known| wanted(name, known)) {
+        if !known.iter().any(|known| is_meant(name, known)) {
             let known: Vec<&str> = known.iter().map(String::as_str).collect();
             let hint = similar::did_you_mean(name, &known);
             return Err(format!("no golden `{name}`: neither in the manifest nor a scene of the gallery (`groundtruth list`){hint}").into());
         }
     }
-    // each once, in the manifest's order
-    let wanted = |known: &&String| names.is_empty() || names.iter().any(|name| wanted(name, known));
-    part.of_list(known.iter().filter(wanted)).map(|name| Ok(goldens.check(name)?)).collect()
+    known.retain(|known| names.is_empty() || names.iter().any(|name| is_meant(name, known)));
+    Ok(part.of_list(known.into_iter()).collect())
 }
 
 impl Check {
     fn run(&self, folder: &Path) -> Outcome {
-        let findings = findings(&open(folder)?, &self.names, self.part.unwrap_or_default())?;
+        let (goldens, part) = (open(folder)?, self.part.unwrap_or_default());
+        if self.controls {
+            let names = wanted(&goldens, &self.names, part)?;
+            let is_whole = self.names.is_empty() && self.part.is_none();
+            return controls::run(&goldens, &names, is_whole);
+        }
+        let findings = findings(&goldens, &self.names, part)?;
         let text: String = findings.iter().map(line).collect();
         print(&text)?;
         let bad: Vec<&Finding> = findings.iter().filter(|f| f.status != Status::Same).collect();

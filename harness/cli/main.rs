@@ -10,6 +10,7 @@ mod claim;
 mod columns;
 mod compare;
 mod conform;
+mod controls;
 mod describe;
 mod exercise;
 mod explain;

@@ -19,7 +19,7 @@ pub fn trials() -> Vec<Trial> {
     let names = goldens.names();
     let trial = |name: String| {
         let goldens = goldens.clone();
-        let (chapter, scene) = name.split_once('/').unwrap_or(("", &name));
+        let (chapter, scene) = name.split_once('/').unwrap_or(("files", &name));
         let words = scene.replace(['-', '.'], "_");
         Trial::test(format!("{chapter}::golden::{words}"), move || {
             Ok(is_the_same(&goldens, &name)?)

@@ -58,13 +58,20 @@ impl View {
         let mut film = Film::new(width, height);
         for y in 0..film.height() {
             for x in 0..film.width() {
-                let mut first = FirstHit::default();
-                render::sample(world, [x, y], 0, &mut first);
-                let color = if self == Self::Normals { first.normal } else { first.numbers() };
-                film.set([x, y], color);
+                film.set([x, y], self.pixel(world, [x, y]));
             }
         }
         film
+    }
+
+    /// A pixel of that picture.
+    pub fn pixel(self, world: &World, pixel: [u32; 2]) -> Rgb {
+        if self == Self::Radiance {
+            return render::pixel(world, pixel);
+        }
+        let mut first = FirstHit::default();
+        render::sample(world, pixel, 0, &mut first);
+        if self == Self::Normals { first.normal } else { first.numbers() }
     }
 
     /// The picture for eyes, to be shown with [`View::tone`].

@@ -2,5 +2,6 @@
 
 mod bad_scenes;
 mod compare;
+mod controls;
 mod goldens;
 mod review;

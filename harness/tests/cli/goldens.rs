@@ -1,5 +1,6 @@
 //! Which goldens are checked and shown.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use super::run_in;
@@ -116,4 +117,32 @@ fn a_review_of_a_chapter_shows_its_goldens() {
     let lines: Vec<&str> = run.stdout.lines().collect();
     let verdict = format!("same: none of {count} goldens differs");
     assert_eq!(lines[..2], [&*verdict, &*format!("review.html: shows {count}")], "{lines:?}");
+}
+
+/// Law: the parts of the controls cover each golden once, together see what the whole sees, and status 1 is for no answer of
+/// theirs. Oracle: the controls of the chapter, whose goldens see other things each.
+#[test]
+fn controls_of_parts_are_those_of_the_whole() {
+    let controls = |more: &[&str]| {
+        let start = ["goldens", "check", "ch03", "--controls", "--folder", FOLDER];
+        let run = run_in(Path::new("."), &[&start, more].concat());
+        assert_eq!(run.status, Some(0), "{more:?}: {}", run.stderr);
+        let goldens = run.stdout.split(' ').next().and_then(|count| count.parse::<usize>().ok());
+        let of = |word: &str| -> BTreeSet<String> {
+            let lines = run.stdout.lines().filter_map(|line| line.strip_prefix(word));
+            lines.map(|line| line.trim().split(':').next().expect("a field").to_owned()).collect()
+        };
+        (goldens.expect("a count"), of("seen "), of("unseen "))
+    };
+    let whole = controls(&[]);
+    let parts = ["0/3", "1/3", "2/3"].map(|part| controls(&["--part", part]));
+    assert_eq!(parts.iter().map(|part| part.0).sum::<usize>(), whole.0);
+    let seen: BTreeSet<String> = parts.iter().flat_map(|part| part.1.clone()).collect();
+    let unseen: BTreeSet<String> = parts.iter().flat_map(|part| part.2.clone()).collect();
+    assert_eq!(seen, whole.1);
+    assert_eq!(unseen.difference(&seen).collect::<Vec<_>>(), whole.2.iter().collect::<Vec<_>>());
+    for field in ["shape sphere.radius", "shape plane.normal", "camera.eye"] {
+        assert!(whole.1.contains(field), "{:?}", whole.1);
+    }
+    assert!(whole.2.contains("scene.about"), "{:?}", whole.2);
 }
