@@ -16,6 +16,7 @@ mod kept;
 mod layers;
 mod list;
 mod provenance;
+mod ranges;
 mod stereo;
 mod why_not;
 mod witness;

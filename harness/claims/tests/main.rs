@@ -2,6 +2,7 @@
 
 mod cells;
 mod claimed;
+mod counted;
 mod kinds;
 mod lamps;
 mod mistakes;

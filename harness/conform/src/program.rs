@@ -162,8 +162,10 @@ impl Program {
             match slot {
                 Some(slot @ None) => *slot = Some(reply),
                 slot => {
-                    let what =
-                        if id < self.next_id { "was answered twice" } else { "was never asked" };
+                    let what = match (1..self.next_id).contains(&id) {
+                        true => "was answered twice",
+                        false => "was never asked",
+                    };
                     let fault = Fault::Garbled(format!("the question with id {id} {what}"));
                     if let Some(guilty) = slot {
                         *guilty = Some(Reply::Fault(fault.clone()));
@@ -329,7 +331,8 @@ fn read_lines(output: impl Read, lines: &SyncSender<io::Result<Vec<u8>>>) {
     let mut output = BufReader::new(output);
     loop {
         let mut line = Vec::new();
-        let most = LONGEST_REPLY as u64 + 2;
+        // its end is a byte, too
+        let most = LONGEST_REPLY as u64 + 1;
         match output.by_ref().take(most).read_until(b'\n', &mut line) {
             Ok(0) | Err(_) => return,
             Ok(_) => {}

@@ -2,13 +2,18 @@
 
 mod altered;
 mod book;
+mod cards;
 mod constants;
+mod counted;
 mod exact;
+mod fields;
 mod grades;
 mod harmless;
 mod lines;
 mod mistakes;
 mod planted_scenes;
+mod points;
+mod programs;
 mod radiance;
 mod runs;
 mod scenes;

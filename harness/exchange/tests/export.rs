@@ -1,5 +1,6 @@
 //! Scenes for other renderers: what is written restores our camera, transforms and radiances.
 
+mod borders;
 mod fixtures;
 mod function;
 mod kinds;

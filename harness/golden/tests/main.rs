@@ -3,5 +3,6 @@
 mod bad_scenes;
 mod compare;
 mod controls;
+mod counted;
 mod goldens;
 mod review;

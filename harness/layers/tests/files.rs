@@ -8,7 +8,7 @@ use layers::{Layer, encode_film};
 
 use super::scenes::{films, named, whole};
 
-fn made() -> Provenance {
+pub fn made() -> Provenance {
     Provenance {
         scene: "a scene".to_owned(),
         size: [1, 1],
@@ -25,10 +25,10 @@ fn made() -> Provenance {
 }
 
 /// A channel: its name and its values.
-type Channel = (String, Vec<f32>);
+pub type Channel = (String, Vec<f32>);
 
 /// The size, the channels and the comment of a file, by another program than ours: the crate's own reader.
-fn contents(bytes: &[u8]) -> ((usize, usize), Vec<Channel>, String) {
+pub fn contents(bytes: &[u8]) -> ((usize, usize), Vec<Channel>, String) {
     let image = read().no_deep_data().largest_resolution_level().all_channels();
     let image = image.first_valid_layer().all_attributes();
     let image = image.from_buffered(std::io::Cursor::new(bytes)).expect("an EXR file");
@@ -42,7 +42,7 @@ fn contents(bytes: &[u8]) -> ((usize, usize), Vec<Channel>, String) {
     ((layer.size.0, layer.size.1), channels, comment)
 }
 
-fn channel<'a>(channels: &'a [Channel], name: &str) -> &'a [f32] {
+pub fn channel<'a>(channels: &'a [Channel], name: &str) -> &'a [f32] {
     let found = channels.iter().find(|(known, _)| known == name);
     &found.unwrap_or_else(|| panic!("no channel {name}")).1
 }

@@ -1,5 +1,6 @@
 //! Laws of the layers of a picture.
 
+mod borders;
 mod colors;
 mod explained;
 mod files;

@@ -10,6 +10,7 @@ mod random_samples;
 mod references;
 mod samplers;
 mod structures;
+mod tables;
 mod textbook;
 mod textures;
 mod times;

@@ -1,5 +1,6 @@
 //! Laws of the rays in space.
 
+mod borders;
 mod orbit;
 mod section;
 mod seen;

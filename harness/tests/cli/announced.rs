@@ -2,7 +2,7 @@
 
 #[path = "../../cli/announce.rs"]
 #[allow(dead_code)] // the commands use the rest of it
-mod announce;
+pub mod announce;
 
 use self::announce::words;
 

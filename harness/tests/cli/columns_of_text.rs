@@ -2,7 +2,7 @@
 
 #[path = "../../cli/columns.rs"]
 #[allow(dead_code)] // the commands use the rest of it
-mod columns;
+pub mod columns;
 
 use self::columns::wrapped;
 

@@ -170,21 +170,30 @@ fn a_single_sample_is_at_the_centre_of_the_printed_square() {
 }
 
 /// Law: the field of view is the angle between the rays through the left and the right edge, for lenses of several zooms
-/// and distances. Oracle: those two rays of the printed formula: directions (±width/2/zoom, 0, −distance), whose angle
-/// is found by their dot product.
+/// and distances, of points and of disks. Oracle: those two rays of the printed formula: directions (±width/2/zoom, 0,
+/// −distance), whose angle is found by their dot product.
 #[test]
 fn the_field_of_view_is_the_angle_between_the_rays_at_both_edges() {
     let scene = (gallery::find("ch03/single-sphere").expect("it is there").build)();
     let mut scene = groundtruth::scene::Scene { lights: Vec::new(), ..scene };
     for (distance, zoom) in [(100.0, 1.0), (100.0, 2.0), (40.0, 0.5), (250.0, 3.0)] {
-        scene.camera.lens = groundtruth::cameras::Pinhole { distance, zoom }.into();
-        let Described { text, .. } = described("field of view", &scene);
-        let (_, rest) = text.split_once("the field of view is about").expect("it is said");
-        let said = numbers(rest)[0];
-        let x = 0.5 * scene.image.plane().width / zoom;
-        let cosine = (distance * distance - x * x) / (distance * distance + x * x);
-        let angle = acos(cosine).to_degrees();
-        assert!((said - angle).abs() < 1e-4, "{distance}, {zoom}: {said}, not {angle}");
+        let thin = groundtruth::cameras::ThinLens {
+            lens_radius: 1.0,
+            distance,
+            focal_distance: 7.0 * distance,
+            zoom,
+        };
+        for lens in [groundtruth::cameras::Pinhole { distance, zoom }.into(), Kind::from(thin)] {
+            scene.camera.lens = lens;
+            let Described { text, .. } = described("field of view", &scene);
+            let (_, rest) = text.split_once("the field of view is about").expect("it is said");
+            let said = numbers(rest)[0];
+            let x = 0.5 * scene.image.plane().width / zoom;
+            let cosine = (distance * distance - x * x) / (distance * distance + x * x);
+            let angle = acos(cosine).to_degrees();
+            let off = (said - angle).abs();
+            assert!(off < 1e-4, "the field of view at {distance}, {zoom}: {said}, not {angle}");
+        }
     }
 }
 

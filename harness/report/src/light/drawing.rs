@@ -266,8 +266,9 @@ fn percent(bias: &BiasData) -> String {
 
 fn table(scene: &SceneData) -> String {
     let most = scene.choices.iter().flat_map(|c| &c.levels).map(|l| l.samples).max().unwrap_or(1);
-    let mut shown = vec![1, 16, 256, most];
-    shown.dedup();
+    let mut shown = vec![1, 16, 256];
+    shown.retain(|samples| *samples < most);
+    shown.push(most);
     let table = Table::new(format!("{}: error, time and bias", capital(scene.subject.name)))
         .group("")
         .column("choice", |choice: &Choice| choice.name.clone())

@@ -1,0 +1,331 @@
+//! Counts and closed forms of the view of rays: how many pieces are drawn and numbered, what hides, where the camera stands.
+
+use std::path::Path;
+
+use groundtruth::explain::{self, RecordedRay};
+use groundtruth::math::{Pcg32, Point, Ray, Span, Vector, cos_degrees, sin_degrees};
+use groundtruth::rgb::Rgb;
+use groundtruth::trace::{Outcome, RayKind};
+use groundtruth::world::{self, World};
+use space::{
+    Backdrop, End, Orbit, Section, Visibility, hiding, of_scene, of_segments, segments, svg_of_rays,
+};
+
+fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
+    let off = (found - expected).abs();
+    assert!(off <= tolerance, "{what}: found {found}, expected {expected}, {off:e} apart");
+}
+
+/// A floor, seen from above by the pixel in the middle, under so many lamps around its axis; and the tree of that pixel.
+fn lamps(count: usize, more: &str) -> (World, RecordedRay) {
+    let mut text = "image = { width = 5, height = 5 }\n\
+        camera = { eye = [0, 9, 0], look_at = [0, 0, 0], up = [0, 0, -1], lens.orthographic = {} }\n\
+        [[materials]]\nname = \"white\"\nrecipe.matte = { kd = 1, cd = 1 }\n\
+        [[objects]]\nname = \"floor\"\nmaterial = \"white\"\n\
+        shape.disk = { center = [0, 0, 0], normal = [0, 1, 0], radius = 2 }\n"
+        .to_owned()
+        + more;
+    for index in 0..count {
+        let angle = 360.0 * index as f64 / count as f64;
+        let (x, z) = (cos_degrees(angle), sin_degrees(angle));
+        let power = 1.0 + index as f64;
+        text += &format!(
+            "[[lights]]\nname = \"lamp {index}\"\n\
+             source.point = {{ location = [{x}, 1.5, {z}], ls = {power} }}\n"
+        );
+    }
+    let (scene, world) = world::from_toml(&text, Path::new("here.toml")).expect("valid");
+    let root = explain::sample(&scene, &world, [2, 2], 0).ray.expect("a ray");
+    (world, root)
+}
+
+const ABOVE: Orbit = Orbit { target: Point::ORIGIN, yaw: 20.0, pitch: 30.0, distance: 40.0 };
+
+/// Law: at most a thousand pieces are drawn, those of the largest shares, the words count the others, and up to 24 pieces have
+/// the numbers of their rays (each once). Oracle: the number of lamps, of which a later one shines more.
+#[test]
+fn a_thousand_pieces_are_drawn_and_24_are_numbered() {
+    for count in [0, 1, 22, 23, 24, 998, 999, 1000, 1004] {
+        let (world, root) = lamps(count, "");
+        let svg = svg_of_rays(&world, &root, &ABOVE, &[]);
+        let pieces = 1 + count;
+        let drawn: Vec<usize> = svg
+            .split("<g data-ray=\"")
+            .skip(1)
+            .filter_map(|group| group.split('"').next()?.parse().ok())
+            .collect();
+        assert_eq!(drawn.len(), pieces.min(1000), "pieces drawn of {pieces}");
+        let numbers: Vec<usize> = svg
+            .lines()
+            .filter(|line| line.starts_with("<text") && line.contains("paint-order"))
+            .filter_map(|line| line.split(['>', '<']).nth(2)?.parse().ok())
+            .collect();
+        let expected: Vec<usize> = if pieces <= 24 { (0..pieces).collect() } else { Vec::new() };
+        assert_eq!(numbers, expected, "numbers of {pieces} rays");
+        let more = pieces.saturating_sub(1000);
+        let said = svg.contains(&format!("({more} more not drawn)"));
+        assert_eq!(said, more > 0, "{more} pieces are not drawn: {}", &svg[svg.len() - 200..]);
+        if more > 0 {
+            // the camera's ray has the largest share; the lamps that shine least are left out
+            let expected: Vec<usize> =
+                (0..pieces).filter(|ray| *ray == 0 || *ray > more).collect();
+            assert_eq!(drawn, expected, "rays whose pieces are drawn of {pieces}");
+        }
+    }
+}
+
+/// Law: an object is looked through if it hides at least a fifth of the pieces from the camera, and not if it hides one less.
+/// Oracle: lamps that are in front of a screen and behind it, counted.
+#[test]
+fn what_hides_a_fifth_is_looked_through() {
+    // the camera of the view looks along −z: what has its middle at z < 0 is behind the screen, if that is as wide as the scene
+    let view = Orbit { target: Point::ORIGIN, yaw: 0.0, pitch: 0.0, distance: 50.0 };
+    let screen = "[[objects]]\nname = \"screen\"\nmaterial = \"white\"\n\
+                  shape.rectangle = { corner = [-9, -9, 0.001], a = [18, 0, 0], b = [0, 18, 0] }\n";
+    let mut seen = [0; 2];
+    for count in 3..24 {
+        for turned in [false, true] {
+            // half of the lamps are behind the screen, or but for a few all
+            let screen = match turned {
+                false => screen.replace("0.001", "0.4001"),
+                true => screen.replace("0.001", "-0.4001"),
+            };
+            let (world, root) = lamps(count, &screen);
+            let pieces = segments(&world, &root, view.distance);
+            let eye = view.sight([800.0, 520.0]).eye;
+            let is_behind = |at: Point| {
+                let way = at - eye;
+                world.hit(&Ray::new(eye, way), Span { min: 0.0, max: 1.0 - 1e-5 }).is_some_and(|hit| &*hit.object.name == "screen")
+            };
+            let hidden =
+                pieces.iter().filter(|it| is_behind(it.from + 0.5 * (it.to - it.from))).count();
+            let is_listed = hiding(&world, &root, &view).contains(&1);
+            let expected = 5 * hidden >= pieces.len();
+            assert_eq!(is_listed, expected, "{hidden} of {} pieces are hidden", pieces.len());
+            seen[usize::from(expected)] += 1;
+        }
+    }
+    assert!(seen.iter().all(|n| *n > 3), "screens that are left, and looked through: {seen:?}");
+}
+
+/// Law: seen through a faded ball, colours add up by opacities: 0.1 where the surface is seen straight, 0.1 + 0.5 (1 − cos)²
+/// elsewhere; a surface under an angle is darker by 0.3 + 0.7 cos; where nothing is, there is 0.012 of grey. Oracle: the sum by
+/// hand, of front, back and void.
+#[test]
+fn a_faded_ball_adds_up_its_two_sides_and_the_void() {
+    let text = "image = { width = 5, height = 5 }\n\
+        camera = { eye = [0, 0, 10], lens.orthographic = {} }\n\
+        [[materials]]\nname = \"red\"\nrecipe.matte = { kd = 1, cd = [0.75, 0.25, 0] }\n\
+        [[objects]]\nname = \"ball\"\nmaterial = \"red\"\n\
+        shape.sphere = { center = [0, 0, 0], radius = 1 }\n";
+    let (_, world) = world::from_toml(text, Path::new("here.toml")).expect("valid");
+    let void = [0.012; 3];
+    for x in [0.0, 0.3, 0.6, 0.8, 0.96] {
+        let cosine = f64::sqrt(1.0 - x * x);
+        let own = [0.75, 0.25, 0.0].map(|c| (0.3 + 0.7 * cosine) * c);
+        let opacity = 0.1 + 0.5 * (1.0 - cosine) * (1.0 - cosine);
+        let ray = Ray::new(Point::new(x, 0.0, 5.0), -Vector::Z);
+        let (opaque, _) = Backdrop { world: &world, faded: &[] }.seen(&ray);
+        let (faded, _) = Backdrop { world: &world, faded: &[0] }.seen(&ray);
+        let (white, _) = Backdrop { world: &world, faded: &[0] }.seen_before(&ray, Rgb::WHITE);
+        let [opaque, faded, white] = [opaque, faded, white].map(Rgb::to_array);
+        for k in 0..3 {
+            let left = 1.0 - opacity;
+            let both = opacity * own[k] * (1.0 + left);
+            near(opaque[k], own[k], 1e-9, "an opaque surface");
+            near(faded[k], both + left * left * void[k], 1e-9, "a faded ball before the void");
+            near(white[k], both + left * left, 1e-9, "a faded ball before white");
+        }
+    }
+    let beside = Ray::new(Point::new(2.0, 0.0, 5.0), -Vector::Z);
+    assert_eq!(Backdrop { world: &world, faded: &[] }.seen(&beside).0.to_array(), void, "the void");
+}
+
+/// Law: turning adds angles, modulo a whole turn, up to straight down and straight up; panning by (1, 0) and (0, 1) moves the
+/// target by the smaller side of the picture, to the right and up. Oracle: sums, and the rays through the middles of the sides.
+#[test]
+fn an_orbit_turns_and_pans() {
+    for (from, by, expected) in [
+        ([350.0, 80.0], [20.0, 5.0], [10.0, 85.0]),
+        ([10.0, 80.0], [-20.0, 10.0], [-10.0, 90.0]),
+        ([0.0, -80.0], [360.0, -11.0], [0.0, -90.0]),
+        ([0.0, 0.0], [0.0, 1000.0], [0.0, 90.0]),
+    ] {
+        let mut orbit = Orbit { yaw: from[0], pitch: from[1], ..ABOVE };
+        orbit.turn(by[0], by[1]);
+        assert_eq!([orbit.yaw, orbit.pitch], expected, "{from:?} turned by {by:?}");
+    }
+    for (right, up) in [(1.0, 0.0), (0.0, 1.0), (-0.5, 0.25)] {
+        let mut orbit = ABOVE;
+        orbit.pan(right, up);
+        for size in [[640.0, 360.0], [200.0, 500.0]] {
+            let sight = ABOVE.sight(size);
+            let side = f64::min(size[0], size[1]);
+            let at = sight.project(orbit.target).expect("it is before the eye");
+            near(at[0] - 0.5 * size[0], right * side, 1e-9 * side, "pixels to the right");
+            near(0.5 * size[1] - at[1], up * side, 1e-9 * side, "pixels up");
+        }
+        near(orbit.distance, ABOVE.distance, 0.0, "the distance");
+    }
+}
+
+/// Law: the ball around a scene is that of the box around the eyes and all objects with an end; around pieces of rays, that of
+/// their ends but of those that leave; a single point has a ball of radius 1. Oracle: boxes by hand.
+#[test]
+fn balls_are_around_boxes() {
+    let text = "image = { width = 5, height = 5 }\n\
+        camera = { eye = [0, 0, 10], lens.orthographic = {} }\n\
+        [[materials]]\nname = \"white\"\nrecipe.matte = { cd = 1 }\n\
+        [[objects]]\nname = \"ball\"\nmaterial = \"white\"\n\
+        shape.sphere = { center = [3, 1, 0], radius = 1 }\n\
+        [[objects]]\nname = \"floor\"\nmaterial = \"white\"\n\
+        shape.plane = { point = [0, -5, 0], normal = [0, 1, 0] }\n";
+    let (_, world) = world::from_toml(text, Path::new("here.toml")).expect("valid");
+    let (center, radius) = of_scene(&world);
+    // from (0, 0, −1) to (4, 2, 10)
+    near(center.distance(Point::new(2.0, 1.0, 4.5)), 0.0, 1e-9, "the centre's distance from its place");
+    near(radius, 0.5 * f64::sqrt(16.0 + 4.0 + 121.0), 1e-9, "the radius around the scene");
+    let piece = |from: [f64; 3], to: [f64; 3], end: End| space::Segment {
+        ray: 0,
+        from: from.into(),
+        to: to.into(),
+        end,
+    };
+    let pieces = [
+        piece([0.0; 3], [2.0, 0.0, 0.0], End::Hit),
+        piece([2.0, 0.0, 0.0], [2.0, 4.0, 0.0], End::Light),
+        piece([2.0, 0.0, 0.0], [99.0, 99.0, 99.0], End::Leaves),
+        piece([2.0, 0.0, 0.0], [0.0, 0.0, -4.0], End::Dark),
+    ];
+    let (center, radius) = of_segments(&pieces).expect("there are ends");
+    near(center.distance(Point::new(1.0, 2.0, -2.0)), 0.0, 1e-12, "the centre's distance from its place");
+    near(radius, 3.0, 1e-12, "the radius around the pieces");
+    assert_eq!(of_segments(&[]), None, "the ball around nothing");
+    let point = of_segments(&[piece([1.0; 3], [5.0; 3], End::Leaves)]);
+    assert_eq!(point, Some((Point::from([1.0; 3]), 1.0)), "the ball around a point");
+}
+
+/// Law: a run of hidden pieces begins and ends at borders of pieces, runs follow each other, and a piece is hidden if its middle
+/// is. Oracle: each middle by itself, for several numbers of pieces.
+#[test]
+fn runs_are_those_of_the_middles() {
+    let (world, _) = lamps(1, "");
+    let visibility = Visibility::of(&world, Point::new(0.0, 8.0, 0.0));
+    let (from, to) = (Point::new(-5.0, -1.0, 0.3), Point::new(6.0, -2.0, 0.1));
+    for pieces in [1, 2, 3, 7, 48] {
+        let is_hidden: Vec<bool> = (0..pieces)
+            .map(|i| visibility.is_hidden(from + ((f64::from(i) + 0.5) / f64::from(pieces)) * (to - from)))
+            .collect();
+        let mut expected: Vec<([f64; 2], bool)> = Vec::new();
+        for (i, hidden) in is_hidden.iter().enumerate() {
+            let ends = [i as f64 / f64::from(pieces), (i + 1) as f64 / f64::from(pieces)];
+            match expected.last_mut() {
+                Some((run, before)) if before == hidden => run[1] = ends[1],
+                _ => expected.push((ends, *hidden)),
+            }
+        }
+        assert_eq!(visibility.runs(from, to, pieces), expected, "runs of {pieces} pieces");
+    }
+}
+
+/// Law: a ray that was not cast has no piece; a blocked shadow ray has two, any other has one. Oracle: the recorded outcomes of
+/// the gallery's mirrors and shadows.
+#[test]
+fn rays_have_as_many_pieces_as_their_outcomes_say() {
+    let (mut uncast, mut blocked) = (0, 0);
+    for name in ["ch24/hall-of-mirrors", "ch16/shadows", "ch28/glass-sphere", "ch24/floor-mirror"] {
+        let scene = (gallery::find(name).expect("a scene").build)();
+        let world = World::build(&scene).expect("valid");
+        let [width, height] = world.picture_size();
+        let mut random = Pcg32::new(3, 3);
+        for _ in 0..12 {
+            let pixel = [random.below(width), random.below(height)];
+            let Some(root) = explain::sample(&scene, &world, pixel, 0).ray else { continue };
+            let pieces = segments(&world, &root, 1.0);
+            for ray in root.rays() {
+                let expected = match ray.outcome {
+                    Outcome::TooDeep | Outcome::OverBudget => 0,
+                    Outcome::Blocked { .. } => 2,
+                    _ => 1,
+                };
+                let found = pieces.iter().filter(|piece| piece.ray == ray.number).count();
+                assert_eq!(found, expected, "pieces of ray {} ({:?}) of {name}", ray.number, ray.outcome);
+                uncast += usize::from(expected == 0);
+                blocked += usize::from(expected == 2);
+            }
+        }
+    }
+    assert!(uncast > 3 && blocked > 3, "{uncast} uncast and {blocked} blocked rays");
+}
+
+/// The numbers of a text, a minus sign or a true one before them.
+fn numbers(text: &str) -> Vec<f64> {
+    let parts = text.split(|c: char| !(c.is_ascii_digit() || ".e-−".contains(c)));
+    parts.filter_map(|part| part.trim_end_matches('.').replace('−', "-").parse().ok()).collect()
+}
+
+/// Law: the numbers that a section prints are those of its hit: both products of Snell's law, the angle of a shadow ray and its
+/// cosine, the distance of a lamp whose way is cut, and angles of labels. Oracle: computed from the recorded directions, to the
+/// four digits that are shown.
+#[test]
+fn printed_numbers_of_a_section_are_those_of_its_hit() {
+    let mut seen = [0; 3];
+    for name in ["ch28/glass-sphere", "ch28/in-a-diamond", "ch16/shadows", "ch27/torus"] {
+        let scene = (gallery::find(name).expect("a scene").build)();
+        let world = World::build(&scene).expect("valid");
+        let [width, height] = world.picture_size();
+        for pixel in [[width / 2, height / 2], [width / 3, height / 2], [width / 2, 2 * height / 3]] {
+            let Some(root) = explain::sample(&scene, &world, pixel, 0).ray else { continue };
+            for ray in root.rays() {
+                let Some(section) = Section::of(&world, &root, ray.number) else { continue };
+                let notes = &section.drawing.notes;
+                if let Some(law) = &section.refraction {
+                    let text = law.to_string();
+                    let line = text.lines().nth(1).expect("a second line");
+                    let found = numbers(line);
+                    let mut products = vec![(law.indices[0], law.incidence)];
+                    products.extend(law.refraction.map(|degrees| (law.indices[1], degrees)));
+                    for ((n, degrees), found) in products.iter().zip(found.chunks(3)) {
+                        let expected = [*n, *degrees, n * sin_degrees(*degrees)];
+                        for (found, expected) in found.iter().zip(expected) {
+                            near(*found, expected, 5e-4 * expected.abs() + 1e-12, line);
+                        }
+                        seen[0] += 1;
+                    }
+                    if law.refraction.is_none() {
+                        let last = found.last().copied().unwrap_or(f64::NAN);
+                        near(last, law.indices[1], 5e-4 * law.indices[1], line);
+                        assert!(text.starts_with("n₁ sin θ₁ > n₂"), "total reflection: {text}");
+                    }
+                }
+                if matches!(ray.kind, RayKind::Shadow { .. }) {
+                    let path = root.path_to(ray.number);
+                    let hit = path[path.len() - 2].hit.as_ref().expect("it was sent by a hit");
+                    let normal = Vector::from(if hit.front { hit.shading_normal } else { -hit.shading_normal });
+                    let cosine = ray.ray.direction.unit().expect("a way").dot(normal);
+                    let degrees = groundtruth::math::to_degrees(groundtruth::math::acos(cosine));
+                    let note = notes.iter().find(|note| note.starts_with("θ = ")).expect("an angle");
+                    let found = numbers(note);
+                    near(found[0], degrees, 5e-4 * degrees + 1e-5, note);
+                    near(found[1], cosine, 5e-4 * cosine.abs() + 1e-9, note);
+                    seen[1] += 1;
+                    if let Some(note) = notes.iter().find(|note| note.starts_with("The light is ")) {
+                        let distance = ray.ray.direction.length();
+                        near(numbers(note)[0], distance, 5e-4 * distance, note);
+                    }
+                } else {
+                    for angle in &section.angles {
+                        let of_ray = format!("ray {}\n", angle.ray);
+                        let label = section.drawing.labels.iter().find(|it| it.text.contains(&of_ray));
+                        let Some(label) = label else { continue };
+                        let line = label.text.lines().nth(1).expect("an angle");
+                        let found = numbers(line.rsplit(' ').next().unwrap_or_default());
+                        near(found[0], angle.degrees, 5e-4 * angle.degrees + 1e-9, line);
+                        seen[2] += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(seen.iter().all(|n| *n > 10), "products, shadow angles and labels seen: {seen:?}");
+}
