@@ -29,8 +29,9 @@ impl<F: FnMut(&Value, Value) -> Value> Lambert<F> {
             return json!([{"name": "lambert", "claims": self.claims, "parameters": self.parameters}]);
         }
         self.heard.push(question.clone());
+        // what was altered may be asked for again
         let vector = |w: &Value| -> [f64; 3] {
-            numbers(w).and_then(|w| w.try_into().ok()).expect("a direction")
+            numbers(w).and_then(|w| w.try_into().ok()).unwrap_or([0.0, 0.0, 1.0])
         };
         let is_eval = question.get("eval").is_some();
         let data = &question[if is_eval { "eval" } else { "sample" }];
@@ -39,7 +40,7 @@ impl<F: FnMut(&Value, Value) -> Value> Lambert<F> {
         let pdf = |z: f64| if z * wo[2] > 0.0 { z.abs() / PI } else { 0.0 };
         let answer = if is_eval {
             let z: Vec<f64> = list("wi").map(|w| vector(w)[2]).collect();
-            let f = |z: &f64| if z * wo[2] > 0.0 { json!([0.7 / PI; 3]) } else { json!([0.0; 3]) };
+            let f = |z: &f64| if z * wo[2] > 0.0 { [0.7 / PI; 3] } else { [0.0; 3] };
             json!({
                 "f": z.iter().map(f).collect::<Vec<_>>(),
                 "pdf": z.iter().map(|z| pdf(*z)).collect::<Vec<f64>>(),
@@ -48,9 +49,10 @@ impl<F: FnMut(&Value, Value) -> Value> Lambert<F> {
             let one = |u: &Value| {
                 let u = numbers(u).expect("numbers");
                 let (r, phi) = (u[0].sqrt(), 2.0 * PI * u[1]);
-                let [x, y] = [groundtruth::math::cos(phi), groundtruth::math::sin(phi)].map(|c| r * c);
+                let [x, y] =
+                    [groundtruth::math::cos(phi), groundtruth::math::sin(phi)].map(|c| r * c);
                 let z = (1.0 - u[0]).sqrt().copysign(wo[2]);
-                json!({"wi": [x, y, z], "weight": [0.7; 3], "pdf": pdf(z)})
+                json!({"wi": [x, y, z], "weight": vec![0.7; 3], "pdf": pdf(z)})
             };
             list("u").map(one).collect()
         };
@@ -156,7 +158,8 @@ fn a_right_lobe_holds_all_laws_in_all_cases() {
         // of each case: density, whole and albedo may be left to chance
         assert!(card.tests >= cases, "{} tests of chance in {cases} cases", card.tests);
         let verdict = card.to_string();
-        let expected = format!("no law is broken by 1 lobe (seed 5, {} tests of chance)", card.tests);
+        let expected =
+            format!("no law is broken by 1 lobe (seed 5, {} tests of chance)", card.tests);
         assert_eq!(verdict.lines().next(), Some(&*expected), "the verdict");
     }
 }
@@ -184,7 +187,8 @@ fn says_the_same(card: &ClaimsCard) {
         for (word, expected) in
             [(">holds<", held), (">undecided<", open), (">broken<", broken), (">·<", unclaimed)]
         {
-            let line = html.lines().find(|line| line.starts_with("<tr><td>") && line.contains(&row.name));
+            let line =
+                html.lines().find(|line| line.starts_with("<tr><td>") && line.contains(&row.name));
             let found = line.expect("a row").matches(word).count();
             assert_eq!(found, expected, "cells {word} of {} on the page", row.name);
         }
@@ -221,7 +225,9 @@ fn scaled(mut answer: Value, pointer: &str, by: f64) -> Value {
     }
     match &mut answer {
         // samples
-        Value::Array(items) => items.iter_mut().filter_map(|it| it.get_mut(pointer)).for_each(|it| all(it, by)),
+        Value::Array(items) => {
+            items.iter_mut().filter_map(|it| it.get_mut(pointer)).for_each(|it| all(it, by))
+        }
         other => {
             if let Some(value) = other.get_mut(pointer) {
                 all(value, by);
@@ -231,15 +237,16 @@ fn scaled(mut answer: Value, pointer: &str, by: f64) -> Value {
     answer
 }
 
-/// Law: in double precision, weights, densities of samples and directions that are off by 10⁻⁹ break their law, and such that are off by 10⁻¹⁵ do not;
-/// in single precision a claim of `float` allows 10⁻⁷, and not 10⁻³ (10⁻⁴ of a length). Oracle: what was planted.
+/// Law: in double precision, weights, densities of samples and directions that are off by 10⁻⁶ break their law, and such that are
+/// off by 10⁻¹⁵ do not; a claim of `float` allows 10⁻⁷, and not 10⁻². Oracle: what was planted; directions are moved by the square
+/// root of the rounding to find how much a value depends on them, so that nothing below 10⁻⁷ or 10⁻³ can be told.
 #[test]
 fn values_are_held_to_their_precision() {
     for (question, field, law) in
         [("sample", "weight", "weight"), ("sample", "pdf", "same pdf"), ("sample", "wi", "sides")]
     {
         for (is_float, by, is_broken) in
-            [(false, 1e-9, true), (false, 1e-15, false), (true, 1e-3, true), (true, 1e-7, false)]
+            [(false, 1e-6, true), (false, 1e-15, false), (true, 1e-2, true), (true, 1e-7, false)]
         {
             let change = |asked: &Value, answer: Value| match asked.get(question) {
                 Some(_) => scaled(answer, field, 1.0 + by),
@@ -249,7 +256,11 @@ fn values_are_held_to_their_precision() {
             let found = card(&mut subject, 2);
             // a law that is broken may break others with it; it is the first
             let expected = is_broken.then_some(law);
-            assert_eq!(first(&found), expected, "{field} off by {by:e}, float: {is_float}\n{found}");
+            assert_eq!(
+                first(&found),
+                expected,
+                "{field} off by {by:e}, float: {is_float}\n{found}"
+            );
         }
     }
     // one of both directions of a lobe that claims to be reciprocal, or to be isotropic
@@ -329,7 +340,9 @@ fn each_field_of_an_answer_is_needed() {
             assert!(found.is_failed(), "{question}{path} is {what}, and nothing fails\n{found}");
         }
     }
-    for (question, field) in [("eval", "f"), ("eval", "pdf"), ("sample", "wi"), ("sample", "weight")] {
+    for (question, field) in
+        [("eval", "f"), ("eval", "pdf"), ("sample", "wi"), ("sample", "weight")]
+    {
         let change = |asked: &Value, mut answer: Value| {
             if asked.get(question).is_some() {
                 match &mut answer {

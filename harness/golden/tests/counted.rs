@@ -77,7 +77,9 @@ fn a_review_counts_what_is_not_the_same() {
 fn a_proposal_takes_for_granted_what_is_documented() {
     let folder = tempfile::tempdir().expect("a folder");
     let goldens = Goldens::none(folder.path());
-    for entry in gallery::scenes().filter(|it| it.name.starts_with("ch03") || it.name.starts_with("ch09")) {
+    for entry in
+        gallery::scenes().filter(|it| it.name.starts_with("ch03") || it.name.starts_with("ch09"))
+    {
         let image = (entry.build)().image;
         let height = (96.0 * f64::from(image.height) / f64::from(image.width)).round() as u32;
         for view in View::ALL {
@@ -96,13 +98,19 @@ fn a_proposal_takes_for_granted_what_is_documented() {
     let mut goldens = goldens;
     let name = "ch03/three-objects";
     let first = goldens.propose(name, "  seen \n", &settings).expect("a scene");
-    let found = (first.golden.size, first.golden.samples, &*first.golden.shows, &*first.golden.because);
+    let found =
+        (first.golden.size, first.golden.samples, &*first.golden.shows, &*first.golden.because);
     assert_eq!(found, ([7, 5], 9, "three balls", "seen"), "size, samples, what it shows and why");
     assert_eq!((first.film.width(), first.film.height()), (7, 5), "the size of the picture");
     goldens.accept(vec![first]).expect("it is written");
     let again = goldens.propose(name, "again", &GoldenSettings::default()).expect("a scene");
-    let found = (again.golden.size, again.golden.samples, &*again.golden.shows, &*again.golden.because);
-    assert_eq!(found, ([7, 5], 9, "three balls", "again"), "what was said before, and the new reason");
+    let found =
+        (again.golden.size, again.golden.samples, &*again.golden.shows, &*again.golden.because);
+    assert_eq!(
+        found,
+        ([7, 5], 9, "three balls", "again"),
+        "what was said before, and the new reason"
+    );
 }
 
 /// Law: goldens are sorted by name, and one that is accepted again is there once, as it was accepted last; names are those of
@@ -122,7 +130,8 @@ fn goldens_are_sorted_and_there_once() {
     for goldens in [&goldens, &read] {
         let found: Vec<(String, u32)> =
             goldens.all().iter().map(|it| (it.name(), it.size[0])).collect();
-        let expected = [("ch03/three-objects", 6), ("ch03/three-objects.hits", 5), ("ch16/shadows", 7)];
+        let expected =
+            [("ch03/three-objects", 6), ("ch03/three-objects.hits", 5), ("ch16/shadows", 7)];
         assert_eq!(found, expected.map(|(name, side)| (name.to_owned(), side)), "names and widths");
     }
     let mut expected: Vec<String> = gallery::scenes().map(|it| it.name.to_owned()).collect();
@@ -208,15 +217,23 @@ fn share_and_cluster_are_the_most_that_is_accepted() {
         });
         let n = marked.iter().filter(|it| **it).count();
         let cluster = largest(width as usize, &marked);
-        let tolerance = |share: f64, cluster: u32| Tolerance { relative: 0.01, floor: 0.0, share, cluster };
+        let tolerance =
+            |share: f64, cluster: u32| Tolerance { relative: 0.01, floor: 0.0, share, cluster };
         let found = tolerance(0.0, 0).disagreement(&good, &bad);
         let share = n as f64 / count as f64;
-        assert_eq!((found.share, found.cluster), (share, cluster), "share and cluster of {marked:?}");
+        assert_eq!(
+            (found.share, found.cluster),
+            (share, cluster),
+            "share and cluster of {marked:?}"
+        );
         assert!(tolerance(share, cluster).accepts(&good, &bad), "{n} pixels, {cluster} together");
         if n > 0 {
             let less = (n - 1) as f64 / count as f64;
             assert!(!tolerance(less, cluster).accepts(&good, &bad), "{n} pixels, allowed one less");
-            assert!(!tolerance(1.0, cluster - 1).accepts(&good, &bad), "{cluster}, allowed one less");
+            assert!(
+                !tolerance(1.0, cluster - 1).accepts(&good, &bad),
+                "{cluster}, allowed one less"
+            );
         }
     }
 }
@@ -228,7 +245,8 @@ fn drift_is_relative_for_all_sizes_and_signs() {
     let mut random = Pcg32::new(77, 5);
     let mut seen = [0; 3];
     for _ in 0..400 {
-        let a = (random.uniform() - 0.5) as f32 * [1e-30_f32, 1e-3, 1.0, 1e20][random.below(4) as usize];
+        let a = (random.uniform() - 0.5) as f32
+            * [1e-30_f32, 1e-3, 1.0, 1e20][random.below(4) as usize];
         let steps = random.below(16);
         let b = f32::from_bits(a.to_bits() + steps);
         let b = if random.below(8) == 0 { -b } else { b };
@@ -238,7 +256,8 @@ fn drift_is_relative_for_all_sizes_and_signs() {
             (_, off) if off <= 1e-6 * wide_a.abs().max(wide_b.abs()) => Verdict::Drift,
             _ => Verdict::Changed,
         };
-        let pictures = [wide_a, wide_b].map(|x| film(2, 1, |at, _| Rgb::grey(if at == 1 { x } else { 0.5 })));
+        let pictures =
+            [wide_a, wide_b].map(|x| film(2, 1, |at, _| Rgb::grey(if at == 1 { x } else { 0.5 })));
         assert_eq!(verdict(&pictures[0], &pictures[1]), expected, "the verdict of {a:e} and {b:e}");
         seen[expected as usize] += 1;
     }
@@ -257,8 +276,7 @@ fn differences_are_sorted_and_equal_ones_stay_in_order() {
     });
     let found: Vec<([u32; 2], f64)> =
         differences(&good, &bad).iter().map(|it| (it.pixel, it.size)).collect();
-    let expected =
-        [([0, 1], 0.5), ([1, 2], 0.5), ([3, 0], 0.25), ([2, 1], 0.25), ([3, 2], 0.125)];
+    let expected = [([0, 1], 0.5), ([1, 2], 0.5), ([3, 0], 0.25), ([2, 1], 0.25), ([3, 2], 0.125)];
     assert_eq!(found, expected, "pixels and sizes of differences");
     let first = differences(&good, &bad)[0];
     assert_eq!((first.expected, first.got), ([1.0; 3], [1.5, 0.75, 1.0]), "both colours");
@@ -290,7 +308,11 @@ fn views_are_those_of_the_recorded_tree() {
                 let found = hits.get([x, y]).to_array();
                 assert_eq!(found, expected, "t, object and rays of {name} at {x}, {y}");
                 let expected = hit.map_or([0.0; 3], |hit| hit.normal.to_array());
-                assert_eq!(normals.get([x, y]).to_array(), expected, "normal of {name} at {x}, {y}");
+                assert_eq!(
+                    normals.get([x, y]).to_array(),
+                    expected,
+                    "normal of {name} at {x}, {y}"
+                );
                 most = most.max(rays);
             }
         }
@@ -309,7 +331,11 @@ fn pictures_for_eyes_are_scaled_by_channel() {
             let [a, b] = [f64::from(x), f64::from(4 * y)];
             assert_eq!(at(View::Radiance), [a, b, 0.0], "the picture at {x}, {y}");
             assert_eq!(at(View::Hits), [a / 2.0, b / 4.0, 0.0], "hits at {x}, {y}");
-            assert_eq!(at(View::Normals), [0.5 + 0.5 * a, 0.5 + 0.5 * b, 0.5], "normals at {x}, {y}");
+            assert_eq!(
+                at(View::Normals),
+                [0.5 + 0.5 * a, 0.5 + 0.5 * b, 0.5],
+                "normals at {x}, {y}"
+            );
         }
     }
 }

@@ -146,12 +146,13 @@ fn the_box_of_all_is_around_the_boxes_of_each() {
              shape.sphere = {{ center = [{x}, {y}, {z}], radius = {r} }}\n"
         )
     };
-    let text = "[image]\nwidth = 8\nheight = 6\n[camera]\neye = [0, 0, 50]\nlens.orthographic = {}\n\
+    let text =
+        "[image]\nwidth = 8\nheight = 6\n[camera]\neye = [0, 0, 50]\nlens.orthographic = {}\n\
                 [[materials]]\nname = \"m\"\nrecipe.matte.cd = 1\n"
-        .to_owned()
-        + &ball("a", [5.0, 0.0, 0.0], 1.0)
-        + &ball("b", [0.0, -7.0, 1.0], 2.0)
-        + &ball("c", [-1.0, 0.0, 9.0], 0.5);
+            .to_owned()
+            + &ball("a", [5.0, 0.0, 0.0], 1.0)
+            + &ball("b", [0.0, -7.0, 1.0], 2.0)
+            + &ball("c", [-1.0, 0.0, 9.0], 0.5);
     std::fs::write(folder.path().join("a.toml"), text).expect("written");
     let run = run_in(folder.path(), &["bounds", "a.toml"]);
     for line in [

@@ -1,6 +1,6 @@
 //! What a card prints, counted anew: from cases whose outcomes are known, each number on each of its forms.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use conform::card::{junit, page, told, verdict};
@@ -187,7 +187,8 @@ fn table(plans: &[Plan]) -> Vec<(String, Vec<u64>)> {
     let is_shown = |of: &Status| *of != Status::Unsupported && sum(plans, *of) > 0;
     let columns: Vec<Status> = Status::ALL.into_iter().filter(is_shown).collect();
     let line = |name: &str, of_chapter: &dyn Fn(&Plan) -> bool| {
-        let count = |of: &Status| plans.iter().filter(|it| of_chapter(it)).map(|it| it.of(*of)).sum();
+        let count =
+            |of: &Status| plans.iter().filter(|it| of_chapter(it)).map(|it| it.of(*of)).sum();
         (name.to_owned(), columns.iter().map(count).collect::<Vec<u64>>())
     };
     let mut lines: Vec<_> =
@@ -221,11 +222,20 @@ fn holds(plans: &[Plan]) {
         _ => format!("{failed} of {judged} families failed (seed 7)"),
     };
     let first = verdict(&card, false);
-    assert!(first.starts_with(&expected), "the verdict is {first:?}, not {expected:?}: {context:?}");
-    let (wrong, fair) =
-        (sum(plans, Status::Wrong), plans.iter().map(|it| it.count(|it| it == Outcome::Fair)).sum::<u64>());
+    assert!(
+        first.starts_with(&expected),
+        "the verdict is {first:?}, not {expected:?}: {context:?}"
+    );
+    let (wrong, fair) = (
+        sum(plans, Status::Wrong),
+        plans.iter().map(|it| it.count(|it| it == Outcome::Fair)).sum::<u64>(),
+    );
     let advice = format!("{fair} of {wrong} wrong answers are fair in single precision");
-    assert_eq!(text.contains(&advice), 2 * fair > wrong, "most are fair, {fair} of {wrong}: {text}");
+    assert_eq!(
+        text.contains(&advice),
+        2 * fair > wrong,
+        "most are fair, {fair} of {wrong}: {text}"
+    );
     let ours: u64 = plans.iter().map(|it| it.count(|it| it == Outcome::Ours)).sum();
     let said = text.contains("by a fault of ours; please report it") || ours == 0;
     assert!(said && card.is_not_judged() == (ours > 0), "{ours} cases were not judged: {text}");
@@ -322,7 +332,7 @@ fn files_hold(plans: &[Plan], card: &Card) {
 /// drawn, written into the questions, and counted by this test.
 #[test]
 fn every_count_on_a_card_is_that_of_its_cases() {
-    for index in 0..150 {
+    for index in 0..80 {
         let mut draw = Draw::case(5001, index);
         let families = 1 + draw.below(7);
         holds(&plans(&mut draw, families));
@@ -369,8 +379,11 @@ fn failures_stand_in_their_order() {
     let mut expected: Vec<_> = all.iter().filter(|it| it.2 < 9).collect();
     expected.sort_by_key(|it| it.2);
     let expected: Vec<&str> = expected.iter().map(|it| it.0).collect();
-    let mut found: Vec<&str> =
-        text.lines().filter_map(|line| all.iter().find(|it| line.starts_with(&format!("{}: ", it.0)))).map(|it| it.0).collect();
+    let mut found: Vec<&str> = text
+        .lines()
+        .filter_map(|line| all.iter().find(|it| line.starts_with(&format!("{}: ", it.0))))
+        .map(|it| it.0)
+        .collect();
     found.dedup();
     // those of the last kind in the order of the suite
     assert_eq!(found[..4], expected[..4], "wrong and fair families in\n{text}");
@@ -402,18 +415,23 @@ fn known_failures_are_compared_one_by_one() {
             (0..4).filter(|i| failed(*i)).map(|i| names[i].clone()).collect();
         assert_eq!(written, expected, "what failed, as a list");
         for listed in 0..16 {
-            let lines = (0..4).filter(|i| has(listed, *i)).map(|i| format!("{} # known\n", names[i]));
+            let lines =
+                (0..4).filter(|i| has(listed, *i)).map(|i| format!("{} # known\n", names[i]));
             std::fs::write(&path, lines.collect::<String>()).expect("it is written");
             let known = KnownFailures::read(&path).expect("families");
             let all = |is: &dyn Fn(usize) -> bool| -> Vec<String> {
-                let all: BTreeMap<&String, ()> =
-                    (0..4).filter(|i| is(*i)).map(|i| (&names[i], ())).collect();
-                all.into_keys().cloned().collect()
+                (0..4).filter(|i| is(*i)).map(|i| names[i].clone()).collect()
             };
-            let new = all(&|i| failed(i) && !has(listed, i));
+            // new ones by name, as they are written; passed ones in the order of the card
+            let mut new = all(&|i| failed(i) && !has(listed, i));
+            new.sort();
             let passed = all(&|i| i < 3 && !failed(i) && has(listed, i));
             let found = known.compare(&card);
-            assert_eq!(found, (new, passed), "new and passed: {failing:04b} fail, {listed:04b} listed");
+            assert_eq!(
+                found,
+                (new, passed),
+                "new and passed: {failing:04b} fail, {listed:04b} listed"
+            );
         }
     }
 }

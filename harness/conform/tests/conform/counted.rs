@@ -114,7 +114,11 @@ fn each_case_is_asked_once_in_rounds_of_all_families() {
             let found = (row.cases, row.count(Status::Pass), row.total(), row.not_asked());
             let count = count as u64;
             let expected = (count, count, count, 0);
-            assert_eq!(found, expected, "cases, passed, asked and not asked of {} of {n}", row.name);
+            assert_eq!(
+                found, expected,
+                "cases, passed, asked and not asked of {} of {n}",
+                row.name
+            );
         }
     }
 }

@@ -27,7 +27,10 @@ fn cheap() -> Vec<Family> {
         let is_exact = ["intersect", "occluded"].contains(&family.question());
         let is_answered = matches!(family.judge, Judge::Answer(_));
         let has_scene = ["radiance", "trace"].contains(&family.question());
-        family.ordinary && is_answered && !has_scene && (!is_exact || family.name.ends_with(".ordinary"))
+        family.ordinary
+            && is_answered
+            && !has_scene
+            && (!is_exact || family.name.ends_with(".ordinary"))
     });
     all
 }
@@ -49,10 +52,9 @@ fn places(value: &Value, path: &str, all: &mut Vec<String>) {
         Value::Object(fields) => {
             fields.iter().for_each(|(key, it)| places(it, &format!("{path}/{key}"), all));
         }
-        Value::Array(items) => items
-            .iter()
-            .enumerate()
-            .for_each(|(i, it)| places(it, &format!("{path}/{i}"), all)),
+        Value::Array(items) => {
+            items.iter().enumerate().for_each(|(i, it)| places(it, &format!("{path}/{i}"), all))
+        }
         _ => {}
     }
 }
@@ -85,8 +87,12 @@ fn size(answer: &Value, path: &str) -> f64 {
 fn each_number_is_judged_to_its_tolerance() {
     let mut problems: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
     let mut tried = BTreeMap::new();
-    let moves =
-        [(Profile::Careful, 1e-3, true), (Profile::Book, 0.2, true), (Profile::Careful, f64::EPSILON, false), (Profile::Book, 1e-6, false)];
+    let moves = [
+        (Profile::Careful, 1e-3, true),
+        (Profile::Book, 0.2, true),
+        (Profile::Careful, f64::EPSILON, false),
+        (Profile::Book, 1e-6, false),
+    ];
     for family in &cheap() {
         let judge = judge(family);
         for (case, right) in answered(family, 2) {
@@ -179,7 +185,10 @@ fn each_part_is_judged_by_its_type() {
                     tried += 1;
                     if judge(&case, &theirs, profile).is_right() {
                         let name = format!("{} {}", family.name, general(path));
-                        problems.entry(name).or_default().insert(format!("missing, {}", profile.name()));
+                        problems
+                            .entry(name)
+                            .or_default()
+                            .insert(format!("missing, {}", profile.name()));
                     }
                 }
             }

@@ -97,7 +97,8 @@ fn points_are_those_counted_by_hand() {
 fn said(grade: &Grade, points: &[u64; 4], parts: &[(&str, u64); 4], failed: usize) {
     let total = shown(points.iter().sum());
     let text = grade.text();
-    let lines = parts.iter().zip(points).map(|((word, most), got)| (*word, shown(*got), shown(*most)));
+    let lines =
+        parts.iter().zip(points).map(|((word, most), got)| (*word, shown(*got), shown(*most)));
     for (name, got, most) in lines.chain([("total", total.clone(), shown(11_763))]) {
         let line = text.lines().find(|line| line.starts_with(name)).expect("a line of each part");
         let found: Vec<&str> = line.split_whitespace().skip(1).collect();
@@ -136,7 +137,11 @@ fn what_is_not_answered_counts_nothing() {
         fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
             let mut one = |question: &Value| {
                 self.0 = self.0.saturating_sub(1);
-                if self.0 > 0 { Reply::Answer(ours(question).expect("an answer")) } else { self.1.clone() }
+                if self.0 > 0 {
+                    Reply::Answer(ours(question).expect("an answer"))
+                } else {
+                    self.1.clone()
+                }
             };
             questions.iter().map(&mut one).collect()
         }
@@ -163,9 +168,13 @@ fn what_is_not_answered_counts_nothing() {
 #[test]
 fn a_table_has_the_borders_that_it_says() {
     let text = |seed: &str, cases: &str, points: &str| {
-        format!("seed = {seed}\n{cases}\n[[part]]\nname = \"A\"\nask = [\"fresnel\"]\npoints = {points}\n")
+        format!(
+            "seed = {seed}\n{cases}\n[[part]]\nname = \"A\"\nask = [\"fresnel\"]\npoints = {points}\n"
+        )
     };
-    for (seed, fits) in [("999999", false), ("1000000", true), ("9223372036854775807", true), ("-1000000", false)] {
+    for (seed, fits) in
+        [("999999", false), ("1000000", true), ("9223372036854775807", true), ("-1000000", false)]
+    {
         let found = read(&text(seed, "", "1"));
         assert_eq!(found.is_ok(), fits, "seed = {seed}: {:?}", found.err());
     }
@@ -175,9 +184,14 @@ fn a_table_has_the_borders_that_it_says() {
     }
     let table = read(&text("1000000", "", "1")).expect("valid");
     assert_eq!((table.cases, table.seed), (48, 1_000_000), "cases and seed");
-    for (points, fits) in
-        [("0", false), ("-0.01", false), ("0.01", true), ("1e6", true), ("1000000.01", false), ("inf", false)]
-    {
+    for (points, fits) in [
+        ("0", false),
+        ("-0.01", false),
+        ("0.01", true),
+        ("1e6", true),
+        ("1000000.01", false),
+        ("inf", false),
+    ] {
         let found = read(&text("1000000", "", points));
         assert_eq!(found.is_ok(), fits, "points = {points}: {:?}", found.err());
     }

@@ -79,7 +79,11 @@ fn texts(heard: &[&str]) -> Vec<String> {
 fn a_silent_program_hears_64_questions_and_three_again() {
     let mut script = Script::new("", ":", 300, 1500);
     let replies = script.program.ask(&questions(0..130));
-    assert_eq!(kinds(&replies), "hhh".to_owned() + &"-".repeat(127), "what became of 130 questions");
+    assert_eq!(
+        kinds(&replies),
+        "hhh".to_owned() + &"-".repeat(127),
+        "what became of 130 questions"
+    );
     let mut expected = texts(&["start"]);
     expected.extend((0..64).map(|n: u64| n.to_string()));
     expected.extend(texts(&["start", "0", "start", "1", "start", "2"]));
@@ -118,8 +122,10 @@ fn one_guilty_question_costs_two_starts() {
         let starts: Vec<&[String]> = heard.split(|it| it == "start").skip(1).collect();
         // after the guilty one the window may have been heard, or not
         assert!(starts[0].starts_with(&texts(&["100", "1", "2", "3", "4"])), "{heard:?}");
+        // who only hangs has answered the others by then
         let again = [&["100", "4"][..], &["100", "5", "6", "7"]].map(texts);
-        assert_eq!(starts[1..], again, "what was asked after the fault ({way})");
+        let again = if kind == "h" { &again[..1] } else { &again };
+        assert_eq!(starts[1..], *again, "what was asked after the fault ({way})");
     }
 }
 
@@ -145,8 +151,7 @@ fn a_slow_start_is_not_taken_for_a_slow_answer() {
     let mut script = Script::new("sleep 1", one, 500, 20_000);
     assert_eq!(kinds(&script.program.ask(&questions([7]))), "a", "the first question");
     assert_eq!(kinds(&script.program.ask(&questions(1..4))), "aha", "1 to 3, guilty: 2");
-    let expected =
-        ["start", "7", "1", "2", "3", "start", "7", "2"].map(str::to_owned);
+    let expected = ["start", "7", "1", "2", "3", "start", "7", "2"].map(str::to_owned);
     assert_eq!(script.heard(), expected, "what it heard");
 }
 
