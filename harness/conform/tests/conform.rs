@@ -2,6 +2,7 @@
 
 mod altered;
 mod book;
+mod borders;
 mod cards;
 mod constants;
 mod counted;

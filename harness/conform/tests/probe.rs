@@ -1,6 +1,7 @@
 //! Laws of the probe: each question against its own oracle, and the guarantees for input lines.
 
 mod answers;
+mod borders;
 mod errors;
 mod eyes;
 mod grid;

@@ -53,3 +53,30 @@ fn every_corner_of_the_box_is_in_the_picture() {
         }
     }
 }
+
+/// Law: the box of a scene is around the boxes of all objects with an end, wherever the widest of them stands in the list. Oracle:
+/// the least and largest coordinates of five boxes, in every order that begins elsewhere.
+#[test]
+fn the_box_of_a_scene_is_around_all_objects() {
+    let mut boxes: Vec<([f64; 3], [f64; 3])> = vec![
+        ([-9.0, 0.0, 0.0], [-8.0, 1.0, 1.0]),
+        ([7.0, 0.0, 0.0], [8.0, 1.0, 1.0]),
+        ([0.0, -6.0, 0.0], [1.0, 5.0, 1.0]),
+        ([0.0, 0.0, -4.0], [1.0, 1.0, 0.0]),
+        ([0.0, 0.0, 2.0], [1.0, 1.0, 3.0]),
+    ];
+    for turn in 0..5 {
+        let mut scene = pinhole("x", [4, 3], [Point::new(0.0, 0.0, 50.0), Point::ORIGIN], 3.0);
+        for (index, (min, max)) in boxes.iter().enumerate() {
+            let shape = boxed(Point::from(*min), Point::from(*max));
+            add(&mut scene, &format!("box {index}"), shape, matte(0.0, 0.5, grey(0.5)));
+        }
+        add(&mut scene, "floor", ground(-50.0), matte(0.0, 0.5, grey(0.5)));
+        let world = World::build(&scene).expect("valid");
+        let found = bounds(&world).expect("there are boxes");
+        let found = (found.min.to_array(), found.max.to_array());
+        let expected = ([-9.0, -6.0, -4.0], [8.0, 5.0, 3.0]);
+        assert_eq!(found, expected, "the box around five, turned by {turn}");
+        boxes.rotate_left(1);
+    }
+}

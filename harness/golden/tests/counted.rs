@@ -77,9 +77,7 @@ fn a_review_counts_what_is_not_the_same() {
 fn a_proposal_takes_for_granted_what_is_documented() {
     let folder = tempfile::tempdir().expect("a folder");
     let goldens = Goldens::none(folder.path());
-    for entry in
-        gallery::scenes().filter(|it| it.name.starts_with("ch03") || it.name.starts_with("ch09"))
-    {
+    for entry in gallery::scenes() {
         let image = (entry.build)().image;
         let height = (96.0 * f64::from(image.height) / f64::from(image.width)).round() as u32;
         for view in View::ALL {
@@ -204,7 +202,7 @@ fn largest(width: usize, marked: &[bool]) -> u32 {
 fn share_and_cluster_are_the_most_that_is_accepted() {
     let mut random = Pcg32::new(31, 7);
     for case in 0..60 {
-        let (width, height) = [(1, 9), (9, 1), (5, 4), (7, 6)][case % 4];
+        let (width, height) = [(1, 9), (9, 1), (5, 4), (19, 13)][case % 4];
         let count = (width * height) as usize;
         let chance = 1 + random.below(9);
         let marked: Vec<bool> = (0..count).map(|_| random.below(10) < chance).collect();
@@ -272,14 +270,18 @@ fn differences_are_sorted_and_equal_ones_stay_in_order() {
     let off = [([3, 0], 0.25), ([0, 1], 0.5), ([2, 1], 0.25), ([1, 2], -0.5), ([3, 2], 0.125)];
     let bad = film(4, 3, |x, y| {
         let by = off.iter().find(|it| it.0 == [x, y]).map_or(0.0, |it| it.1);
-        Rgb::new(1.0 + by, 1.0 - 0.5 * by, 1.0)
+        let mut color = [1.0; 3];
+        // the largest difference is in another channel each time
+        color[(x + y) as usize % 3] += by;
+        color[(x + y + 1) as usize % 3] -= 0.5 * by;
+        color.into()
     });
     let found: Vec<([u32; 2], f64)> =
         differences(&good, &bad).iter().map(|it| (it.pixel, it.size)).collect();
     let expected = [([0, 1], 0.5), ([1, 2], 0.5), ([3, 0], 0.25), ([2, 1], 0.25), ([3, 2], 0.125)];
     assert_eq!(found, expected, "pixels and sizes of differences");
     let first = differences(&good, &bad)[0];
-    assert_eq!((first.expected, first.got), ([1.0; 3], [1.5, 0.75, 1.0]), "both colours");
+    assert_eq!((first.expected, first.got), ([1.0; 3], [1.0, 1.5, 0.75]), "both colours");
 }
 
 /// Law: the picture of hits has t, the object's place from 1, and the number of rays that were cast, of the first sample; that of

@@ -118,3 +118,22 @@ fn nothing_is_no_object() {
     }
     assert!(nothing > 0, "the scene has a background");
 }
+
+/// Law: what is brighter than a file's numbers is stored as the largest of them, not as infinity. Oracle: a lamp of 10³⁹, and the
+/// largest number of single precision.
+#[test]
+fn what_is_too_bright_is_stored_as_the_largest_number() {
+    let text = "image = { width = 1, height = 1 }\n\
+        camera = { eye = [0, 0, 9], lens.orthographic = {} }\n\
+        [[materials]]\nname = \"lamp\"\nrecipe.emissive = { ls = 1e30, ce = [1e9, 5e8, 1e-30] }\n\
+        [[objects]]\nname = \"a\"\nmaterial = \"lamp\"\n\
+        shape.plane = { point = [0, 0, 0], normal = [0, 0, 1] }\n";
+    let (_, world) = groundtruth::world::from_toml(text, "here.toml".as_ref()).expect("valid");
+    let (films, _) = films(&world, whole(&world));
+    let (_, channels, _) = contents(&films.encode(&world, &made()).expect("encoded"));
+    for (name, expected) in [("R", f32::MAX), ("G", f32::MAX), ("B", 1.0)] {
+        assert_eq!(channel(&channels, name), [expected], "the channel {name}");
+        let emission = channel(&channels, &format!("emission.{name}"));
+        assert_eq!(emission, [expected], "the channel emission.{name}");
+    }
+}

@@ -38,3 +38,58 @@ fn words_in_strings_and_other_words_are_left_alone() {
         assert!(matches!(read(line.as_bytes()), Err(Fault::Garbled(_))), "{text}");
     }
 }
+
+/// Law: an id is a whole number of at least 0, also with a point or a power of ten; any other is garbled. A line has exactly one of
+/// `answer`, `error` and `unsupported`. Oracle: lines by hand.
+#[test]
+fn a_line_has_an_id_and_one_reply() {
+    for (id, expected) in [
+        ("0", Some(0)),
+        ("7", Some(7)),
+        ("7.0", Some(7)),
+        ("7e0", Some(7)),
+        ("12e1", Some(120)),
+        ("18446744073709551615", Some(u64::MAX)),
+        ("7.5", None),
+        ("-1", None),
+        ("-0.5", None),
+        ("1e15", None),
+        ("1e300", None),
+        ("NaN", None),
+        ("\"7\"", None),
+        ("[7]", None),
+        ("true", None),
+        ("null", None),
+    ] {
+        let line = format!("{{\"id\": {id}, \"answer\": 1}}");
+        let found = read(line.as_bytes()).ok().map(|it| it.0);
+        assert_eq!(found, expected, "the id {id}");
+    }
+    let kinds = [("answer", "1"), ("error", "\"e\""), ("unsupported", "\"u\"")];
+    for set in 0..8_usize {
+        let some = kinds.iter().enumerate().filter(|(i, _)| set >> i & 1 == 1);
+        let fields: String = some.map(|(_, (key, value))| format!(", \"{key}\": {value}")).collect();
+        let line = format!("{{\"id\": 1{fields}}}");
+        let expected = match set {
+            1 => Some(Reply::Answer(json!(1))),
+            2 => Some(Reply::Refused("e".to_owned())),
+            4 => Some(Reply::Unsupported("u".to_owned())),
+            _ => None,
+        };
+        let found = read(line.as_bytes()).ok().map(|it| it.1);
+        assert_eq!(found, expected, "the reply of {line}");
+    }
+    assert!(read(b"{\"answer\": 1}").is_err(), "a line without an id");
+}
+
+/// Law: of a line that cannot be read the first 200 bytes are shown. Oracle: the length of what is shown.
+#[test]
+fn bad_lines_are_shown_up_to_200_bytes() {
+    for length in [1, 199, 200, 201, 5000] {
+        let Err(Fault::Garbled(text)) = read("x".repeat(length).as_bytes()) else {
+            panic!("{length} letters are read")
+        };
+        let shown = text.matches('x').count();
+        assert_eq!(shown, length.min(200), "letters shown of {length}");
+    }
+}

@@ -200,6 +200,11 @@ fn the_beginning_of_the_standard_error_is_kept() {
         let before = format!("(printf begin; head -c {} /dev/zero | tr '\\0' x) >&2", bytes - 5);
         let mut script = Script::new(&before, "answer", 5000, 5000);
         assert_eq!(script.program.ask(&questions([1])), [answered(1)], "beside {bytes} bytes");
+        // another thread reads it
+        let begun = std::time::Instant::now();
+        while script.program.log().len() < kept && begun.elapsed() < Duration::from_secs(10) {
+            std::thread::sleep(Duration::from_millis(5));
+        }
         let log = script.program.log();
         assert!(log.starts_with("begin"), "the log begins with {:?}", &log[..5.min(log.len())]);
         assert_eq!(log.len(), kept, "bytes kept of {bytes}");
