@@ -1,8 +1,10 @@
 //! The laws of lobes, lights and maps: right ones keep them, and mistakes break them.
 
 mod cells;
+mod chance;
 mod claimed;
 mod counted;
+mod fields;
 mod kinds;
 mod lamps;
 mod mistakes;

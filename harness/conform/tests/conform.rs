@@ -10,6 +10,7 @@ mod exact;
 mod fields;
 mod grades;
 mod harmless;
+mod known;
 mod lines;
 mod mistakes;
 mod planted_scenes;

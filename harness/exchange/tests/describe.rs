@@ -1,6 +1,7 @@
 //! Descriptions of scenes: whole, without words that the scene does not use, and true.
 
 mod drawings;
+mod entries;
 mod formulas;
 mod noise;
 mod truth;

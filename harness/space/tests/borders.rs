@@ -11,7 +11,7 @@ use space::{
     Backdrop, End, Orbit, Section, Visibility, hiding, of_scene, of_segments, segments, svg_of_rays,
 };
 
-fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
+pub fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
     let off = (found - expected).abs();
     assert!(off <= tolerance, "{what}: found {found}, expected {expected}, {off:e} apart");
 }
@@ -352,103 +352,4 @@ fn printed_numbers_of_a_section_are_those_of_its_hit() {
         }
     }
     assert!(seen.iter().all(|n| *n > 10), "products, shadow angles and labels seen: {seen:?}");
-}
-
-/// The scenes and pixels of some trees.
-fn trees() -> Vec<(&'static str, World, RecordedRay)> {
-    let names = ["ch28/glass-sphere", "ch24/floor-mirror", "ch16/shadows", "ch27/torus", "ch24/hall-of-mirrors"];
-    let mut all = Vec::new();
-    for name in names {
-        let scene = (gallery::find(name).expect("a scene").build)();
-        let [width, height] = World::build(&scene).expect("valid").picture_size();
-        let mut random = Pcg32::new(8, 1);
-        for _ in 0..6 {
-            let pixel = [random.below(width), random.below(height)];
-            let world = World::build(&scene).expect("valid");
-            if let Some(root) = explain::sample(&scene, &world, pixel, 0).ray {
-                all.push((name, world, root));
-            }
-        }
-    }
-    all
-}
-
-/// Law: the camera stands on that side of the plane that it looks across from which fewer middles of pieces are hidden. Oracle: both
-/// sides, counted.
-#[test]
-fn the_camera_stands_where_less_is_hidden() {
-    let (mut seen, mut differ) = (0, 0);
-    for (name, world, root) in trees() {
-        let pieces = segments(&world, &root, 1.0);
-        let Some(section) = Section::first(&root).and_then(|ray| Section::of(&world, &root, ray)) else { continue };
-        let Some(ball) = space::of_hits(&world, &pieces) else { continue };
-        let across = section.plane.normal();
-        let sides = [across, -across].map(|side| Orbit::from_side(ball, side + 0.35 * Vector::Y));
-        let hidden = sides.map(|orbit| {
-            let visibility = Visibility::of(&world, orbit.sight([800.0, 520.0]).eye);
-            let middles = pieces.iter().take(64).map(|it| it.from + 0.5 * (it.to - it.from));
-            middles.filter(|at| visibility.is_hidden(*at)).count()
-        });
-        let found = space::orbit_of(&world, &root);
-        let at = sides.iter().position(|side| *side == found);
-        let at = at.unwrap_or_else(|| panic!("{name}: {found:?} is none of {sides:?}"));
-        let least = hidden[0].min(hidden[1]);
-        assert_eq!(hidden[at], least, "middles that are hidden from the camera of {name}: {hidden:?}");
-        seen += 1;
-        differ += usize::from(hidden[0] != hidden[1]);
-    }
-    assert!(seen > 10 && differ > 2, "{seen} trees seen, of which {differ} have a better side");
-}
-
-/// Law: a piece ends in a dot if its end is seen and it does not leave the scene, and has an arrowhead unless it is dark. Oracle: the
-/// clipped pieces.
-#[test]
-fn pieces_end_in_dots_and_heads() {
-    let mut seen = [0; 2];
-    for (name, world, root) in trees() {
-        let orbit = space::orbit_of(&world, &root);
-        let sight = orbit.sight([800.0, 520.0]);
-        let svg = svg_of_rays(&world, &root, &orbit, &[]);
-        let mut groups = svg.split("<g data-ray=\"").skip(1);
-        for piece in segments(&world, &root, 8.0 * orbit.distance) {
-            let Some([(from, _), (to, last)]) = sight.clip(piece.from, piece.to) else { continue };
-            let group = groups.next().expect("a group").split("</g>").next().expect("it ends");
-            let has_dot = piece.end != End::Leaves && last == 1.0;
-            let what = format!("piece of ray {} of {name}, {:?}", piece.ray, piece.end);
-            assert_eq!(group.matches("<circle").count(), usize::from(has_dot), "dots of the {what}");
-            let length = (to[0] - from[0]).abs() + (to[1] - from[1]).abs();
-            // in a shorter one a head has no room
-            if length > 60.0 {
-                let has_head = piece.end != End::Dark;
-                assert_eq!(group.matches("<polygon").count(), usize::from(has_head), "heads of the {what}");
-            }
-            seen[usize::from(has_dot)] += 1;
-        }
-    }
-    assert!(seen.iter().all(|n| *n > 10), "pieces without and with a dot: {seen:?}");
-}
-
-/// Law: the index in front stands in the middle between the reflected ray and the surface, or beside the normal if the angle of incidence is above 45°;
-/// that behind on the other side of the surface. Oracle: the angle of its place.
-#[test]
-fn indices_stand_in_free_places() {
-    let mut seen = [0; 2];
-    for (name, world, root) in trees() {
-        for ray in root.rays() {
-            let Some(section) = Section::of(&world, &root, ray.number) else { continue };
-            let Some(law) = &section.refraction else { continue };
-            let at = |head: &str| {
-                let label = section.drawing.labels.iter().find(|it| it.text.starts_with(head));
-                label.unwrap_or_else(|| panic!("{name}: no {head}")).at
-            };
-            let ([x, y], [x2, y2]) = (at("n₁ = "), at("n₂ = "));
-            let angle = groundtruth::math::to_degrees(groundtruth::math::atan2(x, y));
-            let is_steep = law.incidence > 45.0;
-            let expected = if is_steep { 0.0 } else { 0.5 * (law.incidence + 90.0) };
-            near(angle, expected, 1e-9, "the angle of n₁ to the normal");
-            assert!(x2 == 0.0 && y2 < 0.0, "n₂ stands at {x2}, {y2}");
-            seen[usize::from(is_steep)] += 1;
-        }
-    }
-    assert!(seen.iter().all(|n| *n > 0), "indices at flat and steep incidence: {seen:?}");
 }

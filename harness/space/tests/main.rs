@@ -2,8 +2,10 @@
 
 mod borders;
 mod orbit;
+mod places;
 mod section;
 mod seen;
 mod segments;
 mod view;
+mod wholes;
 mod why_not;

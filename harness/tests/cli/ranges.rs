@@ -229,3 +229,55 @@ fn a_check_counts_its_lines() {
     let expected = "changed   b.toml: 8 of 48 pixels differ, the most by 1.0e0 at ";
     assert!(changed.starts_with(expected), "{changed}, not {expected}");
 }
+
+/// The shares of all rays of a tree as JSON, by their numbers.
+fn shares(ray: &serde_json::Value, all: &mut Vec<f64>) {
+    all.push(ray["share"].as_f64().expect("a share"));
+    ray["children"].as_array().into_iter().flatten().for_each(|child| shares(child, all));
+}
+
+/// Law: `explain --min-share P` shows each ray whose share is at least P percent, and counts the others, so that all rays are shown or
+/// counted; at 0 all are shown. Oracle: the shares as JSON.
+#[test]
+fn rays_of_a_share_are_shown_and_the_others_counted() {
+    let here = Path::new(".");
+    let pixel = ["explain", "ch28/glass-sphere", "300,250"];
+    let json = run_in(here, &[&pixel[..], &["--json"]].concat()).stdout;
+    let json: serde_json::Value = serde_json::from_str(&json).expect("JSON");
+    let mut all = Vec::new();
+    shares(&json["samples"][0]["ray"], &mut all);
+    assert!(all.len() > 10, "rays of the tree: {}", all.len());
+    for percent in ["0", "1", "5", "60", "99"] {
+        let text = run_in(here, &[&pixel[..], &["--min-share", percent]].concat()).stdout;
+        let heads = text.lines().filter_map(|line| {
+            let (share, rest) = line.split_once(" %  ")?;
+            share.trim().parse::<f64>().ok().map(|share| (share, rest.trim_start()))
+        });
+        let (mut shown, mut counted) = (Vec::new(), 0);
+        for (share, rest) in heads {
+            let number = rest.split_whitespace().next().and_then(|word| word.parse::<usize>().ok());
+            let number = number.expect("a number of a ray, or of rays");
+            if rest.contains(" more ray") {
+                counted += number;
+            } else {
+                let off = (share - 100.0 * all[number]).abs();
+                assert!(
+                    off <= 0.051 * share + 1e-9,
+                    "ray {number}: {share} %, not {}",
+                    100.0 * all[number]
+                );
+                shown.push(number);
+            }
+        }
+        assert_eq!(
+            shown.len() + counted,
+            all.len(),
+            "rays shown and counted at {percent} %:\n{text}"
+        );
+        let least: f64 = percent.parse().expect("a number");
+        let expected = (0..all.len()).filter(|ray| 100.0 * all[*ray] >= least);
+        let missing: Vec<usize> = expected.filter(|ray| !shown.contains(ray)).collect();
+        assert_eq!(missing, [0_usize; 0], "rays of at least {percent} % that are not shown");
+        assert_eq!(counted == 0, percent == "0", "whether all are shown at {percent} %");
+    }
+}

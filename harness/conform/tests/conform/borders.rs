@@ -18,7 +18,12 @@ impl<F: FnMut(&Value) -> Value> Subject for Says<F> {
 type Law = fn(&mut Asking<'_>, &Value, Profile) -> Result<Judgement, Stop>;
 
 /// What a law says of a subject.
-fn judged(law: Law, case: &Value, profile: Profile, answer: impl FnMut(&Value) -> Value) -> Judgement {
+fn judged(
+    law: Law,
+    case: &Value,
+    profile: Profile,
+    answer: impl FnMut(&Value) -> Value,
+) -> Judgement {
     let mut subject = Says(answer);
     law(&mut Asking::new(&mut subject), case, profile).expect("everything is answered")
 }
@@ -40,7 +45,8 @@ fn holds(found: &Judgement, is_right: bool, what: &str) {
 /// polarisation. Oracle: sums on both sides of what is allowed.
 #[test]
 fn shares_are_held_to_one_by_both_profiles() {
-    let lobe = json!({"lobe": {"lobe": {"lambertian": {"reflectance": [1, 1, 1]}}, "wo": [0, 0, 1]}});
+    let lobe =
+        json!({"lobe": {"lobe": {"lambertian": {"reflectance": [1, 1, 1]}}, "wo": [0, 0, 1]}});
     let fresnel = json!({"fresnel": {"eta": 1.5, "cos_i": 0.5}});
     for (profile, error, is_right) in ERRORS {
         for channel in 0..3 {
@@ -62,7 +68,8 @@ fn shares_are_held_to_one_by_both_profiles() {
             }
         }
     }
-    let found = judged(laws::shares_add_up, &fresnel, Profile::Careful, |_| json!({"reflected": 0.5}));
+    let found =
+        judged(laws::shares_add_up, &fresnel, Profile::Careful, |_| json!({"reflected": 0.5}));
     holds(&found, true, "shares that are left out");
 }
 
@@ -84,7 +91,11 @@ fn reciprocity_is_held_in_each_channel() {
             };
             let found = judged(laws::reciprocity, &case, profile, answer);
             // back and there are divided by the largest of one of them
-            holds(&found, is_right, &format!("f off by {error:e} in channel {channel}, {profile:?}"));
+            holds(
+                &found,
+                is_right,
+                &format!("f off by {error:e} in channel {channel}, {profile:?}"),
+            );
         }
     }
 }
@@ -105,14 +116,30 @@ fn each_number_of_a_sample_is_held() {
         })
     };
     holds(&change("/none", 0.0, Profile::Careful), true, "our own sample");
-    for place in ["/sample/wi/0", "/sample/wi/1", "/sample/wi/2", "/sample/pdf", "/sample/weight/0", "/sample/weight/1", "/sample/weight/2", "/f/0", "/f/1", "/f/2", "/pdf"] {
+    for place in [
+        "/sample/wi/0",
+        "/sample/wi/1",
+        "/sample/wi/2",
+        "/sample/pdf",
+        "/sample/weight/0",
+        "/sample/weight/1",
+        "/sample/weight/2",
+        "/f/0",
+        "/f/1",
+        "/f/2",
+        "/pdf",
+    ] {
         for (profile, by, is_right) in [
             (Profile::Careful, 1e-10, false),
             (Profile::Careful, 1e-15, true),
             (Profile::Book, 1e-2, false),
             (Profile::Book, 1e-6, true),
         ] {
-            holds(&change(place, by, profile), is_right, &format!("{place} off by {by:e}, {profile:?}"));
+            holds(
+                &change(place, by, profile),
+                is_right,
+                &format!("{place} off by {by:e}, {profile:?}"),
+            );
         }
     }
 }
@@ -169,12 +196,20 @@ fn sets_are_held_to_their_strata() {
             judge(sampler, &json!([set, second]), 2)
         };
         for (what, change, is_right) in [
-            ("a point less", &(|set: &mut Vec<Vec<f64>>| drop(set.pop())) as &dyn Fn(&mut Vec<Vec<f64>>), false),
+            (
+                "a point less",
+                &(|set: &mut Vec<Vec<f64>>| drop(set.pop())) as &dyn Fn(&mut Vec<Vec<f64>>),
+                false,
+            ),
             ("a point more", &|set: &mut Vec<Vec<f64>>| set.push(vec![0.5, 0.5]), false),
             ("a number more", &|set: &mut Vec<Vec<f64>>| set[8].push(0.5), false),
             ("a number less", &|set: &mut Vec<Vec<f64>>| drop(set[8].pop()), false),
             ("x = 0", &|set: &mut Vec<Vec<f64>>| set[0][0] = 0.0, true),
-            ("y just below 1", &|set: &mut Vec<Vec<f64>>| set[8][1] = set[8][1].max(1.0 - f64::EPSILON / 2.0), is_free || sampler != "n_rooks"),
+            (
+                "y just below 1",
+                &|set: &mut Vec<Vec<f64>>| set[8][1] = set[8][1].max(1.0 - f64::EPSILON / 2.0),
+                is_free || sampler != "n_rooks",
+            ),
             ("x = 1", &|set: &mut Vec<Vec<f64>>| set[8][0] = 1.0, false),
             ("y = 1", &|set: &mut Vec<Vec<f64>>| set[8][1] = 1.0, false),
             ("x below 0", &|set: &mut Vec<Vec<f64>>| set[0][0] = -f64::MIN_POSITIVE, false),
@@ -195,7 +230,8 @@ fn sets_are_held_to_their_strata() {
 /// What the family of this name says of an answer.
 fn of_family(name: &str, question: &Value, answer: &Value, profile: Profile) -> Judgement {
     let all = suite::all();
-    let family = all.iter().find(|family| family.name == name).unwrap_or_else(|| panic!("no {name}"));
+    let family =
+        all.iter().find(|family| family.name == name).unwrap_or_else(|| panic!("no {name}"));
     match family.judge {
         Judge::Answer(judge) => judge(question, answer, profile),
         Judge::Law(_) => panic!("{name} is a law"),
@@ -212,21 +248,26 @@ fn answers_are_allowed_their_condition_and_no_more() {
     let steps: Vec<Value> = [4, -4, 4].map(|x| json!({"translate": [x, 0, 0]})).into();
     let transform = json!({"transform": {"steps": steps}});
     let names: Vec<String> = suite::all().into_iter().map(|it| it.name).collect();
-    let transforms =
-        names.iter().find(|it| it.starts_with("transform.") && !it.ends_with(".inverse")).expect("one");
+    let transforms = names
+        .iter()
+        .find(|it| it.starts_with("transform.") && !it.ends_with(".inverse"))
+        .expect("one");
     for (name, question, pointers, cond) in [
         ("lobe.lambertian.values", &lobe, &["/f/0", "/f/1", "/f/2", "/pdf"][..], 1.0),
         ("lobe.lambertian.values", &lobe, &["/albedo/1"], 3.0 * 0.75),
         (transforms, &transform, &["/matrix/0/3"], 12.0),
     ] {
-        for (profile, unit) in [(Profile::Careful, 100.0 * f64::EPSILON / 2.0), (Profile::Book, 1e-4)] {
+        for (profile, unit) in
+            [(Profile::Careful, 100.0 * f64::EPSILON / 2.0), (Profile::Book, 1e-4)]
+        {
             for pointer in pointers {
                 for (share, is_right) in [(-1.1, false), (-0.9, true), (0.9, true), (1.1, false)] {
                     let mut answer = ours(question).expect("an answer");
                     let slot = answer.pointer_mut(pointer).expect("it is there");
                     *slot = json!(slot.as_f64().expect("a number") + share * cond * unit);
                     let found = of_family(name, question, &answer, profile);
-                    let what = format!("{pointer} of {name} off by {share} of what {profile:?} allows");
+                    let what =
+                        format!("{pointer} of {name} off by {share} of what {profile:?} allows");
                     holds(&found, is_right, &what);
                 }
             }
@@ -285,7 +326,9 @@ fn a_convention_of_the_book_is_counted() {
     let all = suite::all();
     let family = all.iter().find(|family| family.name == word).expect("it is there");
     let cases = (family.cases)(7, 48);
-    let is_turned = |case: &&Value| ours(case).is_ok_and(|answer| turned(case, answer.clone())["normal"] != answer["normal"]);
+    let is_turned = |case: &&Value| {
+        ours(case).is_ok_and(|answer| turned(case, answer.clone())["normal"] != answer["normal"])
+    };
     let expected = cases.iter().filter(is_turned).count() as u64;
     assert!(expected > 3, "rays that meet a normal from behind: {expected}");
     let card = card_with(&mut Altered(turned), &[word], Profile::Book, 48, false);
@@ -293,7 +336,10 @@ fn a_convention_of_the_book_is_counted() {
     let found: Vec<u64> = row.conventions.iter().map(|it| it.1).collect();
     let undecided = row.count(Status::Undecided);
     assert_eq!(row.count(Status::Wrong), 0, "wrong answers by the book: {card}");
-    assert!(found.len() == 1 && found[0] <= expected && found[0] + undecided >= expected, "{found:?} by convention, not {expected}");
+    assert!(
+        found.len() == 1 && found[0] <= expected && found[0] + undecided >= expected,
+        "{found:?} by convention, not {expected}"
+    );
     let line = format!("{} of {} by a convention of the book", found[0], row.total());
     assert!(card.to_string().contains(&line), "no `{line}` in {card}");
     let card = card_with(&mut Altered(turned), &[word], Profile::Careful, 48, false);

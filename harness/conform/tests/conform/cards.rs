@@ -1,20 +1,18 @@
 //! What a card prints, counted anew: from cases whose outcomes are known, each number on each of its forms.
 
-use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use conform::card::{junit, page, told, verdict};
 use conform::family::{Family, Judge};
 use conform::{
-    Card, Fault, Invocation, Judgement, KnownFailures, Options, Profile, Reply, Row, Status,
-    Subject, run, suite,
+    Card, Fault, Invocation, Judgement, Options, Profile, Reply, Row, Status, Subject, run,
 };
 use exact::Draw;
 use serde_json::{Value, json};
 
 /// What becomes of a case, written into its question.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Outcome {
+pub enum Outcome {
     Right,
     Undecided,
     /// By both profiles.
@@ -87,10 +85,10 @@ impl Subject for Obedient {
 }
 
 /// A family, and what becomes of its cases.
-struct Plan {
-    name: String,
-    chapter: &'static str,
-    outcomes: Vec<(Outcome, f64)>,
+pub struct Plan {
+    pub name: String,
+    pub chapter: &'static str,
+    pub outcomes: Vec<(Outcome, f64)>,
 }
 
 impl Plan {
@@ -165,7 +163,7 @@ fn plans(draw: &mut Draw, families: usize) -> Vec<Plan> {
         .collect()
 }
 
-fn card(plans: &[Plan]) -> Option<Card> {
+pub fn card(plans: &[Plan]) -> Option<Card> {
     let families: Vec<Family> = plans.iter().map(Plan::family).collect();
     let interrupted = Arc::default();
     let options =
@@ -388,50 +386,4 @@ fn failures_stand_in_their_order() {
     // those of the last kind in the order of the suite
     assert_eq!(found[..4], expected[..4], "wrong and fair families in\n{text}");
     assert_eq!(found[4..], ["a.died", "d.refused", "g.ours"], "the rest in\n{text}");
-}
-
-/// Law: with a list of known failures, those that fail beside it are new, and those on it that were asked and did not fail have
-/// passed (docs/conform.md). Oracle: membership, for all lists of four families.
-#[test]
-fn known_failures_are_compared_one_by_one() {
-    let names: Vec<String> = suite::all().iter().take(4).map(|it| it.name.clone()).collect();
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("known");
-    for failing in 0..16_usize {
-        let has = |set: usize, i: usize| set >> i & 1 == 1;
-        let plans: Vec<Plan> = (0..4)
-            .map(|i| {
-                let outcome = if has(failing, i) { Outcome::Wrong } else { Outcome::Right };
-                // the last one has no cases, and is not asked
-                let outcomes = if i == 3 { Vec::new() } else { vec![(outcome, 200.0)] };
-                Plan { name: names[i].clone(), chapter: "ch03", outcomes }
-            })
-            .collect();
-        let card = card(&plans).expect("it answers");
-        let failed = |i: usize| i < 3 && has(failing, i);
-        let written: BTreeSet<String> =
-            KnownFailures::of(&card).to_string().lines().map(str::to_owned).collect();
-        let expected: BTreeSet<String> =
-            (0..4).filter(|i| failed(*i)).map(|i| names[i].clone()).collect();
-        assert_eq!(written, expected, "what failed, as a list");
-        for listed in 0..16 {
-            let lines =
-                (0..4).filter(|i| has(listed, *i)).map(|i| format!("{} # known\n", names[i]));
-            std::fs::write(&path, lines.collect::<String>()).expect("it is written");
-            let known = KnownFailures::read(&path).expect("families");
-            let all = |is: &dyn Fn(usize) -> bool| -> Vec<String> {
-                (0..4).filter(|i| is(*i)).map(|i| names[i].clone()).collect()
-            };
-            // new ones by name, as they are written; passed ones in the order of the card
-            let mut new = all(&|i| failed(i) && !has(listed, i));
-            new.sort();
-            let passed = all(&|i| i < 3 && !failed(i) && has(listed, i));
-            let found = known.compare(&card);
-            assert_eq!(
-                found,
-                (new, passed),
-                "new and passed: {failing:04b} fail, {listed:04b} listed"
-            );
-        }
-    }
 }

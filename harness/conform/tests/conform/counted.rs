@@ -251,3 +251,75 @@ fn an_interrupted_run_asks_no_more() {
         assert_eq!((card.is_whole, told), (false, 3), "whole, and families told");
     }
 }
+
+/// Law: a question that is made smaller keeps at least a quarter of the first error (docs/conform.md). Oracle: a program whose error
+/// is a tenth to a half of the first where the numbers are simple.
+#[test]
+fn a_smaller_question_keeps_a_quarter_of_its_error() {
+    let family =
+        || suite::all().into_iter().find(|it| it.name == "fresnel.cosine").expect("it is there");
+    for share in [0.02, 0.1, 0.2, 0.3, 0.5, 1.0] {
+        let error = |is_shrunk: bool| {
+            let mut subject = Heard::new(|question: &Value, _| {
+                let mut answer = conform::ours(question).expect("an answer");
+                let data = &question["fresnel"];
+                let is_simple = ["eta", "cos_i"].iter().any(|key| data[key].to_string().len() < 6);
+                let by = 1e-3 * if is_simple { share } else { 1.0 };
+                answer["reflected"] = json!(answer["reflected"].as_f64().expect("a number") + by);
+                Reply::Answer(answer)
+            });
+            let options = Options { shrink: is_shrunk, ..options(4) };
+            let card = run(&mut subject, &[family()], &options, &mut |_| ()).expect("it answers");
+            let failure = card.rows[0].failure.clone().expect("it is wrong");
+            (failure.wrong.error, failure.question.to_string().len())
+        };
+        let ((first, long), (smaller, short)) = (error(false), error(true));
+        let kept = smaller / first;
+        assert!(
+            kept >= 0.25,
+            "a smaller question keeps {kept} of its error, a simple one has {share}"
+        );
+        assert_eq!(
+            short < long,
+            share >= 0.25,
+            "{long} letters became {short}, a simple one has {share} of the error"
+        );
+    }
+}
+
+/// Law: at most 500 questions are asked to make one smaller (docs/conform.md). Oracle: a question of many numbers that is wrong only as it
+/// was asked first, and what the program hears.
+#[test]
+fn at_most_500_questions_make_one_smaller() {
+    let mut draw = exact::Draw::new(3);
+    let mut corner =
+        |from: f64| -> Vec<f64> { (0..3).map(|_| draw.between(from, from + 0.9)).collect() };
+    let boxes: Vec<Value> = (0..40)
+        .map(|i| json!({"min": corner(f64::from(i)), "max": corner(f64::from(i) + 1.0)}))
+        .collect();
+    let first = json!({"grid": {"boxes": boxes}});
+    let families = || {
+        let all = suite::all();
+        let mut family =
+            all.into_iter().find(|it| it.name == "grid.boxes.resolution").expect("one");
+        let first = first.clone();
+        family.cases = Box::new(move |_, n| vec![first.clone(); n.min(1)]);
+        [family]
+    };
+    let heard = |is_shrunk: bool| {
+        let mut subject = Heard::new(|question: &Value, _| {
+            let mut answer = conform::ours(question).expect("an answer");
+            if *question == first {
+                answer["resolution"] = json!([77, 77, 77]);
+            }
+            Reply::Answer(answer)
+        });
+        let options = Options { shrink: is_shrunk, ..options(1) };
+        let card = run(&mut subject, &families(), &options, &mut |_| ()).expect("it answers");
+        assert_eq!(card.rows[0].count(Status::Wrong), 1, "wrong answers: {card}");
+        subject.heard.len()
+    };
+    let more = heard(true) - heard(false);
+    // one of them asks whether the first is wrong by the book, too
+    assert!((500..=501).contains(&more), "questions to make one smaller: {more}, not 500");
+}

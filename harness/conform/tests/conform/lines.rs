@@ -68,7 +68,8 @@ fn a_line_has_an_id_and_one_reply() {
     let kinds = [("answer", "1"), ("error", "\"e\""), ("unsupported", "\"u\"")];
     for set in 0..8_usize {
         let some = kinds.iter().enumerate().filter(|(i, _)| set >> i & 1 == 1);
-        let fields: String = some.map(|(_, (key, value))| format!(", \"{key}\": {value}")).collect();
+        let fields: String =
+            some.map(|(_, (key, value))| format!(", \"{key}\": {value}")).collect();
         let line = format!("{{\"id\": 1{fields}}}");
         let expected = match set {
             1 => Some(Reply::Answer(json!(1))),

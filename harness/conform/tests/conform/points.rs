@@ -223,3 +223,57 @@ fn a_class_is_sorted_whatever_the_order() {
         assert_eq!(found, expected, "the rows after {} students", index + 1);
     }
 }
+
+/// Law: a hint says how many answers of how many were wrong, refused, late, missing, unreadable or not supported, each by its own
+/// number, and how many were not asked after that. Oracle: replies that are drawn, and counted here.
+#[test]
+fn hints_count_each_kind_of_reply() {
+    use conform::Fault;
+    type Kind = (&'static str, fn() -> Reply);
+    let kinds: [Kind; 6] = [
+        ("answers are wrong", || Reply::Answer(json!("wrong"))),
+        ("times your program answered that there is an error", || Reply::Refused("no".to_owned())),
+        ("questions were not supported", || Reply::Unsupported("no".to_owned())),
+        ("times there was no answer in time", || Reply::Fault(Fault::Hung("late".to_owned()))),
+        ("times your program ended", || Reply::Fault(Fault::Died("a crash".to_owned()))),
+        ("lines were no answer", || Reply::Fault(Fault::Garbled("a line".to_owned()))),
+    ];
+    struct Replies<F>(usize, F);
+    impl<F: FnMut(usize, &Value) -> Reply> Subject for Replies<F> {
+        fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+            let mut one = |question: &Value| {
+                self.0 += 1;
+                (self.1)(self.0, question)
+            };
+            questions.iter().map(&mut one).collect()
+        }
+    }
+    let text = "seed = 4815162342\ncases = 12\n[[part]]\nname = \"A\"\nask = [\"fresnel.cosine\"]\npoints = 10\n";
+    let table = read(text).expect("valid");
+    for index in 0..40 {
+        let mut draw = exact::Draw::case(77, index);
+        let mut faults = 0;
+        // the first question is the easy one, the second and third are the first round
+        let plan: Vec<Option<usize>> = (0..13)
+            .map(|at| {
+                let kind = draw.below(9);
+                let is_fault = (3..6).contains(&kind);
+                faults += usize::from(is_fault);
+                (at > 0 && kind < 6 && !(is_fault && faults > 2)).then_some(kind)
+            })
+            .collect();
+        let mut subject = Replies(0, |at: usize, question: &Value| match plan[at - 1] {
+            Some(kind) => kinds[kind].1(),
+            None => Reply::Answer(ours(question).expect("an answer")),
+        });
+        let grade = Grade::of(&mut subject, &table, Arc::default(), &mut |_| {});
+        let text = grade.text();
+        for (kind, (words, _)) in kinds.iter().enumerate() {
+            let count = plan.iter().filter(|it| **it == Some(kind)).count();
+            let said = format!("{count} of 12 {words}");
+            assert_eq!(text.contains(&said), count > 0, "whether `{said}` is in {text}");
+            assert!(count > 0 || !text.contains(words), "`{words}`, but there is none: {text}");
+        }
+        assert!(!text.contains("not asked"), "all cases were asked: {text}");
+    }
+}

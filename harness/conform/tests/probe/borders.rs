@@ -36,32 +36,105 @@ fn ranges() -> Vec<Range> {
     let seen = reply(&grid)["answer"]["resolution"].clone();
     let last: Vec<u64> = (0..3).map(|i| seen[i].as_u64().expect("a number") - 1).collect();
     vec![
-        (fresnel.clone(), "/fresnel/cos_i", vec![json!(0), json!(1)], vec![json!(-1e-300), json!(above)]),
+        (
+            fresnel.clone(),
+            "/fresnel/cos_i",
+            vec![json!(0), json!(1)],
+            vec![json!(-1e-300), json!(above)],
+        ),
         (fresnel, "/fresnel/eta", vec![json!(0.1), json!(1)], vec![json!(0), json!(-1.5)]),
-        (lobe.clone(), "/lobe/u", vec![json!([0, 0]), json!([below, below])], vec![json!([1, 0]), json!([0, 1]), json!([-1e-300, 0]), json!([0.5]), json!([0.5, 0.5, 0.5])]),
+        (
+            lobe.clone(),
+            "/lobe/u",
+            vec![json!([0, 0]), json!([below, below])],
+            vec![
+                json!([1, 0]),
+                json!([0, 1]),
+                json!([-1e-300, 0]),
+                json!([0.5]),
+                json!([0.5, 0.5, 0.5]),
+            ],
+        ),
         (lobe, "/lobe/wo", vec![json!([0, 0, 2])], vec![json!([0, 0, 0])]),
-        (camera.clone(), "/camera_ray/pixel", vec![json!([3, 2])], vec![json!([4, 2]), json!([3, 3]), json!([-1, 0])]),
-        (camera.clone(), "/camera_ray/place", vec![json!([0, 0]), json!([1, 1])], vec![json!([above, 0]), json!([0, above]), json!([0, -1e-300])]),
-        (camera, "/camera_ray/lens", vec![json!([1, 0]), json!([0, -1]), json!([0.6, 0.8])], vec![json!([above, 0]), json!([0.8, 0.7])]),
+        (
+            camera.clone(),
+            "/camera_ray/pixel",
+            vec![json!([3, 2])],
+            vec![json!([4, 2]), json!([3, 3]), json!([-1, 0])],
+        ),
+        (
+            camera.clone(),
+            "/camera_ray/place",
+            vec![json!([0, 0]), json!([1, 1])],
+            vec![json!([above, 0]), json!([0, above]), json!([0, -1e-300])],
+        ),
+        (
+            camera,
+            "/camera_ray/lens",
+            vec![json!([1, 0]), json!([0, -1]), json!([0.6, 0.8])],
+            vec![json!([above, 0]), json!([0.8, 0.7])],
+        ),
         (samples.clone(), "/samples/n", vec![json!(1), json!(16384)], vec![json!(0), json!(16385)]),
         // 16384 points in all, and 83 sets
         (samples.clone(), "/samples/sets", vec![json!(1), json!(83)], vec![json!(0), json!(84)]),
-        (with(samples, "/samples/n", json!(8192)), "/samples/sets", vec![json!(1), json!(2)], vec![json!(0), json!(3)]),
-        (map.clone(), "/map/to/hemisphere/exponent", vec![json!(0), json!(0.5)], vec![json!(-1e-9)]),
+        (
+            with(samples, "/samples/n", json!(8192)),
+            "/samples/sets",
+            vec![json!(1), json!(2)],
+            vec![json!(0), json!(3)],
+        ),
+        (
+            map.clone(),
+            "/map/to/hemisphere/exponent",
+            vec![json!(0), json!(0.5)],
+            vec![json!(-1e-9)],
+        ),
         (map, "/map/u", vec![json!([0, below])], vec![json!([0, 1]), json!([1, 0])]),
-        (intersect.clone(), "/intersect/span", vec![json!([0, 1e-300]), json!(["-inf", "inf"])], vec![json!([0, 0]), json!([1, 0]), json!(["inf", "inf"]), json!([0, "nan"])]),
-        (intersect.clone(), "/intersect/ray/direction", vec![json!([0, 0, -1e100]), json!([1e-100, 0, 0])], vec![json!([0, 0, -1.1e100]), json!([0.9e-100, 0, 0]), json!([0, 0, 0])]),
+        (
+            intersect.clone(),
+            "/intersect/span",
+            vec![json!([0, 1e-300]), json!(["-inf", "inf"])],
+            vec![json!([0, 0]), json!([1, 0]), json!(["inf", "inf"]), json!([0, "nan"])],
+        ),
+        (
+            intersect.clone(),
+            "/intersect/ray/direction",
+            vec![json!([0, 0, -1e100]), json!([1e-100, 0, 0])],
+            vec![json!([0, 0, -1.1e100]), json!([0.9e-100, 0, 0]), json!([0, 0, 0])],
+        ),
         (intersect, "/intersect/shape/sphere/radius", vec![json!(1e-3)], vec![json!(0), json!(-1)]),
-        (radiance.clone(), "/radiance/replicas", vec![json!(1), json!(1024)], vec![json!(0), json!(1025)]),
-        (radiance.clone(), "/radiance/pixel", vec![json!([3, 2])], vec![json!([4, 2]), json!([3, 3])]),
+        (
+            radiance.clone(),
+            "/radiance/replicas",
+            vec![json!(1), json!(1024)],
+            vec![json!(0), json!(1025)],
+        ),
+        (
+            radiance.clone(),
+            "/radiance/pixel",
+            vec![json!([3, 2])],
+            vec![json!([4, 2]), json!([3, 3])],
+        ),
         (radiance, "/radiance/samples", vec![json!(1)], vec![json!(0)]),
-        (grid.clone(), "/grid/cell", vec![json!(last)], (0..3).map(|i| {
-            let mut beyond = last.clone();
-            beyond[i] += 1;
-            json!(beyond)
-        }).collect()),
+        (
+            grid.clone(),
+            "/grid/cell",
+            vec![json!(last)],
+            (0..3)
+                .map(|i| {
+                    let mut beyond = last.clone();
+                    beyond[i] += 1;
+                    json!(beyond)
+                })
+                .collect(),
+        ),
         (grid.clone(), "/grid/multiplier", vec![json!(1e-3)], vec![json!(0), json!(-1)]),
-        (grid, "/grid/boxes/1/max", vec![json!([3, 3, 3])], vec![json!([2.9, 4, 4]), json!([4, 4, 2.9])]),
+        (
+            grid,
+            "/grid/boxes/1/max",
+            vec![json!([3, 3, 3])],
+            vec![json!([2.9, 4, 4]), json!([4, 4, 2.9])],
+        ),
     ]
 }
 

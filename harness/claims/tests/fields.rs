@@ -1,0 +1,243 @@
+//! Answers of other types, and answers that are off by a little.
+
+use claims::listed;
+use conform::{Reply, Subject, numbers};
+use serde_json::{Value, json};
+
+use super::counted::{Lambert, card, data, first};
+
+/// Multiplies all numbers of a field by this.
+fn scaled(mut answer: Value, pointer: &str, by: f64) -> Value {
+    fn all(value: &mut Value, by: f64) {
+        match value {
+            Value::Array(items) => items.iter_mut().for_each(|item| all(item, by)),
+            other => *other = json!(other.as_f64().map(|x| x * by)),
+        }
+    }
+    match &mut answer {
+        // samples
+        Value::Array(items) => {
+            items.iter_mut().filter_map(|it| it.get_mut(pointer)).for_each(|it| all(it, by))
+        }
+        other => {
+            if let Some(value) = other.get_mut(pointer) {
+                all(value, by);
+            }
+        }
+    }
+    answer
+}
+
+/// Law: in double precision, weights, densities of samples and directions that are off by 10⁻⁶ break their law, and such that are
+/// off by 10⁻¹⁵ do not; a claim of `float` allows 10⁻⁷, and not 10⁻². Oracle: what was planted; directions are moved by the square
+/// root of the rounding to find how much a value depends on them, so that nothing below 10⁻⁷ or 10⁻³ can be told.
+#[test]
+fn values_are_held_to_their_precision() {
+    for (question, field, law) in
+        [("sample", "weight", "weight"), ("sample", "pdf", "same pdf"), ("sample", "wi", "sides")]
+    {
+        for (is_float, by, is_broken) in
+            [(false, 1e-6, true), (false, 1e-15, false), (true, 1e-2, true), (true, 1e-7, false)]
+        {
+            let change = |asked: &Value, answer: Value| match asked.get(question) {
+                Some(_) => scaled(answer, field, 1.0 + by),
+                None => answer,
+            };
+            let mut subject = Lambert::new(json!({"float": is_float}), json!({}), change);
+            let found = card(&mut subject, 2);
+            // a law that is broken may break others with it; it is the first
+            let expected = is_broken.then_some(law);
+            assert_eq!(
+                first(&found),
+                expected,
+                "{field} off by {by:e}, float: {is_float}\n{found}"
+            );
+        }
+    }
+    // one of both directions of a lobe that claims to be reciprocal, or to be isotropic
+    for (claims, law, by) in [
+        (json!({"reciprocal": true}), "reciprocal", (|wo| wo[2]) as fn([f64; 3]) -> f64),
+        (json!({"isotropic": true}), "turned", |wo| wo[0]),
+    ] {
+        for (size, channel, is_broken) in
+            [(1e-6, 0, true), (1e-6, 1, true), (1e-6, 2, true), (1e-17, 0, false)]
+        {
+            let change = |asked: &Value, mut answer: Value| {
+                let wo = numbers(&data(asked)["wo"]).expect("a direction");
+                let factor = 1.0 + size * by([wo[0], wo[1], wo[2]]);
+                let mut scale = |value: &mut Value| {
+                    value[channel] = json!(value[channel].as_f64().map(|x| x * factor));
+                };
+                // the weight follows, so that no other law is broken
+                match answer.get_mut("f") {
+                    Some(f) => f.as_array_mut().into_iter().flatten().for_each(scale),
+                    None => {
+                        let samples = answer.as_array_mut().into_iter().flatten();
+                        samples.filter_map(|it| it.get_mut("weight")).for_each(&mut scale);
+                    }
+                }
+                answer
+            };
+            let mut subject = Lambert::new(claims.clone(), json!({}), change);
+            let found = card(&mut subject, 2);
+            assert_eq!(first(&found), is_broken.then_some(law), "off by {size:e}\n{found}");
+        }
+    }
+}
+
+/// Law: a field of another type, one that is missing, a list that is shorter or longer, and numbers that are none are never taken for an
+/// answer: the lobe fails, by a law or for want of an answer. Oracle: a right answer, altered in each place.
+#[test]
+fn each_field_of_an_answer_is_needed() {
+    type Change = fn(&Value) -> Value;
+    let changes: [(&str, Change); 9] = [
+        ("null", |_| Value::Null),
+        ("text", |_| json!("yes")),
+        ("a truth value", |_| json!(true)),
+        ("an object", |_| json!({})),
+        ("an empty list", |_| json!([])),
+        ("NaN", |_| json!("nan")),
+        ("infinite", |_| json!("inf")),
+        ("negative", |value| match value {
+            Value::Number(_) => json!(-1.0),
+            _ => json!([-1.0, -1.0, -1.0]),
+        }),
+        ("one more", |value| match value {
+            Value::Array(items) => items.iter().chain(items.last()).cloned().collect(),
+            other => json!([other, other]),
+        }),
+    ];
+    let places = [
+        ("eval", ""),
+        ("eval", "/f"),
+        ("eval", "/f/0"),
+        ("eval", "/f/0/1"),
+        ("eval", "/pdf"),
+        ("eval", "/pdf/0"),
+        ("sample", ""),
+        ("sample", "/0"),
+        ("sample", "/0/wi"),
+        ("sample", "/0/wi/2"),
+        ("sample", "/0/weight"),
+        ("sample", "/0/weight/1"),
+        ("sample", "/0/pdf"),
+    ];
+    for (question, path) in places {
+        for (what, by) in &changes {
+            // a sample may scatter nothing, and have no density; a colour may be one number for all channels
+            let is_none = *what == "null" && ["/0", "/0/pdf"].contains(&path);
+            let change = |asked: &Value, mut answer: Value| {
+                if asked.get(question).is_some() {
+                    let slot = answer.pointer_mut(path).expect("it is there");
+                    let after = by(slot);
+                    *slot = after;
+                }
+                answer
+            };
+            if is_none {
+                continue;
+            }
+            let mut subject = Lambert::new(json!({}), json!({}), change);
+            let found = card(&mut subject, 1);
+            assert!(found.is_failed(), "{question}{path} is {what}, and nothing fails\n{found}");
+        }
+    }
+    for (question, field) in
+        [("eval", "f"), ("eval", "pdf"), ("sample", "wi"), ("sample", "weight")]
+    {
+        let change = |asked: &Value, mut answer: Value| {
+            if asked.get(question).is_some() {
+                match &mut answer {
+                    Value::Array(items) => {
+                        items[0].as_object_mut().map(|fields| fields.remove(field));
+                    }
+                    other => {
+                        other.as_object_mut().map(|fields| fields.remove(field));
+                    }
+                }
+            }
+            answer
+        };
+        let found = card(&mut Lambert::new(json!({}), json!({}), change), 1);
+        assert!(found.is_failed(), "{field} of {question} is missing, and nothing fails\n{found}");
+    }
+}
+
+/// Law: what a program lists is refused at the borders of what it may say, and taken at them. Oracle: both sides of each border.
+#[test]
+fn lists_are_taken_at_their_borders() {
+    let lobe = |parameters: Value, claims: Value| json!([{"name": "a", "parameters": parameters, "claims": claims}]);
+    let light = |points: Value| json!([{"name": "a", "kind": "light", "points": points}]);
+    let map = |claims: Value| json!([{"name": "a", "kind": "map", "claims": claims}]);
+    for (list, is_taken) in [
+        (lobe(json!({"x": [1, 1]}), json!({})), true),
+        (lobe(json!({"x": [1, 0.999]}), json!({})), false),
+        (lobe(json!({"x": {"one_of": [1]}}), json!({})), true),
+        (lobe(json!({"n": [0.001, 2]}), json!({"eta": "n"})), true),
+        (lobe(json!({"n": [0, 2]}), json!({"eta": "n"})), false),
+        (lobe(json!({"n": 1.5}), json!({"eta": "n"})), true),
+        (lobe(json!({"n": 0}), json!({"eta": "n"})), false),
+        (lobe(json!({}), json!({"eta": 0.001})), true),
+        (lobe(json!({}), json!({"eta": -1.5})), false),
+        (lobe(json!({}), json!({"two_sided": true})), false),
+        (lobe(json!({}), json!({"infinite": true})), false),
+        (lobe(json!({}), json!({"sampling": "area"})), false),
+        (lobe(json!({}), json!({"domain": "disk"})), false),
+        (lobe(json!({}), json!({"invertible": true})), false),
+        (lobe(json!({}), json!({"stratified": true})), false),
+        (light(json!([[0, 0, 0], [0, 0, 0]])), true),
+        (light(json!([[0, 0, 1], [1, 1, 0.5]])), false),
+        (light(json!([[0, 0.1, 0], [1, 0, 0.5]])), false),
+        (light(json!(null)), false),
+        (map(json!({"domain": "disk"})), true),
+        (map(json!({})), false),
+        (map(json!({"domain": "disk", "two_sided": true})), false),
+    ] {
+        let mut subject = Lambert::new(json!({}), json!({}), |_, answer| answer);
+        struct Lists<'a>(&'a Value);
+        impl Subject for Lists<'_> {
+            fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+                questions.iter().map(|_| Reply::Answer(self.0.clone())).collect()
+            }
+        }
+        let found = listed(&mut Lists(&list)).map(|all| all.len());
+        assert_eq!(found.is_ok(), is_taken, "{list}: {found:?}");
+        assert!(listed(&mut subject).is_ok(), "a right list");
+    }
+}
+
+/// Moves the points of a map out of its middle.
+struct Wider(super::squares::Squares, f64);
+
+impl Subject for Wider {
+    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+        let replies = self.0.ask(questions);
+        let moved = |(question, reply): (&Value, Reply)| match (question.get("map"), reply) {
+            (Some(_), Reply::Answer(Value::Array(points))) => {
+                let point = |x: &Value| {
+                    numbers(x).expect("a point").iter().map(|x| x * self.1).collect::<Value>()
+                };
+                Reply::Answer(points.iter().map(point).collect())
+            }
+            (_, reply) => reply,
+        };
+        questions.iter().zip(replies).map(moved).collect()
+    }
+}
+
+/// Law: points of a map lie in its domain to rounding, also those of the corners of the square. Oracle: a disk and a sphere that are
+/// larger by 10⁻⁶, and by less than the rounding.
+#[test]
+fn points_lie_in_their_domain_to_rounding() {
+    for map in ["disk", "sphere"] {
+        for (by, expected) in [(1e-6, Some("inside")), (1e-15, None)] {
+            let of = super::squares::Squares::new(
+                if map == "disk" { &["disk"] } else { &["sphere"] },
+                "",
+                false,
+            );
+            let found = card(&mut Wider(of, 1.0 + by), 1);
+            assert_eq!(first(&found), expected, "a {map} larger by {by:e}\n{found}");
+        }
+    }
+}
