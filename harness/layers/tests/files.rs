@@ -130,7 +130,7 @@ fn what_is_too_bright_is_stored_as_the_largest_number() {
         shape.plane = { point = [0, 0, 0], normal = [0, 0, 1] }\n";
     let (_, world) = groundtruth::world::from_toml(text, "here.toml".as_ref()).expect("valid");
     let (films, _) = films(&world, whole(&world));
-    let (_, channels, _) = contents(&films.encode(&world, &made()).expect("encoded"));
+    let (_, channels, _) = contents(&films.encode(&world, Vec::new(), &made()).expect("encoded"));
     for (name, expected) in [("R", f32::MAX), ("G", f32::MAX), ("B", 1.0)] {
         assert_eq!(channel(&channels, name), [expected], "the channel {name}");
         let emission = channel(&channels, &format!("emission.{name}"));

@@ -13,7 +13,7 @@ fn entries_are_numbered_and_said_to_be_off() {
     let mut scene = groundtruth::scene::Scene { ..scene };
     while scene.lights.len() < 4 {
         let mut light = scene.lights[scene.lights.len() - 1].clone();
-        light.name = format!("light {}", scene.lights.len()).into();
+        light.name = format!("light {}", scene.lights.len());
         scene.lights.push(light);
     }
     scene.lights.iter_mut().enumerate().for_each(|(i, it)| it.enabled = i % 2 == 0);

@@ -25,7 +25,7 @@ fn is_said(target: Target, scene: &Scene) -> Result<(), String> {
 fn an_exposure_brings_the_brightest_between_a_quarter_and_a_half() {
     for exponent in -40..40 {
         for beside in [1.0 - f64::EPSILON, 1.0, 1.0 + f64::EPSILON, 1.5] {
-            let brightest = beside * 2.0_f64.powi(exponent);
+            let brightest = beside * groundtruth::math::power_of_two(exponent);
             for channel in 0..3 {
                 let mut film = Film::new(3, 2);
                 let mut color = [0.25 * brightest; 3];

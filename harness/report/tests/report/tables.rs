@@ -82,7 +82,7 @@ fn optional(value: &Value) -> Option<f64> {
 fn numbers_are_printed_to_two_digits() {
     for exponent in -12..13 {
         for digits in [1.0, 1.04, 1.06, 2.5, 4.44, 9.4, 9.6, 9.949, 9.96, 9.9999] {
-            let x = digits * 10_f64.powi(exponent);
+            let x = digits * format!("1e{exponent}").parse::<f64>().expect("a number");
             shows(&short(x), Some(x), &format!("{x}"));
             shows(&short(-x), Some(-x), &format!("{}", -x));
             let printed = time(x);
