@@ -42,6 +42,9 @@ enum What {
         /// Only those whose name holds this text.
         #[arg(long, default_value = "")]
         only: String,
+        /// A change is given up when the tests that it passed take this many seconds together, without the change.
+        #[arg(long, default_value_t = f64::INFINITY)]
+        budget: f64,
         /// Mutants too, drawn from this list, which `cargo mutants --list --json` printed.
         #[arg(long)]
         mutants: Option<PathBuf>,
@@ -80,7 +83,7 @@ fn main() -> Result<()> {
     ensure!(root.join("power/planted").is_dir(), "run this in the root of the repository");
     let folder = root.join(&arguments.folder);
     match arguments.what {
-        What::Run { part, only, mutants, of, seed } => {
+        What::Run { part, only, budget, mutants, of, seed } => {
             let mut asked = Vec::new();
             for it in planted::read(&root.join("power/planted"))? {
                 let kind = if it.law.is_some() { Kind::Planted } else { Kind::Decoy };
@@ -98,7 +101,7 @@ fn main() -> Result<()> {
                     law: None,
                 }));
             }
-            measure(&root, &folder, &asked, &part, &only)
+            measure(&root, &folder, &asked, &part, &only, budget)
         }
         What::Check => {
             let all = planted::read(&root.join("power/planted"))?;
@@ -120,7 +123,14 @@ fn main() -> Result<()> {
 }
 
 /// Asks for each change of the part, writes a file a change, and prints the table of all that are there.
-fn measure(root: &Path, folder: &Path, asked: &[Asked], part: &str, only: &str) -> Result<()> {
+fn measure(
+    root: &Path,
+    folder: &Path,
+    asked: &[Asked],
+    part: &str,
+    only: &str,
+    budget: f64,
+) -> Result<()> {
     let (k, n) = part.split_once('/').with_context(|| format!("{part} is no part, as 2/8"))?;
     let (k, n): (usize, usize) = (k.parse()?, n.parse()?);
     ensure!(1 <= k && k <= n, "{part} is no part: the first number is from 1 to the second");
@@ -144,7 +154,7 @@ fn measure(root: &Path, folder: &Path, asked: &[Asked], part: &str, only: &str) 
         if file.exists() {
             return Ok(());
         }
-        let row = ask(&asked[index], index, &known.tests, &texts)?;
+        let row = ask(&asked[index], index, &known.tests, &texts, budget)?;
         let by = row.law.as_ref().or(row.text.as_ref()).map_or("nothing", String::as_str);
         println!("{}: {by}", row.name);
         std::fs::write(&file, serde_json::to_vec_pretty(&row)?)?;
@@ -192,7 +202,7 @@ fn known(root: &Path, folder: &Path, asked: &[Asked]) -> Result<Known> {
 }
 
 /// Runs the tests that reach a change: the expected law, then the other laws, quick ones first, then goldens and texts.
-fn ask(asked: &Asked, index: usize, tests: &[Test], texts: &[&str]) -> Result<Row> {
+fn ask(asked: &Asked, index: usize, tests: &[Test], texts: &[&str], budget: f64) -> Result<Row> {
     let number = index + 1;
     let mut reaching: Vec<&Test> = tests.iter().filter(|it| it.reached.contains(&number)).collect();
     let is_text = |test: &Test| texts.iter().any(|it| test.name.contains(it));
@@ -211,8 +221,15 @@ fn ask(asked: &Asked, index: usize, tests: &[Test], texts: &[&str]) -> Result<Ro
         expected: asked.law.as_ref().map(|_| false),
         text: None,
         message: None,
+        given_up: false,
     };
+    let mut seconds = 0.0;
     for test in reaching {
+        seconds += test.seconds;
+        if seconds > budget {
+            row.given_up = true;
+            break;
+        }
         let End::Failed(message) = test.with(number)? else { continue };
         if is_text(test) {
             row.text = Some(test.name.clone());

@@ -36,6 +36,9 @@ pub struct Row {
     pub text: Option<String>,
     /// What that test said first.
     pub message: Option<String>,
+    /// Whether tests are left that were not tried.
+    #[serde(default)]
+    pub given_up: bool,
 }
 
 /// The package of a file: what is above `src`, or the first folder of the tracer in it.
@@ -124,8 +127,8 @@ fn table(rows: &[&Row]) -> String {
     );
     let _ = writeln!(out, "\nNot found by a law:\n");
     for row in rows.iter().filter(|it| it.law.is_none()) {
-        let by =
-            row.text.as_ref().map_or_else(|| "nothing".to_owned(), |it| format!("`{it}` alone"));
+        let by = row.text.as_ref().map(|it| format!("`{it}` alone"));
+        let by = by.unwrap_or_else(|| if row.given_up { "given up" } else { "nothing" }.to_owned());
         let _ = writeln!(out, "- {}: {by}, of {} tests that reach it", row.name, row.reached);
     }
     out
