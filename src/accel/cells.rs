@@ -36,15 +36,12 @@ impl Cells {
         self.grid.cell(x + nx * (y + ny * z))
     }
 
-    /// The cells that the ray visits in the span if it hits nothing, in order; `None` for a ray from so
-    /// far away that every object is tested instead.
-    pub fn visited(&self, ray: &Ray, span: Span) -> Option<Vec<[usize; 3]>> {
+    /// The cells that the ray visits if it hits nothing, in order; `None` for a ray from so far away that every object is
+    /// tested instead.
+    pub fn visited(&self, ray: &Ray) -> Option<Vec<[usize; 3]>> {
         let [nx, ny, _] = self.resolution();
         let indices = |cell: usize| [cell % nx, cell / nx % ny, cell / nx / ny];
-        let walk = self.grid.walk(ray, span)?;
-        // the last cell is the first one that the ray leaves beyond the span
-        let last = walk.iter().position(|(_, leaves)| span.max < *leaves);
-        let visited = walk.into_iter().take(last.map_or(usize::MAX, |last| last + 1));
-        Some(visited.map(|(cell, _)| indices(cell)).collect())
+        let walk = self.grid.walk(ray, Span::AHEAD)?;
+        Some(walk.into_iter().map(|(cell, _)| indices(cell)).collect())
     }
 }

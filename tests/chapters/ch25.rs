@@ -309,4 +309,22 @@ fn exponents_beyond_the_rounding_of_directions_are_refused() {
     assert!(world(1e15).is_ok());
     let error = world(1e19).expect_err("too large").to_string();
     assert!(error.contains("exponent: found 1e19, but at most 1e15 fits"), "{error}");
+    // each material with an exponent
+    for exponent in [1e15, 1e15_f64.next_up(), -1e-300, f64::NAN] {
+        let phong = Phong { exponent: exponent.into(), ..Phong::default() };
+        let (kr, cr, kt) = (0.1.into(), Rgb::WHITE.into(), 0.5.into());
+        let reflective = Reflective { phong: phong.clone(), kr, cr };
+        let (kr, cr) = (0.1.into(), Rgb::WHITE.into());
+        let transparent = Transparent { phong: phong.clone(), kr, cr, kt, eta: 1.5 };
+        let blurred =
+            GlossyReflector { phong: phong.clone(), ..glossy(0.8, 1.0, GlossyRule::Book) };
+        let recipes: [materials::Kind; 4] =
+            [phong.into(), reflective.into(), transparent.into(), blurred.into()];
+        for recipe in recipes {
+            let mut scene = deep_stage(Rgb::WHITE, 1);
+            put(&mut scene, floor(), recipe.clone());
+            let (found, expected) = (World::build(&scene).is_ok(), exponent == 1e15);
+            assert_eq!(found, expected, "whether the exponent {exponent:?} fits in {recipe:?}");
+        }
+    }
 }

@@ -2,9 +2,10 @@
 
 use std::sync::LazyLock;
 
+use groundtruth::images::{Drawn, Picture};
 use groundtruth::kinds::Resources;
 use groundtruth::math::floor;
-use groundtruth::textures::{Filtering, Image, Kind, Rule, Wrap};
+use groundtruth::textures::{Filtering, Image, Kind, Mapping, Rule, Wrap};
 use proptest::prelude::*;
 
 use super::{by_uv, image_file, linear, texel_by_uv};
@@ -275,4 +276,64 @@ proptest! {
             }
         }
     }
+}
+
+/// Law: where nothing is said, an image goes on as its mapping's table says: round about where it has a seam, and its border
+/// elsewhere; by the surface's own coordinates it is repeated. Oracle: the same image with these wraps said, at points
+/// near its four borders, where a bilinear look-up reads across them.
+#[test]
+fn what_is_not_said_of_a_wrap_is_that_of_the_mapping() {
+    let (file, _) = random_colors();
+    let (around, ends) = (Wrap::Repeat, Wrap::Clamp);
+    for (mapping, wraps) in [
+        (None, [around, around]),
+        (Some(Mapping::Cylindrical), [around, ends]),
+        (Some(Mapping::Spherical), [around, ends]),
+        (Some(Mapping::Hemispherical), [around, ends]),
+        (Some(Mapping::Square), [ends, ends]),
+        (Some(Mapping::LightProbe), [ends, ends]),
+        (Some(Mapping::Panoramic), [ends, ends]),
+    ] {
+        let filtered = filtered(&file, Filtering::Bilinear, Rule::Even);
+        let unsaid = Image { mapping, wrap_u: None, wrap_v: None, ..filtered };
+        let [wrap_u, wrap_v] = wraps.map(Some);
+        let said = Image { wrap_u, wrap_v, ..unsaid.clone() };
+        let [unsaid, said] = [unsaid, said].map(|image| super::texture(&image));
+        let mut random = Pcg32::new(29, 11);
+        for _ in 0..2_000 {
+            let mut near = |least: f64, most: f64| least + (most - least) * random.uniform();
+            // beside the poles, the horizon, the seam, the corners of a square
+            let point = match near(0.0, 4.0) as u32 {
+                0 => Point::new(
+                    near(-0.1, 0.1),
+                    if near(-1.0, 1.0) < 0.0 { -1.0 } else { 1.0 },
+                    near(-0.1, 0.1),
+                ),
+                1 => Point::new(near(-1.0, 1.0), near(-0.1, 0.1), near(-1.0, 1.0)),
+                2 => Point::new(near(-0.1, 0.1), near(-1.0, 1.0), near(-1.0, 1.0)),
+                _ => Point::new(near(-1.0, 1.0), near(-1.0, 1.0), near(-1.0, 1.0)),
+            };
+            let surface = Surface::new(point, 0.0, Normal::Y);
+            let at = TexturePoint::with_uv(&surface, [near(-0.2, 1.2), near(-0.2, 1.2)]);
+            let (found, expected) = (unsaid.color(&at), said.color(&at));
+            assert_eq!(
+                found, expected,
+                "{mapping:?} at {point:?}: the colour without a wrap, and with {wraps:?}"
+            );
+        }
+    }
+}
+
+/// Law: images that are drawn have at most 2^26 texels together; one more is refused before it is drawn. Oracle: the sum.
+#[test]
+fn drawn_images_together_are_not_too_large() {
+    let mut resources = Resources::default();
+    let mut build = |width, height| {
+        let drawn = Drawn { picture: Picture::Country, width, height };
+        Kind::from(Image::of_drawn(drawn, None)).build(&mut resources).map(|_| ())
+    };
+    assert_eq!(build(1, 1).map_err(|it| it.to_string()), Ok(()), "an image of one texel");
+    let error = build(1 << 13, 1 << 13).expect_err("one texel too many").to_string();
+    let expected = "67108865 texels, with the images before it, are too many; at most 67108864 fit";
+    assert!(error.contains(expected), "found {error:?}, expected {expected:?}");
 }

@@ -6,7 +6,7 @@ use super::limits;
 use super::numbers::{RayData, Triple, triple};
 use groundtruth::accel::Cells;
 use groundtruth::invalid::{Invalid, finite_point, positive, shown};
-use groundtruth::math::{Aabb, Point, Span, lists};
+use groundtruth::math::{Aabb, Point, lists};
 use groundtruth::shapes::{Context, Kind};
 
 #[derive(Deserialize)]
@@ -74,7 +74,7 @@ impl super::Question for Grid {
         };
         let look = |cell| Visited { cell, objects: objects(cell) };
         let visited = ray.map(|ray| {
-            let visited = cells.visited(&ray, Span::AHEAD);
+            let visited = cells.visited(&ray);
             visited.map(|visited| visited.into_iter().map(look).collect())
         });
         let resolution = cells.resolution();
