@@ -230,3 +230,49 @@ fn a_page_of_all_samples_has_the_tree_of_each() {
         assert_eq!(part.contains("<summary data-ray="), is_first);
     }
 }
+
+/// Law: the page lists each light and each lobe with its part of the pixel, and beside each ray stands a bar as long as its
+/// part of the sample. Oracle: parts divided here, in a pixel of several lights and lobes, and one of several rays.
+#[test]
+fn parts_are_those_of_the_pixel_and_of_the_sample() {
+    for (name, pixel) in [("ch15/set", [200, 180]), ("ch28/glass-sphere", [282, 244])] {
+        let (explanation, html) = of_gallery(name, pixel);
+        let whole = explanation.radiance.average();
+        assert!(whole > 0.0, "{name}: the pixel's radiance: found {whole}, expected more than 0");
+        let mut listed = 0;
+        for source in explanation.sources.lists().into_iter().flat_map(|(_, sources)| sources) {
+            let name = source.source.name().replace('"', "&quot;");
+            let rows =
+                html.lines().filter(|line| line.starts_with(&format!("<tr><td>{name}</td>")));
+            let shares: Vec<f64> = rows
+                .filter_map(|row| {
+                    let (_, share) = row.strip_suffix(" %</td></tr>")?.rsplit_once('>')?;
+                    share.trim_start_matches("&lt; ").parse().ok()
+                })
+                .collect();
+            let expected = 100.0 * source.mean.average() / whole;
+            // above a tenth whole numbers are printed
+            let is_listed = shares.iter().any(|share| (share - expected).abs() <= 0.51);
+            assert!(is_listed, "{name}: found the percentages {shares:?}, expected {expected}");
+            listed += 1;
+        }
+        assert!(listed >= 2, "{name}: sources: found {listed}, expected 2 or more");
+        let root = explanation.samples[0].ray.as_ref().expect("a ray");
+        for ray in root.rays() {
+            let (_, row) = html
+                .split_once(&format!(
+                    "data-ray=\"{}\"><span class=\"share\" style=\"--part:",
+                    ray.number
+                ))
+                .unwrap_or_else(|| panic!("ray {} has no bar", ray.number));
+            let found: f64 =
+                row.split('%').next().and_then(|it| it.parse().ok()).expect("a percentage");
+            let expected = 100.0 * ray.share;
+            assert!(
+                (found - expected).abs() <= 0.051,
+                "the bar of ray {}: found {found}, expected {expected}",
+                ray.number
+            );
+        }
+    }
+}

@@ -36,6 +36,10 @@ fn the_ends_of_ranges_are_taken_and_no_more() {
         ([&["explain", scene, "3,2"], small].concat(), true),
         ([&["explain", scene, "4,2"], small].concat(), false),
         ([&["explain", scene, "3,3"], small].concat(), false),
+        // 2^25 pixels, of which one is explained
+        (vec!["explain", scene, "8191,4095", "--size", "8192x4096"], true),
+        (vec!["explain", scene, "0,0", "--size", "1x33554433"], false),
+        (vec!["explain", scene, "0,0", "--size", "0x3"], false),
         (render(&["--samples", "0"]), false),
         (render(&["--samples", "1"]), true),
         (render(&["--threads", "0"]), false),
