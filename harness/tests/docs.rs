@@ -194,3 +194,52 @@ fn the_table_of_tests_is_whole() {
     }
     assert!(count >= 10, "{count} test programs: the search for them is broken");
 }
+
+/// The text of all files of tests below a folder, and the names of these files as modules.
+fn tests_below(folder: &Path) -> String {
+    let mut text = String::new();
+    for entry in fs::read_dir(folder).expect("a folder of tests") {
+        let path = entry.expect("readable").path();
+        if path.is_dir() {
+            text += &tests_below(&path);
+        } else if path.extension().is_some_and(|extension| extension == "rs") {
+            let module = path.file_stem().unwrap_or_default().to_string_lossy();
+            text += &format!("mod {module};\n{}", fs::read_to_string(&path).expect("text"));
+        }
+    }
+    text
+}
+
+/// Law: each law that the table of promises names is there. Oracle: the functions and modules of all tests.
+#[test]
+fn the_laws_of_the_table_of_promises_are_there() {
+    let harness = fs::read_dir(root().join("harness")).expect("a folder");
+    let folders = harness.map(|entry| entry.expect("readable").path().join("tests"));
+    let mut folders: Vec<PathBuf> = folders.filter(|folder| folder.is_dir()).collect();
+    folders.extend(["harness/tests", "inspector/tests", "tests"].map(|it| root().join(it)));
+    let tests: String = folders.iter().map(|folder| tests_below(folder)).collect();
+    let page = text_of("docs/power.md");
+    let (_, table) = page.split_once("| promise | law |").expect("the table of promises");
+    let mut named = 0;
+    for row in table.lines().skip(2).take_while(|line| line.starts_with('|')) {
+        let laws = row.split(" | ").nth(2).unwrap_or_else(|| panic!("no law in the row {row}"));
+        for law in laws.split('`').skip(1).step_by(2) {
+            let name = law.rsplit([' ', ':']).next().unwrap_or_default();
+            let (whole, begin) = (name.trim_end_matches('…'), name.ends_with('…'));
+            let kinds = ["fn ", "mod "].map(|kind| format!("{kind}{whole}"));
+            let is_there = kinds.iter().any(|text| {
+                tests.match_indices(text.as_str()).any(|(at, _)| {
+                    begin
+                        || !tests[at + text.len()..]
+                            .starts_with(|c: char| c == '_' || c.is_alphanumeric())
+                })
+            });
+            assert!(
+                is_there,
+                "the law {law}: found no such test or module, expected one of the row {row}"
+            );
+            named += 1;
+        }
+    }
+    assert!(named > 100, "laws named: found {named}, expected more than 100");
+}

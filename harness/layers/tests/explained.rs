@@ -201,6 +201,11 @@ fn layers_equal_explanations() {
     for (name, width, samples) in of_all_kinds {
         assert_eq!(check(name, &named(name, width, samples), 24), 24, "{name}");
     }
+    // a quarter of the time has a quarter of the light, and a sixteenth of its variance
+    let (mut scene, _) = named("ch18/rectangle", 12, 4);
+    scene.camera.exposure_time = 0.25;
+    let world = World::build(&scene).expect("valid");
+    assert_eq!(check("a quarter of the exposure time", &(scene, world), 24), 24, "pixels checked");
 }
 
 /// The same at 200 pixels of each scene of the gallery.

@@ -18,7 +18,7 @@ const ERRORS: &[(&[&str], &str)] = &[
         "error: no ray 7: the sample has 1, numbered from 0",
     ),
     (
-        &["explain", "ch16/shadows", "1,1", "-o", "a.html", "--all"],
+        &["explain", "ch16/shadows", "1,1", "-o", "a.svg", "--all"],
         "error: --all: the file shows one sample; choose it with --sample",
     ),
     (

@@ -131,7 +131,7 @@ fn what_is_copied_reproduces_the_pixel() {
     window.state_mut().selection.sample = 2;
     settle(&mut window);
     let page = copied(&mut window, "A page for a class");
-    assert!(page.contains("--sample 2") && page.contains("<p>Sample 2 of 4"), "{page}");
+    assert!(page.contains("--sample 2") && page.contains("shows sample 2 of 4"), "{page}");
     let numbers = copied(&mut window, "All numbers of the selected ray");
     assert!(numbers.contains("\nt\t") && numbers.contains("\nrelative η\t1.5\n"), "{numbers}");
 }

@@ -135,7 +135,8 @@ fn strips_start_anew_after_the_last_index_of_each_type() {
 }
 
 /// Law: texture coordinates of corners are those of the same mesh as OBJ; a corner of a face without any has those of its
-/// vertex, if the file gives vertices some, whatever other faces say there; and positions stay shared for smoothing. Oracle: the OBJ file, whose corners have an index of their own.
+/// vertex, if the file gives vertices some, whatever other faces say there, and so has a strip before the faces; positions stay
+/// shared for smoothing. Oracle: the OBJ file, whose corners have an index of their own.
 #[test]
 fn coordinates_of_corners_are_those_of_the_same_mesh_as_obj() {
     let mut random = SplitMix64(3);
@@ -145,6 +146,9 @@ fn coordinates_of_corners_are_those_of_the_same_mesh_as_obj() {
         let mut header = vec!["element vertex 5"];
         header.extend(["property double x", "property double y", "property double z"]);
         header.extend(of_vertices.iter().filter(|_| vertices_have_some));
+        let has_strip = round % 4 >= 2;
+        let strip = ["element tristrips 1", "property list uchar int vertex_indices"];
+        header.extend(strip.iter().filter(|_| has_strip));
         header.extend(["element face 5", "property list uchar int vertex_indices"]);
         header.push("property list uchar float texcoord");
         file.header(&header);
@@ -160,6 +164,16 @@ fn coordinates_of_corners_are_those_of_the_same_mesh_as_obj() {
             }
             file.end();
         }
+        let own = |corner: u32| match vertices_have_some {
+            true => format!(" {0}/{0}", corner + 1),
+            false => format!(" {}", corner + 1),
+        };
+        if has_strip {
+            file.u8(4).i32(0).i32(1).i32(2).i32(3).end();
+            for triangle in [[0, 1, 2], [2, 1, 3]] {
+                faces += &format!("f{}\n", triangle.map(own).concat());
+            }
+        }
         // the first face has coordinates, so that the mesh has some
         for (face, corners) in PYRAMID_FACES.into_iter().enumerate() {
             let has_uvs = face == 0 || random.below(3) > 0;
@@ -171,9 +185,7 @@ fn coordinates_of_corners_are_those_of_the_same_mesh_as_obj() {
             faces += "f";
             for corner in corners {
                 if !has_uvs {
-                    let own =
-                        if vertices_have_some { format!("/{}", corner + 1) } else { String::new() };
-                    faces += &format!(" {}{own}", corner + 1);
+                    faces += &own(corner);
                     continue;
                 }
                 let [u, v] = [0.5, 0.25].map(|step| step * random.below(3) as f64);
