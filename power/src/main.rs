@@ -45,6 +45,9 @@ enum What {
         /// A change is given up when the tests that it passed take this many seconds together, without the change.
         #[arg(long, default_value_t = f64::INFINITY)]
         budget: f64,
+        /// Test programs that are left out, as `report,window`: each of their tests takes long alone.
+        #[arg(long, value_delimiter = ',')]
+        without: Vec<String>,
         /// Mutants too, drawn from this list, which `cargo mutants --list --json` printed.
         #[arg(long)]
         mutants: Option<PathBuf>,
@@ -83,7 +86,7 @@ fn main() -> Result<()> {
     ensure!(root.join("power/planted").is_dir(), "run this in the root of the repository");
     let folder = root.join(&arguments.folder);
     match arguments.what {
-        What::Run { part, only, budget, mutants, of, seed } => {
+        What::Run { part, only, budget, without, mutants, of, seed } => {
             let mut asked = Vec::new();
             for it in planted::read(&root.join("power/planted"))? {
                 let kind = if it.law.is_some() { Kind::Planted } else { Kind::Decoy };
@@ -101,7 +104,8 @@ fn main() -> Result<()> {
                     law: None,
                 }));
             }
-            measure(&root, &folder, &asked, &part, &only, budget)
+            let known = known(&root, &folder, &asked, &without)?;
+            measure(&root, &folder, &asked, &known, &part, &only, budget)
         }
         What::Check => {
             let all = planted::read(&root.join("power/planted"))?;
@@ -127,6 +131,7 @@ fn measure(
     root: &Path,
     folder: &Path,
     asked: &[Asked],
+    known: &Known,
     part: &str,
     only: &str,
     budget: f64,
@@ -134,7 +139,6 @@ fn measure(
     let (k, n) = part.split_once('/').with_context(|| format!("{part} is no part, as 2/8"))?;
     let (k, n): (usize, usize) = (k.parse()?, n.parse()?);
     ensure!(1 <= k && k <= n, "{part} is no part: the first number is from 1 to the second");
-    let known = known(root, folder, asked)?;
     let texts = std::fs::read_to_string(root.join("power/texts"))?;
     let texts: Vec<&str> =
         texts.lines().filter(|it| !it.starts_with('#') && !it.is_empty()).collect();
@@ -165,7 +169,7 @@ fn measure(
 }
 
 /// The scratch copy and its tests, made anew when the commit or the changes are others.
-fn known(root: &Path, folder: &Path, asked: &[Asked]) -> Result<Known> {
+fn known(root: &Path, folder: &Path, asked: &[Asked], without: &[String]) -> Result<Known> {
     let git = |arguments: &[&str]| {
         std::process::Command::new("git").args(arguments).current_dir(root).output()
     };
@@ -178,7 +182,7 @@ fn known(root: &Path, folder: &Path, asked: &[Asked]) -> Result<Known> {
     let of = format!(
         "{} {:x}",
         String::from_utf8_lossy(&head.stdout).trim(),
-        xxhash_rust::xxh3::xxh3_64(format!("{changes:?}").as_bytes())
+        xxhash_rust::xxh3::xxh3_64(format!("{changes:?} {without:?}").as_bytes())
     );
     let file = folder.join("known.json");
     if let Ok(text) = std::fs::read(&file) {
@@ -190,7 +194,8 @@ fn known(root: &Path, folder: &Path, asked: &[Asked]) -> Result<Known> {
     std::fs::create_dir_all(folder)?;
     let tree = folder.join("tree");
     scratch::clone(root, &tree)?;
-    let built = scratch::build(&tree, &changes)?;
+    let mut built = scratch::build(&tree, &changes)?;
+    built.programs.retain(|program| !without.contains(&program.name));
     let tests = run::reach(&built.programs, &folder.join("reached"))?;
     let known = Known { of, refused: built.refused, tests };
     let found = folder.join("found");

@@ -185,7 +185,7 @@ fn coordinates_of_corners_are_those_of_the_same_mesh_as_obj() {
             faces += "f";
             for corner in corners {
                 if !has_uvs {
-                    faces += &own(corner);
+                    faces += &own(*corner);
                     continue;
                 }
                 let [u, v] = [0.5, 0.25].map(|step| step * random.below(3) as f64);
