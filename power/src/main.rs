@@ -39,7 +39,7 @@ enum What {
         /// Only this part, as 2/8: the second of eight.
         #[arg(default_value = "1/1")]
         part: String,
-        /// Only those whose name holds this text.
+        /// Only those whose name, or file, holds this text.
         #[arg(long, default_value = "")]
         only: String,
         /// A change is given up when the tests that it passed take this many seconds together, without the change.
@@ -145,7 +145,10 @@ fn measure(
     let found = folder.join("found");
     std::fs::create_dir_all(&found)?;
     let chosen: Vec<usize> = (0..asked.len())
-        .filter(|k| asked[*k].change.name.contains(only) && !known.refused.contains(k))
+        .filter(|k| {
+            (asked[*k].change.name.contains(only) || asked[*k].change.file.contains(only))
+                && !known.refused.contains(k)
+        })
         .collect();
     let chosen: Vec<usize> = chosen
         .into_iter()
