@@ -145,33 +145,46 @@ fn a_formula_is_written_in_the_books_letters() {
     assert!(formula.numbers().ends_with(" · 2"), "{}", formula.numbers());
 }
 
-/// Law: the numbers multiply to the term also where a reflectance lacks a channel, whichever. Oracle: as above.
+/// Law: the numbers multiply to the term also where a reflectance lacks a channel, whichever, for light from a lamp and along
+/// a path that was drawn, matte and shiny. Oracle: as above.
 #[test]
 fn a_channel_that_is_not_reflected_is_no_factor() {
     for cd in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.3, 0.6]] {
-        let mut scene = stage(Rgb::BLACK);
         let cd = Rgb::new(cd[0], cd[1], cd[2]);
-        let white = Matte { ka: 0.25.into(), kd: 0.75.into(), cd: cd.into() };
-        put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Z }, white);
-        shine(
-            &mut scene,
-            Directional { ls: 3.0, color: Rgb::WHITE, direction: Vector::new(1.0, 0.0, 1.0) },
-        );
-        let world = built(&scene);
-        let root =
-            explain::sample(&scene, &world, [0, 0], 0).ray.expect("the camera sees all its film");
-        let mut lit = 0;
-        for ray in root.rays() {
-            for term in &ray.terms {
-                let numbers = ray.formula(term).numbers();
-                let (found, expected) = (product(&numbers), term.value);
-                let off = (found + -1.0 * expected).map(f64::abs).max();
-                // NaN is not near
-                let is_near = off <= PRINTED * expected.max();
-                assert!(is_near, "{numbers}: found {found:?}, expected {expected:?}");
-                lit += usize::from(matches!(term.source, TermSource::Direct { .. }));
+        let matte = Matte { ka: 0.25.into(), kd: 0.75.into(), cd: cd.into() };
+        let shiny =
+            Phong { ks: 0.5.into(), cs: cd.into(), exponent: 3.0.into(), ..Phong::default() };
+        let depth = Depth { max_depth: 2 };
+        for (recipe, tracer) in [
+            (materials::Kind::from(matte.clone()), Tracer::Whitted(Whitted { max_depth: 1 })),
+            (matte.into(), Tracer::PathTrace(depth)),
+            (shiny.clone().into(), Tracer::Whitted(Whitted { max_depth: 1 })),
+            (shiny.into(), Tracer::PathTrace(depth)),
+        ] {
+            let mut scene = stage(Rgb::WHITE);
+            scene.tracer = tracer;
+            put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Z }, recipe);
+            let direction = Vector::new(0.2, 0.0, 1.0);
+            shine(&mut scene, Directional { ls: 3.0, color: Rgb::WHITE, direction });
+            let world = built(&scene);
+            let root = explain::sample(&scene, &world, [0, 0], 0).ray.expect("the camera sees all");
+            let mut scattered = 0;
+            for ray in root.rays() {
+                for term in &ray.terms {
+                    let numbers = ray.formula(term).numbers();
+                    let (found, expected) = (product(&numbers), term.value);
+                    let off = (found + -1.0 * expected).map(f64::abs).max();
+                    // NaN is not near
+                    let is_near = off <= PRINTED * expected.max();
+                    assert!(is_near, "{numbers}: found {found:?}, expected {expected:?}");
+                    let is_scattered = matches!(
+                        term.source,
+                        TermSource::Direct { .. } | TermSource::Traced { .. }
+                    );
+                    scattered += usize::from(is_scattered);
+                }
             }
+            above!(scattered, 0, "{tracer:?}, {cd:?}");
         }
-        assert!(lit > 0, "terms of the lobe: found none, expected one, of {cd:?}");
     }
 }
