@@ -116,6 +116,8 @@ impl Test {
             ])
             .current_dir(&self.folder)
             .env("CARGO_MANIFEST_DIR", &self.folder)
+            // a trace of calls is no message
+            .env("RUST_BACKTRACE", "0")
             .envs(variables.iter().copied())
             .stdin(Stdio::null())
             .output()
