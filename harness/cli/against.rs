@@ -18,9 +18,6 @@ use super::scene::SceneArguments;
 use super::watch::Watch;
 use super::{Exit, Outcome, announce, output, progress};
 
-/// As strict as `verify` is by default.
-const STRICTNESS: Strictness = Strictness { level: 0.01, first: 8 };
-
 /// The share of the differences that false colours show unclipped: one bright lamp must not hide the rest.
 const SHOWN: f64 = 0.9;
 
@@ -128,7 +125,7 @@ impl Request<'_> {
         theirs: &Picture,
     ) -> Result<Option<Found>, Box<dyn Error>> {
         let with_z = self.wanted != Wanted::Difference;
-        let pictures = if with_z { STRICTNESS.most() + 1 } else { 1 };
+        let pictures = if with_z { Strictness::USUAL.most() + 1 } else { 1 };
         announce::long_rendering(
             world,
             &printable::text(arguments.name()),
@@ -181,7 +178,7 @@ impl Request<'_> {
             folder: arguments.folder().unwrap_or(Path::new("")),
             is_interrupted: &|| watch.interrupted.load(Ordering::Relaxed),
             so_far: &|_| {},
-            strictness: STRICTNESS,
+            strictness: Strictness::USUAL,
             transfer: theirs.stated,
             tone: (scene.image.gamma, scene.image.out_of_gamut),
             seed,

@@ -60,10 +60,10 @@ pub struct Verify {
     #[arg(long, value_name = "SAMPLER", value_parser = super::scene::sampler, conflicts_with = "by")]
     their_sampler: Option<samplers::Kind>,
     /// The pictures of ours that are rendered at first; more follow while theirs is among the farthest out
-    #[arg(long, value_name = "R", default_value_t = 8, value_parser = whole::<u32>(3..=u32::MAX.into()))]
+    #[arg(long, value_name = "R", default_value_t = Strictness::USUAL.first as u32, value_parser = whole::<u32>(3..=u32::MAX.into()))]
     replicas: u32,
     /// The probability of calling a correct picture wrong; a wrong one is called so after 1/P − 1 of our pictures
-    #[arg(long, value_name = "P", default_value_t = 0.01, value_parser = level)]
+    #[arg(long, value_name = "P", default_value_t = Strictness::USUAL.level, value_parser = level)]
     level: f64,
     /// Hold all pictures against the mean of these sums of the scene, which `render --replicas` or `merge` wrote: it
     /// shows smaller differences of a picture with little noise. Ours have other seeds

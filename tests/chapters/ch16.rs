@@ -3,6 +3,7 @@
 mod acne;
 mod media;
 mod segments;
+mod way_out;
 
 use groundtruth::cameras;
 use groundtruth::lights::PointLight as Lamp;

@@ -21,9 +21,6 @@ use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
 use crate::scene::source::Source;
 
-/// The defaults of `groundtruth verify`.
-const STRICTNESS: Strictness = Strictness { level: 0.01, first: 8 };
-
 /// The side of a region's number over the picture, in points of the screen.
 const NUMBER: f32 = 16.0;
 
@@ -114,7 +111,7 @@ impl Question {
             folder: &folder,
             is_interrupted: &|| course.is_stopped(),
             so_far: &|judged| course.note(judged),
-            strictness: STRICTNESS,
+            strictness: Strictness::USUAL,
             transfer: theirs.stated,
             tone: (scene.image.gamma, scene.image.out_of_gamut),
             seed,

@@ -64,7 +64,7 @@ pub fn all(scene: &Scene) -> Vec<Change> {
     if let Ok(table) = table(scene) {
         table.iter().for_each(|(key, value)| collect(key.clone(), value, &mut fields));
     }
-    // names are no numbers to play with
+    // the name of a thing is not a value of it
     fields.retain(|field| field.path != "about" && !field.path.ends_with(".name"));
     fields
 }

@@ -149,6 +149,9 @@ fn pool(theirs: &[f32], subject: PoolContext<'_>, known: &[Vec<f32>]) -> Pool {
 }
 
 impl Strictness {
+    /// That of `verify`, if nothing else is said.
+    pub const USUAL: Self = Self { level: 0.01, first: 8 };
+
     /// The most replicas that can change the decision.
     pub fn most(self) -> usize {
         ((1.0 / self.level).ceil() as usize).max(self.first + 1) - 1
