@@ -102,8 +102,7 @@ pub fn write(
         // outer changes first
         numbers.sort_by_key(|&k| (changes[k].span.start, std::cmp::Reverse(changes[k].span.end)));
         let mut written = Written { text: &text, changes, out: String::new(), places: Vec::new() };
-        let rest = written.range(0..text.len(), &numbers)?;
-        ensure!(rest.is_empty(), "{file}: {} overlaps another change", changes[rest[0]].name);
+        written.range(0..text.len(), &numbers)?;
         std::fs::write(&path, &written.out)?;
         places.insert(file.to_owned(), written.places);
     }
@@ -118,16 +117,11 @@ struct Written<'a> {
 }
 
 impl Written<'_> {
-    /// Writes the bytes of a range with the changes in it; gives back the changes that reach beyond it.
-    fn range<'n>(&mut self, range: Range<usize>, mut numbers: &'n [usize]) -> Result<&'n [usize]> {
+    /// Writes the bytes of a range with the changes in it, outer ones first.
+    fn range(&mut self, range: Range<usize>, mut numbers: &[usize]) -> Result<()> {
         let mut at = range.start;
         while let [first, rest @ ..] = numbers {
             let change = &self.changes[*first];
-            if change.span.start >= range.end
-                && !(change.span.is_empty() && change.span.start == range.end)
-            {
-                break;
-            }
             ensure!(
                 change.span.start >= at && change.span.end <= range.end,
                 "{}: {} overlaps another change",
@@ -150,8 +144,7 @@ impl Written<'_> {
                 out: String::new(),
                 places: Vec::new(),
             };
-            let left = inner.range(change.span.clone(), &rest[..inside])?;
-            ensure!(left.is_empty(), "{}: {} overlaps another change", change.file, change.name);
+            inner.range(change.span.clone(), &rest[..inside])?;
             let whole = change.how.behind_switch(*first + 1, &inner.out);
             let shift = begin + whole.rfind(&inner.out).unwrap_or(0);
             self.out.push_str(&whole);
@@ -166,7 +159,7 @@ impl Written<'_> {
             numbers = &rest[inside..];
         }
         self.out.push_str(&self.text[at..range.end]);
-        Ok(numbers)
+        Ok(())
     }
 }
 

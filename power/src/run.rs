@@ -41,25 +41,9 @@ pub fn reach(programs: &[Program], notes: &Path) -> Result<Vec<Test>> {
     std::fs::create_dir_all(notes)?;
     let mut names: Vec<(&Program, String)> = Vec::new();
     for program in programs {
-        let listed =
-            Command::new(&program.path).arg("--list").current_dir(&program.folder).output();
-        let listed = listed.with_context(|| format!("{}", program.path.display()))?;
-        let text = String::from_utf8_lossy(&listed.stdout).into_owned();
-        names.extend(
-            text.lines().filter_map(|it| Some((program, it.strip_suffix(": test")?.to_owned()))),
-        );
-    }
-    let ignored = |program: &Program| -> Result<BTreeSet<String>> {
-        let listed = Command::new(&program.path)
-            .args(["--list", "--ignored"])
-            .current_dir(&program.folder)
-            .output()?;
-        let text = String::from_utf8_lossy(&listed.stdout).into_owned();
-        Ok(text.lines().filter_map(|it| it.strip_suffix(": test").map(str::to_owned)).collect())
-    };
-    for program in programs {
-        let left_out = ignored(program)?;
-        names.retain(|(of, name)| *of != program || !left_out.contains(name));
+        let ignored = listed(program, &["--list", "--ignored"])?;
+        let all = listed(program, &["--list"])?;
+        names.extend(all.difference(&ignored).map(|name| (program, name.clone())));
     }
     eprintln!("{} tests, each run once with nothing planted", names.len());
     let tests: Vec<Result<Option<Test>>> = names
@@ -70,6 +54,15 @@ pub fn reach(programs: &[Program], notes: &Path) -> Result<Vec<Test>> {
         })
         .collect();
     Ok(tests.into_iter().collect::<Result<Vec<_>>>()?.into_iter().flatten().collect())
+}
+
+/// The names of tests that a program lists.
+fn listed(program: &Program, arguments: &[&str]) -> Result<BTreeSet<String>> {
+    let mut command = Command::new(&program.path);
+    let output = command.args(arguments).current_dir(&program.folder).output();
+    let output = output.with_context(|| format!("{}", program.path.display()))?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    Ok(text.lines().filter_map(|it| it.strip_suffix(": test").map(str::to_owned)).collect())
 }
 
 fn first_run(program: &Program, name: &str, notes: &Path) -> Result<Option<Test>> {
