@@ -1,5 +1,5 @@
-//! Chance is judged for the whole card: by Holm's rule, and again with ten times the samples. Mirrors whose weights have just the
-//! probability that is wanted.
+//! Tests of chance are judged for the whole card: by Holm's rule, and again with ten times the samples. The subjects
+//! are mirrors whose weights have a chosen probability.
 
 use std::collections::BTreeMap;
 
@@ -22,7 +22,7 @@ fn weights(off: f64, count: usize) -> Vec<f64> {
     (0..count).map(|i| 1.0 + off + if i % 2 == 0 { SPREAD } else { -SPREAD }).collect()
 }
 
-/// How far the mean of the weights has to be from 1 for this probability, by halving.
+/// The distance of the mean of the weights from 1 that has this probability, by bisection.
 fn off_for(p: f64, count: usize) -> f64 {
     let (mut low, mut high) = (0.0, SPREAD);
     for _ in 0..100 {
@@ -88,8 +88,8 @@ fn broken(p: &[[f64; 2]]) -> (Vec<usize>, ClaimsCard) {
     ((0..p.len()).filter(is_broken).collect(), card)
 }
 
-/// Law: of m tests of chance the one of the k-th smallest probability is rejected if all before it are and it is at most 0.01/(m − k + 1)
-/// (Holm, 1979). Oracle: this rule, for probabilities just below and above each border.
+/// Law: of m tests of chance the one of the k-th smallest probability is rejected if all before it are and it is at
+/// most 0.01/(m − k + 1) (Holm, 1979). Oracle: this rule, for probabilities just below and above each border.
 #[test]
 fn chance_is_judged_by_holms_rule() {
     let (below, above) = (0.9, 1.1);
@@ -111,8 +111,8 @@ fn chance_is_judged_by_holms_rule() {
     }
 }
 
-/// Law: a law that chance may have broken is broken if ten times the samples are less probable than 0.01 over the number of tests, too.
-/// Oracle: probabilities on both sides of that.
+/// Law: a law that chance may have broken is broken if ten times the samples are less probable than 0.01 over the
+/// number of tests, too. Oracle: probabilities on both sides of that.
 #[test]
 fn what_is_asked_again_has_to_fail_again() {
     for (again, is_broken) in [(0.9 * LEVEL, true), (1.1 * LEVEL, false), (0.5, false)] {

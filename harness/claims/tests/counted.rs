@@ -1,4 +1,4 @@
-//! What is asked of a program, and what is counted of it: parameters, viewers, random numbers, and the numbers on each form of the
+//! Questions to a program, and counts of its answers: parameters, viewers, random numbers, and the numbers on each form of the
 //! card.
 
 use std::collections::BTreeMap;
@@ -29,7 +29,7 @@ impl<F: FnMut(&Value, Value) -> Value> Lambert<F> {
             return json!([{"name": "lambert", "claims": self.claims, "parameters": self.parameters}]);
         }
         self.heard.push(question.clone());
-        // what was altered may be asked for again
+        // a direction that `change` made no direction comes back in questions
         let vector = |w: &Value| -> [f64; 3] {
             numbers(w).and_then(|w| w.try_into().ok()).unwrap_or([0.0, 0.0, 1.0])
         };
@@ -80,9 +80,10 @@ pub fn data(question: &Value) -> &Value {
     question.as_object().and_then(|it| it.values().next()).expect("data")
 }
 
-/// Law: there are as many cases as asked for. The first has the low ends of all ranges and the first choice, the second the high ends; others lie
-/// between, with two digits; numbers stay. Viewers stand at 45°, 45°, 10°, 75° and 89° in the first five cases, the first at the
-/// azimuth 0, then anywhere below 88°, every second one below the surface if that is claimed (docs/laws.md). Oracle: these numbers, beside what was asked.
+/// Law (docs/laws.md): the first case has the low ends of all ranges and the first choice, the second the high ends; in others,
+/// values lie between, with two digits; numbers stay. The angle of the viewer is 45°, 45°, 10°, 75° and 89° in the first five
+/// cases, then anything below 88°; the first azimuth is 0; every second viewer is below the surface if that is claimed. Oracle:
+/// these numbers, and the questions.
 #[test]
 fn cases_have_the_parameters_and_viewers_that_are_documented() {
     for is_below in [false, true] {
@@ -236,8 +237,8 @@ impl<S: Subject> Subject for Recording<S> {
     }
 }
 
-/// Law: a law that chance may have broken is asked again with other random numbers, ten times as many. Oracle: all numbers that the
-/// program was asked with; no four of them come twice.
+/// Law: a law that chance may have broken is asked again with other random numbers, ten times as many. Oracle: all
+/// numbers that the program was asked with; no four of them come twice.
 #[test]
 fn what_is_asked_again_has_numbers_of_its_own() {
     let lobe = super::subject::Adapter::new(&["lambert"], "few of them uniform", false);
@@ -252,8 +253,8 @@ fn what_is_asked_again_has_numbers_of_its_own() {
     assert_eq!(subject.heard.len(), count, "different numbers of {count}");
 }
 
-/// Law: points that are not stratified at all have once the variance of independent points. Oracle: 1, for a map that scrambles its
-/// strata; by the mean of eight cards.
+/// Law: points that are not stratified have the variance of independent points. Oracle: the ratio 1, for a map that scrambles
+/// its strata; the mean of eight cards.
 #[test]
 fn scrambled_points_have_the_variance_of_independent_ones() {
     let shares = (0..8).map(|seed| {

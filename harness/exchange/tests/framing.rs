@@ -54,8 +54,8 @@ fn every_corner_of_the_box_is_in_the_picture() {
     }
 }
 
-/// Law: the box of a scene is around the boxes of all objects with an end, wherever the widest of them stands in the list. Oracle:
-/// the least and largest coordinates of five boxes, in every order that begins elsewhere.
+/// Law: the box of a scene is around the boxes of all objects with an end, wherever the widest of them stands in the
+/// list. Oracle: the least and largest coordinates of five boxes, in every order that begins elsewhere.
 #[test]
 fn the_box_of_a_scene_is_around_all_objects() {
     let mut boxes: Vec<([f64; 3], [f64; 3])> = vec![

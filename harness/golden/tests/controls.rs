@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use golden::controls::{Controls, Program, REASONS, reason, vocabulary};
-use golden::{GoldenSettings, Goldens};
+use golden::{Golden, GoldenSettings, Goldens};
 use groundtruth::lights;
 use groundtruth::materials;
 use groundtruth::scene::Scene;
@@ -30,9 +30,9 @@ const SCENE: &str = r#"
     shape.BEHIND
 "#;
 
-/// A body around a point of the axis.
+/// A sphere around a point near the axis.
 const SPHERE: &str = "sphere = { center = [0.5, 0, Z], radius = 3 }";
-/// Another one.
+/// A disk around the same point.
 const DISK: &str = "disk = { center = [0.5, 0, Z], normal = [0.1, 0, 1], radius = 3 }";
 
 /// A folder with a golden of each of these texts.
@@ -55,8 +55,11 @@ fn of(ahead: &str, behind: &str) -> String {
 }
 
 fn controls(program: &Program<'_>, goldens: &Goldens) -> Controls {
-    let quiet: (&(dyn Fn() + Sync), &(dyn Fn() -> bool + Sync)) = (&|| (), &|| false);
-    program.controls(goldens.all(), goldens.folder(), quiet).expect("the scenes are valid")
+    controls_of(program, goldens.all(), goldens.folder())
+}
+
+fn controls_of(program: &Program<'_>, goldens: &[Golden], folder: &Path) -> Controls {
+    program.controls(goldens, folder, (&|| (), &|| false)).expect("the scenes are valid")
 }
 
 fn names<'a>(names: impl IntoIterator<Item = &'a String>) -> BTreeSet<&'a str> {
@@ -76,7 +79,11 @@ fn fields_of_what_no_ray_meets_are_unseen() {
     for field in invisible {
         assert!(unseen.contains(field), "{field} is not among {unseen:?}");
     }
-    assert_eq!(found.unseen["shape disk.radius"], ["s0.toml"]);
+    assert_eq!(
+        found.unseen["shape disk.radius"],
+        ["s0.toml"],
+        "goldens that say the disk's radius"
+    );
     for field in [
         "shape sphere.center",
         "shape sphere.radius",
@@ -93,8 +100,11 @@ fn fields_of_what_no_ray_meets_are_unseen() {
 
     let (_folder, goldens) = folder(&[behind[0].clone(), of(DISK, SPHERE)]);
     let found = controls(&Program::OURS, &goldens);
-    assert!(found.seen.contains("shape disk.radius") && found.seen.contains("shape sphere.radius"));
-    assert!(!found.unseen.keys().any(|field| field.starts_with("shape")), "{:?}", found.unseen);
+    for field in ["shape disk.radius", "shape sphere.radius"] {
+        assert!(found.seen.contains(field), "{field} is not among {:?}", found.seen);
+    }
+    let shapes: Vec<_> = found.unseen.keys().filter(|field| field.starts_with("shape")).collect();
+    assert!(shapes.is_empty(), "unseen fields of shapes: {shapes:?}");
 }
 
 /// Law: a value that is the default is not counted, as a program that ignores it draws the same picture; one that is not, is.
@@ -107,8 +117,9 @@ fn defaults_are_not_counted() {
     ] {
         let (_folder, goldens) = folder(&[text]);
         let found = controls(&Program::OURS, &goldens);
-        assert!(!found.seen.contains("image.gamma"));
-        assert_eq!(found.unseen.contains_key("image.gamma"), is_counted);
+        assert!(!found.seen.contains("image.gamma"), "gamma is seen");
+        let is_unseen = found.unseen.contains_key("image.gamma");
+        assert_eq!(is_unseen, is_counted, "whether gamma is counted as unseen");
     }
 }
 
@@ -147,13 +158,15 @@ fn a_field_that_a_program_ignores_is_unseen() {
         folder(&[of(SPHERE, SPHERE).replace("gamma = 1.0", "pixel_size = 1.25")]);
     let ours = controls(&Program::OURS, &goldens);
     let known = vocabulary();
-    assert!(ours.seen.iter().chain(ours.unseen.keys()).all(|field| known.contains(field)));
+    for field in ours.seen.iter().chain(ours.unseen.keys()) {
+        assert!(known.contains(field), "scene files have no {field}");
+    }
     for (field, reads) in planted {
-        assert!(ours.seen.contains(field), "{field}: {:?}", ours.seen);
+        assert!(ours.seen.contains(field), "{field} is not among {:?}", ours.seen);
         let found = controls(&Program { reads: &reads }, &goldens);
         let lost = names(ours.seen.difference(&found.seen));
-        assert_eq!(lost, BTreeSet::from([field]));
-        assert!(found.unseen.contains_key(field), "{field}");
+        assert_eq!(lost, BTreeSet::from([field]), "fields that only ours sees");
+        assert!(found.unseen.contains_key(field), "{field} is not among {:?}", found.unseen);
     }
 }
 
@@ -161,22 +174,23 @@ fn a_field_that_a_program_ignores_is_unseen() {
 #[test]
 fn parts_see_together_what_the_whole_sees() {
     let (_folder, goldens) = folder(&[of(SPHERE, DISK), of(DISK, SPHERE)]);
-    let quiet: (&(dyn Fn() + Sync), &(dyn Fn() -> bool + Sync)) = (&|| (), &|| false);
     let whole = controls(&Program::OURS, &goldens);
     let parts: Vec<Controls> = goldens
         .all()
         .chunks(1)
-        .map(|part| Program::OURS.controls(part, goldens.folder(), quiet).expect("valid"))
+        .map(|part| controls_of(&Program::OURS, part, goldens.folder()))
         .collect();
     let seen: BTreeSet<String> = parts.iter().flat_map(|part| part.seen.clone()).collect();
     let unseen: BTreeSet<String> =
         parts.iter().flat_map(|part| part.unseen.keys().cloned()).collect();
-    assert_eq!(seen, whole.seen);
-    assert_eq!(names(unseen.difference(&seen)), names(whole.unseen.keys()));
-    assert!(parts[0].seen != parts[1].seen, "the parts differ");
+    assert_eq!(seen, whole.seen, "fields that some part sees");
+    let unseen = names(unseen.difference(&seen));
+    assert_eq!(unseen, names(whole.unseen.keys()), "fields that no part sees");
+    assert_ne!(parts[0].seen, parts[1].seen, "the parts see different fields");
 }
 
-/// Law: each reason is of a field that scene files have, says something, and stands once. Oracle: the vocabulary of scene files.
+/// Law: each reason is of a field that scene files have, says something, and stands once. Oracle: the vocabulary of
+/// scene files.
 #[test]
 fn each_reason_is_of_a_field_that_there_is() {
     let known = vocabulary();
@@ -184,8 +198,8 @@ fn each_reason_is_of_a_field_that_there_is() {
     for (field, why) in REASONS {
         assert!(known.contains(*field), "scene files have no {field}");
         assert!(why.len() > 10, "{field}: {why}");
-        assert!(*field > before, "{field} stands after {before}; the order is that of letters");
-        assert_eq!(reason(field), Some(*why));
+        assert!(*field > before, "{field} stands after {before}; the order is alphabetical");
+        assert_eq!(reason(field), Some(*why), "the reason of {field}");
         before = field;
     }
 }

@@ -27,8 +27,8 @@ fn finding(index: usize, status: Status) -> Finding {
     Finding { name, folder, status, golden, expected, got }
 }
 
-/// Law: a review says how many goldens are not the same, of how many, names the first of them, lists all, and proposes to accept
-/// the first whose scene is there. Oracle: the statuses of all lists of up to three goldens.
+/// Law: a review says how many goldens are not the same, of how many, names the first of them, lists all, and proposes
+/// to accept the first whose scene is there. Oracle: the statuses of all lists of up to three goldens.
 #[test]
 fn a_review_counts_what_is_not_the_same() {
     let lists = (0..4).flat_map(|length: u32| {
@@ -71,8 +71,9 @@ fn a_review_counts_what_is_not_the_same() {
     }
 }
 
-/// Law: a golden that says nothing of its size is 96 pixels wide, in the form of its scene, with at most 4 samples, one for other
-/// views; what is said replaces it, and accepting again keeps what was said before. Oracle: `round(96 h / w)`.
+/// Law: a golden that says nothing of its size is 96 pixels wide, in the form of its scene, with at most 4 samples, one
+/// for other views; what is said replaces it, and accepting again keeps what was said before. Oracle: `round(96 h /
+/// w)`.
 #[test]
 fn a_proposal_takes_for_granted_what_is_documented() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -196,8 +197,9 @@ fn largest(width: usize, marked: &[bool]) -> u32 {
     (0..marked.len()).map(size).max().unwrap_or(0) as u32
 }
 
-/// Law: pictures are accepted if at most the given share of pixels and the given cluster do not agree, and not if one more does.
-/// Oracle: connected sets by making labels equal; pixels changed at random, in pictures of a line and of a few columns.
+/// Law: pictures are accepted if at most the given share of pixels and the given cluster do not agree, and not if one
+/// more does. Oracle: connected sets by making labels equal; pixels changed at random, in pictures of a line and of a
+/// few columns.
 #[test]
 fn share_and_cluster_are_the_most_that_is_accepted() {
     let mut random = Pcg32::new(31, 7);
@@ -236,8 +238,8 @@ fn share_and_cluster_are_the_most_that_is_accepted() {
     }
 }
 
-/// Law: the verdict is *drift* if each channel differs by at most 10⁻⁶ of the larger size, whatever signs and sizes. Oracle: the
-/// inequality in double precision, for pairs of single-precision numbers on both sides of the border.
+/// Law: the verdict is *drift* if each channel differs by at most 10⁻⁶ of the larger size, whatever signs and sizes.
+/// Oracle: the inequality in double precision, for pairs of single-precision numbers on both sides of the border.
 #[test]
 fn drift_is_relative_for_all_sizes_and_signs() {
     let mut random = Pcg32::new(77, 5);
@@ -262,8 +264,8 @@ fn drift_is_relative_for_all_sizes_and_signs() {
     assert!(seen.iter().all(|n| *n > 20), "verdicts seen: {seen:?}");
 }
 
-/// Law: differing pixels are listed with their place, both colours and their largest channel's difference, the largest first, and
-/// equal ones by rows. Oracle: the differences, set by hand in another order.
+/// Law: differing pixels are listed with their place, both colours and their largest channel's difference, the largest
+/// first, and equal ones by rows. Oracle: the differences, set by hand in another order.
 #[test]
 fn differences_are_sorted_and_equal_ones_stay_in_order() {
     let good = film(4, 3, |_, _| Rgb::grey(1.0));
@@ -284,8 +286,8 @@ fn differences_are_sorted_and_equal_ones_stay_in_order() {
     assert_eq!((first.expected, first.got), ([1.0; 3], [1.0, 1.5, 0.75]), "both colours");
 }
 
-/// Law: the picture of hits has t, the object's place from 1, and the number of rays that were cast, of the first sample; that of
-/// normals the normal there; both are 0 where nothing is hit. Oracle: the recorded tree of that sample.
+/// Law: the picture of hits has t, the object's place from 1, and the number of rays that were cast, of the first
+/// sample; that of normals the normal there; both are 0 where nothing is hit. Oracle: the recorded tree of that sample.
 #[test]
 fn views_are_those_of_the_recorded_tree() {
     for name in ["ch24/hall-of-mirrors", "ch16/shadows", "ch28/glass-sphere"] {

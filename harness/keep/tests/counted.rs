@@ -1,4 +1,4 @@
-//! Borders and numbers of what is kept of a pixel.
+//! Reduced scenes and printed tests of a pixel: which pixels have one, and their numbers.
 
 use std::path::Path;
 
@@ -21,8 +21,8 @@ fn reduced(
     ReducedScene::of(scene, Path::new(""), Kept { pixel, sample, seed: DEFAULT_SEED })
 }
 
-/// Law: pixels and samples are refused from the first that is not there on, and the error says how many there are. Oracle: the size
-/// of the picture and its samples.
+/// Law: pixels and samples are refused from the first that is not there on, and the error says how many there are.
+/// Oracle: the size of the picture and its samples.
 #[test]
 fn the_first_pixel_and_sample_beyond_are_refused() {
     let scene = scene();
@@ -58,8 +58,9 @@ fn what_is_left_is_counted() {
     }
 }
 
-/// Law: the test that is printed has the bits of the sample or the pixel, the place and the seed that were asked for, and its scene
-/// stands in a raw string that no text of it ends. Oracle: the renderer; the text between the marks, read again.
+/// Law: the test that is printed has the bits of the sample or the pixel, the place and the seed that were asked for,
+/// and its scene stands in a raw string that no text of it ends. Oracle: the renderer; the text between the marks, read
+/// again.
 #[test]
 fn a_printed_test_has_the_bits_and_the_scene() {
     let mut scene = scene();

@@ -192,19 +192,21 @@ fn of_samples(only: Option<u32>) -> (PixelExplanation, String) {
 #[test]
 fn a_page_of_one_sample_says_which_and_lists_the_values_of_all() {
     let (all, _) = of_samples(None);
-    assert!(all.samples.len() >= 4);
+    assert!(all.samples.len() >= 4, "samples: found {}, expected 4 or more", all.samples.len());
     let (_, html) = of_samples(Some(2));
     assert_well_formed(&html);
-    assert!(html.contains(&format!("This page shows sample 2 of {}", all.samples.len())));
+    let said = format!("This page shows sample 2 of {}", all.samples.len());
+    assert!(html.contains(&said), "no `{said}` on the page");
     for sample in &all.samples {
         let value = pictures::digits::three(sample.radiance.to_array());
         let mark = if sample.index == 2 { "shown" } else { "" };
         let start = format!("<tr><td>{}</td>", sample.index);
         let end = format!(" {value}</td><td>{mark}</td></tr>");
         let row = html.lines().find(|line| line.starts_with(&start));
-        assert!(row.is_some_and(|row| row.ends_with(&end)), "{row:?}: {end}");
+        let is_it = row.is_some_and(|row| row.ends_with(&end));
+        assert!(is_it, "the row of sample {}: {row:?}, not …{end}", sample.index);
     }
-    assert_eq!(html.matches("<div class=\"tree\">").count(), 1);
+    assert_eq!(html.matches("<div class=\"tree\">").count(), 1, "trees on the page");
 }
 
 /// Law: a page of all samples has the tree of each, folded but for the first, with all of its rays, as long as they fit;
@@ -213,21 +215,24 @@ fn a_page_of_one_sample_says_which_and_lists_the_values_of_all() {
 fn a_page_of_all_samples_has_the_tree_of_each() {
     let (all, html) = of_samples(None);
     assert_well_formed(&html);
-    assert!(html.contains("Section and space show sample 0."));
+    assert!(html.contains("Section and space show sample 0."), "which sample is drawn");
     let parts: Vec<&str> = html.split("<details class=\"sample\"").skip(1).collect();
-    assert_eq!(parts.len(), all.samples.len());
+    assert_eq!(parts.len(), all.samples.len(), "samples on the page");
     for (part, sample) in parts.iter().zip(&all.samples) {
         let is_first = sample.index == 0;
-        assert_eq!(part.starts_with(" open"), is_first);
+        let of = format!("sample {}", sample.index);
+        assert_eq!(part.starts_with(" open"), is_first, "whether {of} is unfolded");
         let value = pictures::digits::three(sample.radiance.to_array());
-        assert!(part.contains(&format!("Sample {}: ", sample.index)));
-        assert!(part.contains(&format!(" radiance {value}</summary>")), "{value}");
+        assert!(part.contains(&format!("Sample {}: ", sample.index)), "the head of {of}");
+        let head = format!(" radiance {value}</summary>");
+        assert!(part.contains(&head), "no `{head}` at {of}");
         let root = sample.ray.as_ref().expect("it hits the glass");
         for ray in root.rays() {
             let line = shortened(&ray.line()).replace("  ", " · ");
-            assert!(part.contains(&pictures::html::escaped(&line)), "{}: {line}", sample.index);
+            assert!(part.contains(&pictures::html::escaped(&line)), "no `{line}` at {of}");
         }
-        assert_eq!(part.contains("<summary data-ray="), is_first);
+        let is_linked = part.contains("<summary data-ray=");
+        assert_eq!(is_linked, is_first, "whether {of} is linked with the drawings");
     }
 }
 

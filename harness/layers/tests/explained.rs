@@ -269,14 +269,12 @@ fn a_list_tests_every_object_for_every_ray_shadow_rays_too() {
                 }
             }
             let wanted: usize = rays.iter().map(|ray| tests_in_a_list(&world, ray)).sum();
-            assert_eq!(
-                tests.value(&world, pixel),
-                Some(Rgb::grey(wanted as f64)),
-                "{name} {pixel:?}"
-            );
+            let (found, wanted) = (tests.value(&world, pixel), Rgb::grey(wanted as f64));
+            assert_eq!(found, Some(wanted), "objects tested by the pixel {pixel:?} of {name}");
         }
     }
-    assert!(kinds.iter().all(|count| *count > 20), "{kinds:?}");
+    let is_each = kinds.iter().all(|count| *count > 20);
+    assert!(is_each, "rays blocked, unblocked, and through glass: {kinds:?}, not above 20 each");
 }
 
 /// Law: texture coordinates are those of the image's look-up, where a hit has one. Oracle: the texel of the recorded

@@ -119,8 +119,8 @@ fn nothing_is_no_object() {
     assert!(nothing > 0, "the scene has a background");
 }
 
-/// Law: what is brighter than a file's numbers is stored as the largest of them, not as infinity. Oracle: a lamp of 10³⁹, and the
-/// largest number of single precision.
+/// Law: what is brighter than a file's numbers is stored as the largest of them, not as infinity. Oracle: a lamp of
+/// 10³⁹, and the largest number of single precision.
 #[test]
 fn what_is_too_bright_is_stored_as_the_largest_number() {
     let text = "image = { width = 1, height = 1 }\n\

@@ -77,7 +77,7 @@ fn a_thousand_pieces_are_drawn_and_24_are_numbered() {
 /// Oracle: lamps that are in front of a screen and behind it, counted.
 #[test]
 fn what_hides_a_fifth_is_looked_through() {
-    // the camera of the view looks along −z: what is to the right of the screen's left side is behind it
+    // the camera of the view looks along −z: the screen hides what is to the right of its left side
     let view = Orbit { target: Point::ORIGIN, yaw: 0.0, pitch: 0.0, distance: 50.0 };
     let mut seen = [0; 2];
     for count in 3..24 {
@@ -186,7 +186,7 @@ fn balls_are_around_boxes() {
         center.distance(Point::new(2.0, 1.0, 4.5)),
         0.0,
         1e-9,
-        "the centre's distance from its place",
+        "the distance of the centre of the scene from (2, 1, 4.5)",
     );
     near(radius, 0.5 * f64::sqrt(16.0 + 4.0 + 121.0), 1e-9, "the radius around the scene");
     let piece = |from: [f64; 3], to: [f64; 3], end: End| space::Segment {
@@ -206,7 +206,7 @@ fn balls_are_around_boxes() {
         center.distance(Point::new(1.0, 2.0, -2.0)),
         0.0,
         1e-12,
-        "the centre's distance from its place",
+        "the distance of the centre of the pieces from (1, 2, −2)",
     );
     near(radius, 3.0, 1e-12, "the radius around the pieces");
     assert_eq!(of_segments(&[]), None, "the ball around nothing");
@@ -214,8 +214,8 @@ fn balls_are_around_boxes() {
     assert_eq!(point, Some((Point::from([1.0; 3]), 1.0)), "the ball around a point");
 }
 
-/// Law: a run of hidden pieces begins and ends at borders of pieces, runs follow each other, and a piece is hidden if its middle
-/// is. Oracle: each middle by itself, for several numbers of pieces.
+/// Law: a run of hidden pieces begins and ends at borders of pieces, runs follow each other, and a piece is hidden if
+/// its middle is. Oracle: each middle by itself, for several numbers of pieces.
 #[test]
 fn runs_are_those_of_the_middles() {
     let (world, _) = lamps(1, "");

@@ -32,8 +32,8 @@ fn trees() -> Vec<(&'static str, World, RecordedRay)> {
     all
 }
 
-/// Law: the camera stands on that side of the plane that it looks across from which fewer middles of pieces are hidden. Oracle: both
-/// sides, counted.
+/// Law: of the two sides of the plane of incidence, the camera stands on the one from which fewer middles of pieces are hidden.
+/// Oracle: both sides, counted.
 #[test]
 fn the_camera_stands_where_less_is_hidden() {
     let (mut seen, mut differ) = (0, 0);
@@ -65,8 +65,8 @@ fn the_camera_stands_where_less_is_hidden() {
     assert!(seen > 10 && differ > 2, "{seen} trees seen, of which {differ} have a better side");
 }
 
-/// Law: a piece ends in a dot if its end is seen and it does not leave the scene, and has an arrowhead unless it is dark. Oracle: the
-/// clipped pieces.
+/// Law: a piece ends in a dot if its end is seen and it does not leave the scene, and has an arrowhead unless it is
+/// dark. Oracle: the clipped pieces.
 #[test]
 fn pieces_end_in_dots_and_heads() {
     let mut seen = [0; 2];
@@ -101,8 +101,8 @@ fn pieces_end_in_dots_and_heads() {
     assert!(seen.iter().all(|n| *n > 10), "pieces without and with a dot: {seen:?}");
 }
 
-/// Law: the index in front stands in the middle between the reflected ray and the surface, or beside the normal if the angle of incidence is above 45°;
-/// that behind on the other side of the surface. Oracle: the angle of its place.
+/// Law: the label n₁ stands in the middle between the reflected ray and the surface, or at the normal if the angle of incidence
+/// is above 45°; n₂ stands on the normal, on the other side of the surface. Oracle: the angles of these directions.
 #[test]
 fn indices_stand_in_free_places() {
     let mut seen = [0; 2];

@@ -1,4 +1,4 @@
-//! Laws at their borders: answers made by hand that just keep a law and just break it, in each channel, entry and stratum.
+//! Judges at their borders: answers by hand that just keep a law or just break it, in each channel, entry and stratum.
 
 use conform::family::{Asking, Judge, Stop};
 use conform::{Judgement, Profile, Reply, Status, Subject, laws, ours, suite};
@@ -17,7 +17,7 @@ impl<F: FnMut(&Value) -> Value> Subject for Says<F> {
 
 type Law = fn(&mut Asking<'_>, &Value, Profile) -> Result<Judgement, Stop>;
 
-/// What a law says of a subject.
+/// The judgement of a law on a subject that answers so.
 fn judged(
     law: Law,
     case: &Value,
@@ -90,7 +90,6 @@ fn reciprocity_is_held_in_each_channel() {
                 json!({"f": f})
             };
             let found = judged(laws::reciprocity, &case, profile, answer);
-            // back and there are divided by the largest of one of them
             holds(
                 &found,
                 is_right,
@@ -100,8 +99,8 @@ fn reciprocity_is_held_in_each_channel() {
     }
 }
 
-/// Law: a sample is unit, its pdf is `pdf` there, and its weight f cos θ / pdf in each channel. Oracle: our sample of a Lambertian
-/// lobe, one number of it off.
+/// Law: a sample is unit, its pdf is `pdf` there, and its weight f cos θ / pdf in each channel. Oracle: our sample of a
+/// Lambertian lobe, one number of it off.
 #[test]
 fn each_number_of_a_sample_is_held() {
     let case = json!({"lobe": {
@@ -164,8 +163,8 @@ fn each_entry_of_a_product_is_held() {
     }
 }
 
-/// Law: a set has as many points as asked for, each of two numbers of at least 0 and below 1, one in each stratum of its sampler, in each
-/// set. Oracle: sets of nine points in the middles of their strata, changed by hand.
+/// Law: a set has as many points as asked for, each of two numbers of at least 0 and below 1, one in each stratum of
+/// its sampler, in each set. Oracle: sets of nine points in the middles of their strata, changed by hand.
 #[test]
 fn sets_are_held_to_their_strata() {
     let middle = |i: usize, n: usize| (i as f64 + 0.5) / n as f64;
@@ -227,7 +226,7 @@ fn sets_are_held_to_their_strata() {
     }
 }
 
-/// What the family of this name says of an answer.
+/// The judgement of the family of this name on an answer.
 fn of_family(name: &str, question: &Value, answer: &Value, profile: Profile) -> Judgement {
     let all = suite::all();
     let family =
@@ -238,9 +237,10 @@ fn of_family(name: &str, question: &Value, answer: &Value, profile: Profile) -> 
     }
 }
 
-/// Law: an answer may be off by 100 u·cond, or 10⁻⁴·cond by the book, and by no tenth more; cond is at least 1, and the sum of what each
-/// number of the question does. Oracle: conditions by hand: a Lambertian f changes by less than 1 in all, its albedo by three times the
-/// largest reflectance, the sum of the translations 4 − 4 + 4 by 12.
+/// Law: an answer may be off by 100 u·cond (10⁻⁴·cond with *book*), and not by a tenth more; cond is the larger of 1
+/// and the sum of the changes that relative changes of each number of the question make. Oracle: conditions by hand:
+/// less than 1 for a Lambertian f, three times the largest reflectance for its albedo, 12 for the sum of the
+/// translations 4 − 4 + 4.
 #[test]
 fn answers_are_allowed_their_condition_and_no_more() {
     let lobe = json!({"lobe": {
@@ -275,8 +275,9 @@ fn answers_are_allowed_their_condition_and_no_more() {
     }
 }
 
-/// Law: what a relative change of 10⁻¹³ turns is not judged, nor by the book what one of 10⁻⁵ turns; what needs a few times as much, is
-/// (docs/conform.md). Oracle: rays that pass the centre of the unit ball at 1 − δ.
+/// Law: a hit or miss that a relative change of 10⁻¹³ of the question reverses is not judged (10⁻⁵ with *book*); one
+/// that only a few times that change reverses is (docs/conform.md). Oracle: rays at the distances 1 − δ and 1 + δ from
+/// the centre of the unit ball.
 #[test]
 fn near_misses_are_judged_from_their_margin_on() {
     for (profile, delta, is_judged) in [
@@ -309,8 +310,8 @@ fn near_misses_are_judged_from_their_margin_on() {
     }
 }
 
-/// Law: normals of open cylinders that are turned to the viewer pass by the book, and each such answer is counted as its convention; with
-/// care they are wrong. Oracle: the rays that meet a normal from behind, counted.
+/// Law: normals of open cylinders that are turned to the viewer pass by the book, and each such answer is counted as
+/// its convention; with care they are wrong. Oracle: the rays that meet a normal from behind, counted.
 #[test]
 fn a_convention_of_the_book_is_counted() {
     fn turned(question: &Value, mut answer: Value) -> Value {

@@ -130,7 +130,7 @@ fn places(value: &Value, path: &str, all: &mut Vec<(String, String)>, name: &str
 }
 
 /// Fields that docs/conform.md says are not judged: another program does not have them, or has them in a way of its own.
-const NOT_JUDGED: [&str; 9] = [
+pub const NOT_JUDGED: [&str; 9] = [
     "error",
     "path",
     "shading_normal",

@@ -252,8 +252,8 @@ fn an_interrupted_run_asks_no_more() {
     }
 }
 
-/// Law: a question that is made smaller keeps at least a quarter of the first error (docs/conform.md). Oracle: a program whose error
-/// is a tenth to a half of the first where the numbers are simple.
+/// Law: a question that is made smaller keeps at least a quarter of the first error (docs/conform.md). Oracle: a
+/// program whose error is a tenth to a half of the first where the numbers are simple.
 #[test]
 fn a_smaller_question_keeps_a_quarter_of_its_error() {
     let family =
@@ -287,8 +287,8 @@ fn a_smaller_question_keeps_a_quarter_of_its_error() {
     }
 }
 
-/// Law: at most 500 questions are asked to make one smaller (docs/conform.md). Oracle: a question of many numbers that is wrong only as it
-/// was asked first, and what the program hears.
+/// Law: at most 500 questions are asked to make one smaller (docs/conform.md). Oracle: a question of many numbers that
+/// is wrong only as it was asked first, and what the program hears.
 #[test]
 fn at_most_500_questions_make_one_smaller() {
     let mut draw = exact::Draw::new(3);

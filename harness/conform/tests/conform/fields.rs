@@ -1,5 +1,5 @@
-//! How little an answer may be off: each number of our own answers, moved by a millionth and by a roundings' share; each field
-//! of another type, missing, or no number, by both profiles.
+//! Each number of our own answers, moved by more and by less than its tolerance; each field with a value of another type, or
+//! missing. By both profiles.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -7,20 +7,9 @@ use conform::family::{Family, Judge};
 use conform::{Judgement, Profile, ours, suite};
 use serde_json::{Value, json};
 
-/// Fields that docs/conform.md says are not judged.
-const NOT_JUDGED: [&str; 9] = [
-    "error",
-    "path",
-    "shading_normal",
-    "uv",
-    "condition",
-    "standard_error",
-    "replicas",
-    "samples",
-    "rays",
-];
+use super::constants::NOT_JUDGED;
 
-/// Families with judges of answers, which cost little.
+/// Families whose judge sees one answer, and costs little.
 fn cheap() -> Vec<Family> {
     let mut all = suite::all();
     all.retain(|family| {
@@ -42,7 +31,7 @@ fn judge(family: &Family) -> fn(&Value, &Value, Profile) -> Judgement {
     }
 }
 
-/// The pointers of all parts of a value, the deepest last.
+/// The pointers of all parts of a value that are judged; a part stands before those inside of it.
 fn places(value: &Value, path: &str, all: &mut Vec<String>) {
     if path.split('/').any(|part| NOT_JUDGED.contains(&part)) {
         return;
@@ -80,9 +69,9 @@ fn size(answer: &Value, path: &str) -> f64 {
     all.fold(own.max(1.0), f64::max)
 }
 
-/// Law: a number that is off by a thousandth of its size is wrong with care, and by a fifth by the book, unless the case is not
-/// decided; and one that is off by 2⁻⁵² of it, or 10⁻⁶ by the book, is right. Oracle: our answers, moved; the sizes are ten to a
-/// thousand times away from what docs/conform.md allows for a condition of 1.
+/// Law: with the profile *careful* a number that is off by a thousandth of its size is not right, and one that is off
+/// by 2⁻⁵² is not wrong; with *book* these are a fifth and 10⁻⁶. Oracle: our answers, moved; docs/conform.md allows 100
+/// u and 10⁻⁴ for a condition of 1.
 #[test]
 fn each_number_is_judged_to_its_tolerance() {
     let mut problems: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
@@ -100,7 +89,6 @@ fn each_number_is_judged_to_its_tolerance() {
             places(&right, "", &mut all);
             for path in all {
                 let Some(x) = right.pointer(&path).and_then(Value::as_f64) else { continue };
-                // integers, as of cells, are another way to say numbers
                 let is_normal = family.question() == "intersect" && path.contains("/normal");
                 for (profile, by, is_wrong) in moves {
                     if is_normal && !is_wrong {
@@ -137,8 +125,9 @@ const CHANGES: [Change; 6] = [
     ("in quotes", |value| json!(value.to_string())),
 ];
 
-/// Law: by both profiles, a part of a right answer that is infinite, null, of another type or, inside of a needed field, missing
-/// is wrong or the case is not decided. Oracle: our answers, altered; fields that docs/conform.md does not judge are left out.
+/// Law: by both profiles, a part of a right answer that is infinite, null, of another type or, inside of a needed
+/// field, missing is wrong or the case is not decided. Oracle: our answers, altered; fields that docs/conform.md does
+/// not judge are left out.
 #[test]
 fn each_part_is_judged_by_its_type() {
     let mut problems: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
@@ -153,9 +142,9 @@ fn each_part_is_judged_by_its_type() {
                 for profile in Profile::ALL {
                     for (change, by) in CHANGES {
                         let after = by(before);
-                        let is_same = after == *before || before.is_null();
-                        // that nothing is there is an answer to some questions
-                        if is_same || before.is_string() && after.is_string() {
+                        // parts that are null, and other words, are judged by other laws
+                        let is_word = before.is_string() && after.is_string();
+                        if after == *before || before.is_null() || is_word {
                             continue;
                         }
                         let mut theirs = right.clone();
@@ -167,7 +156,7 @@ fn each_part_is_judged_by_its_type() {
                             problems.entry(name).or_default().insert(what);
                         }
                     }
-                    // of a field inside of another one
+                    // fields at the top may be optional
                     let Some((outer, key)) = path.rsplit_once('/') else { continue };
                     if outer.is_empty() {
                         continue;

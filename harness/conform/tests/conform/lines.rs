@@ -39,8 +39,8 @@ fn words_in_strings_and_other_words_are_left_alone() {
     }
 }
 
-/// Law: an id is a whole number of at least 0, also with a point or a power of ten; any other is garbled. A line has exactly one of
-/// `answer`, `error` and `unsupported`. Oracle: lines by hand.
+/// Law: an id is a whole number of at least 0, also with a point or a power of ten; any other is garbled. A line has
+/// exactly one of `answer`, `error` and `unsupported`. Oracle: lines by hand.
 #[test]
 fn a_line_has_an_id_and_one_reply() {
     for (id, expected) in [

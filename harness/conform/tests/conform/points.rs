@@ -224,8 +224,8 @@ fn a_class_is_sorted_whatever_the_order() {
     }
 }
 
-/// Law: a hint says how many answers of how many were wrong, refused, late, missing, unreadable or not supported, each by its own
-/// number, and how many were not asked after that. Oracle: replies that are drawn, and counted here.
+/// Law: a hint says how many answers of how many were wrong, refused, late, missing, unreadable or not supported, each
+/// by its own number, and how many were not asked after that. Oracle: replies that are drawn, and counted here.
 #[test]
 fn hints_count_each_kind_of_reply() {
     use conform::Fault;

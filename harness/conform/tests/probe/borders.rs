@@ -1,4 +1,4 @@
-//! Ends of the ranges of questions: what lies at one is answered, what lies beyond is refused, with the name of the field.
+//! Ends of the ranges of questions: a value at an end is answered, one beyond it is refused.
 
 use serde_json::{Value, json};
 
@@ -155,7 +155,8 @@ fn ends_of_ranges_are_answered_and_no_more() {
     }
 }
 
-/// Law: `serve` says that all lines were answered only if none got an error, wherever it stands. Oracle: one bad line among four.
+/// Law: `serve` says that all lines were answered only if none got an error, wherever it stands. Oracle: one bad line
+/// among four.
 #[test]
 fn one_bad_line_of_several_is_told() {
     let good = r#"{"fresnel": {"eta": 1.5, "cos_i": 0.5}}"#;

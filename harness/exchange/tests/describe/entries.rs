@@ -5,12 +5,11 @@ use groundtruth::render;
 use super::truth::{after, prose};
 use super::{Described, described, numbers, section};
 
-/// Law: lights, materials and objects are numbered from 1 in the order of the scene, and those that are switched off are said to be.
-/// Oracle: a scene of which each second one is off.
+/// Law: lights, materials and objects are numbered from 1 in the order of the scene, and those that are switched off
+/// are said to be. Oracle: a scene in which every second one is off.
 #[test]
 fn entries_are_numbered_and_said_to_be_off() {
-    let scene = (gallery::find("ch16/shadows").expect("it is there").build)();
-    let mut scene = groundtruth::scene::Scene { ..scene };
+    let mut scene = (gallery::find("ch16/shadows").expect("it is there").build)();
     while scene.lights.len() < 4 {
         let mut light = scene.lights[scene.lights.len() - 1].clone();
         light.name = format!("light {}", scene.lights.len());

@@ -8,7 +8,7 @@ const LAYERED: &str =
 const SPEED: &str = "changes the time, not the picture: each method finds the same hits, which is a law of chapter 22";
 const TEXT: &str = "a text for people, or a name that other parts of the scene repeat; errors of wrong names are pinned";
 
-/// The fields that no golden sees, each with the reason, in the order of letters.
+/// The fields that no golden sees, each with the reason, in alphabetical order.
 pub const REASONS: &[(&str, &str)] = &[
     ("acceleration method grid", SPEED),
     ("acceleration method list", SPEED),

@@ -264,16 +264,18 @@ fn percent(bias: &BiasData) -> String {
         .replace(' ', "\u{a0}")
 }
 
+/// The numbers of samples whose errors have a column, ascending; the last is the largest.
+fn shown(most: u32) -> Vec<u32> {
+    [1, 16, 256].into_iter().filter(|samples| *samples < most).chain([most]).collect()
+}
+
 fn table(scene: &SceneData) -> String {
     let most = scene.choices.iter().flat_map(|c| &c.levels).map(|l| l.samples).max().unwrap_or(1);
-    let mut shown = vec![1, 16, 256];
-    shown.retain(|samples| *samples < most);
-    shown.push(most);
     let table = Table::new(format!("{}: error, time and bias", capital(scene.subject.name)))
         .group("")
         .column("choice", |choice: &Choice| choice.name.clone())
         .group("relative error in %, by samples");
-    error_columns(table, shown, |level| level.relative_rmse.map(|e| 100.0 * e))
+    error_columns(table, shown(most), |level| level.relative_rmse.map(|e| 100.0 * e))
         .group(format!("with {most} samples"))
         .column("time per sample of all pixels", Choice::sample_time)
         .column("efficiency, 1/s", |choice| short_or_dash(choice.efficiency()))
@@ -306,4 +308,27 @@ fn levels(scene: &SceneData) -> String {
         .column("time of a picture", |(_, l)| flagged(time(l.picture_seconds), l.disturbed))
         .column("efficiency, 1/s", |(_, level)| short_or_dash(level.efficiency))
         .html(&Vec::from_iter(all))
+}
+
+#[cfg(test)]
+mod tests {
+    /// Law: errors are shown at 1, 16 and 256 samples as far as there are so many, and at the most, each once and ascending.
+    /// Oracle: columns by hand; 64 is the most of `report --samples 64`.
+    #[test]
+    fn the_last_column_has_the_most_samples_and_none_has_more() {
+        for (most, expected) in [
+            (1, &[1][..]),
+            (4, &[1, 4]),
+            (16, &[1, 16]),
+            (64, &[1, 16, 64]),
+            (256, &[1, 16, 256]),
+            (1024, &[1, 16, 256, 1024]),
+        ] {
+            assert_eq!(
+                super::shown(most),
+                expected,
+                "columns of errors with at most {most} samples"
+            );
+        }
+    }
 }

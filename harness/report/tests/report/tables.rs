@@ -72,12 +72,8 @@ fn shows(cell: &str, expected: Option<f64>, what: &str) {
     }
 }
 
-fn optional(value: &Value) -> Option<f64> {
-    value.as_f64()
-}
-
-/// Law: a number is printed to two digits, times and sizes in a unit in which they are at least 1. Oracle: what is printed, read
-/// back; numbers on both sides of each unit.
+/// Law: a number is printed to two digits, times and sizes in a unit in which they are at least 1. Oracle: what is
+/// printed, read back; numbers on both sides of each unit.
 #[test]
 fn numbers_are_printed_to_two_digits() {
     for exponent in -12..13 {
@@ -122,9 +118,9 @@ fn log(x: f64) -> f64 {
     groundtruth::math::ln(x)
 }
 
-/// Law: of each sampler the table has the errors at 16, 256 and 4096 samples, the slope from 16 samples on, the samples for 1 %, by
-/// a straight line between the logarithms around it, and this number of samples times the time of one. Oracle: the errors beside
-/// it, by least squares and interpolation here.
+/// Law: of each sampler the table has the errors at 16, 256 and 4096 samples, the slope from 16 samples on, the samples
+/// for 1 %, by a straight line between the logarithms around it, and this number of samples times the time of one.
+/// Oracle: the errors beside it, by least squares and interpolation here.
 #[test]
 fn samplers_have_the_numbers_of_their_errors() {
     let mut reached = 0;
@@ -176,7 +172,7 @@ fn samplers_have_the_numbers_of_their_errors() {
                     Some(groundtruth::math::exp(a + (b - a) * (x - log(0.01)) / (x - y)))
                 }
             };
-            let found = optional(&sampler["samples_for_one_percent"]);
+            let found = sampler["samples_for_one_percent"].as_f64();
             let is_near = match (found, expected) {
                 (Some(a), Some(b)) => (a / b - 1.0).abs() < 1e-9,
                 (a, b) => a == b,
@@ -190,9 +186,9 @@ fn samplers_have_the_numbers_of_their_errors() {
     assert!(reached > 10, "samplers that reach 1 %: {reached}");
 }
 
-/// Law: of each choice the tables of light and textures have the relative errors in percent, the time of a sample (that of a picture
-/// with the most samples, over their number) and the efficiency with the most samples; and the data has 1/(variance · time) and slopes by least squares.
-/// Oracle: the levels beside it.
+/// Law: for each choice the tables of light and textures have the errors, the time of a sample (that of a picture with the most
+/// samples, over their number) and the efficiency with the most samples; the data has the slopes by least squares. Oracle: the
+/// levels beside it.
 #[test]
 fn choices_have_the_numbers_of_their_levels() {
     let mut cells = 0;
@@ -217,13 +213,13 @@ fn choices_have_the_numbers_of_their_levels() {
                         // the page of textures has errors, that of light relative ones in percent
                         let (field, by) =
                             if page == "light" { ("relative_rmse", 100.0) } else { ("rmse", 1.0) };
-                        let error = level.and_then(|it| optional(&it[field]));
+                        let error = level.and_then(|it| it[field].as_f64());
                         shows(cell, error.map(|error| by * error), &what);
                     } else if head.starts_with("time per sample") {
                         let seconds = number(&last["picture_seconds"]) / number(&last["samples"]);
                         shows(cell, Some(seconds), &what);
                     } else if head.starts_with("efficiency") {
-                        shows(cell, optional(&last["efficiency"]), &what);
+                        shows(cell, last["efficiency"].as_f64(), &what);
                     } else {
                         continue;
                     }
@@ -231,9 +227,9 @@ fn choices_have_the_numbers_of_their_levels() {
                 }
                 let errors: Option<Vec<(f64, f64)>> = levels
                     .iter()
-                    .map(|it| Some((log(number(&it["samples"])), log(optional(&it["rmse"])?))))
+                    .map(|it| Some((log(number(&it["samples"])), log(it["rmse"].as_f64()?))))
                     .collect();
-                if let (Some(errors), Some(found)) = (errors, optional(&choice["slope"][0])) {
+                if let (Some(errors), Some(found)) = (errors, choice["slope"][0].as_f64()) {
                     let expected = slope(&errors);
                     let what = format!("the slope of {} in {name}", row[0]);
                     assert!((found - expected).abs() < 1e-9, "{what}: {found}, not {expected}");
@@ -265,7 +261,7 @@ fn shapes_have_the_numbers_of_their_families() {
             shows_whole(&row[2], judged - hits, &what("misses"));
             for (at, routine) in [(ours, &family["ours"]), (book, &family["textbook"])] {
                 for (offset, field) in ["median", "p999", "worst"].into_iter().enumerate() {
-                    let error = optional(&routine[field]);
+                    let error = routine[field].as_f64();
                     let cell = &row[at + offset];
                     if error.is_some() || cell == DASH {
                         shows(cell, error, &what(field));
@@ -276,7 +272,7 @@ fn shapes_have_the_numbers_of_their_families() {
                     let found = read(&row[at + offset]).unwrap_or(0.0);
                     assert_eq!(found, expected, "{}", what(field));
                 }
-                let quantiles = ["median", "p999", "worst"].map(|field| optional(&routine[field]));
+                let quantiles = ["median", "p999", "worst"].map(|field| routine[field].as_f64());
                 let is_sorted = quantiles.windows(2).all(|it| it[0] <= it[1]);
                 assert!(is_sorted, "{}: {quantiles:?}", what("median, 99.9 % and worst"));
             }
@@ -338,7 +334,7 @@ fn structures_have_the_numbers_of_their_runs() {
             ] {
                 let at = heads.iter().position(|it| it == head).expect("a column");
                 let what = format!("{head} of {} in {caption}", row[0]);
-                shows(&row[at], optional(&run[field]), &what);
+                shows(&row[at], run[field].as_f64(), &what);
                 seen += 1;
             }
         }
