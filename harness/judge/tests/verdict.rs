@@ -5,6 +5,8 @@ mod borders;
 mod cases;
 mod causes;
 mod edges;
+#[path = "../../pictures/tests/sums/header.rs"]
+mod header;
 mod intervals;
 pub mod pictures;
 mod pool;

@@ -6,7 +6,13 @@ use groundtruth::math::{Pcg32, atan2, exp, power, tan};
 use statistics::{chi_square, correlation, ks, means, outliers, quantile};
 
 use crate::biased_samples::normals;
-use crate::judge::near;
+use crate::judge::verbs::{between, equal, near};
+
+/// Rounding of sums of a few dozen numbers of magnitude 1.
+const ROUNDING: f64 = 1e-12;
+
+/// Errors of the distributions of `statrs`, and of their inverses.
+const SERIES: f64 = 1e-9;
 
 /// Law: the tail of χ² with an even number 2m of degrees is `e^(−x/2) Σ (x/2)^k/k!`, k below m. Oracle: the sum, which is
 /// the closed form.
@@ -19,28 +25,30 @@ fn the_tail_of_even_degrees_is_a_sum() {
                 sum += term;
                 term *= 0.5 * x / f64::from(k + 1);
             }
-            near(chi_square::tail(x, 2 * m as usize), exp(-0.5 * x) * sum, 1e-12);
+            let found = chi_square::tail(x, 2 * m as usize);
+            near(format!("tail of {x}, {} degrees", 2 * m), found, exp(-0.5 * x) * sum, ROUNDING);
         }
     }
 }
 
-/// Law: a cell that expects 5 counts by itself, one that expects less is pooled with the next rarest, and what is left over
-/// joins the last pool; a sum that is off by a tenth of √n counts as noise, more does not. Oracle: by hand; two degrees have
-/// the tail `e^(−χ²/2)`, one has erfc(√(χ²/2)).
+/// Law: a cell that expects 5 counts alone; one that expects less is pooled with the next rarest; the rest joins the last pool.
+/// Expected counts whose sum differs from n by more than a tenth of √n are rejected. Oracle: by hand; two degrees have the
+/// tail `e^(−χ²/2)`, one has `erfc(√(χ²/2))`.
 #[test]
 fn pools_begin_below_five() {
     // χ² = 4/5 + 4/5
-    near(chi_square::goodness_of_fit(&[7, 3, 10], &[5.0, 5.0, 10.0]), exp(-0.8), 1e-12);
-    near(chi_square::goodness_of_fit(&[7, 3, 10], &[4.999, 5.001, 10.0]), 1.0, 1e-12);
+    let fit = chi_square::goodness_of_fit;
+    near("cells of 5", fit(&[7, 3, 10], &[5.0, 5.0, 10.0]), exp(-0.8), ROUNDING);
+    near("a cell below 5", fit(&[7, 3, 10], &[4.999, 5.001, 10.0]), 1.0, ROUNDING);
     // of five threes the first two are a pool, the others the second: χ² = 36/6 + 36/9
     let threes = [3.0; 5];
-    near(chi_square::goodness_of_fit(&[6, 6, 1, 1, 1], &threes), 1.565_402_258e-3, 1e-11);
-    near(chi_square::goodness_of_fit(&[3, 0, 0], &[1.0; 3]), 1.0, 1e-12);
+    near("five threes", fit(&[6, 6, 1, 1, 1], &threes), 1.565_402_258e-3, 1e-11);
+    near("one pool", fit(&[3, 0, 0], &[1.0; 3]), 1.0, ROUNDING);
     for (whole, expected) in
         [(10_009.9, true), (10_010.1, false), (9_990.1, true), (9_989.9, false)]
     {
-        let p = chi_square::goodness_of_fit(&[5_000, 5_000], &[0.5 * whole, 0.5 * whole]);
-        near(f64::from(u8::from(p > 0.0)), f64::from(u8::from(expected)), 0.5);
+        let p = fit(&[5_000, 5_000], &[0.5 * whole, 0.5 * whole]);
+        equal(format!("10,000 counts for {whole} are possible"), p > 0.0, expected);
     }
 }
 
@@ -55,12 +63,13 @@ fn the_tail_of_kolmogorov_has_two_series() {
             exp(-0.125 * odd * odd)
         };
         let sum: f64 = (1..20).map(term).sum();
-        near(ks::kolmogorov(lambda), 1.0 - (2.0 * PI).sqrt() / lambda * sum, 1e-11);
+        let expected = 1.0 - (2.0 * PI).sqrt() / lambda * sum;
+        near(format!("tail of {lambda}"), ks::kolmogorov(lambda), expected, 1e-11);
     }
 }
 
-/// Law: the distance of samples from the uniform distribution is the largest of `|F(x) − x|` on either side of each sample;
-/// Stephens' factor is `√n + 0.12 + 0.11/√n`. Oracle: F counted at each sample, with it and without it.
+/// Law: the distance of samples from the uniform distribution is the largest `|F(x) − x|` on either side of a sample; Stephens'
+/// factor is `√n + 0.12 + 0.11/√n`. Oracle: F counted at each sample, with it and without it.
 #[test]
 fn the_distance_of_samples_is_the_largest() {
     let random = &mut Pcg32::new(1, 11);
@@ -79,7 +88,7 @@ fn the_distance_of_samples_is_the_largest() {
             let distance = samples.iter().map(|x| off(*x)).fold(0.0, f64::max);
             let root = f64::from(n).sqrt();
             let expected = ks::kolmogorov((root + 0.12 + 0.11 / root) * distance);
-            near(ks::uniform(&samples), expected, 1e-9);
+            near(format!("probability of {samples:?}"), ks::uniform(&samples), expected, SERIES);
         }
     }
 }
@@ -92,7 +101,13 @@ fn welchs_degrees_are_those_found_by_hand() {
     for shift in [0.5, 2.0, -7.0] {
         let b = [0.0, 1.0, 2.0].map(|x| x + shift);
         let t = (0.5 * apart - 1.0 - shift).abs();
-        near(means::two_samples(&[0.0, apart], &b), 1.0 - t / (2.0 + t * t).sqrt(), 1e-12);
+        let expected = 1.0 - t / (2.0 + t * t).sqrt();
+        near(
+            format!("probability, shift {shift}"),
+            means::two_samples(&[0.0, apart], &b),
+            expected,
+            ROUNDING,
+        );
     }
 }
 
@@ -114,15 +129,18 @@ fn intervals_leave_out_as_many_as_they_say() {
             outside[which][1] += f64::from(u8::from(truth > high));
         }
     }
-    outside.as_flattened().iter().for_each(|count| near(*count, 100.0, 48.5));
+    for (name, counts) in ["mean", "difference"].iter().zip(outside) {
+        near(format!("truths below the interval of a {name}"), counts[0], 100.0, 48.5);
+        near(format!("truths above the interval of a {name}"), counts[1], 100.0, 48.5);
+    }
 }
 
-/// Law: of three and of four values, the far one is an outlier exactly if it is so many deviations off as the largest may be
-/// at this level. Oracle: Rosner's formula with the closed quantiles of Student's t: of one degree `tan(π(p − ½))`, of two
+/// Law: of three and of four values, the far one is an outlier exactly if its deviation exceeds the critical one of the level.
+/// Oracle: Rosner's formula with the closed quantiles of Student's t: of one degree `tan(π(p − ½))`, of two
 /// `√2 c/√(1 − c²)` with `c = 2p − 1`.
 #[test]
 fn an_outlier_is_beyond_its_critical_value() {
-    // deviations of the far one of n values, of which the others are a apart
+    // how many standard deviations the last value is above the mean
     let deviations = |values: &[f64]| {
         let n = values.len() as f64;
         let mean = values.iter().sum::<f64>() / n;
@@ -143,10 +161,9 @@ fn an_outlier_is_beyond_its_critical_value() {
             let middle = 0.5 * (low + high);
             if critical(n, middle) > found { low = middle } else { high = middle }
         }
-        for (level, count) in [(0.999 * low, 0.0), (1.001 * high, 1.0)] {
-            near(outliers(values, 1, level).len() as f64, count, 0.5);
+        for (level, expected) in [(0.999 * low, vec![]), (1.001 * high, vec![values.len() - 1])] {
+            equal(format!("outliers at {level}"), outliers(values, 1, level), expected);
         }
-        assert_eq!(outliers(values, 1, 1.001 * high), [values.len() - 1], "the far one");
     }
 }
 
@@ -158,7 +175,7 @@ fn outliers_leave_two_values() {
         for most in 0..8 {
             let count = outliers(&values, most, 0.5).len();
             let allowed = most.min(values.len().saturating_sub(2));
-            assert!(count <= allowed, "{count} outliers of {n} values, at most {allowed} can be");
+            between(format!("outliers of {n} values"), count as f64, [0.0, allowed as f64]);
         }
     }
 }
@@ -178,7 +195,7 @@ fn a_quantile_is_the_least_with_its_share() {
                 below as f64 >= share * f64::from(n) - 1e-12
             };
             let least = values.iter().filter(has_share).copied().fold(f64::INFINITY, f64::min);
-            near(quantile(&values, share).unwrap_or(f64::NAN), least, 1e-12);
+            equal(format!("{share} of {values:?}"), quantile(&values, share), Some(least));
         }
     }
 }
@@ -209,18 +226,19 @@ fn ranks_are_mean_places() {
             let (a, b) = (ranks(&xs), ranks(&ys));
             let expected = product(&a, &b) / (product(&a, &a) * product(&b, &b)).sqrt();
             match correlation::spearman(&xs, &ys) {
-                Some(found) => near(found.r, expected, 1e-12),
-                None => assert!(expected.is_nan(), "no correlation is found, but {expected}"),
+                Some(found) => near("correlation", found.r, expected, ROUNDING),
+                None => assert!(expected.is_nan(), "correlation: found none, expected {expected}"),
             }
         }
     }
 }
 
-/// Law: cells that expect exactly 5 are not pooled, and rows are as columns: of a table of unequal totals, the transposed
-/// one has the same probability. Oracle: by hand: 30 in cells of 5 with χ² = 4 · 4/5 and two degrees; tables drawn.
+/// Law: cells that expect exactly 5 are not pooled, and a transposed table has the same probability. Oracle: by hand: 30 counts
+/// in cells of 5 with χ² = 4 · 4/5 and two degrees; random tables.
 #[test]
 fn rows_are_as_columns() {
-    near(chi_square::independence(&[7, 5, 3, 3, 5, 7], 3), exp(-1.6), 1e-12);
+    let p = chi_square::independence(&[7, 5, 3, 3, 5, 7], 3);
+    near("cells of 5", p, exp(-1.6), ROUNDING);
     let random = &mut Pcg32::new(5, 11);
     for (rows, columns) in [(2, 3), (3, 2), (2, 4), (3, 4), (4, 5)] {
         for _ in 0..60 {
@@ -235,7 +253,7 @@ fn rows_are_as_columns() {
             let transposed: Vec<u64> = (0..table.len()).map(at).collect();
             let [own, other] = [(&table, columns), (&transposed, rows)]
                 .map(|(table, columns)| chi_square::independence(table, columns));
-            near(own, other, 1e-9);
+            near(format!("{table:?} and transposed"), own, other, SERIES);
         }
     }
 }
@@ -246,11 +264,11 @@ fn rows_are_as_columns() {
 fn two_values_have_one_degree() {
     for expected in [1.0, 1.5, -3.0, 100.0] {
         let p = 1.0 - 2.0 / PI * atan2((1.0_f64 - expected).abs(), 1.0);
-        near(means::one_sample(&[0.0, 2.0], expected), p, 1e-9);
+        near("probability", means::one_sample(&[0.0, 2.0], expected), p, SERIES);
         let [mean, low, high] = means::interval(&[0.0, 2.0], 1.0 - p).expect("two values");
-        near(mean, 1.0, 1e-12);
-        near(low.min(high), 1.0 - (1.0 - expected).abs(), 1e-6);
+        near("mean", mean, 1.0, ROUNDING);
+        near("end of the interval", low.min(high), 1.0 - (1.0 - expected).abs(), 1e-6);
     }
-    near(means::two_samples(&[0.0, 2.0], &[1.0]), 1.0, 1e-12);
-    near(means::two_samples(&[0.0], &[1.0, 5.0]), 1.0, 1e-12);
+    near("two and one", means::two_samples(&[0.0, 2.0], &[1.0]), 1.0, ROUNDING);
+    near("one and two", means::two_samples(&[0.0], &[1.0, 5.0]), 1.0, ROUNDING);
 }

@@ -1,5 +1,8 @@
 //! Assertions that say what they found.
 
+#[path = "../../pictures/tests/verbs.rs"]
+pub mod verbs;
+
 use super::biased_samples::LEVEL;
 
 /// Fails unless `found` is within `tolerance` of `expected`.

@@ -132,12 +132,12 @@ impl Ranking {
     }
 }
 
-/// The variance x of a picture's noise, in units of that of the R others, of which each has 1, from how many times as large
-/// its details are as those of the others.
+/// The variance x of a picture's noise, if the noise of each of the R other pictures has the variance 1. `ratio` is the
+/// picture's [`detail`] divided by the usual one of the others.
 ///
-/// Its own details have the variance `x + 1/R`, with that of the mean of the others, relative to 1. Those of another picture
-/// are held against others of the mean variance `s = (R − 1 + x)/R`, this one among them: they have `1 + s/R`, relative to s.
-/// If all are held against the mean of M pictures beside them, 1/M is in the place of 1/R and s/R. Both are quadratic in x.
+/// The difference from the mean of the others has the variance `x + 1/R`. Each other picture is compared with R pictures of
+/// mean variance `s = (R − 1 + x)/R`, this one among them: its difference has `1 + s/R`, and its detail is that over s. So
+/// `ratio = (x + 1/R) s/(1 + s/R)`. With a reference of M pictures, 1/M replaces 1/R and s/R. Both are quadratic in x.
 fn variance(ratio: f64, pool: &Pool) -> f64 {
     let others = pool.count() as f64 - 1.0;
     let mean = pool.variance_of_mean();

@@ -62,11 +62,11 @@ pub fn detail(pool: &Pool, picture: usize) -> Option<f64> {
     (squares.len() >= FEW_BLOCKS).then(|| robust_mean(&squares))
 }
 
-/// The mean of values, of which each counts at most so many times that mean: twice the values have twice the mean.
+/// The mean of values of which each counts at most [`MOST_DETAIL`] times that mean. It scales with the values.
 ///
 /// Source: P. J. Huber, *Robust Statistics*, 1981, 5.2, "proposal 2" for a scale.
 fn robust_mean(values: &[f64]) -> f64 {
-    /// More steps change less than chance does.
+    /// Further steps change the mean less than noise does.
     const STEPS: usize = 30;
     let count = values.len() as f64;
     let mut mean = values.iter().sum::<f64>() / count;

@@ -117,7 +117,7 @@ impl Stored {
         };
         let largest = 1.0 / step;
         let integer = |radiance: f64| {
-            // that of sRGB would be a little less
+            // sRGB of 1 is computed as a little less than 1
             let value = if radiance >= 1.0 { 1.0 } else { transfer.encoded(radiance.max(0.0)) };
             quantiser.integer(value, largest)
         };
@@ -230,7 +230,7 @@ impl fmt::Display for Stored {
     }
 }
 
-/// Whether the largest integer of a picture is the one below the largest that can be.
+/// Whether the largest integer in a picture is one below the largest possible.
 fn lacks_largest(picture: &Picture, step: f64) -> bool {
     let values = picture.values.as_flattened().iter().filter(|value| value.is_finite());
     let largest = values.fold(0.0_f64, |largest, value| largest.max((*value).into()));

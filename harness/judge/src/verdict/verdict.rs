@@ -164,7 +164,7 @@ impl Verdict {
 
     /// Says also whether the means of the picture and of its objects are within a relative margin of ours.
     pub fn hold_to(&mut self, margin: f64) {
-        // what rounding may do is in the intervals, and not in a picture with the same bits
+        // a picture with the same bits is within any margin; intervals allow for rounding and may be wider
         let answer = match self.equal_to_seed {
             Some(_) => Answer::Agrees,
             None => Means::within(&self.means, margin),

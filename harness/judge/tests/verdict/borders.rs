@@ -6,8 +6,9 @@ use judge::verdict::{
     Bright, Negative, Quantiser, Reference, Stored, refusal, refusal_of_alpha, refusal_of_seed,
 };
 use pictures::compare::{Picture, Transfer};
-use pictures::sums::{Header, Made, Seeds, Sums};
+use pictures::sums::{Header, Seeds, Sums};
 
+use super::header::header;
 use crate::verbs::{equal, near};
 
 /// Law: a value that is no finite number is refused, by the first pixel that has one, whichever channel it is in, and alpha
@@ -60,7 +61,7 @@ fn negative_values_begin_below_rounding() {
     equal("place of the only one", (single.values, single.at), (1, [3, 2]));
 }
 
-/// Law: the largest seed that is taken leaves a million after it. Oracle: numbers.
+/// Law: seeds are refused if fewer than a million numbers follow. Oracle: numbers on both sides of the border.
 #[test]
 fn the_last_seed_is_a_border() {
     let last = u64::MAX - 1_000_000;
@@ -71,17 +72,7 @@ fn the_last_seed_is_a_border() {
 
 /// Sums of a picture of one pixel with these seeds; the replica of a seed is that seed.
 fn sums(seeds: &Seeds) -> (Sums, Header) {
-    let header = Header {
-        program: "1".to_owned(),
-        scene: "5".repeat(64),
-        made: Made::default(),
-        size: [1, 1],
-        samples: 4,
-        arguments: Vec::new(),
-        wanted: Seeds::default(),
-        seeds: Seeds::default(),
-        not_finite: 0,
-    };
+    let header = header([1, 1]);
     let mut sums = Sums::new(header.clone());
     for seed in seeds.iter() {
         let mut film = Film::new(1, 1);
@@ -91,9 +82,9 @@ fn sums(seeds: &Seeds) -> (Sums, Header) {
     (sums, header)
 }
 
-/// Law: ours begin at the least seed from the one asked for on from which none is in the reference, for every set of seeds:
-/// no picture of ours is one of the mean. The mean is that of its pictures, and there are as many. Oracle: all sets of seeds
-/// below 6, and each seed after the first one tried.
+/// Law: our seeds begin at the least one, not below the one asked for, such that it and all later ones are missing in the
+/// reference: no picture of ours is in its mean. The mean is that of its pictures, and has their number. Oracle: all sets of
+/// seeds below 6, tried one by one.
 #[test]
 fn seeds_of_a_reference_never_come_again() {
     let stored = Stored::Floats { bits: 24 };
@@ -155,9 +146,9 @@ fn ways() -> Vec<(Stored, f64)> {
     [255.0, 65_535.0].into_iter().flat_map(of).collect()
 }
 
-/// Law: of each way to store integers, what an integer is read as is stored as that integer again; numbers read grow with
-/// the integers; and they lie within the interval that is said of them from all radiance that is stored so. Oracle: the
-/// integers, all of 8 bits and some of 16, and the quantiser's own borders.
+/// Law: in each way to store integers, the radiance that an integer is read as is stored as that integer again; it grows with
+/// the integer; and all radiance that is stored as it or a neighbour is within the tolerance. Oracle: the integers, all of 8
+/// bits and some of 16.
 #[test]
 fn what_is_read_is_stored_so_again() {
     for (stored, largest) in ways() {
@@ -169,7 +160,7 @@ fn what_is_read_is_stored_so_again() {
             let radiance = f64::from(stored.read(value));
             let what = format!("{stored}: integer {integer}");
             let again = stored.integers(Rgb::grey(radiance)).expect("integers")[0];
-            // the largest of truncated sRGB is that of more than 1
+            // of truncated sRGB, only values from 1 on have the largest
             if f64::from(integer) < largest {
                 near(&what, again, f64::from(integer), 0.0);
             }
@@ -180,7 +171,6 @@ fn what_is_read_is_stored_so_again() {
                 film.set([0, 0], Rgb::grey(radiance));
                 f64::from(stored.values(&film)[0])
             };
-            // what is stored as this integer or a neighbour is within the tolerance of it
             for part in [0.999, 1.0, 1.001] {
                 let near_by = film(radiance * part);
                 let apart = (near_by - radiance).abs();
@@ -196,9 +186,8 @@ fn what_is_read_is_stored_so_again() {
     }
 }
 
-/// Law: rounding to integers has the standard deviation of an error that is evenly spread over what is stored as one, and the
-/// mean of values may be off by a tenth of that, whichever way of rounding it was. Oracle:
-/// the borders of the integer by bisection, and the length over √12.
+/// Law: rounding to integers has the standard deviation of a uniform error over the radiances that are stored as one integer,
+/// and the slack of means is a tenth of their range. Oracle: the ends of that range by bisection, and its length over √12.
 #[test]
 fn rounding_is_that_of_an_interval() {
     for (stored, largest) in ways().into_iter().filter(|it| it.1 == 255.0) {
@@ -221,7 +210,6 @@ fn rounding_is_that_of_an_interval() {
                 expected,
                 0.01 * expected,
             );
-            // in the middle no border decides, but the way of rounding is not known
             let mut film = Film::new(1, 1);
             film.set([0, 0], Rgb::grey(radiance));
             let slack = stored.slack(&film)[0];

@@ -5,7 +5,7 @@ use judge::verdict::{Area, Areas, Mean, Means, Pool, Ranking, Strictness, Verdic
 use pictures::compare::Picture;
 use statistics::means::two_samples;
 
-use super::pool::noisy;
+use super::pictures::noisy;
 use super::shared::FLOATS;
 use crate::verbs::{between, equal, near};
 
@@ -14,9 +14,12 @@ const SIZE: [usize; 2] = [3, 2];
 
 const PIXELS: usize = SIZE[0] * SIZE[1];
 
-/// How often the mean of a correct picture is below, and above, its interval of 80 % for two areas, so that each holds with
-/// 90 %: of the whole picture, and of its green.
-fn outside(cases: u32, of: &mut dyn FnMut() -> Means) -> [[f64; 2]; 2] {
+/// Rounding of sums of a few numbers near 10.
+const SUMS: f64 = 1e-9;
+
+/// How often the mean of a correct picture is below, and above, its interval: of all channels, and of green. The confidence is
+/// 80 % for both together, so that each holds with 90 %.
+fn outside(cases: u32, mut of: impl FnMut() -> Means) -> [[f64; 2]; 2] {
     let mut counts = [[0.0; 2]; 2];
     for _ in 0..cases {
         let means = of();
@@ -61,8 +64,8 @@ fn intervals_of_means_have_their_level() {
     }
 }
 
-/// Law: the same of several pictures on each side with noise of their own: Welch's interval. Oracle: as above; Welch's
-/// degrees are an estimate, for which a fifth more is allowed.
+/// Law: the same for Welch's interval of several pictures on each side with noise of their own. Oracle: as above; Welch's
+/// degrees are an estimate, for which 20 more are allowed.
 #[test]
 fn intervals_of_several_pictures_have_their_level() {
     let areas = Areas::tiles(SIZE);
@@ -113,18 +116,14 @@ fn means_are_means() {
         let (mut ours, mut theirs) = (0.0, 0.0);
         for channel in 0..3 {
             let [a, b] = [of(&pictures[..3], channel), of(&pictures[3..], channel)];
-            near(format!("{name}: ours"), means.ours[channel], a, 1e-9);
-            near(format!("{name}: theirs"), means.theirs[channel], b, 1e-9);
+            near(format!("{name}: ours"), means.ours[channel], a, SUMS);
+            near(format!("{name}: theirs"), means.theirs[channel], b, SUMS);
             let relative = means.channels[channel].relative.expect("not black");
-            near(format!("{name}: relative"), relative, b / a - 1.0, 1e-9);
+            near(format!("{name}: relative"), relative, b / a - 1.0, SUMS);
             (ours, theirs) = (ours + a, theirs + b);
         }
-        near(
-            format!("{name}: of all"),
-            means.relative.expect("not black"),
-            theirs / ours - 1.0,
-            1e-9,
-        );
+        let relative = means.relative.expect("not black");
+        near(format!("{name}: relative, of all channels"), relative, theirs / ours - 1.0, SUMS);
     }
 }
 
@@ -204,9 +203,9 @@ fn tiles_are_tested_down_to_an_eighth() {
     }
 }
 
-/// Law: a picture with so many times the noise of ours is said to have that, to 1 % (a quarter of it and four times to 5 %), held against few of
-/// ours, or many, or against the mean of others; also if single pixels are bright, in theirs and in ours. Oracle: the factor,
-/// of normal noise in 49,152 blocks; a factor of their details is known to 0.4 % by chance.
+/// Law: the noise factor of a picture is found to 1 % (¼ and 4 to 5 %), with few or many of ours, or the mean of others; also
+/// if single pixels are bright, in theirs and in ours. Oracle: the factor of normal noise in 49,152 blocks, which chance
+/// changes by 0.4 %.
 #[test]
 fn twice_the_noise_is_twice() {
     const SIDE: usize = 256;
@@ -241,14 +240,14 @@ fn twice_the_noise_is_twice() {
     }
 }
 
-/// Law: the verdict on several pictures is at the level: of tests that are exactly at it one differs, beyond it none. Oracle:
-/// the probabilities of the tests.
+/// Law: an area of several pictures differs if its probability is at most the level. Oracle: the least probability of the
+/// tests as level, and a little less.
 #[test]
 fn the_level_is_a_border() {
     let areas = Areas::tiles(SIZE);
     let random = &mut Pcg32::new(7, 42);
     let ours: Vec<Vec<f32>> = (0..8).map(|_| noisy(random, PIXELS, 0.05)).collect();
-    // pixels that are too bright, and too dark, so that the mean of the picture stays
+    // pixels are too bright or too dark by turns, so that the mean of the picture stays
     let theirs: Vec<Vec<f32>> = (0..4)
         .map(|_| {
             let gain = |at: usize| if (at / 3).is_multiple_of(2) { 1.12 } else { 0.88 };

@@ -6,18 +6,12 @@ use judge::verdict::{
     Against, Areas, Decision, Evaluation, Mean, Pool, PoolContext, Ranking, Strictness,
 };
 
+use super::pictures::noisy;
 use super::shared::FLOATS;
 use crate::verbs::{equal, near};
 
-/// A normal number, nearly.
-pub fn normal(random: &mut Pcg32) -> f64 {
-    (0..12).map(|_| random.uniform()).sum::<f64>() - 6.0
-}
-
-/// A picture of normal noise of this part of the mean 10.
-pub fn noisy(random: &mut Pcg32, pixels: usize, noise: f64) -> Vec<f32> {
-    (0..3 * pixels).map(|_| (10.0 * (1.0 + noise * normal(random))) as f32).collect()
-}
+/// Rounding of nine numbers of magnitude 1.
+const ROUNDING: f64 = 1e-12;
 
 /// A value against those of all others: by definition.
 fn against(values: &[f64], picture: usize, held: Option<f64>) -> Against {
@@ -63,7 +57,7 @@ fn each_picture_is_held_against_all_others() {
             let held = (case % 3 == 0).then(|| Mean { values: vec![1.5, 2.5, 3.5], pictures: 7.0 });
             let pool = Pool::new([1, 1], FLOATS, pictures.clone()).against_mean(held.clone());
             let of_mean = if held.is_some() { 1.0 / 7.0 } else { 1.0 / (count as f64 - 1.0) };
-            near("variance of the mean", pool.variance_of_mean(), of_mean, 1e-15);
+            near("variance of the mean", pool.variance_of_mean(), of_mean, ROUNDING);
             for channel in 0..3 {
                 let values: Vec<f64> = pictures.iter().map(|it| f64::from(it[channel])).collect();
                 let held = held.as_ref().map(|mean| mean.values[channel]);
@@ -74,11 +68,16 @@ fn each_picture_is_held_against_all_others() {
                             Against::Varied { difference, variance },
                             Against::Varied { difference: apart, variance: square },
                         ) => {
-                            near(format!("{what}: difference"), difference, apart, 1e-12);
-                            near(format!("{what}: variance"), variance, square, 1e-12);
+                            near(format!("{what}: difference"), difference, apart, ROUNDING);
+                            near(format!("{what}: variance"), variance, square, ROUNDING);
                             let others = values.iter().sum::<f64>() - values[picture];
                             let mean = held.unwrap_or(others / (count as f64 - 1.0));
-                            near(&what, pool.mean_of_others(picture, channel), mean, 1e-12);
+                            near(
+                                format!("{what}: mean of others"),
+                                pool.mean_of_others(picture, channel),
+                                mean,
+                                ROUNDING,
+                            );
                         }
                         (found, expected) => equal(&what, found, expected),
                     }
@@ -116,7 +115,7 @@ fn equal_pictures_have_equal_ranks() {
         for picture in 0..=OURS {
             let as_far = ranking.scores.iter().filter(|it| **it >= ranking.scores[picture]).count();
             let expected = as_far as f64 / (OURS + 1) as f64;
-            near("probability", ranking.probability(picture), expected, 1e-15);
+            near("probability", ranking.probability(picture), expected, ROUNDING);
             equal("others that are as far out", ranking.as_far_as(picture), as_far - 1);
         }
     }

@@ -8,7 +8,7 @@ use judge::verdict::{
 use pictures::digits::three;
 use pictures::percent::{of_pixels, percent, signed};
 
-use super::pool::noisy;
+use super::pictures::noisy;
 use super::shared::FLOATS;
 use crate::verbs::{between, equal, near};
 
@@ -180,16 +180,16 @@ fn a_mean_outside_is_told() {
     between("verdicts by the mean alone", f64::from(told), [1.0, 4.0]);
 }
 
-/// Law: the smallest gain that is promised of tiles of a side is that with which a picture without noise of its own is just
-/// farther out than all of ours there, in the tile of median noise. Oracle: it is planted in the mean of ours; the noise of the pool's last picture takes
-/// some part in its variance, for which a half is allowed.
+/// Law: with the smallest gain that is promised for tiles of a side, a picture without noise of its own is just farther out
+/// than all of ours, in the tile of median noise. Oracle: the gain, planted in the mean of ours; the noise of the pool's last
+/// picture has a part in the variance, for which a half is allowed.
 #[test]
 fn the_promised_gain_stands_out() {
     const SIDE: usize = 32;
     let areas = Areas::tiles([SIDE; 2]);
     let random = &mut Pcg32::new(5, 61);
     for noise in [0.01, 0.04] {
-        // a quarter of the picture has six times the noise, which is not that of the median tile
+        // a quarter of the picture has six times the noise; the median tile is outside of it
         let mut one = || -> Vec<f32> {
             let [calm, wild] = [noise, 6.0 * noise].map(|it| noisy(random, SIDE * SIDE, it));
             let is_wild = |at: usize| at / 3 % SIDE >= 24;
@@ -199,9 +199,9 @@ fn the_promised_gain_stands_out() {
         let pool = Pool::new([SIDE; 2], FLOATS, pictures.clone());
         let ranking = Ranking::of(&pool, &areas, 0);
         let limits: Vec<(usize, f64)> = ranking.limits(11).collect();
-        for ((side, gain), (of_limit, limit)) in
-            smallest_gains(&pool, &areas, &ranking).into_iter().zip(limits)
-        {
+        let gains = smallest_gains(&pool, &areas, &ranking);
+        equal("sides of tiles", [gains.len(), limits.len()], [1 + SIDE.ilog2() as usize; 2]);
+        for ((side, gain), (of_limit, limit)) in gains.into_iter().zip(limits) {
             equal("side", side, of_limit);
             let gain = gain.expect("there is noise and light");
             let level = side.trailing_zeros() as usize;

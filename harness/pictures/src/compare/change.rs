@@ -116,11 +116,9 @@ impl Change {
                 format!("{b} is {parts}")
             }
             Self::Channels(order) => {
-                // the first of its channels is the one that is taken from there
-                let holds = |stored| order.iter().position(|from| *from == stored);
-                let name = |stored| holds(stored).map_or("none", |it| ["red", "green", "blue"][it]);
-                let names = [0, 1, 2].map(name).join(", ");
-                format!("the channels of {b} are in the order {names}")
+                let mut names = [""; 3];
+                order.iter().zip(["red", "green", "blue"]).for_each(|(at, name)| names[*at] = name);
+                format!("the channels of {b} are in the order {}", names.join(", "))
             }
             Self::Decoded(transfer) => format!("{b} is encoded as {transfer}, not as {before}"),
             Self::Scaled(factor) => format!("{b} is {a} divided by {}", named(factor)),

@@ -67,8 +67,8 @@ pub(super) fn evenly_spread([width, height]: [u32; 2], most: usize) -> Vec<[i64;
     spread(width as usize * height as usize, most).map(pixel).collect()
 }
 
-/// All indices below `count`, or about `most` evenly spread ones, ascending: one of each so many, drawn by its hash, so that
-/// no column and no row is left out whatever the width is.
+/// All indices below `count`, or about `most` evenly spread ones, ascending: one from each block of equal length, at a hashed
+/// offset. A fixed offset would leave out whole columns at some widths.
 pub fn spread(count: usize, most: usize) -> impl Iterator<Item = usize> {
     let step = (count / most).max(1);
     (0..count).step_by(step).map(move |first| {

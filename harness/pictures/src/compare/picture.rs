@@ -270,8 +270,8 @@ impl<'a> Decoded<'a> {
     }
 }
 
-/// The integer of all that is 1 or more: the largest. Of sRGB it may be the one before, if the picture has no larger one:
-/// 1.055 − 0.055 is a little less than 1 in double precision, which is truncated.
+/// The integer that stands for all values from 1 on: the largest, or the one below it if the picture is sRGB and has none
+/// larger. In double precision, sRGB of 1 is 1.055 − 0.055, a little less than 1, and may have been truncated.
 fn white(picture: &Picture, largest: u32) -> u32 {
     let half = 0.5 / f64::from(largest);
     let has_largest =

@@ -10,6 +10,9 @@ use pictures::percent::{of_pixels, signed};
 use super::compared;
 use crate::verbs::{between, equal, near};
 
+/// Rounding of sums of a thousand numbers of magnitude 1.
+const ROUNDING: f64 = 1e-12;
+
 /// Sizes at which a loop may end too early or begin too late.
 const SIZES: [[u32; 2]; 7] = [[1, 1], [1, 7], [8, 1], [2, 2], [5, 3], [16, 9], [33, 31]];
 
@@ -90,12 +93,12 @@ fn check(a: &Picture, b: &Picture, found: &Comparison) {
             finite().map(of).sum::<f64>() / count
         });
         for side in [0, 1] {
-            near("mean of a channel", found.means[side][channel], means[side], 1e-12);
+            near("mean of a channel", found.means[side][channel], means[side], ROUNDING);
         }
         let apart = |(a, b): (&[f32; 3], &[f32; 3])| f64::from(b[channel]) - f64::from(a[channel]);
         squares += finite().map(apart).map(|it| it * it).sum::<f64>();
     }
-    near("root mean square", found.root_mean_square, (squares / (3.0 * count)).sqrt(), 1e-12);
+    near("root mean square", found.root_mean_square, (squares / (3.0 * count)).sqrt(), ROUNDING);
 
     let width = a.size[0] as usize;
     let differs: Vec<bool> = a.values.iter().zip(&b.values).map(|(a, b)| differ(*a, *b)).collect();
@@ -156,8 +159,7 @@ fn what_is_printed_was_counted() {
         let found = compared(&a, &b);
         let text = found.to_string();
         let has = |line: String| assert!(text.contains(&line), "expected `{line}`, found {text}");
-        let share = found.differing as f64 / f64::from(width * height);
-        let share = of_pixels(share);
+        let share = of_pixels(found.differing as f64 / f64::from(width * height));
         has(format!("pixels that differ: {} of {width} × {height} ({share})\n", found.differing));
         has(format!("root mean square of the differences: {}\n", short(found.root_mean_square)));
         for (channel, name) in ["red", "green", "blue"].into_iter().enumerate() {
@@ -227,10 +229,10 @@ fn the_worst_of_many_regions_is_found() {
 fn the_tolerance_is_a_border() {
     let one = |value: f32| Picture::of_radiance(&[0.0, value, 0.0], [1, 1]);
     for sign in [1.0, -1.0] {
-        let near = 3.0_f32;
+        let three = 3.0_f32;
         for (far, count) in [(4.0_f32, 0), (4.0_f32.next_up(), 1), (4.0_f32.next_down(), 0)] {
-            for (a, b) in [(near, far), (far, near)] {
-                let found = Comparison::of(&one(sign * a), &one(sign * b), 0.25).expect("one size");
+            for (a, b) in [(three, far), (far, three)].map(|(a, b)| (sign * a, sign * b)) {
+                let found = Comparison::of(&one(a), &one(b), 0.25).expect("one size");
                 equal(format!("pixels of {a} and {b} that differ"), found.differing, count);
             }
         }

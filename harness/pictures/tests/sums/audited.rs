@@ -1,14 +1,8 @@
 //! Audits of rows, also where values are not finite.
 
-use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::film::Film;
-use groundtruth::lights::Directional;
-use groundtruth::materials::Matte;
-use groundtruth::math::{Point, Vector};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Light, Material, Object, Scene};
-use groundtruth::shapes::Sphere;
 use groundtruth::world::World;
 use pictures::sums::{Contradiction, MergeError, Sums, SumsFile, audit};
 
@@ -17,24 +11,15 @@ use crate::verbs::equal;
 
 const SIDE: u32 = 8;
 
-/// A ball in the upper half.
 fn world() -> World {
-    let lens = Pinhole { distance: 8.0, zoom: 1.0 };
-    let eye = Viewpoint::new(Point::new(0.0, 0.0, 10.0), Point::ORIGIN, lens);
-    let mut image = Image::new(SIDE, SIDE);
-    image.samples = 1;
-    let mut scene = Scene::new("a ball", image, eye);
-    let matte = Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() };
-    scene.materials.push(Material::new("matte", matte));
-    let ball = Sphere { center: Point::new(0.0, 2.5, 0.0), radius: 1.5, inward: false };
-    scene.objects.push(Object::new("ball", "matte", ball));
-    let direction = Vector::new(0.0, 0.0, 1.0);
-    scene.lights.push(Light::new("sun", Directional { ls: 3.0, color: Rgb::WHITE, direction }));
+    let mut scene = (gallery::find("ch03/single-sphere").expect("listed").build)();
+    scene.image.resize(SIDE, SIDE);
+    scene.image.samples = 1;
     World::build(&scene).expect("it is valid")
 }
 
-/// Law: an audit of any rows finds nothing in a right part, and each change of a value in one of them, also to one that is not
-/// finite, by its pixel; of a change in another row it says nothing. Oracle: the renderer, and the pixel that was changed.
+/// Law: an audit of any rows accepts a correct part. It names the pixel of a changed value in its rows, also of one that is
+/// not finite, and ignores changes in other rows. Oracle: the renderer, and the pixel that was changed.
 #[test]
 fn an_audit_is_of_its_rows() {
     let folder = tempfile::tempdir().expect("a folder");
