@@ -3,7 +3,7 @@
 use groundtruth::math::Pcg32;
 use judge::verdict::{Area, Areas, Mean, Means, Pool, Ranking, Strictness, Verdict, several};
 use pictures::compare::Picture;
-use statistics::means::two_samples;
+use statistics::means::{difference, two_samples};
 
 use super::pictures::noisy;
 use super::shared::FLOATS;
@@ -64,13 +64,15 @@ fn intervals_of_means_have_their_level() {
     }
 }
 
-/// Law: the same for Welch's interval of several pictures on each side with noise of their own. Oracle: as above; Welch's
-/// degrees are an estimate, for which 20 more are allowed.
+/// Law: the same for several pictures on each side with noise of their own; the interval is Welch's. Oracle: as above, where
+/// 20 more are allowed, because Welch's degrees are an estimate; and Welch's interval of the pictures' means.
 #[test]
 fn intervals_of_several_pictures_have_their_level() {
     let areas = Areas::tiles(SIZE);
     let random = &mut Pcg32::new(2, 42);
     let slack = vec![0.0; 3 * PIXELS];
+    // three standard deviations of the mean of values that are rounded to a part of 1e-5
+    let rounding = 3.0 * 1e-5 / (12.0 * 3.0 * PIXELS as f64).sqrt();
     let mut outside = [0.0; 2];
     for _ in 0..2_000 {
         let ours: Vec<Vec<f32>> = (0..8).map(|_| noisy(random, PIXELS, 0.05)).collect();
@@ -83,6 +85,12 @@ fn intervals_of_several_pictures_have_their_level() {
         let relative = means.relative.expect("ours is not black");
         outside[0] += f64::from(u8::from(relative < -means.half));
         outside[1] += f64::from(u8::from(relative > means.half));
+        let of_picture =
+            |it: &Vec<f32>| it.iter().copied().map(f64::from).sum::<f64>() / it.len() as f64;
+        let [a, b] = [&theirs, &ours].map(|all| all.iter().map(of_picture).collect::<Vec<f64>>());
+        let [_, low, high] = difference(&a, &b, 0.9).expect("four and eight");
+        let half = 0.5 * (high - low) * 8.0 / b.iter().sum::<f64>();
+        near("half of the interval", means.half, half + rounding, 0.01 * rounding);
     }
     outside.iter().for_each(|count| near("means outside", *count, 100.0, 68.5));
 }
