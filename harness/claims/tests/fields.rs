@@ -163,6 +163,30 @@ fn each_field_of_an_answer_is_needed() {
     }
 }
 
+/// Law: f and pdf are finite and at least 0, also where a direction nearly lies in the surface. Oracle: one bad number, at
+/// directions with a cosine below 0.002 alone, which no other law asks for.
+#[test]
+fn values_of_grazing_directions_are_finite_and_not_negative() {
+    for field in ["f", "pdf"] {
+        for bad in [json!("inf"), json!("nan"), json!(-1e-3)] {
+            let change = |asked: &Value, mut answer: Value| {
+                let directions = asked["eval"]["wi"].as_array().into_iter().flatten();
+                for (index, wi) in directions.enumerate() {
+                    let z = numbers(wi).map_or(1.0, |wi| wi[2]);
+                    if z.abs() < 2e-3 && answer[field][index].is_array() {
+                        answer[field][index][1] = bad.clone();
+                    } else if z.abs() < 2e-3 {
+                        answer[field][index] = bad.clone();
+                    }
+                }
+                answer
+            };
+            let found = card(&mut Lambert::new(json!({}), json!({}), change), 1);
+            assert_eq!(first(&found), Some("positive"), "{field} is {bad} at grazing\n{found}");
+        }
+    }
+}
+
 /// Law: a list is accepted at the borders of what it may say, and refused beyond them. Oracle: both sides of each border.
 #[test]
 fn lists_are_taken_at_their_borders() {

@@ -67,7 +67,7 @@ fn names<'a>(names: impl IntoIterator<Item = &'a String>) -> BTreeSet<&'a str> {
 }
 
 /// Law: a field is seen if some golden's pixels depend on it, and only then. Oracle: a shape behind the eye, which no ray of
-/// the picture meets, as the lamp casts no shadows; a second golden has it ahead.
+/// the picture meets, as the lamp casts no shadows; a second golden, or a second object, has it ahead.
 #[test]
 fn fields_of_what_no_ray_meets_are_unseen() {
     let behind = [of(SPHERE, DISK)];
@@ -105,6 +105,12 @@ fn fields_of_what_no_ray_meets_are_unseen() {
     }
     let shapes: Vec<_> = found.unseen.keys().filter(|field| field.starts_with("shape")).collect();
     assert!(shapes.is_empty(), "unseen fields of shapes: {shapes:?}");
+
+    // the first of two spheres is behind the eye
+    let turned = SCENE.replace("AHEAD", &SPHERE.replace('Z', "20"));
+    let (_folder, goldens) = folder(&[turned.replace("BEHIND", &SPHERE.replace('Z', "0"))]);
+    let found = controls(&Program::OURS, &goldens);
+    assert!(found.seen.contains("shape sphere.radius"), "a radius of the second of two spheres");
 }
 
 /// Law: a value that is the default is not counted, as a program that ignores it draws the same picture; one that is not, is.

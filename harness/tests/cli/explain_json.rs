@@ -182,7 +182,7 @@ fn formulas_as_data_are_those_of_the_text_and_their_product_the_value() {
             word("source")
         );
         // the text leaves out the light of a shadow ray that loses nothing
-        assert!(text.contains(&line) || term["source"] == "light", "{line}");
+        assert!(text.contains(&line) || term["source"] == "light", "no `{line}` in\n{text}");
         for channel in 0..3 {
             let value = |data: &Value| data["value"][channel].as_f64().expect("a number");
             let product = formula["factors"].as_array().expect("a list").iter().fold(
@@ -196,14 +196,13 @@ fn formulas_as_data_are_those_of_the_text_and_their_product_the_value() {
                 },
             );
             let wanted = value(term);
-            assert!(
-                (product - wanted).abs() <= 1e-9 * wanted.abs(),
-                "{line}: {product}, not {wanted}"
-            );
+            // roundings of a few factors
+            let is_near = (product - wanted).abs() <= 1e-9 * wanted.abs();
+            assert!(is_near, "the product of {line}: {product}, not {wanted}");
         }
     });
-    assert!(found > 10, "{found} formulas");
-    assert_eq!(with, plain);
+    assert!(found > 10, "formulas: found {found}, expected more than 10");
+    assert_eq!(with, plain, "the JSON without its formulas");
 }
 
 /// Takes the formula out of each term, and shows both.

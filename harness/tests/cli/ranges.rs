@@ -1,4 +1,4 @@
-//! Numbers on the command line: the ends of their ranges, one beyond, and what is printed of them.
+//! Numbers on the command line: the ends of their ranges, numbers beyond them, and numbers that are printed.
 
 use std::path::Path;
 
@@ -6,8 +6,8 @@ use super::announced::announce::words;
 use super::columns_of_text::columns::wrapped;
 use super::{GROUNDTRUTH, run_in};
 
-/// Law: of each number with a range the least and the largest are taken, and one less and one more are refused with status 2, before
-/// anything is done (README, `--help`). Oracle: the ranges by hand.
+/// Law: of each number with a range the least and the largest are taken, and one less and one more are refused with
+/// status 2, before anything is done (README, `--help`). Oracle: the ranges by hand.
 #[test]
 fn the_ends_of_ranges_are_taken_and_no_more() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -77,8 +77,8 @@ fn the_ends_of_ranges_are_taken_and_no_more() {
     }
 }
 
-/// Law: renderings of at least 5 s are announced; below 90 s in seconds, below 90 min in minutes, else in hours, rounded; and how
-/// often, if that is more than once. Oracle: the rounding, for times on both sides of each border.
+/// Law: renderings of at least 5 s are announced; below 90 s in seconds, below 90 min in minutes, else in hours,
+/// rounded; and how often, if that is more than once. Oracle: the rounding, for times on both sides of each border.
 #[test]
 fn announced_times_are_rounded_in_their_unit() {
     for (seconds, expected) in [
@@ -107,8 +107,9 @@ fn announced_times_are_rounded_in_their_unit() {
     }
 }
 
-/// Law: a line is broken only where the next word would not fit, and goes on four spaces further in; a line that just fits is left as
-/// it is. Oracle: the lengths of lines and words; all widths from 50 to 70 for texts of words of one to nine letters.
+/// Law: a line is broken only where the next word would not fit, and goes on four spaces further in; a line that just
+/// fits is left as it is. Oracle: the lengths of lines and words; all widths from 50 to 70 for texts of words of one to
+/// nine letters.
 #[test]
 fn lines_are_broken_only_where_they_must() {
     let mut text = "  ".to_owned();
@@ -170,7 +171,8 @@ fn the_box_of_all_is_around_the_boxes_of_each() {
     }
 }
 
-/// Law: a list names each scene once, in the order of the book, as text and as JSON. Oracle: each other, and the chapters' numbers.
+/// Law: a list names each scene once, in the order of the book, as text and as JSON. Oracle: each other, and the
+/// chapters' numbers.
 #[test]
 fn a_list_is_in_the_order_of_the_book() {
     let here = Path::new(".");
@@ -193,8 +195,8 @@ fn a_list_is_in_the_order_of_the_book() {
     assert_eq!(unique.len(), names.len(), "different names");
 }
 
-/// Law: `goldens check` counts what is not the same, of all, and proposes to accept each that is not drift. Oracle: its own lines, in
-/// a folder where one golden of three is damaged and one has no scene.
+/// Law: `goldens check` counts what is not the same, of all, and proposes to accept each that is not drift. Oracle: its
+/// own lines, in a folder where one golden of three is damaged and one has no scene.
 #[test]
 fn a_check_counts_its_lines() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -240,8 +242,8 @@ fn shares(ray: &serde_json::Value, all: &mut Vec<f64>) {
     ray["children"].as_array().into_iter().flatten().for_each(|child| shares(child, all));
 }
 
-/// Law: `explain --min-share P` shows each ray whose share is at least P percent, and counts the others, so that all rays are shown or
-/// counted; at 0 all are shown. Oracle: the shares as JSON.
+/// Law: `explain --min-share P` shows each ray whose share is at least P percent, and counts the others, so that all
+/// rays are shown or counted; at 0 all are shown. Oracle: the shares as JSON.
 #[test]
 fn rays_of_a_share_are_shown_and_the_others_counted() {
     let here = Path::new(".");

@@ -190,3 +190,20 @@ fn stored(color: Rgb) -> [u32; 3] {
     film.set([0, 0], color);
     film.to_f32().next().expect("one pixel").map(f32::to_bits)
 }
+
+#[cfg(test)]
+mod tests {
+    /// Law: a kind has its own fields, not those of a kind whose name begins with its name. Oracle: names of scene files.
+    #[test]
+    fn fields_belong_to_the_kind_of_their_whole_name() {
+        for (field, expected) in [
+            ("light ambient.ls", true),
+            ("light ambient_occluder.ls", false),
+            ("light ambient_occluder", false),
+            ("light ambient", false),
+        ] {
+            let found = super::is_field_of(field, "light ambient");
+            assert_eq!(found, expected, "whether `{field}` is a field of `light ambient`");
+        }
+    }
+}

@@ -143,6 +143,7 @@ fn samplers_have_the_numbers_of_their_errors() {
             if far.iter().all(|it| it.1.is_finite()) {
                 let expected = slope(&far);
                 let found = read(&row[4]).expect("a slope");
+                // two decimals are shown; the data has every digit, but for the order of sums
                 assert!(
                     (found - expected).abs() < 0.006,
                     "{}: {found}, not {expected}",
