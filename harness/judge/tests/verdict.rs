@@ -8,6 +8,7 @@ mod edges;
 #[path = "../../pictures/tests/sums/header.rs"]
 mod header;
 mod intervals;
+pub mod noise;
 pub mod pictures;
 mod pool;
 mod power;

@@ -27,9 +27,9 @@ fn a_character_is_two_pixels() {
     assert_eq!(blocks(&film, &Tone::PLAIN, 2), format!("{first}{second}"));
 }
 
-/// Law: a picture has at most so many characters a line and one line for two of its rows, each character the mean of as many
-/// columns as rows; what is left over at the right and below is left out, of pictures of any size. Oracle: the means, pixel
-/// by pixel, of greys that have no two alike.
+/// Law: pictures of any size are shrunk to at most `columns` characters a line. Each half of a character is the mean of a square
+/// block of pixels; incomplete blocks at the right and below are left out. Oracle: the means, pixel by pixel, of a pattern of
+/// greys.
 #[test]
 fn pictures_of_any_size_are_shrunk_to_means() {
     for [width, height] in [[1, 1], [1, 6], [6, 1], [7, 5], [40, 3], [41, 30], [39, 80], [80, 81]] {

@@ -14,7 +14,7 @@ use statrs::distribution::{ContinuousCDF, StudentsT};
 
 use super::synthetic::{verdict, verdict_at};
 use crate::verbs::{equal, near};
-use crate::verdict::pictures::normal;
+use crate::verdict::noise::normal;
 
 /// The tiles of each level, by their pixels, with the number of tests in the level: one for each tile and channel.
 fn areas_by_hand([width, height]: [usize; 2]) -> Vec<(usize, Vec<Vec<usize>>)> {

@@ -5,7 +5,7 @@ use judge::verdict::{Area, Areas, Mean, Means, Pool, Ranking, Strictness, Verdic
 use pictures::compare::Picture;
 use statistics::means::{difference, two_samples};
 
-use super::pictures::noisy;
+use super::noise::noisy;
 use super::shared::FLOATS;
 use crate::verbs::{between, equal, near};
 

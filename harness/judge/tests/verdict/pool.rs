@@ -6,7 +6,7 @@ use judge::verdict::{
     Against, Areas, Decision, Evaluation, Mean, Pool, PoolContext, Ranking, Strictness,
 };
 
-use super::pictures::noisy;
+use super::noise::noisy;
 use super::shared::FLOATS;
 use crate::verbs::{equal, near};
 
@@ -36,15 +36,14 @@ fn against(values: &[f64], picture: usize, held: Option<f64>) -> Against {
     }
 }
 
-/// Law: a value is held against the mean and the variance of all other pictures, or the same as all, or an outlier, or left
-/// out; whichever of three to nine pictures it is, and with a mean of others beside them. Oracle: the values of the others,
-/// one by one.
+/// Law: a value is compared with the mean and the variance of all other pictures, or is the same as all, or an outlier, or left
+/// out, for each of three to nine pictures, also with a reference. Oracle: the values of the others, one by one.
 #[test]
 fn each_picture_is_held_against_all_others() {
     let random = &mut Pcg32::new(1, 41);
     for count in [3, 4, 9] {
         for case in 0..400_u32 {
-            // few different values, so that some agree; with luck all do, or all but one
+            // few different values, so that some agree, and sometimes all, or all but one
             let kinds = 1 + random.below(3);
             let mut value = || match random.below(60) {
                 0 => f32::NAN,
@@ -98,8 +97,8 @@ fn each_picture_is_held_against_all_others() {
     }
 }
 
-/// Law: equal pictures are as far out as each other, and each counts for the other; the probability is one more than those
-/// that are as far out, of all. Oracle: a copy of each picture in turn.
+/// Law: equal pictures are equally far out, and each counts for the other; the probability is the share of pictures at least as
+/// far out, itself among them. Oracle: a copy of each picture in turn.
 #[test]
 fn equal_pictures_have_equal_ranks() {
     const OURS: usize = 8;
@@ -121,8 +120,8 @@ fn equal_pictures_have_equal_ranks() {
     }
 }
 
-/// Law: so many of ours can change the decision that a picture farther out than all has a probability of the level or less,
-/// and with one of ours less it had more. Oracle: the definition, for levels on both sides of 1/n.
+/// Law: the most replicas are the fewest with which a picture farther out than all has a probability of at most the level.
+/// Oracle: the definition, for levels on both sides of 1/n.
 #[test]
 fn the_most_replicas_are_those_of_the_level() {
     for n in [5, 10, 20, 100, 1000] {
@@ -140,9 +139,9 @@ fn the_most_replicas_are_those_of_the_level() {
     equal("replicas if 18 are first", Strictness { level: 0.05, first: 18 }.most(), 19);
 }
 
-/// Law: ours are asked for in numbers of 8, 16, 32 … up to 1/level − 1, until three of them are as far out as theirs, or theirs
-/// is more than a hundred times as far out as 15 or more; it differs if then it is farther out than all. Oracle: the rule,
-/// tried at each number of pictures, by ranks of all of them.
+/// Law: 8, 16, 32 … pictures of ours are asked for, up to 1/level − 1, until three are as far out as theirs, or theirs is more
+/// than a hundred times as far out as all of 15 or more. It differs if it is then farther out than all. Oracle: the rule, tried
+/// at each number of pictures, by ranks of all of them.
 #[test]
 fn ours_are_asked_for_while_theirs_is_among_the_farthest() {
     const MOST: usize = 99;

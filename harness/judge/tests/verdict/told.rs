@@ -8,7 +8,7 @@ use judge::verdict::{
 use pictures::digits::three;
 use pictures::percent::{of_pixels, percent, signed};
 
-use super::pictures::noisy;
+use super::noise::noisy;
 use super::shared::FLOATS;
 use crate::verbs::{between, equal, near};
 

@@ -52,9 +52,8 @@ fn labels(differs: &[bool], width: usize) -> Vec<usize> {
     }
 }
 
-/// Law: counts of values that are no radiance, means, root mean square, differing pixels and their regions are what they
-/// are called, for pictures of every size. Oracle: each by its definition, slowly: loops over all pixels, and labels that
-/// spread from pixel to pixel.
+/// Law: counts of NaN, infinite and negative values, means, root mean square, differing pixels and their regions agree with
+/// their definitions, for pictures of every size. Oracle: loops over all pixels, and labels that spread from pixel to pixel.
 #[test]
 fn what_is_counted_is_there() {
     let random = &mut Pcg32::new(1, 21);
@@ -185,8 +184,8 @@ fn what_is_printed_was_counted() {
     }
 }
 
-/// Law: a difference is shown in magenta where any of its channels is not a number, and in no other pixel, and lies in its own
-/// place. Oracle: the pixel and the channel that were changed, in a picture that is no square.
+/// Law: a difference is magenta in exactly the pixels with a channel that is not a number. Oracle: the pixel and the channel
+/// that were changed, in a picture that is no square.
 #[test]
 fn what_is_not_a_number_is_magenta() {
     let black = Picture::of_film(&Film::new(5, 3));
@@ -223,8 +222,8 @@ fn the_worst_of_many_regions_is_found() {
     equal("first of equal ones", compared(&black, &equal_ones).worst.expect("some").worst, [8, 0]);
 }
 
-/// Law: channels are equal up to the tolerance, relative to the larger, and not by the next number beyond it, whichever is
-/// first and with either sign. Oracle: 3 and 4 are a quarter of 4 apart.
+/// Law: channels are equal up to the tolerance, relative to the larger one, and differ at the next number beyond, in both
+/// orders and with either sign. Oracle: 3 and 4 are a quarter of 4 apart.
 #[test]
 fn the_tolerance_is_a_border() {
     let one = |value: f32| Picture::of_radiance(&[0.0, value, 0.0], [1, 1]);

@@ -49,8 +49,8 @@ fn crops(html: &str) -> Vec<(RgbImage, [f64; 4])> {
     before.zip(frames).map(of).collect()
 }
 
-/// Law: of a region are shown its pixels, four around them, and none that is more than sixteen from the worst or outside; the
-/// frame is around the worst pixel, in both pictures. Oracle: the pixels counted one by one, and the only one that is white.
+/// Law: a crop shows the region and four pixels around it, of those inside the picture and at most sixteen from the worst one;
+/// the worst pixel is framed in both pictures. Oracle: the pixels counted one by one, and the only one that is white.
 #[test]
 fn crops_show_the_region_and_frame_its_worst_pixel() {
     let size @ [width, height] = [60_u32, 44];

@@ -25,9 +25,8 @@ fn part(folder: &std::path::Path, seeds: &BTreeSet<u64>) -> PathBuf {
     file
 }
 
-/// What a merge of sets of seeds is to be: the seeds of all, or a partial overlap.
-///
-/// Of parts that are inside another nothing counts; of the others no two may have a common seed.
+/// The merged seeds, or `None` for a partial overlap: parts inside another are ignored, and of the rest no two may share a
+/// seed.
 fn expected(parts: &[&BTreeSet<u64>]) -> Option<BTreeSet<u64>> {
     let is_inside =
         |it: &BTreeSet<u64>| parts.iter().any(|other| it.is_subset(other) && it != *other);
@@ -37,10 +36,9 @@ fn expected(parts: &[&BTreeSet<u64>]) -> Option<BTreeSet<u64>> {
     (!overlap).then(|| parts.iter().flat_map(|it| it.iter().copied()).collect())
 }
 
-/// Law: of any two parts, and of three and four drawn by a seed, each seed is in the sum once, whichever part comes first and
-/// however often a part comes; what is missing of the seeds 0 to 7 is the rest. Parts that overlap without one being inside
-/// the other are refused, with their common seeds. Oracle: sets of numbers, and powers of 4, whose sum tells how often each
-/// was added.
+/// Law: each seed is in the sum of parts once, in any order of the parts and also if a part comes twice; the other seeds of 0
+/// to 7 are missing. Parts that overlap, neither inside the other, are refused, with their common seeds. Oracle: sets of
+/// numbers, for all pairs and some random triples and quadruples; powers of 4, whose sum tells how often each was added.
 #[test]
 fn each_seed_counts_once() {
     let folder = tempfile::tempdir().expect("a folder");
