@@ -1,5 +1,9 @@
 //! Laws of the program and the repository: commands, documents, layers, fuzz bodies.
 
+#[macro_use]
+#[path = "../../tests/asserts.rs"]
+mod asserts;
+
 mod cli;
 mod compare;
 mod conform;

@@ -124,11 +124,10 @@ impl Test {
     }
 }
 
-/// What a failing test says first, without the place in the file.
+/// What a failing test says first, without the place in the file: after the head of a panic, or the line of its name.
 fn first_message(text: &str) -> String {
-    let rest = text
-        .split_once("panicked at ")
-        .map_or(text, |(_, rest)| rest.split_once('\n').map_or("", |(_, rest)| rest));
+    let panicked = text.split_once("panicked at ").and_then(|(_, rest)| rest.split_once('\n'));
+    let rest = panicked.or_else(|| text.split_once(" ----\n")).map_or(text, |(_, rest)| rest);
     let lines = rest
         .lines()
         .take_while(|line| !line.starts_with("note: run with") && !line.starts_with("failures:"));

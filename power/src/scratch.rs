@@ -58,10 +58,15 @@ pub fn build(tree: &Path, changes: &[Change]) -> Result<Scratch> {
         }
         let places = change::write(tree, changes, &refused)?;
         // checked first: where a change does not compile, that is seen sooner
-        let wrong = blamed(&compiled(tree, &["check", "--tests", "--keep-going"])?, &places);
+        let wrong =
+            blamed(&compiled(tree, &["check", "--bins", "--tests", "--keep-going"])?, &places);
         if wrong.is_empty() {
-            let programs = programs(&compiled(tree, &["test", "--no-run"])?);
-            ensure!(!programs.is_empty(), "no test program was built");
+            let messages = compiled(tree, &["test", "--no-run"])?;
+            ensure!(
+                messages.last().is_some_and(|it| it["success"] == true),
+                "the tests do not compile"
+            );
+            let programs = programs(&messages);
             return Ok(Scratch { programs, refused });
         }
         for &index in &wrong {

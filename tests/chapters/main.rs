@@ -4,6 +4,10 @@
 //! `tests/contracts`, under the same names.
 
 #[macro_use]
+#[path = "../asserts.rs"]
+mod asserts;
+
+#[macro_use]
 mod support;
 
 mod calibration;

@@ -31,10 +31,14 @@ type Holds = Result<(), String>;
 
 /// Breaks the law unless the condition is true.
 macro_rules! ensure {
-    ($condition:expr, $($text:tt)+) => {
+    ($condition:expr, $($words:tt)+) => {
         match $condition {
             true => {}
-            false => return Err(format!($($text)+)), // also if a number is NaN
+            // also if a number is NaN
+            false => {
+                let found = format!($($words)+);
+                return Err(format!("found {found}\nexpected `{}`", stringify!($condition)));
+            }
         }
     };
 }

@@ -1,5 +1,9 @@
 //! The laws of lobes, lights and maps: right ones keep them, and mistakes break them.
 
+#[macro_use]
+#[path = "../../../tests/asserts.rs"]
+mod asserts;
+
 mod cells;
 mod chance;
 mod claimed;

@@ -1,4 +1,8 @@
 //! Laws of questions and answers: what the probe answers, and how `conform` judges what programs answer.
 
+#[macro_use]
+#[path = "../../../tests/asserts.rs"]
+mod asserts;
+
 mod conform;
 mod probe;

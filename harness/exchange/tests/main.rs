@@ -1,5 +1,9 @@
 //! Laws of scenes in other words: those of other renderers, and plain ones.
 
+#[macro_use]
+#[path = "../../../tests/asserts.rs"]
+mod asserts;
+
 mod describe;
 mod export;
 mod framing;

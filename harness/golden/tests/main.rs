@@ -1,5 +1,9 @@
 //! Laws of the golden images: how they are kept and compared, and known-bad scenes that a comparison must reject.
 
+#[macro_use]
+#[path = "../../../tests/asserts.rs"]
+mod asserts;
+
 mod bad_scenes;
 mod compare;
 mod controls;

@@ -1,5 +1,9 @@
 //! Laws of the judge of pictures: the known mistakes, exercises and verdicts.
 
+#[macro_use]
+#[path = "../../../tests/asserts.rs"]
+mod asserts;
+
 mod exercise;
 mod mistakes;
 mod sets;

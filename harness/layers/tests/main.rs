@@ -1,5 +1,9 @@
 //! Laws of the layers of a picture.
 
+#[macro_use]
+#[path = "../../../tests/asserts.rs"]
+mod asserts;
+
 mod borders;
 mod colors;
 mod explained;

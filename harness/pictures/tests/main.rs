@@ -1,5 +1,9 @@
 //! Laws of pictures: how two are compared, exact sums of replicas, and texts that others read.
 
+#[macro_use]
+#[path = "../../../tests/asserts.rs"]
+mod asserts;
+
 mod blocks;
 mod compare;
 mod digits;

@@ -1,3 +1,7 @@
 //! Laws of the report.
 
+#[macro_use]
+#[path = "../../../tests/asserts.rs"]
+mod asserts;
+
 mod report;

@@ -1,5 +1,9 @@
 //! Laws of the rays in space.
 
+#[macro_use]
+#[path = "../../../tests/asserts.rs"]
+mod asserts;
+
 mod borders;
 mod orbit;
 mod places;

@@ -1,5 +1,9 @@
 //! The checkers checked: what they find, and the rates of their false alarms.
 
+#[macro_use]
+#[path = "../../../tests/asserts.rs"]
+mod asserts;
+
 mod biased_samples;
 mod chi_square;
 mod correlation;

@@ -1,5 +1,9 @@
 //! The inspector as a user operates it, in a window that exists only in memory.
 
+#[macro_use]
+#[path = "../../../tests/asserts.rs"]
+mod asserts;
+
 mod arguments;
 mod beside;
 mod choosing;

@@ -149,6 +149,14 @@ fn verbs_say_what_was_found_and_what_was_expected() {
     assert_eq!(said(|| at_most!(2, 1)), "`2`: found 2, expected at most 1, `1`");
     assert_eq!(said(|| above!(1, 1)), "`1`: found 1, expected more than 1, `1`");
     assert_eq!(said(|| at_least!(1, 2)), "`1`: found 1, expected at least 2, `2`");
+    assert_eq!(said(|| assert!(1 > 2)), "found the opposite, expected `1 > 2`");
+    assert_eq!(said(|| assert!(1 > 2, "{}", 7)), "found 7\nexpected `1 > 2`");
+    assert_eq!(said(|| assert_eq!(1 + 1, 3)), "`1 + 1`\n   found 2\nexpected 3");
+    assert_eq!(
+        said(|| assert_eq!(0.5, 1.0, "case {}", 7)),
+        "`0.5`; case 7\n   found 0.5\nexpected 1.0"
+    );
+    assert_eq!(said(|| assert_eq!(f64::NAN, f64::NAN)), "`f64::NAN`\n   found NaN\nexpected NaN");
     let refused: [fn(); 3] =
         [|| near!(f64::NAN, 0.0, 1.0), || at_most!(f64::NAN, 0.0), || above!(f64::NAN, 0.0)];
     for law in refused {

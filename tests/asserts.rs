@@ -1,0 +1,59 @@
+//! The assertions of laws, in place of the standard ones of the same names: one that fails says what was measured (its source
+//! text), what was found and what was expected, and after them the words of the law on its case.
+
+use std::fmt::Debug;
+
+/// What a failed comparison says.
+pub fn unequal(
+    what: &str,
+    found: &dyn Debug,
+    expected: &dyn Debug,
+    words: Option<String>,
+) -> String {
+    let words = words.map_or(String::new(), |words| format!("; {words}"));
+    format!("`{what}`{words}\n   found {found:?}\nexpected {expected:?}")
+}
+
+/// What a failed condition says.
+pub fn untrue(condition: &str, words: Option<String>) -> String {
+    match words {
+        Some(words) => format!("found {words}\nexpected `{condition}`"),
+        None => format!("found the opposite, expected `{condition}`"),
+    }
+}
+
+/// The message on a case, if there is one.
+macro_rules! law_words {
+    () => {
+        None
+    };
+    ($($words:tt)+) => {
+        Some(format!($($words)+))
+    };
+}
+
+macro_rules! assert {
+    ($condition:expr $(,)?) => { assert!(@ $condition,) };
+    ($condition:expr, $($words:tt)+) => { assert!(@ $condition, $($words)+) };
+    (@ $condition:expr, $($words:tt)*) => {
+        // not `if !`: what is compared may be NaN
+        match $condition {
+            true => {}
+            false => panic!("{}", crate::asserts::untrue(stringify!($condition), law_words!($($words)*))),
+        }
+    };
+}
+
+macro_rules! assert_eq {
+    ($found:expr, $expected:expr $(,)?) => { assert_eq!(@ $found, $expected,) };
+    ($found:expr, $expected:expr, $($words:tt)+) => { assert_eq!(@ $found, $expected, $($words)+) };
+    (@ $found:expr, $expected:expr, $($words:tt)*) => {
+        match (&$found, &$expected) {
+            (found, expected) if *found == *expected => {}
+            (found, expected) => panic!(
+                "{}",
+                crate::asserts::unequal(stringify!($found), &found, &expected, law_words!($($words)*))
+            ),
+        }
+    };
+}
