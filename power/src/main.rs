@@ -209,15 +209,18 @@ fn known(root: &Path, folder: &Path, asked: &[Asked], without: &[String]) -> Res
     Ok(known)
 }
 
-/// Runs the tests that reach a change: the expected law, then the other laws, quick ones first, then goldens and texts.
+/// Runs the tests that reach a change: the expected law, then those that are named after its file, then the other laws, quick
+/// ones first, then goldens and texts.
 fn ask(asked: &Asked, index: usize, tests: &[Test], texts: &[&str], budget: f64) -> Result<Row> {
     let number = index + 1;
     let mut reaching: Vec<&Test> = tests.iter().filter(|it| it.reached.contains(&number)).collect();
     let is_text = |test: &Test| texts.iter().any(|it| test.name.contains(it));
     let is_expected =
         |test: &Test| asked.law.as_ref().is_some_and(|law| test.name.starts_with(law.as_str()));
+    let own = asked.change.file.trim_end_matches(".rs").trim_end_matches("/mod");
+    let own = own.rsplit('/').next().unwrap_or("");
     reaching.sort_by(|a, b| {
-        let key = |it: &Test| (is_text(it), !is_expected(it));
+        let key = |it: &Test| (is_text(it), !is_expected(it), !it.name.contains(own));
         key(a).cmp(&key(b)).then(a.seconds.total_cmp(&b.seconds))
     });
     let mut row = Row {
