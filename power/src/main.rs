@@ -9,6 +9,7 @@ mod planted;
 mod run;
 mod score;
 mod scratch;
+mod tolerance;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -57,6 +58,9 @@ enum What {
         /// Another seed draws other mutants.
         #[arg(long, default_value_t = 1)]
         seed: u64,
+        /// The tolerances of the laws are multiplied by this.
+        #[arg(long, default_value_t = 1.0)]
+        tolerance: f64,
     },
     /// Reads the tables of planted mistakes, and says which do not fit the source.
     Check,
@@ -86,7 +90,7 @@ fn main() -> Result<()> {
     ensure!(root.join("power/planted").is_dir(), "run this in the root of the repository");
     let folder = root.join(&arguments.folder);
     match arguments.what {
-        What::Run { part, only, budget, without, mutants, of, seed } => {
+        What::Run { part, only, budget, without, mutants, of, seed, tolerance } => {
             let mut asked = Vec::new();
             for it in planted::read(&root.join("power/planted"))? {
                 let kind = if it.law.is_some() { Kind::Planted } else { Kind::Decoy };
@@ -104,7 +108,7 @@ fn main() -> Result<()> {
                     law: None,
                 }));
             }
-            let known = known(&root, &folder, &asked, &without)?;
+            let known = known(&root, &folder, &asked, &without, tolerance)?;
             measure(&root, &folder, &asked, &known, &part, &only, budget)
         }
         What::Check => {
@@ -172,7 +176,13 @@ fn measure(
 }
 
 /// The scratch copy and its tests, made anew when the commit or the changes are others.
-fn known(root: &Path, folder: &Path, asked: &[Asked], without: &[String]) -> Result<Known> {
+fn known(
+    root: &Path,
+    folder: &Path,
+    asked: &[Asked],
+    without: &[String],
+    tolerance: f64,
+) -> Result<Known> {
     let git = |arguments: &[&str]| {
         std::process::Command::new("git").args(arguments).current_dir(root).output()
     };
@@ -185,7 +195,7 @@ fn known(root: &Path, folder: &Path, asked: &[Asked], without: &[String]) -> Res
     let of = format!(
         "{} {:x}",
         String::from_utf8_lossy(&head.stdout).trim(),
-        xxhash_rust::xxh3::xxh3_64(format!("{changes:?} {without:?}").as_bytes())
+        xxhash_rust::xxh3::xxh3_64(format!("{changes:?} {without:?} {tolerance}").as_bytes())
     );
     let file = folder.join("known.json");
     if let Ok(text) = std::fs::read(&file) {
@@ -197,6 +207,9 @@ fn known(root: &Path, folder: &Path, asked: &[Asked], without: &[String]) -> Res
     std::fs::create_dir_all(folder)?;
     let tree = folder.join("tree");
     scratch::clone(root, &tree)?;
+    if tolerance != 1.0 {
+        eprintln!("{} tolerances times {tolerance}", tolerance::multiply(&tree, tolerance)?);
+    }
     let mut built = scratch::build(&tree, &changes)?;
     built.programs.retain(|program| !without.contains(&program.name));
     let tests = run::reach(&built.programs, &folder.join("reached"))?;
