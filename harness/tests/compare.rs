@@ -104,8 +104,8 @@ fn the_exit_status_answers() {
     assert_eq!(json["explained_by"][0]["what"], "film.exr is dim.exr divided by 1/2");
 }
 
-/// Law: in whichever order they are given, a difference is yours − ours, and one of files is the second − the first; for a
-/// scene with noise the last line is the command that judges it. Oracle: a picture half as bright.
+/// Law: in whichever order they are given, a difference is yours − ours, and one of files or of two scenes is the second − the
+/// first; for a scene with noise the last line is the command that judges it. Oracle: a picture half as bright.
 #[test]
 fn signs_have_one_direction() {
     let folder = tempfile::tempdir().expect("a folder");
@@ -134,6 +134,15 @@ fn signs_have_one_direction() {
     assert!(last.ends_with("groundtruth verify ch24/hall-of-mirrors dim.pfm"), "{last}");
     assert!(compare(["whole.pfm", "dim.pfm"]).contains(", −50.00 %"));
     assert!(compare(["dim.pfm", "whole.pfm"]).contains(", +100.00 %"));
+    for (name, background) in [("dark.toml", 0.25), ("bright.toml", 0.5)] {
+        let scene = format!(
+            "image = {{ width = 4, height = 4 }}\nbackground = {background}\n\
+             camera = {{ eye = [0, 0, 5], lens = {{ pinhole = {{ distance = 8 }} }} }}\n"
+        );
+        std::fs::write(folder.path().join(name), scene).expect("written");
+    }
+    assert!(compare(["bright.toml", "dark.toml"]).contains(", −50.00 %"));
+    assert!(compare(["dark.toml", "bright.toml"]).contains(", +100.00 %"));
 }
 
 /// Law: the tolerance is from 0 to below 1, and a difference as large as it is none. Oracle: pictures of 3 and 4, a quarter of

@@ -103,6 +103,31 @@ fn a_second_signal_drops_the_replica_under_way() {
     assert_eq!(read(at, "a.sums"), read(at, "three.sums"));
 }
 
+/// Law: a signal during the last replica lets it finish: the part is whole and the status is 0. Oracle: the bytes of a run
+/// without a signal.
+#[test]
+fn a_signal_during_the_last_replica_changes_nothing() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let at = folder.path();
+    let start = Instant::now();
+    expect(0, at, &format!("{SLOWER} --replicas 1 -o one.sums"));
+    let mut share = start.elapsed() / 2;
+    let is_signalled = (0..20).any(|_| {
+        let _ = fs::remove_file(at.join("a.sums"));
+        let mut child = started(at, &format!("{SLOWER} --replicas 1"));
+        std::thread::sleep(share);
+        let is_running = child.try_wait().expect("a child").is_none();
+        send("-INT", &child);
+        let status = child.wait().expect("it ends").code();
+        // without a status it had not begun to listen
+        share = if is_running { share + share / 4 } else { share / 2 };
+        assert!(status.is_none() || status == Some(0), "{status:?}");
+        is_running && status == Some(0)
+    });
+    assert!(is_signalled, "the signal never came while the replica was rendered");
+    assert_eq!(read(at, "a.sums"), read(at, "one.sums"));
+}
+
 /// Law: a part under way is saved every minute, so that a machine that is killed without a signal loses no more.
 /// Oracle: the file of a program that was killed after a little more than a minute.
 #[test]

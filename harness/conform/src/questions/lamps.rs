@@ -49,12 +49,17 @@ pub fn families() -> Vec<Family> {
             lamp(draw, tag, &steps, "area")
         }));
         all.push(of_lamp(&format!("{tag}.stretched"), move |draw| {
-            // a ball stays one
-            let scale = match tag {
-                "sphere" => json!([2.0, 2.0, 2.0]),
-                _ => json!((std::array::from_fn::<f64, 3, _>(|_| round(draw.between(0.5, 2.0))))),
+            let steps = match tag {
+                // a ball stays one
+                "sphere" => vec![json!({"scale": [2.0, 2.0, 2.0]})],
+                // tilted first: a normal along an axis is scaled as a vector is
+                _ => {
+                    let tilt = json!({draw.pick(&["rotate_x", "rotate_z"]): round(draw.between(20.0, 70.0))});
+                    let scale: [f64; 3] = std::array::from_fn(|_| round(draw.between(0.5, 2.0)));
+                    vec![tilt, json!({"scale": scale})]
+                }
             };
-            lamp(draw, tag, &[json!({"scale": scale})], "area")
+            lamp(draw, tag, &steps, "area")
         }));
     }
     all.extend(of_skies());

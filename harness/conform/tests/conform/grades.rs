@@ -307,6 +307,8 @@ fn a_class_has_a_line_for_each_student() {
     let both = with_row(&zoe, "Müller, \"Ada\"", &right).expect("the same table");
     let ada = "\"Müller, \"\"Ada\"\"\",10,10,0,0,\n";
     assert_eq!(both, format!("{head}{ada}Zoe,0,0,3,0,\n"));
+    let replaced = with_row(&both, "Müller, \"Ada\"", &wrong).expect("the same table");
+    assert_eq!(replaced, format!("{head}{}Zoe,0,0,3,0,\n", ada.replace("10,10,0", "0,0,3")));
     let again = with_row(&both.replace('\n', "\r\n"), "Zoe", &right).expect("the same table");
     assert_eq!(again, format!("{head}{ada}Zoe,10,10,0,0,\n"));
     assert!(with_row("student,total\n", "Zoe", &right).is_err());

@@ -11,7 +11,7 @@ use groundtruth::math::{atan2, exp, power};
 use judge::mistakes;
 use serde_json::{Value, json};
 
-use super::altered::{Altered, families, instead};
+use super::altered::{Altered, at, families, instead, vector};
 
 /// A scene with one material of each of these recipes, named `m0`, `m1` …
 fn scene(tracer: Value, lights: Value, recipes: &[Value], objects: Value) -> Value {
@@ -234,6 +234,35 @@ impl Subject for OneSeed {
 fn a_program_without_seeds_is_right() {
     let card = run(&mut OneSeed, &of_scenes(true), 11, 8);
     assert!(!card.is_failed(), "{card}");
+}
+
+/// Law: a program whose random numbers are ours is held against others. Oracle: the mean of ours for its own seeds, which is
+/// not the one that it is told.
+#[test]
+fn means_are_held_against_other_seeds() {
+    let mut wrong_program = Altered(|_, mut answer| {
+        at(&mut answer, "/mean", |x| 3.0 * x);
+        answer
+    });
+    let mut count = 0;
+    for family in of_scenes(true).into_iter().take(8) {
+        let Judge::Law(law) = family.judge else { continue };
+        for case in (family.cases)(7, 1) {
+            let mut ask = Asking::new(&mut wrong_program);
+            let judgement = law(&mut ask, &case, Profile::Careful).expect("it answers");
+            let Judgement::Wrong(wrong) = judgement else { continue };
+            let mut own = ask.asked[0].0.clone();
+            own["radiance"]["replicas"] = json!(32);
+            let own = ours(&own).expect("an answer");
+            if own["standard_error"] == json!([0.0, 0.0, 0.0]) {
+                continue;
+            }
+            let own: [f64; 3] = vector(&own["mean"]);
+            assert!(!wrong.expected.contains(&format!("{own:?}")), "{}", wrong.expected);
+            count += 1;
+        }
+    }
+    assert!(count >= 4, "{count} cases with noise");
 }
 
 /// Law: the families of scenes show every known mistake whose chapter they ask about, but for those listed, which need

@@ -4,6 +4,8 @@ use std::f64::consts::PI;
 
 use conform::mistakes as m;
 use conform::ours;
+use groundtruth::math::{Step, Transform, Vector};
+use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::super::altered::{at, data, instead, only, vector};
@@ -21,6 +23,8 @@ const SAMPLED: [&str; 5] = [
     "light.environment.mean",
     "light.ambient_occluder.values",
 ];
+const STRETCHED: [&str; 3] =
+    ["light.area.rectangle.stretched", "light.area.disk.stretched", "light.area.mesh.stretched"];
 const ZOOMED: [&str; 2] = ["camera_ray.orthographic.zoom", "project.pinhole"];
 
 planted! {
@@ -137,6 +141,17 @@ planted! {
     "lamps of half the radiance" in LAMPS => Numbers("/radiance", |x| 0.5 * x);
     LAMP_TWO_SIDED in ["light.area.rectangle.sides", "light.area.disk.sides"] =>
         Question(|data| data["lamp"]["two_sided"] = json!(true));
+    "the normal of a lamp moved as a vector" in STRETCHED => Answer(|q, mut a| {
+        let cosine = cosine_at_lamp(q, &a);
+        let steps = &data(q)["lamp"]["shape"]["instance"]["transform"];
+        let Ok(steps) = Vec::<Step>::deserialize(steps) else { return a };
+        // all lamps lie in the plane y = 0 before
+        let Ok(place) = Transform::from_steps(&steps) else { return a };
+        let wrong = place.vector(Vector::Y).unit().expect("a length");
+        let wrong = wrong.dot(Vector::from(vector(&a["direction"]))).abs();
+        at(&mut a, "/pdf", |x| x * cosine / wrong);
+        a
+    });
     "a lamp one unit nearer" in ["light.area.rectangle.turned"] => Numbers("/distance", |x| x - 1.0);
     LENS_DIAMETER in ["camera_ray.thin_lens.values"] =>
         Question(|data| at(only(&mut data["camera"]["lens"]), "/lens_radius", |radius| 0.5 * radius));
