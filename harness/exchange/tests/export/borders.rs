@@ -4,12 +4,13 @@ use exchange::export::{Target, exposure};
 use groundtruth::cameras::ThinLens;
 use groundtruth::film::Film;
 use groundtruth::lights::{Directional, PointLight};
-use groundtruth::math::Point;
+use groundtruth::math::{Point, Vector};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::build::{point, rgb, vector};
+use groundtruth::scene::build::{point, rgb, sphere, vector};
 use groundtruth::scene::{Light, Scene};
+use groundtruth::shapes::{Cuboid, Disk, Kind, Rectangle};
 
-use super::fixtures::{near, plane_below};
+use super::fixtures::{askew, narrow, near, plane_below};
 use super::texts::{Parts, values};
 
 fn is_said(target: Target, scene: &Scene) -> Result<(), String> {
@@ -74,6 +75,31 @@ fn lamps_can_be_said_up_to_their_borders() {
                 let number = format!("found {attenuation}");
                 assert!(text.contains(&number), "the error names {attenuation}: {text}");
             }
+        }
+    }
+}
+
+/// Law: Mitsuba can be told coordinates and lengths up to 10⁶; a shape with a larger one is refused with that number. Oracle:
+/// shapes with one such number each.
+#[test]
+fn lengths_can_be_said_up_to_a_million() {
+    let shapes: [fn(f64) -> Kind; 7] = [
+        |x| sphere(point(0.0, -x, 0.0), 1.0).into(),
+        |x| sphere(Point::ORIGIN, x).into(),
+        |x| Cuboid { min: point(0.0, -x, 0.0), max: point(1.0, 1.0, 1.0) }.into(),
+        |x| Cuboid { min: Point::ORIGIN, max: point(1.0, 1.0, x) }.into(),
+        |x| Rectangle { corner: point(-x, 0.0, 0.0), a: Vector::X, b: Vector::Y }.into(),
+        |x| Rectangle { corner: Point::ORIGIN, a: x * Vector::X, b: Vector::Y }.into(),
+        |x| Disk { center: point(0.0, 0.0, x), normal: Vector::Z, radius: 1.0 }.into(),
+    ];
+    for (index, shape) in shapes.into_iter().enumerate() {
+        for (x, expected) in [(1e6, None), (1e6 + 1.0, Some("1000001"))] {
+            let found = is_said(Target::Mitsuba, &askew(narrow(), shape(x))).err();
+            let is_expected = match expected {
+                None => found.is_none(),
+                Some(number) => found.as_ref().is_some_and(|it| it.contains(number)),
+            };
+            assert!(is_expected, "shape {index} with {x}: {found:?}, expected {expected:?}");
         }
     }
 }

@@ -7,7 +7,7 @@ use groundtruth::materials::{Emissive, Phong, Reflective};
 use groundtruth::math::{Normal, Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::scene::build::{add, phong, point, rgb, sphere, vector};
 use groundtruth::scene::{Depth, Light, Scene, Tracer};
-use groundtruth::shapes::{Cuboid, Disk, Instance, Kind, Rectangle};
+use groundtruth::shapes::{Cuboid, Disk, Instance, Kind, OpenCylinder, Rectangle};
 use groundtruth::world::World;
 
 use super::fixtures::{askew, narrow, near, near_all, ours, plane_below, unit};
@@ -141,6 +141,16 @@ fn instances_are_where_ours_are() {
     near_all(&image(&map, [-1.0, 1.0, 1.0, 1.0]), at([2.0, 4.0, 8.0]));
     let columns = [0, 1, 2].map(|j| vector(map[j], map[4 + j], map[8 + j]));
     assert!(columns[0].cross(columns[1]).dot(columns[2]) > 0.0, "triangles keep their side");
+    let wall = OpenCylinder { y0: -1.0, y1: 3.0, radius: 2.0, inward: false };
+    for (name, y) in [("p0", -1.0), ("p1", 3.0)] {
+        let end = point(0.0, y, 0.0);
+        near_all(&written(wall.clone(), &turned, name), similar.point(end).to_array());
+        near_all(&written(wall.clone(), &sheared, name), end.to_array());
+    }
+    near(written(wall.clone(), &turned, "radius")[0], 4.0);
+    near(written(wall.clone(), &sheared, "radius")[0], 2.0);
+    let map = written(wall, &sheared, "to_world");
+    near_all(&image(&map, [2.0, 3.0, 0.0, 1.0]), at([2.0, 3.0, 0.0]));
     let disk = Disk { center, normal, radius: 2.0 };
     let map = written(disk, &sheared, "to_world");
     near_all(&image(&map, [0.0, 0.0, 0.0, 1.0]), at(center.to_array()));
