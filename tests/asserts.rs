@@ -17,7 +17,7 @@ pub fn unequal(
 /// What a failed condition says.
 pub fn untrue(condition: &str, words: Option<String>) -> String {
     match words {
-        Some(words) => format!("found {words}\nexpected `{condition}`"),
+        Some(words) => format!("{words}\nexpected `{condition}`"),
         None => format!("found the opposite, expected `{condition}`"),
     }
 }

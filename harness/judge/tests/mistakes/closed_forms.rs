@@ -2,14 +2,16 @@
 
 use std::f64::consts::PI;
 
+use groundtruth::bumps::Height;
 use groundtruth::lights::{Ambient, AmbientOccluder, PointLight};
 use groundtruth::materials::{Emissive, GlossyReflector, Matte, Phong, Reflective};
 use groundtruth::math::{Step, Vector, cos_degrees, power};
+use groundtruth::noise::Noise;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::build::*;
 use groundtruth::scene::{Tracer, Whitted};
 use groundtruth::shapes::{Disk, Instance, Plane};
-use groundtruth::textures::Checker3d;
+use groundtruth::textures::{Checker3d, Fbm};
 
 use super::stage::*;
 
@@ -266,4 +268,25 @@ fn backs_of_two_sided_surfaces() {
     let lit = value(&ours(&scene));
     assert!((lit - KD / PI * cos_degrees(60.0)).abs() < ROUNDING);
     expect("back-sides-black", &scene, 0.0, 0.0);
+}
+
+/// Law: hills that are dents have the normals of a height field turned upside down. Oracle: that field, `n + ∇h` for `n − ∇h`.
+#[test]
+fn hills_that_are_dents() {
+    let field = |height: f64| {
+        let mut scene = lit_plane(diffuse(), 0.0, 40.0);
+        scene.image.resize(8, 8);
+        scene.image.pixel_size = 0.25;
+        let hills = Fbm::new(Noise::of_octaves(4), 0.5);
+        scene.materials[0].bump = Some(Height::new(hills, height).into());
+        scene
+    };
+    let (dents, hills) = (with("bump-reversed", &field(0.25)), ours(&field(0.25)));
+    let mut changed = 0;
+    for (at, expected) in ours(&field(-0.25)).pixels().iter().enumerate() {
+        let found = dents.pixels()[at];
+        assert!((found.r - expected.r).abs() < ROUNDING, "found {found:?}, expected {expected:?}");
+        changed += usize::from((found.r - hills.pixels()[at].r).abs() > 0.01);
+    }
+    assert!(changed > 32, "{changed} of 64 pixels show the bumps");
 }

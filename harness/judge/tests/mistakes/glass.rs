@@ -123,8 +123,8 @@ fn shares_of_a_transparent_plane() {
 }
 
 /// Law: seen from inside at 30°, where the ray leaves at 48.6°, and at 60°, where it does not, each form of the index that
-/// is not inverted has its own Fresnel share, factor and limit of total reflection. Oracle: Fresnel's laws for both angles,
-/// and the way of the ray by a disk that is white.
+/// is not inverted has its own Fresnel share, factor and limit of total reflection, and each form of Schlick's formula its
+/// angle. Oracle: Fresnel's laws and Schlick's formula for both angles.
 #[test]
 fn forms_of_an_index_that_is_not_inverted() {
     const NAME: &str = "eta-not-inverted";
@@ -147,6 +147,12 @@ fn forms_of_an_index_that_is_not_inverted() {
     form("in Fresnel's equations alone", sum(wrong, squared));
     form("in the factor 1/η² alone", sum(right, 1.0 / squared));
     form("but right where reflection is total", sum(wrong, 1.0 / squared));
+    // Schlick's formula for either side of the surface
+    let r0 = 0.5 / 2.5 * (0.5 / 2.5);
+    let schlick = |angle: f64| r0 + (1.0 - r0) * power(1.0 - cos_degrees(angle), 5.0);
+    expect("schlick", &scene, sum(schlick(30.0), squared), ROUNDING);
+    let (form, of_larger) = ("with the larger of both angles", sum(schlick(outside), squared));
+    expect_form("schlick", form, &scene, of_larger, ROUNDING);
     let beyond = glass(120.0);
     expect_form(NAME, "but right where reflection is total", &beyond, 1.0, ROUNDING);
     expect_form(NAME, "in refraction alone", &beyond, 1.0, ROUNDING);

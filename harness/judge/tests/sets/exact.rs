@@ -4,7 +4,8 @@ use std::sync::atomic::AtomicBool;
 
 use groundtruth::math::Pcg32;
 use judge::sets::{
-    AreaMeans, AreaSums, Design, Divisions, Rank, SetsDecision, SumKind, SummedPictures, Watch,
+    AreaMeans, AreaSums, Design, Divisions, Method, Rank, SetsDecision, SumKind, SummedPictures,
+    Watch,
 };
 use judge::verdict::{Answer, Areas};
 use pictures::compare::Picture;
@@ -213,6 +214,29 @@ fn intervals_of_sets_have_their_level() {
             counts[0] + counts[1] >= 12.0,
             "{name}: found {counts:?} outside, expected 30 together"
         );
+    }
+}
+
+/// Law: pictures that have the same noise in one quarter and none elsewhere are pairs, whichever quarter it is. Oracle: the
+/// noise that was copied.
+#[test]
+fn equal_seeds_are_seen_in_every_quarter() {
+    let random = &mut Pcg32::new(4, 51);
+    for quarter in 0..4 {
+        let mut before = pictures(random, 4, 0.0, 1.0);
+        for picture in &mut before {
+            for (at, value) in picture.values.as_flattened_mut().iter_mut().enumerate() {
+                let [x, y] = [at / 3 % 16, at / 3 / 16];
+                if y / 8 * 2 + x / 8 == quarter {
+                    *value += (0.1 * normal(random)) as f32;
+                }
+            }
+        }
+        let after: Vec<Picture> = before.iter().rev().cloned().collect();
+        let found = verdict(&before, &after).method;
+        let is_pairs =
+            matches!(found, Method::Signs { pairs: 4, .. } | Method::PairedAreas { pairs: 4, .. });
+        assert!(is_pairs, "quarter {quarter}: found {found:?}, expected 4 pairs");
     }
 }
 
