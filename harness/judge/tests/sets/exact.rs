@@ -108,6 +108,10 @@ fn the_probability_is_the_share_of_divisions_as_far_out() {
         let as_far = scores.iter().filter(|score| **score >= scores[0] - 1e-4).count();
         let expected = as_far as f64 / scores.len() as f64;
         near(format!("case {case}: probability"), rank.probability, expected, 1e-9);
+        // a level of 5 % of 35 divisions or 32 signs lets one other be as far out: the farthest
+        let farthest = scores[1..].iter().copied().fold(f64::MIN, f64::max);
+        let needed = design.score(rank.needed[0], levels[0].0);
+        near(format!("case {case}: score that is needed"), needed, farthest, 1e-3 * farthest.abs());
     }
 }
 
@@ -214,6 +218,36 @@ fn intervals_of_sets_have_their_level() {
             counts[0] + counts[1] >= 12.0,
             "{name}: found {counts:?} outside, expected 30 together"
         );
+    }
+}
+
+/// Law: means are within a margin if all of each interval is, beyond it if all of one is beyond, and else nothing can be told.
+/// Oracle: intervals on both sides of both margins, and means that are black before.
+#[test]
+fn intervals_are_held_to_a_margin_on_both_sides() {
+    use Answer::{Agrees, CannotTell, DiffersByMore};
+    let mean = |low: f64, high: f64| AreaMeans {
+        name: String::new(),
+        before: 1.0,
+        after: 1.0,
+        relative: Some([0.5 * (low + high), low, high]),
+    };
+    for (low, high, expected) in [
+        (-0.01, 0.01, Agrees),
+        (-0.011, 0.0, CannotTell),
+        (0.0, 0.011, CannotTell),
+        (-0.03, 0.03, CannotTell),
+        (-0.03, -0.01, CannotTell),
+        (0.01, 0.03, CannotTell),
+        (-0.03, -0.011, DiffersByMore),
+        (0.011, 0.03, DiffersByMore),
+    ] {
+        let all = [mean(-0.001, 0.001), mean(low, high)];
+        equal(format!("{low} to {high}"), AreaMeans::within(&all, 0.01), expected);
+    }
+    for (after, expected) in [(0.0, Agrees), (1e-6, DiffersByMore)] {
+        let black = AreaMeans { before: 0.0, after, relative: None, ..mean(0.0, 0.0) };
+        equal(format!("black, after {after}"), AreaMeans::within(&[black], 0.01), expected);
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use groundtruth::film::Film;
 use groundtruth::math::{Step, Vector, hash};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
@@ -36,8 +37,14 @@ fn pairs(count: usize, seed: u64) -> Vec<&'static MistakeInScene> {
     chosen
 }
 
+/// The sum of the squared differences of two pictures.
+fn apart(a: &Film, b: &Film) -> f64 {
+    let pairs = a.pixels().iter().zip(b.pixels());
+    pairs.map(|(a, b)| (*a - *b).to_array().map(|x| x * x).iter().sum::<f64>()).sum()
+}
+
 /// Whether the picture of a mistake with another seed is rejected, and the mistake named, or an equal one; and what was
-/// said.
+/// said. Of each mistake that is named beside it a form has a picture that is within a fifth of the squared change.
 fn is_named(pair: &MistakeInScene, [side, samples]: [u32; 2]) -> Option<(bool, String)> {
     let MistakeInScene { scene: name, mistake, .. } = *pair;
     let mut scene = scene(name, [side; 2], samples);
@@ -55,6 +62,20 @@ fn is_named(pair: &MistakeInScene, [side, samples]: [u32; 2]) -> Option<(bool, S
     let is_found =
         verdict.decision == Decision::Differs && (named.contains(&mistake.name) || is_shift);
     let what = mistake.name;
+    let ours = films(&mut world(&scene, 1), 9_000..9_001).remove(0);
+    for name in &named {
+        let forms = mistakes::forms().into_iter().chain(mistakes::find(name));
+        let pictures = forms.filter(|it| it.name == *name).filter_map(|it| {
+            mistakes::replica(it, &scene, Path::new(""), 9_000).expect("a scene of the gallery")
+        });
+        let nearest = pictures.map(|other| apart(&other, &film)).fold(f64::MAX, f64::min);
+        let change = apart(&film, &ours);
+        assert!(
+            nearest <= 0.2 * change,
+            "{what} in {}: {name} is named too, but its picture is {nearest:e} away, the change {change:e}",
+            pair.scene
+        );
+    }
     Some((is_found, format!("{name}, {what}: {:?}, {named:?}, {explained:?}", verdict.decision)))
 }
 

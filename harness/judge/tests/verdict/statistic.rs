@@ -147,7 +147,9 @@ fn terms_add_up_to_the_picture() {
         if gallery::find(name).is_none() {
             continue;
         }
-        let mut world = world(&scene(name, [16, 16], 4), 1);
+        let mut scene = scene(name, [16, 16], 4);
+        scene.camera.exposure_time = 0.75;
+        let mut world = world(&scene, 1);
         let ours = films(&mut world, 7..9);
         let terms = terms(&mut world, 7..9);
         assert!(!terms.is_empty());
@@ -165,6 +167,35 @@ fn terms_add_up_to_the_picture() {
                     assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{name}: {a}, not {b}");
                 }
             }
+        }
+    }
+}
+
+/// Law: the same pictures in another unit of radiance are the same evidence: weights are those of its square. Oracle: powers
+/// of two, by which all numbers are multiplied without rounding.
+#[test]
+fn weights_have_the_unit_of_radiance() {
+    for name in ["ch03/three-objects", "ch18/rectangle"] {
+        let mut world = world(&scene(name, [24, 24], 4), 1);
+        let areas = Areas::of(&world);
+        let films = films(&mut world, 1..11);
+        let weights = |unit: f32| {
+            let in_unit = |film: &Film| -> Vec<f32> {
+                FLOATS.values(film).into_iter().map(|value| unit * value).collect()
+            };
+            let mut known: Vec<Vec<f32>> = films[..9].iter().map(in_unit).collect();
+            let mut theirs = in_unit(&films[9]);
+            theirs[..600].iter_mut().for_each(|value| *value *= 1.25);
+            let subject = PoolContext { areas: &areas, stored: FLOATS, reference: None };
+            let strictness = Strictness { level: 0.05, first: 9 };
+            let judged = Evaluation::of(&theirs, subject, strictness, &mut known, |_| None);
+            Evidence::of(&judged.expect("enough"), &areas, &theirs).weights()
+        };
+        let (whole, small) = (weights(1.0), weights(1.0 / 4096.0));
+        assert!(whole.iter().any(|weight| *weight > 0.0), "{name}: nothing has a weight");
+        for (index, (a, b)) in whole.iter().zip(&small).enumerate() {
+            let b = b / (4096.0 * 4096.0);
+            assert!((a - b).abs() <= 1e-9 * a, "{name}, tile {index}: found {b}, expected {a}");
         }
     }
 }
