@@ -11,7 +11,7 @@ mod score;
 mod scratch;
 mod tolerance;
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
@@ -58,9 +58,22 @@ enum What {
         /// Another seed draws other mutants.
         #[arg(long, default_value_t = 1)]
         seed: u64,
+    },
+    /// Runs the laws that found something once more, with other tolerances: which still find it, and which fail with
+    /// nothing planted.
+    Again {
         /// The tolerances of the laws are multiplied by this.
-        #[arg(long, default_value_t = 1.0)]
+        #[arg(long)]
         tolerance: f64,
+        /// The list of mutants, as for `run`.
+        #[arg(long)]
+        mutants: Option<PathBuf>,
+        /// How many mutants are drawn.
+        #[arg(long, default_value_t = 400)]
+        of: usize,
+        /// Their seed.
+        #[arg(long, default_value_t = 1)]
+        seed: u64,
     },
     /// Reads the tables of planted mistakes, and says which do not fit the source.
     Check,
@@ -90,26 +103,13 @@ fn main() -> Result<()> {
     ensure!(root.join("power/planted").is_dir(), "run this in the root of the repository");
     let folder = root.join(&arguments.folder);
     match arguments.what {
-        What::Run { part, only, budget, without, mutants, of, seed, tolerance } => {
-            let mut asked = Vec::new();
-            for it in planted::read(&root.join("power/planted"))? {
-                let kind = if it.law.is_some() { Kind::Planted } else { Kind::Decoy };
-                asked.push(Asked { change: it.change(&root)?, kind, law: it.law });
-            }
-            if let Some(list) = mutants {
-                let (changes, total) = mutants::sample(&root, &list, of, seed)?;
-                eprintln!(
-                    "of {of} mutants drawn from {total}, {} can stand behind a switch",
-                    changes.len()
-                );
-                asked.extend(changes.into_iter().map(|change| Asked {
-                    change,
-                    kind: Kind::Mutant,
-                    law: None,
-                }));
-            }
-            let known = known(&root, &folder, &asked, &without, tolerance)?;
+        What::Run { part, only, budget, without, mutants, of, seed } => {
+            let asked = asked(&root, mutants.as_deref(), of, seed)?;
+            let known = known(&root, &folder, &asked, &without)?;
             measure(&root, &folder, &asked, &known, &part, &only, budget)
+        }
+        What::Again { tolerance, mutants, of, seed } => {
+            again(&root, &folder, &asked(&root, mutants.as_deref(), of, seed)?, tolerance)
         }
         What::Check => {
             let all = planted::read(&root.join("power/planted"))?;
@@ -128,6 +128,65 @@ fn main() -> Result<()> {
             Ok(())
         }
     }
+}
+
+/// The planted mistakes, the decoys, and a sample of the mutants.
+fn asked(root: &Path, mutants: Option<&Path>, of: usize, seed: u64) -> Result<Vec<Asked>> {
+    let mut asked = Vec::new();
+    for it in planted::read(&root.join("power/planted"))? {
+        let kind = if it.law.is_some() { Kind::Planted } else { Kind::Decoy };
+        asked.push(Asked { change: it.change(root)?, kind, law: it.law });
+    }
+    if let Some(list) = mutants {
+        let (changes, total) = mutants::sample(root, list, of, seed)?;
+        let count = changes.len();
+        eprintln!("of {of} mutants drawn from {total}, {count} can stand behind a switch");
+        let mutant = |change| Asked { change, kind: Kind::Mutant, law: None };
+        asked.extend(changes.into_iter().map(mutant));
+    }
+    Ok(asked)
+}
+
+/// What each law that found a change finds with other tolerances, in a scratch copy of its own.
+fn again(root: &Path, folder: &Path, asked: &[Asked], tolerance: f64) -> Result<()> {
+    let tree = folder.join("tree");
+    scratch::clone(root, &tree)?;
+    let places = tolerance::multiply(&tree, tolerance)?;
+    let changes: Vec<Change> = asked.iter().map(|it| it.change.clone()).collect();
+    let programs = scratch::build(&tree, &changes)?.programs;
+    let numbered = changes.iter().zip(1..);
+    let numbers: BTreeMap<&str, usize> = numbered.map(|(it, number)| (&*it.name, number)).collect();
+    let rows = rows(folder)?;
+    let found: Vec<(&str, usize)> = rows
+        .iter()
+        .filter_map(|row| Some((row.law.as_deref()?, *numbers.get(row.name.as_str())?)))
+        .collect();
+    let laws: BTreeSet<&str> = found.iter().map(|(law, _)| *law).collect();
+    let runs = |law: &str, number: usize| -> Result<bool> {
+        Ok(Test::named(&programs, law)?.with(number)? == End::Passed)
+    };
+    let passing: BTreeSet<&str> = laws
+        .par_iter()
+        .map(|law| Ok(runs(law, 0)?.then_some(*law)))
+        .collect::<Result<Vec<Option<&str>>>>()?
+        .into_iter()
+        .flatten()
+        .collect();
+    let asked: Vec<(&str, usize)> =
+        found.into_iter().filter(|(law, _)| passing.contains(law)).collect();
+    let missed = asked
+        .par_iter()
+        .map(|(law, number)| Ok(runs(law, *number)?.then_some((*law, *number))))
+        .collect::<Result<Vec<Option<(&str, usize)>>>>()?;
+    let missed: Vec<(&str, usize)> = missed.into_iter().flatten().collect();
+    println!("{places} tolerances times {tolerance}");
+    println!("{} of {} laws fail with nothing planted:", laws.len() - passing.len(), laws.len());
+    laws.difference(&passing).for_each(|law| println!("- {law}"));
+    println!("of {} changes the others miss {}:", asked.len(), missed.len());
+    for (law, number) in &missed {
+        println!("- {}: {law}", changes[number - 1].name);
+    }
+    Ok(())
 }
 
 /// Asks for each change of the part, writes a file a change, and prints the table of all that are there.
@@ -176,13 +235,7 @@ fn measure(
 }
 
 /// The scratch copy and its tests, made anew when the commit or the changes are others.
-fn known(
-    root: &Path,
-    folder: &Path,
-    asked: &[Asked],
-    without: &[String],
-    tolerance: f64,
-) -> Result<Known> {
+fn known(root: &Path, folder: &Path, asked: &[Asked], without: &[String]) -> Result<Known> {
     let git = |arguments: &[&str]| {
         std::process::Command::new("git").args(arguments).current_dir(root).output()
     };
@@ -195,7 +248,7 @@ fn known(
     let of = format!(
         "{} {:x}",
         String::from_utf8_lossy(&head.stdout).trim(),
-        xxhash_rust::xxh3::xxh3_64(format!("{changes:?} {without:?} {tolerance}").as_bytes())
+        xxhash_rust::xxh3::xxh3_64(format!("{changes:?} {without:?}").as_bytes())
     );
     let file = folder.join("known.json");
     if let Ok(text) = std::fs::read(&file) {
@@ -207,9 +260,6 @@ fn known(
     std::fs::create_dir_all(folder)?;
     let tree = folder.join("tree");
     scratch::clone(root, &tree)?;
-    if tolerance != 1.0 {
-        eprintln!("{} tolerances times {tolerance}", tolerance::multiply(&tree, tolerance)?);
-    }
     let mut built = scratch::build(&tree, &changes)?;
     built.programs.retain(|program| !without.contains(&program.name));
     let tests = run::reach(&built.programs, &folder.join("reached"))?;

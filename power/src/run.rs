@@ -88,6 +88,23 @@ fn first_run(program: &Program, name: &str, notes: &Path) -> Result<Option<Test>
 }
 
 impl Test {
+    /// The test of this name, as `chapters ch03::spheres`, of which nothing else is known.
+    ///
+    /// # Errors
+    /// No program of its first word.
+    pub fn named(programs: &[Program], name: &str) -> Result<Self> {
+        let program = name.split(' ').next().unwrap_or("");
+        let program = programs.iter().find(|it| it.name == program);
+        let program = program.with_context(|| format!("no program of the test {name}"))?;
+        Ok(Self {
+            name: name.to_owned(),
+            program: program.path.clone(),
+            folder: program.folder.clone(),
+            seconds: 60.0,
+            reached: BTreeSet::new(),
+        })
+    }
+
     /// Runs the test while change `number` is on; a test that takes 20 times as long as it did is taken to have failed.
     ///
     /// # Errors

@@ -6,7 +6,7 @@ use groundtruth::explain::{self, RecordedRay};
 use groundtruth::math::{Pcg32, Point, Vector, sin_degrees};
 use groundtruth::trace::RayKind;
 use groundtruth::world::{self, World};
-use space::{Drawing, Role, Section, SectionPlane, Stroke, Window, outlines};
+use space::{Drawing, Label, Role, Section, SectionPlane, Stroke, Window, outlines};
 
 /// Of an angle whose cosine is rounded to a few u: its error is that over the sine, and no angle is below 1° here.
 const ANGLE: f64 = 1e-9;
@@ -280,6 +280,9 @@ fn the_section_of_a_shadow_ray_shows_its_occluder() {
     assert!(met.distance(Point::new(0.4 - 0.4 * s, 8.0 * s, 0.0)) < 1e-9, "{met:?}");
     let dark = section.drawing.strokes.iter().find(|it| it.role == Role::Dark).unwrap();
     assert!(section.plane.to_space(dark.points[1]).distance(lamp) < 1e-9);
+    let normal = section.drawing.labels.iter().find(|it| it.text == "normal").unwrap();
+    let away_from_light = -dark.points[1][0].signum();
+    assert_eq!(f64::from(normal.side[0]), away_from_light, "the side of the word `normal`");
     let about = section.drawing.strokes.iter().filter(|it| it.role == Role::Outline);
     let mut objects: Vec<u32> = about.filter_map(|it| it.object).collect();
     objects.dedup();
@@ -323,4 +326,52 @@ fn names_are_escaped_in_svg() {
     let svg = drawing.svg();
     assert!(svg.contains("<title>&lt;&amp;&gt;</title>") && svg.contains("a &lt; b"), "{svg}");
     assert!(!svg.contains("NaN") && !svg.contains("inf"));
+}
+
+/// The numbers of an attribute in each element of this name.
+fn attributes(svg: &str, element: &str, name: &str) -> Vec<f64> {
+    let of = |it: &str| it.split_once(&format!("{name}=\""))?.1.split('"').next()?.parse().ok();
+    svg.lines().filter(|it| it.starts_with(element)).filter_map(of).collect()
+}
+
+/// Law: the words of a drawing are inside of it, on the side of their point that they ask for, and 8 away from it. Oracle: the
+/// box of each text from its printed place and anchor, with letters of 25, 0.56 of that wide, in lines of 1.15 of it.
+#[test]
+fn words_stand_beside_their_points_inside_of_the_drawing() {
+    let random = &mut Pcg32::new(1, 61);
+    for case in 0..60_u32 {
+        let mut drawing = Drawing::default();
+        let scale = [0.01, 1.0, 300.0][case as usize % 3];
+        let mut point = || [scale * random.uniform(), 0.7 * scale * random.uniform()];
+        for index in 0..1 + case as usize % 5 {
+            let (at, mut text) = (point(), "word ".repeat(1 + index % 4));
+            text += &index.to_string();
+            let side = [index as i8 % 3 - 1, (index as i8 + case as i8) % 3 - 1];
+            drawing.strokes.push(Stroke::new(Role::Arc, vec![at]));
+            drawing.labels.push(Label { at, text, role: Role::Arc, side });
+        }
+        drawing.strokes.push(Stroke::new(Role::Arc, vec![point(), point()]));
+        let svg = drawing.svg();
+        let box_of_all = svg.split_once("viewBox=\"0 0 800 ").unwrap().1;
+        let height: f64 = box_of_all.split('"').next().unwrap().parse().unwrap();
+        let [cx, cy] = ["cx", "cy"].map(|name| attributes(&svg, "<circle", name));
+        let [x, y] = [" x", " y"].map(|name| attributes(&svg, "<text", name));
+        for (index, label) in drawing.labels.iter().enumerate() {
+            let (width, line) = (0.56 * 25.0 * label.text.chars().count() as f64, 1.15 * 25.0);
+            let left = x[index] - [width, 0.5 * width, 0.0][(label.side[0] + 1) as usize];
+            let bottom = y[index] + 0.3 * 25.0;
+            let sides = [[left, left + width, cx[index]], [bottom - line, bottom, cy[index]]];
+            for (axis, [low, high, at]) in sides.into_iter().enumerate() {
+                let most = [800.0, height][axis];
+                assert!(low >= -0.6 && high <= most + 0.6, "{label:?}: {low} to {high} of {most}");
+                // y goes down here
+                let away = match label.side[axis] * [1, -1][axis] {
+                    0 => (0.5 * (low + high) - at).abs() + 8.0,
+                    side if side < 0 => at - high,
+                    _ => low - at,
+                };
+                assert!((away - 8.0).abs() < 0.15, "{label:?}: {away} away, expected 8");
+            }
+        }
+    }
 }

@@ -190,6 +190,18 @@ fn the_words_are_those_of_the_scene() {
     });
 }
 
+/// Law: a description says which normal is meant where surfaces have two, and only there. Oracle: the words of the exported
+/// file that give them: `smooth`, `normals` and `bump`.
+#[test]
+fn two_normals_are_told_apart() {
+    for_each_scene(|name, scene, text| {
+        let file = scene::to_toml(scene).expect("it is plain data");
+        let has_two = ["smooth = true", "normals = [", "bump"].iter().any(|it| file.contains(it));
+        let is_said = text.contains("interpolated or");
+        assert_eq!(is_said, has_two, "{name}");
+    });
+}
+
 /// Law: every kind of light and material has a formula, and formulas are of kinds that exist. Oracle: the
 /// schema.
 #[test]

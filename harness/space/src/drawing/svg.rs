@@ -91,29 +91,32 @@ impl Drawing {
         let [low, high] = self.bounds().unwrap_or([[0.0; 2], [1.0; 2]]);
         let size = |axis: usize| (high[axis] - low[axis]).max(f64::MIN_POSITIVE);
         let room = [WIDTH - 2.0 * MARGIN, HEIGHT - 2.0 * MARGIN];
-        let mut scale = (room[0] / size(0)).min(room[1] / size(1));
-        let mut extra = [[0.0_f64; 2]; 2];
-        // what words need beyond the lines depends on the scale, and the scale on it
-        for _ in 0..8 {
-            extra = [[0.0; 2]; 2];
-            for label in &self.labels {
-                let [x, y] = extent(label);
-                let before = |axis: usize| scale * (label.at[axis] - low[axis]);
-                let after = |axis: usize| scale * (high[axis] - label.at[axis]);
-                for (axis, [down, up]) in [(0, x), (1, y)] {
-                    extra[axis][0] = extra[axis][0].max(down - before(axis));
-                    extra[axis][1] = extra[axis][1].max(up - after(axis));
-                }
-            }
-            let left = |axis: usize| (room[axis] - extra[axis][0] - extra[axis][1]).max(LETTER);
-            scale = (left(0) / size(0)).min(left(1) / size(1));
+        // what words need beyond the lines, on both ends of an axis
+        let extra = |axis: usize, scale: f64| {
+            self.labels.iter().fold([0.0_f64; 2], |[before, after], label| {
+                let [down, up] = extent(label)[axis];
+                let [to_low, to_high] = [label.at[axis] - low[axis], high[axis] - label.at[axis]];
+                [before.max(down - scale * to_low), after.max(up - scale * to_high)]
+            })
+        };
+        let used = |axis: usize, scale: f64| {
+            let [before, after] = extra(axis, scale);
+            scale * size(axis) + before + after
+        };
+        let of_lines = |room: [f64; 2]| (room[0] / size(0)).min(room[1] / size(1));
+        // lines are seen even if there is no room for the words
+        let [mut scale, mut too_large] = [of_lines([LETTER; 2]), of_lines(room)];
+        for _ in 0..40 {
+            let middle = 0.5 * (scale + too_large);
+            let fits = (0..2).all(|axis| used(axis, middle) <= room[axis]);
+            *(if fits { &mut scale } else { &mut too_large }) = middle;
         }
-        let used = |axis: usize| scale * size(axis) + extra[axis][0] + extra[axis][1];
-        let aside = 0.5 * (WIDTH - used(0)) + extra[0][0];
+        let extra = [0, 1].map(|axis| extra(axis, scale));
+        let aside = 0.5 * (WIDTH - used(0, scale)) + extra[0][0];
         Fit {
             scale,
             origin: [aside - scale * low[0], MARGIN + extra[1][1] + scale * high[1]],
-            height: used(1) + 2.0 * MARGIN,
+            height: used(1, scale) + 2.0 * MARGIN,
         }
     }
 }

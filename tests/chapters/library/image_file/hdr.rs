@@ -46,6 +46,26 @@ fn old_run_lengths_load() {
     assert_eq!(found[259], value(b));
 }
 
+/// Law: the length of a scanline of the new form has two bytes, the higher one first. Oracle: the texels written out, for widths
+/// on both sides of 256 and the largest.
+#[test]
+fn wide_scanlines_load() {
+    for width in [255_u16, 256, 257, 600, 32_767] {
+        let mut line = vec![2, 2];
+        line.extend(width.to_be_bytes());
+        let texel = |x: u16| [(x / 100 % 250) as u8, 7, (x / 1000) as u8, 130];
+        for component in 0..4 {
+            let all: Vec<u8> = (0..width).map(|x| texel(x)[component]).collect();
+            for literals in all.chunks(128) {
+                line.push(literals.len() as u8);
+                line.extend(literals);
+            }
+        }
+        let expected: Vec<_> = (0..width).map(|x| value(texel(x))).collect();
+        assert_eq!(linear(&sized(1, width.into(), &line)), expected, "width {width}");
+    }
+}
+
 /// Law: a scanline of the new form encodes the four components one after the other: a length above 128
 /// starts a run, any other starts literals. Oracle: the texels written out.
 #[test]
