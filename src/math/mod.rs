@@ -25,7 +25,7 @@ mod vectors;
 pub mod watertight;
 
 pub use bounds::Aabb;
-pub use box_ray::BoxRay;
+pub use box_ray::{BoxRay, TwoBoxes};
 pub(crate) use exact::difference_of_products;
 pub use exact::exact_cross;
 pub use frame::Frame;

@@ -328,18 +328,20 @@ fn views_are_those_of_the_recorded_tree() {
 /// itself stays. Oracle: these formulas, with a channel that is 0 everywhere.
 #[test]
 fn pictures_for_eyes_are_scaled_by_channel() {
-    let numbers = film(3, 2, |x, y| Rgb::new(f64::from(x), f64::from(4 * y), 0.0));
-    for y in 0..2 {
-        for x in 0..3 {
+    for turn in 0..3 {
+        let turned = |[a, b, c]: [f64; 3]| {
+            let mut color = [a, b, c];
+            color.rotate_right(turn);
+            color
+        };
+        let numbers = film(3, 2, |x, y| Rgb::from(turned([f64::from(x), f64::from(4 * y), 0.0])));
+        for [x, y] in (0..6).map(|at| [at % 3, at / 3]) {
             let at = |view: View| view.for_eyes(&numbers).get([x, y]).to_array();
             let [a, b] = [f64::from(x), f64::from(4 * y)];
-            assert_eq!(at(View::Radiance), [a, b, 0.0], "the picture at {x}, {y}");
-            assert_eq!(at(View::Hits), [a / 2.0, b / 4.0, 0.0], "hits at {x}, {y}");
-            assert_eq!(
-                at(View::Normals),
-                [0.5 + 0.5 * a, 0.5 + 0.5 * b, 0.5],
-                "normals at {x}, {y}"
-            );
+            assert_eq!(at(View::Radiance), turned([a, b, 0.0]), "the picture at {x}, {y}");
+            assert_eq!(at(View::Hits), turned([a / 2.0, b / 4.0, 0.0]), "hits at {x}, {y}");
+            let normals = turned([0.5 + 0.5 * a, 0.5 + 0.5 * b, 0.5]);
+            assert_eq!(at(View::Normals), normals, "normals at {x}, {y}");
         }
     }
 }

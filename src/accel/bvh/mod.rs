@@ -5,25 +5,38 @@ pub(crate) mod build;
 use arrayvec::ArrayVec;
 
 use super::Counter;
-use crate::math::{Aabb, BoxRay, Span};
+use crate::math::{Aabb, BoxRay, Span, TwoBoxes};
 use build::{Item, MAX_DEPTH, Node, binary_tree};
 
-/// The most primitives of a leaf.
-const LEAF: usize = 4;
-
-/// The nodes in depth-first order: the left half of a node follows it, and the right half follows that.
 #[derive(Debug)]
 pub struct Bvh {
-    nodes: Vec<Node>,
-    /// The primitives in the order of the tree: those of a node are adjacent.
+    /// The box of all, and the top of the tree; none if there are no primitives.
+    root: Option<(Aabb, Child)>,
+    branches: Vec<Branch>,
+    /// The primitives in the order of the leaves, from left to right.
     order: Vec<u32>,
 }
 
-/// A node that the ray enters at `enter`, and the first of its primitives in the order.
+/// A place where the tree divides. Both boxes stand here, so that the walk looks at memory once for two tests.
+#[derive(Debug)]
+struct Branch {
+    boxes: TwoBoxes,
+    children: [Child; 2],
+}
+
+/// What is below a branch.
+#[derive(Clone, Copy, Debug)]
+enum Child {
+    /// The index of another branch.
+    Branch(u32),
+    /// The place of one primitive in the order.
+    Leaf(u32),
+}
+
+/// A child whose box the ray enters at `enter`.
 struct Waiting {
     enter: f64,
-    node: usize,
-    first: usize,
+    child: Child,
 }
 
 impl Bvh {
@@ -32,7 +45,9 @@ impl Bvh {
         let item = |index| Item { bounds: bounds[index as usize], index };
         let mut items: Vec<Item> = which.into_iter().map(item).collect();
         let nodes = binary_tree(&mut items);
-        Self { nodes, order: items.iter().map(|item| item.index).collect() }
+        let order = items.iter().map(|item| item.index).collect();
+        let root = nodes.first().map(|node| (node.bounds, child(&nodes, 0, 0)));
+        Self { root, branches: branches(&nodes), order }
     }
 
     /// Tests the primitives that the ray may hit, the nearest boxes first. See [`super::Accel::visit`].
@@ -46,40 +61,37 @@ impl Bvh {
     ) {
         let mut end = span.max;
         let mut waiting: ArrayVec<Waiting, { MAX_DEPTH + 1 }> = ArrayVec::new();
-        if let Some(root) = self.nodes.first() {
-            let (enter, leave) = ray.crossing(&root.bounds, span.min, end);
-            waiting.extend((enter <= leave).then_some(Waiting { enter, node: 0, first: 0 }));
+        if let Some((bounds, child)) = self.root {
+            let (enter, leave) = ray.crossing(&bounds, span.min, end);
+            waiting.extend((enter <= leave).then_some(Waiting { enter, child }));
         }
-        'next: while let Some(Waiting { enter, mut node, mut first }) = waiting.pop() {
+        'next: while let Some(Waiting { enter, mut child }) = waiting.pop() {
             if enter > end {
                 continue; // a nearer hit was found meanwhile
             }
             // descend by the nearer children to a leaf; push the farther ones
-            while self.nodes[node].count as usize > LEAF {
+            while let Child::Branch(number) = child {
                 counter.step();
-                let left = node + 1;
-                let on_left = self.nodes[left].count as usize;
-                let right = node + 2 * on_left;
-                let l = ray.crossing(&self.nodes[left].bounds, span.min, end);
-                let r = ray.crossing(&self.nodes[right].bounds, span.min, end);
-                match (l.0 <= l.1, r.0 <= r.1) {
+                let Branch { boxes, children: [left, right] } = &self.branches[number as usize];
+                let [l, r] = ray.crossings(boxes, span.min, end);
+                child = match (l.0 <= l.1, r.0 <= r.1) {
                     (true, true) if l.0 < r.0 => {
-                        waiting.push(Waiting { enter: r.0, node: right, first: first + on_left });
-                        node = left;
+                        waiting.push(Waiting { enter: r.0, child: *right });
+                        *left
                     }
                     (true, true) => {
-                        waiting.push(Waiting { enter: l.0, node: left, first });
-                        (node, first) = (right, first + on_left);
+                        waiting.push(Waiting { enter: l.0, child: *left });
+                        *right
                     }
-                    (true, false) => node = left,
-                    (false, true) => (node, first) = (right, first + on_left),
+                    (true, false) => *left,
+                    (false, true) => *right,
                     (false, false) => continue 'next,
                 }
             }
-            counter.step();
-            for &index in &self.order[first..first + self.nodes[node].count as usize] {
+            if let Child::Leaf(place) = child {
+                counter.step();
                 counter.test();
-                end = test(index);
+                end = test(self.order[place as usize]);
                 if end == f64::NEG_INFINITY {
                     return;
                 }
@@ -88,6 +100,29 @@ impl Bvh {
     }
 
     pub(super) fn memory_bytes(&self) -> usize {
-        size_of_val(&*self.nodes) + size_of_val(&*self.order)
+        size_of_val(&*self.branches) + size_of_val(&*self.order)
     }
+}
+
+/// All nodes with two children, in depth-first order.
+fn branches(nodes: &[Node]) -> Vec<Branch> {
+    let mut leaves = 0; // before this node
+    let mut branches = Vec::with_capacity(nodes.len() / 2);
+    for (at, node) in nodes.iter().enumerate() {
+        if node.count == 1 {
+            leaves += 1;
+            continue;
+        }
+        let on_left = nodes[at + 1].count;
+        let [left, right] = [at + 1, at + 2 * on_left as usize];
+        let boxes = TwoBoxes::new(&nodes[left].bounds, &nodes[right].bounds);
+        let children = [child(nodes, left, leaves), child(nodes, right, leaves + on_left)];
+        branches.push(Branch { boxes, children });
+    }
+    branches
+}
+
+/// The node at an index of the depth-first order, which has so many leaves before it, and all others are branches.
+fn child(nodes: &[Node], at: usize, leaves: u32) -> Child {
+    if nodes[at].count == 1 { Child::Leaf(leaves) } else { Child::Branch(at as u32 - leaves) }
 }

@@ -190,15 +190,19 @@ fn the_words_are_those_of_the_scene() {
     });
 }
 
-/// Law: a description says which normal is meant where surfaces have two, and only there. Oracle: the words of the exported
-/// file that give them: `smooth`, `normals` and `bump`.
+/// Law: a description says which normal is meant where surfaces have two, and that all objects block lamps where paths are
+/// traced, and only there. Oracle: the words of the exported file that give them: `smooth`, `normals`, `bump`, and the tracer's.
 #[test]
-fn two_normals_are_told_apart() {
+fn what_holds_for_some_scenes_is_said_of_them_alone() {
     for_each_scene(|name, scene, text| {
         let file = scene::to_toml(scene).expect("it is plain data");
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
         let has_two = ["smooth = true", "normals = [", "bump"].iter().any(|it| file.contains(it));
-        let is_said = text.contains("interpolated or");
-        assert_eq!(is_said, has_two, "{name}");
+        assert_eq!(text.contains("the interpolated or bumped normal"), has_two, "{name}: normals");
+        let traces_paths =
+            ["[tracer.path", "[tracer.global_trace]"].iter().any(|it| file.contains(it));
+        let is_said = text.contains("are blocked by all objects in any case");
+        assert_eq!(is_said, traces_paths, "{name}: shadows");
     });
 }
 
