@@ -33,27 +33,26 @@ macro_rules! law_words {
 }
 
 macro_rules! assert {
-    ($condition:expr $(,)?) => { assert!(@ $condition,) };
-    ($condition:expr, $($words:tt)+) => { assert!(@ $condition, $($words)+) };
-    (@ $condition:expr, $($words:tt)*) => {
+    ($condition:expr $(, $($words:tt)*)?) => {
         // not `if !`: what is compared may be NaN
         match $condition {
             true => {}
-            false => panic!("{}", crate::asserts::untrue(stringify!($condition), law_words!($($words)*))),
+            false => {
+                panic!("{}", crate::asserts::untrue(stringify!($condition), law_words!($($($words)*)?)))
+            }
         }
     };
 }
 
 macro_rules! assert_eq {
-    ($found:expr, $expected:expr $(,)?) => { assert_eq!(@ $found, $expected,) };
-    ($found:expr, $expected:expr, $($words:tt)+) => { assert_eq!(@ $found, $expected, $($words)+) };
-    (@ $found:expr, $expected:expr, $($words:tt)*) => {
+    ($found:expr, $expected:expr $(, $($words:tt)*)?) => {
         match (&$found, &$expected) {
             (found, expected) if *found == *expected => {}
-            (found, expected) => panic!(
-                "{}",
-                crate::asserts::unequal(stringify!($found), &found, &expected, law_words!($($words)*))
-            ),
+            (found, expected) => {
+                let words = law_words!($($($words)*)?);
+                let said = crate::asserts::unequal(stringify!($found), &found, &expected, words);
+                panic!("{said}")
+            }
         }
     };
 }

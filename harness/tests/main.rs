@@ -3,6 +3,8 @@
 #[macro_use]
 #[path = "../../tests/asserts.rs"]
 mod asserts;
+#[path = "../../tests/properties.rs"]
+mod properties;
 
 mod cli;
 mod compare;

@@ -9,8 +9,8 @@ use std::io::{BufRead, BufReader, Write};
 use std::path::Path;
 use std::process::{Command, Stdio};
 
+use crate::properties::*;
 use conform::probe;
-use proptest::prelude::*;
 use serde_json::{Value, json};
 
 use self::support::laws;

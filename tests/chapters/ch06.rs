@@ -1,7 +1,7 @@
 //! Chapter 6: mapping samples to a disk.
 
+use crate::properties::*;
 use groundtruth::math::{ONE_MINUS, maps};
-use proptest::prelude::*;
 
 use crate::prelude::*;
 use crate::support::samples::{assert_once_each, assert_uniform, built, occupied, random_points};

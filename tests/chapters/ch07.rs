@@ -1,7 +1,7 @@
 //! Chapter 7: mapping samples to a hemisphere, and to a sphere.
 
+use crate::properties::*;
 use groundtruth::math::{ONE_MINUS, maps};
-use proptest::prelude::*;
 
 use crate::prelude::*;
 use crate::support::samples::{assert_once_each, assert_uniform, built, random_points};

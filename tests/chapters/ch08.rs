@@ -1,7 +1,7 @@
 //! Chapter 8: perspective viewing.
 
+use crate::properties::*;
 use groundtruth::cameras::{View, ViewPlane};
-use proptest::prelude::*;
 
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
 use crate::pictures::studio::{RED, bits, built};

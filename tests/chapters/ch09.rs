@@ -1,7 +1,7 @@
 //! Chapter 9: a practical viewing system.
 
+use crate::properties::*;
 use groundtruth::cameras::View;
-use proptest::prelude::*;
 
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
 use crate::pictures::studio::{RED, built};

@@ -2,9 +2,9 @@
 
 mod sources;
 
+use crate::properties::*;
 use groundtruth::film::{OutOfGamut, Tone};
 use groundtruth::lights::PointLight as Lamp;
-use proptest::prelude::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;

@@ -2,8 +2,8 @@
 
 mod matrix;
 
+use crate::properties::*;
 use dashu_ratio::RBig;
-use proptest::prelude::*;
 
 use crate::prelude::*;
 

@@ -3,10 +3,10 @@
 mod leaning;
 mod pictures;
 
+use crate::properties::*;
 use groundtruth::explain::omissions;
 use groundtruth::lights::PointLight as Lamp;
 use groundtruth::lobes::PerfectSpecular;
-use proptest::prelude::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;

@@ -7,9 +7,9 @@ mod recorded_optics;
 mod shadows;
 mod vessels;
 
+use crate::properties::*;
 use groundtruth::render::{pixel, render};
 use groundtruth::trace::RecordedRay;
-use proptest::prelude::*;
 
 use crate::prelude::*;
 use crate::support::optics;

@@ -6,6 +6,8 @@
 #[macro_use]
 #[path = "../asserts.rs"]
 mod asserts;
+#[path = "../properties.rs"]
+mod properties;
 
 #[macro_use]
 mod support;

@@ -5,11 +5,11 @@ mod header;
 mod merged;
 mod seeds;
 
+use crate::properties::*;
 use dashu_ratio::RBig;
 use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
 use pictures::sums::{ChannelSums, Sums, fixed};
-use proptest::prelude::*;
 
 use self::header::header;
 

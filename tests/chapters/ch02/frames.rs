@@ -1,7 +1,7 @@
 //! Orthonormal frames.
 
+use crate::properties::*;
 use groundtruth::math::Frame;
-use proptest::prelude::*;
 
 use crate::prelude::*;
 

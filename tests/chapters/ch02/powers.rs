@@ -1,7 +1,7 @@
 //! Powers, exponentials, and the geometric series.
 
+use crate::properties::*;
 use groundtruth::math::{floor, ln};
-use proptest::prelude::*;
 
 use crate::prelude::*;
 

@@ -1,6 +1,6 @@
 //! What a ray hits: planes and spheres.
 
-use proptest::prelude::*;
+use crate::properties::*;
 
 use crate::prelude::*;
 

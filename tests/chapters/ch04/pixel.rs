@@ -1,8 +1,8 @@
 //! What a pixel is: the mean of its samples, and where they are.
 
+use crate::properties::*;
 use groundtruth::samplers::Kind;
 use groundtruth::textures::{self, Texture};
-use proptest::prelude::*;
 use statistics::means::one_sample;
 
 use crate::pictures::studio::{RED, built};

@@ -1,6 +1,6 @@
 //! The panoramas: longitude and latitude.
 
-use proptest::prelude::*;
+use crate::properties::*;
 
 use super::views::{cylindrical, looking, seen, spherical};
 use crate::prelude::*;

@@ -1,6 +1,6 @@
 //! From far away a lamp is a point light, and the radiance of a lamp seen directly does not fade.
 
-use proptest::prelude::*;
+use crate::properties::*;
 
 use super::*;
 use crate::prelude::*;

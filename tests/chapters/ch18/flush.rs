@@ -1,6 +1,6 @@
 //! Lamps that lie on another object's surface, or in its plane.
 
-use proptest::prelude::*;
+use crate::properties::*;
 
 use super::*;
 use crate::prelude::*;

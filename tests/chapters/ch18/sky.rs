@@ -1,6 +1,6 @@
 //! The environment light.
 
-use proptest::prelude::*;
+use crate::properties::*;
 
 use super::*;
 use crate::prelude::*;

@@ -1,6 +1,6 @@
 //! The transformation step that is given as a matrix.
 
-use proptest::prelude::*;
+use crate::properties::*;
 
 use super::{linear, product, size, steps, transform};
 use crate::prelude::*;

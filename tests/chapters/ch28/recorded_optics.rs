@@ -1,7 +1,7 @@
 //! What the recorder reports about refraction: the numbers that `explain` and the inspector show.
 
+use crate::properties::*;
 use groundtruth::trace::{RecordedHit, RecordedRay, TermSource};
-use proptest::prelude::*;
 
 use super::{child, glass, tinted};
 use crate::prelude::*;

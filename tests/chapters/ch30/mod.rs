@@ -7,10 +7,10 @@ mod layers;
 mod materials;
 mod wires;
 
+use crate::properties::*;
 use groundtruth::kinds::Resources;
 use groundtruth::render::pixel;
 use groundtruth::textures::{Checker3d, Kind as Texture, PlaneChecker};
-use proptest::prelude::*;
 
 use crate::prelude::*;
 use crate::support::scaling::scaled;

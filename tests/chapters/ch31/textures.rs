@@ -2,13 +2,13 @@
 
 use std::f64::consts::FRAC_PI_2;
 
+use crate::properties::*;
 use groundtruth::kinds::Resources;
 use groundtruth::noise::LatticeNoise;
 use groundtruth::textures::{
     ColorTable, Fbm, Kind, RampFbm, Rule, Stripes, TextureInstance, ThreeColors, Turbulence,
     TwoColors, WrappedFbm, WrappedRamp,
 };
-use proptest::prelude::*;
 
 use super::oracle::{self, built};
 use crate::prelude::*;

@@ -1,11 +1,11 @@
 //! Shared by the chapters' laws: how cases are generated.
 
+use crate::properties::*;
 use groundtruth::cameras::{View, ViewPlane};
 use groundtruth::math::{Normal, Point, Ray, Vector};
 use groundtruth::render;
 use groundtruth::textures::Amount;
 use groundtruth::world::World;
-use proptest::prelude::*;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
 
 /// Half the distance from 1 to the next number: the largest relative error of one rounding.

@@ -5,6 +5,7 @@ use std::fmt::Debug;
 use std::ops::Sub;
 
 use crate::prelude::*;
+use crate::properties::*;
 
 /// How large a difference is.
 pub trait Size {
@@ -156,6 +157,12 @@ fn verbs_say_what_was_found_and_what_was_expected() {
         said(|| assert_eq!(0.5, 1.0, "case {}", 7)),
         "`0.5`; case 7\n   found 0.5\nexpected 1.0"
     );
+    let property = || {
+        prop_assert_eq!(1 + 1, 3, "case {}", 7);
+        Ok(())
+    };
+    let TestCaseError::Fail(text) = property().expect_err("it is refused") else { unreachable!() };
+    assert!(text.message().starts_with("`1 + 1`; case 7\n   found 2\nexpected 3\nat "), "{text}");
     assert_eq!(said(|| assert_eq!(f64::NAN, f64::NAN)), "`f64::NAN`\n   found NaN\nexpected NaN");
     let refused: [fn(); 3] =
         [|| near!(f64::NAN, 0.0, 1.0), || at_most!(f64::NAN, 0.0), || above!(f64::NAN, 0.0)];

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
+use crate::properties::*;
 use groundtruth::math::{cos, sin};
-use proptest::prelude::*;
 use serde_json::json;
 
 use super::support::{laws, point, unit};

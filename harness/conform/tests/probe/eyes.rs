@@ -1,7 +1,7 @@
 //! Both eyes of a stereo pair.
 
+use crate::properties::*;
 use groundtruth::math::{tan, to_radians};
-use proptest::prelude::*;
 use serde_json::{Value, json};
 
 use super::support::laws;

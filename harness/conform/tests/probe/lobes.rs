@@ -2,9 +2,9 @@
 
 use std::f64::consts::PI;
 
+use crate::properties::*;
 use exact::Draw;
 use groundtruth::math::Vector;
-use proptest::prelude::*;
 use serde_json::json;
 
 use super::support::{laws, unit};

@@ -1,7 +1,7 @@
 //! Names that a terminal would obey, in every place of a scene file that carries a name or a key.
 
+use crate::properties::*;
 use groundtruth::{cameras, printable, scene};
-use proptest::prelude::*;
 use proptest::test_runner::FileFailurePersistence;
 use rayon::prelude::*;
 use toml::Value;
