@@ -15,7 +15,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use anyhow::{Context, Result, ensure};
-use clap::{Parser, Subcommand};
+use clap::{Args, Parser, Subcommand};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
@@ -49,15 +49,8 @@ enum What {
         /// Test programs that are left out, as `report,window`: each of their tests takes long alone.
         #[arg(long, value_delimiter = ',')]
         without: Vec<String>,
-        /// Mutants too, drawn from this list, which `cargo mutants --list --json` printed.
-        #[arg(long)]
-        mutants: Option<PathBuf>,
-        /// How many mutants are drawn.
-        #[arg(long, default_value_t = 400)]
-        of: usize,
-        /// Another seed draws other mutants.
-        #[arg(long, default_value_t = 1)]
-        seed: u64,
+        #[command(flatten)]
+        mutants: Sample,
     },
     /// Runs the laws that found something once more, with other tolerances: which still find it, and which fail with
     /// nothing planted.
@@ -65,20 +58,27 @@ enum What {
         /// The tolerances of the laws are multiplied by this.
         #[arg(long)]
         tolerance: f64,
-        /// The list of mutants, as for `run`.
-        #[arg(long)]
-        mutants: Option<PathBuf>,
-        /// How many mutants are drawn.
-        #[arg(long, default_value_t = 400)]
-        of: usize,
-        /// Their seed.
-        #[arg(long, default_value_t = 1)]
-        seed: u64,
+        #[command(flatten)]
+        mutants: Sample,
     },
     /// Reads the tables of planted mistakes, and says which do not fit the source.
     Check,
     /// The tables of all that was found so far.
     Score,
+}
+
+/// A sample of mutants.
+#[derive(Args)]
+struct Sample {
+    /// Mutants too, drawn from this list, which `cargo mutants --list --json` printed.
+    #[arg(long)]
+    mutants: Option<PathBuf>,
+    /// How many mutants are drawn.
+    #[arg(long, default_value_t = 400)]
+    of: usize,
+    /// Another seed draws other mutants.
+    #[arg(long, default_value_t = 1)]
+    seed: u64,
 }
 
 /// What is asked of a change.
@@ -103,13 +103,13 @@ fn main() -> Result<()> {
     ensure!(root.join("power/planted").is_dir(), "run this in the root of the repository");
     let folder = root.join(&arguments.folder);
     match arguments.what {
-        What::Run { part, only, budget, without, mutants, of, seed } => {
-            let asked = asked(&root, mutants.as_deref(), of, seed)?;
+        What::Run { part, only, budget, without, mutants } => {
+            let asked = asked(&root, &mutants)?;
             let known = known(&root, &folder, &asked, &without)?;
             measure(&root, &folder, &asked, &known, &part, &only, budget)
         }
-        What::Again { tolerance, mutants, of, seed } => {
-            again(&root, &folder, &asked(&root, mutants.as_deref(), of, seed)?, tolerance)
+        What::Again { tolerance, mutants } => {
+            again(&root, &folder, &asked(&root, &mutants)?, tolerance)
         }
         What::Check => {
             let all = planted::read(&root.join("power/planted"))?;
@@ -131,14 +131,15 @@ fn main() -> Result<()> {
 }
 
 /// The planted mistakes, the decoys, and a sample of the mutants.
-fn asked(root: &Path, mutants: Option<&Path>, of: usize, seed: u64) -> Result<Vec<Asked>> {
+fn asked(root: &Path, sample: &Sample) -> Result<Vec<Asked>> {
     let mut asked = Vec::new();
     for it in planted::read(&root.join("power/planted"))? {
         let kind = if it.law.is_some() { Kind::Planted } else { Kind::Decoy };
         asked.push(Asked { change: it.change(root)?, kind, law: it.law });
     }
-    if let Some(list) = mutants {
-        let (changes, total) = mutants::sample(root, list, of, seed)?;
+    if let Some(list) = &sample.mutants {
+        let of = sample.of;
+        let (changes, total) = mutants::sample(root, list, of, sample.seed)?;
         let count = changes.len();
         eprintln!("of {of} mutants drawn from {total}, {count} can stand behind a switch");
         let mutant = |change| Asked { change, kind: Kind::Mutant, law: None };
