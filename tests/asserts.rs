@@ -44,15 +44,23 @@ macro_rules! assert {
     };
 }
 
-macro_rules! assert_eq {
+/// What a comparison says if it fails.
+macro_rules! difference {
     ($found:expr, $expected:expr $(, $($words:tt)*)?) => {
         match (&$found, &$expected) {
-            (found, expected) if *found == *expected => {}
+            (found, expected) if *found == *expected => None,
             (found, expected) => {
                 let words = law_words!($($($words)*)?);
-                let said = crate::asserts::unequal(stringify!($found), &found, &expected, words);
-                panic!("{said}")
+                Some(crate::asserts::unequal(stringify!($found), &found, &expected, words))
             }
+        }
+    };
+}
+
+macro_rules! assert_eq {
+    ($($compared:tt)+) => {
+        if let Some(said) = difference!($($compared)+) {
+            panic!("{said}")
         }
     };
 }

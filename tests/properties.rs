@@ -16,14 +16,9 @@ macro_rules! property_holds {
 pub(crate) use property_holds as prop_assert;
 
 macro_rules! property_is {
-    ($found:expr, $expected:expr $(, $($words:tt)*)?) => {
-        match (&$found, &$expected) {
-            (found, expected) if *found == *expected => {}
-            (found, expected) => {
-                let words = law_words!($($($words)*)?);
-                let said = crate::asserts::unequal(stringify!($found), &found, &expected, words);
-                return Err(TestCaseError::fail(format!("{said}\nat {}:{}", file!(), line!())));
-            }
+    ($($compared:tt)+) => {
+        if let Some(said) = difference!($($compared)+) {
+            return Err(TestCaseError::fail(format!("{said}\nat {}:{}", file!(), line!())));
         }
     };
 }
