@@ -58,9 +58,9 @@ impl LobeSet {
 
 /// What a lobe makes of light from a direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lit {
+pub struct Lit<'a> {
     /// The lobe.
-    pub lobe: Lobe,
+    pub lobe: &'a Lobe,
     /// Its value, per steradian; not black.
     pub f: Rgb,
     /// The cosine of the light's angle to the normal; positive.
@@ -88,18 +88,16 @@ impl<'a> Bsdf<'a> {
         Self { lobes, normals, wo, frame, lobe_probabilities }
     }
 
-    /// The same for a path, which takes one of the lobes.
-    #[must_use]
-    pub fn with_lobe_probabilities(mut self) -> Self {
-        let weight = |(lobe, kind): &(Lobe, NormalKind)| {
-            lobe.selection_weight(self.viewer(lobe, &self.frame_of(lobe, *kind)))
-        };
-        self.lobe_probabilities = self.lobes.iter().map(weight).collect();
+    /// For a path, which takes one of the lobes: sets [`Bsdf::lobe_probabilities`].
+    pub fn weigh_lobes(&mut self) {
+        for (lobe, kind) in self.lobes {
+            let viewer = self.viewer(lobe, &self.frame_of(lobe, *kind));
+            self.lobe_probabilities.push(lobe.selection_weight(viewer));
+        }
         let sum: f64 = self.lobe_probabilities.iter().sum();
         if sum > 0.0 {
             self.lobe_probabilities.iter_mut().for_each(|weight| *weight /= sum);
         }
-        self
     }
 
     /// The lobes, in the order in which the material listed them.
@@ -113,7 +111,7 @@ impl<'a> Bsdf<'a> {
     }
 
     /// With which probability a path takes each lobe: all 0 if nothing is scattered, none if it does not
-    /// choose ([`Bsdf::with_lobe_probabilities`]).
+    /// choose ([`Bsdf::weigh_lobes`]).
     pub fn lobe_probabilities(&self) -> &[f64] {
         &self.lobe_probabilities
     }
@@ -169,7 +167,7 @@ impl<'a> Bsdf<'a> {
     /// A viewer below the true surface gets nothing. One above it does, also where an interpolated
     /// normal faces away, near the outline of a smooth mesh: the book's formulas do not ask on which
     /// side of that normal the viewer is.
-    pub fn lit(&self, set: LobeSet, wi: Vector) -> ArrayVec<Lit, MAX_LOBES> {
+    pub fn lit(&self, set: LobeSet, wi: Vector) -> ArrayVec<Lit<'a>, MAX_LOBES> {
         let mut lit = ArrayVec::new();
         if !self.is_outward(self.wo) {
             return lit;
@@ -183,7 +181,7 @@ impl<'a> Bsdf<'a> {
             }
             let f = lobe.formula(wo, wi);
             if !f.is_black() {
-                lit.push(Lit { lobe: *lobe, f, cos_i });
+                lit.push(Lit { lobe, f, cos_i });
             }
         }
         lit

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 use crate::film::Film;
 use crate::math::{Ray, maps};
 use crate::rgb::Rgb;
-use crate::samplers::Purpose;
+use crate::samplers::{Draws, Purpose};
 use crate::scene::Image;
 use crate::trace::{self, Budget, Recorder, Unlimited};
 use crate::world::World;
@@ -40,7 +40,17 @@ pub struct CameraSample {
 
 /// The camera ray of one pixel sample; `None` in the gap of a stereo pair. Both eyes of a pair draw the
 /// same samples, because these belong to the pixel of the eye's image.
-pub fn camera_sample(world: &World, [column, row]: [u32; 2], index: u32) -> Option<CameraSample> {
+pub fn camera_sample(world: &World, pixel: [u32; 2], index: u32) -> Option<CameraSample> {
+    camera_sample_and_draws(world, pixel, index).map(|(sample, _)| sample)
+}
+
+/// As [`camera_sample`], with the sample's draws, whose name is hashed once.
+#[inline]
+fn camera_sample_and_draws(
+    world: &World,
+    [column, row]: [u32; 2],
+    index: u32,
+) -> Option<(CameraSample, Draws<'_>)> {
     let (eye, column) = world.view.eye_of_column(column, world.image.width)?;
     let pixel = [column, row];
     let draws = world.draws(pixel, index);
@@ -48,7 +58,7 @@ pub fn camera_sample(world: &World, [column, row]: [u32; 2], index: u32) -> Opti
     let film = film_point(&world.image, pixel, [x, y]);
     let lens = world.view.has_lens().then(|| maps::disk(draws.draw(Purpose::Lens)));
     let ray = eye.ray(film, lens.unwrap_or_default());
-    Some(CameraSample { pixel, film, lens, weight: weight_x * weight_y, ray })
+    Some((CameraSample { pixel, film, lens, weight: weight_x * weight_y, ray }, draws))
 }
 
 /// The point of the view plane for a point in or around a pixel, given in pixels from the pixel's lower
@@ -82,10 +92,9 @@ pub fn sample_within<R: Recorder, B: Budget>(
     recorder: &mut R,
     budget: &mut B,
 ) -> Rgb {
-    match camera_sample(world, pixel, index) {
-        Some(CameraSample { pixel, weight, ray: Some(ray), .. }) => {
-            weight
-                * trace::radiance_within(world, &ray, world.draws(pixel, index), recorder, budget)
+    match camera_sample_and_draws(world, pixel, index) {
+        Some((CameraSample { weight, ray: Some(ray), .. }, draws)) => {
+            weight * trace::radiance_within(world, &ray, draws, recorder, budget)
         }
         _ => Rgb::BLACK,
     }
@@ -104,6 +113,11 @@ pub trait Renderer: Sync {
         recorder: &mut R,
         budget: &mut B,
     ) -> Rgb;
+
+    /// A pixel: the mean of its samples times the exposure time.
+    fn pixel(&self, at: [u32; 2]) -> Rgb {
+        mean_of_samples(self, at)
+    }
 }
 
 impl Renderer for World {
@@ -120,13 +134,23 @@ impl Renderer for World {
     ) -> Rgb {
         sample_within(self, pixel, index, recorder, budget)
     }
+
+    /// The same, but not generic: compiled once, beside the small functions it calls, instead of in
+    /// each program that renders.
+    fn pixel(&self, at: [u32; 2]) -> Rgb {
+        mean_of_samples(self, at)
+    }
 }
 
 /// A pixel: the mean of its samples times the exposure time.
-pub fn pixel(renderer: &impl Renderer, pixel: [u32; 2]) -> Rgb {
+pub fn pixel(renderer: &impl Renderer, at: [u32; 2]) -> Rgb {
+    renderer.pixel(at)
+}
+
+fn mean_of_samples(renderer: &(impl Renderer + ?Sized), at: [u32; 2]) -> Rgb {
     let world = renderer.world();
     let samples = (0..world.samples_per_pixel())
-        .map(|index| renderer.sample(pixel, index, &mut (), &mut Unlimited));
+        .map(|index| renderer.sample(at, index, &mut (), &mut Unlimited));
     expose(world, samples)
 }
 

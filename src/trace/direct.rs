@@ -86,7 +86,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         let (arriving, traced) = self.arriving(medium, point, light, &sample);
         for (Lit { lobe, f, cos_i }, weight) in terms {
             let source =
-                TermSource::Direct { light: light.index, lobe, f, cos_i, pdf, mis, traced };
+                TermSource::Direct { light: light.index, lobe: *lobe, f, cos_i, pdf, mis, traced };
             sum.add(self.recorder, source, weight, arriving);
         }
     }
@@ -102,7 +102,7 @@ fn unlit_surface(point: &ShadingPoint<'_>, bsdf: &Bsdf<'_>) -> Unlit {
 }
 
 /// Why a light's sample contributes nothing: the first reason that holds. `lit` are the lobes' values for it.
-fn unlit_sample(sample: &LightSample, point: &ShadingPoint<'_>, lit: &[Lit]) -> Unlit {
+fn unlit_sample(sample: &LightSample, point: &ShadingPoint<'_>, lit: &[Lit<'_>]) -> Unlit {
     let sent = sample.radiance + sample.blocked;
     let [shading, geometry] = [point.normals.shading, point.normals.geometry];
     let [cos_i, cos_true] = [shading, geometry].map(|normal| normal.dot(sample.direction));

@@ -158,8 +158,10 @@ impl<'a, R: Recorder, B: Budget> Tracing<'a, R, B> {
         }
         let mut response = Response::default();
         material.respond(&hit.texture_point(), point.cos_o, &mut response);
-        let bsdf = Bsdf::new(&response.lobes, point.normals, point.wo);
-        let bsdf = if self.strategy.is_path() { bsdf.with_lobe_probabilities() } else { bsdf };
+        let mut bsdf = Bsdf::new(&response.lobes, point.normals, point.wo);
+        if self.strategy.is_path() {
+            bsdf.weigh_lobes();
+        }
         self.recorder.surface(&point, &response.lobes);
 
         if self.strategy.samples_lights(path.depth) {
