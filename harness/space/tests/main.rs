@@ -5,6 +5,7 @@
 mod asserts;
 
 mod borders;
+mod drawing;
 mod orbit;
 mod places;
 mod section;
