@@ -6,6 +6,7 @@ mod asserts;
 
 mod borders;
 mod drawing;
+mod incidence;
 mod orbit;
 mod places;
 mod section;
