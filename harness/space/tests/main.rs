@@ -12,6 +12,7 @@ mod places;
 mod section;
 mod seen;
 mod segments;
+mod shadow;
 mod view;
 mod wholes;
 mod why_not;
