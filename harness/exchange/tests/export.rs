@@ -11,5 +11,6 @@ mod pov;
 mod pov_camera;
 mod pov_glass;
 mod pov_shapes;
+mod refused;
 mod texts;
 mod words;
