@@ -12,5 +12,6 @@ mod pov_camera;
 mod pov_glass;
 mod pov_shapes;
 mod refused;
+mod said;
 mod texts;
 mod words;

@@ -8,18 +8,18 @@ use groundtruth::world;
 
 use super::texts::Parts;
 
-const MATTE: &str = "matte = { kd = 0.5, cd = 1 }";
-const SUN: &str =
+pub const MATTE: &str = "matte = { kd = 0.5, cd = 1 }";
+pub const SUN: &str =
     "[[lights]]\nname = \"sun\"\nsource.directional = { direction = [1, 2, 3], ls = 1 }\n";
-const LAMP: &str = "[[lights]]\nname = \"area\"\nsource.area = { object = \"lamp\" }\n\
+pub const LAMP: &str = "[[lights]]\nname = \"area\"\nsource.area = { object = \"lamp\" }\n\
                     [[materials]]\nname = \"shining\"\nrecipe.emissive = { ls = 1, ce = 1 }\n\
                     [[objects]]\nname = \"lamp\"\nmaterial = \"shining\"\n\
                     shape.sphere = { center = [0, 5, 0], radius = 1 }\n";
-const PATH: &str = "tracer.path = { max_depth = 3 }\n";
-const WHITTED: &str = "tracer.whitted = { max_depth = 3 }\n";
+pub const PATH: &str = "tracer.path = { max_depth = 3 }\n";
+pub const WHITTED: &str = "tracer.whitted = { max_depth = 3 }\n";
 
 /// A ball of this recipe, seen by this camera.
-fn seen(camera: &str, head: &str, recipe: &str, rest: &str) -> Scene {
+pub fn seen(camera: &str, head: &str, recipe: &str, rest: &str) -> Scene {
     let text = format!(
         "{head}\nimage = {{ width = 4, height = 4 }}\ncamera = {{ {camera} }}\n\
          [[materials]]\nname = \"it\"\nrecipe.{recipe}\n\
@@ -29,15 +29,15 @@ fn seen(camera: &str, head: &str, recipe: &str, rest: &str) -> Scene {
     read.unwrap_or_else(|error| panic!("{error}: {text}")).0
 }
 
-const PINHOLE: &str = "eye = [0, 0, 9], lens.pinhole = { distance = 5 }";
-const BALL: &str = "shape.sphere = { center = [0, 0, 0], radius = 1 }\n";
+pub const PINHOLE: &str = "eye = [0, 0, 9], lens.pinhole = { distance = 5 }";
+pub const BALL: &str = "shape.sphere = { center = [0, 0, 0], radius = 1 }\n";
 
-fn ball(head: &str, recipe: &str, rest: &str) -> Scene {
+pub fn ball(head: &str, recipe: &str, rest: &str) -> Scene {
     seen(PINHOLE, head, recipe, &format!("{BALL}{rest}"))
 }
 
 /// What is refused, a line each.
-fn refused(target: Target, scene: &Scene) -> Vec<String> {
+pub fn refused(target: Target, scene: &Scene) -> Vec<String> {
     let written = target.write("scene", "scene", scene, "".as_ref());
     written.err().unwrap_or_default().iter().map(ToString::to_string).collect()
 }
