@@ -5,6 +5,7 @@ mod html;
 mod integrands;
 mod light;
 mod numbers;
+mod plots;
 mod pairs;
 mod random_samples;
 mod references;
