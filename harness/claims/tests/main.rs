@@ -12,6 +12,7 @@ mod fields;
 mod kinds;
 mod lamps;
 mod mistakes;
+mod named;
 mod own;
 mod protocol;
 mod right;
