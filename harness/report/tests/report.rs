@@ -4,6 +4,7 @@ mod clock;
 mod html;
 mod integrands;
 mod light;
+mod markup;
 mod numbers;
 mod plots;
 mod pairs;
