@@ -82,10 +82,14 @@ impl Drawn {
         first.1 + share * (last.1 - first.1)
     }
 
-    /// The middles of all markers outside of the legend, and their outlines, by colour.
-    fn markers(&self) -> Vec<(String, [f64; 2], Vec<[f64; 2]>)> {
-        let lines: Vec<&str> = self.svg.lines().collect();
-        let end = lines.iter().position(|it| it.starts_with("<rect")).unwrap_or(lines.len());
+    /// The markers outside of the legend: colour, middle, outline around it, and whether they are filled.
+    fn markers(&self) -> Vec<(String, [f64; 2], Vec<[f64; 2]>, bool)> {
+        let end = self.svg.find("<rect").unwrap_or(self.svg.len());
+        Self::markers_of(&self.svg[..end])
+    }
+
+    fn markers_of(svg: &str) -> Vec<(String, [f64; 2], Vec<[f64; 2]>, bool)> {
+        let lines: Vec<&str> = svg.lines().collect();
         let of = |pair: &[&str]| {
             let outline = places(pair[0]);
             let color = attribute(pair[1], "stroke").unwrap_or_default().to_owned();
@@ -95,9 +99,10 @@ impl Drawn {
             };
             let at = [middle(0), middle(1)];
             let moved = outline.iter().map(|it| [it[0] - at[0], it[1] - at[1]]).collect();
-            (color, at, moved)
+            let is_filled = attribute(pair[0], "fill") == Some(&*color);
+            (color, at, moved, is_filled)
         };
-        lines[..end].windows(2).filter(|pair| pair[0].starts_with("<polygon")).map(of).collect()
+        lines.windows(2).filter(|pair| pair[0].starts_with("<polygon")).map(of).collect()
     }
 }
 
@@ -270,18 +275,28 @@ fn what_has_a_logarithm_is_drawn() {
     let names = ["a", "b", "c", "d", "e"];
     let five = names.map(|name| Series::joined(name, [(1.0, 1.0), (9.0, 9.0)]));
     let drawn = Drawn::of(&plot(five.to_vec(), None));
-    let mut kinds: Vec<String> = drawn.markers().iter().map(|it| format!("{} {:?}", it.0, it.2)).collect();
-    assert_eq!(kinds.len(), 10, "markers of five series");
-    kinds.dedup();
-    kinds.sort();
-    kinds.dedup();
-    assert_eq!(kinds.len(), 5, "kinds of markers");
+    let markers = drawn.markers();
+    assert_eq!(markers.len(), 10, "markers of five series");
+    // in black and white, and by colour
+    for by_color in [false, true] {
+        let kind = |it: &(String, [f64; 2], Vec<[f64; 2]>, bool)| {
+            if by_color { it.0.clone() } else { format!("{} {:?}", it.3, it.2) }
+        };
+        let kinds: std::collections::BTreeSet<String> = markers.iter().map(kind).collect();
+        assert_eq!(kinds.len(), 5, "kinds of markers, by colour: {by_color}");
+    }
     let fills = drawn.svg.lines().filter(|it| it.starts_with("<polygon") && it.contains("fill=\"#FFFFFF\""));
     // squares, diamonds and rings, twice and in the legend
     assert_eq!(fills.count(), 9, "markers that are not filled");
     let lines: Vec<&str> = drawn.svg.lines().collect();
     let legend = lines.iter().position(|it| it.starts_with("<rect")).expect("a legend");
-    for name in names {
+    let shown = Drawn::markers_of(&lines[legend..].join("\n"));
+    assert_eq!(shown.len(), 5, "markers in the legend");
+    let left = number(lines[legend], "x");
+    for (name, marker) in names.into_iter().zip(shown) {
+        let word = drawn.words.iter().find(|it| it.text == name).expect("a name");
+        near(marker.1[0], 0.5 * (left + word.at[0]), PIXEL, "the marker stands between border and name");
+        near(marker.1[1], word.at[1] + 5.0, 4.0, "the marker stands on the line of its name");
         let said = lines[legend..].iter().filter(|it| **it == name).count();
         assert_eq!(said, 1, "`{name}` in the legend");
     }
@@ -328,6 +343,20 @@ fn labels_stand_beside_their_points() {
     for (label, marker) in beside(&drawn).iter().zip(drawn.markers()) {
         let way = [label[0] - marker.1[0], label[1] - marker.1[1]];
         assert_eq!(way, [6.0, -12.0], "the way from a point to its label");
+    }
+    // of points that are not at one place, labels do not overlap either
+    let mut numbers = Pcg32::new(7, 9);
+    for _ in 0..200 {
+        let point = |_| (10.0 + 1.5 * numbers.uniform(), 10.0 + 2.0 * numbers.uniform());
+        let three = Series { labels: labels[..3].to_vec(), ..one([0; 3].map(point).to_vec()) };
+        let found = beside(&Drawn::of(&plot(vec![three, frame.clone()], None)));
+        for (k, a) in found.iter().enumerate() {
+            for b in &found[..k] {
+                // a point is rounded to a pixel
+                let apart = (a[0] - b[0]).abs() > 12.0 - 2.0 * PIXEL || (a[1] - b[1]).abs() > 10.0 - 2.0 * PIXEL;
+                assert!(apart, "labels at {a:?} and {b:?}");
+            }
+        }
     }
     // near to each other across, or up, but not both, they do not hide each other
     for (dx, dy) in [(1.0, 2.0), (1.5, 1.0)] {
