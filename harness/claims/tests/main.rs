@@ -4,6 +4,7 @@
 #[path = "../../../tests/asserts.rs"]
 mod asserts;
 
+mod around;
 mod cells;
 mod chance;
 mod claimed;

@@ -69,8 +69,10 @@ fn the_overview_has_a_line_for_each_kind() {
             let head = format!("  {chapter:4}  {tag:25} ");
             lines.iter().position(|it| it.starts_with(&head))
         };
-        let places: Vec<usize> =
-            list.iter().map(|kind| first(kind).unwrap_or_else(|| panic!("no line of {kind:?}"))).collect();
+        let places: Vec<usize> = list
+            .iter()
+            .map(|kind| first(kind).unwrap_or_else(|| panic!("no line of {kind:?}")))
+            .collect();
         for pair in places.windows(2) {
             assert_eq!(pair[1], pair[0] + 1, "the line after `{}`", lines[pair[0]]);
         }
@@ -91,7 +93,12 @@ fn the_overview_has_a_line_for_each_kind() {
         };
         if !matches!(topic, Topic::List(_)) {
             let said = sentence(description(&topic));
-            assert!(rest[at].ends_with(&said), "the line of {}: {}, expected {said}", topic.name(), rest[at]);
+            assert!(
+                rest[at].ends_with(&said),
+                "the line of {}: {}, expected {said}",
+                topic.name(),
+                rest[at]
+            );
         }
         rest = &rest[at + 1..];
     }
@@ -118,7 +125,8 @@ fn the_text_of_a_topic_has_all_of_it() {
             assert_eq!(about(&spaced), Ok(text.clone()), "the text of {spaced}");
         }
         if let Topic::Kind(kind, list) = &topic {
-            let chapter = chapters.iter().find(|(_, tag)| *tag == kind.tag).map(|(chapter, _)| *chapter);
+            let chapter =
+                chapters.iter().find(|(_, tag)| *tag == kind.tag).map(|(chapter, _)| *chapter);
             if let (Some(chapter), 1) = (chapter, all) {
                 let number: u32 = chapter[2..].parse().expect("a number");
                 let said = format!("One of the {}, chapter {number}.\n", list.title());
@@ -142,24 +150,33 @@ fn the_text_of_a_topic_has_all_of_it() {
         }
         for example in text.split("```toml\n").skip(1) {
             let (example, _) = example.split_once("```").expect("it ends");
-            let read: toml::Table = toml::from_str(example).unwrap_or_else(|e| panic!("{name}: {e}: {example}"));
+            let read: toml::Table =
+                toml::from_str(example).unwrap_or_else(|e| panic!("{name}: {e}: {example}"));
             assert_eq!(read.len(), 1, "tables of the example of {name}");
             let is_array = example.starts_with("[[");
             for line in example.lines().filter(|it| it.starts_with('[')) {
                 longer += usize::from(line != example.lines().next().unwrap_or_default());
             }
-            assert_eq!(read.values().all(toml::Value::is_array), is_array, "lists in the example of {name}");
+            assert_eq!(
+                read.values().all(toml::Value::is_array),
+                is_array,
+                "lists in the example of {name}"
+            );
             examples += 1;
         }
     }
-    assert!(examples > 90 && fields > 300 && longer > 5, "{examples} examples, {longer} of them long, {fields} fields");
+    assert!(
+        examples > 90 && fields > 300 && longer > 5,
+        "{examples} examples, {longer} of them long, {fields} fields"
+    );
 }
 
 /// Law: an example that is added to a scene with its list's other tables is read; its first line has at most 100 letters, or the kind
 /// is a table of its own with a line for each field. Oracle: the reader; letters counted.
 #[test]
 fn examples_are_read_and_their_lines_are_short() {
-    let base = "image = { width = 4, height = 4 }\ncamera = { eye = [0, 0, 9], lens.orthographic = {} }\n";
+    let base =
+        "image = { width = 4, height = 4 }\ncamera = { eye = [0, 0, 9], lens.orthographic = {} }\n";
     let mut seen = [0; 2];
     for topic in topics() {
         let Topic::Kind(kind, list) = &topic else { continue };
@@ -181,7 +198,8 @@ fn examples_are_read_and_their_lines_are_short() {
         if list.title() != "shapes" || example.contains("file = ") {
             continue;
         }
-        let material = example.lines().find_map(|line| line.strip_prefix("material = ")).expect("a material");
+        let material =
+            example.lines().find_map(|line| line.strip_prefix("material = ")).expect("a material");
         let materials = format!("[[materials]]\nname = {material}\nrecipe.matte = {{ cd = 1 }}\n");
         let others: String = example
             .split('"')

@@ -241,7 +241,8 @@ fn a_drawing_is_as_large_as_there_is_room() {
             drawing.strokes.push(Stroke::new(Role::Arc, vec![random_point(&mut random, scale)]));
         }
         for index in 0..case % 5 {
-            let text = ["n", "two\nlines", "a longer word", "3\nlines,\nunequal"][(index + case) % 4];
+            let text =
+                ["n", "two\nlines", "a longer word", "3\nlines,\nunequal"][(index + case) % 4];
             let side = [(index % 3) as i8 - 1, ((index + case) % 3) as i8 - 1];
             let at = random_point(&mut random, scale);
             drawing.labels.push(Label { at, text: text.to_owned(), role: Role::Normal, side });
@@ -287,12 +288,7 @@ fn a_drawing_is_as_large_as_there_is_room() {
         }
         let mut box_ = [f64::INFINITY, f64::NEG_INFINITY, f64::INFINITY, f64::NEG_INFINITY];
         let mut grow = |[left, right, top, bottom]: [f64; 4]| {
-            box_ = [
-                box_[0].min(left),
-                box_[1].max(right),
-                box_[2].min(top),
-                box_[3].max(bottom),
-            ];
+            box_ = [box_[0].min(left), box_[1].max(right), box_[2].min(top), box_[3].max(bottom)];
         };
         dots.iter().for_each(|[x, y]| grow([*x, *x, *y, *y]));
         for label in &drawing.labels {

@@ -91,7 +91,8 @@ fn each(mut look: impl FnMut(&str, &World, &RecordedRay, &RecordedHit, &Section)
 fn cut(world: &World, ray: &RecordedRay, hit: &RecordedHit) -> f64 {
     let object = world.objects().iter().find(|it| *it.name == *hit.object).expect("it is hit");
     let bounds = object.bounds();
-    let diagonal = if bounds.is_bounded() { (bounds.max - bounds.min).length() } else { f64::INFINITY };
+    let diagonal =
+        if bounds.is_bounded() { (bounds.max - bounds.min).length() } else { f64::INFINITY };
     let mut longest = hit.t;
     for next in ray.children.iter().filter_map(|child| child.hit.as_ref()) {
         if next.object == hit.object {
@@ -141,7 +142,12 @@ fn rays_of_a_section_are_as_long_as_they_are_or_cut() {
             let off = (to - from - expected).length();
             near(off / long, 0.0, 10.0 * ROUNDING, &format!("the way of {what}, off"));
             let fixed = if k == 0 { to } else { from };
-            near(fixed.distance(hit.point) / long, 0.0, 10.0 * ROUNDING, &format!("the end of {what} at the hit"));
+            near(
+                fixed.distance(hit.point) / long,
+                0.0,
+                10.0 * ROUNDING,
+                &format!("the end of {what} at the hit"),
+            );
             if stroke.dashed {
                 let notes = &section.drawing.notes;
                 let head = format!("Ray {} leaves the plane by ", of.number);
@@ -153,7 +159,10 @@ fn rays_of_a_section_are_as_long_as_they_are_or_cut() {
                 seen[2] += 1;
             }
             let label = section.drawing.labels.iter().find(|it| {
-                it.text.lines().next().is_some_and(|it| it.ends_with(&format!(" ray {}", of.number)))
+                it.text
+                    .lines()
+                    .next()
+                    .is_some_and(|it| it.ends_with(&format!(" ray {}", of.number)))
             });
             let label = label.unwrap_or_else(|| panic!("no words of {what}"));
             let expected = match (of.outcome, k, of.kind) {
@@ -291,13 +300,18 @@ fn normals_are_drawn_on_their_sides() {
 fn outlines_of_other_objects_are_surroundings() {
     let mut seen = [0; 2];
     each(|name, world, ray, hit, section| {
-        let named = |index: u32| world.objects().iter().find(|it| it.index == index).expect("it is there");
+        let named =
+            |index: u32| world.objects().iter().find(|it| it.index == index).expect("it is there");
         let outlines = section.drawing.strokes.iter().filter_map(|it| Some((it.object?, it.role)));
         let mut last = false;
         for (object, role) in outlines {
             let is_hit = *named(object).name == *hit.object;
             let expected = if is_hit { Role::Outline } else { Role::Surroundings };
-            assert_eq!(role, expected, "outline of object {object} at ray {} of {name}", ray.number);
+            assert_eq!(
+                role, expected,
+                "outline of object {object} at ray {} of {name}",
+                ray.number
+            );
             assert!(is_hit >= last, "surroundings are drawn first at ray {} of {name}", ray.number);
             last = is_hit;
             seen[usize::from(is_hit)] += 1;

@@ -10,7 +10,8 @@ use super::why_not::{BALL, ask, near, object, scene};
 /// A lamp at (−2, 0, 5), which the pixel (4, 2) sends the shadow ray 1 to: (2, 0, −3) + s (−4, 0, 8).
 const LAMP: &str =
     "[[lights]]\nname = \"lamp\"\nsource.point = { location = [-2, 0, 5], ls = 1 }\n";
-const GLASS: &str = "[[materials]]\nname = \"glass\"\nrecipe.dielectric = { inside = { eta = 1.5 } }\n";
+const GLASS: &str =
+    "[[materials]]\nname = \"glass\"\nrecipe.dielectric = { inside = { eta = 1.5 } }\n";
 
 /// Law: of two objects between a point and its light one blocks; the other is told to be beyond it if its first hit is, and to block
 /// as well if its first hit is before. Closed form: the ball is met at s = 0.3, a second one at 0.75 − 0.5/√80.
@@ -50,10 +51,8 @@ fn what_blocks_is_met_at_its_opaque_surface() {
     let parts = "shape.compound.parts = [\n\
         { shape.sphere = { center = [0, 0, 0], radius = 1.9 }, material = \"glass\" },\n\
         { shape.sphere = { center = [0, 0, 0], radius = 1 }, material = \"white\" },\n]\n";
-    let rest = format!(
-        "transparency.shadows = \"attenuated\"\n{LAMP}{GLASS}{}",
-        object("both", parts)
-    );
+    let rest =
+        format!("transparency.shadows = \"attenuated\"\n{LAMP}{GLASS}{}", object("both", parts));
     let found = ask(&scene(&rest), [4, 2], 1, "both");
     assert_eq!(found.answer, Answer::Blocks, "the answer of glass around a matte ball");
     near(found.ended.expect("it is blocked").at.t, 0.3);
@@ -137,7 +136,10 @@ fn an_object_that_is_off_is_built_with_its_routines() {
         // the epsilon is only allowed because the other object uses it
         ("epsilon = 0.5", ""),
     ] {
-        let other = object("other", &format!("{textbook}\nshape.sphere = {{ center = [9, 9, 9], radius = 1 }}"));
+        let other = object(
+            "other",
+            &format!("{textbook}\nshape.sphere = {{ center = [9, 9, 9], radius = 1 }}"),
+        );
         let ball = object("ball", &format!("enabled = false\n{own}\n{BALL}"));
         let found = ask(&scene(&format!("{of_scene}\n{other}{ball}")), [2, 2], 0, "ball");
         assert_eq!(found.answer, Answer::SwitchedOff, "with `{of_scene}` and `{own}`");
@@ -150,13 +152,20 @@ fn an_object_that_is_off_is_built_with_its_routines() {
 /// where z = r √(y/h).
 #[test]
 fn a_whole_goes_on_without_end() {
-    for (y0, y1, radius) in [(0.0, 1.0, 1.0), (5.0, 105.0, 0.5), (-3.0, -2.999, 2.0), (0.0, 1e-3, 1e-3)] {
+    for (y0, y1, radius) in
+        [(0.0, 1.0, 1.0), (5.0, 105.0, 0.5), (-3.0, -2.999, 2.0), (0.0, 1e-3, 1e-3)]
+    {
         let size = y1 - y0 + radius;
         for y in [y1 + 1e5 * size, y0 - 1e5 * size] {
             for (shape, whole) in [
-                (format!("open_cylinder = {{ y0 = {y0}, y1 = {y1}, radius = {radius} }}"), "cylinder without ends"),
                 (
-                    format!("part_cylinder = {{ y0 = {y0}, y1 = {y1}, radius = {radius}, phi = [10, 300] }}"),
+                    format!("open_cylinder = {{ y0 = {y0}, y1 = {y1}, radius = {radius} }}"),
+                    "cylinder without ends",
+                ),
+                (
+                    format!(
+                        "part_cylinder = {{ y0 = {y0}, y1 = {y1}, radius = {radius}, phi = [10, 300] }}"
+                    ),
                     "cylinder without ends",
                 ),
             ] {

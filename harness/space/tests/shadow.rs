@@ -146,7 +146,12 @@ fn the_way_to_a_light_is_drawn_as_far_as_there_is_room() {
         };
         let at = |stroke: &Stroke, k: usize| plane.to_space(stroke.points[k]);
         let is_at = |found: Point, expected: Point, what: &str| {
-            near(found.distance(expected), 0.0, off * shown.max(1.0), &format!("{what}, {name}, off"));
+            near(
+                found.distance(expected),
+                0.0,
+                off * shown.max(1.0),
+                &format!("{what}, {name}, off"),
+            );
         };
         let [shadow, dark, blocked] = [Role::Shadow, Role::Dark, Role::Blocked].map(of);
         let light = drawing.labels.iter().find(|it| it.text == "light \"it\"").expect("a word");
@@ -199,7 +204,12 @@ fn the_way_to_a_light_is_drawn_as_far_as_there_is_room() {
         let arcs = of(Role::Arc);
         assert_eq!(arcs.len(), 1, "arcs, {name}");
         let last = arcs[0].points[arcs[0].points.len() - 1];
-        near(last[0], 0.3 * shown * sin_degrees(degrees), 10.0 * off * shown.max(1.0), "the arc's end");
+        near(
+            last[0],
+            0.3 * shown * sin_degrees(degrees),
+            10.0 * off * shown.max(1.0),
+            "the arc's end",
+        );
         for [x, y] in &arcs[0].points {
             near((x * x + y * y).sqrt(), 0.3 * shown, off * shown.max(1.0), "the arc's radius");
         }
@@ -233,11 +243,17 @@ fn the_window_of_a_shadow_ray_is_around_its_way() {
             assert_eq!(stroke.role, expected, "the outline of object {object}, {name}");
             others += usize::from(!is_about);
         }
-        let drawn = section.drawing.strokes.iter().filter(|it| {
-            matches!(it.role, Role::Shadow | Role::Dark | Role::Blocked)
-        });
+        let drawn = section
+            .drawing
+            .strokes
+            .iter()
+            .filter(|it| matches!(it.role, Role::Shadow | Role::Dark | Role::Blocked));
         let end = drawn.flat_map(|it| &it.points).fold([0.0; 2], |far: [f64; 2], at| {
-            if at[0] * at[0] + at[1] * at[1] > far[0] * far[0] + far[1] * far[1] { *at } else { far }
+            if at[0] * at[0] + at[1] * at[1] > far[0] * far[0] + far[1] * far[1] {
+                *at
+            } else {
+                far
+            }
         });
         let shown = (end[0] * end[0] + end[1] * end[1]).sqrt();
         let floor = section.drawing.strokes.iter().find(|it| it.object == Some(0));

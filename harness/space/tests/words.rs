@@ -196,7 +196,12 @@ fn an_object_that_is_off_and_passed_is_told_with_its_distance() {
 fn lines_of_numbers_are_those_of_the_fields() {
     let numbers = &mut Numbers(Pcg32::new(3, 3));
     let line = |head: &str, at: &Meeting| {
-        format!("{head} at t {}, distance {}, point {}", shown(at.t), shown(at.distance), point(at.point))
+        format!(
+            "{head} at t {}, distance {}, point {}",
+            shown(at.t),
+            shown(at.distance),
+            point(at.point)
+        )
     };
     for (reason, _) in answers(numbers) {
         for (kind, _) in kinds() {
@@ -209,15 +214,22 @@ fn lines_of_numbers_are_those_of_the_fields() {
                 let ends = matches!(reason, Answer::Hits { .. } | Answer::Blocks);
                 let mut expected = Vec::new();
                 if let Some(at) = &it.meets {
-                    expected.push(line(if ends { "meets \"it\"" } else { "would meet \"it\"" }, at));
+                    expected
+                        .push(line(if ends { "meets \"it\"" } else { "would meet \"it\"" }, at));
                 }
                 if let Some(near) = &it.approach {
-                    expected.push(format!("nearest to it at t {}, point {}", shown(near.t), point(near.on_ray)));
+                    expected.push(format!(
+                        "nearest to it at t {}, point {}",
+                        shown(near.t),
+                        point(near.on_ray)
+                    ));
                     expected.push(format!("its nearest point {}", point(near.on_surface)));
                     expected.push(format!("distance of the two points {}", shown(near.distance)));
                 }
                 match &reason {
-                    Answer::OutsidePart { at, .. } => expected.push(line("meets its whole sphere", at)),
+                    Answer::OutsidePart { at, .. } => {
+                        expected.push(line("meets its whole sphere", at))
+                    }
                     Answer::Behind { at } => expected.push(line("its line meets it", at)),
                     _ => {}
                 }

@@ -105,7 +105,8 @@ fn what_casts_no_shadow_is_refused_where_it_would_cast_one() {
 /// recipe is matte if its kd is not 0. Oracle: the kd of each recipe.
 #[test]
 fn mirrors_beside_lit_matte_surfaces_are_refused() {
-    let mirror = "reflective = { phong = { cd = 1, cs = 1, exponent = 1, kd = 0 }, kr = 1, cr = 1 }";
+    let mirror =
+        "reflective = { phong = { cd = 1, cs = 1, exponent = 1, kd = 0 }, kr = 1, cr = 1 }";
     let phong = |kd: f64| format!("phong = {{ kd = {kd}, cd = 1, cs = 1, exponent = 1 }}");
     let recipes = |kd: f64| {
         [
@@ -140,7 +141,8 @@ fn mirrors_beside_lit_matte_surfaces_are_refused() {
 /// Oracle: the scene.
 #[test]
 fn suns_are_written_where_something_scatters_their_light() {
-    let mirror = "reflective = { phong = { cd = 1, cs = 1, exponent = 1, kd = 0 }, kr = 1, cr = 1 }";
+    let mirror =
+        "reflective = { phong = { cd = 1, cs = 1, exponent = 1, kd = 0 }, kr = 1, cr = 1 }";
     let sky = "background = 0.5\n";
     for (recipe, suns) in [(MATTE, 1), (mirror, 0)] {
         let scene = ball(&format!("{PATH}{sky}"), recipe, SUN);
@@ -165,7 +167,8 @@ const BOTH: &str = "shines on both sides";
 
 /// A lamp that shines on both sides: its refusals, and whether its normal is flipped.
 fn two_sided(camera: &str, head: &str, shape: &str) -> Result<bool, Vec<String>> {
-    let mut scene = seen(camera, head, "emissive = { ls = 1, ce = 1 }", &format!("shape.{shape}\n"));
+    let mut scene =
+        seen(camera, head, "emissive = { ls = 1, ce = 1 }", &format!("shape.{shape}\n"));
     scene.materials[0].two_sided = true;
     let all = refused(Target::Mitsuba, &scene);
     if all.is_empty() {
@@ -189,10 +192,13 @@ fn a_shining_sphere_shines_to_the_side_of_the_eye() {
     };
     for scale in [1.0, 2.0, 0.5] {
         for inward in [false, true] {
-            let plain = format!("sphere = {{ center = [0, 0, 0], radius = {scale}, inward = {inward} }}");
+            let plain =
+                format!("sphere = {{ center = [0, 0, 0], radius = {scale}, inward = {inward} }}");
             for part in [3.0, 1.01, 0.99, 0.3] {
                 let z = scale * part;
-                let pinhole = format!("eye = [0, 0, {z}], look_at = [0, 0, -9], lens.pinhole = {{ distance = 5 }}");
+                let pinhole = format!(
+                    "eye = [0, 0, {z}], look_at = [0, 0, -9], lens.pinhole = {{ distance = 5 }}"
+                );
                 for shape in [&plain, &of(0.0, scale)] {
                     let found = two_sided(&pinhole, "", shape);
                     assert_eq!(found, Ok(part < 1.0), "{shape}, seen from {z}");
@@ -201,11 +207,18 @@ fn a_shining_sphere_shines_to_the_side_of_the_eye() {
         }
         for part in [3.0, 1.01, 0.99, 0.3, -0.99, -1.01] {
             let z = scale * part;
-            for lens in ["orthographic = {}", "thin_lens = { lens_radius = 0.01, distance = 5, focal_distance = 9 }"] {
+            for lens in [
+                "orthographic = {}",
+                "thin_lens = { lens_radius = 0.01, distance = 5, focal_distance = 9 }",
+            ] {
                 for x in [0.0, 20.0] {
                     let camera = format!("eye = [0, 0, {z}], look_at = [0, 0, -9], lens.{lens}");
                     let found = two_sided(&camera, "", &of(x, scale));
-                    assert_eq!(found.is_ok(), part.abs() > 1.0, "{lens} from {z}, {x} aside, scale {scale}");
+                    assert_eq!(
+                        found.is_ok(),
+                        part.abs() > 1.0,
+                        "{lens} from {z}, {x} aside, scale {scale}"
+                    );
                 }
             }
         }
@@ -224,7 +237,11 @@ fn a_flat_lamp_shines_to_the_side_that_is_seen() {
             let at = format!("eye = [1, 2, {z}], look_at = [0, 0, 0]");
             for lens in ["pinhole = { distance = 5 }", "orthographic = {}"] {
                 let camera = format!("{at}, lens.{lens}");
-                assert_eq!(two_sided(&camera, "", shape), Ok(z < 0.0), "{shape} by {lens} from {z}");
+                assert_eq!(
+                    two_sided(&camera, "", shape),
+                    Ok(z < 0.0),
+                    "{shape} by {lens} from {z}"
+                );
                 for (depth, expected) in [(0, true), (1, false)] {
                     let head = format!("tracer.path_trace = {{ max_depth = {depth} }}\n");
                     let found = two_sided(&camera, &head, shape);
@@ -283,14 +300,17 @@ fn too_many_parts_are_counted() {
 /// triangles, and triangles after it.
 #[test]
 fn triangles_beyond_the_most_are_refused_once() {
-    let rest = "shape.tessellated_sphere = { radius = 1, horizontal = 1000, vertical = 101 }\n".to_owned()
+    let rest = "shape.tessellated_sphere = { radius = 1, horizontal = 1000, vertical = 101 }\n"
+        .to_owned()
         + SUN
-        + &["first", "second"].map(|name| {
-            format!(
-                "[[objects]]\nname = \"{name}\"\nmaterial = \"it\"\n\
+        + &["first", "second"]
+            .map(|name| {
+                format!(
+                    "[[objects]]\nname = \"{name}\"\nmaterial = \"it\"\n\
                  shape.triangle = {{ vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]] }}\n"
-            )
-        }).concat();
+                )
+            })
+            .concat();
     let all = refused(Target::Pov, &seen(PINHOLE, "", MATTE, &rest));
     assert_eq!(all.len(), 1, "what is refused: {all:?}");
     let is_first = all[0].contains("\"first\"") && all[0].contains("200000 triangles");
@@ -301,13 +321,16 @@ fn triangles_beyond_the_most_are_refused_once() {
 /// number. Oracle: numbers on both sides.
 #[test]
 fn povray_is_told_lengths_up_to_a_million() {
-    for (x, expected) in [(1e6, None), (1_000_001.0, Some("1000001")), (-1_000_001.0, Some("-1000001"))] {
+    for (x, expected) in
+        [(1e6, None), (1_000_001.0, Some("1000001")), (-1_000_001.0, Some("-1000001"))]
+    {
         let moved = format!(
             "instance = {{ of.sphere = {{ center = [0, 0, 0], radius = 1 }}, transform = [{{ translate = [0, {x}, 0] }}] }}"
         );
         let beside = format!("sphere = {{ center = [0, 0, {x}], radius = 1 }}");
         for shape in [moved, beside] {
-            let all = refused(Target::Pov, &seen(PINHOLE, "", MATTE, &format!("shape.{shape}\n{SUN}")));
+            let all =
+                refused(Target::Pov, &seen(PINHOLE, "", MATTE, &format!("shape.{shape}\n{SUN}")));
             let is_expected = match expected {
                 None => all.is_empty(),
                 Some(number) => all.len() == 1 && all[0].contains(number),

@@ -29,7 +29,8 @@ fn integer(text: &str, name: &str) -> Option<u32> {
 fn pictures_that_are_added_have_each_light_once() {
     let second = SUN.replace("\"sun\"", "\"second\"");
     let sky = "background = 0.5\n";
-    let lens = "eye = [0, 0, 9], lens.thin_lens = { lens_radius = 0.1, distance = 5, focal_distance = 9 }";
+    let lens =
+        "eye = [0, 0, 9], lens.thin_lens = { lens_radius = 0.1, distance = 5, focal_distance = 9 }";
     let black = "background = 0\n";
     // the edges of each picture, its suns and whether it sees the background
     type Picture = (u32, usize, bool);
@@ -51,7 +52,8 @@ fn pictures_that_are_added_have_each_light_once() {
     ];
     for (camera, background, lights, expected) in cases {
         for tracer in ["", WHITTED] {
-            let scene = seen(camera, &format!("{tracer}{background}"), MATTE, &format!("{BALL}{lights}"));
+            let scene =
+                seen(camera, &format!("{tracer}{background}"), MATTE, &format!("{BALL}{lights}"));
             let texts = pictures(&scene);
             let found: Vec<Picture> = texts
                 .iter()
@@ -61,12 +63,20 @@ fn pictures_that_are_added_have_each_light_once() {
                     (integer(text, "max_depth").expect("a depth"), suns, has_sky)
                 })
                 .collect();
-            assert_eq!(found, expected, "edges, suns, background of `{tracer}{background}{lights}`");
+            assert_eq!(
+                found, expected,
+                "edges, suns, background of `{tracer}{background}{lights}`"
+            );
             for (k, text) in texts.iter().enumerate() {
-                let said = format!("{} of {}: the pictures of all are to be added", k + 1, texts.len());
+                let said =
+                    format!("{} of {}: the pictures of all are to be added", k + 1, texts.len());
                 let is_said = text.contains("the pictures of all");
                 assert_eq!(is_said, texts.len() > 1, "whether there are others: {text}");
-                assert!(!is_said || text.contains(&said), "picture {} says `{said}`: {text}", k + 1);
+                assert!(
+                    !is_said || text.contains(&said),
+                    "picture {} says `{said}`: {text}",
+                    k + 1
+                );
                 assert!(text.starts_with("<!-- scene: "), "the first line names the scene: {text}");
                 assert_eq!(text.matches("<scene version=").count(), 1, "scenes in a text");
             }
@@ -105,7 +115,8 @@ fn the_sky_is_sampled_where_ours_is() {
 /// begins beyond the last edge. POV-Ray's level is one more, too. Oracle: the depth.
 #[test]
 fn depths_are_one_less_than_edges() {
-    let mirror = "reflective = { phong = { cd = 1, cs = 1, exponent = 1, kd = 0 }, kr = 1, cr = 1 }";
+    let mirror =
+        "reflective = { phong = { cd = 1, cs = 1, exponent = 1, kd = 0 }, kr = 1, cr = 1 }";
     for depth in [0, 1, 7] {
         for (tracer, recipe, has_roulette) in
             [("path", MATTE, true), ("path", mirror, false), ("whitted", mirror, false)]
@@ -117,7 +128,11 @@ fn depths_are_one_less_than_edges() {
             assert_eq!(integer(text, "max_depth"), Some(depth + 1), "edges of {tracer}, {recipe}");
             let found = integer(text, "rr_depth");
             let is_late = found.is_some_and(|it| it > depth + 1);
-            assert_eq!((found.is_none(), is_late), (has_roulette, !has_roulette), "roulette from {found:?} on");
+            assert_eq!(
+                (found.is_none(), is_late),
+                (has_roulette, !has_roulette),
+                "roulette from {found:?} on"
+            );
             if tracer == "whitted" {
                 let text = Target::Pov.write("scene", "scene", &scene, "".as_ref()).expect("said");
                 let level = format!("max_trace_level {}\n", depth + 1);
@@ -126,20 +141,28 @@ fn depths_are_one_less_than_edges() {
         }
     }
     let text = Target::Pov.write("scene", "scene", &ball("", MATTE, SUN), "".as_ref());
-    assert!(text.expect("said").scenes.concat().contains("max_trace_level 1\n"), "the level of ray_cast");
+    assert!(
+        text.expect("said").scenes.concat().contains("max_trace_level 1\n"),
+        "the level of ray_cast"
+    );
 }
 
 /// The numbers in a statement.
 fn numbers(statement: &str) -> Vec<f64> {
     let marks = |c: char| c.is_whitespace() || "<>,{}".contains(c);
-    statement.split(marks).map_while(|it| if it.is_empty() { Some(None) } else { it.parse().ok().map(Some) }).flatten().collect()
+    statement
+        .split(marks)
+        .map_while(|it| if it.is_empty() { Some(None) } else { it.parse().ok().map(Some) })
+        .flatten()
+        .collect()
 }
 
 /// Law: the parts of a solid are its faces: disks with the normals outward, walls from end to end, and each has the material of its
 /// name. Oracle: the faces by hand.
 #[test]
 fn solids_are_written_as_their_faces() {
-    let disc = |y: f64, up: f64, outer: f64, inner: f64| vec![0.0, y, 0.0, 0.0, up, 0.0, outer, inner];
+    let disc =
+        |y: f64, up: f64, outer: f64, inner: f64| vec![0.0, y, 0.0, 0.0, up, 0.0, outer, inner];
     let wall = |y0: f64, y1: f64, r: f64| vec![0.0, y0, 0.0, 0.0, y1, 0.0, r];
     let cone = |h: f64, r: f64| vec![0.0, 0.0, 0.0, r, 0.0, h, 0.0, 0.0];
     type Faces = Vec<(&'static str, Vec<f64>, &'static str, bool)>;
@@ -178,9 +201,13 @@ fn solids_are_written_as_their_faces() {
             let mut found: Vec<&str> = parts.all("");
             found.retain(|it| it.contains("interior_texture"));
             assert_eq!(found.len(), faces.len(), "faces of {solid}");
-            for (index, (statement, (word, expected, name, is_out))) in found.iter().zip(&faces).enumerate() {
+            for (index, (statement, (word, expected, name, is_out))) in
+                found.iter().zip(&faces).enumerate()
+            {
                 let head = format!(" {word} {{ ");
-                let rest = statement.strip_prefix(&head).unwrap_or_else(|| panic!("no {word}: {statement}"));
+                let rest = statement
+                    .strip_prefix(&head)
+                    .unwrap_or_else(|| panic!("no {word}: {statement}"));
                 let numbers = numbers(rest);
                 assert_eq!(numbers.len(), expected.len(), "numbers of {statement}");
                 numbers.iter().zip(expected).for_each(|(found, expected)| near(*found, *expected));
@@ -201,7 +228,11 @@ fn objects_and_materials_without_shadows_cast_none() {
         scene.objects[0].casts_shadows = by_object;
         scene.materials[0].casts_shadows = by_material;
         let found = Parts::pov(&scene).one("sphere").contains(" no_shadow");
-        assert_eq!(found, !(by_object && by_material), "object {by_object}, material {by_material}");
+        assert_eq!(
+            found,
+            !(by_object && by_material),
+            "object {by_object}, material {by_material}"
+        );
     }
 }
 
@@ -226,13 +257,21 @@ fn sides_have_the_numbers_of_their_material() {
                 near(each(text, "ambient")[0][0], ka);
                 near(each(text, "diffuse")[0][0], kd / std::f64::consts::PI);
                 let reflected = each(text, "rgb").len() - 1;
-                assert_eq!(reflected, usize::from(mirror > 0.0), "mirrors of {side}, {recipe}: {text}");
+                assert_eq!(
+                    reflected,
+                    usize::from(mirror > 0.0),
+                    "mirrors of {side}, {recipe}: {text}"
+                );
                 if mirror > 0.0 {
                     near(each(text, "rgb")[1][0], mirror);
                 }
                 let emission = each(text, "emission");
                 let shines = ls > 0.0 && !is_dark;
-                assert_eq!(emission.len(), usize::from(shines), "whether {side} of {recipe} shines: {text}");
+                assert_eq!(
+                    emission.len(),
+                    usize::from(shines),
+                    "whether {side} of {recipe} shines: {text}"
+                );
                 if shines {
                     near(emission[0][0], ls);
                 }
@@ -268,7 +307,8 @@ fn refusals_begin_with_their_places() {
 /// hand.
 #[test]
 fn a_term_that_is_left_out_is_left_out_everywhere() {
-    let highlight = |ks: f64| format!("phong = {{ cd = 1, cs = 1, exponent = 1, ks = {ks}, kd = 0 }}");
+    let highlight =
+        |ks: f64| format!("phong = {{ cd = 1, cs = 1, exponent = 1, ks = {ks}, kd = 0 }}");
     let recipes = |ks: f64| {
         [
             highlight(ks),
@@ -289,15 +329,20 @@ fn a_term_that_is_left_out_is_left_out_everywhere() {
     let smooth = |is_smooth: bool| {
         let normals = if is_smooth { ", normals = [[0, 0, 1], [0, 0, 1], [0, 1, 1]]" } else { "" };
         let triangle = format!("{triangle}{normals} }}");
-        let tessellated =
-            format!("tessellated_sphere = {{ radius = 1, horizontal = 8, vertical = 5, smooth = {is_smooth} }}");
-        let mesh = format!("mesh = {{ vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]], smooth = {is_smooth} }}");
+        let tessellated = format!(
+            "tessellated_sphere = {{ radius = 1, horizontal = 8, vertical = 5, smooth = {is_smooth} }}"
+        );
+        let mesh = format!(
+            "mesh = {{ vertices = [[0, 0, 0], [1, 0, 0], [0, 1, 0]], triangles = [[0, 1, 2]], smooth = {is_smooth} }}"
+        );
         [
             mesh.clone(),
             triangle.clone(),
             tessellated.clone(),
             format!("instance = {{ of.{tessellated}, transform = [{{ rotate_x = 9 }}] }}"),
-            format!("compound = {{ parts = [{{ shape.{triangle} }}, {{ shape.instance = {{ of.{mesh}, transform = [{{ rotate_x = 9 }}] }} }}] }}"),
+            format!(
+                "compound = {{ parts = [{{ shape.{triangle} }}, {{ shape.instance = {{ of.{mesh}, transform = [{{ rotate_x = 9 }}] }} }}] }}"
+            ),
         ]
     };
     for (with, without) in smooth(true).iter().zip(smooth(false)) {
@@ -316,18 +361,24 @@ fn a_term_that_is_left_out_is_left_out_everywhere() {
         ("", sky, false, false),
         (PATH, sky, false, true),
     ] {
-        let mut scene = ball(&format!("{tracer}background = 0.5\n"), MATTE, &format!("{SUN}{lights}"));
+        let mut scene =
+            ball(&format!("{tracer}background = 0.5\n"), MATTE, &format!("{SUN}{lights}"));
         if let Some(light) = scene.lights.get_mut(1) {
             light.enabled = is_on;
         }
         Term::Background.remove(&mut scene);
         let is_black = matches!(scene.background, Background::Color(it) if it.is_black());
-        assert_eq!(is_black, !is_light, "the background is left out, `{tracer}{lights}`, on {is_on}");
+        assert_eq!(
+            is_black, !is_light,
+            "the background is left out, `{tracer}{lights}`, on {is_on}"
+        );
     }
     let water = "dielectric = { inside = { eta = 1.5, absorption = [1, 2, 3] }, outside = { eta = 1.25, absorption = [3, 2, 1] } }";
     let mut scene = ball("", water, SUN);
     Term::Absorption.remove(&mut scene);
-    let materials::Kind::Dielectric(it) = &scene.materials[0].recipe else { panic!("a dielectric") };
+    let materials::Kind::Dielectric(it) = &scene.materials[0].recipe else {
+        panic!("a dielectric")
+    };
     let clear = [it.inside.absorption, it.outside.absorption, scene.camera.medium.absorption];
     assert!(clear.iter().all(|it| it.is_black()), "absorptions that are left: {clear:?}");
     assert_eq!([it.inside.eta, it.outside.eta], [1.5, 1.25], "the indices of refraction");

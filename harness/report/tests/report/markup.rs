@@ -34,34 +34,51 @@ fn a_table_has_a_cell_for_each_column_and_value() {
             starts.extend((group > 0).then_some(index));
             for _ in 0..size {
                 let column = index;
-                table = table.column(format!("column {column}"), move |row| format!("{row}/{column}"));
+                table =
+                    table.column(format!("column {column}"), move |row| format!("{row}/{column}"));
                 index += 1;
             }
         }
         for values in [vec![], vec![7], vec![4, 5, 6]] {
             let html = table.html(&values);
-            assert!(html.contains("<caption>the <em>caption</em></caption>"), "the caption: {html}");
+            assert!(
+                html.contains("<caption>the <em>caption</em></caption>"),
+                "the caption: {html}"
+            );
             let mut all = rows(&html);
             if !groups.is_empty() {
                 let found = all.remove(0);
                 let expected: Vec<(String, String)> = groups
                     .iter()
                     .enumerate()
-                    .map(|(k, size)| (format!("th class=\"group\" colspan=\"{size}\""), format!("group {k}")))
+                    .map(|(k, size)| {
+                        (format!("th class=\"group\" colspan=\"{size}\""), format!("group {k}"))
+                    })
                     .collect();
                 assert_eq!(found, expected, "headings of groups");
             }
-            let class = |column: usize| if starts.contains(&column) { " class=\"start\"" } else { "" };
-            let row = |first: &str, other: &str, text: &dyn Fn(usize) -> String| -> Vec<(String, String)> {
-                let tag = |column: usize| if column == 0 { first.to_owned() } else { other.to_owned() };
+            let class =
+                |column: usize| if starts.contains(&column) { " class=\"start\"" } else { "" };
+            let row = |first: &str,
+                       other: &str,
+                       text: &dyn Fn(usize) -> String|
+             -> Vec<(String, String)> {
+                let tag =
+                    |column: usize| if column == 0 { first.to_owned() } else { other.to_owned() };
                 (0..columns).map(|column| (tag(column) + class(column), text(column))).collect()
             };
             let mut expected = vec![row("th", "th", &|column| format!("column {column}"))];
-            expected.extend(values.iter().map(|value| row("th", "td", &|column| format!("{value}/{column}"))));
+            expected.extend(
+                values.iter().map(|value| row("th", "td", &|column| format!("{value}/{column}"))),
+            );
             assert_eq!(all, expected, "rows of groups {groups:?}");
             let (head, body) = html.split_once("</thead>").expect("a head");
             assert_eq!(body.matches("<tr>").count(), values.len(), "rows of the body");
-            assert_eq!(head.matches("<tr>").count(), 1 + usize::from(!groups.is_empty()), "rows of the head");
+            assert_eq!(
+                head.matches("<tr>").count(),
+                1 + usize::from(!groups.is_empty()),
+                "rows of the head"
+            );
         }
     }
 }
@@ -72,22 +89,31 @@ fn a_table_has_a_cell_for_each_column_and_value() {
 fn parts_hold_what_they_were_given() {
     assert_eq!(heading("grid of <x>", "a < b"), "<h3>Grid of <x></h3>\n<p>a &lt; b</p>\n");
     assert_eq!(pick("Pick.", "it"), "<p class=\"pick\"><strong>Pick.</strong> it</p>\n");
-    assert_eq!(folded("more", "<p>x</p>"), "<details>\n<summary>more</summary>\n<p>x</p></details>\n");
+    assert_eq!(
+        folded("more", "<p>x</p>"),
+        "<details>\n<summary>more</summary>\n<p>x</p></details>\n"
+    );
     let one = figure("<svg/>", "words");
     assert_eq!(one, "<figure>\n<svg/>\n<figcaption>words</figcaption>\n</figure>\n");
-    assert_eq!(row("crops", &[one.clone(), one.clone()]), format!("<div class=\"crops\">\n{one}{one}</div>\n"));
+    assert_eq!(
+        row("crops", &[one.clone(), one.clone()]),
+        format!("<div class=\"crops\">\n{one}{one}</div>\n")
+    );
     assert_eq!(row("crops", &[]), "<div class=\"crops\">\n</div>\n");
     let words: Vec<String> = ["a", "b", "c", "d"].map(str::to_owned).to_vec();
     let expected = ["none", "a", "a and b", "a, b and c", "a, b, c and d"];
     for (count, expected) in expected.into_iter().enumerate() {
         assert_eq!(listed(&words[..count]), expected, "{count} words");
-        let as_good = if count > 0 { format!(" (or {expected}, about as good)") } else { String::new() };
+        let as_good =
+            if count > 0 { format!(" (or {expected}, about as good)") } else { String::new() };
         assert_eq!(or_as_good(&words[..count]), as_good, "{count} words as good");
     }
     assert_eq!(flagged("3 s".to_owned(), false), "3 s");
     let marked = flagged("3 s".to_owned(), true);
     assert!(marked.starts_with("3 s ") && marked.contains('‡'), "a mark: {marked}");
-    for (word, expected) in [("", ""), ("a", "A"), ("ärger im Wald", "Ärger im Wald"), ("X y", "X y")] {
+    for (word, expected) in
+        [("", ""), ("a", "A"), ("ärger im Wald", "Ärger im Wald"), ("X y", "X y")]
+    {
         assert_eq!(capital(word), expected, "`{word}` with a capital");
     }
     assert_eq!(short_or_dash(None), DASH, "no number");
@@ -124,8 +150,14 @@ fn a_film_is_shown_with_its_exposure() {
     };
     let shown = |value: f64, exposure: f64| film(&of(value), exposure, "<it>", "below");
     let one = shown(0.25, 1.0);
-    assert!(one.contains("alt=\"&lt;it&gt;\"") && one.contains("<figcaption>below</figcaption>"), "{one}");
-    assert!(one.starts_with("<figure>\n<img ") && one.contains("src=\"data:image/png;base64,"), "{one}");
+    assert!(
+        one.contains("alt=\"&lt;it&gt;\"") && one.contains("<figcaption>below</figcaption>"),
+        "{one}"
+    );
+    assert!(
+        one.starts_with("<figure>\n<img ") && one.contains("src=\"data:image/png;base64,"),
+        "{one}"
+    );
     assert_eq!(shown(0.125, 2.0), one, "half the light at twice the exposure");
     assert_ne!(shown(0.25, 2.0), one, "twice the exposure");
 }

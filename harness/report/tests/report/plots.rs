@@ -20,7 +20,9 @@ fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {
 }
 
 fn number(line: &str, name: &str) -> f64 {
-    attribute(line, name).and_then(|it| it.parse().ok()).unwrap_or_else(|| panic!("{name} of {line}"))
+    attribute(line, name)
+        .and_then(|it| it.parse().ok())
+        .unwrap_or_else(|| panic!("{name} of {line}"))
 }
 
 fn places(line: &str) -> Vec<[f64; 2]> {
@@ -108,7 +110,8 @@ impl Drawn {
 
 /// A number as an axis shows it.
 fn read(text: &str) -> f64 {
-    let Some((digit, exponent)) = text.split_once("10").filter(|it| it.1.chars().any(|c| "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c)))
+    let Some((digit, exponent)) =
+        text.split_once("10").filter(|it| it.1.chars().any(|c| "⁻⁰¹²³⁴⁵⁶⁷⁸⁹".contains(c)))
     else {
         return text.parse().unwrap_or_else(|_| panic!("`{text}` is no number"));
     };
@@ -139,8 +142,9 @@ fn points_are_where_the_ticks_say() {
     let mut numbers = Pcg32::new(1, 9);
     for decades in [[-1.0, 1.5], [0.0, 5.0], [-9.0, -2.0], [1.9, 3.4], [-3.0, 9.0]] {
         for other in [[0.0, 2.0], [-7.0, 3.0]] {
-            let mut points: Vec<(f64, f64)> =
-                (0..6).map(|_| (random(&mut numbers, decades), random(&mut numbers, other))).collect();
+            let mut points: Vec<(f64, f64)> = (0..6)
+                .map(|_| (random(&mut numbers, decades), random(&mut numbers, other)))
+                .collect();
             points.sort_by(|a, b| a.0.total_cmp(&b.0));
             // so wide that each axis has ticks
             points[0].0 = power(10.0, decades[0]);
@@ -153,7 +157,11 @@ fn points_are_where_the_ticks_say() {
             let exponent = ln(points[5].1 / points[0].1) / ln(ends[1] / ends[0]);
             let factor = points[0].1 / power(ends[0], exponent);
             let fit = Fit { law: PowerLaw { factor, exponent, interval: [0.0, 1.0] }, ends };
-            let fitted = Series { fit: Some(fit), points: points[..1].to_vec(), ..Series::joined("fit", []) };
+            let fitted = Series {
+                fit: Some(fit),
+                points: points[..1].to_vec(),
+                ..Series::joined("fit", [])
+            };
             let all = vec![Series::joined("joined", points.clone()), fitted];
             let drawn = Drawn::of(&plot(all, Some(limit)));
             let at = |(x, y): (f64, f64)| [drawn.place(0, x), drawn.place(1, y)];
@@ -166,8 +174,12 @@ fn points_are_where_the_ticks_say() {
             for (marker, point) in markers.iter().zip(&points) {
                 same(marker.1, at(*point), "a marker");
             }
-            let lines: Vec<Vec<[f64; 2]>> =
-                drawn.svg.lines().filter(|it| it.contains("stroke-width=\"1\"")).map(places).collect();
+            let lines: Vec<Vec<[f64; 2]>> = drawn
+                .svg
+                .lines()
+                .filter(|it| it.contains("stroke-width=\"1\""))
+                .map(places)
+                .collect();
             let joined = lines.iter().find(|it| it.len() == 6).expect("a line of six");
             for (found, point) in joined.iter().zip(&points) {
                 same(*found, at(*point), "a corner of the line");
@@ -183,7 +195,12 @@ fn points_are_where_the_ticks_say() {
             }
             let dashes: Vec<[f64; 2]> = lines
                 .iter()
-                .filter(|it| it.len() == 2 && it[0][1] == it[1][1] && it[0][0] >= X[0] && it[1][0] - it[0][0] < 8.0)
+                .filter(|it| {
+                    it.len() == 2
+                        && it[0][1] == it[1][1]
+                        && it[0][0] >= X[0]
+                        && it[1][0] - it[0][0] < 8.0
+                })
                 .flatten()
                 .copied()
                 .collect();
@@ -202,7 +219,12 @@ fn points_are_where_the_ticks_say() {
                 let margin = 0.06 * wide.max(1.0);
                 for (value, share) in [(low, margin), (high, margin + wide)] {
                     let expected = begin + share / (wide + 2.0 * margin) * (end - begin);
-                    near(drawn.place(axis, value), expected, 4.0 * PIXEL, "the margin of the outermost");
+                    near(
+                        drawn.place(axis, value),
+                        expected,
+                        4.0 * PIXEL,
+                        "the margin of the outermost",
+                    );
                 }
             }
         }
@@ -220,7 +242,8 @@ fn ticks_are_round_numbers() {
             let points = [a, b].map(|it| (power(10.0, it), power(10.0, it)));
             let drawn = Drawn::of(&plot(vec![Series::joined("one", points)], None));
             let margin = 0.06 * decades.max(1.0 / ln(10.0));
-            let inside = (-40..40).filter(|n| (a - margin..=b + margin).contains(&f64::from(*n))).count();
+            let inside =
+                (-40..40).filter(|n| (a - margin..=b + margin).contains(&f64::from(*n))).count();
             for axis in [0, 1] {
                 let ticks = drawn.ticks(axis);
                 assert!(ticks.len() >= 2, "ticks from {a} to {b}: {ticks:?}");
@@ -236,7 +259,10 @@ fn ticks_are_round_numbers() {
                     let place = drawn.place(axis, *value);
                     near(*at, place, 2.0 * PIXEL, "the place of a tick");
                     let log = ln(*value) / ln(10.0);
-                    assert!((a - margin - 1e-9..=b + margin + 1e-9).contains(&log), "{value} is on the axis");
+                    assert!(
+                        (a - margin - 1e-9..=b + margin + 1e-9).contains(&log),
+                        "{value} is on the axis"
+                    );
                 }
                 assert_eq!(has_others, inside < 4, "2 and 5 among {ticks:?}, {inside} powers");
                 seen[usize::from(has_others)] += 1;
@@ -247,12 +273,19 @@ fn ticks_are_round_numbers() {
                 let is_plain = word.text.chars().all(|c| c.is_ascii_digit() || c == '.');
                 let expected = (0.000_99..1001.0).contains(&value);
                 assert_eq!(is_plain, expected, "`{}` is printed in full", word.text);
-                assert!(!word.text.starts_with("1·"), "a power of ten has no factor: {}", word.text);
+                assert!(
+                    !word.text.starts_with("1·"),
+                    "a power of ten has no factor: {}",
+                    word.text
+                );
                 seen[2] += usize::from(!expected);
             }
         }
     }
-    assert!(seen.iter().all(|n| *n > 20), "axes of powers, of 1, 2 and 5; powers printed: {seen:?}");
+    assert!(
+        seen.iter().all(|n| *n > 20),
+        "axes of powers, of 1, 2 and 5; powers printed: {seen:?}"
+    );
 }
 
 /// Law: only points with positive, finite coordinates are drawn; a plot without any has axes from 1 to 10; five series have five
@@ -285,7 +318,10 @@ fn what_has_a_logarithm_is_drawn() {
         let kinds: std::collections::BTreeSet<String> = markers.iter().map(kind).collect();
         assert_eq!(kinds.len(), 5, "kinds of markers, by colour: {by_color}");
     }
-    let fills = drawn.svg.lines().filter(|it| it.starts_with("<polygon") && it.contains("fill=\"#FFFFFF\""));
+    let fills = drawn
+        .svg
+        .lines()
+        .filter(|it| it.starts_with("<polygon") && it.contains("fill=\"#FFFFFF\""));
     // squares, diamonds and rings, twice and in the legend
     assert_eq!(fills.count(), 9, "markers that are not filled");
     let lines: Vec<&str> = drawn.svg.lines().collect();
@@ -295,7 +331,12 @@ fn what_has_a_logarithm_is_drawn() {
     let left = number(lines[legend], "x");
     for (name, marker) in names.into_iter().zip(shown) {
         let word = drawn.words.iter().find(|it| it.text == name).expect("a name");
-        near(marker.1[0], 0.5 * (left + word.at[0]), PIXEL, "the marker stands between border and name");
+        near(
+            marker.1[0],
+            0.5 * (left + word.at[0]),
+            PIXEL,
+            "the marker stands between border and name",
+        );
         near(marker.1[1], word.at[1] + 5.0, 4.0, "the marker stands on the line of its name");
         let said = lines[legend..].iter().filter(|it| **it == name).count();
         assert_eq!(said, 1, "`{name}` in the legend");
@@ -311,9 +352,18 @@ fn what_has_a_logarithm_is_drawn() {
 #[test]
 fn labels_stand_beside_their_points() {
     let labels: Vec<String> = (0..5).map(|k| format!("label {k}")).collect();
-    let one = |points: Vec<(f64, f64)>| Series { name: "s".to_owned(), points, labels: labels.clone(), ..Series::default() };
+    let one = |points: Vec<(f64, f64)>| Series {
+        name: "s".to_owned(),
+        points,
+        labels: labels.clone(),
+        ..Series::default()
+    };
     let same = one(vec![(10.0, 10.0); 5]);
-    let frame = Series { name: "f".to_owned(), points: vec![(1.0, 1.0), (100.0, 100.0)], ..Series::default() };
+    let frame = Series {
+        name: "f".to_owned(),
+        points: vec![(1.0, 1.0), (100.0, 100.0)],
+        ..Series::default()
+    };
     let drawn = Drawn::of(&plot(vec![same, frame.clone()], None));
     let beside = |drawn: &Drawn| -> Vec<[f64; 2]> {
         let found = drawn.words.iter().filter(|it| it.text.starts_with("label "));
@@ -336,9 +386,13 @@ fn labels_stand_beside_their_points() {
         }
     }
     let lines = drawn.svg.lines().filter(|it| it.starts_with("<polyline") && places(it).len() > 2);
-    assert!(lines.clone().all(|it| it.contains("stroke-width=\"2\"")), "only outlines have corners");
+    assert!(
+        lines.clone().all(|it| it.contains("stroke-width=\"2\"")),
+        "only outlines have corners"
+    );
     // far from each other, all stand above to the right
-    let apart = one((0..5).map(|k| (power(10.0, f64::from(k)), power(10.0, f64::from(k % 3)))).collect());
+    let apart =
+        one((0..5).map(|k| (power(10.0, f64::from(k)), power(10.0, f64::from(k % 3)))).collect());
     let drawn = Drawn::of(&plot(vec![apart], None));
     for (label, marker) in beside(&drawn).iter().zip(drawn.markers()) {
         let way = [label[0] - marker.1[0], label[1] - marker.1[1]];
@@ -353,7 +407,8 @@ fn labels_stand_beside_their_points() {
         for (k, a) in found.iter().enumerate() {
             for b in &found[..k] {
                 // a point is rounded to a pixel
-                let apart = (a[0] - b[0]).abs() > 12.0 - 2.0 * PIXEL || (a[1] - b[1]).abs() > 10.0 - 2.0 * PIXEL;
+                let apart = (a[0] - b[0]).abs() > 12.0 - 2.0 * PIXEL
+                    || (a[1] - b[1]).abs() > 10.0 - 2.0 * PIXEL;
                 assert!(apart, "labels at {a:?} and {b:?}");
             }
         }
@@ -382,7 +437,8 @@ fn the_legend_stands_where_the_fewest_points_are() {
         let count = 1 + case % 4;
         let series: Vec<Series> = (0..count)
             .map(|k| {
-                let points = (0..12).map(|_| (random(&mut numbers, [0.0, 3.0]), random(&mut numbers, [0.0, 3.0])));
+                let points = (0..12)
+                    .map(|_| (random(&mut numbers, [0.0, 3.0]), random(&mut numbers, [0.0, 3.0])));
                 let points: Vec<(f64, f64)> = points.collect();
                 Series { name: format!("name {k}"), points, ..Series::default() }
             })
@@ -396,12 +452,14 @@ fn the_legend_stands_where_the_fewest_points_are() {
             .collect();
         // a pixel beside the border may be on its other side
         let is_clear = shares.iter().all(|[x, y]| {
-            [0.35, 0.65].iter().all(|it| (x - it).abs() > 0.005) && [high, 1.0 - high].iter().all(|it| (y - it).abs() > 0.008)
+            [0.35, 0.65].iter().all(|it| (x - it).abs() > 0.005)
+                && [high, 1.0 - high].iter().all(|it| (y - it).abs() > 0.008)
         });
         let corners = [(true, true), (false, true), (false, false), (true, false)];
         let counts = corners.map(|(left, upper)| {
             let is_here = |[x, y]: &&[f64; 2]| {
-                (if left { *x < 0.35 } else { *x > 0.65 }) && (if upper { *y > 1.0 - high } else { *y < high })
+                (if left { *x < 0.35 } else { *x > 0.65 })
+                    && (if upper { *y > 1.0 - high } else { *y < high })
             };
             shares.iter().filter(is_here).count()
         });
@@ -410,10 +468,16 @@ fn the_legend_stands_where_the_fewest_points_are() {
             continue;
         }
         let legend = drawn.svg.lines().find(|it| it.starts_with("<rect")).expect("a legend");
-        let middle = [number(legend, "x") + 0.5 * number(legend, "width"), number(legend, "y") + 0.5 * number(legend, "height")];
+        let middle = [
+            number(legend, "x") + 0.5 * number(legend, "width"),
+            number(legend, "y") + 0.5 * number(legend, "height"),
+        ];
         let found = (middle[0] < 0.5 * (X[0] + X[1]), middle[1] < 0.5 * (Y[0] + Y[1]));
         let expected = counts.iter().position(|it| *it == least).unwrap_or(0);
-        assert_eq!(found, corners[expected], "left and upper of the legend, {counts:?} points in corners");
+        assert_eq!(
+            found, corners[expected],
+            "left and upper of the legend, {counts:?} points in corners"
+        );
         seen[expected] += 1;
     }
     assert!(seen.iter().all(|n| *n > 3), "legends in each corner: {seen:?}");
