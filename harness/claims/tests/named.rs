@@ -173,16 +173,17 @@ fn factors_of_lobes_are_named() {
     }
     // the index is that of the other side over that of the viewer's
     let eta: f64 = 1.3;
-    for (name, power) in [
-        ("η²", 2),
-        ("1/η²", -2),
-        ("η⁴ (1/η² left out on both ways)", 4),
-        ("1/η⁴ (η² left out on both ways)", -4),
+    let squared = eta * eta;
+    for (name, factor) in [
+        ("η²", squared),
+        ("1/η²", 1.0 / squared),
+        ("η⁴ (1/η² left out on both ways)", squared * squared),
+        ("1/η⁴ (η² left out on both ways)", 1.0 / (squared * squared)),
     ] {
-        let found = weighted(|_, _| eta.powi(power), json!({"eta": eta}));
+        let found = weighted(|_, _| factor, json!({"eta": eta}));
         expect(&found, name, "weights");
     }
-    let below = |wo: Vector, _: Vector| if wo[2] < 0.0 { eta.powi(-2) } else { 1.0 };
+    let below = |wo: Vector, _: Vector| if wo[2] < 0.0 { 1.0 / squared } else { 1.0 };
     let found = weighted(below, json!({"eta": eta, "from_below": true}));
     expect(&found, "η²", "weights, seen from below");
 }

@@ -3,6 +3,7 @@
 mod clock;
 mod html;
 mod integrands;
+mod labels;
 mod light;
 mod markup;
 mod numbers;
