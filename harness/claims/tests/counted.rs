@@ -16,7 +16,7 @@ pub struct Lambert<F> {
     parameters: Value,
     /// From question and answer.
     change: F,
-    heard: Vec<Value>,
+    pub heard: Vec<Value>,
 }
 
 impl<F: FnMut(&Value, Value) -> Value> Lambert<F> {

@@ -4,6 +4,7 @@
 #[path = "../../../tests/asserts.rs"]
 mod asserts;
 
+mod around;
 mod cells;
 mod chance;
 mod claimed;
@@ -12,6 +13,7 @@ mod fields;
 mod kinds;
 mod lamps;
 mod mistakes;
+mod named;
 mod own;
 mod protocol;
 mod right;

@@ -11,5 +11,7 @@ mod pov;
 mod pov_camera;
 mod pov_glass;
 mod pov_shapes;
+mod refused;
+mod said;
 mod texts;
 mod words;

@@ -7,3 +7,4 @@ mod asserts;
 mod describe;
 mod export;
 mod framing;
+mod reference;

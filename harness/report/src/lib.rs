@@ -14,7 +14,7 @@ pub mod html;
 mod intersections;
 pub mod light;
 mod pictures;
-mod plot;
+pub mod plot;
 mod progress;
 mod provenance;
 pub mod reference;

@@ -29,7 +29,9 @@ pub struct Series {
 /// A fitted line, and the smallest and largest `x` that it is drawn for.
 #[derive(Clone, Copy, Debug)]
 pub struct Fit {
+    /// The power law.
     pub law: PowerLaw,
+    /// The smallest and the largest `x`.
     pub ends: [f64; 2],
 }
 
@@ -57,7 +59,9 @@ pub struct Plot<'a> {
 /// A horizontal line at this value, and its label.
 #[derive(Clone, Copy, Debug)]
 pub struct Limit<'a> {
+    /// The value.
     pub y: f64,
+    /// The label.
     pub label: &'a str,
 }
 

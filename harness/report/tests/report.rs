@@ -3,9 +3,12 @@
 mod clock;
 mod html;
 mod integrands;
+mod labels;
 mod light;
+mod markup;
 mod numbers;
 mod pairs;
+mod plots;
 mod random_samples;
 mod references;
 mod samplers;

@@ -275,7 +275,7 @@ fn rays_have_as_many_pieces_as_their_outcomes_say() {
 }
 
 /// The numbers of a text, a minus sign or a true one before them.
-fn numbers(text: &str) -> Vec<f64> {
+pub fn numbers(text: &str) -> Vec<f64> {
     let parts = text.split(|c: char| !(c.is_ascii_digit() || ".e-−".contains(c)));
     parts.filter_map(|part| part.trim_end_matches('.').replace('−', "-").parse().ok()).collect()
 }

@@ -5,11 +5,16 @@
 mod asserts;
 
 mod borders;
+mod drawing;
+mod incidence;
 mod orbit;
 mod places;
+mod reasons;
 mod section;
 mod seen;
 mod segments;
+mod shadow;
 mod view;
 mod wholes;
 mod why_not;
+mod words;

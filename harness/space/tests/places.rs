@@ -3,7 +3,7 @@
 use groundtruth::explain::{self, RecordedRay};
 use groundtruth::math::{Pcg32, Vector};
 use groundtruth::world::World;
-use space::{End, Orbit, Section, Visibility, segments, svg_of_rays};
+use space::{Drawing, End, Label, Orbit, Role, Section, Stroke, Visibility, segments, svg_of_rays};
 
 use super::borders::near;
 
@@ -124,4 +124,80 @@ fn indices_stand_in_free_places() {
         }
     }
     assert!(seen.iter().all(|n| *n > 0), "indices at flat and steep incidence: {seen:?}");
+}
+
+/// Law: the box of a drawing is around the points of all lines and words; an empty one has none. Oracle: each coordinate sorted.
+#[test]
+fn the_box_of_a_drawing_is_around_lines_and_words() {
+    let mut random = Pcg32::new(4, 5);
+    assert_eq!(Drawing::default().bounds(), None, "the box of nothing");
+    for case in 0..40 {
+        let mut drawing = Drawing::default();
+        let mut all = Vec::new();
+        for k in 0..=case % 4 {
+            let at = [3.0, 7.0].map(|size| size * (2.0 * random.uniform() - 1.0));
+            all.push(at);
+            if (k + case) % 2 == 0 {
+                drawing.strokes.push(Stroke::new(Role::Arc, vec![at]));
+            } else {
+                let (text, side) = ("x".to_owned(), [1, 1]);
+                drawing.labels.push(Label { at, text, role: Role::Arc, side });
+            }
+        }
+        let sorted = [0, 1].map(|axis| {
+            let mut values: Vec<f64> = all.iter().map(|at| at[axis]).collect();
+            values.sort_by(f64::total_cmp);
+            [values[0], values[values.len() - 1]]
+        });
+        let expected = [0, 1].map(|end| sorted.map(|ends| ends[end]));
+        assert_eq!(drawing.bounds(), Some(expected), "the box of {} points", all.len());
+    }
+}
+
+/// Law: the number of a ray stands 7 to the right of a point of what is seen of it and 5 above, between a quarter and four fifths of
+/// the way; of two numbers one is more than 24 aside or 17 above, where one of the five places is free. The legend is below the
+/// picture. Oracle: the clipped pieces; the printed places.
+#[test]
+fn numbers_stand_beside_their_rays_and_apart() {
+    /// Printed to a tenth.
+    const PRINTED: f64 = 0.11;
+    let (mut seen, mut moved) = (0, 0);
+    for (name, world, root) in trees() {
+        let orbit = space::orbit_of(&world, &root);
+        let sight = orbit.sight([800.0, 520.0]);
+        let svg = svg_of_rays(&world, &root, &orbit, &[]);
+        let number = |line: &str, key: &str| -> f64 {
+            let (_, rest) = line.split_once(&format!(" {key}=\"")).expect("an attribute");
+            rest.split('"').next().and_then(|it| it.parse().ok()).expect("a number")
+        };
+        let legend = svg.lines().find(|it| it.starts_with("<text x=\"8\"")).expect("a legend");
+        near(number(legend, "y"), 520.0 + 0.7 * 34.0, PRINTED, "the base line of the legend");
+        let mut numbers = svg
+            .lines()
+            .filter(|it| it.starts_with("<text") && it.contains("paint-order"))
+            .map(|it| [number(it, "x") - 7.0, number(it, "y") + 5.0]);
+        let pieces = segments(&world, &root, 8.0 * orbit.distance);
+        if pieces.len() > 24 {
+            assert!(numbers.next().is_none(), "numbers of many pieces of {name}");
+            continue;
+        }
+        let mut before: Vec<[f64; 2]> = Vec::new();
+        for piece in pieces.iter().filter(|it| it.end != End::Dark) {
+            let Some([(from, _), (to, _)]) = sight.clip(piece.from, piece.to) else { continue };
+            let found = numbers.next().expect("a number");
+            let at = |part: f64| [0, 1].map(|k| from[k] + part * (to[k] - from[k]));
+            let is_free = |it: &[f64; 2]| {
+                before.iter().all(|b| (it[0] - b[0]).abs() > 24.0 || (it[1] - b[1]).abs() > 17.0)
+            };
+            let all = [0.65, 0.4, 0.8, 0.25, 0.52].map(at);
+            let expected = all.iter().copied().find(is_free).unwrap_or(all[0]);
+            let what = format!("the number of ray {} of {name}", piece.ray);
+            (0..2).for_each(|k| near(found[k], expected[k], PRINTED, &what));
+            moved += usize::from(expected != all[0]);
+            before.push(expected);
+            seen += 1;
+        }
+        assert!(numbers.next().is_none(), "more numbers than pieces of {name}");
+    }
+    assert!(seen > 20 && moved > 3, "{seen} numbers, {moved} of them moved");
 }

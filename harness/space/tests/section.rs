@@ -12,7 +12,7 @@ use space::{Drawing, Label, Role, Section, SectionPlane, Stroke, Window, outline
 const ANGLE: f64 = 1e-9;
 
 /// A tree of the gallery's glass and mirrors, at some pixel.
-fn trees() -> Vec<(&'static str, World, RecordedRay)> {
+pub fn trees() -> Vec<(&'static str, World, RecordedRay)> {
     let names = [
         "ch28/glass-sphere",
         "ch28/glass-box",

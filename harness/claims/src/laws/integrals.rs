@@ -265,7 +265,7 @@ pub fn albedo(case: &mut LobeCase<'_>, scale: usize) -> Result<Finding, Trouble>
     let mut least = (1.0, None);
     for k in 0..3 {
         let (value, error) = (it.integrals.whole.value[1 + k], it.integrals.whole.error[1 + k]);
-        let error = error + LobeCase::GRANTED * value;
+        let error = error + LobeCase::GRANTED * value.abs();
         let breach = |right: f64, expected: String| Breach {
             found: format!("∫ f |cos θi| = {value:.5} in channel {k}"),
             expected,
@@ -336,7 +336,7 @@ pub fn arriving(case: &mut LightCase<'_>, scale: usize) -> Result<Finding, Troub
     let mut least = Finding::Holds;
     for k in 0..3 {
         let value = whole.value[1 + k];
-        let (mean, p) = it.mean(k, value, whole.error[1 + k] + LightCase::GRANTED * value);
+        let (mean, p) = it.mean(k, value, whole.error[1 + k] + LightCase::GRANTED * value.abs());
         if p < 1.0 && !matches!(least, Finding::Chance(other, _) if other <= p) {
             least = Finding::Chance(
                 p,

@@ -65,16 +65,14 @@ impl Section {
         }
     }
 
-    /// The ray of a tree whose section says most: the first whose hit sends a ray on; else the first shadow ray that
-    /// was cast; else the first that hits.
+    /// The ray of a tree whose section says most: the camera's, unless its hit sends only shadow rays; then the first of these.
+    /// `None` if nothing is hit.
     pub fn first(root: &RecordedRay) -> Option<usize> {
-        let rays = root.rays();
+        root.hit.as_ref()?;
         let is_shadow = |ray: &RecordedRay| matches!(ray.kind, RayKind::Shadow { .. });
-        let sends = |ray: &RecordedRay| ray.children.iter().any(|child| !is_shadow(child));
-        let hits = |ray: &&&RecordedRay| ray.hit.is_some();
-        let mut found = rays.iter().filter(hits).find(|ray| sends(ray));
-        found = found.or_else(|| rays.iter().find(|ray| is_shadow(ray)));
-        found.or_else(|| rays.iter().find(hits)).map(|ray| ray.number)
+        let sends_on = root.children.iter().any(|child| !is_shadow(child));
+        let shadow = root.children.first().filter(|_| !sends_on);
+        Some(shadow.map_or(root.number, |shadow| shadow.number))
     }
 }
 
