@@ -4,22 +4,21 @@
 //! pixel of it, and any number of threads agree bit for bit. Users count pixels from the top left;
 //! the book's rows count up, only here.
 
+mod canvas;
 mod estimate;
 mod watched;
 
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-
-use rayon::prelude::*;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::film::Film;
 use crate::math::{Ray, maps};
 use crate::rgb::Rgb;
 use crate::samplers::{Draws, Purpose};
 use crate::scene::Image;
-use crate::trace::{self, Budget, Recorder, Unlimited};
+use crate::trace::{self, Budget, Recorder, Unlimited, UntilStopped};
 use crate::world::World;
 
+pub use canvas::{Canvas, Crop, Partial};
 pub use estimate::{MAX_COUNTED, RaysPerSample};
 pub use watched::watched;
 
@@ -114,9 +113,9 @@ pub trait Renderer: Sync {
         budget: &mut B,
     ) -> Rgb;
 
-    /// A pixel: the mean of its samples times the exposure time.
-    fn pixel(&self, at: [u32; 2]) -> Rgb {
-        mean_of_samples(self, at)
+    /// A pixel: the mean of its samples times the exposure time; `None` if it was stopped.
+    fn pixel(&self, at: [u32; 2], stop: &AtomicBool) -> Option<Rgb> {
+        mean_of_samples(self, at, stop)
     }
 }
 
@@ -137,21 +136,26 @@ impl Renderer for World {
 
     /// The same, but not generic: compiled once, beside the small functions it calls, instead of in
     /// each program that renders.
-    fn pixel(&self, at: [u32; 2]) -> Rgb {
-        mean_of_samples(self, at)
+    fn pixel(&self, at: [u32; 2], stop: &AtomicBool) -> Option<Rgb> {
+        mean_of_samples(self, at, stop)
     }
+}
+
+fn mean_of_samples(
+    renderer: &(impl Renderer + ?Sized),
+    at: [u32; 2],
+    stop: &AtomicBool,
+) -> Option<Rgb> {
+    let world = renderer.world();
+    let samples = (0..world.samples_per_pixel())
+        .map(|index| renderer.sample(at, index, &mut (), &mut UntilStopped(stop)));
+    let color = expose(world, samples);
+    (!stop.load(Ordering::Relaxed)).then_some(color)
 }
 
 /// A pixel: the mean of its samples times the exposure time.
 pub fn pixel(renderer: &impl Renderer, at: [u32; 2]) -> Rgb {
-    renderer.pixel(at)
-}
-
-fn mean_of_samples(renderer: &(impl Renderer + ?Sized), at: [u32; 2]) -> Rgb {
-    let world = renderer.world();
-    let samples = (0..world.samples_per_pixel())
-        .map(|index| renderer.sample(at, index, &mut (), &mut Unlimited));
-    expose(world, samples)
+    renderer.pixel(at, &AtomicBool::new(false)).expect("nothing stops it")
 }
 
 /// The mean of the samples of a pixel, in their order, times the exposure time.
@@ -177,176 +181,6 @@ pub fn mean(samples: impl Iterator<Item = Rgb>) -> Rgb {
     }
     let total = |i: usize| (sums[i] + errors[i]) / f64::from(count);
     Rgb::new(total(0), total(1), total(2))
-}
-
-/// A rectangle of pixels: `x`, `y`, `width`, `height`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Crop {
-    /// The left column.
-    pub x: u32,
-    /// The top row.
-    pub y: u32,
-    /// Columns; at least 1.
-    pub width: u32,
-    /// Rows; at least 1.
-    pub height: u32,
-}
-
-/// A picture that is being rendered. Other threads can read it and cancel the rendering.
-///
-/// The pixels of a coarse picture come first, one of each block; the others follow, tile by tile.
-#[derive(Debug)]
-pub struct Canvas {
-    picture: Mutex<Partial>,
-    crop: Crop,
-    done: AtomicU64,
-    cancelled: AtomicBool,
-}
-
-/// A partly rendered picture. Pixels that are not rendered yet are black in the film.
-#[derive(Debug)]
-pub struct Partial {
-    film: Film,
-    rendered: Vec<bool>,
-}
-
-/// Pixels are rendered in squares of this side.
-const TILE: u32 = 16;
-
-/// The coarse picture has one pixel in each square of this side, which divides [`TILE`].
-const BLOCK: u32 = 8;
-
-/// Whether a pixel belongs to the coarse picture: the top left one of its block does.
-fn is_coarse([x, y]: [u32; 2]) -> bool {
-    x.is_multiple_of(BLOCK) && y.is_multiple_of(BLOCK)
-}
-
-impl Partial {
-    fn new(crop: Crop) -> Self {
-        let film = Film::new(crop.width, crop.height);
-        let rendered = vec![false; film.pixels().len()];
-        Self { film, rendered }
-    }
-
-    /// The radiance of a pixel; `None` if it is not rendered yet.
-    pub fn get(&self, pixel: [u32; 2]) -> Option<Rgb> {
-        self.rendered[self.index(pixel)].then(|| self.film.get(pixel))
-    }
-
-    /// The coarse picture's radiance around a pixel: that of the top left pixel of its block.
-    pub fn coarse(&self, pixel: [u32; 2]) -> Option<Rgb> {
-        self.get(pixel.map(|along| along - along % BLOCK))
-    }
-
-    /// All pixels, those that are not rendered yet in black.
-    pub fn film(&self) -> &Film {
-        &self.film
-    }
-
-    fn set(&mut self, pixel: [u32; 2], color: Rgb) {
-        let index = self.index(pixel);
-        self.rendered[index] = true;
-        self.film.set(pixel, color);
-    }
-
-    fn index(&self, [x, y]: [u32; 2]) -> usize {
-        y as usize * self.film.width() as usize + x as usize
-    }
-}
-
-impl Canvas {
-    /// An empty picture of the whole view of a world.
-    pub fn new(world: &World) -> Self {
-        let [width, height] = world.picture_size();
-        Self::cropped(Crop { x: 0, y: 0, width, height })
-    }
-
-    /// An empty picture of a part of the view. The part must lie inside it.
-    pub fn cropped(crop: Crop) -> Self {
-        Self {
-            picture: Mutex::new(Partial::new(crop)),
-            crop,
-            done: AtomicU64::new(0),
-            cancelled: AtomicBool::new(false),
-        }
-    }
-
-    /// The picture so far; pixels that are not rendered yet are black.
-    pub fn film(&self) -> Film {
-        self.lock().film.clone()
-    }
-
-    /// Reads the picture so far without copying it.
-    pub fn look<T>(&self, look: impl FnOnce(&Film) -> T) -> T {
-        look(&self.lock().film)
-    }
-
-    /// As [`Canvas::look`], with the information which pixels are rendered.
-    pub fn look_partly<T>(&self, look: impl FnOnce(&Partial) -> T) -> T {
-        look(&self.lock())
-    }
-
-    /// The numbers of finished pixels and of all pixels.
-    pub fn progress(&self) -> (u64, u64) {
-        let whole = u64::from(self.crop.width) * u64::from(self.crop.height);
-        (self.done.load(Ordering::Relaxed), whole)
-    }
-
-    /// Asks the rendering to stop soon.
-    pub fn cancel(&self) {
-        self.cancelled.store(true, Ordering::Relaxed);
-    }
-
-    /// Whether the rendering was cancelled.
-    pub fn is_cancelled(&self) -> bool {
-        self.cancelled.load(Ordering::Relaxed)
-    }
-
-    fn lock(&self) -> std::sync::MutexGuard<'_, Partial> {
-        self.picture.lock().expect("nothing panics while it holds the picture")
-    }
-
-    /// Renders every pixel once, in parallel on the current rayon pool; returns early if cancelled.
-    pub fn render(&self, renderer: &impl Renderer) {
-        self.fill(|at| pixel(renderer, at));
-    }
-
-    /// As [`Canvas::render`], with another value for each pixel of the view.
-    pub fn fill(&self, value: impl Fn([u32; 2]) -> Rgb + Sync) {
-        self.fill_those(&value, is_coarse);
-        self.fill_those(&value, |pixel| !is_coarse(pixel));
-    }
-
-    /// Renders the pixels of the coarse picture only.
-    pub fn render_coarse(&self, renderer: &impl Renderer) {
-        self.fill_those(&|at| pixel(renderer, at), is_coarse);
-    }
-
-    /// Fills the wanted pixels, tile by tile.
-    fn fill_those(
-        &self,
-        value: &(impl Fn([u32; 2]) -> Rgb + Sync),
-        wanted: impl Fn([u32; 2]) -> bool + Sync,
-    ) {
-        let Crop { x, y, width, height } = self.crop;
-        let (across, down) = (width.div_ceil(TILE), height.div_ceil(TILE));
-        (0..across * down).into_par_iter().for_each(|tile| {
-            let (left, top) = (tile % across * TILE, tile / across * TILE);
-            let (right, bottom) = ((left + TILE).min(width), (top + TILE).min(height));
-            let pixels = (top..bottom).flat_map(|row| (left..right).map(move |c| [c, row]));
-            let mut finished = Vec::with_capacity((TILE * TILE) as usize);
-            for at @ [column, row] in pixels.filter(|&at| wanted(at)) {
-                if self.is_cancelled() {
-                    return;
-                }
-                finished.push((at, value([x + column, y + row])));
-            }
-            let mut picture = self.lock();
-            finished.iter().for_each(|&(at, color)| picture.set(at, color));
-            // under the lock: when `progress` says that all are done, `film` has all of them
-            self.done.fetch_add(finished.len() as u64, Ordering::Relaxed);
-        });
-    }
 }
 
 /// Renders a whole picture on the current rayon pool.

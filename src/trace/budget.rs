@@ -1,5 +1,7 @@
 //! Limits on the number of rays: glass at depth 100 may be a line of rays, or a tree of 2¹⁰⁰.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 /// Decides whether a ray may be cast.
 pub trait Budget {
     /// Counts a ray, also one that is too deep to be cast; `false` if it is one too many.
@@ -14,6 +16,17 @@ impl Budget for Unlimited {
     #[inline(always)]
     fn spend(&mut self) -> bool {
         true
+    }
+}
+
+/// No limit until the flag is set; what is found then is incomplete.
+#[derive(Clone, Copy, Debug)]
+pub struct UntilStopped<'a>(pub &'a AtomicBool);
+
+impl Budget for UntilStopped<'_> {
+    #[inline(always)]
+    fn spend(&mut self) -> bool {
+        !self.0.load(Ordering::Relaxed)
     }
 }
 

@@ -25,7 +25,7 @@ use crate::rgb::Rgb;
 use crate::samplers::{Draws, PathKey, Purpose};
 use crate::world::{Hit, PlacedLight, Search, World};
 
-pub use budget::{Budget, RayBudget, TooManyRays, Unlimited};
+pub use budget::{Budget, RayBudget, TooManyRays, Unlimited, UntilStopped};
 pub use optics::Optics;
 pub use recorder::{Outcome, RayCounts, RayKind, Recorder, Term, TermSource};
 pub use shading_point::ShadingPoint;

@@ -121,6 +121,7 @@ impl Rendering {
             let (canvas, world) = (Arc::clone(&canvas), Arc::clone(&world));
             let (note, took, ctx) = (Arc::clone(&note), Arc::clone(&took), ctx.clone());
             move || {
+                canvas.preview(&*world);
                 let rays = RaysPerSample::measured(&world, MAX_COUNTED);
                 let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
                 let _ = note.set(rays.note(samples));

@@ -105,7 +105,13 @@ impl Shape for Interrupter {
 
 /// A red picture of 48 × 16 pixels, one ray each, whose rendering is cancelled at ray number `last`.
 fn interrupted_at(last: u32) -> (Arc<Interrupter>, World, Arc<Canvas>) {
+    interrupted_of(1, last)
+}
+
+/// The same with this number of samples, one ray each.
+fn interrupted_of(samples: u32, last: u32) -> (Arc<Interrupter>, World, Arc<Canvas>) {
     let mut scene = from_front(48, 16, 1.0);
+    scene.image.samples = samples;
     let plane = shapes::Kind::from(Plane { point: Point::ORIGIN, normal: Vector::Z });
     let interrupter = Arc::new(Interrupter {
         rays: AtomicU32::new(0),
@@ -210,6 +216,54 @@ fn the_coarse_picture_comes_first() {
     canvas.look_partly(|picture| assert_eq!(picture.get([8, 8]), None));
     canvas.render(&black);
     canvas.look_partly(|picture| assert_eq!(picture.get([8, 8]), Some(Rgb::BLACK)));
+}
+
+/// Law: a preview takes one ray of each coarse pixel, the first of its samples; it is shown for the pixels
+/// around it until the coarse pixel is rendered, and no pixel counts as done. Oracle: rays counted, and the
+/// library's sample.
+#[test]
+fn a_preview_has_one_sample_of_each_coarse_pixel() {
+    let (interrupter, world, canvas) = interrupted_of(100, u32::MAX);
+    canvas.preview(&world);
+    assert_eq!(interrupter.rays.load(Relaxed), 12);
+    assert_eq!(canvas.progress(), (0, 768));
+    let mut scene = small("ch28/glass-sphere", 37, 35, 16);
+    scene.camera.exposure_time = 3.0;
+    let world = built(&scene);
+    let canvas = Canvas::new(&world);
+    canvas.preview(&world);
+    let corner = |[x, y]: [u32; 2]| [x / 8 * 8, y / 8 * 8];
+    canvas.look_partly(|picture| {
+        for at in pixels(37, 35) {
+            let first = 3.0 * render::sample(&world, corner(at), 0, &mut ());
+            assert_eq!(picture.get(at), None, "{at:?}");
+            assert_eq!(picture.coarse(at).map(bits), Some(bits(first)), "{at:?}");
+        }
+    });
+    canvas.render_coarse(&world);
+    canvas.look_partly(|picture| {
+        for at in pixels(37, 35) {
+            let expected = render::pixel(&world, corner(at));
+            assert_eq!(picture.coarse(at).map(bits), Some(bits(expected)), "{at:?}");
+        }
+    });
+}
+
+/// Law: a pixel of many samples ends as soon as it is stopped, without a further ray, and is not kept; neither
+/// is one of a preview. Oracle: rays counted; the last coarse pixel of the first tile is the fourth.
+#[test]
+fn a_pixel_that_is_stopped_casts_no_further_ray() {
+    for last in [1, 500, 1024, 3 * 1024 + 500] {
+        let (interrupter, world, canvas) = interrupted_of(1024, last);
+        on_threads(1, || canvas.render(&world));
+        assert_eq!(interrupter.rays.load(Relaxed), last);
+        assert_eq!(canvas.progress(), (0, 768));
+        canvas.look_partly(|picture| assert_eq!(picture.get([0, 0]), None));
+    }
+    let (interrupter, world, canvas) = interrupted_of(1024, 1);
+    on_threads(1, || canvas.preview(&world));
+    assert_eq!(interrupter.rays.load(Relaxed), 1);
+    canvas.look_partly(|picture| assert_eq!(picture.coarse([0, 0]), None));
 }
 
 /// Law: no pixel is rendered twice, whatever comes first. Oracle: one ray for each pixel.

@@ -187,6 +187,12 @@ fn wide_lobes(exponent: f64) -> [Lobe; 4] {
     ]
 }
 
+fn of_path(lobes: &Lobes, normals: Normals, wo: Vector) -> Bsdf<'_> {
+    let mut bsdf = Bsdf::new(lobes, normals, wo);
+    bsdf.weigh_lobes();
+    bsdf
+}
+
 proptest! {
     #![proptest_config(laws())]
 
@@ -207,12 +213,7 @@ proptest! {
         let normals = Normals { shading, geometry };
         let all = wide_lobes(exponent).map(|lobe| (lobe, NormalKind::Shading));
         let alone = all.map(|lobe| Lobes::from_iter([lobe]));
-        let of_path = |lobes| {
-            let mut bsdf = Bsdf::new(lobes, normals, wo);
-            bsdf.weigh_lobes();
-            bsdf
-        };
-        let alone = [0, 1, 2, 3].map(|i: usize| of_path(&alone[i]));
+        let alone = [0, 1, 2, 3].map(|i: usize| of_path(&alone[i], normals, wo));
         for (i, (lobe, kind)) in all.iter().enumerate() {
             let Some(sample) = alone[i].sample(lobe, *kind, u) else { continue };
             let pdf = sample.pdf.expect("it scatters over many directions");
@@ -225,7 +226,7 @@ proptest! {
             close!(sample.weight, weight, ROUNDING, "{lobe:?}");
             for (j, other) in all.iter().enumerate().filter(|(j, _)| *j != i) {
                 let both = Lobes::from_iter([(*lobe, *kind), *other]);
-                let both = of_path(&both);
+                let both = of_path(&both, normals, wo);
                 let [p, q] = both.lobe_probabilities() else { panic!("two lobes") };
                 let expected = p * pdf + q * alone[j].pdf(sample.direction);
                 near!(p + q, 1.0, ROUNDING);
