@@ -1,0 +1,220 @@
+//! Pictures that grow while others look at them.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+use rayon::prelude::*;
+
+use super::{Renderer, expose};
+use crate::film::Film;
+use crate::rgb::Rgb;
+use crate::trace::UntilStopped;
+use crate::world::World;
+
+/// A rectangle of pixels: `x`, `y`, `width`, `height`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Crop {
+    /// The left column.
+    pub x: u32,
+    /// The top row.
+    pub y: u32,
+    /// Columns; at least 1.
+    pub width: u32,
+    /// Rows; at least 1.
+    pub height: u32,
+}
+
+/// A picture that is being rendered. Other threads can read it and cancel the rendering.
+///
+/// The pixels of a coarse picture come first, one of each block; the others follow, tile by tile.
+#[derive(Debug)]
+pub struct Canvas {
+    picture: Mutex<Partial>,
+    crop: Crop,
+    done: AtomicU64,
+    cancelled: AtomicBool,
+}
+
+/// A partly rendered picture. Pixels that are not rendered yet are black in the film.
+#[derive(Debug)]
+pub struct Partial {
+    film: Film,
+    rendered: Vec<bool>,
+    /// One sample of each pixel of the coarse picture, row by row; empty without a preview.
+    preview: Vec<Option<Rgb>>,
+}
+
+/// Pixels are rendered in squares of this side.
+const TILE: u32 = 16;
+
+/// The coarse picture has one pixel in each square of this side, which divides [`TILE`].
+const BLOCK: u32 = 8;
+
+/// Whether a pixel belongs to the coarse picture: the top left one of its block does.
+fn is_coarse([x, y]: [u32; 2]) -> bool {
+    x.is_multiple_of(BLOCK) && y.is_multiple_of(BLOCK)
+}
+
+impl Partial {
+    fn new(crop: Crop) -> Self {
+        let film = Film::new(crop.width, crop.height);
+        let rendered = vec![false; film.pixels().len()];
+        Self { film, rendered, preview: Vec::new() }
+    }
+
+    /// The radiance of a pixel; `None` if it is not rendered yet.
+    pub fn get(&self, pixel: [u32; 2]) -> Option<Rgb> {
+        self.rendered[self.index(pixel)].then(|| self.film.get(pixel))
+    }
+
+    /// The coarse picture's radiance around a pixel: that of the top left pixel of its block, or before it
+    /// is rendered, of one of its samples.
+    pub fn coarse(&self, pixel: [u32; 2]) -> Option<Rgb> {
+        let corner = pixel.map(|along| along - along % BLOCK);
+        self.get(corner).or_else(|| *self.preview.get(self.block(corner))?)
+    }
+
+    /// The index of a pixel's block.
+    fn block(&self, [x, y]: [u32; 2]) -> usize {
+        (y / BLOCK * self.film.width().div_ceil(BLOCK) + x / BLOCK) as usize
+    }
+
+    /// All pixels, those that are not rendered yet in black.
+    pub fn film(&self) -> &Film {
+        &self.film
+    }
+
+    fn set(&mut self, pixel: [u32; 2], color: Rgb) {
+        let index = self.index(pixel);
+        self.rendered[index] = true;
+        self.film.set(pixel, color);
+    }
+
+    fn index(&self, [x, y]: [u32; 2]) -> usize {
+        y as usize * self.film.width() as usize + x as usize
+    }
+}
+
+impl Canvas {
+    /// An empty picture of the whole view of a world.
+    pub fn new(world: &World) -> Self {
+        let [width, height] = world.picture_size();
+        Self::cropped(Crop { x: 0, y: 0, width, height })
+    }
+
+    /// An empty picture of a part of the view. The part must lie inside it.
+    pub fn cropped(crop: Crop) -> Self {
+        Self {
+            picture: Mutex::new(Partial::new(crop)),
+            crop,
+            done: AtomicU64::new(0),
+            cancelled: AtomicBool::new(false),
+        }
+    }
+
+    /// The picture so far; pixels that are not rendered yet are black.
+    pub fn film(&self) -> Film {
+        self.lock().film.clone()
+    }
+
+    /// Reads the picture so far without copying it.
+    pub fn look<T>(&self, look: impl FnOnce(&Film) -> T) -> T {
+        look(&self.lock().film)
+    }
+
+    /// As [`Canvas::look`], with the information which pixels are rendered.
+    pub fn look_partly<T>(&self, look: impl FnOnce(&Partial) -> T) -> T {
+        look(&self.lock())
+    }
+
+    /// The numbers of finished pixels and of all pixels.
+    pub fn progress(&self) -> (u64, u64) {
+        let whole = u64::from(self.crop.width) * u64::from(self.crop.height);
+        (self.done.load(Ordering::Relaxed), whole)
+    }
+
+    /// Asks the rendering to stop soon.
+    pub fn cancel(&self) {
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether the rendering was cancelled.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, Partial> {
+        self.picture.lock().expect("nothing panics while it holds the picture")
+    }
+
+    /// Renders one sample of each pixel of the coarse picture, for [`Partial::coarse`]: the first picture of a
+    /// scene whose pixels take long. They do not count as done.
+    pub fn preview(&self, renderer: &impl Renderer) {
+        let Crop { width, height, .. } = self.crop;
+        let blocks = width.div_ceil(BLOCK) as usize * height.div_ceil(BLOCK) as usize;
+        self.lock().preview = vec![None; blocks];
+        let sample = |at| {
+            let radiance = renderer.sample(at, 0, &mut (), &mut UntilStopped(&self.cancelled));
+            (!self.is_cancelled()).then(|| expose(renderer.world(), [radiance].into_iter()))
+        };
+        self.each_tile(&sample, is_coarse, |picture, at, color| {
+            let block = picture.block(at);
+            picture.preview[block] = Some(color);
+        });
+    }
+
+    /// Renders every pixel once, in parallel on the current rayon pool; returns early if cancelled.
+    pub fn render(&self, renderer: &impl Renderer) {
+        self.fill_those(&|at| renderer.pixel(at, &self.cancelled), is_coarse);
+        self.fill_those(&|at| renderer.pixel(at, &self.cancelled), |pixel| !is_coarse(pixel));
+    }
+
+    /// As [`Canvas::render`], with another value for each pixel of the view.
+    pub fn fill(&self, value: impl Fn([u32; 2]) -> Rgb + Sync) {
+        self.fill_those(&|at| Some(value(at)), is_coarse);
+        self.fill_those(&|at| Some(value(at)), |pixel| !is_coarse(pixel));
+    }
+
+    /// Renders the pixels of the coarse picture only.
+    pub fn render_coarse(&self, renderer: &impl Renderer) {
+        self.fill_those(&|at| renderer.pixel(at, &self.cancelled), is_coarse);
+    }
+
+    /// Fills the wanted pixels.
+    fn fill_those(
+        &self,
+        value: &(impl Fn([u32; 2]) -> Option<Rgb> + Sync),
+        wanted: impl Fn([u32; 2]) -> bool + Sync,
+    ) {
+        self.each_tile(value, wanted, |picture, at, color| {
+            picture.set(at, color);
+            // under the lock: when `progress` says that all are done, `film` has all of them
+            self.done.fetch_add(1, Ordering::Relaxed);
+        });
+    }
+
+    /// Finds the values of the wanted pixels, and keeps them tile by tile; a value that is `None`, as all are
+    /// after cancelling, ends its tile.
+    fn each_tile(
+        &self,
+        value: &(impl Fn([u32; 2]) -> Option<Rgb> + Sync),
+        wanted: impl Fn([u32; 2]) -> bool + Sync,
+        keep: impl Fn(&mut Partial, [u32; 2], Rgb) + Sync,
+    ) {
+        let Crop { x, y, width, height } = self.crop;
+        let (across, down) = (width.div_ceil(TILE), height.div_ceil(TILE));
+        (0..across * down).into_par_iter().for_each(|tile| {
+            let (left, top) = (tile % across * TILE, tile / across * TILE);
+            let (right, bottom) = ((left + TILE).min(width), (top + TILE).min(height));
+            let pixels = (top..bottom).flat_map(|row| (left..right).map(move |c| [c, row]));
+            let mut finished = Vec::with_capacity((TILE * TILE) as usize);
+            for at @ [column, row] in pixels.filter(|&at| wanted(at)) {
+                let color = (!self.is_cancelled()).then(|| value([x + column, y + row])).flatten();
+                let Some(color) = color else { return };
+                finished.push((at, color));
+            }
+            let mut picture = self.lock();
+            finished.into_iter().for_each(|(at, color)| keep(&mut picture, at, color));
+        });
+    }
+}
