@@ -4,7 +4,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use super::placing::{placed_lights, placed_materials, placed_objects, reflectance_notes};
-use super::{Names, World};
+use super::{Names, PlacedObject, World};
 use crate::accel::{Accel, Method};
 use crate::cameras::View;
 use crate::invalid::{Invalid, positive, shown};
@@ -63,10 +63,11 @@ impl World {
         let view = scene.camera.build(scene.image.plane()).map_err(|e| e.inside("camera"))?;
         check_view(&view, &scene.image)?;
         let materials = placed_materials(scene, &mut resources)?;
-        let (mut objects, mut notes) = placed_objects(scene, resources, &materials)?;
+        let names = Arc::new(Names::of(scene));
+        let (mut objects, mut notes) = placed_objects(scene, resources, &materials, &names)?;
         notes.extend(reflectance_notes(&materials));
         let lights = placed_lights(scene, &background, &materials, &mut objects)?;
-        let bounds: Vec<Aabb> = objects.iter().map(|object| object.bounds).collect();
+        let bounds: Vec<Aabb> = objects.iter().map(PlacedObject::bounds).collect();
         let all_cast_shadows = objects.iter().all(|object| object.all_cast_shadows);
         let all_boundaries_cast_shadows =
             objects.iter().all(|object| object.all_boundaries_cast_shadows);
@@ -85,7 +86,7 @@ impl World {
             lights,
             materials,
             notes,
-            names: Arc::new(Names::of(scene)),
+            names,
             accel: Accel::build(method, &bounds),
             objects,
             all_cast_shadows,

@@ -132,13 +132,12 @@ pub struct PlacedObject {
     /// The area light whose lamp it is, by its index among those that are on.
     pub(crate) lamp_of: Option<u32>,
     shape: Arc<dyn Shape>,
-    bounds: Aabb,
 }
 
 impl PlacedObject {
     /// The box around it; not bounded for a shape without an end.
     pub fn bounds(&self) -> Aabb {
-        self.bounds
+        self.shape.bounds()
     }
 }
 

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::{PlacedLight, PlacedMaterial, PlacedObject};
+use super::{Names, PlacedLight, PlacedMaterial, PlacedObject};
 use crate::background::Sky;
 use crate::invalid::{Invalid, Key, length, shown};
 use crate::kinds::Resources;
@@ -14,13 +14,12 @@ use crate::shapes::{Context, PartMaterial};
 
 /// An element of a list, for error messages.
 fn item(list: &str, index: usize, name: &str) -> impl Fn(Invalid) -> Invalid {
-    let key = Key::Item(index, Some(name.to_owned()));
-    move |invalid| invalid.inside(key.clone()).inside(list)
+    move |invalid| invalid.inside(Key::Item(index, Some(name.to_owned()))).inside(list)
 }
 
 /// Refuses a name that an earlier element has.
-fn unique<'a>(list: &str, names: impl Iterator<Item = &'a str>) -> Result<(), Invalid> {
-    let mut known = std::collections::HashMap::new();
+fn unique<'a>(list: &str, names: impl ExactSizeIterator<Item = &'a str>) -> Result<(), Invalid> {
+    let mut known = std::collections::HashMap::with_capacity(names.len());
     for (index, name) in names.enumerate() {
         if let Some(first) = known.insert(name, index) {
             let problem =
@@ -78,7 +77,7 @@ pub(super) fn placed_lights(
     Ok(lights)
 }
 
-/// What area lights may name. Objects that are switched off have no shape here.
+/// What area lights may name, if there are any. Objects that are switched off have no shape here.
 fn lights_context(
     scene: &Scene,
     background: &Sky,
@@ -90,6 +89,9 @@ fn lights_context(
         hidden: scene.objects.iter().filter(|o| !o.enabled).map(|o| o.name.clone()).collect(),
         ..lights::Context::default()
     };
+    if !scene.lights.iter().any(|light| matches!(light.source, lights::Kind::Area(_))) {
+        return context;
+    }
     for object in objects {
         let material = &materials[object.material as usize];
         let (shape, two_sided) = (Arc::clone(&object.shape), material.two_sided);
@@ -158,6 +160,7 @@ pub(super) fn placed_objects(
     scene: &Scene,
     resources: Resources,
     materials: &[PlacedMaterial],
+    names: &Names,
 ) -> Result<(Vec<PlacedObject>, Vec<String>), Invalid> {
     let known: BTreeMap<String, PartMaterial> = materials
         .iter()
@@ -195,7 +198,7 @@ pub(super) fn placed_objects(
             recipe.boundary().is_some()
         };
         objects.push(PlacedObject {
-            name: object.name.as_str().into(),
+            name: Arc::clone(&names.objects[index]),
             index: index as u32,
             material: material.index,
             casts_shadows: made_of.iter().any(blocks),
@@ -205,7 +208,6 @@ pub(super) fn placed_objects(
                 .all(|part| blocks(part) || !is_boundary(part)),
             shines: true,
             lamp_of: None,
-            bounds: shape.bounds(),
             shape,
         });
     }

@@ -3,7 +3,9 @@
 //! Source: Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies" (2007), for the
 //! binned build. The build is parallel and deterministic: the two halves are independent.
 
-use crate::math::Aabb;
+use arrayvec::ArrayVec;
+
+use crate::math::{Aabb, Point};
 
 /// A primitive while the tree is being built.
 #[derive(Clone, Copy)]
@@ -30,9 +32,9 @@ pub const MAX_DEPTH: usize = SAH_DEPTH + 32;
 const PARALLEL: usize = 4096;
 
 impl Item {
-    /// Twice the centre along an axis.
-    fn center(&self, axis: usize) -> f64 {
-        self.bounds.min.along(axis) + self.bounds.max.along(axis)
+    /// Twice the centre.
+    fn center(&self) -> Point {
+        self.bounds.min + self.bounds.max.to_vector()
     }
 }
 
@@ -55,8 +57,8 @@ fn subtree(items: &mut [Item], tree: &mut [Node], depth: usize) {
     if count == 1 {
         return;
     }
-    let plane = if depth < SAH_DEPTH { cheapest_plane(items) } else { None };
-    // all centres coincide, or too deep: equal halves in the order of objects
+    let plane = if count > 2 && depth < SAH_DEPTH { cheapest_plane(items) } else { None };
+    // only two, all centres coincide, or too deep: equal halves in the order of objects
     let middle = plane.map_or(count / 2, |p| partition(items, |item| p.bin(item) < p.first_high));
     let (low, high) = items.split_at_mut(middle);
     let (left, right) = below.split_at_mut(2 * middle - 1);
@@ -95,8 +97,16 @@ struct Plane {
 }
 
 impl Plane {
+    /// The bins of an axis; `None` if all centres coincide on it.
+    fn new(axis: usize, centers: &Aabb) -> Option<Self> {
+        let [start, end] = [centers.min, centers.max].map(|corner| corner.along(axis));
+        let bins_per_length = BINS as f64 / (end - start);
+        let is_divided = end > start && bins_per_length.is_finite();
+        is_divided.then_some(Self { axis, start, bins_per_length, first_high: 0 })
+    }
+
     fn bin(&self, item: &Item) -> usize {
-        let bin = (item.center(self.axis) - self.start) * self.bins_per_length;
+        let bin = (item.center().along(self.axis) - self.start) * self.bins_per_length;
         (bin as usize).min(BINS - 1)
     }
 }
@@ -106,24 +116,22 @@ type Bin = (u32, Aabb);
 
 /// The split of the least expected cost over all axes; `None` if all centres coincide.
 fn cheapest_plane(items: &[Item]) -> Option<Plane> {
-    let mut best: Option<(f64, Plane)> = None;
-    for axis in 0..3 {
-        let (low, high) = items
-            .iter()
-            .map(|item| item.center(axis))
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), c| (low.min(c), high.max(c)));
-        let bins_per_length = BINS as f64 / (high - low);
-        if !(high > low && bins_per_length.is_finite()) {
-            continue;
-        }
-        let mut plane = Plane { axis, start: low, bins_per_length, first_high: 0 };
-        let mut bins = [(0, Aabb::EMPTY); BINS];
-        for item in items {
+    let centers = items.iter().fold(Aabb::EMPTY, |all, item| {
+        let center = item.center();
+        all.union(Aabb { min: center, max: center })
+    });
+    let planes: ArrayVec<_, 3> = (0..3).filter_map(|axis| Plane::new(axis, &centers)).collect();
+    let mut bins = [[(0, Aabb::EMPTY); BINS]; 3];
+    for item in items {
+        for (plane, bins) in planes.iter().zip(&mut bins) {
             let (count, bounds) = &mut bins[plane.bin(item)];
             *count += 1;
             *bounds = bounds.union(item.bounds);
         }
-        let (cost, first_high) = cheapest_border(&bins);
+    }
+    let mut best: Option<(f64, Plane)> = None;
+    for (mut plane, bins) in planes.into_iter().zip(&bins) {
+        let (cost, first_high) = cheapest_border(bins);
         plane.first_high = first_high;
         if best.as_ref().is_none_or(|(least, _)| cost < *least) {
             best = Some((cost, plane));

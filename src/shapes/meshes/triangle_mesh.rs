@@ -106,14 +106,13 @@ impl TriangleMesh {
 
     /// As [`TriangleMesh::accelerated`], with this kernel if the method is the bvh.
     pub fn accelerated_for(self, method: accel::Method, kernel: Kernel) -> AcceleratedMesh {
-        let bounds = |triangle: &[u32; 3]| Aabb::around(self.corners(*triangle));
-        let bounds: Vec<Aabb> = self.triangles.iter().map(bounds).collect();
-        let whole = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
+        let bounds = || self.triangles.iter().map(|&triangle| Aabb::around(self.corners(triangle)));
+        let whole = bounds().fold(Aabb::EMPTY, Aabb::union);
         let structure = match method {
             accel::Method::Bvh => {
                 Structure::Mesh(MeshBvh::build(&self.vertices, &self.triangles, kernel))
             }
-            _ => Structure::General(Accel::build(method, &bounds)),
+            _ => Structure::General(Accel::build(method, &bounds().collect::<Vec<_>>())),
         };
         AcceleratedMesh { structure, bounds: whole, mesh: Arc::new(self) }
     }
