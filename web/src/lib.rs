@@ -1,0 +1,77 @@
+//! The library and the gallery in a page: JavaScript writes a question into the module's memory and reads
+//! the answer from it; nothing is imported.
+
+use std::fmt::Write;
+
+use groundtruth::math::Pcg32;
+use groundtruth::render;
+use groundtruth::world::World;
+
+/// Random pixels of a gallery scene with the bits of their red, green and blue, a line for each:
+/// `x y r g b`. They are drawn from the scene's own size with this seed.
+pub fn pixel_bits(scene: &str, count: u32, seed: u64) -> Result<String, String> {
+    let entry = gallery::scenes().find(|entry| entry.name == scene);
+    let entry = entry.ok_or_else(|| format!("no scene `{scene}` in the gallery"))?;
+    let world = World::build(&(entry.build)()).map_err(|error| error.to_string())?;
+    let [width, height] = world.picture_size();
+    let mut random = Pcg32::new(seed, 0);
+    let mut lines = String::new();
+    for _ in 0..count {
+        let pixel @ [x, y] = [random.below(width), random.below(height)];
+        let [r, g, b] = render::pixel(&world, pixel).to_array().map(f64::to_bits);
+        writeln!(lines, "{x} {y} {r:016x} {g:016x} {b:016x}").expect("strings grow");
+    }
+    Ok(lines)
+}
+
+/// The names of the gallery's scenes, a line for each.
+pub fn scene_names() -> String {
+    gallery::scenes().map(|entry| format!("{}\n", entry.name)).collect()
+}
+
+/// Memory for a question of so many bytes. The next question frees it.
+#[unsafe(no_mangle)]
+pub extern "C" fn question(length: usize) -> *mut u8 {
+    let buffer = vec![0_u8; length].into_boxed_slice();
+    Box::into_raw(buffer).cast()
+}
+
+/// Answers a question, `scenes` or `pixels SCENE COUNT SEED`, and frees it. The answer begins with its length
+/// (little-endian, four bytes) and is text; a text that begins with `error: ` says what is wrong.
+///
+/// # Safety
+/// `at` and `length` are those of the last [`question`].
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn answer(at: *mut u8, length: usize) -> *const u8 {
+    let bytes = unsafe { Box::from_raw(std::ptr::slice_from_raw_parts_mut(at, length)) };
+    let text = String::from_utf8_lossy(&bytes);
+    let answer = answered(&text).unwrap_or_else(|error| format!("error: {error}"));
+    let length = (answer.len() as u32).to_le_bytes();
+    Box::leak([&length[..], answer.as_bytes()].concat().into_boxed_slice()).as_ptr()
+}
+
+/// Frees an answer.
+///
+/// # Safety
+/// `at` is what [`answer`] returned, and was not freed.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn forget(at: *mut u8) {
+    unsafe {
+        let length =
+            u32::from_le_bytes(std::slice::from_raw_parts(at, 4).try_into().expect("four"));
+        drop(Box::from_raw(std::ptr::slice_from_raw_parts_mut(at, 4 + length as usize)));
+    }
+}
+
+fn answered(question: &str) -> Result<String, String> {
+    match *question.split_whitespace().collect::<Vec<_>>() {
+        ["scenes"] => Ok(scene_names()),
+        ["pixels", scene, count, seed] => {
+            let number =
+                |text: &str| text.parse::<u64>().map_err(|_| format!("`{text}` is no number"));
+            let count = number(count)?.try_into().map_err(|_| "too many pixels".to_owned())?;
+            pixel_bits(scene, count, number(seed)?)
+        }
+        _ => Err(format!("`{question}` is no question: `scenes` or `pixels SCENE COUNT SEED`")),
+    }
+}
