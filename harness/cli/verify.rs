@@ -14,7 +14,7 @@ use groundtruth::samplers;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use judge::verdict::{
-    self, Answer, Case, Decision, DifferingRegion, Evaluation, Reference, Strictness, Verdict,
+    self, Answer, Case, Decision, DifferingRegion, Reference, Strictness, Verdict,
 };
 use pictures::compare::{Picture, Transfer};
 use pictures::shell::quoted;
@@ -139,13 +139,13 @@ impl Verify {
         }
         announce::long_rendering(&world, &printable::text(arguments.name()), self.replicas);
         let watch = Watch::new(strictness.most())?;
-        let (interrupted, bar) = (Arc::clone(&watch.interrupted), watch.bar.clone());
+        let interrupted = Arc::clone(&watch.interrupted);
         let mut case = Case {
             world: &mut world,
             scene: &scene,
             folder: arguments.folder().unwrap_or(Path::new("")),
             is_interrupted: &|| interrupted.load(Ordering::Relaxed),
-            so_far: &|judged| bar.set_message(so_far(judged)),
+            so_far: &|progress| watch.tell(progress),
             strictness,
             transfer: pictures[0].stated,
             tone,
@@ -315,15 +315,6 @@ fn advice(scene: &str, verdict: &Verdict, arguments: &str) -> (String, String) {
         _ => String::new(),
     };
     (more, mistakes)
-}
-
-/// What is known while more replicas are rendered.
-fn so_far(judged: &Evaluation) -> String {
-    let replicas = judged.pool.count() - 1;
-    format!(
-        "; so far {} of {replicas} differ as much as theirs",
-        judged.ranking.as_far_as(replicas)
-    )
 }
 
 /// The exit status of a verdict; by the margin, if there is one.

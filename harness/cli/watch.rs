@@ -6,9 +6,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use groundtruth::render::{self, Canvas};
 use groundtruth::world::World;
-use indicatif::ProgressBar;
+use indicatif::{ProgressBar, ProgressStyle};
+use judge::verdict::Progress;
 
 use super::{interrupt, progress};
+
+/// The template of the bar.
+fn style(count: &str) -> String {
+    format!("{{spinner}} {count}  {{elapsed}} elapsed{{msg}}")
+}
 
 /// Renders our pictures, shows how many there are, and stops when the user interrupts.
 pub struct Watch {
@@ -21,8 +27,22 @@ pub struct Watch {
 impl Watch {
     /// Of at most so many pictures.
     pub fn new(most: usize) -> Result<Self, Box<dyn Error>> {
-        let style = "{spinner} {pos} of at most {len} pictures of ours  {elapsed} elapsed{msg}";
-        Ok(Self { bar: progress::bar(most as u64, style), interrupted: interrupt::flag()? })
+        let bar = progress::bar(most as u64, &style("{pos} of at most {len} pictures of ours"));
+        Ok(Self { bar, interrupted: interrupt::flag()? })
+    }
+
+    /// Shows what is known so far; a preliminary verdict stays above the bar.
+    pub fn tell(&self, progress: Progress<'_>) {
+        self.bar.set_message(format!("; {progress}"));
+        match progress {
+            Progress::Preliminary(_) => self.bar.println(progress.to_string()),
+            Progress::Judged(_) => {}
+            Progress::Explaining | Progress::Dividing => {
+                // the pictures of explanations come on top
+                let style = ProgressStyle::with_template(&style("{pos} pictures of ours"));
+                self.bar.set_style(style.expect("the template is well formed"));
+            }
+        }
     }
 
     pub fn is_interrupted(&self) -> bool {

@@ -12,6 +12,7 @@ pub mod noise;
 pub mod pictures;
 mod pool;
 mod power;
+mod progress;
 mod rounding;
 mod sampling;
 mod shared;

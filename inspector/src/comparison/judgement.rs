@@ -12,7 +12,7 @@ use groundtruth::film::Tone;
 use groundtruth::render::{self, Canvas};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use judge::verdict::{self, Case, DifferingRegion, Evaluation, RayTolerance, Strictness, Verdict};
+use judge::verdict::{self, Case, DifferingRegion, Progress, RayTolerance, Strictness, Verdict};
 use pictures::compare::Picture;
 
 use crate::action::{Action, With};
@@ -49,8 +49,8 @@ type Outcome = Result<Arc<Verdict>, String>;
 #[derive(Default)]
 struct Course {
     pictures: AtomicUsize,
-    /// Pictures of ours at least as far out as theirs, once both were compared for the first time.
-    as_extreme: Mutex<Option<usize>>,
+    /// What is known so far, once theirs was compared with ours for the first time.
+    known: Mutex<String>,
     is_stopped: AtomicBool,
 }
 
@@ -59,9 +59,8 @@ impl Course {
         self.is_stopped.load(Ordering::Relaxed)
     }
 
-    fn note(&self, judged: &Evaluation) {
-        let as_extreme = judged.ranking.as_far_as(judged.pool.count() - 1);
-        *self.as_extreme.lock().expect("no holder panics") = Some(as_extreme);
+    fn note(&self, progress: Progress<'_>) {
+        *self.known.lock().expect("no holder panics") = format!("; {progress}");
     }
 
     /// Renders a picture of ours; returns whether it was finished.
@@ -80,9 +79,8 @@ impl Course {
 
     fn words(&self) -> String {
         let pictures = count(self.pictures.load(Ordering::Relaxed), "picture");
-        let as_extreme = *self.as_extreme.lock().expect("no holder panics");
-        let as_extreme = as_extreme.map(|count| format!(", {count} as far out as theirs"));
-        format!("{pictures} of ours so far{}", as_extreme.unwrap_or_default())
+        let known = self.known.lock().expect("no holder panics");
+        format!("{pictures} of ours{known}")
     }
 }
 
@@ -110,7 +108,7 @@ impl Question {
             scene: &scene,
             folder: &folder,
             is_interrupted: &|| course.is_stopped(),
-            so_far: &|judged| course.note(judged),
+            so_far: &|progress| course.note(progress),
             strictness: Strictness::USUAL,
             transfer: theirs.stated,
             tone: (scene.image.gamma, scene.image.out_of_gamut),

@@ -209,7 +209,7 @@ fn a_stopped_judgement_says_so() {
     settle(&mut window);
     window.get_by_label("Judge").click();
     window.run_steps(2);
-    text_with(&window, " of ours so far");
+    text_with(&window, " of ours");
     window.get_by_label("Stop").click();
     let start = Instant::now();
     window.run_steps(3);

@@ -2,14 +2,17 @@
 
 use groundtruth::film::{Film, OutOfGamut};
 use groundtruth::samplers;
+use groundtruth::world::World;
 
+use super::hopeless::{is_hopeless, steps};
 use super::pictures_shown::Shown;
 use super::planted::brighter;
 use super::sampling::Sampling;
 use super::verdict::{Explanation, Verdict};
 use super::{
-    Area, Areas, Decision, Evaluation, PlantedDefect, PoolContext, RayTolerance, Reference,
-    Replicas, Stored, Strictness, exclude, is_alike, is_nearer, noise, planted, plausible,
+    Area, Areas, Decision, Evaluation, PlantedDefect, PoolContext, Progress, RayTolerance,
+    Reference, Replicas, Stored, Strictness, exclude, is_alike, is_nearer, noise, planted,
+    plausible,
 };
 use pictures::compare::{
     Change, Decoded, Picture, Transfer, changes_that_explain, distance_of, half_pixel_directions,
@@ -38,31 +41,48 @@ pub(super) struct Attempt {
 }
 
 /// How pictures are judged.
+#[derive(Clone, Copy)]
 pub(super) struct Judge<'a> {
     pub areas: &'a Areas,
     pub strictness: Strictness,
     pub transfer: Option<Transfer>,
     pub tone: (f64, OutOfGamut),
-    pub so_far: &'a dyn Fn(&Evaluation),
+    pub so_far: &'a dyn Fn(Progress<'_>),
     pub reference: Option<&'a Reference>,
     pub tolerance: RayTolerance,
 }
 
 impl Judge<'_> {
-    /// If their noise is unlike ours, ours is made of independent samples if that is nearer to theirs; whether it is.
-    pub fn match_noise(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> bool {
+    /// Tells a preliminary verdict, held against the first replicas, and returns the noise of the picture relative to
+    /// theirs; `None` if the user interrupts.
+    pub fn preliminary(&self, theirs: &Picture, replicas: &Replicas<'_, '_>) -> Option<f64> {
         let count = replicas.films.len();
-        if count < self.strictness.first || replicas.world.samples_per_pixel() == 1 {
-            return false;
+        if count < self.strictness.first {
+            return None;
         }
-        let before = self.noise(theirs, &replicas.films);
-        if is_alike(before) {
+        let judged = self.likeliest(theirs, &replicas.films, Evaluation::now);
+        if !judged.is_fixed {
+            (self.so_far)(Progress::Preliminary(&judged));
+        }
+        Some(judged.ranking.noise[count])
+    }
+
+    /// If their noise, relative to ours, is unlike ours, ours is made of independent samples if that is nearer to theirs;
+    /// whether it is.
+    pub fn match_noise(
+        &self,
+        theirs: &Picture,
+        replicas: &mut Replicas<'_, '_>,
+        before: f64,
+    ) -> bool {
+        let count = replicas.films.len();
+        if replicas.world.samples_per_pixel() == 1 || is_alike(before) {
             return false;
         }
         let (usual, next) = (replicas.world.image.sampler.clone(), replicas.next);
         let former = replicas.resample(Some(samplers::Random {}.into()));
-        let is_nearer =
-            replicas.films.len() == count && is_nearer(self.noise(theirs, &replicas.films), before);
+        let is_nearer = replicas.films.len() == count
+            && is_nearer(self.likeliest(theirs, &replicas.films, noise), before);
         if !is_nearer {
             replicas.world.image.sampler = usual;
             (replicas.films, replicas.next) = (former, next);
@@ -70,12 +90,18 @@ impl Judge<'_> {
         is_nearer
     }
 
-    fn noise(&self, theirs: &Picture, films: &[Film]) -> f64 {
+    /// What is found of a picture and ours, their values stored in the likeliest way.
+    fn likeliest<T>(
+        &self,
+        theirs: &Picture,
+        films: &[Film],
+        find: impl Fn(&[f32], PoolContext<'_>, &[Vec<f32>]) -> T,
+    ) -> T {
         let candidates = Stored::candidates(theirs, self.transfer, self.tone);
         let stored = plausible(&candidates, theirs, films)[0];
         let known: Vec<Vec<f32>> = films.iter().map(|film| stored.values(film)).collect();
         let subject = PoolContext { areas: self.areas, stored, reference: None };
-        noise(&read(theirs, stored), subject, &known)
+        find(&read(theirs, stored), subject, &known)
     }
 
     /// The picture judged, stored in the likeliest way; if it differs so, in the other ways that its values leave open.
@@ -109,7 +135,7 @@ impl Judge<'_> {
         let reference = self.reference.filter(|_| replicas.direction == [0, 0]);
         let apart = exclude(&mut values, replicas.world, &known, stored, self.tolerance);
         let next = |so_far: Option<&Evaluation>| {
-            so_far.into_iter().for_each(self.so_far);
+            so_far.into_iter().for_each(|judged| (self.so_far)(Progress::Judged(judged)));
             let film = replicas.render()?;
             let values = stored.values(&film);
             if keeps {
@@ -146,7 +172,7 @@ impl Judge<'_> {
         if let Some((change, _)) = found {
             let what = change.words(names, as_theirs.transfer);
             let changed = change.applied(&as_theirs);
-            let agrees = self.agrees(&changed, replicas);
+            let agrees = self.agrees(&changed, replicas) == Some(true);
             // a factor that is not the whole difference says little
             let is_gain = matches!(change, Change::Scaled(_));
             if agrees || !is_gain {
@@ -156,12 +182,8 @@ impl Judge<'_> {
         let direction = half_pixel_directions(replicas.world, &as_theirs, Some(&alike)).first()?.0;
         replicas.direction = direction;
         replicas.films.clear();
-        replicas.fill(self.strictness.first);
-        if replicas.films.len() < self.strictness.first {
-            return None;
-        }
-        let (what, agrees) =
-            (half_pixel_words(direction, "theirs"), self.agrees(&as_theirs, replicas));
+        let agrees = self.agrees(&as_theirs, replicas)?;
+        let what = half_pixel_words(direction, "theirs");
         Some(Explanation { what, agrees, is_gain: false })
     }
 
@@ -181,7 +203,7 @@ impl Judge<'_> {
             (replicas.world.image.clone(), replicas.films.clone(), replicas.next);
         let own = replicas.world.samples_per_pixel();
         let farthest = ALIKE * apart(films.first()?);
-        let mut nearest: Option<(f64, Sampling)> = None;
+        let mut nearest: Option<(f64, Sampling, Film)> = None;
         for candidate in Sampling::candidates(own) {
             if candidate.is_that_of(replicas) {
                 continue;
@@ -189,16 +211,14 @@ impl Judge<'_> {
             let Some(film) = candidate.film(replicas) else { break };
             let distance = apart(&film);
             if distance < nearest.as_ref().map_or(farthest, |nearest| nearest.0) {
-                nearest = Some((distance, candidate));
+                nearest = Some((distance, candidate, film));
             }
         }
-        let agrees = |candidate: &Sampling| {
-            candidate.film(replicas).is_some_and(|_| {
-                replicas.fill(self.strictness.first);
-                self.agrees(theirs, replicas)
-            })
+        let mut agrees = |candidate: Sampling, film: Film| {
+            candidate.resume(replicas, film);
+            self.agrees(theirs, replicas)?.then_some(candidate)
         };
-        let found = nearest.map(|(_, candidate)| candidate).filter(agrees);
+        let found = nearest.and_then(|(_, candidate, film)| agrees(candidate, film));
         replicas.world.image = image;
         (replicas.films, replicas.next) = (films, next);
         replicas.world.reseed(next - 1);
@@ -206,9 +226,30 @@ impl Judge<'_> {
         Some(Explanation { what, agrees: true, is_gain: false })
     }
 
-    fn agrees(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> bool {
-        let attempt = self.judged(theirs, replicas);
-        attempt.is_some_and(|attempt| attempt.verdict.decision == Decision::Agrees)
+    /// Whether the picture agrees with these replicas, of which few are rendered if these refute it; `None` if the user
+    /// interrupts.
+    fn agrees(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> Option<bool> {
+        for count in steps(self.strictness) {
+            replicas.fill(count);
+            if self.is_hopeless(theirs, replicas.world, replicas.films.get(..count)?) {
+                return Some(false);
+            }
+        }
+        replicas.fill(self.strictness.first);
+        // what is known of an explanation is not what is known of the picture
+        let silent = Self { so_far: &|_| {}, ..*self };
+        let attempt = silent.judged(theirs, replicas)?;
+        Some(attempt.verdict.decision == Decision::Agrees)
+    }
+
+    /// Whether the picture is too far out to agree with more replicas, however its values are stored.
+    fn is_hopeless(&self, theirs: &Picture, world: &World, films: &[Film]) -> bool {
+        let candidates = Stored::candidates(theirs, self.transfer, self.tone);
+        plausible(&candidates, theirs, films).into_iter().all(|stored| {
+            let known: Vec<Vec<f32>> = films.iter().map(|film| stored.values(film)).collect();
+            let subject = PoolContext { areas: self.areas, stored, reference: None };
+            is_hopeless(&read(theirs, stored), world, subject, &known, self.tolerance)
+        })
     }
 
     /// Whether defects in our first replica are found.

@@ -9,8 +9,9 @@ use groundtruth::world::World;
 use super::attempt::{Attempt, Judge, better, read};
 use super::verdict::{DifferingRegion, Explanation, REGIONS, Verdict};
 use super::{
-    Areas, Decision, Evaluation, Evidence, Factors, Map, RayTolerance, Reference, Renders,
-    Replicas, Stored, Strictness, Suspects, factors, plausible, several, smallest_gains, terms,
+    Areas, Decision, Evaluation, Evidence, Factors, Map, Progress, RayTolerance, Reference,
+    Renders, Replicas, Stored, Strictness, Suspects, factors, plausible, several, smallest_gains,
+    terms,
 };
 use pictures::compare::{Picture, Transfer};
 
@@ -24,8 +25,8 @@ pub struct Case<'a> {
     pub folder: &'a Path,
     /// Whether the user interrupted.
     pub is_interrupted: &'a dyn Fn() -> bool,
-    /// Is told what is known so far, before more replicas are rendered.
-    pub so_far: &'a dyn Fn(&Evaluation),
+    /// Is told what is known so far.
+    pub so_far: &'a dyn Fn(Progress<'_>),
     /// How strictly.
     pub strictness: Strictness,
     /// The transfer function of pictures for display, if the user or the file says it.
@@ -54,7 +55,9 @@ impl Case<'_> {
         let (so_far, reference, tolerance) = (self.so_far, self.reference, self.tolerance);
         let judge =
             Judge { areas: &areas, strictness, transfer, tone, so_far, reference, tolerance };
-        let independent = judge.match_noise(theirs, &mut replicas);
+        let independent = judge
+            .preliminary(theirs, &replicas)
+            .is_some_and(|noise| judge.match_noise(theirs, &mut replicas, noise));
         let Attempt { judged, mut verdict, known } = judge.judged(theirs, &mut replicas)?;
         let stored = judged.pool.stored;
         if let Some(equal) = equal_to(&replicas.films, theirs, stored) {
@@ -67,6 +70,7 @@ impl Case<'_> {
                     let shown = verdict.shown.theirs.values.as_flattened();
                     verdict.regions = regions(&judged, &areas, shown);
                 }
+                so_far(Progress::Explaining);
                 verdict.explained = judge
                     .alike_in_all_pixels(theirs, &mut replicas, stored)
                     .or_else(|| judge.explained(theirs, &mut replicas, &known, stored));
@@ -81,6 +85,7 @@ impl Case<'_> {
                     verdict.causes = suspects.causes(&evidence, strictness);
                     verdict.simplify();
                     if verdict.wants_factors() {
+                        so_far(Progress::Dividing);
                         let terms = terms(replicas.world, seed..seed + TERM_REPLICAS);
                         let nearest = verdict.causes.nearest.as_ref().map_or(0.0, |it| it.share);
                         let explain_more = |it: &Factors| it.share > nearest;

@@ -8,6 +8,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use super::evidence::Evidence;
+use super::hopeless::{is_hopeless, steps};
 use super::place::Place;
 use super::share::Share;
 use super::suspects::{Suspect, Suspects};
@@ -136,13 +137,22 @@ impl Suspects<'_> {
             film.filter(|_| !(self.is_interrupted)()).map(|film| stored.values(&film))
         };
         let mut theirs: Vec<f32> = theirs.iter().map(|value| *value as f32).collect();
-        let mut known: Vec<Vec<f32>> =
-            std::iter::from_fn(&mut replicas).take(strictness.first).collect();
-        if known.len() < strictness.first {
+        let subject = PoolContext { areas, stored: *stored, reference: None };
+        let (world, tolerance) = (self.world, RayTolerance::DOUBLE);
+        let mut known: Vec<Vec<f32>> = Vec::new();
+        let mut fill = |known: &mut Vec<Vec<f32>>, count: usize| {
+            known.extend(std::iter::from_fn(&mut replicas).take(count - known.len()));
+            known.len() == count
+        };
+        for count in steps(strictness) {
+            if !fill(&mut known, count) || is_hopeless(&theirs, world, subject, &known, tolerance) {
+                return false;
+            }
+        }
+        if !fill(&mut known, strictness.first) {
             return false;
         }
-        exclude(&mut theirs, self.world, &known, *stored, RayTolerance::DOUBLE);
-        let subject = PoolContext { areas, stored: *stored, reference: None };
+        exclude(&mut theirs, world, &known, *stored, tolerance);
         let judged = Evaluation::of(&theirs, subject, strictness, &mut known, |_| replicas());
         judged.is_some_and(|judged| judged.decision == Decision::Agrees)
     }

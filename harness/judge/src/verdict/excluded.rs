@@ -37,31 +37,69 @@ pub fn exclude(
     stored: Stored,
     tolerance: RayTolerance,
 ) -> Vec<usize> {
-    let width = world.picture_size()[0] as usize;
-    let ours = &known[0];
-    let is_same = |x: f32, y: f32| {
-        let [x, y] = [x, y].map(f64::from);
-        (x - y).abs() <= stored.tolerance(x)
-    };
-    let is_agreed = |at: usize| known.iter().all(|it| is_same(ours[at], it[at]));
-    let is_fixed = (0..ours.len()).all(is_agreed);
-    let differs = |at: usize| !is_same(ours[at], theirs[at]) && is_agreed(at);
+    let alone = Alone::of(theirs, world, known, stored, tolerance);
     let excluded: Vec<usize> =
-        (0..theirs.len() / 3).filter(|pixel| (3 * pixel..3 * pixel + 3).any(differs)).collect();
-    let excluded: Vec<usize> = excluded
-        .into_par_iter()
-        .filter(|pixel| {
-            let at = [pixel % width, pixel / width].map(|x| x as u32);
-            let theirs = &theirs[3 * pixel..][..3];
-            let is_taken = |range: Range| range.takes(theirs, world, stored);
-            is_taken(Range::of_moved(world, at, tolerance))
-                || !is_fixed && is_taken(Range::of_samples(world, at))
-        })
-        .collect();
+        alone.pixels.par_iter().copied().filter(|pixel| alone.is_possible(*pixel)).collect();
     for pixel in &excluded {
-        theirs[3 * pixel..3 * pixel + 3].copy_from_slice(&ours[3 * pixel..3 * pixel + 3]);
+        theirs[3 * pixel..3 * pixel + 3].copy_from_slice(&known[0][3 * pixel..3 * pixel + 3]);
     }
     excluded
+}
+
+/// Whether all replicas are one picture, and theirs has a value that it cannot have.
+pub(super) fn is_unlike_fixed(
+    theirs: &[f32],
+    world: &World,
+    known: &[Vec<f32>],
+    stored: Stored,
+    tolerance: RayTolerance,
+) -> bool {
+    let alone = Alone::of(theirs, world, known, stored, tolerance);
+    alone.is_fixed && alone.pixels.par_iter().any(|pixel| !alone.is_possible(*pixel))
+}
+
+/// The pixels in which all replicas agree against a picture.
+struct Alone<'a> {
+    theirs: &'a [f32],
+    world: &'a World,
+    stored: Stored,
+    tolerance: RayTolerance,
+    pixels: Vec<usize>,
+    /// Whether all replicas agree everywhere.
+    is_fixed: bool,
+}
+
+impl<'a> Alone<'a> {
+    fn of(
+        theirs: &'a [f32],
+        world: &'a World,
+        known: &[Vec<f32>],
+        stored: Stored,
+        tolerance: RayTolerance,
+    ) -> Self {
+        let ours = &known[0];
+        let is_same = |x: f32, y: f32| {
+            let [x, y] = [x, y].map(f64::from);
+            (x - y).abs() <= stored.tolerance(x)
+        };
+        let is_agreed = |at: usize| known.iter().all(|it| is_same(ours[at], it[at]));
+        let is_fixed = (0..ours.len()).all(is_agreed);
+        let differs = |at: usize| !is_same(ours[at], theirs[at]) && is_agreed(at);
+        let pixels =
+            (0..theirs.len() / 3).filter(|pixel| (3 * pixel..3 * pixel + 3).any(differs)).collect();
+        Self { theirs, world, stored, tolerance, pixels, is_fixed }
+    }
+
+    /// Whether a picture of ours could have their value.
+    fn is_possible(&self, pixel: usize) -> bool {
+        let Self { world, stored, .. } = *self;
+        let width = world.picture_size()[0] as usize;
+        let at = [pixel % width, pixel / width].map(|x| x as u32);
+        let theirs = &self.theirs[3 * pixel..][..3];
+        let is_taken = |range: Range| range.takes(theirs, world, stored);
+        is_taken(Range::of_moved(world, at, self.tolerance))
+            || !self.is_fixed && is_taken(Range::of_samples(world, at))
+    }
 }
 
 /// The least and the largest colour that a pixel of ours can have, channel by channel, before exposure.

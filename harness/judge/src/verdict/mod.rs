@@ -11,6 +11,7 @@ mod causes;
 mod evidence;
 mod excluded;
 mod factors;
+mod hopeless;
 mod judgeable;
 mod linear;
 mod map;
@@ -22,6 +23,7 @@ mod place;
 mod planted;
 mod plausible;
 mod pool;
+mod progress;
 mod quantiser;
 mod ranking;
 mod reference;
@@ -53,6 +55,7 @@ pub use place::Place;
 pub use planted::{PlantedDefect, planted, smallest_gains};
 pub use plausible::plausible;
 pub use pool::{Against, Pool};
+pub use progress::Progress;
 pub use quantiser::Quantiser;
 pub use ranking::{DifferenceKind, DifferingArea, Ranking};
 pub use reference::{Mean, Reference};
@@ -127,7 +130,7 @@ const ALIKE: f64 = 0.8;
 
 /// The noise of a picture relative to that of these replicas, at least three; all are stored alike.
 pub fn noise(theirs: &[f32], subject: PoolContext<'_>, known: &[Vec<f32>]) -> f64 {
-    Ranking::of(&pool(theirs, subject, known), subject.areas, 0).noise[known.len()]
+    ranking::noise(&pool(theirs, subject, known))[known.len()]
 }
 
 /// Whether noise of this part of ours is like ours.
@@ -197,11 +200,10 @@ impl Evaluation {
     fn now(theirs: &[f32], subject: PoolContext<'_>, known: &[Vec<f32>]) -> Self {
         let (pool, areas) = (pool(theirs, subject, known), subject.areas);
         let (last, is_fixed) = (known.len(), pool.is_fixed_but_for(known.len()));
-        let mut ranking = Ranking::of(&pool, areas, 0);
-        let is_coarse = !is_alike(ranking.noise[last]);
-        if is_coarse {
-            ranking = Ranking::of(&pool, areas, 2.min(areas.levels() - 1));
-        }
+        let noise = ranking::noise(&pool);
+        let is_coarse = !is_alike(noise[last]);
+        let from = if is_coarse { 2.min(areas.levels() - 1) } else { 0 };
+        let ranking = Ranking::with_noise(&pool, areas, from, noise);
         Self { pool, ranking, decision: Decision::Undecided, is_fixed, is_coarse }
     }
 

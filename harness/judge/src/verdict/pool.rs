@@ -1,5 +1,7 @@
 //! Pictures of one scene from different seeds, and each of them held against all others.
 
+use rayon::prelude::*;
+
 use super::reference::Mean;
 use super::stored::Stored;
 
@@ -69,7 +71,8 @@ impl Pool {
                 *sum += (f64::from(*x) - mean) * (f64::from(*x) - mean)
             });
         }
-        let agreement = (0..values).map(|i| agreement(&pictures, i, stored)).collect();
+        let agreement =
+            (0..values).into_par_iter().map(|i| agreement(&pictures, i, stored)).collect();
         Self { size, stored, pictures, mean, squares, agreement, reference: None }
     }
 

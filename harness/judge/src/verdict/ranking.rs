@@ -52,19 +52,28 @@ pub struct DifferingArea {
     pub z: f64,
 }
 
+/// For each picture of a pool, the noise of its pixels relative to that of the pool.
+pub(super) fn noise(pool: &Pool) -> Vec<f64> {
+    let details: Vec<Option<f64>> =
+        (0..pool.count()).into_par_iter().map(|picture| detail(pool, picture)).collect();
+    let known: Vec<f64> = details.iter().flatten().copied().collect();
+    let usual = quantile(&known, 0.5).unwrap_or_default();
+    let factor = |detail: &Option<f64>| match detail {
+        Some(detail) if usual > 0.0 => variance(detail / usual, pool).max(0.01).sqrt(),
+        _ => 1.0,
+    };
+    details.iter().map(factor).collect()
+}
+
 impl Ranking {
     /// Ranks the pictures of a pool; `from` is the first level of tiles that counts.
     pub fn of(pool: &Pool, areas: &Areas, from: usize) -> Self {
+        Self::with_noise(pool, areas, from, noise(pool))
+    }
+
+    /// The same; `noise` is that of the pool.
+    pub(super) fn with_noise(pool: &Pool, areas: &Areas, from: usize, noise: Vec<f64>) -> Self {
         let all = 0..pool.count();
-        let details: Vec<Option<f64>> =
-            all.clone().into_par_iter().map(|picture| detail(pool, picture)).collect();
-        let known: Vec<f64> = details.iter().flatten().copied().collect();
-        let usual = quantile(&known, 0.5).unwrap_or_default();
-        let factor = |detail: &Option<f64>| match detail {
-            Some(detail) if usual > 0.0 => variance(detail / usual, pool).max(0.01).sqrt(),
-            _ => 1.0,
-        };
-        let noise: Vec<f64> = details.iter().map(factor).collect();
         let mut levels: Vec<DifferenceKind> =
             (from..areas.levels()).map(DifferenceKind::Tiles).collect();
         let outliers =

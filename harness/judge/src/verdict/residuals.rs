@@ -100,8 +100,24 @@ pub fn own_variance(difference: &[f64], size @ [width, height]: [usize; 2]) -> V
 
 /// The mean over the neighbours of each value, itself among them.
 pub fn around(values: &[f64], [width, height]: [usize; 2]) -> Vec<f64> {
-    let rows = averaged(values, width, height, [1, width]);
-    averaged(&rows, height, width, [width, 1])
+    let mut rows = vec![0.0; values.len()];
+    for (row, means) in values.chunks_exact(width).zip(rows.chunks_exact_mut(width)) {
+        for (x, mean) in means.iter_mut().enumerate() {
+            let near = &row[near(x, width)];
+            *mean = near.iter().sum::<f64>() / near.len() as f64;
+        }
+    }
+    let mut around = vec![0.0; values.len()];
+    for (y, means) in around.chunks_exact_mut(width).enumerate() {
+        let near = near(y, height);
+        for row in near.clone() {
+            let row = &rows[row * width..][..width];
+            means.iter_mut().zip(row).for_each(|(sum, value)| *sum += value);
+        }
+        let count = near.count() as f64;
+        means.iter_mut().for_each(|sum| *sum /= count);
+    }
+    around
 }
 
 /// The number of a value's neighbours, itself among them.
@@ -112,18 +128,4 @@ pub fn neighbours(pixel: usize, [width, height]: [usize; 2]) -> f64 {
 /// The places around one on a line.
 fn near(at: usize, length: usize) -> std::ops::RangeInclusive<usize> {
     at.saturating_sub(REACH)..=(at + REACH).min(length - 1)
-}
-
-/// The mean over the neighbours along lines of this length, whose values are `step` apart and which begin `next` apart.
-fn averaged(values: &[f64], length: usize, lines: usize, [step, next]: [usize; 2]) -> Vec<f64> {
-    let mut means = vec![0.0; values.len()];
-    for line in 0..lines {
-        for at in 0..length {
-            let near = near(at, length);
-            let count = near.clone().count() as f64;
-            let sum: f64 = near.map(|other| values[line * next + other * step]).sum();
-            means[line * next + at * step] = sum / count;
-        }
-    }
-    means
 }

@@ -39,14 +39,20 @@ impl Sampling {
         has_sampler && replicas.world.samples_per_pixel() == self.samples
     }
 
-    /// Our picture with these samples; `None` if the user interrupts. Replicas are sampled so from here on.
+    /// Our first picture with these samples; `None` if the user interrupts.
     pub fn film(&self, replicas: &mut Replicas<'_, '_>) -> Option<Film> {
         let image = &mut replicas.world.image;
         (image.sampler, image.samples) = (Some(self.sampler.clone()), self.samples);
         replicas.next = replicas.first;
-        replicas.films.clear();
-        replicas.fill(1);
-        replicas.films.first().cloned()
+        replicas.render()
+    }
+
+    /// Replicas are sampled so from here on; `film` is the first of them.
+    pub fn resume(&self, replicas: &mut Replicas<'_, '_>, film: Film) {
+        let image = &mut replicas.world.image;
+        (image.sampler, image.samples) = (Some(self.sampler.clone()), self.samples);
+        replicas.next = replicas.first + 1;
+        replicas.films = vec![film];
     }
 
     /// What is different about the picture, and the arguments that make ours alike; `own` is our number of samples.

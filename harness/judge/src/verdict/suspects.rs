@@ -89,9 +89,12 @@ impl Suspects<'_> {
         let seeds = [self.seed, self.seed + APART];
         let seeds = if evidence.has_noise { &seeds[..] } else { &seeds[..1] };
         let (mut all, mut ours): (Changes, Vec<Vec<f32>>) = (Vec::new(), Vec::new());
+        let mut tried = mistakes::forms();
         for seed in seeds {
-            let known = mistakes::replicas(&mistakes::forms(), &scene, self.folder, *seed);
+            let known = mistakes::replicas(&tried, &scene, self.folder, *seed);
             let Ok(Films { ours: film, altered, .. }) = known else { return Vec::new() };
+            // one that changes the picture of one seed alone changes it by next to nothing
+            tried = altered.iter().map(|(mistake, _)| *mistake).collect();
             ours.push(evidence.stored.values(&film));
             let before = &ours[ours.len() - 1];
             let tiles = |(mistake, film): (&'static Mistake, Film)| {
@@ -112,7 +115,6 @@ impl Suspects<'_> {
             let is_change = |it: &Vec<Vec<f64>>| it[0].iter().any(|value| *value != 0.0);
             all.extend(tiles.filter(is_change).map(|tiles| (suspect, tiles)));
         }
-        // a mistake that changes the picture of one seed alone changes it by next to nothing
         all.retain(|(_, tiles)| tiles.len() == seeds.len());
         all
     }

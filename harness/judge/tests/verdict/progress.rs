@@ -1,0 +1,110 @@
+//! What is told while a verdict is made, and how many pictures of ours it takes.
+
+use std::cell::{Cell, RefCell};
+use std::path::Path;
+
+use groundtruth::scene::Scene;
+use judge::verdict::{Case, Decision, Progress, RayTolerance, Verdict};
+use pictures::compare::Picture;
+
+use super::cases::STRICTNESS;
+use super::pictures::{films, scene, world};
+
+/// What was told, and the number of pictures of ours that were rendered by then.
+type Told = Vec<(usize, String)>;
+
+/// The verdict, what was told, and the number of pictures of ours that it took.
+fn judged(scene: &Scene, theirs: &Picture) -> (Verdict, Told, usize) {
+    let (rendered, told) = (Cell::new(0), RefCell::new(Told::new()));
+    let mut world = world(scene, 1);
+    let mut case = Case {
+        world: &mut world,
+        scene,
+        folder: Path::new(""),
+        is_interrupted: &|| false,
+        so_far: &|progress: Progress<'_>| {
+            let kind = match progress {
+                Progress::Preliminary(_) => format!("preliminary: {progress}"),
+                _ => progress.to_string(),
+            };
+            told.borrow_mut().push((rendered.get(), kind));
+        },
+        strictness: STRICTNESS,
+        transfer: None,
+        tone: (scene.image.gamma, scene.image.out_of_gamut),
+        seed: 1,
+        reference: None,
+        tolerance: RayTolerance::DOUBLE,
+    };
+    let renders = &mut |world: &_, canvas: &groundtruth::render::Canvas| {
+        canvas.render(world);
+        rendered.set(rendered.get() + 1);
+        true
+    };
+    let verdict = case.verdict(theirs, renders).expect("nobody interrupts");
+    (verdict, told.into_inner(), rendered.get())
+}
+
+fn theirs(scene: &Scene, gain: f32) -> Picture {
+    let film = films(&mut world(scene, 1), std::iter::once(500)).remove(0);
+    let mut picture = Picture::of_film(&film);
+    picture.values.iter_mut().flatten().for_each(|value| *value *= gain);
+    picture
+}
+
+fn noisy() -> Scene {
+    scene("ch18/rectangle", [48; 2], 4)
+}
+
+fn count(told: &Told, words: &str) -> usize {
+    told.iter().filter(|(_, said)| said.contains(words)).count()
+}
+
+/// Law: a preliminary verdict is told once, after exactly the pictures that are rendered at first, and of a picture that is
+/// over then it has the rank of the verdict. Oracle: the pictures are counted as they are rendered.
+#[test]
+fn a_preliminary_verdict_comes_after_the_first_pictures() {
+    for gain in [1.0, 1.5] {
+        let (verdict, told, _) = judged(&noisy(), &theirs(&noisy(), gain));
+        assert_eq!(count(&told, "preliminary"), 1, "{told:?}");
+        let (rendered, words) = &told[0];
+        assert_eq!(*rendered, STRICTNESS.first, "{told:?}");
+        let expected = if gain == 1.0 { "agrees" } else { "differs — none of 8" };
+        assert!(words.contains(&format!("preliminary: so far: {expected}")), "{words}");
+        assert_eq!(verdict.decision == Decision::Agrees, gain == 1.0);
+    }
+}
+
+/// Law: of a picture that agrees no explanation is tried and no film of a term is made; of one that differs explanations
+/// are tried once. Oracle: what is told is counted.
+#[test]
+fn films_of_terms_are_made_only_of_what_differs() {
+    let (_, told, _) = judged(&noisy(), &theirs(&noisy(), 1.0));
+    assert_eq!((count(&told, "explanations"), count(&told, "terms")), (0, 0), "{told:?}");
+    let (_, told, _) = judged(&noisy(), &theirs(&noisy(), 1.5));
+    assert_eq!(count(&told, "explanations"), 1, "{told:?}");
+}
+
+/// Law: an explanation that few pictures refute takes no more of them: a gain that is far out of samples alike in all
+/// pixels. Oracle: the pictures are counted: 2 · 8 to judge, 8 with independent samples at most, 5 candidates, and at most
+/// 8 of each of two explanations.
+#[test]
+fn refuted_explanations_take_few_pictures() {
+    let (verdict, _, rendered) = judged(&noisy(), &theirs(&noisy(), 1.5));
+    assert_eq!(verdict.decision, Decision::Differs);
+    assert!(rendered <= 16 + 8 + 5 + 2 * 8, "{rendered} pictures");
+}
+
+/// Law: the verdict has the same bits on any number of threads. Oracle: one thread.
+#[test]
+fn a_verdict_is_the_same_on_any_number_of_threads() {
+    for gain in [1.0, 1.5] {
+        let picture = theirs(&noisy(), gain);
+        let [alone, many] = [1, 3].map(|threads| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+            let verdict = pool.expect("threads").install(|| judged(&noisy(), &picture).0);
+            serde_json::to_string(&verdict).expect("JSON")
+        });
+        assert_eq!(alone, many);
+    }
+}
