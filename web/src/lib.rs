@@ -29,7 +29,7 @@ pub fn scene_names() -> String {
     gallery::scenes().map(|entry| format!("{}\n", entry.name)).collect()
 }
 
-/// Memory for a question of so many bytes. The next question frees it.
+/// Memory for a question of so many bytes, which [`answer`] frees.
 #[unsafe(no_mangle)]
 pub extern "C" fn question(length: usize) -> *mut u8 {
     let buffer = vec![0_u8; length].into_boxed_slice();
@@ -58,7 +58,7 @@ pub unsafe extern "C" fn answer(at: *mut u8, length: usize) -> *const u8 {
 pub unsafe extern "C" fn forget(at: *mut u8) {
     unsafe {
         let length =
-            u32::from_le_bytes(std::slice::from_raw_parts(at, 4).try_into().expect("four"));
+            u32::from_le_bytes(std::slice::from_raw_parts(at, 4).try_into().expect("four bytes"));
         drop(Box::from_raw(std::ptr::slice_from_raw_parts_mut(at, 4 + length as usize)));
     }
 }

@@ -280,7 +280,7 @@ fn sides_have_the_numbers_of_their_material() {
     }
 }
 
-/// Law: what is refused has the place that a reader looks for: the list, the index there and the name. Oracle: the scene.
+/// Law: an error names the list, the index in it and the name of what is refused. Oracle: the scene.
 #[test]
 fn refusals_begin_with_their_places() {
     let lamp = "[[lights]]\nname = \"weak\"\nsource.point = { location = [0, 9, 0], ls = 1, attenuation = 1.5 }\n";
