@@ -33,6 +33,11 @@ pub(super) fn is_hopeless(
     }
     let mut theirs = theirs.to_vec();
     exclude(&mut theirs, world, known, subject.stored, tolerance);
-    let factor = Evaluation::now(&theirs, subject, known).ranking.times_as_far(known.len());
+    is_refuted(&theirs, subject, known)
+}
+
+/// Whether 4 or 8 pictures of ours refute that theirs is one more of them; both are stored alike.
+pub fn is_refuted(theirs: &[f32], subject: PoolContext<'_>, known: &[Vec<f32>]) -> bool {
+    let factor = Evaluation::now(theirs, subject, known).ranking.times_as_far(known.len());
     REFUTED.iter().any(|(count, most)| *count == known.len() && factor > *most)
 }

@@ -45,6 +45,7 @@ pub use causes::{Cause, Causes, Nearest};
 pub use evidence::Evidence;
 pub use excluded::{RayTolerance, exclude};
 pub use factors::{Factors, TermFactor, factors};
+pub use hopeless::is_refuted;
 pub use judgeable::{refusal, refusal_of_alpha, refusal_of_seed};
 pub use map::Map;
 pub use means::{Answer, Means, Relative};

@@ -3,7 +3,7 @@
 
 use groundtruth::math::Pcg32;
 use judge::verdict::{
-    Against, Areas, Decision, Evaluation, Mean, Pool, PoolContext, Ranking, Strictness,
+    Against, Areas, Decision, Evaluation, Mean, Pool, PoolContext, Ranking, Strictness, is_refuted,
 };
 
 use super::noise::noisy;
@@ -188,4 +188,22 @@ fn ours_are_asked_for_while_theirs_is_among_the_farthest() {
         equal(format!("gain {gain}: decision"), found.expect("enough").decision, decision);
     }
     assert!(ends[..3].iter().all(|count| *count > 0), "each way to end is tried: found {ends:?}");
+}
+
+/// Law: 4 or 8 pictures of ours never refute one more of them, and refute one that is many times as bright. Oracle: how the
+/// pictures were made; Student's t, by which noise exceeds these borders in at most 2e-5 of the cases.
+#[test]
+fn few_pictures_refute_what_is_far_out_and_no_picture_of_ours() {
+    let areas = Areas::tiles([4, 4]);
+    let subject = PoolContext { areas: &areas, stored: FLOATS, reference: None };
+    let random = &mut Pcg32::new(3, 43);
+    for count in [4, 8] {
+        for case in 0..300 {
+            let ours: Vec<Vec<f32>> = (0..count).map(|_| noisy(random, 16, 0.1)).collect();
+            let theirs = noisy(random, 16, 0.1);
+            let bright: Vec<f32> = theirs.iter().map(|value| 1000.0 * value).collect();
+            let found = [&theirs, &bright].map(|it| is_refuted(it, subject, &ours));
+            assert_eq!(found, [false, true], "case {case} of {count}");
+        }
+    }
 }
