@@ -49,9 +49,12 @@ use std::process::ExitCode;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use groundtruth::printable;
 
+/// The version, and the commit that was built.
+const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), " (", env!("SOURCE"), ")");
+
 /// Ray tracing from the ground up, verified chapter by chapter.
 #[derive(Parser)]
-#[command(name = "groundtruth", version, propagate_version = true)]
+#[command(name = "groundtruth", version = VERSION, propagate_version = true)]
 struct Arguments {
     #[command(subcommand)]
     command: Command,

@@ -88,6 +88,20 @@ fn good_commands_have_status_0() {
     assert_eq!(files, ["a.png", "b.exr", "c.png", "d.png"]);
 }
 
+/// Law: `--version` says the version, and the commit of the source and its date. Oracle: git; where there is none, the words
+/// that say so.
+#[test]
+fn the_version_says_the_commit() {
+    let said = run_in(Path::new("."), &["--version"]).stdout;
+    let log = ["log", "-1", "--format=%h of %cs"];
+    let git = std::process::Command::new("git").args(log).output().ok();
+    let source = git.filter(|git| git.status.success());
+    let source = source.map_or("unknown source".to_owned(), |git| {
+        String::from_utf8_lossy(&git.stdout).trim().to_owned()
+    });
+    assert_eq!(said, format!("groundtruth {} ({source})\n", env!("CARGO_PKG_VERSION")));
+}
+
 #[test]
 fn help_speaks_of_every_option() {
     let scene = ["--size", "--samples", "--tracer", "--max-depth", "--seed", "<SCENE>"];

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::platform::Purpose;
 use crate::scene::fields::Change;
 use crate::scene::source::Source;
 
@@ -57,19 +58,6 @@ pub enum With {
     Flip(Shows),
     /// Judge their picture.
     Judge,
-}
-
-/// The purpose of the desktop's file chooser.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Purpose {
-    /// A scene to open.
-    Scene,
-    /// The file for the picture.
-    Picture,
-    /// A picture to compare ours with.
-    Theirs,
-    /// A scene to compare ours with.
-    OtherScene,
 }
 
 /// The view of the two pictures.

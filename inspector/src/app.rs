@@ -16,6 +16,7 @@ use crate::picture::display::{self, Picture};
 use crate::picture::saving::Saving;
 use crate::picture::session::{Opened, Session};
 use crate::picture::worker::Progress;
+use crate::platform;
 use crate::scene::source::{Loaded, Source};
 use crate::scene::waiting::Broken;
 use crate::space::view::SpaceView;
@@ -51,6 +52,8 @@ pub struct Inspector {
     pub picker: ScenePicker,
     /// The desktop's file chooser.
     pub chooser: FileChooser,
+    /// Whether it is a part of another page, without its bars.
+    pub is_embedded: bool,
     saving: Saving,
     scene: ScenePanel,
     splits: Splits,
@@ -86,6 +89,7 @@ impl Inspector {
             message: None,
             picker: ScenePicker::default(),
             chooser: FileChooser::default(),
+            is_embedded: false,
             saving: Saving::default(),
             scene: ScenePanel::default(),
             splits: Splits::default(),
@@ -130,6 +134,7 @@ impl Inspector {
     /// Draws the window and performs what the user asks for.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
+        platform::go_on(&ctx);
         match self.session.poll(&ctx) {
             Some(Ok(opened)) => self.accept(&ctx, opened),
             Some(Err(error)) => self.message = Some((error, true)),
@@ -156,7 +161,7 @@ impl Inspector {
         }
         self.explain_selected(&ctx);
 
-        let of_bars = self.bars(ui);
+        let of_bars = if self.is_embedded { Vec::new() } else { self.bars(ui) };
         let central = CentralPanel::default().frame(Frame::NONE);
         let mut actions = central.show(ui, |ui| self.parts(ui)).inner;
         // an opened scene replaces one that is built again
@@ -246,7 +251,8 @@ impl Inspector {
         let is_resampled = part(ui, "explanation", parts.explanation, margin, |ui| {
             let Session { rendering, wanted, .. } = &mut self.session;
             let (theirs, tone) = (self.others.shown(), &self.picture.tone);
-            let shown = Shown { rendering, theirs, tone };
+            let view = self.space.mode;
+            let shown = Shown { rendering, theirs, tone, view };
             self.selection.show(ui, &shown, wanted, &mut self.splits)
         });
         self.space.pointed = pointed;

@@ -2,7 +2,7 @@
 //!
 //! It holds no shading arithmetic: each number it shows comes from [`groundtruth::explain`]
 //! or from the film. [`app::Inspector`] is the whole state and draws the window; what is slow
-//! runs beside it in [`picture::worker`].
+//! runs beside it in [`picture::worker`]; what a desktop and a page in a browser do differently is in [`platform`].
 //!
 //! Data go down, actions come up: [`app`] lends its parts to the bars and panels, which return each
 //! [`action::Action`] that a user asks for, and `app` performs it. Which module may name which is a
@@ -13,6 +13,7 @@ pub mod app;
 pub mod comparison;
 pub mod explanation;
 pub mod picture;
+pub mod platform;
 pub mod scene;
 pub mod space;
 pub mod splits;

@@ -5,17 +5,13 @@ use std::process::ExitCode;
 
 use clap::Parser;
 use eframe::egui;
-use inspector::app::Inspector;
 use inspector::comparison::theirs::Theirs;
-use inspector::scene::source::Loaded;
-use inspector::scene::waiting::Broken;
 use inspector::window::arguments::Arguments;
-use inspector::window::stored_settings::StoredSettings;
-use inspector::window::style::set_style;
+use inspector::window::start::Start;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();
-    match start(&arguments).map_err(Into::into).and_then(|start| open(start, &arguments)) {
+    match Start::read(&arguments).map_err(Into::into).and_then(|start| open(start, arguments)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             report(&error.to_string());
@@ -28,31 +24,11 @@ fn report(error: &str) {
     eprintln!("error: {}", groundtruth::printable::text(error));
 }
 
-/// What the window opens with.
-struct Start {
-    /// The scene, or its file that is not valid yet.
-    scene: Result<Loaded, Broken>,
-    /// The pictures that ours is compared with.
-    theirs: Vec<Theirs>,
-}
-
-/// Reads scene and picture before a window opens. A bad picture, or arguments that do not fit, are errors; the error of
-/// a scene file is reported here and in the window.
-fn start(arguments: &Arguments) -> Result<Start, String> {
-    let theirs = arguments.theirs()?;
-    let scene = match arguments.load(theirs.first()) {
-        Ok(loaded) => Ok(loaded),
-        Err(error) => {
-            let broken = arguments.broken(theirs.first()).ok_or(error)?;
-            report(&broken.error);
-            Err(broken)
-        }
-    };
-    Ok(Start { scene, theirs })
-}
-
-fn open(Start { scene, theirs }: Start, arguments: &Arguments) -> Result<(), Box<dyn Error>> {
-    for note in theirs.iter().flat_map(Theirs::notes) {
+fn open(start: Start, arguments: Arguments) -> Result<(), Box<dyn Error>> {
+    if let Err(broken) = &start.scene {
+        report(&broken.error);
+    }
+    for note in start.theirs.iter().flat_map(Theirs::notes) {
         eprintln!("note: {}", groundtruth::printable::text(note));
     }
     let viewport = egui::ViewportBuilder::default()
@@ -61,32 +37,11 @@ fn open(Start { scene, theirs }: Start, arguments: &Arguments) -> Result<(), Box
         .with_min_inner_size([800.0, 500.0])
         .with_position([0.0, 0.0]);
     let options = eframe::NativeOptions { viewport, ..Default::default() };
-    let (pixel, sample) = (arguments.pixel, arguments.sample);
-    let (view, tab) = (arguments.view, arguments.tab);
-    let ground = arguments.theme;
-    let start = move |context: &eframe::CreationContext<'_>| {
-        let ctx = &context.egui_ctx;
-        set_style(ctx);
-        let mut inspector = match scene {
-            Err(broken) => Inspector::waiting_for(ctx, broken),
-            Ok(loaded) => {
-                let mut inspector = Inspector::new(ctx, loaded);
-                match pixel {
-                    Some(pixel) => inspector.explain(pixel, sample.unwrap_or(0)),
-                    None => inspector.propose(ctx),
-                }
-                inspector
-            }
-        };
-        theirs.into_iter().for_each(|theirs| inspector.others.add_picture(theirs));
-        inspector.others.choose(0);
-        (inspector.space.mode, inspector.selection.tab) = (view, tab);
-        let stored = StoredSettings::read(context.storage);
-        let ground = ground.unwrap_or(stored.ground);
-        inspector.restore(ctx, StoredSettings { ground, ..stored });
+    let create = move |context: &eframe::CreationContext<'_>| {
+        let inspector = start.inspector(&context.egui_ctx, context.storage, &arguments);
         Ok(Box::new(inspector) as Box<dyn eframe::App>)
     };
-    eframe::run_native("groundtruth-inspector", options, Box::new(start))
+    eframe::run_native("groundtruth-inspector", options, Box::new(create))
         .map_err(|error| no_window(&error).into())
 }
 

@@ -1,5 +1,5 @@
 //! The three parts of the window side by side and the two of the explanation, one above the other: shares of width and
-//! height, and the bars between them.
+//! height, and the bars between them; picture and space view where the picture is.
 
 use eframe::egui::{
     CursorIcon, Id, Pos2, Rect, Sense, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role,
@@ -18,6 +18,45 @@ const DETAILS: [f32; 2] = [0.15, 0.85];
 const SCENE_MIN_WIDTH: [f32; 2] = [152.0, 176.0];
 /// The share of the window that the least width is between these bounds.
 const SCENE_MIN_SHARE: f32 = 0.195;
+
+/// What is shown where the picture is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Mode {
+    /// The picture.
+    #[default]
+    Picture,
+    /// The picture and the space view.
+    Both,
+    /// The space view.
+    Space,
+}
+
+impl Mode {
+    /// Picture, both, space, and picture again.
+    pub fn next(self) -> Self {
+        match self {
+            Self::Picture => Self::Both,
+            Self::Both => Self::Space,
+            Self::Space => Self::Picture,
+        }
+    }
+
+    /// The areas of the picture and of the space view.
+    pub fn divide(self, area: Rect) -> [Option<Rect>; 2] {
+        match self {
+            Self::Picture => [Some(area), None],
+            Self::Space => [None, Some(area)],
+            Self::Both if area.width() > area.height() => {
+                let middle = area.center().x.round();
+                [Some(area.with_max_x(middle - 1.0)), Some(area.with_min_x(middle + 1.0))]
+            }
+            Self::Both => {
+                let middle = area.center().y.round();
+                [Some(area.with_max_y(middle - 1.0)), Some(area.with_min_y(middle + 1.0))]
+            }
+        }
+    }
+}
 
 /// Shares of the window's width, of which the picture has the rest, and of the explanation's height.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]

@@ -122,7 +122,11 @@ fn blamed(messages: &[Value], places: &BTreeMap<String, Places>) -> BTreeSet<usi
     let mut wrong = BTreeSet::new();
     for message in messages.iter().map(|it| &it["message"]).filter(|it| it["level"] == "error") {
         let spans = message["spans"].as_array().into_iter().flatten();
-        let at = |span: &Value| {
+        let at = |mut span: &Value| {
+            // in the text of a macro: where it is used
+            while span["expansion"].is_object() {
+                span = &span["expansion"]["span"];
+            }
             let at = span["byte_start"].as_u64().unwrap_or(0) as usize;
             Some((places.get(span["file_name"].as_str()?)?, at))
         };

@@ -24,7 +24,8 @@ pub struct Crop {
     pub height: u32,
 }
 
-/// A picture that is being rendered. Other threads can read it and cancel the rendering.
+/// A picture that is being rendered. Other threads can read it and cancel the rendering; a program of one thread
+/// renders it piece by piece ([`Canvas::render_until`]).
 ///
 /// The pixels of a coarse picture come first, one of each block; the others follow, tile by tile.
 #[derive(Debug)]
@@ -49,6 +50,14 @@ const TILE: u32 = 16;
 
 /// The coarse picture has one pixel in each square of this side, which divides [`TILE`].
 const BLOCK: u32 = 8;
+
+/// Says when to pause. At least one pixel should be rendered before it says so, or nothing ever is.
+pub type Pause<'a> = dyn Fn() -> bool + Sync + 'a;
+
+/// No pause.
+fn never() -> bool {
+    false
+}
 
 /// Whether a pixel belongs to the coarse picture: the top left one of its block does.
 fn is_coarse([x, y]: [u32; 2]) -> bool {
@@ -150,71 +159,107 @@ impl Canvas {
     /// Renders one sample of each pixel of the coarse picture, for [`Partial::coarse`]: the first picture of a
     /// scene whose pixels take long. They do not count as done.
     pub fn preview(&self, renderer: &impl Renderer) {
+        self.preview_until(renderer, &never);
+    }
+
+    /// As [`Canvas::preview`], until it is time to pause; the next call goes on there. Whether all is done.
+    pub fn preview_until(&self, renderer: &impl Renderer, is_over: &Pause<'_>) -> bool {
         let Crop { width, height, .. } = self.crop;
         let blocks = width.div_ceil(BLOCK) as usize * height.div_ceil(BLOCK) as usize;
-        self.lock().preview = vec![None; blocks];
+        self.lock().preview.resize(blocks, None);
         let sample = |at| {
             let radiance = renderer.sample(at, 0, &mut (), &mut UntilStopped(&self.cancelled));
             (!self.is_cancelled()).then(|| expose(renderer.world(), [radiance].into_iter()))
         };
-        self.each_tile(&sample, is_coarse, |picture, at, color| {
+        let wanted =
+            |picture: &Partial, at| is_coarse(at) && picture.preview[picture.block(at)].is_none();
+        self.each_tile(&sample, wanted, is_over, |picture, at, color| {
             let block = picture.block(at);
             picture.preview[block] = Some(color);
-        });
+        })
     }
 
     /// Renders every pixel once, in parallel on the current rayon pool; returns early if cancelled.
     pub fn render(&self, renderer: &impl Renderer) {
-        self.fill_those(&|at| renderer.pixel(at, &self.cancelled), is_coarse);
-        self.fill_those(&|at| renderer.pixel(at, &self.cancelled), |pixel| !is_coarse(pixel));
+        self.render_until(renderer, &never);
+    }
+
+    /// As [`Canvas::render`], until it is time to pause; the next call goes on there. Whether all is done.
+    pub fn render_until(&self, renderer: &impl Renderer, is_over: &Pause<'_>) -> bool {
+        self.fill_all(&|at| renderer.pixel(at, &self.cancelled), is_over)
     }
 
     /// As [`Canvas::render`], with another value for each pixel of the view.
     pub fn fill(&self, value: impl Fn([u32; 2]) -> Rgb + Sync) {
-        self.fill_those(&|at| Some(value(at)), is_coarse);
-        self.fill_those(&|at| Some(value(at)), |pixel| !is_coarse(pixel));
+        self.fill_until(value, &never);
+    }
+
+    /// As [`Canvas::fill`], until it is time to pause; the next call goes on there. Whether all is done.
+    pub fn fill_until(&self, value: impl Fn([u32; 2]) -> Rgb + Sync, is_over: &Pause<'_>) -> bool {
+        self.fill_all(&|at| Some(value(at)), is_over)
     }
 
     /// Renders the pixels of the coarse picture only.
     pub fn render_coarse(&self, renderer: &impl Renderer) {
-        self.fill_those(&|at| renderer.pixel(at, &self.cancelled), is_coarse);
+        self.fill_those(&|at| renderer.pixel(at, &self.cancelled), is_coarse, &never);
     }
 
-    /// Fills the wanted pixels.
+    /// Fills the pixels of the coarse picture, then the others.
+    fn fill_all(
+        &self,
+        value: &(impl Fn([u32; 2]) -> Option<Rgb> + Sync),
+        is_over: &Pause<'_>,
+    ) -> bool {
+        self.fill_those(value, is_coarse, is_over)
+            && self.fill_those(value, |at| !is_coarse(at), is_over)
+    }
+
+    /// Fills those of the wanted pixels that are not rendered yet.
     fn fill_those(
         &self,
         value: &(impl Fn([u32; 2]) -> Option<Rgb> + Sync),
         wanted: impl Fn([u32; 2]) -> bool + Sync,
-    ) {
-        self.each_tile(value, wanted, |picture, at, color| {
+        is_over: &Pause<'_>,
+    ) -> bool {
+        let wanted = |picture: &Partial, at| wanted(at) && picture.get(at).is_none();
+        self.each_tile(value, wanted, is_over, |picture, at, color| {
             picture.set(at, color);
             // under the lock: when `progress` says that all are done, `film` has all of them
             self.done.fetch_add(1, Ordering::Relaxed);
-        });
+        })
     }
 
-    /// Finds the values of the wanted pixels, and keeps them tile by tile; a value that is `None`, as all are
-    /// after cancelling, ends its tile.
+    /// Finds the values of the wanted pixels, and keeps them tile by tile, until it is time to pause, or a value is
+    /// `None`, as all are after cancelling. Whether all were found.
     fn each_tile(
         &self,
         value: &(impl Fn([u32; 2]) -> Option<Rgb> + Sync),
-        wanted: impl Fn([u32; 2]) -> bool + Sync,
+        wanted: impl Fn(&Partial, [u32; 2]) -> bool + Sync,
+        is_over: &Pause<'_>,
         keep: impl Fn(&mut Partial, [u32; 2], Rgb) + Sync,
-    ) {
+    ) -> bool {
         let Crop { x, y, width, height } = self.crop;
         let (across, down) = (width.div_ceil(TILE), height.div_ceil(TILE));
-        (0..across * down).into_par_iter().for_each(|tile| {
+        let of_tile = |tile: u32| {
             let (left, top) = (tile % across * TILE, tile / across * TILE);
             let (right, bottom) = ((left + TILE).min(width), (top + TILE).min(height));
             let pixels = (top..bottom).flat_map(|row| (left..right).map(move |c| [c, row]));
-            let mut finished = Vec::with_capacity((TILE * TILE) as usize);
-            for at @ [column, row] in pixels.filter(|&at| wanted(at)) {
-                let color = (!self.is_cancelled()).then(|| value([x + column, y + row])).flatten();
-                let Some(color) = color else { return };
-                finished.push((at, color));
-            }
+            let pixels: Vec<_> = {
+                let picture = self.lock();
+                pixels.filter(|&at| wanted(&picture, at)).collect()
+            };
+            let found = |&at: &[u32; 2]| {
+                let [column, row] = at;
+                let is_stopped = self.is_cancelled() || is_over();
+                let color = (!is_stopped).then(|| value([x + column, y + row])).flatten();
+                color.map(|color| (at, color))
+            };
+            let found: Vec<_> = pixels.iter().map_while(found).collect();
+            let is_whole = found.len() == pixels.len();
             let mut picture = self.lock();
-            finished.into_iter().for_each(|(at, color)| keep(&mut picture, at, color));
-        });
+            found.into_iter().for_each(|(at, color)| keep(&mut picture, at, color));
+            is_whole
+        };
+        (0..across * down).into_par_iter().map(of_tile).reduce(|| true, |a, b| a && b)
     }
 }

@@ -18,7 +18,7 @@ use crate::scene::Image;
 use crate::trace::{self, Budget, Recorder, Unlimited, UntilStopped};
 use crate::world::World;
 
-pub use canvas::{Canvas, Crop, Partial};
+pub use canvas::{Canvas, Crop, Partial, Pause};
 pub use estimate::{MAX_COUNTED, RaysPerSample};
 pub use watched::watched;
 

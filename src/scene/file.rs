@@ -57,8 +57,15 @@ pub fn open(path: &Path) -> Result<(Scene, Source), SceneError> {
         let problem = format!("it is too large for a scene (at most {LARGEST_FILE} bytes fit)");
         return Err(unreadable(std::io::Error::other(problem)));
     }
-    let text = String::from_utf8(bytes).map_err(|error| not_utf8(&error, path))?;
-    parse(text, path)
+    from_bytes(bytes, path)
+}
+
+/// The scene in the bytes of a file; `path` is for error messages and for relative file names.
+///
+/// # Errors
+/// [`SceneError`] with file, line and field.
+pub fn from_bytes(bytes: Vec<u8>, path: &Path) -> Result<(Scene, Source), SceneError> {
+    parse(String::from_utf8(bytes).map_err(|error| not_utf8(&error, path))?, path)
 }
 
 /// The error of bytes that are no text, with the line and the byte in it, both from 1.

@@ -25,7 +25,7 @@ use crate::shapes::textbook::EPSILON;
 use crate::{accel, bumps, filters, kinds, lights, materials, samplers, shapes};
 
 pub use error::SceneError;
-pub use file::{STANDARD_INPUT, Source, open, parse, to_toml};
+pub use file::{STANDARD_INPUT, Source, from_bytes, open, parse, to_toml};
 pub use intersect::Intersect;
 pub use schema::schema;
 pub use tracer::{Depth, Tracer, Whitted};

@@ -220,12 +220,20 @@ pub fn read_stored(path: &Path, max_texels: u64) -> Result<Stored, ImageFileErro
         true => read_input(),
         false => read_bytes(path),
     };
-    let bytes = bytes.map_err(wrong)?;
-    let format = Format::of(&bytes).map_err(wrong)?;
-    let texels = decode_stored(format, &bytes, Some(Encoding::Linear), None, max_texels);
+    stored(&bytes.map_err(wrong)?, path, max_texels)
+}
+
+/// As [`read_stored`], of the bytes of a file; `path` is for error messages.
+///
+/// # Errors
+/// As [`read`].
+pub fn stored(bytes: &[u8], path: &Path, max_texels: u64) -> Result<Stored, ImageFileError> {
+    let wrong = |problem| ImageFileError { path: path.to_owned(), problem, field: "file" };
+    let format = Format::of(bytes).map_err(wrong)?;
+    let texels = decode_stored(format, bytes, Some(Encoding::Linear), None, max_texels);
     let texels = texels.map_err(|Wrong { problem, .. }| wrong(problem))?;
     let (curve, note) = match format {
-        Format::Png => png::curve(&bytes).map_err(wrong)?,
+        Format::Png => png::curve(bytes).map_err(wrong)?,
         _ => (None, None),
     };
     Ok(Stored { texels: texels.with_notes(note), is_linear: format.is_linear(), curve })

@@ -229,14 +229,15 @@ impl Labels {
         let (across, up) = (axis_fraction(x, self.x), axis_fraction(y, self.y));
         let at = (pixel(across, SIZE.0 - 100), pixel(1.0 - up, SIZE.1 - 60));
         let moved = |&(dx, dy): &(i32, i32)| (at.0 + dx, at.1 + dy);
-        let free = |offset: &&(i32, i32)| {
+        let free = |offset: &(i32, i32)| {
             let (x, y) = moved(offset);
             self.positions.iter().all(|p| (p.0 - x).abs() > 12 || (p.1 - y).abs() > 10)
         };
-        let offsets = [(6, -12), (6, 3), (-16, -12), (-16, 3), (-4, -20), (-4, 10), (-4, -30)];
-        let offset = offsets.iter().find(free).unwrap_or(&offsets[0]);
-        self.positions.push(moved(offset));
-        *offset
+        let around = [(6, -12), (6, 3), (-16, -12), (-16, 3), (-4, -20), (-4, 10), (-4, -30)];
+        let further_up = (2..).map(|lines| (-4, -20 - 11 * lines));
+        let offset = around.into_iter().chain(further_up).find(free).expect("there is no end");
+        self.positions.push(moved(&offset));
+        offset
     }
 }
 
@@ -272,22 +273,37 @@ fn emptiest_corner(
     corners.into_iter().min_by_key(inside).expect("there are four").2
 }
 
-/// Powers of ten; if there are fewer than four, also 2 and 5 times these.
+/// Powers of ten; if there are fewer than four, also 2 and 5 times these; if these are fewer than two, multiples of a
+/// round step.
 fn ticks(low: f64, high: f64) -> Vec<f64> {
-    let decades = || {
-        (-30..=30).map(|n| if n < 0 { 1.0 / power(10.0, -n as f64) } else { power(10.0, n as f64) })
-    };
     let inside = |values: &[f64]| -> Vec<f64> {
-        let all = decades().flat_map(|ten| values.iter().map(move |v| ten * v));
+        let all = (-30..=30).flat_map(|n| values.iter().map(move |&v| decimal(v, n)));
         all.filter(|v| (low..=high).contains(v)).collect()
     };
-    let tens = inside(&[1.0]);
-    if tens.len() >= 4 { tens } else { inside(&[1.0, 2.0, 5.0]) }
+    let (tens, fives) = (inside(&[1.0]), inside(&[1.0, 2.0, 5.0]));
+    if tens.len() >= 4 {
+        return tens;
+    }
+    if fives.len() >= 2 {
+        return fives;
+    }
+    let most = 0.25 * (high - low);
+    let steps = (-30..=30).rev().flat_map(|n| [5.0, 2.0, 1.0].map(|v| (v, n)));
+    let is_fine = |&(v, n): &(f64, i32)| decimal(v, n) <= most;
+    let Some((v, n)) = steps.into_iter().find(is_fine) else { return fives };
+    let [first, last] = [(low / decimal(v, n)).ceil(), (high / decimal(v, n)).floor()];
+    (first as u64..=last as u64).map(|times| decimal(times as f64 * v, n)).collect()
+}
+
+/// `digits` times this power of ten, rounded once.
+fn decimal(digits: f64, exponent: i32) -> f64 {
+    let ten = power(10.0, f64::from(exponent.abs()));
+    if exponent < 0 { digits / ten } else { digits * ten }
 }
 
 /// `0.01`, `20`, `10⁷`.
 fn tick(x: f64) -> String {
-    let scientific = format!("{x:.0e}");
+    let scientific = format!("{x:e}");
     match scientific.split_once('e') {
         Some(("1", exponent)) if !(0.001..=1000.0).contains(&x) => {
             format!("10{}", superscript(exponent))

@@ -9,7 +9,7 @@ use eframe::egui::{
 };
 use groundtruth::explain::count;
 use groundtruth::film::Tone;
-use groundtruth::render::{self, Canvas};
+use groundtruth::render::Canvas;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use judge::verdict::{self, Case, DifferingRegion, Progress, RayTolerance, Strictness, Verdict};
@@ -19,6 +19,7 @@ use crate::action::{Action, With};
 use crate::comparison::layer::{Layer, shown};
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
+use crate::platform;
 use crate::scene::source::Source;
 
 /// The side of a region's number over the picture, in points of the screen.
@@ -51,6 +52,8 @@ struct Course {
     pictures: AtomicUsize,
     /// What is known so far, once theirs was compared with ours for the first time.
     known: Mutex<String>,
+    /// Whether explanations are tried, whose pictures come on top.
+    is_explaining: AtomicBool,
     is_stopped: AtomicBool,
 }
 
@@ -60,12 +63,14 @@ impl Course {
     }
 
     fn note(&self, progress: Progress<'_>) {
+        let is_explaining = matches!(progress, Progress::Explaining | Progress::Dividing);
+        self.is_explaining.store(is_explaining, Ordering::Relaxed);
         *self.known.lock().expect("no holder panics") = format!("; {progress}");
     }
 
     /// Renders a picture of ours; returns whether it was finished.
     fn render(&self, world: &World, canvas: &Canvas) -> bool {
-        render::watched(
+        platform::watched(
             || canvas.render(world),
             || {
                 if self.is_stopped() {
@@ -78,7 +83,11 @@ impl Course {
     }
 
     fn words(&self) -> String {
-        let pictures = count(self.pictures.load(Ordering::Relaxed), "picture");
+        let rendered = self.pictures.load(Ordering::Relaxed);
+        let pictures = match self.is_explaining.load(Ordering::Relaxed) {
+            true => count(rendered, "picture"),
+            false => format!("{rendered} of at most {} pictures", Strictness::USUAL.most()),
+        };
         let known = self.known.lock().expect("no holder panics");
         format!("{pictures} of ours{known}")
     }

@@ -6,9 +6,10 @@ use eframe::egui::{
     text::{CCursor, CCursorRange},
 };
 
-use crate::action::{Action, Purpose, With};
+use crate::action::{Action, With};
 use crate::comparison::opening::is_picture;
 use crate::picture::worker::Rendering;
+use crate::platform::Purpose;
 use crate::scene::fields::{self, Change};
 use crate::scene::source::Source;
 

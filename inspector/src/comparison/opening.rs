@@ -10,10 +10,8 @@ use crate::action::{Action, With};
 use crate::comparison::theirs::Theirs;
 use crate::picture::session::Session;
 use crate::picture::worker::Background;
+use crate::platform::{self, FORMATS};
 use crate::scene::source::Source;
-
-/// The ends of the names of pictures that can be read.
-pub const FORMATS: [&str; 8] = ["png", "jpg", "jpeg", "ppm", "pnm", "hdr", "exr", "pfm"];
 
 /// Whether a file is a picture, by its name.
 pub fn is_picture(path: &Path) -> bool {
@@ -32,8 +30,7 @@ pub fn named(path: PathBuf) -> Action {
 
 /// What opens the files that are dropped on the window.
 pub fn dropped(ctx: &Context) -> Vec<Action> {
-    let files = ctx.input(|input| input.raw.dropped_files.clone());
-    files.iter().map(|file| named(file.path().to_owned())).collect()
+    platform::dropped(ctx).into_iter().map(named).collect()
 }
 
 /// The files that are being read, one after the other.

@@ -270,7 +270,7 @@ impl Others {
         let Some(entry) = self.entries.get_mut(self.chosen) else { return };
         let Some(recipe) = &entry.recipe else { return };
         self.is_stopped = Arc::default();
-        self.working.start(ctx, recipe.work(rendering, Arc::clone(&self.is_stopped)));
+        self.working.start_in_slices(ctx, recipe.work(rendering, Arc::clone(&self.is_stopped)));
         // one beside an earlier picture of ours
         self.shows = entry.theirs.take().map_or(self.shows, |theirs| theirs.shows);
     }

@@ -4,13 +4,14 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use groundtruth::film::Film;
-use groundtruth::render::{self, Canvas, Renderer};
+use groundtruth::render::{Canvas, Renderer};
 use groundtruth::scene::Scene;
 use judge::mistakes::{Mistake, Mistaken};
 use pictures::compare;
 
 use crate::comparison::program::Program;
 use crate::picture::worker::Rendering;
+use crate::platform::{Slice, watched};
 use crate::scene::fields::Change;
 use crate::scene::source::Source;
 
@@ -75,29 +76,41 @@ impl Recipe {
         &self,
         rendering: &Rendering,
         is_stopped: Arc<AtomicBool>,
-    ) -> impl FnOnce() -> Made + Send + 'static {
+    ) -> impl FnMut(&Slice) -> Option<Made> + Send + 'static {
         let (recipe, source) = (self.clone(), rendering.source.clone());
         let (read, scene) = (rendering.read.clone(), Arc::clone(&rendering.scene));
         let (seed, size) = (rendering.world.seed, rendering.size());
-        move || {
-            let Some(program) = recipe.program((source, read, &scene), seed, size)? else {
-                return Ok(None);
+        let mut made = None;
+        move |slice| {
+            let (program, canvas) = match made.take() {
+                Some(made) => made,
+                None => match recipe.program((&source, &read, &scene), seed, size) {
+                    Ok(Some(program)) => {
+                        let canvas = Canvas::new(program.world());
+                        (program, canvas)
+                    }
+                    Ok(None) => return Some(Ok(None)),
+                    Err(problem) => return Some(Err(problem)),
+                },
             };
-            let canvas = Canvas::new(program.world());
             let stop = || {
                 if is_stopped.load(Ordering::Relaxed) {
                     canvas.cancel();
                 }
             };
-            render::watched(|| canvas.render(&program), stop);
-            let film = canvas.film();
-            Ok(Some((program, film)))
+            let work = || canvas.render_until(&program, &|| slice.is_over());
+            if watched(work, stop) || canvas.is_cancelled() {
+                let film = canvas.film();
+                return Some(Ok(Some((program, film))));
+            }
+            made = Some((program, canvas));
+            None
         }
     }
 
     fn program(
-        self,
-        (source, read, scene): (Source, Scene, &Scene),
+        &self,
+        (source, read, scene): (&Source, &Scene, &Scene),
         seed: u64,
         size: [u32; 2],
     ) -> Result<Option<Program>, String> {
@@ -106,6 +119,7 @@ impl Recipe {
             Ok(_) => Ok(scene),
             Err(error) => Err(format!("{name}: {error}")),
         };
+        let (source, read) = (source.clone(), read.clone());
         let loaded = match self {
             Self::Mistake(mistake) => {
                 let program = Mistaken::new(mistake, scene, source.folder(), seed);
@@ -113,10 +127,10 @@ impl Recipe {
                 return Ok(program.map(|program| Program::with_mistake(program, source, read)));
             }
             Self::Field(change) => source.rebuild(read, change.applied(scene)?, seed)?,
-            Self::Scene(other) => other.load_changed(seed, fit)?,
+            Self::Scene(other) => other.clone().load_changed(seed, fit)?,
             Self::State(state) => {
-                let State { source, read, scene, seed, .. } = *state;
-                source.rebuild(read, fit((*scene).clone())?, seed)?
+                let State { source, read, scene, seed, .. } = &**state;
+                source.clone().rebuild(read.clone(), fit((**scene).clone())?, *seed)?
             }
         };
         Ok(Some(Program::ours(name, loaded)))

@@ -21,6 +21,7 @@ use crate::picture::chosen_layer::named;
 use crate::picture::saving::Beside;
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
+use crate::platform;
 
 /// The scales of the difference: the shares of differing channels that are shown unclipped.
 pub const SCALES: [f64; 3] = [0.5, 0.9, 1.0];
@@ -62,7 +63,7 @@ impl Theirs {
     /// # Errors
     /// If it is no picture, or damaged.
     pub fn read(path: &Path, encoding: Option<Transfer>) -> Result<Self, String> {
-        let picture = Picture::read(path, encoding).map_err(|error| error.to_string())?;
+        let picture = platform::read_picture(path, encoding)?;
         let radiance = picture.radiance();
         Ok(Self::of(path.display().to_string(), picture, radiance))
     }

@@ -3,14 +3,17 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use clap::ValueEnum;
 use eframe::egui::{Context, Id, Ui};
 use groundtruth::explain::PixelExplanation;
 use groundtruth::scene;
+use groundtruth::world::DEFAULT_SEED;
 use keep::{Kept, PixelPage, ReducedScene, SmallPicture};
 use pictures::shell::quoted;
 
 use crate::explanation::{Shown, Subject};
 use crate::picture::worker::{Background, Rendering};
+use crate::splits::Mode;
 
 /// A text for the clipboard that takes a while to make.
 #[derive(Default)]
@@ -87,6 +90,36 @@ pub fn explain_command(shown: &Shown<'_>, [x, y]: [u32; 2], sample: u32) -> Stri
         "groundtruth explain {name} {x} {y} --size {width}x{height} --samples {samples} \
          {tracer} --seed {seed} --sample {sample}{mistake}{changed}"
     )
+}
+
+/// What a link to the page says after `#` to show a sample of a pixel of ours; see `Arguments::of_link`. None for a
+/// scene that is not the gallery's, or was changed otherwise than a link can say.
+pub fn link(rendering: &Rendering, [x, y]: [u32; 2], sample: u32, view: Mode) -> Option<String> {
+    let (name, read, now) = (rendering.source.entry()?.name, &rendering.read, &*rendering.scene);
+    let subject = Subject { rendering, program: None };
+    if is_changed(&subject) {
+        return None;
+    }
+    let mut link = format!("{name}&pixel={x},{y}");
+    let mut add = |is_said: bool, name: &str, value: String| {
+        if is_said {
+            link += &format!("&{name}={value}");
+        }
+    };
+    add(sample > 0, "sample", sample.to_string());
+    let view = view.to_possible_value().filter(|_| view != Mode::default());
+    view.into_iter().for_each(|view| add(true, "view", view.get_name().to_owned()));
+    let ([width, height], samples) = ([now.image.width, now.image.height], now.image.samples);
+    let is_resized = [width, height] != [read.image.width, read.image.height];
+    add(is_resized, "size", format!("{width}x{height}"));
+    add(samples != read.image.samples, "samples", samples.to_string());
+    let mut tracer = now.tracer;
+    add(tracer != read.tracer, "tracer", tracer.name().to_owned());
+    let depth = tracer.max_depth().filter(|_| now.tracer != read.tracer);
+    depth.into_iter().for_each(|depth| add(true, "max-depth", depth.to_string()));
+    let seed = rendering.world.seed;
+    add(seed != DEFAULT_SEED, "seed", seed.to_string());
+    Some(link)
 }
 
 /// The line that asks `probe` for a pixel.

@@ -13,6 +13,7 @@ use crate::comparison::program::Program;
 use crate::comparison::theirs::Theirs;
 use crate::picture::worker::Rendering;
 use crate::scene::source::Source;
+use crate::splits::Mode;
 
 pub mod asked;
 pub mod beside;
@@ -78,6 +79,8 @@ pub struct Shown<'a> {
     pub theirs: Option<&'a Theirs>,
     /// The tone in which radiance is shown.
     pub tone: &'a Tone,
+    /// What is shown where the picture is.
+    pub view: Mode,
 }
 
 impl<'a> Shown<'a> {

@@ -1,6 +1,6 @@
 //! The pixel as a whole: its sum, its sources of light, its samples, and the menu to copy it.
 
-use eframe::egui::{Color32, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
+use eframe::egui::{Button, Color32, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
 use groundtruth::explain::{self, PixelExplanation, RecordedRay, percent, short};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
@@ -10,6 +10,7 @@ use crate::comparison::theirs::Theirs;
 use crate::explanation::copying::{self, Making};
 use crate::explanation::{Shown, details, tree};
 use crate::picture::display;
+use crate::platform;
 
 /// The order of the list of samples.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -63,8 +64,18 @@ pub fn copy_menu(
         if probe.on_hover_text("`probe` answers it with this pixel").clicked() {
             copy(ui, copying::probe_line(shown.rendering, pixel));
         }
-        // not of another program: page and test are of our picture
+        // not of another program: link, page and test are of our picture
         if shown.subject().program.is_none() {
+            if let Some(address) = platform::address() {
+                let link = copying::link(shown.rendering, pixel, sample, shown.view);
+                let button = ui.add_enabled(link.is_some(), Button::new("A link"));
+                let button = button.on_hover_text("It opens this page at this sample");
+                let button =
+                    button.on_disabled_hover_text("A scene of the gallery, unchanged, has a link");
+                if let Some(link) = link.filter(|_| button.clicked()) {
+                    copy(ui, format!("{address}#{link}"));
+                }
+            }
             let page = ui.button("A page for a class");
             if page.on_hover_text("HTML of one file: save it as page.html").clicked() {
                 let ray = ray.map_or(0, |ray| ray.number);

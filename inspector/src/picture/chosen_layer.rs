@@ -1,13 +1,14 @@
 //! The layer that is shown in place of the picture: found on a background thread, coarse first.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui::{Button, Color32, ComboBox, Context, Painter, Ui};
 use groundtruth::film::{Film, Tone};
 use groundtruth::render::Canvas;
 use groundtruth::rgb::Rgb;
 use layers::{Colors, Layer, LegendRow};
+use web_time::Instant;
 
 use crate::action::Shows;
 use crate::picture::tiles::{self, Images, Tiles};
@@ -106,7 +107,10 @@ impl Finding {
         let canvas = Arc::new(Canvas::new(&rendering.world));
         let mut running = Background::default();
         let (world, found, of) = (Arc::clone(&rendering.world), Arc::clone(&canvas), layer.clone());
-        running.start(ctx, move || found.fill(|pixel| of.to_film(of.value(&*world, pixel))));
+        let value = move |pixel| of.to_film(of.value(&*world, pixel));
+        running.start_in_slices(ctx, move |slice| {
+            found.fill_until(&value, &|| slice.is_over()).then_some(())
+        });
         Self { layer, generation: rendering.generation, canvas, running }
     }
 

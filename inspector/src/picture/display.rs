@@ -1,7 +1,7 @@
 //! The picture on the screen: its textures, the pixel grid, and the mouse.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui::{
     self, Color32, CursorIcon, EventFilter, Id, Key, Painter, Rect, Sense, Shape, Stroke,
@@ -10,6 +10,7 @@ use eframe::egui::{
 use groundtruth::film::Tone;
 use groundtruth::render::Canvas;
 use groundtruth::rgb::Rgb;
+use web_time::Instant;
 
 use crate::picture::chosen_layer::ChosenLayer;
 use crate::picture::tiles::{self, Images, Tiles};

@@ -11,6 +11,7 @@ use layers::Layer;
 use pictures::provenance;
 
 use crate::picture::worker::{Background, Rendering};
+use crate::platform;
 
 /// What is saved.
 #[derive(Clone, Debug)]
@@ -80,7 +81,7 @@ impl Saving {
         content: Content,
         to: &Path,
     ) {
-        if to.exists() {
+        if platform::exists(to) {
             self.asking = Some((to.to_owned(), content));
         } else {
             self.write(ctx, (rendering, tone), content, to.to_owned());
@@ -105,10 +106,8 @@ impl Saving {
             made.part = content.part();
             let bytes = content.encode(format, (&canvas, &world), tone, &made);
             let unwritable = |source| ImageError::Unwritable { path: to.clone(), source };
-            let written = bytes.and_then(|bytes| film::replace(&to, &bytes)).map_err(unwritable);
-            // with its folder, which a relative name hides
-            let whole = std::path::absolute(&to).unwrap_or(to.clone());
-            written.map(|()| whole).map_err(|error| error.to_string())
+            let written = bytes.and_then(|bytes| platform::save(&to, &bytes)).map_err(unwritable);
+            written.map_err(|error| error.to_string())
         });
     }
 

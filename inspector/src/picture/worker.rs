@@ -1,11 +1,10 @@
-//! Background threads for all slow work: reading and building scenes, rendering, explaining. The window
-//! polls them in each frame and waits only for a moment.
+//! All slow work, beside the window: reading and building scenes, rendering, explaining. The window
+//! polls it in each frame and waits only for a moment.
 
 use std::fmt;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::sync::{Arc, OnceLock};
-use std::thread::{Builder, JoinHandle};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui;
 use groundtruth::math::Span;
@@ -13,19 +12,18 @@ use groundtruth::render::{self, Canvas, MAX_COUNTED, RaysPerSample};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
+use web_time::Instant;
 
+use crate::platform::{self, Slice, Task};
 use crate::scene::source::{Loaded, Source};
 
-/// Rays of depth 128 are traced on the stack; unoptimised builds need more than the usual 2 MB.
-const STACK: usize = 16 << 20;
-
-/// A task on a background thread.
+/// Work beside the window that has a result.
 #[derive(Debug)]
 pub struct Background<T> {
     result: Option<Receiver<T>>,
 }
 
-/// The thread ended without a result.
+/// The work ended without a result.
 #[derive(Clone, Copy, Debug)]
 pub struct Lost;
 
@@ -44,15 +42,39 @@ impl<T> Default for Background<T> {
 impl<T: Send + 'static> Background<T> {
     /// Starts the work. If there was other work under way, its result is forgotten.
     pub fn start(&mut self, ctx: &egui::Context, work: impl FnOnce() -> T + Send + 'static) {
-        let (sender, receiver) = mpsc::sync_channel(1);
-        let ctx = ctx.clone();
-        // if no thread can be started, the sender is dropped, and `poll` returns `Lost`
-        let _ = Builder::new().stack_size(STACK).spawn(move || {
-            // fails if other work was started meanwhile
-            let _ = sender.send(work());
-            ctx.request_repaint();
+        let mut work = Some(work);
+        self.start_in_slices(ctx, move |_| work.take().map(|work| work()));
+    }
+
+    /// As [`Self::start`], with work that goes on in each slice, until there is a result.
+    pub fn start_in_slices(
+        &mut self,
+        ctx: &egui::Context,
+        mut work: impl FnMut(&Slice) -> Option<T> + Send + 'static,
+    ) {
+        let answer = self.expect(ctx);
+        let mut answer = Some(answer);
+        // if no thread can be started, `answer` is dropped, and `poll` returns `Lost`
+        Task::start(ctx, move |slice| {
+            let result = work(slice);
+            let is_whole = result.is_some();
+            if let Some((answer, result)) = answer.take_if(|_| is_whole).zip(result) {
+                answer(result);
+            }
+            is_whole
         });
+    }
+
+    /// Waits for what the returned function is given, in place of work.
+    pub fn expect(&mut self, ctx: &egui::Context) -> impl FnOnce(T) + Send + 'static {
+        let (sender, receiver) = mpsc::sync_channel(1);
         self.result = Some(receiver);
+        let ctx = ctx.clone();
+        move |result| {
+            // fails if other work was started meanwhile
+            let _ = sender.send(result);
+            ctx.request_repaint();
+        }
     }
 
     /// Whether work is under way.
@@ -67,7 +89,7 @@ impl<T: Send + 'static> Background<T> {
 
     /// The result, returned once, if it is ready within this time.
     pub fn wait(&mut self, timeout: Duration) -> Option<Result<T, Lost>> {
-        let result = match self.result.as_ref()?.recv_timeout(timeout) {
+        let result = match platform::wait(self.result.as_ref()?, timeout) {
             Ok(result) => Ok(result),
             Err(RecvTimeoutError::Timeout) => return None,
             Err(RecvTimeoutError::Disconnected) => Err(Lost),
@@ -95,7 +117,7 @@ pub struct Rendering {
     start: Instant,
     note: Arc<OnceLock<Option<String>>>,
     took: Arc<OnceLock<Duration>>,
-    thread: Option<JoinHandle<()>>,
+    task: Task,
 }
 
 /// The progress of a picture.
@@ -105,7 +127,7 @@ pub enum Progress {
     Running(f32, Duration),
     /// Finished: how long it took.
     Done(Duration),
-    /// Its thread ended early.
+    /// Its work ended early.
     Stopped,
 }
 
@@ -119,19 +141,26 @@ impl Rendering {
         let note = Arc::new(OnceLock::new());
         let work = {
             let (canvas, world) = (Arc::clone(&canvas), Arc::clone(&world));
-            let (note, took, ctx) = (Arc::clone(&note), Arc::clone(&took), ctx.clone());
-            move || {
-                canvas.preview(&*world);
-                let rays = RaysPerSample::measured(&world, MAX_COUNTED);
-                let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
-                let _ = note.set(rays.note(samples));
-                canvas.render(&*world);
-                let _ = took.set(start.elapsed());
-                ctx.request_repaint();
+            let (note, took) = (Arc::clone(&note), Arc::clone(&took));
+            move |slice: &Slice| {
+                let is_over = || slice.is_over();
+                if !canvas.preview_until(&*world, &is_over) {
+                    return canvas.is_cancelled();
+                }
+                note.get_or_init(|| {
+                    let rays = RaysPerSample::measured(&world, MAX_COUNTED);
+                    let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
+                    rays.note(samples)
+                });
+                let is_whole = canvas.render_until(&*world, &is_over);
+                if is_whole {
+                    let _ = took.set(start.elapsed());
+                }
+                is_whole || canvas.is_cancelled()
             }
         };
-        let thread = Builder::new().stack_size(STACK).spawn(work).ok();
-        Self { generation, source, read, scene, world, canvas, start, note, took, thread }
+        let task = Task::start(ctx, work);
+        Self { generation, source, read, scene, world, canvas, start, note, took, task }
     }
 
     /// A note for the user, if the picture has many rays.
@@ -141,8 +170,8 @@ impl Rendering {
 
     /// The progress so far.
     pub fn progress(&self) -> Progress {
-        // in this order: a thread that succeeds sets its time before it ends
-        let ended = self.thread.as_ref().is_none_or(JoinHandle::is_finished);
+        // in this order: a task that succeeds sets its time before it ends
+        let ended = self.task.is_ended();
         if let Some(&took) = self.took.get() {
             return Progress::Done(took);
         }

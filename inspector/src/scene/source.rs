@@ -1,9 +1,10 @@
 //! Where scenes come from: the gallery or a file. They are read and built here.
 
-use groundtruth::scene::{self, STANDARD_INPUT, Scene};
+use groundtruth::scene::{STANDARD_INPUT, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
 use std::path::{Path, PathBuf};
 
+use crate::platform;
 use crate::scene::watch::Watch;
 
 /// The source of a scene.
@@ -99,7 +100,7 @@ impl Source {
             Self::File(path) => {
                 // before it is read, so that no change in between is missed
                 watch.add(path.clone());
-                let (read, text) = scene::open(path).map_err(|error| error.to_string())?;
+                let (read, text) = platform::open_scene(path).map_err(|error| error.to_string())?;
                 watch.add_meshes(&read, self.folder());
                 let scene = change(read.clone())?;
                 let world = World::of_source(&scene, &text, seed);

@@ -1,9 +1,10 @@
 //! Files on the disk: a scene file that is changed in an editor is read again.
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant, SystemTime};
+use std::time::{Duration, SystemTime};
 
 use groundtruth::scene::{self, Scene};
+use web_time::Instant;
 
 /// The interval at which the files are checked.
 pub const INTERVAL: Duration = Duration::from_millis(500);

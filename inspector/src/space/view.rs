@@ -20,7 +20,7 @@ use crate::space::backdrop::{Backdrop, Request};
 use crate::space::camera::{Camera, Seen};
 use crate::space::filter::Filter;
 use crate::space::paint::{Canvas, Rays};
-use crate::splits::part;
+use crate::splits::{Mode, part};
 
 /// The most pieces of rays that are drawn.
 const MAX_PIECES: usize = 4000;
@@ -30,45 +30,6 @@ const MARGIN: Vec2 = vec2(6.0, 3.0);
 /// The lengths of the frustum of the scene's camera and of normals, in distances of the orbiting camera.
 const FRUSTUM: f64 = 0.08;
 const NORMAL: f64 = 0.05;
-
-/// What is shown where the picture is.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum Mode {
-    /// The picture.
-    #[default]
-    Picture,
-    /// The picture and the space view.
-    Both,
-    /// The space view.
-    Space,
-}
-
-impl Mode {
-    /// Picture, both, space, and picture again.
-    pub fn next(self) -> Self {
-        match self {
-            Self::Picture => Self::Both,
-            Self::Both => Self::Space,
-            Self::Space => Self::Picture,
-        }
-    }
-
-    /// The areas of the picture and of the space view.
-    pub fn divide(self, area: Rect) -> [Option<Rect>; 2] {
-        match self {
-            Self::Picture => [Some(area), None],
-            Self::Space => [None, Some(area)],
-            Self::Both if area.width() > area.height() => {
-                let middle = area.center().x.round();
-                [Some(area.with_max_x(middle - 1.0)), Some(area.with_min_x(middle + 1.0))]
-            }
-            Self::Both => {
-                let middle = area.center().y.round();
-                [Some(area.with_max_y(middle - 1.0)), Some(area.with_min_y(middle + 1.0))]
-            }
-        }
-    }
-}
 
 /// The tree whose rays are drawn.
 pub struct Traced<'a> {

@@ -12,7 +12,7 @@ use crate::comparison::theirs::Theirs;
 use crate::explanation::selection::Tab;
 use crate::scene::source::{Loaded, Source};
 use crate::scene::waiting::{Broken, Waiting};
-use crate::space::view::Mode;
+use crate::splits::Mode;
 use crate::window::style::Ground;
 use pictures::parse_pixel;
 
@@ -74,6 +74,20 @@ fn parse_size(text: &str) -> Result<[u32; 2], String> {
 }
 
 impl Arguments {
+    /// What a link to the page asks for: a scene of the gallery, and options without their dashes, as
+    /// `ch28/glass-sphere&pixel=282,244&view=both`.
+    ///
+    /// # Errors
+    /// As on a command line.
+    pub fn of_link(link: &str) -> Result<Self, String> {
+        let mut parts = link.split('&').filter(|part| !part.is_empty());
+        let scene = parts.next().map(str::to_owned);
+        let options = parts.map(|part| format!("--{part}"));
+        let words = ["inspector".to_owned()].into_iter().chain(options);
+        let words = words.chain(["--".to_owned()]).chain(scene);
+        Self::try_parse_from(words).map_err(|error| error.to_string())
+    }
+
     /// The pictures that ours is compared with.
     ///
     /// # Errors

@@ -1,19 +1,15 @@
-//! The desktop's file chooser, for a scene to open, for the file of the picture, and for one to compare with.
+//! The file chooser, for a scene to open, for the file of the picture, and for one to compare with.
 
 use std::path::PathBuf;
-use std::pin::Pin;
 
 use eframe::egui::Context;
-use rfd::{AsyncFileDialog, FileHandle};
 
-use crate::action::{Action, Purpose, With};
-use crate::comparison::opening::{self, FORMATS};
+use crate::action::{Action, With};
+use crate::comparison::opening;
 use crate::picture::worker::Background;
+use crate::platform::{self, Purpose};
 use crate::scene::source::Source;
 use crate::window::panels::Fields;
-
-/// What is said when no file is chosen.
-const NO_FILE: &str = "no file chosen (the chooser is that of the desktop's portal, or zenity); the path can be typed, too";
 
 /// The chooser while it is open.
 #[derive(Default)]
@@ -22,39 +18,28 @@ pub struct FileChooser {
 }
 
 impl FileChooser {
-    /// Shows the desktop's chooser, unless it is open.
+    /// Shows the chooser, unless it is open.
     pub fn show(&mut self, ctx: &Context, purpose: Purpose) {
         if self.is_open() {
             return;
         }
-        // made on this thread: macOS shows it from no other
-        let dialog = AsyncFileDialog::new();
-        let chosen: Pin<Box<dyn Future<Output = Option<FileHandle>> + Send>> = match purpose {
-            Purpose::Scene | Purpose::OtherScene => {
-                Box::pin(dialog.add_filter("scenes", &["toml"]).pick_file())
-            }
-            Purpose::Theirs => Box::pin(dialog.add_filter("pictures", &FORMATS).pick_file()),
-            Purpose::Picture => {
-                let formats = ["png", "ppm", "exr", "pfm"];
-                Box::pin(dialog.add_filter("pictures", &formats).save_file())
-            }
-        };
-        self.wait_for(ctx, purpose, || pollster::block_on(chosen).map(|file| file.path().into()));
+        self.wait_for(ctx, purpose, |chosen| platform::choose(purpose, chosen));
     }
 
-    /// Waits for a chosen file on a separate thread.
+    /// Waits until `choose` gives a file to what it is given.
     pub fn wait_for(
         &mut self,
         ctx: &Context,
         purpose: Purpose,
-        choose: impl FnOnce() -> Option<PathBuf> + Send + 'static,
+        choose: impl FnOnce(Box<dyn FnOnce(Option<PathBuf>) + Send>),
     ) {
-        self.answer.start(ctx, move || (purpose, choose()));
+        let answer = self.answer.expect(ctx);
+        choose(Box::new(move |path| answer((purpose, path))));
     }
 
     /// What the chosen file is for; its name is put in its field. Or why there is none.
     pub fn chosen(&mut self, fields: &mut Fields) -> Option<Result<Action, &'static str>> {
-        let Some((purpose, path)) = self.poll()? else { return Some(Err(NO_FILE)) };
+        let Some((purpose, path)) = self.poll()? else { return Some(Err(platform::NO_FILE)) };
         Some(Ok(match purpose {
             Purpose::Scene => opening::named(path),
             Purpose::Theirs => Action::Compare(With::Picture(path)),
@@ -72,7 +57,7 @@ impl FileChooser {
     }
 
     /// The file that was chosen, returned once; `None` inside if there is none. That is all that is known when the user
-    /// closed the chooser, and when the desktop has none to show.
+    /// closed the chooser, and when a desktop has none to show.
     pub fn poll(&mut self) -> Option<Option<(Purpose, PathBuf)>> {
         let answer = self.answer.poll()?.ok();
         Some(answer.and_then(|(purpose, file)| Some((purpose, file?))))

@@ -5,15 +5,16 @@ use eframe::egui::{
 };
 use groundtruth::explain::{count, short};
 
-use crate::action::{Action, Purpose};
+use crate::action::Action;
 use crate::comparison::opening;
 use crate::comparison::theirs::Theirs;
 use crate::picture::chosen_layer::{ChosenLayer, Compared};
 use crate::picture::display::Picture;
 use crate::picture::view::View;
 use crate::picture::worker::{Progress, Rendering};
+use crate::platform::Purpose;
 use crate::scene::source::Source;
-use crate::space::view::Mode;
+use crate::splits::Mode;
 use crate::window::picker::ScenePicker;
 
 /// The text typed into the bars.

@@ -5,13 +5,14 @@
 //! pixels of one ray each, for a limited time.
 
 use std::collections::HashMap;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use eframe::egui::{Color32, ColorImage, Context, TextureHandle, TextureOptions};
 use gallery::Entry;
 use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
+use web_time::Instant;
 
 use crate::picture::display::color;
 use crate::picture::worker::Background;

@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::read_exr;
 use groundtruth::rgb::Rgb;
-use inspector::action::Purpose;
 use inspector::picture::worker::Progress;
+use inspector::platform::Purpose;
 use inspector::scene::source::Source;
 
 use crate::support::*;
@@ -189,7 +189,7 @@ fn a_chosen_file_is_opened_or_saved() {
     let mut window = glass_window();
     let ctx = window.ctx.clone();
     let choose = |window: &mut Window, purpose: Purpose, file: Option<PathBuf>| {
-        window.state_mut().chooser.wait_for(&ctx, purpose, || file);
+        window.state_mut().chooser.wait_for(&ctx, purpose, |chosen| chosen(file));
         settle(window);
     };
     choose(&mut window, Purpose::Scene, None);

@@ -5,7 +5,7 @@ use egui_kittest::kittest::Queryable;
 use groundtruth::cameras::{Pinhole, View, ViewPlane, Viewpoint};
 use groundtruth::explain::RecordedRay;
 use groundtruth::math::Point;
-use inspector::space::view::Mode;
+use inspector::splits::Mode;
 
 use crate::support::*;
 

@@ -130,7 +130,8 @@ fn interrupted_of(samples: u32, last: u32) -> (Arc<Interrupter>, World, Arc<Canv
 
 /// Law: while a canvas renders, its finished pixels can be read and it can be stopped; the other pixels are
 /// black and not counted as done. Oracle: one thread and one sample per pixel, so that at the 300th ray the
-/// 12 pixels of the coarse picture are finished, and the other 252 of the first tile of 16 × 16.
+/// 12 pixels of the coarse picture are seen, and the other 252 of the first tile of 16 × 16; those of the second tile
+/// that were finished before it are kept when it ends.
 #[test]
 fn the_picture_so_far_can_be_seen_and_stopped() {
     let (interrupter, world, canvas) = interrupted_at(300);
@@ -141,11 +142,11 @@ fn the_picture_so_far_can_be_seen_and_stopped() {
     let finished = |film: &Film| film.pixels().iter().filter(|&&pixel| pixel == RED).count();
     let black = |film: &Film| film.pixels().iter().filter(|pixel| pixel.is_black()).count();
     let seen = interrupter.seen.get().expect("more than 300 rays were cast");
-    for film in [seen, &canvas.film()] {
-        assert_eq!((finished(film), black(film)), (264, 504));
-    }
-    assert_eq!(canvas.look(finished), 264);
-    assert_eq!((canvas.progress(), canvas.is_cancelled()), ((264, 768), true));
+    assert_eq!((finished(seen), black(seen)), (264, 504));
+    let film = canvas.film();
+    assert_eq!((finished(&film), black(&film)), (299, 469));
+    assert_eq!(canvas.look(finished), 299);
+    assert_eq!((canvas.progress(), canvas.is_cancelled()), ((299, 768), true));
     assert!(interrupter.rays.load(Relaxed) <= 301, "it went on after it was stopped");
 }
 
@@ -249,6 +250,52 @@ fn a_preview_has_one_sample_of_each_coarse_pixel() {
     });
 }
 
+/// Law: a picture in slices, as a program of one thread renders it between two frames, is the same: each slice takes
+/// as many rays as it is given, the preview comes first, then the coarse pixels, and none is rendered twice. Oracle:
+/// rays counted; the picture in one piece.
+#[test]
+fn a_picture_in_slices_is_the_same() {
+    let of_one_ray = 12 + 768;
+    for given in [1, 5, 100, 263, of_one_ray] {
+        let (interrupter, world, canvas) = interrupted_at(u32::MAX);
+        let mut slices = 0;
+        let mut is_whole = false;
+        on_threads(1, || {
+            while !is_whole {
+                let end = interrupter.rays.load(Relaxed) + given;
+                let is_over = || interrupter.rays.load(Relaxed) >= end;
+                is_whole =
+                    canvas.preview_until(&world, &is_over) && canvas.render_until(&world, &is_over);
+                slices += 1;
+                let rays = interrupter.rays.load(Relaxed);
+                assert_eq!(rays, (slices * given).min(of_one_ray), "slices of {given}");
+                let rendered = rays.saturating_sub(12);
+                assert_eq!(canvas.progress().0, u64::from(rendered), "slices of {given}");
+                canvas.look_partly(|picture| {
+                    let coarse = pixels(48, 16).filter(|[x, y]| x % 8 == 0 && y % 8 == 0);
+                    let coarse = coarse.filter(|&at| picture.get(at).is_some()).count();
+                    assert_eq!(coarse as u32, rendered.min(12), "slices of {given}");
+                });
+            }
+        });
+        assert_eq!(slices, of_one_ray.div_ceil(given));
+        let whole = Canvas::new(&world);
+        whole.render(&world);
+        assert_same_bits("in slices", &canvas.film(), &whole.film());
+    }
+    let world = built(&small("ch28/glass-sphere", 37, 35, 4));
+    let [sliced, whole] = [Canvas::new(&world), Canvas::new(&world)];
+    whole.render(&world);
+    let asked = AtomicU32::new(0);
+    while !sliced.render_until(&world, &|| asked.fetch_add(1, Relaxed) % 7 == 6) {}
+    assert_same_bits("glass in slices", &sliced.film(), &whole.film());
+    let value = |[x, y]: [u32; 2]| Rgb::new(f64::from(x), f64::from(y), 1.0);
+    let [sliced, whole] = [Canvas::new(&world), Canvas::new(&world)];
+    whole.fill(value);
+    while !sliced.fill_until(value, &|| asked.fetch_add(1, Relaxed) % 7 == 6) {}
+    assert_same_bits("values in slices", &sliced.film(), &whole.film());
+}
+
 /// Law: a pixel of many samples ends as soon as it is stopped, without a further ray, and is not kept; neither
 /// is one of a preview. Oracle: rays counted; the last coarse pixel of the first tile is the fourth.
 #[test]
@@ -257,8 +304,11 @@ fn a_pixel_that_is_stopped_casts_no_further_ray() {
         let (interrupter, world, canvas) = interrupted_of(1024, last);
         on_threads(1, || canvas.render(&world));
         assert_eq!(interrupter.rays.load(Relaxed), last);
-        assert_eq!(canvas.progress(), (0, 768));
-        canvas.look_partly(|picture| assert_eq!(picture.get([0, 0]), None));
+        assert_eq!(canvas.progress(), (u64::from(last / 1024), 768));
+        canvas.look_partly(|picture| {
+            let first = (last > 1024).then_some(RED);
+            assert_eq!((picture.get([0, 0]), picture.get([8, 8])), (first, None));
+        });
     }
     let (interrupter, world, canvas) = interrupted_of(1024, 1);
     on_threads(1, || canvas.preview(&world));

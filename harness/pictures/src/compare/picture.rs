@@ -4,7 +4,7 @@ use std::ops::RangeInclusive;
 use std::path::Path;
 use std::str::FromStr;
 
-use formats::images::{self, Curve, ImageFileError};
+use formats::images::{self, Curve, ImageFileError, Stored};
 use groundtruth::film::Film;
 use groundtruth::math::power;
 use groundtruth::world::MAX_PIXELS;
@@ -140,7 +140,26 @@ impl Picture {
     /// # Errors
     /// If it is no picture, or damaged, or says a gamma that no display has and the user says nothing.
     pub fn read(path: &Path, said: Option<Transfer>) -> Result<Self, ImageFileError> {
-        let stored = images::read_stored(path, MAX_PIXELS)?;
+        Self::of_stored(images::read_stored(path, MAX_PIXELS)?, path, said)
+    }
+
+    /// As [`Self::read`], of the bytes of a file; `path` is for error messages.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn from_bytes(
+        bytes: &[u8],
+        path: &Path,
+        said: Option<Transfer>,
+    ) -> Result<Self, ImageFileError> {
+        Self::of_stored(images::stored(bytes, path, MAX_PIXELS)?, path, said)
+    }
+
+    fn of_stored(
+        stored: Stored,
+        path: &Path,
+        said: Option<Transfer>,
+    ) -> Result<Self, ImageFileError> {
         if let (Some(Curve::Gamma(gamma)), None) = (stored.curve, said)
             && !GAMMAS.contains(&gamma)
         {

@@ -6,7 +6,7 @@ use report::plot::*;
 use super::plots::{Drawn, PIXEL, X, Y, number, places, plot, random};
 
 /// Law: series without a line are points alone; a series has as many labels as it is given, in its colour, beside their points, and
-/// those of five points at one place do not overlap. Oracle: distances of the printed places.
+/// those of points at one place do not overlap, however many. Oracle: distances of the printed places.
 #[test]
 fn labels_stand_beside_their_points() {
     let labels: Vec<String> = (0..5).map(|k| format!("label {k}")).collect();
@@ -39,6 +39,16 @@ fn labels_stand_beside_their_points() {
         let way = [(a[0] - point[0]).abs(), (a[1] - point[1]).abs()];
         assert!(way[0] <= 17.0 && way[1] <= 31.0, "a label {way:?} from its point");
         for b in &found[..k] {
+            let apart = (a[0] - b[0]).abs() > 12.0 || (a[1] - b[1]).abs() > 10.0;
+            assert!(apart, "labels at {a:?} and {b:?}");
+        }
+    }
+    let many: Vec<String> = (0..20).map(|k| format!("label {k}")).collect();
+    let many = Series { labels: many, ..one(vec![(10.0, 10.0); 20]) };
+    let all = beside(&Drawn::of(&plot(vec![many, frame.clone()], None)));
+    assert_eq!((all.len(), &all[..5]), (20, &found[..]), "labels");
+    for (k, a) in all.iter().enumerate() {
+        for b in &all[..k] {
             let apart = (a[0] - b[0]).abs() > 12.0 || (a[1] - b[1]).abs() > 10.0;
             assert!(apart, "labels at {a:?} and {b:?}");
         }

@@ -291,6 +291,31 @@ fn ticks_are_round_numbers() {
     );
 }
 
+/// Law: on an axis with fewer than two such ticks, they are multiples of 1, 2 or 5 times a power of ten, evenly apart, two to
+/// eight of them, and printed as people write them. Oracle: the numbers, read back; their differences.
+#[test]
+fn a_narrow_axis_has_even_ticks() {
+    for (low, high) in
+        [(110.0, 190.0), (0.0110, 0.0119), (21.0, 22.0), (0.31, 0.32), (6.1e6, 6.3e6), (7.0, 7.0)]
+    {
+        let points = [(low, low), (high, high)];
+        let drawn = Drawn::of(&plot(vec![Series::joined("one", points)], None));
+        for axis in [0, 1] {
+            let ticks: Vec<f64> = drawn.ticks(axis).iter().map(|it| it.0).collect();
+            assert!((2..=8).contains(&ticks.len()), "ticks from {low} to {high}: {ticks:?}");
+            let step = ticks[1] - ticks[0];
+            let digits = format!("{step:.1e}");
+            assert!(["1.0", "2.0", "5.0"].contains(&&digits[..3]), "steps of {step}");
+            for pair in ticks.windows(2) {
+                near(pair[1] - pair[0], step, 1e-9 * ticks[0], "the step of ticks");
+            }
+        }
+        for word in drawn.words.iter().filter(|it| it.anchor == "end" && it.at[0] == 66.0) {
+            assert!(word.text.chars().count() <= 7, "`{}` is short", word.text);
+        }
+    }
+}
+
 /// Law: only points with positive, finite coordinates are drawn; a plot without any has axes from 1 to 10; five series have five
 /// pairs of shape and fill, and their names stand in the legend. Oracle: counts.
 #[test]

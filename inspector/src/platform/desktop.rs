@@ -1,0 +1,127 @@
+//! A desktop: threads, files on the disk, and the desktop's chooser.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::pin::Pin;
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::thread::{Builder, JoinHandle};
+use std::time::Duration;
+
+use eframe::egui::{Context, DroppedFileHandle};
+use groundtruth::film;
+pub use groundtruth::render::watched;
+use groundtruth::scene::{self, Scene, SceneError};
+use pictures::compare::{Picture, Transfer};
+use rfd::{AsyncFileDialog, FileHandle};
+
+use super::{FORMATS, Purpose};
+
+/// What is said when no file is chosen.
+pub const NO_FILE: &str = "no file chosen (the chooser is that of the desktop's portal, or zenity); the path can be typed, too";
+
+/// Rays of depth 128 are traced on the stack; unoptimised builds need more than the usual 2 MB.
+const STACK: usize = 16 << 20;
+
+/// The time for a piece of work: on a thread of its own, without an end.
+pub struct Slice;
+
+impl Slice {
+    /// Whether it is over.
+    pub fn is_over(&self) -> bool {
+        false
+    }
+}
+
+/// Work beside the window.
+#[derive(Debug)]
+pub struct Task(Option<JoinHandle<()>>);
+
+impl Task {
+    /// Starts it: `work` is called until it is whole, which it says by `true`.
+    pub fn start(ctx: &Context, mut work: impl FnMut(&Slice) -> bool + Send + 'static) -> Self {
+        let ctx = ctx.clone();
+        let whole = move || {
+            while !work(&Slice) {}
+            ctx.request_repaint();
+        };
+        // without a thread, it has ended without a result
+        Self(Builder::new().stack_size(STACK).spawn(whole).ok())
+    }
+
+    /// Whether it has ended.
+    pub fn is_ended(&self) -> bool {
+        self.0.as_ref().is_none_or(JoinHandle::is_finished)
+    }
+}
+
+/// Goes on with the work; here threads do.
+pub fn go_on(_: &Context) {}
+
+/// What work sends within this time.
+///
+/// # Errors
+/// As [`Receiver::recv_timeout`].
+pub fn wait<T>(receiver: &Receiver<T>, timeout: Duration) -> Result<T, RecvTimeoutError> {
+    receiver.recv_timeout(timeout)
+}
+
+/// Reads a scene file.
+///
+/// # Errors
+/// As [`scene::open`].
+pub fn open_scene(path: &Path) -> Result<(Scene, scene::Source), SceneError> {
+    scene::open(path)
+}
+
+/// Reads a picture.
+///
+/// # Errors
+/// As [`Picture::read`].
+pub fn read_picture(path: &Path, said: Option<Transfer>) -> Result<Picture, String> {
+    Picture::read(path, said).map_err(|error| error.to_string())
+}
+
+/// Writes a file, or replaces it. Returns its path with its folder, which a relative name hides.
+///
+/// # Errors
+/// What the file system says.
+pub fn save(path: &Path, bytes: &[u8]) -> io::Result<PathBuf> {
+    film::replace(path, bytes)?;
+    Ok(std::path::absolute(path).unwrap_or(path.to_owned()))
+}
+
+/// The files that were dropped on the window.
+pub fn dropped(ctx: &Context) -> Vec<PathBuf> {
+    let path = |file: &DroppedFileHandle| file.path().to_owned();
+    ctx.input(|input| input.raw.dropped_files.iter().map(path).collect())
+}
+
+/// The address of the page; a window has none.
+pub fn address() -> Option<String> {
+    None
+}
+
+/// Whether a file would be replaced.
+pub fn exists(path: &Path) -> bool {
+    path.exists()
+}
+
+/// Shows the desktop's chooser, and gives its answer to `chosen` on another thread; no file if the user closed it, and if
+/// the desktop has none to show.
+pub fn choose(purpose: Purpose, chosen: impl FnOnce(Option<PathBuf>) + Send + 'static) {
+    // made on this thread: macOS shows it from no other
+    let dialog = AsyncFileDialog::new();
+    let answer: Pin<Box<dyn Future<Output = Option<FileHandle>> + Send>> = match purpose {
+        Purpose::Scene | Purpose::OtherScene => {
+            Box::pin(dialog.add_filter("scenes", &["toml"]).pick_file())
+        }
+        Purpose::Theirs => Box::pin(dialog.add_filter("pictures", &FORMATS).pick_file()),
+        Purpose::Picture => {
+            let formats = ["png", "ppm", "exr", "pfm"];
+            Box::pin(dialog.add_filter("pictures", &formats).save_file())
+        }
+    };
+    // without a thread, `chosen` is dropped
+    let _ = Builder::new()
+        .spawn(move || chosen(pollster::block_on(answer).map(|file| file.path().into())));
+}
