@@ -1,16 +1,18 @@
 #!/usr/bin/env bash
-# The library and the gallery as one WebAssembly module without imports, target/web/groundtruth.wasm, and its check: random pixels
-# of every gallery scene have the native bits, under Node (COUNT pixels a scene, drawn with SEED). The compiler is rustup's, if its
-# target wasm32-unknown-unknown is installed; else Debian's (packages below, all of one version), fetched and unpacked into
-# target/web-compiler without being installed, with the standard library built anew by -Z build-std.
-# The exit status is 0 if all bits agree, 1 if some differ, 77 without a compiler or Node.
+# The inspector as a page in target/web, for any static server (python3 -m http.server -d target/web), and the library with the
+# gallery as one WebAssembly module without imports, groundtruth.wasm. Two checks: under Node random pixels of every gallery
+# scene have the native bits (COUNT pixels a scene, drawn with SEED); in Chromium a link and a click explain what the command
+# explains. The compiler is rustup's, if its target wasm32-unknown-unknown is installed; else Debian's (packages below, all of
+# one version), fetched and unpacked into target/web-compiler without being installed, with the standard library built anew by
+# -Z build-std. The exit status is 0 if all agrees, 1 if not, 77 without a compiler, Node or Chromium.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 PACKAGES=(rustc-web rust-web-src libstd-rust-web-dev libstd-rust-web-1.96 lld-22 libllvm22)
 TARGET=wasm32-unknown-unknown
 compiler=$PWD/target/web-compiler
-build=(cargo build --release --quiet --locked --target "$TARGET" --target-dir target/web-build --manifest-path web/Cargo.toml --lib)
+build=(cargo build --release --quiet --locked --target "$TARGET" --target-dir target/web-build --manifest-path web/Cargo.toml
+    --package groundtruth-web --package groundtruth-window --lib)
 
 if rustup target list --installed 2> /dev/null | grep -qx "$TARGET"; then
     "${build[@]}"
@@ -34,15 +36,38 @@ else
         LD_LIBRARY_PATH=$compiler/usr/lib/x86_64-linux-gnu \
         "${build[@]}" -Z build-std=std,panic_abort 2> >(grep "^error" -A9 >&2)
 fi
+rm -rf target/web
 mkdir -p target/web
-cp "target/web-build/$TARGET/release/groundtruth_web.wasm" target/web/groundtruth.wasm
-echo "target/web/groundtruth.wasm: $(gzip -9 -c target/web/groundtruth.wasm | wc -c) bytes compressed"
+built=target/web-build/$TARGET/release
+cp "$built/groundtruth_web.wasm" target/web/groundtruth.wasm
+cp web/index.html target/web/
+own=(--release --quiet --locked --target-dir target/own --manifest-path web/Cargo.toml)
+cargo run "${own[@]}" --package bind -- "$built/groundtruth_window.wasm" target/web
+for module in groundtruth.wasm window_bg.wasm; do
+    echo "target/web/$module: $(gzip -9 -c "target/web/$module" | wc -c) bytes compressed"
+done
 
-command -v node > /dev/null || { echo "node is missing: the bits are not compared" >&2; exit 77; }
-cargo build --release --quiet --locked --target-dir target/own --manifest-path web/Cargo.toml --bin native_bits
-node web/bits.mjs target/web/groundtruth.wasm "${COUNT:-20}" "${SEED:-1}" > target/web/bits.txt
-target/own/release/native_bits "${COUNT:-20}" "${SEED:-1}" | diff - target/web/bits.txt > target/web/bits.diff || {
-    echo "other bits than the native library's: target/web/bits.diff" >&2
+command -v node > /dev/null || { echo "node is missing: nothing is checked" >&2; exit 77; }
+cargo build "${own[@]}" --package groundtruth-web --bin native_bits
+checks=$(mktemp -d)
+trap 'rm -rf "$checks"' EXIT
+node web/bits.mjs target/web/groundtruth.wasm "${COUNT:-20}" "${SEED:-1}" > "$checks/bits.txt"
+target/own/release/native_bits "${COUNT:-20}" "${SEED:-1}" | diff - "$checks/bits.txt" || {
+    echo "other bits than the native library's" >&2
     exit 1
 }
-echo "$(grep -c / target/web/bits.txt) scenes, $(grep -vc / target/web/bits.txt) pixels: the native bits"
+echo "$(grep -c / "$checks/bits.txt") scenes, $(grep -vc / "$checks/bits.txt") pixels: the native bits"
+
+command -v chromium > /dev/null || { echo "chromium is missing: the page is not checked" >&2; exit 77; }
+cargo build --release --quiet --locked --bin groundtruth
+# the sample of a link, then the pixel of a click into the picture
+node web/page.mjs target/web '#ch28/glass-sphere&pixel=282,244&sample=3' 500,300 > "$checks/page.txt"
+{
+    target/release/groundtruth explain ch28/glass-sphere 282,244 --sample 3
+    pixel=$(sed -n 's/^pixel (\([0-9]*\), \([0-9]*\)).*/\1,\2/p' "$checks/page.txt" | tail -n 1)
+    target/release/groundtruth explain ch28/glass-sphere "$pixel" --sample 3
+} | diff - "$checks/page.txt" || {
+    echo "the page explains otherwise than the command" >&2
+    exit 1
+}
+echo "$(grep -c '^pixel' "$checks/page.txt") pixels: the page explains what the command explains (target/web/page.png)"

@@ -6,38 +6,47 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+# the programs of a virtual environment, which Windows has elsewhere
+programs() { if [ -d "$1/Scripts" ]; then echo "$1/Scripts"; else echo "$1/bin"; fi; }
+python=$(command -v python3 || command -v python || true)
 tools=$PWD/target/wheel-tools
-if ! [ -x "$tools/bin/maturin" ]; then
-    { python3 -m venv "$tools" && "$tools/bin/pip" install --quiet "maturin>=1.16,<2"; } || {
+if ! [ -x "$(programs "$tools")/maturin" ]; then
+    { "$python" -m venv "$tools" && "$(programs "$tools")/pip" install --quiet "maturin>=1.16,<2"; } || {
         echo "no wheel: Python 3.9 with venv and pip, and maturin from the network, are needed" >&2
         exit 77
     }
 fi
+end=
+case $(rustc -vV) in *windows*) end=.exe ;; esac
 cargo build --release --quiet --locked --bin groundtruth
 mkdir -p python/data/scripts
-cp target/release/groundtruth python/data/scripts/
+cp "target/release/groundtruth$end" python/data/scripts/
 rm -rf target/wheels
-"$tools/bin/maturin" build --release --quiet --locked --strip --manifest-path python/Cargo.toml \
+"$(programs "$tools")/maturin" build --release --quiet --locked --strip --manifest-path python/Cargo.toml \
     --target-dir target/python --out target/wheels
-rm python/data/scripts/groundtruth
+rm "python/data/scripts/groundtruth$end"
 ls -sh target/wheels/*.whl
 [ "${CHECK:-}" ] || exit 0
 
 fresh=$(mktemp -d)
 trap 'rm -rf "$fresh"' EXIT
-began=$SECONDS
-python3 -m venv "$fresh/env"
-"$fresh/env/bin/pip" install --quiet target/wheels/*.whl
-export PATH=$fresh/env/bin:/usr/bin:/bin
 cp examples/conform/wrong.py "$fresh"
-cd "$fresh"
-command -v cargo && { echo "the fresh environment has Rust" >&2; exit 1; }
-# a program with known mistakes: 1 is the right answer
+began=$SECONDS
+"$python" -m venv "$fresh/env"
+PATH=$(programs "$fresh/env"):/usr/bin:/bin
+pip install --quiet target/wheels/*.whl
+if command -v cargo > /dev/null; then
+    echo "the fresh environment has Rust" >&2
+    exit 1
+fi
+# a program with mistakes: 1 is the right answer
 status=0
-groundtruth conform ch03 -- python wrong.py > card.txt || status=$?
-head -n 1 card.txt
-[ "$status" = 1 ] || { echo "conform ended with $status" >&2; exit 1; }
+(cd "$fresh" && groundtruth conform ch03 -- python wrong.py > card.txt) || status=$?
+head -n 1 "$fresh/card.txt"
+if [ "$status" != 1 ]; then
+    echo "conform ended with $status" >&2
+    exit 1
+fi
 echo "from the wheel to a verdict of conform: $((SECONDS - began)) s"
-cd "$OLDPWD"
-pip install --quiet nbclient nbformat ipykernel matplotlib
-python python/tests/check.py
+pip install --quiet nbclient nbformat ipykernel matplotlib || exit 77
+(cd "$fresh" && python "$OLDPWD/python/tests/check.py")

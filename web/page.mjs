@@ -95,5 +95,5 @@ try {
   browser.kill();
   await new Promise((ends) => browser.once("exit", ends));
   server.close();
-  rmSync(profile, { recursive: true, force: true });
+  rmSync(profile, { recursive: true, force: true, maxRetries: 20 });
 }

@@ -16,7 +16,6 @@ use crate::picture::display::{self, Picture};
 use crate::picture::saving::Saving;
 use crate::picture::session::{Opened, Session};
 use crate::picture::worker::Progress;
-use crate::platform;
 use crate::scene::source::{Loaded, Source};
 use crate::scene::waiting::Broken;
 use crate::space::view::SpaceView;
@@ -134,7 +133,6 @@ impl Inspector {
     /// Draws the window and performs what the user asks for.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        platform::go_on(&ctx);
         match self.session.poll(&ctx) {
             Some(Ok(opened)) => self.accept(&ctx, opened),
             Some(Err(error)) => self.message = Some((error, true)),
@@ -156,8 +154,10 @@ impl Inspector {
             self.reveal(pixel);
         }
         if let Some(pixel) = self.selection.proposed() {
+            // nobody asked for it, so that no message is answered by it
+            let message = self.message.take();
             self.select(pixel);
-            self.selection.is_proposed = true;
+            (self.message, self.selection.is_proposed) = (message, true);
         }
         self.explain_selected(&ctx);
 

@@ -17,4 +17,5 @@ pub mod platform;
 pub mod scene;
 pub mod space;
 pub mod splits;
+pub mod start;
 pub mod window;

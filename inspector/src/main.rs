@@ -6,8 +6,8 @@ use std::process::ExitCode;
 use clap::Parser;
 use eframe::egui;
 use inspector::comparison::theirs::Theirs;
+use inspector::start::Start;
 use inspector::window::arguments::Arguments;
-use inspector::window::start::Start;
 
 fn main() -> ExitCode {
     let arguments = Arguments::parse();

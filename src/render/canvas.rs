@@ -121,6 +121,11 @@ impl Canvas {
         }
     }
 
+    /// The part of the view that it is of.
+    pub fn crop(&self) -> Crop {
+        self.crop
+    }
+
     /// The picture so far; pixels that are not rendered yet are black.
     pub fn film(&self) -> Film {
         self.lock().film.clone()

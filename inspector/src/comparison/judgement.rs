@@ -1,5 +1,7 @@
 //! The verdict on their picture, the same as that of `groundtruth verify`: a button starts it, on a separate thread.
 
+use std::cell::Cell;
+use std::mem::take;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -8,18 +10,20 @@ use eframe::egui::{
     StrokeKind, Ui, WidgetInfo, accesskit::Role, vec2,
 };
 use groundtruth::explain::count;
-use groundtruth::film::Tone;
-use groundtruth::render::Canvas;
+use groundtruth::film::{Film, Tone};
+use groundtruth::render::{Canvas, Crop};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use judge::verdict::{self, Case, DifferingRegion, Progress, RayTolerance, Strictness, Verdict};
+use judge::verdict::{
+    self, Case, DifferingRegion, Progress, RayTolerance, Renders, Strictness, Verdict,
+};
 use pictures::compare::Picture;
 
 use crate::action::{Action, With};
 use crate::comparison::layer::{Layer, shown};
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
-use crate::platform;
+use crate::platform::{Slice, watched};
 use crate::scene::source::Source;
 
 /// The side of a region's number over the picture, in points of the screen.
@@ -68,18 +72,16 @@ impl Course {
         *self.known.lock().expect("no holder panics") = format!("; {progress}");
     }
 
-    /// Renders a picture of ours; returns whether it was finished.
-    fn render(&self, world: &World, canvas: &Canvas) -> bool {
-        platform::watched(
-            || canvas.render(world),
-            || {
-                if self.is_stopped() {
-                    canvas.cancel();
-                }
-            },
-        );
-        self.pictures.fetch_add(1, Ordering::Relaxed);
-        !canvas.is_cancelled()
+    /// Renders a picture of ours within a slice; returns whether it was finished.
+    fn render(&self, world: &World, canvas: &Canvas, slice: &Slice) -> bool {
+        let stop = || {
+            if self.is_stopped() {
+                canvas.cancel();
+            }
+        };
+        let is_whole = watched(|| canvas.render_until(world, &|| slice.is_over()), stop);
+        self.pictures.fetch_add(u32::from(is_whole) as usize, Ordering::Relaxed);
+        is_whole
     }
 
     fn words(&self) -> String {
@@ -100,23 +102,56 @@ struct Question {
     scene: Arc<Scene>,
     seed: u64,
     theirs: Arc<Picture>,
+    /// Our pictures of earlier slices: each slice judges from the beginning, and asks for the same pictures again.
+    rendered: Vec<Film>,
+    /// The next one, as far as it is rendered.
+    under_way: Option<Canvas>,
 }
 
 impl Question {
-    fn answer(self, course: &Course) -> Outcome {
-        let Self { source, read, scene, seed, theirs } = self;
-        let refusal = verdict::refusal(&theirs).or_else(|| verdict::refusal_of_seed(seed));
+    /// The answer, if it is found within the slice.
+    fn answer(&mut self, course: &Course, slice: &Slice) -> Option<Outcome> {
+        let is_paused = Cell::new(false);
+        let (mut rendered, mut under_way) = (take(&mut self.rendered), self.under_way.take());
+        let mut asked = 0;
+        let outcome = self.judged(course, &is_paused, &mut |world, canvas| {
+            if slice.is_endless() {
+                return course.render(world, canvas, slice);
+            }
+            let of @ Crop { x, y, .. } = canvas.crop();
+            if asked == rendered.len() {
+                let next = under_way.take().unwrap_or_else(|| Canvas::cropped(of));
+                if !course.render(world, &next, &slice.doubled()) {
+                    is_paused.set(!course.is_stopped());
+                    under_way = Some(next);
+                    return false;
+                }
+                rendered.push(next.film());
+            }
+            let film = &rendered[asked];
+            canvas.fill(|[column, row]| film.get([column - x, row - y]));
+            asked += 1;
+            true
+        });
+        (self.rendered, self.under_way) = (rendered, under_way);
+        (!is_paused.get()).then_some(outcome)
+    }
+
+    fn judged(&self, course: &Course, is_paused: &Cell<bool>, renders: Renders<'_>) -> Outcome {
+        let Self { source, read, scene, seed, theirs, .. } = self;
+        let (scene, theirs, seed) = (&**scene, &**theirs, *seed);
+        let refusal = verdict::refusal(theirs).or_else(|| verdict::refusal_of_seed(seed));
         if let Some(problem) = refusal {
             return Err(problem);
         }
         let folder = source.folder().to_owned();
         // a world of its own: it is given other seeds
-        let mut world = source.rebuild(read, (*scene).clone(), seed)?.world;
+        let mut world = source.clone().rebuild(read.clone(), scene.clone(), seed)?.world;
         let mut case = Case {
             world: &mut world,
-            scene: &scene,
+            scene,
             folder: &folder,
-            is_interrupted: &|| course.is_stopped(),
+            is_interrupted: &|| is_paused.get() || course.is_stopped(),
             so_far: &|progress| course.note(progress),
             strictness: Strictness::USUAL,
             transfer: theirs.stated,
@@ -125,8 +160,7 @@ impl Question {
             reference: None,
             tolerance: RayTolerance::DOUBLE,
         };
-        let verdict = case.verdict(&theirs, &mut |world, canvas| course.render(world, canvas));
-        let verdict = verdict.map(Arc::new);
+        let verdict = case.verdict(theirs, renders).map(Arc::new);
         verdict.ok_or("interrupted; too few pictures were rendered to say anything".to_owned())
     }
 }
@@ -136,16 +170,18 @@ impl Judgement {
     pub fn start(&mut self, ctx: &Context, rendering: &Rendering, theirs: &Arc<Picture>) {
         *self = Self::default();
         self.generation = rendering.generation;
-        let question = Question {
+        let mut question = Question {
             source: rendering.source.clone(),
             read: rendering.read.clone(),
             scene: Arc::clone(&rendering.scene),
             seed: rendering.world.seed,
             theirs: Arc::clone(theirs),
+            rendered: Vec::new(),
+            under_way: None,
         };
         let (course, mut working) = (Arc::new(Course::default()), Background::default());
         let of_thread = Arc::clone(&course);
-        working.start(ctx, move || question.answer(&of_thread));
+        working.start_in_slices(ctx, move |slice| question.answer(&of_thread, slice));
         self.state = State::Running(course, working);
     }
 

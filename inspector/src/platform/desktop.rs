@@ -30,6 +30,17 @@ impl Slice {
     pub fn is_over(&self) -> bool {
         false
     }
+
+    /// Whether it never ends.
+    pub fn is_endless(&self) -> bool {
+        true
+    }
+
+    /// At least as much time as it took so far, from now on.
+    #[must_use]
+    pub fn doubled(&self) -> Self {
+        Self
+    }
 }
 
 /// Work beside the window.
@@ -53,9 +64,6 @@ impl Task {
         self.0.as_ref().is_none_or(JoinHandle::is_finished)
     }
 }
-
-/// Goes on with the work; here threads do.
-pub fn go_on(_: &Context) {}
 
 /// What work sends within this time.
 ///

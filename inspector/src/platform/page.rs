@@ -1,4 +1,4 @@
-//! A page in a browser: one thread, on which work goes on in slices between two frames; files in memory, which the user
+//! A page in a browser: one thread, on which work goes on in slices between frames; files in memory, which the user
 //! dropped or chose; saved ones are downloaded.
 
 use std::cell::{Cell, RefCell};
@@ -6,14 +6,16 @@ use std::collections::{BTreeMap, VecDeque};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::rc::Rc;
-use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::time::Duration;
 
 use eframe::egui::Context;
 use groundtruth::scene::{self, Scene, SceneError};
+use js_sys::Promise;
 use pictures::compare::{Picture, Transfer};
 use rfd::AsyncFileDialog;
 use wasm_bindgen::{JsCast, JsValue};
+use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_time::Instant;
 
 use super::{FORMATS, Purpose};
@@ -21,14 +23,16 @@ use super::{FORMATS, Purpose};
 /// What is said when no file is chosen.
 pub const NO_FILE: &str = "no file chosen; files can be dropped on the page, too";
 
-/// The longest time of a frame that work takes.
-const OF_A_FRAME: Duration = Duration::from_millis(15);
+/// The longest time for which the page does nothing but work.
+const LONGEST_SLICE: Duration = Duration::from_millis(15);
 
 type Work = Box<dyn FnMut(&Slice) -> bool>;
 
 thread_local! {
     /// The work under way, the newest last, and where it says that it has ended.
     static WORK: RefCell<Vec<(Work, Rc<Cell<bool>>)>> = const { RefCell::new(Vec::new()) };
+    /// Whether slices of it follow each other.
+    static IS_WORKING: Cell<bool> = const { Cell::new(false) };
     /// The files that the user dropped or chose, by their names.
     static FILES: RefCell<BTreeMap<PathBuf, Vec<u8>>> = const { RefCell::new(BTreeMap::new()) };
     /// Those that were dropped and are read.
@@ -36,16 +40,30 @@ thread_local! {
 }
 
 /// The time for a piece of work.
-pub struct Slice(Instant);
+pub struct Slice {
+    start: Instant,
+    time: Duration,
+}
 
 impl Slice {
     fn of(time: Duration) -> Self {
-        Self(Instant::now() + time)
+        Self { start: Instant::now(), time }
     }
 
     /// Whether it is over.
     pub fn is_over(&self) -> bool {
-        Instant::now() >= self.0
+        self.start.elapsed() >= self.time
+    }
+
+    /// Whether it never ends.
+    pub fn is_endless(&self) -> bool {
+        false
+    }
+
+    /// At least as much time as it took so far, from now on.
+    #[must_use]
+    pub fn doubled(&self) -> Self {
+        Self::of(self.time.max(self.start.elapsed()))
     }
 }
 
@@ -55,10 +73,19 @@ pub struct Task(Rc<Cell<bool>>);
 
 impl Task {
     /// Starts it: `work` is called until it is whole, which it says by `true`.
-    pub fn start(ctx: &Context, work: impl FnMut(&Slice) -> bool + Send + 'static) -> Self {
-        let is_ended = Rc::new(Cell::new(false));
+    pub fn start(ctx: &Context, mut work: impl FnMut(&Slice) -> bool + Send + 'static) -> Self {
+        let (is_ended, ctx) = (Rc::new(Cell::new(false)), ctx.clone());
+        let work = move |slice: &Slice| {
+            let is_whole = work(slice);
+            if is_whole {
+                ctx.request_repaint();
+            }
+            is_whole
+        };
         WORK.with_borrow_mut(|all| all.push((Box::new(work), Rc::clone(&is_ended))));
-        ctx.request_repaint();
+        if !IS_WORKING.replace(true) {
+            spawn_local(work_in_slices());
+        }
         Self(is_ended)
     }
 
@@ -68,14 +95,7 @@ impl Task {
     }
 }
 
-/// Goes on with the work, what was asked for last first.
-pub fn go_on(ctx: &Context) {
-    work_for(OF_A_FRAME);
-    if WORK.with_borrow(|all| !all.is_empty()) {
-        ctx.request_repaint();
-    }
-}
-
+/// Works for this time, on what was asked for last first.
 fn work_for(time: Duration) {
     let slice = Slice::of(time);
     while let Some((mut work, is_ended)) = WORK.with_borrow_mut(Vec::pop) {
@@ -88,6 +108,20 @@ fn work_for(time: Duration) {
             return;
         }
     }
+}
+
+/// Works until there is nothing left, and lets the browser draw and listen between two slices.
+async fn work_in_slices() {
+    while WORK.with_borrow(|all| !all.is_empty()) {
+        work_for(LONGEST_SLICE);
+        let pause = Promise::new(&mut |go_on, _| {
+            // without a window nobody waits
+            let timer = web_sys::window().map(|it| it.set_timeout_with_callback(&go_on));
+            debug_assert!(timer.is_some_and(|timer| timer.is_ok()), "a page has timers");
+        });
+        let _ = JsFuture::from(pause).await;
+    }
+    IS_WORKING.set(false);
 }
 
 /// Work that cannot be looked at while it is done: `look` before it.
@@ -105,8 +139,8 @@ pub fn wait<T>(receiver: &Receiver<T>, timeout: Duration) -> Result<T, RecvTimeo
         work_for(timeout);
     }
     receiver.try_recv().map_err(|error| match error {
-        std::sync::mpsc::TryRecvError::Empty => RecvTimeoutError::Timeout,
-        std::sync::mpsc::TryRecvError::Disconnected => RecvTimeoutError::Disconnected,
+        TryRecvError::Empty => RecvTimeoutError::Timeout,
+        TryRecvError::Disconnected => RecvTimeoutError::Disconnected,
     })
 }
 
@@ -164,7 +198,7 @@ pub fn exists(_: &Path) -> bool {
 pub fn dropped(ctx: &Context) -> Vec<PathBuf> {
     for file in ctx.input(|input| input.raw.dropped_files.clone()) {
         let ctx = ctx.clone();
-        wasm_bindgen_futures::spawn_local(async move {
+        spawn_local(async move {
             // one that cannot be read is missing when it is opened
             if let Ok(bytes) = file.bytes_async().await {
                 FILES.with_borrow_mut(|files| files.insert(file.path().to_owned(), bytes));
@@ -191,7 +225,7 @@ pub fn choose(purpose: Purpose, chosen: impl FnOnce(Option<PathBuf>) + Send + 's
         Purpose::Theirs => dialog.add_filter("pictures", &FORMATS),
         Purpose::Picture => return chosen(Some("picture.png".into())),
     };
-    wasm_bindgen_futures::spawn_local(async move {
+    spawn_local(async move {
         let Some(file) = dialog.pick_file().await else { return chosen(None) };
         let (path, bytes) = (PathBuf::from(file.file_name()), file.read().await);
         FILES.with_borrow_mut(|files| files.insert(path.clone(), bytes));

@@ -1,6 +1,7 @@
 //! The backdrop of the space view: the scene as the orbiting camera sees it, coarse first, and which pieces of the rays
 //! it hides.
 
+use std::mem::take;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -14,6 +15,7 @@ use space::{Backdrop as Scene, Orbit, Segment, Visibility};
 
 use crate::explanation::Version;
 use crate::picture::worker::Background;
+use crate::platform::Slice;
 
 /// The sides of the squares that share one ray, in points of the screen, from the first picture to the last.
 const SIDES: [usize; 3] = [8, 3, 1];
@@ -98,7 +100,13 @@ impl Backdrop {
         self.cancelled = Arc::new(AtomicBool::new(false));
         let (world, cancelled) = (Arc::clone(world), Arc::clone(&self.cancelled));
         let runs = self.drawn.as_ref().filter(|_| step > 0).map(|drawn| Arc::clone(&drawn.runs));
-        self.working.start(ctx, move || draw(&world, request, step, runs, &cancelled));
+        let mut drawing = Drawing { request, step, runs, colors: Vec::new(), objects: Vec::new() };
+        self.working.start_in_slices(ctx, move |slice| {
+            if cancelled.load(Ordering::Relaxed) {
+                return Some(None);
+            }
+            drawing.go_on(&world, slice, &cancelled)
+        });
         if step == 0 {
             self.accept(ctx, MAX_WAIT);
         }
@@ -172,39 +180,52 @@ impl Backdrop {
     }
 }
 
-/// Draws a step of a view; `None` if it was cancelled.
-fn draw(
-    world: &World,
+/// A step of a view that is being drawn.
+struct Drawing {
     request: Request,
     step: usize,
+    /// Those of the steps before.
     runs: Option<Arc<Vec<Runs>>>,
-    cancelled: &AtomicBool,
-) -> Option<Drawn> {
-    let side = SIDES[step];
-    let size = request.size.map(|along| along.div_ceil(side));
-    let sight = request.orbit.sight(request.size.map(|along| along as f64));
-    let scene = Scene { world, faded: &request.faded };
-    let (mut colors, mut objects) = (Vec::new(), Vec::new());
-    for row in 0..size[1] {
-        if cancelled.load(Ordering::Relaxed) {
-            return None;
+    /// Of the squares so far, row by row.
+    colors: Vec<Color32>,
+    objects: Vec<Option<u32>>,
+}
+
+impl Drawing {
+    /// Draws more rows; what is drawn once it is whole, nothing inside if it was cancelled.
+    fn go_on(
+        &mut self,
+        world: &World,
+        slice: &Slice,
+        cancelled: &AtomicBool,
+    ) -> Option<Option<Drawn>> {
+        let Self { request, step, runs, colors, objects } = self;
+        let side = SIDES[*step];
+        let size = request.size.map(|along| along.div_ceil(side));
+        let sight = request.orbit.sight(request.size.map(|along| along as f64));
+        let scene = Scene { world, faded: &request.faded };
+        for row in colors.len() / size[0]..size[1] {
+            if cancelled.load(Ordering::Relaxed) {
+                return Some(None);
+            }
+            if slice.is_over() {
+                return None;
+            }
+            for column in 0..size[0] {
+                let middle = [column, row].map(|at| (at as f64 + 0.5) * side as f64);
+                let (radiance, object) = scene.seen(&sight.ray(middle));
+                let [r, g, b] = TONE.to_bytes(radiance);
+                colors.push(Color32::from_rgb(r, g, b));
+                objects.push(object);
+            }
         }
-        for column in 0..size[0] {
-            let middle = [column, row].map(|at| (at as f64 + 0.5) * side as f64);
-            let (radiance, object) = scene.seen(&sight.ray(middle));
-            let [r, g, b] = TONE.to_bytes(radiance);
-            colors.push(Color32::from_rgb(r, g, b));
-            objects.push(object);
-        }
+        let seen = Visibility { backdrop: scene, eye: sight.eye };
+        let new = || hidden_runs(&seen, &request.segments, cancelled).map(Arc::new);
+        let Some(runs) = runs.clone().or_else(new) else { return Some(None) };
+        let image = ColorImage::new(size, take(colors));
+        let (request, objects) = (request.clone(), take(objects));
+        Some(Some(Drawn { request, step: *step, image, objects, runs }))
     }
-    let runs = match runs {
-        Some(runs) => runs,
-        None => {
-            let seen = Visibility { backdrop: scene, eye: sight.eye };
-            Arc::new(hidden_runs(&seen, &request.segments, cancelled)?)
-        }
-    };
-    Some(Drawn { request, step, image: ColorImage::new(size, colors), objects, runs })
 }
 
 fn hidden_runs(

@@ -10,7 +10,6 @@ pub mod picker;
 pub mod picture_pane;
 pub mod saved;
 pub mod scene_panel;
-pub mod start;
 pub mod stored_settings;
 pub mod style;
 pub mod thumbnails;

@@ -1,7 +1,7 @@
 //! Small pictures of the gallery's scenes, for the list of scenes.
 //!
 //! They are rendered, not stored: they show what the code renders now, the program needs no files, and
-//! only visible thumbnails cost time. They are rendered one at a time on a separate thread, with few
+//! only visible thumbnails cost time. They are rendered one at a time beside the window, with few
 //! pixels of one ray each, for a limited time.
 
 use std::collections::HashMap;
@@ -16,6 +16,7 @@ use web_time::Instant;
 
 use crate::picture::display::color;
 use crate::picture::worker::Background;
+use crate::platform::Slice;
 
 /// Width and height of a thumbnail, in pixels; the picture is centred in it.
 pub const SIZE: [u32; 2] = [54, 36];
@@ -41,7 +42,12 @@ impl Thumbnails {
         if !self.working.is_busy() && !self.done.contains_key(entry.name) {
             // not tried again: a failed thumbnail stays empty
             self.done.insert(entry.name, None);
-            self.working.start(ctx, move || (entry.name, render_small((entry.build)())));
+            let mut small = None;
+            self.working.start_in_slices(ctx, move |slice| {
+                let small = small.get_or_insert_with(|| Small::of((entry.build)()));
+                let Some(small) = small else { return Some((entry.name, None)) };
+                small.is_finished(slice).then(|| (entry.name, Some(small.image.clone())))
+            });
         }
         self.done.get(entry.name)?.as_ref()
     }
@@ -52,33 +58,49 @@ impl Thumbnails {
     }
 }
 
-/// A scene in few pixels; `None` if it cannot be built.
-fn render_small(mut scene: Scene) -> Option<ColorImage> {
-    let [width, height] = fitting([scene.image.width, scene.image.height]);
-    scene.image.resize(width, height);
-    scene.image.samples = 1;
-    scene.image.sampler = None;
-    scene.camera.stereo = None;
-    if let Some(max_depth) = scene.tracer.max_depth() {
-        *max_depth = MAX_DEPTH.min(*max_depth);
-    }
-    let world = World::build(&scene).ok()?;
-    let tone = world.image.tone();
-    let sides = SIZE.map(|side| side as usize);
-    let mut image = ColorImage::filled(sides, Color32::TRANSPARENT);
-    // centred
-    let [left, top] = [(SIZE[0] - width) / 2, (SIZE[1] - height) / 2];
-    let start = Instant::now();
-    let pixels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
-    // not on the rayon pool, which renders the picture
-    for pixel @ [x, y] in pixels {
-        if start.elapsed() > MAX_TIME {
-            break;
+/// A scene in few pixels, as far as they are rendered.
+struct Small {
+    world: World,
+    image: ColorImage,
+    /// How many pixels are rendered, row by row.
+    done: u32,
+    start: Instant,
+}
+
+impl Small {
+    /// None of its pixels yet; `None` if it cannot be built.
+    fn of(mut scene: Scene) -> Option<Self> {
+        let [width, height] = fitting([scene.image.width, scene.image.height]);
+        scene.image.resize(width, height);
+        scene.image.samples = 1;
+        scene.image.sampler = None;
+        scene.camera.stereo = None;
+        if let Some(max_depth) = scene.tracer.max_depth() {
+            *max_depth = MAX_DEPTH.min(*max_depth);
         }
-        let at = [left + x, top + y].map(|along| along as usize);
-        image[(at[0], at[1])] = color(&tone, render::pixel(&world, pixel));
+        let world = World::build(&scene).ok()?;
+        let image = ColorImage::filled(SIZE.map(|side| side as usize), Color32::TRANSPARENT);
+        Some(Self { world, image, done: 0, start: Instant::now() })
     }
-    Some(image)
+
+    /// Renders more pixels, until all are rendered or the time for it is over; whether one of these is so.
+    fn is_finished(&mut self, slice: &Slice) -> bool {
+        let size @ [width, height] = self.world.picture_size();
+        // centred
+        let [left, top] = [0, 1].map(|axis| (SIZE[axis] - size[axis]) / 2);
+        let tone = self.world.image.tone();
+        // not on the rayon pool, which renders the picture
+        while self.done < width * height && self.start.elapsed() <= MAX_TIME {
+            if slice.is_over() {
+                return false;
+            }
+            let pixel @ [x, y] = [self.done % width, self.done / width];
+            let at = [left + x, top + y].map(|along| along as usize);
+            self.image[(at[0], at[1])] = color(&tone, render::pixel(&self.world, pixel));
+            self.done += 1;
+        }
+        true
+    }
 }
 
 /// The largest size of these proportions that is not larger than a thumbnail.

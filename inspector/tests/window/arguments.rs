@@ -4,9 +4,15 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 use clap::Parser;
+use eframe::egui::Context;
 use groundtruth::film::{self, Film, Tone};
 use groundtruth::render;
+use groundtruth::scene::{Scene, Tracer};
 use groundtruth::world::World;
+use inspector::explanation::copying;
+use inspector::picture::worker::Rendering;
+use inspector::scene::source::Source;
+use inspector::splits::Mode;
 use inspector::window::arguments::Arguments;
 
 fn inspector(arguments: &[&str]) -> Output {
@@ -27,6 +33,95 @@ fn a_bad_scene_is_reported_before_a_window_opens() {
         assert_eq!(output.status.code(), Some(2));
         assert_eq!(String::from_utf8_lossy(&output.stderr), format!("error: {expected}\n"));
     }
+}
+
+/// Law: a link to the page asks for what the same words ask on the command line, in any order, and fails with its message.
+/// Oracle: the command line.
+#[test]
+fn a_link_is_a_command_line() {
+    let link = "ch28/glass-sphere&view=both&pixel=282,244&size=300x300&sample=3&&samples=4";
+    let words = "inspector --size 300x300 --samples 4 --pixel 282,244 --sample 3 --view both ch28/glass-sphere";
+    let same = |link: &str, words: &str| {
+        let [of_link, typed] = [
+            Arguments::of_link(link),
+            Arguments::try_parse_from(words.split(' ')).map_err(|error| error.to_string()),
+        ];
+        let [of_link, typed] = [of_link, typed].map(|it| it.map(|it| format!("{it:?}")));
+        assert_eq!(of_link, typed, "{link}");
+    };
+    same(link, words);
+    same("ch14/page-one", "inspector ch14/page-one");
+    for empty in ["", "&", "&&"] {
+        same(empty, "inspector");
+    }
+    for (link, words) in [
+        ("ch14/page-one&sample=3", "inspector --sample=3 -- ch14/page-one"),
+        ("ch14/page-one&pixel=3", "inspector --pixel=3 -- ch14/page-one"),
+        ("ch14/page-one&speed=3", "inspector --speed=3 -- ch14/page-one"),
+        ("ch14/page-one&view", "inspector --view -- ch14/page-one"),
+    ] {
+        same(link, words);
+        assert!(Arguments::of_link(link).is_err(), "{link}");
+    }
+    // a name that begins with a dash is no option
+    assert_eq!(Arguments::of_link("-h").expect("a name").scene, "-h");
+}
+
+/// Law: the link that is copied opens the same scene, as it is changed in the window, at the same sample and view; a scene
+/// that a link cannot say has none. Oracle: the scenes as text; the bits of the sample.
+#[test]
+fn a_copied_link_opens_the_same_sample() {
+    let ctx = Context::default();
+    let entry = gallery::find("ch28/glass-sphere").expect("in the gallery");
+    let rendering = |change: &dyn Fn(&mut Scene), seed: u64| {
+        let read = (entry.build)();
+        let mut scene = read.clone();
+        scene.image.resize(60, 60);
+        change(&mut scene);
+        let loaded = Source::Gallery(entry).rebuild(read, scene, seed).expect("a valid scene");
+        Rendering::start(&ctx, loaded, 0)
+    };
+    let set = |name: &str, depth: u32| {
+        let tracer: Tracer = name.parse().expect("a tracer");
+        move |scene: &mut Scene| {
+            scene.tracer.change(Some(tracer), Some(depth)).expect("it has a depth");
+        }
+    };
+    let (whitted, path) = (set("whitted", 3), set("path", 7));
+    let changes: [&dyn Fn(&mut Scene); 5] =
+        [&|_| {}, &|scene| scene.image.samples = 9, &whitted, &path, &|scene| {
+            scene.image.resize(31, 33);
+        }];
+    for (k, change) in changes.into_iter().enumerate() {
+        for (seed, sample, view) in
+            [(1, 0, Mode::Picture), (77, 1, Mode::Both), (1, 2, Mode::Space)]
+        {
+            let rendering = rendering(change, seed);
+            let link = copying::link(&rendering, [12, 21], sample, view).expect("it has a link");
+            let opened = Arguments::of_link(&link).expect(&link);
+            let loaded = opened.load(None).expect(&link);
+            let texts = [&loaded.scene, &rendering.scene]
+                .map(|scene| groundtruth::scene::to_toml(scene).expect("plain data"));
+            assert_eq!(texts[0], texts[1], "{link}");
+            assert_eq!((opened.pixel, opened.view), (Some([12, 21]), view), "{link}");
+            let said = opened.sample.unwrap_or(0);
+            assert_eq!(said, sample, "{link}");
+            let of = |world: &World| render::sample(world, [12, 21], said, &mut ());
+            assert_eq!(of(&loaded.world), of(&rendering.world), "{link}");
+            let parts = link.split('&').count();
+            // the name and the pixel; what else differs
+            let others =
+                [seed != 1, sample > 0, view != Mode::Picture].iter().filter(|it| **it).count();
+            let own = [1, 2, 3, 3, 1][k];
+            assert_eq!(parts, 2 + others + own, "{link}");
+        }
+    }
+    let dark = rendering(&|scene| scene.lights[0].enabled = false, 1);
+    assert_eq!(copying::link(&dark, [12, 21], 0, Mode::Picture), None);
+    let read = (entry.build)();
+    let file = Source::File("a.toml".into()).rebuild(read.clone(), read, 1).expect("a scene");
+    let file = Rendering::start(&ctx, file, 0);
+    assert_eq!(copying::link(&file, [12, 21], 0, Mode::Picture), None);
 }
 
 /// Law: without a screen, one line says what helps, with status 2; a scene file with an error, for which a window would

@@ -175,6 +175,24 @@ fn a_saved_picture_says_how_it_was_made() {
     assert!(!dark.contains("ch28/glass-sphere") && dark.contains("Scene\0sha256:"));
 }
 
+/// Law: as a part of another page the window has scene, picture and explanation, without bars; clicks explain. Oracle: the
+/// labels of the bars; the same pixel in a whole window.
+#[test]
+fn an_embedded_window_has_no_bars() {
+    let [mut whole, mut embedded] = [glass_window(), glass_window()];
+    embedded.state_mut().is_embedded = true;
+    for window in [&mut whole, &mut embedded] {
+        settle(window);
+        click(window, ON_GROUND);
+    }
+    for (part, of_bars) in [("Save", true), ("Open", true), ("Whole", true), ("high lamp", false)] {
+        assert!(whole.query_by_label(part).is_some(), "{part}");
+        assert_eq!(embedded.query_by_label(part).is_none(), of_bars, "{part}");
+    }
+    let scene = small_glass_sphere();
+    text_with(&embedded, &root_line(&scene, ON_GROUND));
+}
+
 /// Law: a file that is chosen in the desktop's chooser is opened, or the picture is saved there, and its field names it;
 /// a chooser that is closed without a choice changes nothing. Oracle: the library's scene and picture.
 #[test]

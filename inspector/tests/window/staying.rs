@@ -168,13 +168,15 @@ fn another_scene_lets_the_pixel_go() {
     assert_eq!(window.state().fields.save, "large.png");
 }
 
-/// Law: before a pixel is selected, one with many rays is explained, and a click chooses another. Oracle: the pixel in the
-/// corner sees the background alone.
+/// Law: before a pixel is selected, one with many rays is explained, which leaves the message of an error, and a click chooses
+/// another. Oracle: the pixel in the corner sees the background alone.
 #[test]
 fn a_pixel_is_proposed() {
     let mut window = glass_window();
     window.state_mut().propose(&Context::default());
+    window.state_mut().message = Some(("an error of a link".to_owned(), true));
     settle(&mut window);
+    text_with(&window, "an error of a link");
     let proposed = window.state().selection.pixel.expect("a pixel is explained");
     let rays = ray_of(&small_glass_sphere(), proposed, 0).count();
     assert!(rays >= ray_of(&small_glass_sphere(), ON_GLASS, 0).count(), "{rays} at {proposed:?}");
