@@ -109,7 +109,8 @@ impl Finding {
         let (world, found, of) = (Arc::clone(&rendering.world), Arc::clone(&canvas), layer.clone());
         let value = move |pixel| of.to_film(of.value(&*world, pixel));
         running.start_in_slices(ctx, move |slice| {
-            found.fill_until(&value, &|| slice.is_over()).then_some(())
+            let is_whole = found.fill_until(&value, &|| slice.is_over());
+            (is_whole || found.is_cancelled()).then_some(())
         });
         Self { layer, generation: rendering.generation, canvas, running }
     }

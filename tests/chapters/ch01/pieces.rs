@@ -304,7 +304,7 @@ fn a_pixel_that_is_stopped_casts_no_further_ray() {
         let (interrupter, world, canvas) = interrupted_of(1024, last);
         on_threads(1, || canvas.render(&world));
         assert_eq!(interrupter.rays.load(Relaxed), last);
-        assert_eq!(canvas.progress(), (u64::from(last / 1024), 768));
+        assert_eq!(canvas.progress(), (u64::from((last - 1) / 1024), 768));
         canvas.look_partly(|picture| {
             let first = (last > 1024).then_some(RED);
             assert_eq!((picture.get([0, 0]), picture.get([8, 8])), (first, None));

@@ -8,6 +8,11 @@ fn main() -> anyhow::Result<()> {
     let (module, folder) =
         arguments.next().zip(arguments.next()).context("usage: bind MODULE FOLDER")?;
     let mut bindgen = Bindgen::new();
-    bindgen.input_path(module).out_name("window").web(true)?.typescript(false).remove_name_section(true);
+    bindgen
+        .input_path(module)
+        .out_name("window")
+        .web(true)?
+        .typescript(false)
+        .remove_name_section(true);
     bindgen.generate(folder)
 }

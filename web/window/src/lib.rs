@@ -7,8 +7,8 @@ use std::cell::RefCell;
 use eframe::egui::{Context, Ui};
 use eframe::{App, CreationContext, Frame, Storage, WebOptions, WebRunner};
 use inspector::app::Inspector;
-use inspector::window::arguments::Arguments;
 use inspector::start::Start;
+use inspector::window::arguments::Arguments;
 use wasm_bindgen::prelude::*;
 use web_sys::{HtmlCanvasElement, window};
 
