@@ -4,7 +4,7 @@
 # scene have the native bits (COUNT pixels a scene, drawn with SEED); in Chromium a link and a click explain what the command
 # explains. The compiler is rustup's, if its target wasm32-unknown-unknown is installed; else Debian's (packages below, all of
 # one version), fetched and unpacked into target/web-compiler without being installed, with the standard library built anew by
-# -Z build-std. The exit status is 0 if all agrees, 1 if not, 77 without a compiler, Node or Chromium.
+# -Z build-std. QUICK=1 optimises less. The exit status is 0 if all agrees, 1 if not, 77 without a compiler, Node or Chromium.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,6 +13,12 @@ TARGET=wasm32-unknown-unknown
 compiler=$PWD/target/web-compiler
 build=(cargo build --release --quiet --locked --target "$TARGET" --target-dir target/web-build --manifest-path web/Cargo.toml
     --package groundtruth-web --package groundtruth-window --lib)
+# larger and slower modules in half the time
+if [ "${QUICK:-}" ]; then
+    for setting in lto=false codegen-units=16 opt-level=1 package.groundtruth.opt-level=1; do
+        build+=(--config "profile.release.$setting")
+    done
+fi
 
 if rustup target list --installed 2> /dev/null | grep -qx "$TARGET"; then
     "${build[@]}"
@@ -41,7 +47,7 @@ mkdir -p target/web
 built=target/web-build/$TARGET/release
 cp "$built/groundtruth_web.wasm" target/web/groundtruth.wasm
 cp web/index.html target/web/
-own=(--release --quiet --locked --target-dir target/own --manifest-path web/Cargo.toml)
+own=(--profile tool --quiet --locked --target-dir target/own --manifest-path web/Cargo.toml)
 cargo run "${own[@]}" --package bind -- "$built/groundtruth_window.wasm" target/web
 for module in groundtruth.wasm window_bg.wasm; do
     echo "target/web/$module: $(gzip -9 -c "target/web/$module" | wc -c) bytes compressed"
@@ -52,7 +58,7 @@ cargo build "${own[@]}" --package groundtruth-web --bin native_bits
 checks=$(mktemp -d)
 trap 'rm -rf "$checks"' EXIT
 node web/bits.mjs target/web/groundtruth.wasm "${COUNT:-20}" "${SEED:-1}" > "$checks/bits.txt"
-target/own/release/native_bits "${COUNT:-20}" "${SEED:-1}" | diff - "$checks/bits.txt" || {
+target/own/tool/native_bits "${COUNT:-20}" "${SEED:-1}" | diff - "$checks/bits.txt" || {
     echo "other bits than the native library's" >&2
     exit 1
 }
