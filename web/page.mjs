@@ -28,8 +28,20 @@ const browser = spawn("chromium", [...options, `--user-data-dir=${profile}`, "--
   stdio: ["ignore", "ignore", "ignore", "pipe", "pipe"],
 });
 
+// 77: nothing can be said without a browser
+let isOpen = false;
+function unchecked() {
+  if (isOpen) return;
+  console.error("chromium does not start: the page is not checked");
+  process.exit(77);
+}
+browser.once("error", unchecked);
+browser.once("exit", unchecked);
+setTimeout(unchecked, 1000 * SECONDS).unref();
+
 // the protocol of the developer tools: JSON, each message ended by a zero byte
 const [, , , to, from] = browser.stdio;
+to.on("error", unchecked);
 const waiting = new Map();
 const problems = [];
 let [last, received] = [0, ""];
@@ -70,6 +82,7 @@ async function explained(before) {
 try {
   const { targetId } = await ask("Target.createTarget", { url: "about:blank" });
   ({ sessionId } = await ask("Target.attachToTarget", { targetId, flatten: true }));
+  isOpen = true;
   for (const domain of ["Runtime", "Log", "Page"]) await ask(`${domain}.enable`);
   const size = { width: 1400, height: 830, deviceScaleFactor: 1, mobile: false };
   await ask("Emulation.setDeviceMetricsOverride", size);
