@@ -34,6 +34,7 @@ cp examples/conform/wrong.py "$fresh"
 began=$SECONDS
 "$python" -m venv "$fresh/env"
 PATH=$(programs "$fresh/env"):/usr/bin:/bin
+pip install --quiet numpy || exit 77
 pip install --quiet target/wheels/*.whl
 if command -v cargo > /dev/null; then
     echo "the fresh environment has Rust" >&2
