@@ -49,7 +49,7 @@ pub struct Inspector {
     pub message: Option<(String, bool)>,
     /// The list of scenes.
     pub picker: ScenePicker,
-    /// The desktop's file chooser.
+    /// The file chooser.
     pub chooser: FileChooser,
     /// Whether it is a part of another page, without its bars.
     pub is_embedded: bool,
@@ -251,8 +251,7 @@ impl Inspector {
         let is_resampled = part(ui, "explanation", parts.explanation, margin, |ui| {
             let Session { rendering, wanted, .. } = &mut self.session;
             let (theirs, tone) = (self.others.shown(), &self.picture.tone);
-            let view = self.space.mode;
-            let shown = Shown { rendering, theirs, tone, view };
+            let shown = Shown { rendering, theirs, tone, view: self.space.mode };
             self.selection.show(ui, &shown, wanted, &mut self.splits)
         });
         self.space.pointed = pointed;

@@ -1,4 +1,4 @@
-//! The verdict on their picture, the same as that of `groundtruth verify`: a button starts it, on a separate thread.
+//! The verdict on their picture, the same as that of `groundtruth verify`: a button starts it, beside the window.
 
 use std::cell::Cell;
 use std::mem::take;
@@ -80,7 +80,7 @@ impl Course {
             }
         };
         let is_whole = watched(|| canvas.render_until(world, &|| slice.is_over()), stop);
-        self.pictures.fetch_add(u32::from(is_whole) as usize, Ordering::Relaxed);
+        self.pictures.fetch_add(usize::from(is_whole), Ordering::Relaxed);
         is_whole
     }
 
@@ -117,6 +117,10 @@ impl Question {
         let outcome = self.judged(course, &is_paused, &mut |world, canvas| {
             if slice.is_endless() {
                 return course.render(world, canvas, slice);
+            }
+            // what is under way is of another world than a picture that is asked for after it
+            if is_paused.get() {
+                return false;
             }
             let of @ Crop { x, y, .. } = canvas.crop();
             if asked == rendered.len() {
