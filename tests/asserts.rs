@@ -17,7 +17,10 @@ pub fn unequal(
 /// What a failed condition says.
 pub fn untrue(condition: &str, words: Option<String>) -> String {
     match words {
-        Some(words) => format!("{words}\nexpected `{condition}`"),
+        Some(words) => {
+            let found = words.strip_prefix("found ").unwrap_or(&words);
+            format!("found {found}\nexpected `{condition}`")
+        }
         None => format!("found the opposite, expected `{condition}`"),
     }
 }

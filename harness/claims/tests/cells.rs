@@ -124,3 +124,37 @@ fn what_does_not_settle_is_not_known() {
     let Ok(found) = integrals(&cells, all(&[]), [1e-6], 50_000, &mut values);
     assert!(!found.is_known);
 }
+
+/// Law: how far a point is outside of each domain. Oracle: points at a known distance from its border, on each side.
+#[test]
+fn points_outside_are_told_by_how_far() {
+    use claims::Domain::{Disk, Hemisphere, Sphere, Square, Triangle};
+    for (domain, [x, y, z], expected) in [
+        (Square, [0.5, 0.25, 0.0], 0.0),
+        (Square, [1.0, 1.0, 0.0], 0.0),
+        (Square, [1.25, 0.5, 0.0], 0.25),
+        (Square, [0.5, 1.125, 0.0], 0.125),
+        (Square, [-0.5, 0.5, 0.0], 0.5),
+        (Square, [0.5, -0.25, 0.0], 0.25),
+        (Disk, [0.0, -1.0, 0.0], 0.0),
+        (Disk, [0.25, 0.5, 0.0], 0.0),
+        (Disk, [0.0, 1.5, 0.0], 0.5),
+        (Disk, [-3.0, 4.0, 0.0], 4.0),
+        (Triangle, [0.25, 0.75, 0.0], 0.0),
+        (Triangle, [0.75, 0.75, 0.0], 0.5),
+        (Triangle, [-0.25, 0.5, 0.0], 0.25),
+        (Triangle, [0.5, -0.125, 0.0], 0.125),
+        (Hemisphere, [0.0, 1.0, 0.0], 0.0),
+        (Hemisphere, [0.0, 0.0, -1.0], 1.0),
+        (Hemisphere, [0.0, 0.0, 2.0], 1.0),
+        (Hemisphere, [0.5, 0.0, 0.0], 0.5),
+        (Sphere, [0.0, 0.0, -1.0], 0.0),
+        (Sphere, [0.0, -3.0, 0.0], 2.0),
+        (Sphere, [0.25, 0.0, 0.0], 0.75),
+        (Square, [f64::NAN, 0.5, 0.0], f64::INFINITY),
+        (Sphere, [0.0, 1.0, f64::NAN], f64::INFINITY),
+    ] {
+        let found = domain.outside(Vector::new(x, y, z));
+        assert_eq!(found, expected, "[{x}, {y}, {z}] outside of {domain:?}");
+    }
+}

@@ -71,6 +71,8 @@ fn troubles_are_told() {
         let card = card(|_| reply.clone());
         assert_eq!(card.is_failed(), is_failed, "{reply:?}");
         assert!(!card.is_judged() && card.is_whole, "{reply:?}");
+        let is_unsupported = matches!(reply, Reply::Unsupported(_));
+        assert_eq!(card.rows[0].is_unsupported(), is_unsupported, "{reply:?}");
         assert!(card.to_string().contains(words), "{card}");
         let html = page(&card, &told(&card, &Default::default()), "./<b>");
         assert!(html.contains("&lt;x&gt; &amp; y") && html.contains("./&lt;b&gt;"), "{html}");

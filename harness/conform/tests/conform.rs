@@ -20,3 +20,4 @@ mod radiance;
 mod runs;
 mod scenes;
 mod streams;
+mod undecided;

@@ -8,7 +8,7 @@ mod synthetic;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use groundtruth::math::Pcg32;
-use judge::sets::{Divisions, Method, Reason, Sets, SetsDecision, SetsVerdict, Watch};
+use judge::sets::{Divisions, Method, Pairs, Reason, Sets, SetsDecision, SetsVerdict, Watch};
 use judge::verdict::Answer;
 use pictures::compare::Picture;
 use rayon::prelude::*;
@@ -209,6 +209,26 @@ fn pairs_with_equal_seeds_show_small_changes() {
     // other seeds do not show it
     let other = verdict(&pictures(Noise::Even, 20..28), &after);
     assert_eq!(other.decision, SetsDecision::Agree, "{other}");
+}
+
+/// Law: each picture is of one pair, with its own seed's, and sets in which one of the smaller has no partner have none. Oracle:
+/// the seeds.
+#[test]
+fn each_picture_has_one_partner() {
+    type Expected<'a> = &'a [[usize; 2]];
+    let cases: [([&[u64]; 2], Expected<'_>); 5] = [
+        ([&[1, 2, 3], &[3, 1, 2]], &[[0, 1], [1, 2], [2, 0]]),
+        ([&[1, 2, 3, 4], &[3, 1]], &[[0, 1], [2, 0]]),
+        ([&[3, 1], &[1, 2, 3, 4]], &[[0, 2], [1, 0]]),
+        ([&[1, 2, 3], &[1, 2, 4]], &[]),
+        // two of them are there twice, and two have no partner
+        ([&[1, 2, 3, 4], &[1, 1, 2, 2]], &[]),
+    ];
+    for (seeds, expected) in cases {
+        let [before, after] = seeds.map(|all| pictures(Noise::Even, all.iter().copied()));
+        let sets = Sets::new([&before, &after], None).expect("one size");
+        assert_eq!(Pairs::of(&sets).0, expected, "pairs of the seeds {seeds:?}");
+    }
 }
 
 /// Law: noise that has changed is told, and is no change of the mean. Oracle: the deviation is halved.

@@ -152,9 +152,13 @@ fn an_object_that_is_off_is_built_with_its_routines() {
 /// where z = r √(y/h).
 #[test]
 fn a_whole_goes_on_without_end() {
-    for (y0, y1, radius) in
-        [(0.0, 1.0, 1.0), (5.0, 105.0, 0.5), (-3.0, -2.999, 2.0), (0.0, 1e-3, 1e-3)]
-    {
+    for (y0, y1, radius) in [
+        (0.0, 1.0, 1.0),
+        (5.0, 105.0, 0.5),
+        (-3.0, -2.999, 2.0),
+        (-2.0, 0.0, 1.0),
+        (0.0, 1e-3, 1e-3),
+    ] {
         let size = y1 - y0 + radius;
         for y in [y1 + 1e5 * size, y0 - 1e5 * size] {
             for (shape, whole) in [

@@ -186,6 +186,42 @@ fn what_is_read_is_stored_so_again() {
     }
 }
 
+/// Law: the tolerance of an integer is a thousandth more than the distance of the farther neighbour, and 1e-5 of the radiance.
+/// Oracle: the radiances that the neighbours are read as, for all integers of 8 bits.
+#[test]
+fn the_tolerance_reaches_the_farther_neighbour() {
+    for (stored, largest) in ways().into_iter().filter(|it| it.1 == 255.0) {
+        let read =
+            |integer: f64| f64::from(stored.read((integer.clamp(0.0, largest) / largest) as f32));
+        // of truncated sRGB, only values from 1 on have the largest
+        for integer in (0..254).map(f64::from) {
+            let [below, here, above] = [-1.0, 0.0, 1.0].map(|by| read(integer + by));
+            let expected = 1.001 * (above - here).max(here - below) + 1e-5 * here;
+            let what = format!("{stored}, {integer}: tolerance");
+            near(what, stored.tolerance(here), expected, 1e-4 * expected);
+        }
+    }
+}
+
+/// Law: with a shared exponent, channels are cut to multiples of the power of two of which the largest has from 128 to 255 (Ward,
+/// 1991). Oracle: that power, searched from the smallest on.
+#[test]
+fn a_shared_exponent_keeps_eight_bits_of_the_largest_channel() {
+    for exponent in -60..60 {
+        for [r, g, b] in [[1.0, 0.7, 0.003], [0.3, 1.99, 1.0], [0.01, 0.02, 1.4], [1.0, 1.0, 1.0]] {
+            let color = [r, g, b].map(|x| x * 2.0_f64.powi(exponent));
+            let largest = color.into_iter().fold(0.0, f64::max);
+            let units = (-90..90).map(|n| 2.0_f64.powi(n));
+            let unit = units.into_iter().find(|unit| largest / unit < 256.0).expect("one of them");
+            let mut film = Film::new(1, 1);
+            film.set([0, 0], Rgb::from(color));
+            let found = Stored::SharedExponent.values(&film);
+            let expected = color.map(|x| ((x / unit).floor() * unit) as f32);
+            equal(format!("{color:?} with a shared exponent"), found, expected.to_vec());
+        }
+    }
+}
+
 /// Law: rounding to integers has the standard deviation of a uniform error over the radiances that are stored as one integer,
 /// and the slack of means is a tenth of their range. Oracle: the ends of that range by bisection, and its length over √12.
 #[test]

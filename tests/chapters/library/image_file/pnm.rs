@@ -56,20 +56,31 @@ fn comments_in_headers_are_skipped() {
 /// them; else a `#` is a sample. Oracle: the same image without them.
 #[test]
 fn comments_before_binary_samples_are_told_apart_by_the_length() {
-    for samples in [b"\x01\x02\x03\x04\x05\x06", b"#1\n#2\n", b"#\x02\x03#\n\n"] {
-        let of = |comments: &[u8]| [&b"P6 1 2 255\n"[..], comments, samples].concat();
+    for samples in [
+        b"\x01\x02\x03\x04\x05\x06\x07\x08\x09\x0b\x0c\x0d",
+        b"#1\n#2\n#3\n#4\n",
+        b"#\x02\x03#\n\n#\x02\x03#\n\n",
+    ] {
+        let of = |comments: &[u8]| [&b"P6 2 2 255\n"[..], comments, samples].concat();
         let plain = linear(&of(b""));
         assert_eq!(plain[0][0], grey(u32::from(samples[0]), 255)[0]);
         for comments in [&b"# c\n"[..], b"#\n# second\n"] {
             assert_eq!(linear(&of(comments)), plain, "{}", comments.escape_ascii());
         }
         let longer = [&of(b"# c\n")[..], b"x"].concat();
-        let header = b"P6 1 2 255\n".len();
-        assert_eq!(linear(&longer), linear(&longer[..header + 6]), "`#` is a sample");
+        let header = b"P6 2 2 255\n".len();
+        assert_eq!(linear(&longer), linear(&longer[..header + 12]), "`#` is a sample");
     }
-    let two_bytes = linear(b"P5 2 1 300\n\x01\x00\x00#");
-    assert_eq!(linear(b"P5 2 1 300\n# c\n\x01\x00\x00#"), two_bytes);
-    assert_eq!(linear(b"P4 9 2\n# c\n\x5f\x80\xdf\x00"), linear(b"P4 9 2\n\x5f\x80\xdf\x00"));
+    for (header, samples) in [
+        ("P4 9 3", &b"\x5f\x80\xdf\x00\x11\x80"[..]),
+        ("P5 2 3 255", b"#\x01\x02\x03\x04\n"),
+        ("P5 2 3 300", b"\x01\x00\x00#\x01\x01\x01\x02\x00\n\x00#"),
+        ("P6 2 2 300", &[0, 1].repeat(12)),
+    ] {
+        let of =
+            |comment: &str| linear(&[format!("{header}\n{comment}").as_bytes(), samples].concat());
+        assert_eq!(of("# c\n"), of(""), "{header} with a comment");
+    }
 }
 
 /// Law: a file that is cut off anywhere is refused. Oracle: every prefix.
