@@ -18,7 +18,7 @@ impl<F: FnMut(&Value) -> Value> Subject for Says<F> {
 type Law = fn(&mut Asking<'_>, &Value, Profile) -> Result<Judgement, Stop>;
 
 /// The judgement of a law on a subject that answers so.
-fn judged(
+pub fn judged(
     law: Law,
     case: &Value,
     profile: Profile,

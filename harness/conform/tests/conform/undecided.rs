@@ -2,33 +2,13 @@
 
 use std::f64::consts::PI;
 
-use conform::family::{Asking, Judge, Stop};
-use conform::{Judgement, Profile, Reply, Subject, laws, ours, suite, triple};
+use conform::family::Judge;
+use conform::{Judgement, Profile, laws, ours, suite, triple};
 use exact::Draw;
 use groundtruth::math::{cos, sin};
-use serde_json::{Value, json};
+use serde_json::json;
 
-/// Answers as a function says.
-struct Says<F>(F);
-
-impl<F: FnMut(&Value) -> Value> Subject for Says<F> {
-    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        questions.iter().map(|question| Reply::Answer((self.0)(question))).collect()
-    }
-}
-
-type Law = fn(&mut Asking<'_>, &Value, Profile) -> Result<Judgement, Stop>;
-
-/// The judgement of a law on a subject that answers so.
-fn judged(
-    law: Law,
-    case: &Value,
-    profile: Profile,
-    answer: impl FnMut(&Value) -> Value,
-) -> Judgement {
-    let mut subject = Says(answer);
-    law(&mut Asking::new(&mut subject), case, profile).expect("everything is answered")
-}
+use super::borders::judged;
 
 /// Law: within a thousandth of a jump of its colours, what a texture makes of noise is not judged; beyond it, a wrong colour is
 /// wrong. Oracle: the jumps of each texture by hand, on both sides of both borders.

@@ -1,13 +1,14 @@
 //! What is said of whole pictures.
 
+use std::cell::Cell;
 use std::path::Path;
 
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::{Pcg32, power};
 use groundtruth::scene::Scene;
 use judge::verdict::{
-    Answer, Areas, Case, Decision, Means, PoolContext, RayTolerance, Relative, Strictness, Verdict,
-    noise,
+    Answer, Areas, Case, Decision, Means, PoolContext, Progress, RayTolerance, Relative,
+    Strictness, Verdict, noise,
 };
 use pictures::compare::{Picture, Transfer};
 
@@ -30,14 +31,24 @@ fn interrupted(
     strictness: Strictness,
     after: usize,
 ) -> Option<Verdict> {
-    let mut rendered = 0;
+    watched(scene, theirs, strictness, after, (&Cell::new(0), &|_| {}))
+}
+
+/// The same; the watch counts them, and hears what is told.
+pub fn watched(
+    scene: &Scene,
+    theirs: &[Picture],
+    strictness: Strictness,
+    after: usize,
+    (rendered, so_far): (&Cell<usize>, &dyn Fn(Progress<'_>)),
+) -> Option<Verdict> {
     let mut world = world(scene, 1);
     let mut case = Case {
         world: &mut world,
         scene,
         folder: Path::new(""),
         is_interrupted: &|| false,
-        so_far: &|_| {},
+        so_far,
         strictness,
         transfer: None,
         tone: (scene.image.gamma, scene.image.out_of_gamut),
@@ -47,8 +58,8 @@ fn interrupted(
     };
     let renders = &mut |world: &_, canvas: &groundtruth::render::Canvas| {
         canvas.render(world);
-        rendered += 1;
-        rendered <= after
+        rendered.set(rendered.get() + 1);
+        rendered.get() <= after
     };
     match theirs {
         [only] => case.verdict(only, renders),

@@ -1,13 +1,12 @@
 //! What is told while a verdict is made, and how many pictures of ours it takes.
 
 use std::cell::{Cell, RefCell};
-use std::path::Path;
 
 use groundtruth::scene::Scene;
-use judge::verdict::{Case, Decision, Progress, RayTolerance, Verdict};
+use judge::verdict::{Decision, Progress, Verdict};
 use pictures::compare::Picture;
 
-use super::cases::STRICTNESS;
+use super::cases::{STRICTNESS, watched};
 use super::pictures::{films, scene, world};
 
 /// What was told, and the number of pictures of ours that were rendered by then.
@@ -16,32 +15,16 @@ type Told = Vec<(usize, String)>;
 /// The verdict, what was told, and the number of pictures of ours that it took.
 fn judged(scene: &Scene, theirs: &Picture) -> (Verdict, Told, usize) {
     let (rendered, told) = (Cell::new(0), RefCell::new(Told::new()));
-    let mut world = world(scene, 1);
-    let mut case = Case {
-        world: &mut world,
-        scene,
-        folder: Path::new(""),
-        is_interrupted: &|| false,
-        so_far: &|progress: Progress<'_>| {
-            let kind = match progress {
-                Progress::Preliminary(_) => format!("preliminary: {progress}"),
-                _ => progress.to_string(),
-            };
-            told.borrow_mut().push((rendered.get(), kind));
-        },
-        strictness: STRICTNESS,
-        transfer: None,
-        tone: (scene.image.gamma, scene.image.out_of_gamut),
-        seed: 1,
-        reference: None,
-        tolerance: RayTolerance::DOUBLE,
+    let so_far = |progress: Progress<'_>| {
+        let kind = match progress {
+            Progress::Preliminary(_) => format!("preliminary: {progress}"),
+            _ => progress.to_string(),
+        };
+        told.borrow_mut().push((rendered.get(), kind));
     };
-    let renders = &mut |world: &_, canvas: &groundtruth::render::Canvas| {
-        canvas.render(world);
-        rendered.set(rendered.get() + 1);
-        true
-    };
-    let verdict = case.verdict(theirs, renders).expect("nobody interrupts");
+    let theirs = std::slice::from_ref(theirs);
+    let verdict = watched(scene, theirs, STRICTNESS, usize::MAX, (&rendered, &so_far));
+    let verdict = verdict.expect("nobody interrupts");
     (verdict, told.into_inner(), rendered.get())
 }
 
