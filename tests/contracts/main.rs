@@ -37,7 +37,7 @@ macro_rules! ensure {
             // also if a number is NaN
             false => {
                 let found = format!($($words)+);
-                return Err(format!("{found}\nexpected `{}`", stringify!($condition)));
+                return Err(format!("found {found}\nexpected `{}`", stringify!($condition)));
             }
         }
     };

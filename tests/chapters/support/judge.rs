@@ -151,7 +151,7 @@ fn verbs_say_what_was_found_and_what_was_expected() {
     assert_eq!(said(|| above!(1, 1)), "`1`: found 1, expected more than 1, `1`");
     assert_eq!(said(|| at_least!(1, 2)), "`1`: found 1, expected at least 2, `2`");
     assert_eq!(said(|| assert!(1 > 2)), "found the opposite, expected `1 > 2`");
-    assert_eq!(said(|| assert!(1 > 2, "{}", 7)), "7\nexpected `1 > 2`");
+    assert_eq!(said(|| assert!(1 > 2, "{}", 7)), "found 7\nexpected `1 > 2`");
     assert_eq!(said(|| assert_eq!(1 + 1, 3)), "`1 + 1`\n   found 2\nexpected 3");
     assert_eq!(
         said(|| assert_eq!(0.5, 1.0, "case {}", 7)),
