@@ -61,6 +61,11 @@ enum What {
         #[command(flatten)]
         mutants: Sample,
     },
+    /// Multiplies the tolerances of the laws in this working copy, which `git restore .` undoes: which laws then fail?
+    Tolerances {
+        /// They are multiplied by this.
+        times: f64,
+    },
     /// Reads the tables of planted mistakes, and says which do not fit the source.
     Check,
     /// The tables of all that was found so far.
@@ -110,6 +115,11 @@ fn main() -> Result<()> {
         }
         What::Again { tolerance, mutants } => {
             again(&root, &folder, &asked(&root, &mutants)?, tolerance)
+        }
+        What::Tolerances { times } => {
+            ensure_committed(&root)?;
+            println!("{} tolerances times {times}", tolerance::multiply(&root, times)?);
+            Ok(())
         }
         What::Check => {
             let all = planted::read(&root.join("power/planted"))?;
@@ -235,16 +245,22 @@ fn measure(
     Ok(())
 }
 
-/// The scratch copy and its tests, made anew when the commit or the changes are others.
-fn known(root: &Path, folder: &Path, asked: &[Asked], without: &[String]) -> Result<Known> {
-    let git = |arguments: &[&str]| {
-        std::process::Command::new("git").args(arguments).current_dir(root).output()
-    };
+fn git(root: &Path, arguments: &[&str]) -> Result<std::process::Output> {
+    Ok(std::process::Command::new("git").args(arguments).current_dir(root).output()?)
+}
+
+fn ensure_committed(root: &Path) -> Result<()> {
     ensure!(
-        git(&["diff", "--quiet", "HEAD"])?.status.success(),
+        git(root, &["diff", "--quiet", "HEAD"])?.status.success(),
         "some files are not as in the last commit, which is what is tried: commit them first"
     );
-    let head = git(&["rev-parse", "HEAD"])?;
+    Ok(())
+}
+
+/// The scratch copy and its tests, made anew when the commit or the changes are others.
+fn known(root: &Path, folder: &Path, asked: &[Asked], without: &[String]) -> Result<Known> {
+    ensure_committed(root)?;
+    let head = git(root, &["rev-parse", "HEAD"])?;
     let changes: Vec<Change> = asked.iter().map(|it| it.change.clone()).collect();
     let of = format!(
         "{} {:x}",
