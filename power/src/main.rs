@@ -61,7 +61,8 @@ enum What {
         #[command(flatten)]
         mutants: Sample,
     },
-    /// Multiplies the tolerances of the laws in this working copy, which `git restore .` undoes: which laws then fail?
+    /// Multiplies the tolerances of the laws in this working copy: which laws then fail? `git restore .` undoes it, and
+    /// `git clean tests` what properties noted.
     Tolerances {
         /// They are multiplied by this.
         times: f64,

@@ -76,8 +76,9 @@ fn what_is_not_rendered_is_hatched() {
     let image = window.render().expect("drawn");
     let row = area.center().y as u32;
     let (left, right) = (area.left() as u32 + 9, area.right() as u32 - 9);
-    let bright = (left..right).filter(|&x| image.get_pixel(x, row).0[0] > 60).count();
-    assert!(bright > 20, "no hatching: {bright}");
+    // a line of 85, or a seventh of it through the coarse picture, which may be there already
+    let bright = (left..right).filter(|&x| image.get_pixel(x, row).0[0] > 4).count();
+    assert!(bright > 20, "{bright} pixels of lines in a row");
 
     drop(window);
     let mut window = dark_window_not_begun();
