@@ -51,12 +51,12 @@ fn samples_along_the_horizon_are_not_judged() {
     let lobe = json!({"lambertian": {"reflectance": [0.5, 0.5, 0.5]}});
     let case = json!({"lobe": {"lobe": lobe, "wo": [0.6, 0.0, 0.8], "u": [0.3, 0.7]}});
     for (z, pdf, expected) in [
-        (0.6, 0.25, "Wrong"),
+        (0.6_f64, 0.25, "Wrong"),
         (0.6, 0.0, "Undecided"),
         (1.1e-6, 0.25, "Wrong"),
         (0.9e-6, 0.25, "Undecided"),
     ] {
-        let wi = [(1.0 - z * z as f64).sqrt(), 0.0, z];
+        let wi = [(1.0 - z * z).sqrt(), 0.0, z];
         let found = judged(laws::sample_agrees, &case, Profile::Book, |question| {
             match question["lobe"].get("u") {
                 Some(_) => json!({"sample": {"wi": wi, "pdf": 0.5, "weight": [0.5, 0.5, 0.5]}}),
@@ -101,7 +101,8 @@ fn the_way_back_of_a_map_is_held() {
 fn directions_are_held_around_the_normal_too() {
     let lobe = json!({"lambertian": {"reflectance": [0.5, 0.5, 0.5]}});
     let case = json!({"lobe": {"lobe": lobe, "wo": [0.0, 0.0, 1.0], "u": [0.3, 0.7]}});
-    let azimuths: [(&str, fn(f64) -> f64, bool); 5] = [
+    type Azimuth = fn(f64) -> f64;
+    let azimuths: [(&str, Azimuth, bool); 5] = [
         ("right", |phi| phi, true),
         ("turned and mirrored", |phi| 1.0 - phi, true),
         ("half of them", |phi| 0.5 * phi, false),

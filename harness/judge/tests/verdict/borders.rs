@@ -1,6 +1,7 @@
 //! Borders of what is judged: values that are refused, negative ones, seeds, and the numbers that stored values stand for.
 
 use groundtruth::film::{Film, OutOfGamut};
+use groundtruth::math::power_of_two;
 use groundtruth::rgb::Rgb;
 use judge::verdict::{
     Bright, Negative, Quantiser, Reference, Stored, refusal, refusal_of_alpha, refusal_of_seed,
@@ -209,10 +210,10 @@ fn the_tolerance_reaches_the_farther_neighbour() {
 fn a_shared_exponent_keeps_eight_bits_of_the_largest_channel() {
     for exponent in -60..60 {
         for [r, g, b] in [[1.0, 0.7, 0.003], [0.3, 1.99, 1.0], [0.01, 0.02, 1.4], [1.0, 1.0, 1.0]] {
-            let color = [r, g, b].map(|x| x * 2.0_f64.powi(exponent));
+            let color = [r, g, b].map(|x| x * power_of_two(exponent));
             let largest = color.into_iter().fold(0.0, f64::max);
-            let units = (-90..90).map(|n| 2.0_f64.powi(n));
-            let unit = units.into_iter().find(|unit| largest / unit < 256.0).expect("one of them");
+            let mut units = (-90..90).map(power_of_two);
+            let unit = units.find(|unit| largest / unit < 256.0).expect("one of them");
             let mut film = Film::new(1, 1);
             film.set([0, 0], Rgb::from(color));
             let found = Stored::SharedExponent.values(&film);

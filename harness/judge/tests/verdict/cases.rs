@@ -34,13 +34,16 @@ fn interrupted(
     watched(scene, theirs, strictness, after, (&Cell::new(0), &|_| {}))
 }
 
+/// The number of pictures of ours, and what hears of progress.
+pub type Watch<'a> = (&'a Cell<usize>, &'a dyn Fn(Progress<'_>));
+
 /// The same; the watch counts them, and hears what is told.
 pub fn watched(
     scene: &Scene,
     theirs: &[Picture],
     strictness: Strictness,
     after: usize,
-    (rendered, so_far): (&Cell<usize>, &dyn Fn(Progress<'_>)),
+    (rendered, so_far): Watch<'_>,
 ) -> Option<Verdict> {
     let mut world = world(scene, 1);
     let mut case = Case {
