@@ -62,7 +62,7 @@ enum What {
         mutants: Sample,
     },
     /// Multiplies the tolerances of the laws in this working copy: which laws then fail? `git restore .` undoes it, and
-    /// `git clean tests` what properties noted.
+    /// `git clean -f tests` what properties noted.
     Tolerances {
         /// They are multiplied by this.
         times: f64,

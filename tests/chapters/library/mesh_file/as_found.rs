@@ -255,7 +255,7 @@ fn what_is_not_a_number_is_missing_where_it_may_be() {
     }
 }
 
-/// Law: other words are errors, as alike as they look. Oracle: words of no C library.
+/// Law: words that only look like those are errors, which name line and word. Oracle: words that no C library writes.
 #[test]
 fn words_that_only_look_like_no_number_are_errors() {
     for word in
