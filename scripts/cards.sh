@@ -16,8 +16,8 @@ folder=target/cards
 mkdir -p "$folder"
 
 if [ -z "${PROGRAM:-}" ]; then
-    cargo build --release --quiet --bin groundtruth
-    PROGRAM=target/release/groundtruth
+    cargo build --quiet --bin groundtruth
+    PROGRAM=target/debug/groundtruth
 fi
 
 # a Python environment with these packages: venv NAME PACKAGE…

@@ -15,7 +15,7 @@ for tool in Xvfb xdotool xclip; do
 done
 program=${1:-}
 if [ -z "$program" ]; then
-    cargo build -p inspector
+    cargo build --bin inspector
     program=${CARGO_TARGET_DIR:-target}/debug/inspector
 fi
 

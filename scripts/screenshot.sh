@@ -13,8 +13,8 @@ for tool in Xvfb xdotool import; do
         exit 2
     fi
 done
-cargo build --release -p inspector
-program=${CARGO_TARGET_DIR:-target}/release/inspector
+cargo build --bin inspector
+program=${CARGO_TARGET_DIR:-target}/debug/inspector
 
 folder=$(mktemp -d)
 window= screen=

@@ -3,7 +3,7 @@
 # one of them interrupted, requeued and continued, one run twice; the merged sums must have the bytes of a single run.
 # The daemons are plain processes with all their files in a temporary folder; an installed Slurm is not touched.
 # Needs root and Debian's packages slurm-wlm and munge, which `slurm-test.sh --install` installs. A program that is
-# built already is tried if it is named: scripts/slurm-test.sh target/release/groundtruth
+# built already is tried if it is named: scripts/slurm-test.sh target/debug/groundtruth
 # Exit status: 0 all is well, 1 it is not, 77 not tried.
 set -eu
 cd "$(dirname "$0")/.."
@@ -28,8 +28,8 @@ for tool in munged slurmctld slurmd sbatch srun; do
 done
 program=${1:-}
 if [ -z "$program" ]; then
-    cargo build --release --bin groundtruth
-    program=${CARGO_TARGET_DIR:-target}/release/groundtruth
+    cargo build --bin groundtruth
+    program=${CARGO_TARGET_DIR:-target}/debug/groundtruth
 fi
 program=$(realpath "$program")
 

@@ -5,7 +5,7 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 command -v povray >/dev/null || { echo "povray is missing: apt-get install povray" >&2; exit 2; }
-cargo build --release --quiet --bin groundtruth
+cargo build --quiet --bin groundtruth
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
@@ -14,7 +14,7 @@ median() { sort -n | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 printf '%9s %12s %12s %7s\n' spheres groundtruth POV-Ray ratio
 for count in 1000 10000 100000 1000000; do
     radius=$(awk -v n="$count" 'BEGIN { printf "%.17g", (0.75 * 0.1 / (n * 3.14159265358979)) ^ (1 / 3) }')
-    cargo run --release --quiet -- export ch22/thousand-spheres |
+    cargo run --quiet -- export ch22/thousand-spheres |
         sed "s/^count = .*/count = $count/; s/^radius = .*/radius = $radius/; s/^accel = \"grid\"/accel = \"bvh\"/" \
         > "$work/spheres.toml"
     cat > "$work/spheres.pov" <<SCENE
@@ -29,7 +29,7 @@ light_source { <-1000, 2000, 2000> rgb 1 parallel point_at 0 shadowless }
 #end
 SCENE
     ours=$(for _ in 1 2 3 4 5; do
-        target/release/groundtruth render "$work/spheres.toml" -o "$work/ours.png" --threads 1 2>&1 |
+        target/debug/groundtruth render "$work/spheres.toml" -o "$work/ours.png" --threads 1 2>&1 |
             sed -n 's/.*rendered in \([0-9.]*\) s.*/\1/p'
     done | median)
     theirs=$(for _ in 1 2 3; do

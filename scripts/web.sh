@@ -65,13 +65,13 @@ target/own/tool/native_bits "${COUNT:-20}" "${SEED:-1}" | diff - "$checks/bits.t
 echo "$(grep -c / "$checks/bits.txt") scenes, $(grep -vc / "$checks/bits.txt") pixels: the native bits"
 
 command -v chromium > /dev/null || { echo "chromium is missing: the page is not checked" >&2; exit 77; }
-cargo build --release --quiet --locked --bin groundtruth
+cargo build --quiet --locked --bin groundtruth
 # the sample of a link, then the pixel of a click into the picture
 node web/page.mjs target/web '#ch28/glass-sphere&pixel=282,244&sample=3' 500,300 > "$checks/page.txt"
 {
-    target/release/groundtruth explain ch28/glass-sphere 282,244 --sample 3
+    target/debug/groundtruth explain ch28/glass-sphere 282,244 --sample 3
     pixel=$(sed -n 's/^pixel (\([0-9]*\), \([0-9]*\)).*/\1,\2/p' "$checks/page.txt" | tail -n 1)
-    target/release/groundtruth explain ch28/glass-sphere "$pixel" --sample 3
+    target/debug/groundtruth explain ch28/glass-sphere "$pixel" --sample 3
 } | diff - "$checks/page.txt" || {
     echo "the page explains otherwise than the command" >&2
     exit 1

@@ -43,8 +43,8 @@ fi
 [ ${#by[@]} -gt 0 ] || exit 77
 
 if [ -z "${PROGRAM:-}" ]; then
-    cargo build --release --quiet --bin groundtruth
-    PROGRAM=target/release/groundtruth
+    cargo build --quiet --bin groundtruth
+    PROGRAM=target/debug/groundtruth
 fi
 all=$(mktemp -d)
 trap 'rm -rf "$all"' EXIT

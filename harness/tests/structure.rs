@@ -4,6 +4,7 @@
 
 mod arrows;
 mod dead;
+mod features;
 mod kinds;
 mod packages;
 

@@ -15,7 +15,7 @@ const MAY_NAME: &[(&str, &[&str])] = &[
     ("invalid", &["math", "printable", "similar"]),
     ("mesh_bvh", &["accel", "candidate", "math"]),
     ("rgb", &["invalid", "math"]),
-    ("film", &["rgb"]),
+    ("film", &["printable", "rgb"]),
     ("images", &["invalid", "math", "rgb"]),
     ("kinds", &["images", "invalid", "kinds", "rgb"]),
     ("filters", &["invalid", "kinds", "math"]),
