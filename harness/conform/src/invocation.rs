@@ -29,6 +29,11 @@ impl Invocation<'_> {
         self.line(command, &[selected.to_owned()], self.cases, &seed)
     }
 
+    /// The command that asks the same again.
+    pub fn again(&self, command: &str, seed: u64) -> String {
+        self.line(command, &self.selection, self.cases, &["--seed".to_owned(), seed.to_string()])
+    }
+
     /// The command that asks the same with a seed that nobody has seen, or, if this was one, with ten times the cases, of
     /// which so many are the default and so many the most.
     pub fn with_fresh_seed(&self, command: &str, default: usize, most: usize) -> String {

@@ -51,6 +51,8 @@ pub enum Judgement {
     Right(f64),
     /// Right by a convention of the book that is not ours: by the profile *book* only.
     ByTheBook(&'static Mistake),
+    /// Right as far as it is there: this field is needed, and left out.
+    Lacks(String),
     /// A tiny change of the question changes the answer, so that either is right.
     Undecided,
     /// Wrong.
@@ -80,9 +82,9 @@ impl Judgement {
         matches!(self, Self::Wrong(_))
     }
 
-    /// Whether the answer is right, or by a convention of the book.
+    /// Whether the answer is right as far as it is there, or by a convention of the book.
     pub fn is_right(&self) -> bool {
-        matches!(self, Self::Right(_) | Self::ByTheBook(_))
+        matches!(self, Self::Right(_) | Self::ByTheBook(_) | Self::Lacks(_))
     }
 }
 
@@ -103,18 +105,19 @@ pub struct Wrong {
     pub theirs: Vec<f64>,
 }
 
-/// The truth about a list of checks: the first that fails, or the largest error; by the book, if one of them is.
+/// The truth about a list of checks: the first that fails, or the largest error; by the book or without a field, if one of
+/// them is.
 pub fn first_wrong(judgements: impl IntoIterator<Item = Judgement>) -> Judgement {
     let mut worst = 0.0_f64;
-    let mut convention = None;
+    let mut other = None;
     for judgement in judgements {
         match judgement {
             Judgement::Right(error) => worst = worst.max(error),
-            Judgement::ByTheBook(mistake) => convention = Some(mistake),
-            other => return other,
+            Judgement::ByTheBook(_) | Judgement::Lacks(_) => other = other.or(Some(judgement)),
+            failed => return failed,
         }
     }
-    convention.map_or(Judgement::Right(worst), Judgement::ByTheBook)
+    other.unwrap_or(Judgement::Right(worst))
 }
 
 /// A number of JSON, or by name one that JSON does not have, as languages print it.

@@ -7,8 +7,8 @@
 pub mod card;
 mod chapters;
 pub mod family;
-pub mod grade;
 mod guarded;
+mod handed;
 mod intersections;
 mod invocation;
 mod judgement;

@@ -12,7 +12,7 @@ use super::card::{Card, Failure, Row, Status};
 use super::family::{Asking, Family, Judge, Stop};
 use super::guarded::guarded;
 use super::judgement::{Judgement, Profile, Wrong};
-use super::mistakes::{Mistake, always, names};
+use super::mistakes::{LEFT_HANDED, Mistake, agree, always, names, suspects};
 use super::program::{MOST_FAULTS, WINDOW};
 use super::shrink;
 use super::subject::{Fault, Reply, Subject};
@@ -103,7 +103,8 @@ pub fn run(
         asked.finish(subject, options, &mut shrinking);
         watch(&asked.row);
     }
-    let rows = asked.into_iter().map(|asked| asked.row).collect();
+    let mut rows: Vec<Row> = asked.into_iter().map(|asked| asked.row).collect();
+    agree(&mut rows);
     let is_whole = !options.interrupted.load(Ordering::Relaxed);
     Ok(Card { profile: options.profile, seed: options.seed, rows, is_whole })
 }
@@ -137,6 +138,8 @@ struct Running<'a> {
     cases: Vec<Value>,
     row: Row,
     wrong: Vec<Wrong>,
+    /// Questions with right answers, where a namer may hold mistakes against them.
+    right: Vec<(Value, Value)>,
     /// The first wrong case.
     first: Option<(Value, Wrong)>,
     /// Its answer to every question until now, if they are one.
@@ -161,7 +164,8 @@ impl<'a> Running<'a> {
         let row = Row::new(&family.name, &family.about, family.chapter, cases.len() as u64);
         let is_done = cases.is_empty();
         let common = CommonAnswer::Nothing;
-        Self { family, cases, row, wrong: Vec::new(), first: None, common, is_done }
+        let (wrong, right) = (Vec::new(), Vec::new());
+        Self { family, cases, row, wrong, right, first: None, common, is_done }
     }
 
     /// Asks some of its cases; while nothing is supported, few of them.
@@ -189,7 +193,7 @@ impl<'a> Running<'a> {
                     .collect();
                 for ((question, reply), mut judged) in cases.iter().zip(&replies).zip(judged) {
                     if let Reply::Answer(answer) = reply {
-                        judged.name(self.family, &[(question.clone(), answer.clone())]);
+                        self.name(&mut judged, &[(question.clone(), answer.clone())]);
                         self.common.and(answer);
                     }
                     let got = || match reply {
@@ -206,7 +210,7 @@ impl<'a> Running<'a> {
                     let mut judged =
                         CaseResult::from(found.unwrap_or_else(|text| Err(Stop::Ours(text))));
                     let asked = asking.asked;
-                    judged.name(self.family, &asked);
+                    self.name(&mut judged, &asked);
                     if judged.is_wrong_with_care(profile) {
                         let again = guarded(|| law(&mut Asking::new(subject), case, Profile::Book));
                         judged.is_fair =
@@ -239,7 +243,11 @@ impl<'a> Running<'a> {
         if let Some(mistake) = judged.convention {
             self.row.count_convention(mistake);
         }
+        if let Some(field) = judged.lacks {
+            *self.row.lacks.entry(field).or_default() += 1;
+        }
         if let Some(text) = judged.text {
+            self.row.count_reason(status, &text);
             let message = (status, text, question.clone());
             if self.row.messages.iter().all(|(other, ..)| *other != status) {
                 self.row.messages.push(message);
@@ -256,15 +264,52 @@ impl<'a> Running<'a> {
         }
     }
 
-    /// Names what is wrong, and makes the first failure smaller.
+    /// Adds the mistakes that the family's namer finds in a wrong case, and keeps a right one.
+    fn name(&mut self, judged: &mut CaseResult, asked: &[(Value, Value)]) {
+        let Some(namer) = self.family.namer else { return };
+        match (&mut judged.wrong, judged.status) {
+            (Some(wrong), _) => {
+                let mut new = (namer.explain)(asked);
+                new.retain(|it| !wrong.clues.contains(it));
+                wrong.clues.extend(new);
+            }
+            (None, Some(Status::Pass)) if self.right.len() < KEPT => {
+                self.right.extend(asked.last().cloned());
+            }
+            _ => {}
+        }
+    }
+
+    /// Leaves out mistakes of which a right answer says that the program has them not.
+    fn refute(&self, wrong: &mut [Wrong]) {
+        let Some(namer) = self.family.namer else { return };
+        let is_refuted = |mistake| self.right.iter().any(|right| (namer.refutes)(right, mistake));
+        for (mistake, _) in suspects(wrong) {
+            if guarded(|| is_refuted(mistake)).unwrap_or(false) {
+                wrong.iter_mut().for_each(|one| one.clues.retain(|it| *it != mistake));
+            }
+        }
+    }
+
+    /// Names what is wrong, and makes the first failure smaller. Answers are not kept beyond that.
     fn finish(&mut self, subject: &mut dyn Subject, options: &Options, spent: &mut Duration) {
         self.is_done = true;
-        self.row.names = guarded(|| names(&self.wrong)).unwrap_or_default();
+        self.cases = Vec::new();
+        let mut wrong = std::mem::take(&mut self.wrong);
+        self.refute(&mut wrong);
+        // a point that is seen here and not there has no number to compare
+        let is_left = |one: &Wrong| one.clues.contains(&&LEFT_HANDED);
+        self.row.is_left_handed = wrong.iter().any(is_left)
+            && wrong.iter().all(|one| is_left(one) || one.theirs.is_empty());
+        wrong.iter_mut().for_each(|one| one.clues.retain(|it| *it != &LEFT_HANDED));
+        self.right = Vec::new();
+        self.row.names = guarded(|| names(&wrong)).unwrap_or_default();
         if let CommonAnswer::Always(answer) = &self.common
-            && let Some(name) = always(self.family.question(), answer, &self.row.names, &self.wrong)
+            && let Some(name) = always(self.family.question(), answer, &self.row.names, &wrong)
         {
             self.row.names = vec![name];
         }
+        self.common = CommonAnswer::Nothing;
         let Some((question, wrong)) = self.first.take() else { return };
         let asked = std::mem::take(&mut self.row.asked);
         let first = Failure { question, wrong, asked };
@@ -298,6 +343,8 @@ struct CaseResult {
     wrong: Option<Box<Wrong>>,
     /// Of the book, by which it is right.
     convention: Option<&'static Mistake>,
+    /// Right but for this field, which is left out.
+    lacks: Option<String>,
     text: Option<String>,
 }
 
@@ -337,15 +384,6 @@ impl CaseResult {
         judged
     }
 
-    /// Adds the mistakes that the family's namer finds in a wrong case.
-    fn name(&mut self, family: &Family, asked: &[(Value, Value)]) {
-        if let (Some(wrong), Some(namer)) = (&mut self.wrong, family.namer) {
-            let new: Vec<_> =
-                namer(asked).into_iter().filter(|it| !wrong.clues.contains(it)).collect();
-            wrong.clues.extend(new);
-        }
-    }
-
     /// Whether it is wrong, and may be right by the other profile.
     fn is_wrong_with_care(&self, profile: Profile) -> bool {
         self.status == Some(Status::Wrong) && profile == Profile::Careful
@@ -359,12 +397,16 @@ impl CaseResult {
             is_ours: false,
             wrong: None,
             convention: None,
+            lacks: None,
             text,
         };
         match found {
             Ok(Judgement::Right(error)) => Self { error, ..plain(Some(Status::Pass), None) },
             Ok(Judgement::ByTheBook(mistake)) => {
                 Self { convention: Some(mistake), ..plain(Some(Status::Pass), None) }
+            }
+            Ok(Judgement::Lacks(field)) => {
+                Self { lacks: Some(field), ..plain(Some(Status::Pass), None) }
             }
             Ok(Judgement::Undecided) => plain(Some(Status::Undecided), None),
             Ok(Judgement::Wrong(wrong)) => {
@@ -391,5 +433,5 @@ impl CaseResult {
 
 /// Whether it is right, or not judged; a convention of the book is no matter of precision.
 fn is_no_failure(judgement: &Judgement) -> bool {
-    matches!(judgement, Judgement::Right(_) | Judgement::Undecided)
+    matches!(judgement, Judgement::Right(_) | Judgement::Lacks(_) | Judgement::Undecided)
 }

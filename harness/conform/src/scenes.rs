@@ -28,7 +28,7 @@ pub fn families() -> Vec<Family> {
                 share: 0.5,
                 cases: Box::new(changed),
                 judge,
-                namer: Some(radiance::name),
+                namer: Some(radiance::NAMER),
                 is_shrunk: true,
             });
         };

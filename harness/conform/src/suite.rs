@@ -8,6 +8,7 @@ use super::questions::{self, kinds, outside, ray_question, square, vector};
 use super::{intersections, laws, radiance, scenes};
 use exact::Draw;
 use groundtruth::lobes::{Claims, Lobe};
+use groundtruth::similar::did_you_mean;
 use groundtruth::{cameras, samplers};
 use oracle::hard;
 
@@ -27,13 +28,20 @@ pub fn all() -> Vec<Family> {
 
 /// The error text for a word that selects nothing.
 pub fn unknown(word: &str, families: &[Family]) -> String {
-    let names = families
-        .iter()
-        .flat_map(|family| [family.chapter, &family.about, family.question(), &family.name]);
-    let nearest = names
-        .max_by(|a, b| strsim::jaro_winkler(a, word).total_cmp(&strsim::jaro_winkler(b, word)));
-    let hint = nearest.map_or_else(String::new, |name| format!("; did you mean `{name}`?"));
+    let hint = similar(word, families);
     format!("nothing is called `{word}`{hint} (chapters are ch03, ch04 …)")
+}
+
+/// `; did you mean …?` with words that select families and are like a mistyped one, the shortest first.
+pub fn similar(word: &str, families: &[Family]) -> String {
+    let words = families.iter().flat_map(|Family { chapter, about, name, .. }| {
+        let beginnings = name.match_indices(['.', '_']).map(|(end, _)| &name[..end]);
+        [*chapter, about, name].into_iter().chain(beginnings)
+    });
+    let mut known: Vec<&str> = words.collect();
+    known.sort_by_key(|word| (word.len(), *word));
+    known.dedup();
+    did_you_mean(word, &known)
 }
 
 /// The families judged by laws.

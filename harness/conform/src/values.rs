@@ -6,6 +6,7 @@
 
 use serde_json::Value;
 
+use super::handed;
 use super::judgement::{Judgement, Profile, Wrong, first_wrong, nan_in, number, numbers};
 use super::mistakes::{self, Mistake, clues, same};
 use super::subject::ours;
@@ -165,7 +166,9 @@ pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) 
     if let Some((wrong, _)) = found.iter().find(is_certain) {
         return wrong.clone();
     }
-    if let found @ Judgement::Right(_) = first_wrong(found.into_iter().map(|(it, _)| it)) {
+    if let found @ (Judgement::Right(_) | Judgement::Lacks(_)) =
+        first_wrong(found.into_iter().map(|(it, _)| it))
+    {
         return found;
     }
     let Some(conditions) = conditions(question, &right, profile, rules) else {
@@ -178,8 +181,14 @@ pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) 
 fn missing(leaf: &Leaf, right: &Value, theirs: &Value, rules: &Rules) -> Found {
     let first = leaf.field.split('.').next().unwrap_or_default();
     let is_needed = rules.needed.is_empty() || rules.needed.contains(&first);
-    if right.is_object() && !is_needed && (theirs.is_object() && theirs.get(first).is_none()) {
-        return (Judgement::Right(0.0), true);
+    if right.is_object() && theirs.is_object() && theirs.get(first).is_none() {
+        // what is left out is named, if there is something else to judge
+        let is_judged = |field: &str| !rules.free.contains(&field) && theirs.get(field).is_some();
+        match right.as_object().is_some_and(|all| all.keys().any(|field| is_judged(field))) {
+            _ if !is_needed => return (Judgement::Right(0.0), true),
+            true => return (Judgement::Lacks(first.to_owned()), true),
+            false => {}
+        }
     }
     let (symptom, certain) = match theirs {
         Value::Null => ("null".to_owned(), false),
@@ -242,7 +251,8 @@ fn judge_leaf(
         expected: leaf.shown(),
         clues: explained(question, leaf, answer, (&theirs, right), rules),
         ratio: mistakes::ratio(&theirs, right),
-        theirs,
+        // a list of another length has no meaning, and may be long
+        theirs: if theirs.len() == right.len() { theirs } else { Vec::new() },
     };
     (Judgement::Wrong(Box::new(wrong)), false)
 }
@@ -256,9 +266,18 @@ fn explained(
     rules: &Rules,
 ) -> Vec<&'static Mistake> {
     let mut found = match is_color(question, &leaf.field) {
+        // a wrong cell of a texture has another of its colours, whatever that looks like
+        _ if question.get("texture").is_some() => Vec::new(),
         true => mistakes::clues_of_color(theirs, right),
         false => clues(theirs, right),
     };
+    let of_leaf =
+        |answer: &Value| leaf.of(answer).and_then(|it| number(it).map(|x| vec![x]).or(numbers(it)));
+    let by_handedness =
+        handed::answers(question, answer).iter().filter_map(of_leaf).collect::<Vec<_>>();
+    if by_handedness.iter().any(|other| same(theirs, other) && !same(right, other)) {
+        found.push(&mistakes::LEFT_HANDED);
+    }
     for (mistake, change) in rules.questions {
         let mut changed = question.clone();
         if change(&mut changed).is_none() {

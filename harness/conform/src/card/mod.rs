@@ -68,6 +68,11 @@ pub struct Failure {
     pub asked: Vec<(Value, String)>,
 }
 
+/// Letters of a reason that are kept.
+const LONGEST_REASON: usize = 80;
+/// Reasons of a family that are kept.
+const MOST_REASONS: usize = 16;
+
 /// What became of a family.
 #[derive(Clone, Debug)]
 pub struct Row {
@@ -93,6 +98,12 @@ pub struct Row {
     pub names: Vec<Name>,
     /// Conventions of the book that its answers follow and ours do not, each with the number of answers: they pass.
     pub conventions: Vec<(&'static Mistake, u64)>,
+    /// Fields that right answers have left out, each with their number.
+    pub lacks: BTreeMap<String, u64>,
+    /// Why cases are unsupported, each with their number.
+    pub reasons: BTreeMap<String, u64>,
+    /// Whether each wrong answer is that of a program whose axes are left-handed.
+    pub is_left_handed: bool,
     /// For each other status, the first text and its question.
     pub messages: Vec<(Status, String, Value)>,
     /// What was asked for the first failure.
@@ -113,6 +124,9 @@ impl Row {
             failure: None,
             names: Vec::new(),
             conventions: Vec::new(),
+            lacks: BTreeMap::new(),
+            reasons: BTreeMap::new(),
+            is_left_handed: false,
             messages: Vec::new(),
             asked: Vec::new(),
         }
@@ -122,6 +136,15 @@ impl Row {
         match self.conventions.iter_mut().find(|(known, _)| *known == mistake) {
             Some((_, count)) => *count += 1,
             None => self.conventions.push((mistake, 1)),
+        }
+    }
+
+    /// Counts why a case is unsupported; of each reason its beginning, and few of them.
+    pub(super) fn count_reason(&mut self, status: Status, text: &str) {
+        let reason: String = text.chars().take(LONGEST_REASON).collect();
+        let is_room = self.reasons.len() < MOST_REASONS || self.reasons.contains_key(&reason);
+        if status == Status::Unsupported && is_room {
+            *self.reasons.entry(reason).or_default() += 1;
         }
     }
 
@@ -215,7 +238,7 @@ impl Card {
             json!({
                 "family": row.name, "chapter": row.chapter, "about": row.about, "counts": counts,
                 "cases": row.cases, "not_asked": row.not_asked(), "judge_failed": row.ours,
-                "fair": row.fair, "worst": row.worst, "failure": failure,
+                "fair": row.fair, "missing": row.lacks, "worst": row.worst, "failure": failure,
                 "names": row.names.iter().map(ToString::to_string).collect::<Vec<_>>(),
                 "conventions": row.conventions.iter().map(|(it, count)| {
                     json!({"name": it.name, "place": it.place, "count": count})

@@ -1,5 +1,6 @@
 //! The card in words: the verdict in a sentence, what failed, and the counts.
 
+use std::collections::BTreeMap;
 use std::fmt;
 
 use super::super::invocation::Invocation;
@@ -116,6 +117,18 @@ pub(super) fn conventions(row: &Row) -> String {
     row.conventions.iter().map(shown).collect()
 }
 
+/// Fields that a family's right answers have left out.
+fn lacking(row: &Row) -> String {
+    let shown = |(field, count): (&String, &u64)| {
+        format!(
+            "{}: `{field}` is missing in {count} of {} answers, which are right in what they have\n",
+            row.name,
+            row.total()
+        )
+    };
+    row.lacks.iter().map(shown).collect()
+}
+
 /// The verdict in one sentence: how many families failed, and the first of them with its mistake.
 pub fn verdict(card: &Card, is_fresh: bool) -> String {
     if !card.is_whole {
@@ -128,7 +141,12 @@ pub fn verdict(card: &Card, is_fresh: bool) -> String {
     );
     let (judged, seed) = (asked - unsupported, card.seed);
     match (failed, is_fresh) {
-        _ if judged == 0 => format!("nothing to judge: all {asked} families are unsupported"),
+        _ if judged == 0 => {
+            format!("nothing to judge: all {asked} families are unsupported{}", reasons(card))
+        }
+        (0, _) if card.rows.iter().any(|row| !row.lacks.is_empty()) => {
+            format!("none of {judged} families failed, but parts of answers are missing")
+        }
         (0, true) => {
             format!("validated: none of {judged} families failed, with the fresh seed {seed}")
         }
@@ -139,6 +157,28 @@ pub fn verdict(card: &Card, is_fresh: bool) -> String {
             let first = failures(card).first().map_or(String::new(), |row| first(row));
             format!("{failed} of {judged} families failed (seed {seed}){first}")
         }
+    }
+}
+
+/// The program's own reasons, the most frequent first.
+fn reasons(card: &Card) -> String {
+    const SHOWN: usize = 6;
+    let mut all: BTreeMap<&str, u64> = BTreeMap::new();
+    for (reason, count) in card.rows.iter().flat_map(|row| &row.reasons) {
+        *all.entry(reason).or_default() += count;
+    }
+    let mut all: Vec<(&str, u64)> = all.into_iter().collect();
+    all.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    let shown =
+        |(reason, count): &(&str, u64)| format!("\"{}\" ({count})", printable::text(reason));
+    let mut parts: Vec<String> = all.iter().take(SHOWN).map(shown).collect();
+    if all.len() > SHOWN {
+        parts.push(format!("{} others", all.len() - SHOWN));
+    }
+    if parts.is_empty() {
+        String::new()
+    } else {
+        format!("; the program says: {}", parts.join(", "))
     }
 }
 
@@ -183,7 +223,7 @@ fn details(card: &Card) -> String {
         + &rest(card)
 }
 
-/// What is said below the counts: families that were not judged, and which profile fits.
+/// What is said below the counts: what is missing, families that were not judged, and which profile fits.
 pub(super) fn rest(card: &Card) -> String {
     let wrong = card.count(Status::Wrong);
     let fair: u64 = card.rows.iter().map(|row| row.fair).sum();
@@ -195,7 +235,7 @@ pub(super) fn rest(card: &Card) -> String {
     };
     let left = left_alone(card, count(card, &Row::is_unsupported));
     let left = if left.is_empty() { left } else { format!("not judged: {left}\n") };
-    advice + &left
+    card.rows.iter().map(lacking).collect::<String>() + &advice + &left
 }
 
 /// The next step: the first family that failed, by itself; if it was alone, the scene in which its mistake shows; if none
@@ -235,10 +275,17 @@ fn left_alone(card: &Card, unsupported: usize) -> String {
         1 => parts.push(format!("1 family is unsupported{stopped}")),
         n => parts.push(format!("{n} families are unsupported{stopped}")),
     }
-    match count(card, &|row| row.not_asked() > 0 && !row.is_unsupported()) {
+    let is_open = |row: &Row| row.not_asked() > 0 && !row.is_unsupported();
+    let stopped = |row: &Row| !card.is_whole && row.faults() == 0;
+    match count(card, &|row| is_open(row) && !stopped(row)) {
         0 => {}
         1 => parts.push("1 was left alone after faults".to_owned()),
         n => parts.push(format!("{n} were left alone after faults")),
+    }
+    match count(card, &|row| is_open(row) && stopped(row)) {
+        0 => {}
+        1 => parts.push("1 was not asked to its end before the interruption".to_owned()),
+        n => parts.push(format!("{n} were not asked to their end before the interruption")),
     }
     match card.rows.iter().map(|row| row.ours).sum::<u64>() {
         0 => {}

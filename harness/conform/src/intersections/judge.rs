@@ -132,6 +132,9 @@ fn three(value: &Value) -> Option<[f64; 3]> {
 fn judge_normal(question: &Question, hit: &Value, root: &Root, profile: Profile) -> Judgement {
     let right = root.normal;
     let expected = format!("normal {right:?}");
+    if hit.get("normal").is_none() {
+        return Judgement::Lacks("normal".to_owned());
+    }
     let Some(normal) = three(&hit["normal"]) else {
         return not_three("normal", &hit["normal"], expected);
     };

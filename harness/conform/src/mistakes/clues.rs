@@ -3,9 +3,10 @@
 use std::f64::consts::PI;
 
 use super::*;
+use groundtruth::math::power;
 
 /// Factors by which whole answers are off.
-pub(super) static FACTORS: [(&Mistake, f64); 11] = [
+pub static FACTORS: [(&Mistake, f64); 21] = [
     (&TIMES_PI, PI),
     (&OVER_PI, 1.0 / PI),
     (&TIMES_TWO, 2.0),
@@ -17,6 +18,16 @@ pub(super) static FACTORS: [(&Mistake, f64); 11] = [
     (&DEGREES, 180.0 / PI),
     (&RADIANS, PI / 180.0),
     (&NEGATED, -1.0),
+    (&QUARTER_PI, PI / 4.0),
+    (&FOUR_OVER_PI, 4.0 / PI),
+    (&OVER_PI_SQUARED, 1.0 / (PI * PI)),
+    (&PI_SQUARED, PI * PI),
+    (&TWO_THIRDS, 2.0 / 3.0),
+    (&THREE_HALVES, 1.5),
+    (&THREE_QUARTERS, 0.75),
+    (&FOUR_THIRDS, 4.0 / 3.0),
+    (&QUARTER, 0.25),
+    (&FOUR, 4.0),
 ];
 
 /// How closely a mistake has to explain an answer, relative to its largest number: programs in single precision
@@ -32,79 +43,82 @@ pub fn same(theirs: &[f64], alternative: &[f64]) -> bool {
 
 /// The mistakes that turn the right numbers into theirs: factors, signs, exchanged components.
 pub fn clues(theirs: &[f64], right: &[f64]) -> Vec<&'static Mistake> {
-    let mut clues = Vec::new();
-    let mut candidate = |mistake, alternative: &[f64]| {
-        clues.extend(matched(mistake, alternative, theirs, right));
+    let mut others = scaled(right);
+    others.push((&ZERO, vec![0.0; right.len()]));
+    let components: Vec<(&'static Mistake, Vec<f64>)> = match *right {
+        [x] => vec![
+            (&SQUARED, vec![x * x]),
+            (&ROOT, vec![x.abs().sqrt()]),
+            (&INVERSE, vec![1.0 / x]),
+            (&COMPLEMENT, vec![1.0 - x]),
+        ],
+        [x, y] => vec![
+            (&SWAP_XY, vec![y, x]),
+            (&FLIP_X, vec![-x, y]),
+            (&FLIP_Y, vec![x, -y]),
+            (&MIRROR_U, vec![1.0 - x, y]),
+            (&MIRROR_V, vec![x, 1.0 - y]),
+        ],
+        [x, y, z] => vec![
+            (&SWAP_XY, vec![y, x, z]),
+            (&SWAP_YZ, vec![x, z, y]),
+            (&SWAP_XZ, vec![z, y, x]),
+            (&FLIP_X, vec![-x, y, z]),
+            (&FLIP_Y, vec![x, -y, z]),
+            (&FLIP_Z, vec![x, y, -z]),
+        ],
+        _ => Vec::new(),
     };
-    candidate(&ZERO, &vec![0.0; right.len()]);
-    for (mistake, factor) in &FACTORS {
-        let scaled: Vec<f64> = right.iter().map(|x| factor * x).collect();
-        candidate(mistake, &scaled);
+    others.extend(components);
+    let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if right.len() == 3 && theirs.len() == 3 && (length(right) - 1.0).abs() < CLOSE {
+        let longer = right.iter().map(|x| length(theirs) * x).collect();
+        others.push((&NOT_NORMALISED_LENGTH, longer));
     }
-    match *right {
-        [x] => {
-            candidate(&SQUARED, &[x * x]);
-            candidate(&ROOT, &[x.abs().sqrt()]);
-            candidate(&INVERSE, &[1.0 / x]);
-            candidate(&COMPLEMENT, &[1.0 - x]);
-        }
-        [x, y] => {
-            candidate(&SWAP_XY, &[y, x]);
-            candidate(&FLIP_X, &[-x, y]);
-            candidate(&FLIP_Y, &[x, -y]);
-            candidate(&MIRROR_U, &[1.0 - x, y]);
-            candidate(&MIRROR_V, &[x, 1.0 - y]);
-        }
-        [x, y, z] => {
-            candidate(&SWAP_XY, &[y, x, z]);
-            candidate(&SWAP_YZ, &[x, z, y]);
-            candidate(&SWAP_XZ, &[z, y, x]);
-            candidate(&FLIP_X, &[-x, y, z]);
-            candidate(&FLIP_Y, &[x, -y, z]);
-            candidate(&FLIP_Z, &[x, y, -z]);
-            let length = |v: &[f64]| v.iter().map(|x| x * x).sum::<f64>().sqrt();
-            if (length(right) - 1.0).abs() < CLOSE && theirs.len() == 3 {
-                let scaled = [x, y, z].map(|x| length(theirs) * x);
-                candidate(&NOT_NORMALISED_LENGTH, &scaled);
-            }
-        }
-        _ => {}
-    }
-    clues
+    explained(others, theirs, right)
 }
 
 /// The same for a colour, whose components are channels and not axes.
 pub fn clues_of_color(theirs: &[f64], right: &[f64]) -> Vec<&'static Mistake> {
-    let mut clues = Vec::new();
-    let mut candidate = |mistake, alternative: &[f64]| {
-        clues.extend(matched(mistake, alternative, theirs, right));
-    };
-    let [r, g, b] = *right else { return clues };
-    candidate(&BLACK, &[0.0; 3]);
-    for (mistake, factor) in &FACTORS {
-        candidate(mistake, &[r, g, b].map(|x| factor * x));
-    }
-    candidate(&SWAP_RG, &[g, r, b]);
-    candidate(&SWAP_GB, &[r, b, g]);
-    candidate(&SWAP_RB, &[b, g, r]);
-    candidate(&ONLY_RED, &[r, r, r]);
-    candidate(&NO_RED, &[0.0, g, b]);
-    candidate(&NO_GREEN, &[r, 0.0, b]);
-    candidate(&NO_BLUE, &[r, g, 0.0]);
-    candidate(&SQUARED, &[r * r, g * g, b * b]);
-    candidate(&ROOT, &[r, g, b].map(|x| x.abs().sqrt()));
-    candidate(&COMPLEMENT, &[1.0 - r, 1.0 - g, 1.0 - b]);
-    clues
+    let mut others = scaled(right);
+    others.extend(other_colors(right));
+    explained(others, theirs, right)
 }
 
-/// The mistake, if it gives theirs; an alternative that is right explains nothing.
-fn matched(
-    mistake: &'static Mistake,
-    alternative: &[f64],
+/// What mistakes make of every colour, but for factors.
+pub fn other_colors(right: &[f64]) -> Vec<(&'static Mistake, Vec<f64>)> {
+    let [r, g, b] = *right else { return Vec::new() };
+    let each = |of: fn(f64) -> f64| vec![of(r), of(g), of(b)];
+    vec![
+        (&BLACK, vec![0.0; 3]),
+        (&SWAP_RG, vec![g, r, b]),
+        (&SWAP_GB, vec![r, b, g]),
+        (&SWAP_RB, vec![b, g, r]),
+        (&ONLY_RED, vec![r, r, r]),
+        (&NO_RED, vec![0.0, g, b]),
+        (&NO_GREEN, vec![r, 0.0, b]),
+        (&NO_BLUE, vec![r, g, 0.0]),
+        (&SQUARED, each(|x| x * x)),
+        (&ROOT, each(|x| x.abs().sqrt())),
+        (&COMPLEMENT, each(|x| 1.0 - x)),
+        (&CLAMPED, each(|x| x.clamp(0.0, 1.0))),
+        (&GAMMA, each(|x| power(x.abs(), 1.0 / 2.2))),
+    ]
+}
+
+fn scaled(right: &[f64]) -> Vec<(&'static Mistake, Vec<f64>)> {
+    let by = |factor: f64| right.iter().map(|x| factor * x).collect();
+    FACTORS.iter().map(|&(mistake, factor)| (mistake, by(factor))).collect()
+}
+
+/// The mistakes that give theirs; an alternative that is right explains nothing.
+fn explained(
+    others: Vec<(&'static Mistake, Vec<f64>)>,
     theirs: &[f64],
     right: &[f64],
-) -> Option<&'static Mistake> {
-    (same(theirs, alternative) && !same(right, alternative)).then_some(mistake)
+) -> Vec<&'static Mistake> {
+    let gives = |other: &[f64]| same(theirs, other) && !same(right, other);
+    others.into_iter().filter(|(_, other)| gives(other)).map(|(mistake, _)| mistake).collect()
 }
 
 /// The one factor between theirs and the right numbers, if there is one.

@@ -3,8 +3,8 @@
 //! Those of which a picture can be made are entries of the catalogue, [`judge::mistakes::known`]; the others are told by
 //! numbers alone.
 //!
-//! A judge lists, for one wrong answer, the mistakes that give exactly this answer. A family is named by the few
-//! mistakes that explain most of its wrong answers, each with how many it explains.
+//! A judge lists, for one wrong answer, the mistakes that give exactly this answer. A family is named by the mistake that
+//! explains nearly all of its wrong answers, and would have changed none of the right ones.
 
 mod clues;
 mod names;
@@ -12,8 +12,8 @@ mod names;
 use judge::mistakes::known::{self, KnownMistake};
 use judge::mistakes::{find, scenes_that_show};
 
-pub use clues::{clues, clues_of_color, ratio, same};
-pub use names::{Name, always, names};
+pub use clues::{FACTORS, clues, clues_of_color, other_colors, ratio, same};
+pub use names::{Name, agree, always, names, suspects};
 
 /// A mistake.
 #[derive(Debug)]
@@ -119,10 +119,12 @@ mistakes! {
     CENTER_FORGOTTEN: "the centre is left out of the normal", "ch. 3: normal = (o − c + t d) / r", "ch03/three-objects";
     NEAREST_ONLY: "the nearest hit alone", "docs/probe.md: `all` asks for every root";
     SPAN_IGNORED: "the span is ignored", "docs/probe.md: hits count if min < t < max";
-    MISSED: "hits are missed", "ch. 3, 19: is a bound, a border or ε too strict?";
+    MISSED: "hits are missed", "ch. 3, 19: there is a root, and the answer has none";
     // numbers
     ZERO: "0: the value is left out", "is a term missing, or a variable never set?";
     BLACK: "black: the light is left out", "is a term missing, or a variable never set?";
+    CLAMPED: "values are cut off at 1", "docs/probe.md: radiance has no upper limit";
+    GAMMA: "the radiance is encoded for a screen, with an exponent of 1/2.2", "docs/probe.md: radiance is linear";
     ALWAYS: "the same value every time", "is a variable never set?";
     DIVIDED_BY_ZERO_ANGLE: "0/0 in the middle of the picture", "ch. 11: where r = 0 there is no angle, and the direction is −w";
     DIVIDED_BY_ZERO_AXIS: "0/0 on the axis of the mapping", "ch. 29: where d = 0, u = v = 1/2";
@@ -135,6 +137,16 @@ mistakes! {
     OVER_2PI: "2π times too small", "ch. 7: the density of the hemisphere";
     TIMES_4PI: "4π times too large", "ch. 18: the density of the sphere";
     OVER_4PI: "4π times too small", "ch. 18: the density of the sphere";
+    QUARTER_PI: "π/4 times as large", "ch. 6, 18: a disk has π/4 of the area of the square around it";
+    FOUR_OVER_PI: "4/π times as large", "ch. 6, 18: the square around a disk has 4/π of its area";
+    OVER_PI_SQUARED: "π² times too small", "ch. 13: a Lambertian BRDF is ρ/π, divided by π once";
+    PI_SQUARED: "π² times too large", "ch. 13: a Lambertian BRDF is ρ/π";
+    TWO_THIRDS: "2/3 as large", "ch. 7, 26: a cosine too many under a mean over the hemisphere makes 2/3";
+    THREE_HALVES: "3/2 times as large", "ch. 7, 26: a cosine too few, where samples are denser towards the normal by cos²";
+    THREE_QUARTERS: "3/4 as large", "ch. 7, 26: a cosine in place of its square, or the other way round";
+    FOUR_THIRDS: "4/3 times as large", "ch. 7, 26: a cosine in place of its square, or the other way round";
+    QUARTER: "a quarter as large", "a factor ¼: a radius for a diameter, squared, or ½ twice";
+    FOUR: "four times as large", "a factor 4: a diameter for a radius, squared, or 2 twice";
     DEGREES: "degrees for radians", "ch. 2: radians = π/180 × degrees";
     RADIANS: "radians for degrees", "ch. 2: radians = π/180 × degrees";
     SQUARED: "the square of the value", "a square too many";
@@ -157,8 +169,10 @@ mistakes! {
     NO_BLUE: "blue is left out", "all three channels count";
     MIRROR_U: "1 − u for u", "ch. 29: φ goes from +z to +x";
     MIRROR_V: "1 − v for v", "ch. 29: v goes up, rows of files go down", "ch29/earth";
+    LEFT_HANDED: "left-handed axes: negate z of what the adapter reads and writes; or columns are counted from the right", "docs/probe.md: x to the right, y up, z to the viewer";
     TRANSPOSED: "rows for columns", "ch. 20: points are columns";
     // lobes and optics
+    MIRRORED_ONCE: "the mirror direction lacks its factor 2", "ch. 24: r = −ωo + 2 (n·ωo) n";
     WITH_COS: "with the cosine of the incoming direction", "ch. 13: f has no cosine", "ch14/set";
     WITHOUT_COS: "without the cosine of the incoming direction", "ch. 13, 26: the weight is f cos θ / pdf", "ch26/cornell-box";
     ETA_SQUARED_TWICE: "ours / η²: 1/η² twice", "ch. 27: radiance is divided by η² when it enters", "ch28/snell-window";

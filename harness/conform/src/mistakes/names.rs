@@ -2,6 +2,7 @@
 
 use serde_json::Value;
 
+use super::super::card::{Row, Status};
 use super::super::judgement::Wrong;
 use super::clues::FACTORS;
 use super::*;
@@ -22,45 +23,44 @@ pub enum Name {
     Factor(f64),
 }
 
-/// The least share of the wrong answers that a name has to explain, as a divisor.
-const SHARE: usize = 3;
+/// The least share of the wrong answers that a name has to explain: all of fewer than ten.
+const NEARLY_ALL: f64 = 0.9;
 /// Names for the same wrong answers: more would only say that one cannot tell.
 const MOST_ALIKE: usize = 2;
+/// Answers from which on a name that only says how numbers differ tells something: one or two may agree by chance.
+const SOME: usize = 3;
 /// A factor this close to 1 is an error of rounding or of a constant, and is not named.
 const NEAR_ONE: f64 = 1e-4;
 
-/// The names of a family's wrong answers: in each step the mistake that explains most of those not yet explained,
-/// until none explains a third of all. Of mistakes that explain the same answers, the most specific are named, at most
-/// two. Of a single answer, known mistakes only: one ratio says nothing.
-pub fn names(wrong: &[Wrong]) -> Vec<Name> {
-    if let [only] = wrong
-        && !only.theirs.is_empty()
-        && only.theirs.iter().all(|x| *x == 0.0)
-    {
-        // a single black answer is that of many mistakes
-        let says = |mistake: &&Mistake| [&BLACK, &ZERO, &IN_BLACK_SHADOW].contains(mistake);
-        let left_out = only.clues.iter().copied().find(says);
-        return left_out
-            .map(|mistake| Name::Known { mistake, explains: 1, of: 1 })
-            .into_iter()
-            .collect();
-    }
-    let mut open: Vec<usize> = (0..wrong.len()).collect();
-    let mut names = Vec::new();
-    while !open.is_empty() {
-        let best = most_explaining(wrong, &open);
-        let Some(first) = best.first() else { break };
-        let explained = |index: &usize| wrong[*index].clues.contains(first);
-        let count = open.iter().filter(|index| explained(index)).count();
-        if count < wrong.len() && count < wrong.len().div_ceil(SHARE).max(2) {
-            break;
+/// The mistakes that explain nearly all of these answers, with how many each explains; the first explain most.
+pub fn suspects(wrong: &[Wrong]) -> Vec<(&'static Mistake, usize)> {
+    let mut all: Vec<(&'static Mistake, usize)> = Vec::new();
+    for mistake in wrong.iter().flat_map(|one| &one.clues) {
+        if all.iter().all(|(known, _)| known != mistake) {
+            let explains = wrong.iter().filter(|one| one.clues.contains(mistake)).count();
+            all.push((mistake, explains));
         }
-        open.retain(|index| !explained(index));
-        names.extend(best.into_iter().map(|mistake| {
-            let explains = wrong.iter().filter(|one| one.clues.contains(&mistake)).count();
-            Name::Known { mistake, explains, of: wrong.len() }
-        }));
     }
+    all.retain(|(_, explains)| *explains as f64 >= NEARLY_ALL * wrong.len() as f64);
+    // stable: of equals, the order in which the judges found them
+    all.sort_by_key(|(mistake, explains)| (std::cmp::Reverse(*explains), tier(mistake)));
+    all
+}
+
+/// The names of a family's wrong answers: the mistake that explains most of them, and nearly all, or none. Of mistakes that
+/// explain as many, the most specific are named; if they say only how numbers differ, one, or none.
+pub fn names(wrong: &[Wrong]) -> Vec<Name> {
+    let mut best = suspects(wrong);
+    if let Some((first, most)) = best.first().copied() {
+        best.retain(|(mistake, explains)| *explains == most && tier(mistake) == tier(first));
+        let says_little = tier(first) == LEAST_SPECIFIC || [&BLACK, &ZERO].contains(&first);
+        let is_either = best.len() > 1;
+        if is_either && wrong.len() < SOME || says_little && (is_either || wrong.len() < SOME) {
+            best.clear();
+        }
+    }
+    let name = |(mistake, explains)| Name::Known { mistake, explains, of: wrong.len() };
+    let mut names: Vec<Name> = best.into_iter().map(name).collect();
     let is_vague = |name: &Name| matches!(name, Name::Known { mistake, .. } if tier(mistake) == LEAST_SPECIFIC);
     if names.iter().all(is_vague) && has_one_value(wrong) {
         names = vec![Name::Known { mistake: &ALWAYS, explains: wrong.len(), of: wrong.len() }];
@@ -69,6 +69,50 @@ pub fn names(wrong: &[Wrong]) -> Vec<Name> {
         names.extend(common_factor(wrong).map(Name::Factor));
     }
     names
+}
+
+/// Of several names of a family, keeps those that most other families have, too, if these are at most two. A name that no other family has
+/// is not kept for few wrong answers, nor for a scene if most other scenes have wrong answers without a name. If all wrong
+/// answers of all families are those of left-handed axes, this is said first.
+pub fn agree(rows: &mut [Row]) {
+    let failed: Vec<&Row> = rows.iter().filter(|row| row.count(Status::Wrong) > row.fair).collect();
+    // some rules have no numbers to compare
+    let may_be = |row: &&Row| row.is_left_handed || row.names.is_empty();
+    let is_left_handed = failed.iter().any(|row| row.is_left_handed) && failed.iter().all(may_be);
+    let count = failed.len();
+    let is_scene = |row: &Row| row.about.starts_with("scenes/");
+    let scenes = failed.iter().filter(|row| is_scene(row));
+    let nameless = scenes.clone().filter(|row| row.names.is_empty()).count();
+    let is_odd = 2 * nameless > scenes.count();
+    let mut votes: Vec<(&'static Mistake, usize)> = Vec::new();
+    for name in failed.iter().flat_map(|row| &row.names) {
+        let Name::Known { mistake, .. } = name else { continue };
+        match votes.iter_mut().find(|(known, _)| known == mistake) {
+            Some((_, votes)) => *votes += 1,
+            None => votes.push((mistake, 1)),
+        }
+    }
+    let votes_of = |name: &Name| match name {
+        Name::Known { mistake, .. } => {
+            votes.iter().find(|(known, _)| known == mistake).map_or(0, |(_, votes)| *votes)
+        }
+        Name::Factor(_) => 1,
+    };
+    for row in rows {
+        let wrong = row.count(Status::Wrong) as usize;
+        if is_left_handed && wrong > 0 {
+            let name = Name::Known { mistake: &LEFT_HANDED, explains: wrong, of: wrong };
+            row.names.insert(0, name);
+            row.names.truncate(MOST_ALIKE);
+            continue;
+        }
+        let most = row.names.iter().map(votes_of).max().unwrap_or_default();
+        let says_enough = most > 1 || count == 1 || wrong >= SOME && !(is_odd && is_scene(row));
+        row.names.retain(|name| says_enough && votes_of(name) == most);
+        if row.names.len() > MOST_ALIKE {
+            row.names.clear();
+        }
+    }
 }
 
 /// The name of a family whose answers are all this one, if its wrong answers have no better name.
@@ -97,27 +141,6 @@ fn has_one_value(wrong: &[Wrong]) -> bool {
     !is_zero && rights.len() >= 3 && [second, third].into_iter().chain(others).all(is_same)
 }
 
-/// The mistake that explains most of these answers, and those that explain the same ones and are as specific.
-fn most_explaining(wrong: &[Wrong], open: &[usize]) -> Vec<&'static Mistake> {
-    let explained = |mistake: &Mistake| -> Vec<usize> {
-        open.iter().copied().filter(|index| wrong[*index].clues.contains(&mistake)).collect()
-    };
-    let mut candidates: Vec<(&'static Mistake, Vec<usize>)> = Vec::new();
-    for mistake in open.iter().flat_map(|index| &wrong[*index].clues) {
-        if !candidates.iter().any(|(known, _)| known == mistake) {
-            candidates.push((mistake, explained(mistake)));
-        }
-    }
-    // stable: of equals, the order in which the judges found them
-    candidates.sort_by_key(|(mistake, all)| (std::cmp::Reverse(all.len()), tier(mistake)));
-    let Some((first, most)) = candidates.first().cloned() else { return Vec::new() };
-    let is_equal = |(mistake, all): &(&'static Mistake, Vec<usize>)| {
-        *all == most && tier(mistake) == tier(first)
-    };
-    let equal = candidates.into_iter().filter(is_equal).map(|(mistake, _)| mistake);
-    equal.take(MOST_ALIKE).collect()
-}
-
 /// The tier of what says least.
 const LEAST_SPECIFIC: u8 = 2;
 
@@ -143,6 +166,8 @@ fn tier(mistake: &Mistake) -> u8 {
         &ZERO,
         &NEGATED,
         &NOT_NORMALISED_LENGTH,
+        &CLAMPED,
+        &IN_BLACK_SHADOW,
     ];
     let numbers = [&SQUARED, &ROOT, &INVERSE, &COMPLEMENT, &MISSED];
     if components.contains(&mistake) {

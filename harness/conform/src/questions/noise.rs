@@ -202,7 +202,7 @@ fn bumped(draw: &mut Draw) -> Value {
     let scene = json!({
         "image": {"width": 1, "height": 1},
         "camera": {"eye": [0.0, 2.0, 6.0], "lens": {"pinhole": {"distance": 8.0}}},
-        "tracer": {"whitted": {"max_depth": 1}},
+        "tracer": "ray_cast",
         "lights": [{"name": "sun", "source": {"directional": {"ls": 3.0, "direction": sun}}}],
         "materials": [{"name": "rough", "recipe": recipe, "bump": bump}],
         "objects": [{"name": "floor", "material": "rough",

@@ -198,6 +198,23 @@ const LOBE: Rules = Rules {
             let half = (wi + wo).unit()?.z();
             (field == "f").then(|| times(power(half / mirrored, e), right, field))?
         }),
+        (&m::MIRRORED_ONCE, |question, field, _| {
+            let wo = triple(&question["lobe"]["wo"])?;
+            (field == "sample.wi").then(|| vec![-wo[0], -wo[1], 0.0])
+        }),
+        (&m::MIRRORED_ONCE, |question, field, _| {
+            let wo = triple(&question["lobe"]["wo"])?;
+            let along = Vector::new(-wo[0], -wo[1], 0.0).unit()?;
+            (field == "sample.wi").then(|| along.to_array().to_vec())
+        }),
+        (&m::MIRRORED_ONCE, |question, field, right| {
+            let asked = &question["lobe"];
+            let e = asked["lobe"]["glossy_specular"]["exponent"].as_f64()?;
+            let [wi, wo] = ["wi", "wo"].map(|it| triple(&asked[it]).map(Vector::from));
+            let (wi, wo) = (wi?, wo?);
+            let [once, twice] = [1.0, 2.0].map(|k| k * wi.z() * wo.z() - wi.dot(wo));
+            (field == "f").then(|| times(power((once / twice).max(0.0), e), right, field))?
+        }),
         (&m::EXPONENT_FOR_DENSITY, |question, field, right| {
             let e = question["lobe"]["lobe"].as_object()?.values().next()?["exponent"].as_f64()?;
             let factor = match field {

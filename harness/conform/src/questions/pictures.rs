@@ -43,7 +43,7 @@ pub fn families() -> Vec<Family> {
             case,
         );
         family.share = 0.5;
-        family.namer = Some(radiance::name);
+        family.namer = Some(radiance::NAMER);
         family
     };
     materials.into_iter().map(radiance).collect()
@@ -69,6 +69,7 @@ fn highlight() -> Value {
 /// A sphere over a plane, a lamp, and a ray from somewhere above.
 fn question(draw: &mut Draw, material: fn(&mut Draw) -> Value) -> Value {
     let (material, ground) = (material(draw), color(draw));
+    let is_direct = ["matte", "phong"].iter().any(|kind| material.get(kind).is_some());
     let origin: [f64; 3] =
         [draw.between(-4.0, 4.0), draw.between(1.5, 5.0), draw.between(4.0, 7.0)].map(round);
     let aim = [draw.between(-1.4, 1.4), draw.between(0.1, 2.0), draw.between(-1.0, 1.0)];
@@ -76,7 +77,7 @@ fn question(draw: &mut Draw, material: fn(&mut Draw) -> Value) -> Value {
     let scene = json!({
         "image": {"width": 8, "height": 8},
         "camera": {"eye": [0.0, 2.0, 6.0], "lens": {"pinhole": {"distance": 8.0}}},
-        "tracer": {"whitted": {"max_depth": 4}},
+        "tracer": if is_direct { json!("ray_cast") } else { json!({"whitted": {"max_depth": 4}}) },
         "materials": [
             {"name": "first", "recipe": material},
             {"name": "ground", "recipe": {"matte": {"ka": 0.25, "kd": 0.5, "cd": ground}}},

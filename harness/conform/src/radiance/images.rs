@@ -4,8 +4,8 @@ use serde_json::{Value, json};
 
 use super::super::questions::{CORNERS, FACES, texels};
 use super::stage::{
-    self, Exact, along, between, color, light, material, matte, mean_along, object, ray, share,
-    whitted, within,
+    self, Exact, along, between, color, direct, light, material, matte, mean_along, object, ray,
+    share, whitted, within,
 };
 use exact::Draw;
 
@@ -79,7 +79,7 @@ fn moved(draw: &mut Draw, cd: Value, shape: Value) -> Value {
     let at = within(draw, [-4.0, 4.0, 1.0], [4.0, 7.0, 6.0]);
     let lamp = json!({"point": {"ls": between(draw, 2.0, 4.0), "location": at}});
     let lights = vec![light("lamp", lamp), light("sky", json!({"ambient": {"ls": share(draw)}}))];
-    let scene = stage::scene(whitted(3), lights, materials, objects);
+    let scene = stage::scene(direct(), lights, materials, objects);
     let aim = within(draw, [-0.7, 0.9, -0.5], [0.7, 2.1, 0.5]);
     along(scene, ray(stage::before(draw), aim))
 }
@@ -94,7 +94,7 @@ fn sky(draw: &mut Draw, mapping: &str) -> Value {
 
 /// A sky in any direction.
 fn seen(draw: &mut Draw, mapping: &str) -> Value {
-    let mut scene = stage::scene(whitted(1), Vec::new(), Vec::new(), Vec::new());
+    let mut scene = stage::scene(direct(), Vec::new(), Vec::new(), Vec::new());
     scene["background"] = sky(draw, mapping);
     let towards = draw.direction().to_array().map(|x| 2.0 * x);
     along(scene, ray([0.0; 3], towards))
@@ -107,7 +107,7 @@ fn lit(draw: &mut Draw, mapping: &str) -> Value {
     let materials = vec![material("stone", matte(draw))];
     let objects = vec![object("floor", "stone", plane)];
     let lights = vec![light("sky", json!({"environment": {}}))];
-    let mut scene = stage::scene(whitted(1), lights, materials, objects);
+    let mut scene = stage::scene(direct(), lights, materials, objects);
     scene["background"] = sky(draw, mapping);
     let from = normal.map(|x| 2.0 * x);
     mean_along(draw, scene, ray(from, [0.0; 3]))

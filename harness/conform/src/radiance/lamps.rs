@@ -5,8 +5,8 @@ use serde_json::{Value, json};
 
 use super::super::judgement::triple;
 use super::stage::{
-    self, Exact, between, color, light, material, matte, mean_along, object, phong, ray, share,
-    whitted, within,
+    self, Exact, between, color, direct, light, material, matte, mean_along, object, phong, ray,
+    share, whitted, within,
 };
 use exact::Draw;
 
@@ -121,7 +121,7 @@ fn lit(draw: &mut Draw, shape: Value, two_sided: bool) -> Value {
     let materials = vec![material("stone", matte(draw)), lamp];
     let objects = vec![object("floor", "stone", stage::ground()), object("lamp", "glow", shape)];
     let lights = vec![light("light", json!({"area": {"object": "lamp"}}))];
-    let scene = stage::scene(whitted(2), lights, materials, objects);
+    let scene = stage::scene(direct(), lights, materials, objects);
     let aim = within(draw, [-2.5, 0.0, -2.0], [2.5, 0.0, 2.0]);
     mean_along(draw, scene, ray(from_below(aim), aim))
 }
@@ -182,7 +182,7 @@ fn under_sky(draw: &mut Draw, with_wall: bool) -> Value {
         objects.push(object("wall", "chalk", stage::wall(-1.0)));
     }
     let lights = vec![light("sky", json!({"environment": {}}))];
-    let mut scene = stage::scene(whitted(2), lights, materials, objects);
+    let mut scene = stage::scene(direct(), lights, materials, objects);
     scene["background"] = color(draw);
     let aim = within(draw, [-2.0, 0.0, -0.9], [2.0, 0.0, 1.5]);
     mean_along(draw, scene, ray(from_below(aim), aim))
@@ -195,7 +195,7 @@ fn jittered(draw: &mut Draw, source: Value) -> Value {
         object("floor", "stone", stage::ground()),
         object("ball", "chalk", stage::sphere([0.0, 0.75, 0.0], 0.75)),
     ];
-    let scene = stage::scene(whitted(2), vec![light("lamp", source)], materials, objects);
+    let scene = stage::scene(direct(), vec![light("lamp", source)], materials, objects);
     let aim = within(draw, [-2.0, 0.0, 0.0], [2.0, 1.0, 1.0]);
     let from = stage::before(draw);
     mean_along(draw, scene, ray(from, aim))
@@ -212,7 +212,7 @@ fn occlusion(draw: &mut Draw, change: fn(&mut Draw, &mut Value)) -> Value {
         object("ball", "chalk", stage::sphere([1.0, 0.75, 0.5], 0.75)),
     ];
     let lights = vec![light("sky", json!({"ambient_occluder": occluder}))];
-    let scene = stage::scene(whitted(2), lights, materials, objects);
+    let scene = stage::scene(direct(), lights, materials, objects);
     let aim = within(draw, [-1.5, 0.0, -0.9], [1.0, 0.0, 0.5]);
     mean_along(draw, scene, ray(from_below(aim), aim))
 }
@@ -252,7 +252,7 @@ fn edges(draw: &mut Draw, with_lens: bool) -> Value {
         object("near", "near", edge(near[0], near[1], 0.0)),
         object("far", "far", edge(far[0], far[1], -6.0)),
     ];
-    let mut scene = stage::scene(whitted(1), Vec::new(), materials, objects);
+    let mut scene = stage::scene(direct(), Vec::new(), materials, objects);
     scene["background"] = color(draw);
     let (eye, lens) = match with_lens {
         true => {

@@ -1,6 +1,7 @@
 //! Radiance in whole scenes: for what each chapter adds to a picture, a family of its own (Suffern, ch. 3 to 31), so
 //! that what a program lacks hides nothing else.
 
+mod basics;
 mod changes;
 mod estimate;
 mod glass;
@@ -17,7 +18,7 @@ mod textures;
 
 use serde_json::Value;
 
-pub use naming::name;
+pub use naming::NAMER;
 
 use super::family::{Family, Judge};
 use super::judgement::{Judgement, Profile};
@@ -28,6 +29,7 @@ use stage::Exact;
 /// All families: those without random numbers, and those that are judged by their mean.
 pub fn families() -> Vec<Family> {
     let exact = [
+        basics::ALL,
         lights::ALL,
         surfaces::ALL,
         textures::ALL,
@@ -50,8 +52,7 @@ pub fn families() -> Vec<Family> {
 fn family((name, chapter, case): &Exact, kind: &str, share: f64, judge: Judge) -> Family {
     let about = format!("scenes/{}", name.split('.').next().unwrap_or(name));
     let named = format!("radiance.{name}.{kind}");
-    let namer: super::family::Namer = naming::name;
-    Family { share, namer: Some(namer), ..questions::family(&named, &about, chapter, judge, *case) }
+    Family { share, namer: Some(NAMER), ..questions::family(&named, &about, chapter, judge, *case) }
 }
 
 /// Judges by our own answer.

@@ -7,6 +7,7 @@ use std::sync::LazyLock;
 
 use serde_json::{Value, json};
 
+use super::super::family::Namer;
 use super::super::mistakes::{self as m, Mistake};
 use super::super::subject::ours;
 use super::changes;
@@ -29,16 +30,14 @@ static CATALOGUE: LazyLock<Vec<(&'static mistakes::Mistake, Mistake)>> = LazyLoc
     mistakes::all().into_iter().map(told).collect()
 });
 
-/// Factors of all light.
-const FACTORS: [(&Mistake, f64); 4] = [
-    (&m::TIMES_PI, std::f64::consts::PI),
-    (&m::OVER_PI, std::f64::consts::FRAC_1_PI),
-    (&m::TIMES_TWO, 2.0),
-    (&m::HALF, 0.5),
-];
+/// Names answers to `radiance` and `trace`.
+pub const NAMER: Namer = Namer { explain, refutes };
+
+/// Standard errors by which the mean of a mistake is another than theirs.
+const FAR: f64 = 6.0;
 
 /// The mistakes that explain an answer to `radiance` or `trace`: the last of what was asked.
-pub fn name(asked: &[(Value, Value)]) -> Vec<&'static Mistake> {
+fn explain(asked: &[(Value, Value)]) -> Vec<&'static Mistake> {
     let Some((question, answer)) = asked.last() else { return Vec::new() };
     let (question, answer) = as_radiance(question, answer);
     let right = ours(&question).ok().and_then(|answer| Estimate::answered(&answer));
@@ -48,7 +47,7 @@ pub fn name(asked: &[(Value, Value)]) -> Vec<&'static Mistake> {
     let mut found = fitting(&question, &theirs, &right);
     if !right.is_exact() {
         let scaled = |factor: f64, numbers: [f64; 3]| numbers.map(|x| factor * x);
-        let factors = FACTORS.iter().filter(|(_, factor)| {
+        let factors = m::FACTORS.iter().filter(|(_, factor)| {
             let (mean, error) = (scaled(*factor, right.mean), scaled(*factor, right.error));
             explains(&Estimate { mean, error, ..right }, &theirs, &right)
         });
@@ -61,6 +60,38 @@ pub fn name(asked: &[(Value, Value)]) -> Vec<&'static Mistake> {
         is_new
     });
     found
+}
+
+/// Whether all that a mistake may give here is another answer than theirs, which is right. That one of the factors applies to
+/// some answers and not to others is no contradiction.
+fn refutes((question, answer): &(Value, Value), mistake: &'static Mistake) -> bool {
+    let (question, answer) = as_radiance(question, answer);
+    let Some(theirs) = Estimate::answered(&answer) else { return false };
+    let catalogue = CATALOGUE.iter().filter(|(_, told)| told == mistake).map(|(known, _)| *known);
+    let by_terms = mistaken(&question, &catalogue.collect::<Vec<_>>());
+    let by_terms = by_terms.into_iter().map(|one| Estimate {
+        mean: one.mean,
+        error: one.standard_error,
+        ..theirs
+    });
+    let changes = changes::all().filter(|change| change.mistake == mistake);
+    let by_scene = changes.filter_map(|change| changed(&question, change));
+    let by_color = m::other_colors(&theirs.mean).into_iter().filter(|(other, _)| *other == mistake);
+    let by_color =
+        by_color.filter_map(|(_, mean)| Some(Estimate { mean: mean.try_into().ok()?, ..theirs }));
+    let others: Vec<Estimate> = by_terms.chain(by_scene).chain(by_color).collect();
+    let differs = |other: &Estimate| match other.is_exact() && theirs.is_exact() {
+        true => !m::same(&theirs.mean, &other.mean),
+        false => other.distance(&theirs, CLOSE) > FAR,
+    };
+    !others.is_empty() && others.iter().all(differs)
+}
+
+/// What our tracer answers to the changed question; `None` if the change does not apply.
+fn changed(question: &Value, change: &changes::SceneMistake) -> Option<Estimate> {
+    let mut other = question.clone();
+    (change.apply)(&mut other["radiance"])?;
+    Estimate::answered(&ours(&other).ok()?)
 }
 
 /// A question of `trace` as one of `radiance`.
@@ -100,13 +131,8 @@ fn fitting(question: &Value, theirs: &Estimate, right: &Estimate) -> Vec<&'stati
     };
     let mut found: Vec<&'static Mistake> = by_terms.iter().filter_map(known).collect();
     for change in changes::all() {
-        let changed = |question: &Value| {
-            let mut other = question.clone();
-            (change.apply)(&mut other["radiance"])?;
-            Estimate::answered(&ours(&other).ok()?)
-        };
         let explains = |question: &Value| {
-            changed(question).is_some_and(|other| explains(&other, theirs, right))
+            changed(question, change).is_some_and(|other| explains(&other, theirs, right))
         };
         if explains(&first) && (!again || explains(question)) {
             found.push(change.mistake);

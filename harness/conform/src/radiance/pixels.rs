@@ -54,7 +54,7 @@ fn pixel(draw: &mut Draw, change: fn(&mut Draw, &mut Value)) -> Value {
         object("ball", "chalk", stage::sphere([0.5, 1.0, 0.0], 1.0)),
         object("floor", "stone", stage::ground()),
     ];
-    let mut scene = stage::scene(stage::whitted(2), lights, materials, objects);
+    let mut scene = stage::scene(stage::direct(), lights, materials, objects);
     let (width, height) = (3 + draw.below(6), 3 + draw.below(6));
     // of odd numbers of pixels, too; never square
     let width = if width == height { width + 1 } else { width };

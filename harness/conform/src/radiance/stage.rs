@@ -75,6 +75,11 @@ pub fn wall(z: f64) -> Value {
     json!({"rectangle": {"corner": [-3.0, 0.0, z], "a": [6.0, 0.0, 0.0], "b": [0.0, 4.0, 0.0]}})
 }
 
+/// The tracer of what reflects nothing.
+pub fn direct() -> Value {
+    json!("ray_cast")
+}
+
 /// The tracer of mirrors and glass.
 pub fn whitted(max_depth: usize) -> Value {
     json!({"whitted": {"max_depth": max_depth}})
@@ -167,7 +172,7 @@ pub fn still_life(draw: &mut Draw, mut lights: Vec<Value>, lamp: [f64; 3]) -> Va
         object("box", "enamel", block()),
         object("floor", "stone", ground()),
     ];
-    let scene = scene(whitted(4), lights, materials, objects);
+    let scene = scene(direct(), lights, materials, objects);
     let aim = look_at(draw, lamp);
     along(scene, ray(before(draw), aim))
 }

@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::super::questions::{CORNERS, FACES};
 use super::stage::{
-    self, Exact, along, between, color, light, material, matte, object, phong, ray, share, whitted,
+    self, Exact, along, between, color, direct, light, material, matte, object, phong, ray, share,
     within,
 };
 use exact::Draw;
@@ -68,7 +68,7 @@ fn on_stage(draw: &mut Draw, surface: Value, shape: Value, from: [f64; 3]) -> Va
     ];
     let materials = vec![surface, material("stone", matte(draw))];
     let objects = vec![object("it", "surface", shape), object("floor", "stone", stage::ground())];
-    let mut scene = stage::scene(whitted(3), lights, materials, objects);
+    let mut scene = stage::scene(direct(), lights, materials, objects);
     scene["background"] = color(draw);
     // now and then at the ground beside it, where its shadow may be
     let aim = match draw.below(5) {

@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::stage::{
-    self, Exact, along, between, color, light, material, matte, object, ray, share, whitted, within,
+    self, Exact, along, between, color, direct, light, material, matte, object, ray, share, within,
 };
 use exact::Draw;
 
@@ -87,7 +87,7 @@ fn ball(draw: &mut Draw, recipe: Value, moves: bool) -> Value {
         object("ball", "painted", json!({"instance": instance})),
         object("floor", "stone", stage::ground()),
     ];
-    let scene = stage::scene(whitted(3), lights(draw), materials, objects);
+    let scene = stage::scene(direct(), lights(draw), materials, objects);
     let aim = within(draw, [-0.5, 0.8, -0.5], [0.5, 1.7, 0.5]);
     along(scene, ray(stage::before(draw), aim))
 }
@@ -99,7 +99,7 @@ fn floor(draw: &mut Draw, recipe: Value) -> Value {
         object("floor", "painted", stage::ground()),
         object("ball", "chalk", stage::sphere([0.0, 1.0, 0.0], 1.0)),
     ];
-    let scene = stage::scene(whitted(3), lights(draw), materials, objects);
+    let scene = stage::scene(direct(), lights(draw), materials, objects);
     let aim = within(draw, [-4.0, 0.0, 0.5], [4.0, 0.0, 2.5]);
     along(scene, ray(stage::before(draw), aim))
 }

@@ -17,18 +17,6 @@ use planted::Planted;
 
 use super::altered::{Altered, at, card, data, families, instead, length, only, swap, vector};
 
-/// All planted mistakes.
-pub fn all() -> Vec<Planted> {
-    let all = [
-        shapes::planted_here(),
-        optics::planted_here(),
-        lights_and_cameras::planted_here(),
-        sampling_and_spaces::planted_here(),
-        surfaces::planted_here(),
-    ];
-    all.into_iter().flatten().collect()
-}
-
 /// How many numbers other than 0, 1 and −1 a question has.
 fn numbers(question: &Value) -> usize {
     match question {
@@ -43,9 +31,9 @@ fn numbers(question: &Value) -> usize {
 
 /// Law: each planted mistake is judged wrong in its families, its first failure shrinks to a question of at most 12
 /// numbers other than 0 and ±1 (of a whole scene: 60) that still fails and asks for all that was asked for, the right answer to that question
-/// passes its rule, and the mistake is named in each of them. Oracle: the mistake, made on purpose in our own answers.
+/// passes its rule; the mistake is named, or nothing is, and that for at most a fifth. Oracle: the mistake, made on purpose in our own answers.
 fn found(planted: Vec<Planted>) {
-    let mut problems = Vec::new();
+    let (mut problems, mut nameless, count) = (Vec::new(), Vec::new(), planted.len());
     for Planted { what, wrong, name, mut way } in planted {
         let card = card(&mut way, wrong, Profile::Careful, 24);
         let mut names = Vec::new();
@@ -71,19 +59,19 @@ fn found(planted: Vec<Planted>) {
             names.extend(row.names.iter().map(|name| (row.name.clone(), name.clone())));
         }
         let shown: Vec<String> = names.iter().map(|(_, it)| it.to_string()).collect();
-        for (name, word) in name.iter().flat_map(|name| wrong.iter().map(move |word| (*name, word)))
-        {
-            let is_it = |(family, it): &(String, Name)| {
-                let is_same = matches!(it, Name::Known { mistake, .. } if *mistake == name);
-                family.starts_with(word) && is_same
-            };
-            if !names.iter().any(is_it) {
-                problems
-                    .push(format!("{what}: {word}: not named {:?}; found {shown:?}", name.name));
+        if let Some(name) = name {
+            let is_it = |(_, it): &(String, Name)| matches!(it, Name::Known { mistake, .. } if *mistake == name);
+            match names.iter().any(is_it) {
+                true => {}
+                false if names.is_empty() => nameless.push(what),
+                false => {
+                    problems.push(format!("{what}: not named {:?}; found {shown:?}", name.name));
+                }
             }
         }
     }
     assert!(problems.is_empty(), "{}", problems.join("\n"));
+    assert!(5 * nameless.len() <= count, "of {count}, these have no name: {nameless:?}");
 }
 
 /// Whether our answer to a question is right by the judge of its family.
@@ -156,10 +144,10 @@ fn an_unknown_constant_factor_is_named_by_its_number() {
     assert!((factor - 0.8).abs() < 1e-9, "{factor}");
 }
 
-/// Law: two mistakes in one family are both named, each with the number of answers that it explains, and the two add
-/// up to all. Oracle: the two mistakes, planted for answers whose first hit is above or below y = 0.
+/// Law: of two mistakes in one family, which explain less than nearly all of its wrong answers each, none is named. Oracle: the
+/// two mistakes, planted for answers whose first hit is above or below y = 0.
 #[test]
-fn two_mistakes_in_one_family_are_both_named() {
+fn half_of_the_wrong_answers_name_nothing() {
     let mut subject = Altered(|_, mut a| {
         match a["point"][1].as_f64() {
             Some(y) if y > 0.0 => at(&mut a, "/t", |t| 2.0 * t),
@@ -169,25 +157,13 @@ fn two_mistakes_in_one_family_are_both_named() {
         a
     });
     let card = card(&mut subject, &["intersect.sphere.ordinary"], Profile::Careful, 40);
-    let names = &card.rows[0].names;
-    let explained = |wanted: &Mistake| {
-        let count = |name: &Name| match name {
-            Name::Known { mistake, explains, of } if *mistake == wanted => Some((*explains, *of)),
-            _ => None,
-        };
-        names.iter().find_map(count).unwrap_or_else(|| panic!("{} not in {names:?}", wanted.name))
-    };
-    let ((first, of), (second, _)) = (explained(&m::TIMES_TWO), explained(&m::SWAP_YZ));
-    assert!(first >= of / 3 && second >= of / 3, "{first} and {second} of {of}");
-    assert_eq!(first + second, of);
-    assert_eq!(names.len(), 2, "{names:?}");
-    assert!(names[0].to_string().contains(&format!("explains {} of {of}", first.max(second))));
+    assert!(card.rows[0].count(Status::Wrong) > 20, "{card}");
+    assert!(card.rows[0].names.is_empty(), "{:?}", card.rows[0].names);
 }
 
-/// Law: a mistake is named if it is the only one, or explains at least a third of the answers and two. Oracle: answers
-/// with clues of known numbers.
+/// Law: a mistake is named if it explains nine of ten answers, or all of fewer. Oracle: answers with clues of known numbers.
 #[test]
-fn few_answers_name_nothing() {
+fn what_explains_nearly_all_answers_is_named() {
     let named = |counts: [usize; 3]| {
         let clues: [&'static Mistake; 3] = [&m::FAR_ROOT, &m::BEHIND, &m::TO_VIEWER];
         let one = |clue: &'static Mistake| match Judgement::wrong("t", 1.0, "") {
@@ -204,10 +180,10 @@ fn few_answers_name_nothing() {
     };
     assert_eq!(named([1, 0, 0]), [1], "the only one");
     assert!(named([1, 1, 0]).is_empty(), "one each");
-    assert_eq!(named([7, 1, 0]), [7]);
-    assert_eq!(named([4, 4, 4]), [4, 4, 4]);
-    assert_eq!(named([10, 20, 2]), [20], "10 of 32 are less than a third");
-    assert_eq!(named([11, 20, 1]), [20, 11]);
+    assert!(named([7, 1, 0]).is_empty(), "one of eight is left");
+    assert_eq!(named([9, 1, 0]), [9]);
+    assert_eq!(named([1, 18, 1]), [18]);
+    assert!(named([2, 17, 0]).is_empty());
 }
 
 /// Law: what explains all answers is named alone, without a count and without the sign or factor that it implies.

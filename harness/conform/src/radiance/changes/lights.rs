@@ -3,31 +3,36 @@
 use serde_json::{Value, json};
 
 use super::super::super::mistakes as m;
-use super::{Mistake, SceneMistake, bases, changes, instead, items, lights, number, set, without};
+use super::{
+    Mistake, SceneMistake, bases, changes, instead, is_ambient, is_lamp, items, keep_lamps, lights,
+    number, set, without,
+};
 
 pub(super) const ALL: &[SceneMistake] = changes! {
-    "only the first lamp counts", "ch. 14: the sum over all lights" => |data| retain(data, |i, _| i == 0);
-    "only the last lamp counts", "ch. 14: the sum over all lights" => |data| retain(data, |i, n| i + 1 == n);
-    "the light of lamps is reflected by ka instead of kd", "ch. 14: kd cd / π" => |data| bases(data, |base| {
-        let ka = base.get("ka").cloned()?;
-        set(base, "kd", ka)
+    "ka and kd are exchanged", "ch. 14: ka for ambient light, kd for that of lamps" => |data| bases(data, |base| {
+        let (ka, kd) = (base.get("ka").cloned()?, base.get("kd").cloned()?);
+        set(base, "ka", kd).and(set(base, "kd", ka))
     });
-    "kd is left out", "ch. 14: kd cd / π" => |data| bases(data, |base| instead(base, "kd", json!(1.0)));
+    "the colour cd of surfaces is left out", "ch. 14: kd cd / π" => |data| bases(data, |base| instead(base, "cd", json!([1.0, 1.0, 1.0])));
+    "the light of several lamps is averaged", "ch. 14: the sum over all lights" => |data| {
+        let lamps = data["scene"]["lights"].as_array()?.iter().filter(|light| is_lamp(light)).count();
+        let by = |kind: &str, light: &mut super::Fields| {
+            let ls = light.get("ls").map_or(Some(1.0), Value::as_f64)?;
+            if is_ambient(kind) { None } else { set(light, "ls", json!(ls / lamps as f64)) }
+        };
+        if lamps > 1 { lights(data, by) } else { None }
+    };
+    "ls of lights counts twice", "ch. 14: ls · color" => |data| lights(data, |_, light| number(light, "ls", |ls| ls * ls));
+    "light falls off with 1/d where it should not", "ch. 14: the exponent of the distance, 0 if left out" => |data| lights(data, |kind, light| {
+        let is_even = kind == "point" && light.get("attenuation").is_none_or(|k| k.as_f64() == Some(0.0));
+        if is_even { set(light, "attenuation", json!(1.0)) } else { None }
+    });
+    "spheres cast no shadow", "ch. 16: shadow_hit of every kind of object" => |data| cast_none(data, "sphere");
+    "planes cast no shadow", "ch. 16: shadow_hit of every kind of object" => |data| cast_none(data, "plane");
+    "boxes cast no shadow", "ch. 16: shadow_hit of every kind of object" => |data| cast_none(data, "box");
     "the colour of ambient light is left out", "ch. 14: ls · color" => |data| lights(data, |kind, light| {
         if is_ambient(kind) { without(light, "color") } else { None }
     });
-    "the colour of lamps is left out", "ch. 14: ls · color" => |data| lights(data, |kind, light| {
-        if is_ambient(kind) { None } else { without(light, "color") }
-    });
-    "the factor ls of lights is left out", "ch. 14: ls · color" => |data| {
-        lights(data, |_, light| without(light, "ls"))
-    };
-    "light falls off with 1/d² where it should not", "ch. 14: the exponent of the distance, 0 if left out" => |data| {
-        lights(data, |kind, light| {
-            let is_even = kind == "point" && light.get("attenuation").is_none_or(|k| k.as_f64() == Some(0.0));
-            if is_even { set(light, "attenuation", json!(2.0)) } else { None }
-        })
-    };
     "light falls off with the square of the distance, whatever the exponent", "ch. 14: 1/dᵏ" => |data| {
         lights(data, |_, light| instead(light, "attenuation", json!(2.0)))
     };
@@ -37,10 +42,6 @@ pub(super) const ALL: &[SceneMistake] = changes! {
     "a spot shines in all directions", "docs/scene.md: none from `outer` on" => |data| lights(data, |_, light| {
         instead(light, "inner", json!(180.0))?;
         set(light, "outer", json!(180.0))
-    });
-    "a spot has a sharp edge", "docs/scene.md: a smooth step from `inner` to `outer`" => |data| lights(data, |_, light| {
-        let outer = light.get("outer")?.clone();
-        set(light, "inner", outer)
     });
     "the switch `shadows` of lights is ignored", "ch. 16" => |data| items(data, "lights", |light| without(light, "shadows"));
     "the switch `casts_shadows` of objects is ignored", "ch. 16" => |data| {
@@ -64,16 +65,9 @@ pub(super) const ALL: &[SceneMistake] = changes! {
             super::any(parts.iter_mut().filter_map(|part| without(part.as_object_mut()?, "material")))
         })
     };
-    "occlusion is left out", "ch. 17: one shadow ray for each sample" => |data| lights(data, |kind, light| {
-        if kind != "ambient_occluder" {
-            return None;
-        }
-        let _ = light.remove("occluded_color");
-        set(light, "min_amount", json!(1.0))
-    });
     "ambient light is not reflected by the surface: without ka cd", "ch. 14, 17: ka cd L_a" => |data| {
         let lights = data["scene"]["lights"].as_array()?;
-        if lights.iter().any(|light| is_bright(&light["source"])) {
+        if lights.iter().any(is_lamp) {
             return None;
         }
         bases(data, |base| {
@@ -101,31 +95,12 @@ pub(super) const ALL: &[SceneMistake] = changes! {
 
 /// A mistake that conform has known before.
 pub(super) const KNOWN: &[SceneMistake] =
-    &[SceneMistake { mistake: &m::IN_BLACK_SHADOW, apply: |data| retain(data, |_, _| false) }];
+    &[SceneMistake { mistake: &m::IN_BLACK_SHADOW, apply: |data| keep_lamps(data, |_, _| false) }];
 
-/// Whether a light is not ambient.
-fn is_bright(source: &Value) -> bool {
-    source.as_object().is_some_and(|it| !it.keys().any(|kind| is_ambient(kind)))
-}
-
-fn is_ambient(kind: &str) -> bool {
-    ["ambient", "ambient_occluder"].contains(&kind)
-}
-
-/// Keeps some of the lights that are not ambient, by index and number.
-fn retain(data: &mut Value, keep: fn(usize, usize) -> bool) -> Option<()> {
-    let lights = data.get_mut("scene")?.get_mut("lights")?.as_array_mut()?;
-    let ambient = |light: &Value| {
-        ["ambient", "ambient_occluder"].iter().any(|kind| light["source"].get(kind).is_some())
-    };
-    let (before, count) = (lights.len(), lights.iter().filter(|light| !ambient(light)).count());
-    let mut index = 0;
-    lights.retain(|light| {
-        if ambient(light) {
-            return true;
-        }
-        index += 1;
-        keep(index - 1, count)
-    });
-    (lights.len() < before).then_some(())
+/// No object of this shape casts a shadow.
+fn cast_none(data: &mut Value, shape: &str) -> Option<()> {
+    items(data, "objects", |object| {
+        let _ = object.get("shape")?.get(shape)?;
+        set(object, "casts_shadows", json!(false))
+    })
 }

@@ -3,42 +3,28 @@
 use serde_json::{Value, json};
 
 use super::super::super::mistakes as m;
-use super::{
-    Mistake, SceneMistake, any, bases, changes, instead, items, number, recipes, set, tables,
-    without,
-};
+use super::*;
 
 pub(super) const ALL: &[SceneMistake] = changes! {
-    "all surfaces are lit on both sides", "ch. 14: n·ωi > 0; `two_sided`" => |data| items(data, "materials", |material| {
-        let is_clear = ["transparent", "dielectric"].iter().any(|kind| material["recipe"].get(kind).is_some());
-        if is_clear { None } else { set(material, "two_sided", json!(true)) }
-    });
-    "ks is left out", "ch. 15: ks cs (r·ωo)ᵉ" => |data| bases(data, |base| instead(base, "ks", json!(1.0)));
     "the colour cs of highlights is left out", "ch. 15: ks cs (r·ωo)ᵉ" => |data| bases(data, |base| without(base, "cs"));
-    "the exponent of highlights is left out", "ch. 15: (r·ωo)ᵉ" => |data| bases(data, |base| without(base, "exponent"));
+    "highlights have kd in the place of ks", "ch. 15: ks cs (r·ωo)ᵉ" => |data| bases(data, |base| {
+        let _ = base.get("ks")?;
+        let kd = base.get("kd").cloned()?;
+        set(base, "ks", kd)
+    });
+    "the exponent of highlights is four times as large", "ch. 15: (r·ωo)ᵉ; four times as large for the half vector" => |data| {
+        bases(data, |base| number(base, "exponent", |e| 4.0 * e))
+    };
     "the exponent of highlights is a whole number", "ch. 15: (r·ωo)ᵉ" => |data| {
         bases(data, |base| number(base, "exponent", |e| e.trunc()))
     };
     "the exponent of highlights is larger by 1", "ch. 15: (r·ωo)ᵉ" => |data| {
         bases(data, |base| number(base, "exponent", |e| e + 1.0))
     };
-    "a mirror does not reflect", "ch. 24" => |data| of_kinds(data, &["reflective", "glossy_reflector"], |fields| {
-        instead(fields, "kr", json!(0.0))
-    });
     "the share kr of a mirror is left out", "ch. 24: kr cr" => |data| of_kinds(data, &["reflective", "glossy_reflector"], |fields| {
         instead(fields, "kr", json!(1.0))
     });
     "the colour of a mirror is left out", "ch. 24: kr cr" => |data| recipes(data, |_, fields| without(fields, "cr"));
-    "what is under a mirror is left out", "ch. 24: direct light as of Phong's material, and the mirror's" => |data| {
-        of_kinds(data, &["reflective", "glossy_reflector"], |fields| without(fields, "phong"))
-    };
-    "what is under a mirror counts 1 − kr", "ch. 24: direct light as of Phong's material, and the mirror's" => |data| {
-        of_kinds(data, &["reflective", "glossy_reflector"], |fields| {
-            let rest = 1.0 - fields.get("kr")?.as_f64()?;
-            let base = fields.get_mut("phong")?.as_object_mut()?;
-            any(["ka", "kd", "ks"].into_iter().filter_map(|share| number(base, share, |x| rest * x)))
-        })
-    };
     "a glossy reflector is a mirror", "ch. 25: a lobe about the mirror direction" => |data| {
         recipes(data, |kind, fields| if kind == "glossy_reflector" { set(fields, "exponent", json!(1e12)) } else { None })
     };
@@ -57,13 +43,6 @@ pub(super) const ALL: &[SceneMistake] = changes! {
     "kr is left out", "ch. 27" => |data| of_kinds(data, &["transparent"], |fields| instead(fields, "kr", json!(1.0)));
     "glass does not reflect", "ch. 27: two rays" => |data| of_kinds(data, &["transparent"], |fields| instead(fields, "kr", json!(0.0)));
     "glass lets nothing through", "ch. 27: two rays" => |data| recipes(data, |_, fields| instead(fields, "kt", json!(0.0)));
-    "rays are not refracted", "ch. 27: Snell's law" => |data| recipes(data, |kind, fields| match kind {
-        "transparent" => instead(fields, "eta", json!(1.0)),
-        "dielectric" => any(["inside", "outside"].into_iter().filter_map(|side| {
-            number(fields.get_mut(side)?.as_object_mut()?, "eta", |_| 1.0)
-        })),
-        _ => None,
-    });
     "the medium outside of glass is taken for air", "ch. 28: η_in / η_out" => |data| recipes(data, |_, fields| without(fields, "outside"));
     "media outside of glass do not absorb", "ch. 28: c_out outside" => |data| recipes(data, |_, fields| {
         without(fields.get_mut("outside")?.as_object_mut()?, "absorption")
@@ -86,16 +65,6 @@ pub(super) const ALL: &[SceneMistake] = changes! {
         }))
     });
     "instances are not transformed", "ch. 21" => |data| unwrapped(data);
-    "the steps of an instance are applied last to first", "ch. 20: the last matrix of a product acts first" => |data| {
-        tables(data, "objects", "instance", &|instance| {
-            let steps = instance.get_mut("transform")?.as_array_mut()?;
-            steps.reverse();
-            (steps.len() > 1).then_some(())
-        })
-    };
-    "rotations of instances turn the other way", "ch. 20: counterclockwise, seen against the axis" => |data| {
-        steps(data, |step| any(["rotate_x", "rotate_y", "rotate_z"].into_iter().filter_map(|axis| number(step, axis, |x| -x))))
-    };
     "instances are not mirrored", "ch. 20" => |data| steps(data, |step| exchanged_step(step, "reflect"));
     "instances are not scaled", "ch. 20" => |data| steps(data, |step| exchanged_step(step, "scale"));
     "textures do not move with their instance", "ch. 30: they are looked up in the object's coordinates" => |data| {
@@ -118,7 +87,6 @@ pub(super) const ALL: &[SceneMistake] = changes! {
             set(image, "filtering", json!(if is_nearest { "bilinear" } else { "nearest" }))
         })
     };
-    "bumps are left out", "ch. 31" => |data| items(data, "materials", |material| without(material, "bump"));
     "bumps are twice as high: the difference is divided by one step, not two", "Blinn 1978: central differences" => |data| {
         tables(data, "materials", "height", &|bump| {
             let height = bump.get("height").and_then(Value::as_f64).unwrap_or(1.0);
@@ -146,27 +114,11 @@ pub(super) const KNOWN: &[SceneMistake] = &[SceneMistake {
     apply: |data| textures(data, |texture| instead(texture, "size", json!(1.0))),
 }];
 
-fn of_kinds(
-    data: &mut Value,
-    kinds: &[&str],
-    change: impl Fn(&mut super::Fields) -> Option<()>,
-) -> Option<()> {
-    recipes(data, |kind, fields| if kinds.contains(&kind) { change(fields) } else { None })
-}
-
 /// Changes each table of a texture of two colours.
 fn textures(data: &mut Value, change: fn(&mut super::Fields) -> Option<()>) -> Option<()> {
     let solid = tables(data, "materials", "checker3d", &change);
     let plane = tables(data, "materials", "plane_checker", &change);
     solid.or(plane)
-}
-
-/// Changes each step of each instance, but not of those inside others.
-fn steps(data: &mut Value, change: fn(&mut super::Fields) -> Option<()>) -> Option<()> {
-    tables(data, "objects", "instance", &|instance| {
-        let steps = instance.get_mut("transform")?.as_array_mut()?;
-        any(steps.iter_mut().filter_map(|step| change(step.as_object_mut()?)))
-    })
 }
 
 /// A step that changes nothing, in the place of one of this name.

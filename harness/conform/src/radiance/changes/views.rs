@@ -3,10 +3,9 @@
 use serde_json::{Value, json};
 
 use super::super::super::mistakes as m;
-use super::{Fields, Mistake, SceneMistake, changes, instead, number, set, without};
+use super::{Fields, Mistake, SceneMistake, bases, changes, instead, number, set, without};
 
 pub(super) const ALL: &[SceneMistake] = changes! {
-    "the background is black", "ch. 3: rays that hit nothing have its colour" => |data| without(scene(data)?, "background");
     "rays of mirrors and glass are left out", "ch. 24: whitted" => |data| {
         depth(data, |depth| if *depth == json!(0) { None } else { Some(0) })
     };
@@ -14,6 +13,11 @@ pub(super) const ALL: &[SceneMistake] = changes! {
     "light comes from lamps alone, none from other surfaces", "ch. 26: the path goes on" => |data| {
         depth(data, |depth| if *depth == json!(1) { None } else { Some(1) })
     };
+    "1/π stands twice at every hit of a path", "ch. 26: f cos θ / pdf = kd cd" => |data| of_paths(data, std::f64::consts::FRAC_1_PI);
+    "π is left over at every hit of a path", "ch. 26: f cos θ / pdf = kd cd" => |data| of_paths(data, std::f64::consts::PI);
+    "a factor 2 stands at every hit of a path", "ch. 26: f cos θ / pdf = kd cd" => |data| of_paths(data, 2.0);
+    "a factor ½ stands at every hit of a path", "ch. 26: f cos θ / pdf = kd cd" => |data| of_paths(data, 0.5);
+    "the exposure time counts twice", "ch. 9: it is a factor" => |data| number(camera(data)?, "exposure_time", |x| x * x);
     "media around the camera do not absorb", "ch. 28: c^t from the eye on" => |data| without(camera(data)?, "medium");
     "attenuated shadows of glass are black", "docs/scene.md: [transparency]" => |data| {
         let shadows = scene(data)?.get_mut("transparency")?.as_object_mut()?;
@@ -86,6 +90,13 @@ fn depth(data: &mut Value, change: fn(&Value) -> Option<u32>) -> Option<()> {
     let fields = tracer.values_mut().next()?.as_object_mut()?;
     let other = change(fields.get("max_depth")?)?;
     set(fields, "max_depth", json!(other))
+}
+
+/// Scales what diffuse surfaces reflect, where paths go on from them.
+fn of_paths(data: &mut Value, factor: f64) -> Option<()> {
+    let tracer = scene(data)?.get("tracer")?.as_object()?;
+    let _ = ["path_trace", "global_trace", "path"].iter().find_map(|path| tracer.get(*path))?;
+    bases(data, |base| number(base, "kd", |kd| factor * kd))
 }
 
 /// Counts the pixel's columns or rows from the other end.

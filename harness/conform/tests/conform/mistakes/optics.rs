@@ -95,6 +95,20 @@ planted! {
         at(&mut a, "/sample/weight", |x| x / z);
         a
     });
+    MIRRORED_ONCE in ["lobe.perfect_specular.values"] => Answer(|q, mut a| {
+        let wo = vector(&data(q)["wo"]);
+        a["sample"]["wi"] = json!([-wo[0], -wo[1], 0.0]);
+        a
+    });
+    MIRRORED_ONCE in ["lobe.glossy_specular.values"] => Answer(|q, mut a| {
+        let [wi, wo] = ["wi", "wo"].map(|it| vector(&data(q)[it]));
+        let flat = wi[0] * wo[0] + wi[1] * wo[1];
+        let lobe = &data(q)["lobe"]["glossy_specular"];
+        let e = lobe["exponent"].as_f64().unwrap_or(1.0);
+        let [once, twice] = [0.0, 1.0].map(|k| k * wi[2] * wo[2] - flat);
+        at(&mut a, "/f", |f| f * power(once.max(0.0) / twice, e));
+        a
+    });
     "more light than arrives" in ["lobe.lambertian.energy"] => Numbers("/albedo", |x| 1.0 + x);
     "the mirror sends light back" in ["lobe.perfect_specular.values"] =>
         Answer(|q, mut a| { a["sample"]["wi"] = data(q)["wo"].clone(); a });

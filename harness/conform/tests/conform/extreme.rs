@@ -1,0 +1,55 @@
+//! Extreme answers: whatever stands in the place of each number, it is judged, and no judge fails on it.
+
+use conform::{Invocation, Profile, Reply, Subject, card as cards, ours};
+use groundtruth::printable;
+use serde_json::{Value, json};
+
+use super::altered::card;
+
+/// Our answers with this value in the place of each number.
+struct Extreme(Value);
+
+fn altered(answer: Value, value: &Value) -> Value {
+    match answer {
+        Value::Number(_) => value.clone(),
+        Value::Array(items) => items.into_iter().map(|item| altered(item, value)).collect(),
+        Value::Object(fields) => {
+            fields.into_iter().map(|(name, item)| (name, altered(item, value))).collect()
+        }
+        other => other,
+    }
+}
+
+impl Subject for Extreme {
+    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+        let reply = |question: &Value| match ours(question) {
+            Ok(answer) => Reply::Answer(altered(answer, &self.0)),
+            Err(error) => Reply::Refused(error),
+        };
+        questions.iter().map(reply).collect()
+    }
+}
+
+/// Law: extreme numbers, and texts, in the place of numbers end nothing; the card has no fault of ours, and no character that
+/// a terminal obeys on any form. Oracle: what was planted.
+#[test]
+fn extreme_answers_are_judged_and_command_no_terminal() {
+    let words =
+        ["intersect", "fresnel", "camera_ray", "project", "texture", "map", "lobe", "transform"];
+    let texts = ["nan", "inf", "-inf", "\u{202e}\u{1b}[31m\r<&>"].map(Value::from);
+    let numbers = [1e308, -1e308, 5e-324, -0.0].map(Value::from);
+    for value in
+        texts.into_iter().chain(numbers).chain([json!("x".repeat(100_000)), json!([[[[]]]])])
+    {
+        let card = card(&mut Extreme(value.clone()), &words, Profile::Book, 1);
+        assert!(card.is_failed(), "{value}");
+        for row in &card.rows {
+            assert_eq!(row.ours, 0, "{}: faults of ours with {value}", row.name);
+        }
+        let told = cards::told(&card, &Invocation::default());
+        let forms =
+            [told.text(), cards::page(&card, &told, "./mine"), cards::junit(&card, "./mine")];
+        let obeyed = |c: &char| *c != '\n' && printable::is_obeyed(*c);
+        assert_eq!(forms.concat().chars().find(obeyed), None, "a character that a terminal obeys");
+    }
+}

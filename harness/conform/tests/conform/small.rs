@@ -1,0 +1,140 @@
+//! A small program of somebody else, `tests/small.py`: what chapters 14 to 16 bring is asked of it, and its mistakes are named
+//! rightly or not at all.
+
+use std::sync::Arc;
+use std::time::Duration;
+
+use conform::{Card, Limits, Profile, Program, Status, card};
+use rayon::prelude::*;
+use serde_json::Value;
+
+use super::altered::{card_with, families};
+
+fn run(arguments: &[&str], words: &[&str], cases: usize) -> Option<Card> {
+    let script = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/small.py");
+    let python = std::process::Command::new("python3").arg("--version").output();
+    if !python.is_ok_and(|it| it.status.success()) {
+        eprintln!("without python3, nothing is tested");
+        return None;
+    }
+    let command = ["python3", script].iter().chain(arguments).map(|it| (*it).to_owned()).collect();
+    let limits = Limits { answer: Duration::from_secs(60), start: Duration::from_secs(60) };
+    let mut program = Program::new(command, limits, Arc::default());
+    Some(card_with(&mut program, words, Profile::Careful, cases, false))
+}
+
+/// Law: each of chapters 14 to 16 has families of scenes that a tracer with spheres, planes, matte and Phong surfaces, point and
+/// directional lights can answer to their end. Oracle: a program that has only these, and no mistake.
+#[test]
+fn chapters_14_to_16_ask_what_a_tracer_of_these_chapters_has() {
+    let Some(card) = run(&[], &["scenes", "materials"], 48) else { return };
+    for chapter in ["ch14", "ch15", "ch16"] {
+        let rows = card.rows.iter().filter(|row| row.chapter == chapter);
+        let whole = rows.filter(|row| row.count(Status::Pass) == row.cases).count();
+        assert!(whole >= 2, "{chapter}: {whole} families\n{card}");
+    }
+    assert!(!card.is_failed(), "{card}");
+}
+
+/// Law: where nothing can be judged, the card says why in the program's words, each with its number. Oracle: the same program,
+/// asked for mirrors.
+#[test]
+fn nothing_to_judge_has_reasons() {
+    let Some(card) = run(&[], &["scenes/mirror"], 48) else { return };
+    let said = card::verdict(&card, false);
+    assert!(
+        said.starts_with("nothing to judge: all 4 families are unsupported; the program says: ")
+    );
+    assert!(said.contains("\"tracer `whitted`\" (32)"), "{said}");
+}
+
+/// Law: the tracer of mirrors is asked for only where something reflects or lets light through. Oracle: the recipes of the scene.
+#[test]
+fn whitted_is_asked_only_where_something_reflects() {
+    const KINDS: [&str; 4] = ["reflective", "glossy_reflector", "transparent", "dielectric"];
+    for family in families(&["radiance", "trace"]) {
+        for case in (family.cases)(7, 6) {
+            let data = case.as_object().and_then(|it| it.values().next()).expect("a question");
+            let scene = &data["scene"];
+            let recipes = scene["materials"].as_array().into_iter().flatten();
+            let reflects = |it: &Value| KINDS.iter().any(|kind| it["recipe"].get(kind).is_some());
+            let is_whitted = scene["tracer"].get("whitted").is_some();
+            assert!(!is_whitted || recipes.clone().any(reflects), "{}: {case}", family.name);
+        }
+    }
+}
+
+/// Mistakes of the program, each with words of the names that are right for it; without words, it has no name.
+const MISTAKES: &[(&str, &[&str])] = &[
+    ("no 1/π", &["lacks 1/π"]),
+    ("1/π twice", &["has 1/π twice"]),
+    ("no cosine", &["lacks the cosine"]),
+    ("square of the cosine", &["cosine of its angle to the normal twice"]),
+    ("no shadows", &["cast no shadows"]),
+    ("shadow ray does not end at its lamp", &["shadow rays do not end"]),
+    ("spheres cast no shadow", &["spheres cast no shadow", "objects cast no shadows"]),
+    ("first object alone casts shadows", &[]),
+    ("sun not normalised", &["not normalised"]),
+    ("sun from the other side", &["other side"]),
+    ("ambient light is left out", &["ambient light is left out"]),
+    ("ambient over π", &["divided by π"]),
+    ("kd for ka", &["k_d instead of k_a"]),
+    ("ka for kd", &["ka instead of kd"]),
+    ("kd is left out", &["kd is left out"]),
+    ("colour of the surface is left out", &["colour cd"]),
+    ("blue first", &["red and blue"]),
+    ("first light alone", &["only the first"]),
+    ("last light alone", &["only the last"]),
+    ("lights overwrite each other", &["only the last"]),
+    ("lights are averaged", &["averaged"]),
+    ("light is added twice", &[]),
+    ("half vector", &["half vector"]),
+    ("no highlight", &["highlights are left out"]),
+    ("highlight without its cosine", &["highlights lack the cosine"]),
+    ("highlight in the surface's colour", &["diffuse colour"]),
+    ("exponent larger by 1", &["larger by 1"]),
+    ("exponent four times as large", &["four times"]),
+    ("ks is left out", &["ks is left out"]),
+    ("kd for ks", &["kd in the place of ks"]),
+    ("r with the wrong sign", &["highlights are left out"]),
+    ("1/d² everywhere", &["1/d² where it should not"]),
+    ("1/d everywhere", &["1/d where it should not"]),
+    ("gamma 2.2", &["encoded for a screen"]),
+    ("red and green exchanged", &["red and green"]),
+    ("far root", &[]),
+    ("normal without the centre", &[]),
+    ("normal not of unit length", &[]),
+    ("normal inward", &[]),
+    ("no offset", &[]),
+    ("last object wins", &[]),
+    ("half light in shadow", &[]),
+];
+
+/// Law: of the names that stand on the cards of this program with mistakes, nine of ten are right, and at least half of the
+/// mistakes that are found have a right one. Oracle: the mistakes, planted in a program that shares nothing with ours.
+#[test]
+fn names_of_a_foreign_program_are_right() {
+    let (mut found, mut named, mut right, mut all) = (0, 0, 0, 0);
+    let mut wrong = Vec::new();
+    let run = |(mistake, _): &(&str, _)| run(&[*mistake], &["scenes/basics"], 24);
+    let cards: Vec<Option<Card>> = MISTAKES.par_iter().map(run).collect();
+    for ((mistake, words), card) in MISTAKES.iter().zip(cards) {
+        let Some(card) = card else { return };
+        let names = card.rows.iter().flat_map(|row| row.names.iter().map(ToString::to_string));
+        let names: Vec<String> = names.collect();
+        let is_right = |name: &&String| words.iter().any(|word| name.contains(word));
+        let of_these = names.iter().filter(is_right).count();
+        found += usize::from(card.is_failed());
+        named += usize::from(of_these > 0);
+        (right, all) = (right + of_these, all + names.len());
+        let others = names.iter().filter(|name| !is_right(name));
+        wrong.extend(others.map(|name| format!("{mistake}: {name}")));
+        if of_these == 0 && !words.is_empty() {
+            wrong.push(format!("{mistake}: found {}, not named", card.is_failed()));
+        }
+    }
+    let summary = format!("{named} of {found} named, {right} of {all} right\n{}", wrong.join("\n"));
+    eprintln!("{summary}");
+    assert!(found >= 25, "{summary}");
+    assert!(100 * right >= 90 * all && 2 * named >= found, "{summary}");
+}
