@@ -41,6 +41,21 @@ impl Trouble {
     }
 }
 
+/// A subject whose questions are counted.
+pub struct Counted<'a> {
+    /// The subject.
+    pub subject: &'a mut dyn Subject,
+    /// How many there were.
+    pub asked: usize,
+}
+
+impl Subject for Counted<'_> {
+    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
+        self.asked += questions.len();
+        self.subject.ask(questions)
+    }
+}
+
 impl<'a> Asked<'a> {
     /// The subject of this kind and name, with these parameters.
     pub fn new(

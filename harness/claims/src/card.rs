@@ -3,6 +3,7 @@
 use std::fmt::{self, Write as _};
 
 use conform::Invocation;
+use groundtruth::printable;
 use pictures::digits::shortened;
 use pictures::html::{self, escaped};
 use pictures::shell::quoted;
@@ -29,7 +30,7 @@ impl fmt::Display for ClaimsCard {
 }
 
 /// The next step: the first that fails, by itself; if it was alone, the question that shows it; if none fails, a seed that
-/// nobody has seen, or more cases.
+/// nobody has seen, or more cases; after an interruption the same again.
 fn next(card: &ClaimsCard, invocation: &Invocation<'_>) -> String {
     let failed = card.rows.iter().find(|row| row.is_failed());
     let question = || failed?.broken().next()?.1.breach.questions.first();
@@ -37,9 +38,10 @@ fn next(card: &ClaimsCard, invocation: &Invocation<'_>) -> String {
         (Some(_), Some(question)) if card.rows.len() == 1 => {
             let mut question = question.clone();
             question["id"] = 1.into();
-            format!("echo {} | {}", quoted(&question.to_string()), invocation.program())
+            format!("echo {} | {}", quoted(&written(&question)), invocation.program())
         }
         (Some(row), _) => invocation.of_one("laws", &glob::Pattern::escape(&row.name), card.seed),
+        (None, _) if !card.is_whole => invocation.again("laws", card.seed),
         (None, _) => invocation.with_fresh_seed("laws", CASES, MOST_CASES),
     }
 }
@@ -47,7 +49,7 @@ fn next(card: &ClaimsCard, invocation: &Invocation<'_>) -> String {
 /// The rows of all subjects, and what is wrong with each.
 fn rows(card: &ClaimsCard) -> String {
     let mut text = "\n".to_owned();
-    let width = card.rows.iter().map(|row| row.name.chars().count()).max().unwrap_or(0);
+    let width = card.rows.iter().map(|row| shown(row).chars().count()).max().unwrap_or(0);
     let word = word(&card.rows);
     let width = width.max(word.len());
     let _ = writeln!(text, "{word:width$}  held  undecided  broken");
@@ -57,7 +59,7 @@ fn rows(card: &ClaimsCard) -> String {
         let broken: Vec<_> = row.broken().map(|(law, _)| law.name).collect();
         let broken = if broken.is_empty() { "·".to_owned() } else { broken.join(", ") };
         let open = if open == 0 { "·".to_owned() } else { open.to_string() };
-        let _ = writeln!(text, "{:width$}  {held:>4}  {open:>9}  {broken}", row.name);
+        let _ = writeln!(text, "{:width$}  {held:>4}  {open:>9}  {broken}", shown(row));
     }
     for row in &card.rows {
         text += &details(row);
@@ -114,20 +116,41 @@ fn verdict(card: &ClaimsCard) -> String {
     let broken: Vec<&SubjectRow> = card.rows.iter().filter(|row| row.is_failed()).collect();
     let seed = card.seed;
     let rest = format!("seed {seed}, {} tests of chance", card.tests);
-    match &broken[..] {
-        [] if !card.is_judged() => format!("nothing could be decided ({rest})"),
-        [] => format!("no law is broken by {} ({rest})", counted(&card.rows)),
-        [row, ..] => {
-            let what = match row.broken().next() {
-                Some((law, broken)) => {
-                    let more = broken.breach.mistake.as_deref().unwrap_or(law.sentence);
-                    format!("{} breaks \"{}\": {more}", row.name, law.name)
-                }
-                None => format!("{} does not answer", row.name),
-            };
-            format!("{what} ({} of {} broken; {rest})", broken.len(), counted(&card.rows))
+    let asked = card.rows.iter().filter(|row| row.trouble != Some(Trouble::Interrupted)).count();
+    let interrupted = match card.is_whole {
+        true => String::new(),
+        false => format!("interrupted after {asked} of {}; until then ", counted(&card.rows)),
+    };
+    interrupted
+        + &match &broken[..] {
+            [] if !card.is_judged() => format!("nothing could be decided ({rest})"),
+            [] if !card.is_whole => format!("no law is known to be broken ({rest})"),
+            [] => format!("no law is broken by {} ({rest})", counted(&card.rows)),
+            [row, ..] => {
+                let what = match row.broken().next() {
+                    Some((law, broken)) => {
+                        let more = broken.breach.mistake.as_deref().unwrap_or(law.sentence);
+                        format!("{} breaks \"{}\": {more}", shown(row), law.name)
+                    }
+                    None => format!("{} does not answer", shown(row)),
+                };
+                format!("{what} ({} of {} broken; {rest})", broken.len(), counted(&card.rows))
+            }
         }
-    }
+}
+
+/// Its name for a terminal.
+fn shown(row: &SubjectRow) -> String {
+    printable::name(&row.name)
+}
+
+/// A question as JSON without a character that a terminal obeys, to be copied.
+fn written(question: &Value) -> String {
+    let escaped = |c: char| match printable::is_obeyed(c) {
+        true => c.encode_utf16(&mut [0; 2]).iter().map(|unit| format!("\\u{unit:04x}")).collect(),
+        false => c.to_string(),
+    };
+    question.to_string().chars().map(escaped).collect()
 }
 
 /// What all of them are: a kind, or subjects of several.
@@ -146,16 +169,17 @@ fn details(row: &SubjectRow) -> String {
     if let Some(trouble) = row.trouble.as_ref().filter(|it| **it != Trouble::Interrupted) {
         let what =
             if row.is_unsupported() { "not supported" } else { "no answer that can be judged" };
-        let _ = writeln!(text, "\n{}: {what}: {}", row.name, trouble.text());
+        let why = printable::text(trouble.text());
+        let _ = writeln!(text, "\n{}: {what}: {why}", shown(row));
     }
     for (law, broken) in row.broken() {
         let Broken { setting: Setting { parameters, seen }, breach } = broken;
-        let parameters = shortened(&Value::from(parameters.clone()).to_string());
+        let parameters = shortened(&written(&parameters.clone().into()));
         let seen = seen.map_or(String::new(), |at| format!(", {} = {at:?}", row.kind.seen_from()));
         let seen = shortened(&seen);
-        let _ = writeln!(text, "\n{} breaks \"{}\": {}", row.name, law.name, law.sentence);
-        let _ = writeln!(text, "  found       {}", shortened(&breach.found));
-        let _ = writeln!(text, "  expected    {}", shortened(&breach.expected));
+        let _ = writeln!(text, "\n{} breaks \"{}\": {}", shown(row), law.name, law.sentence);
+        let _ = writeln!(text, "  found       {}", printable::text(&shortened(&breach.found)));
+        let _ = writeln!(text, "  expected    {}", printable::text(&shortened(&breach.expected)));
         let _ = writeln!(text, "  parameters  {parameters}{seen}");
         match &breach.mistake {
             Some(mistake) => {
@@ -166,7 +190,7 @@ fn details(row: &SubjectRow) -> String {
             }
         }
         for question in &breach.questions {
-            let _ = writeln!(text, "  question    {question}");
+            let _ = writeln!(text, "  question    {}", written(question));
         }
     }
     text
@@ -201,7 +225,7 @@ fn table(card: &ClaimsCard, kind: Kind) -> String {
     }
     html += "</tr>\n";
     for row in rows {
-        let _ = write!(html, "<tr><td>{}</td>", escaped(&row.name));
+        let _ = write!(html, "<tr><td>{}</td>", escaped(&shown(row)));
         for status in &row.laws {
             let (class, word) = match status {
                 LawStatus::Holds(_) => ("", "holds"),
@@ -220,7 +244,7 @@ fn table(card: &ClaimsCard, kind: Kind) -> String {
 pub fn junit(card: &ClaimsCard, command: &str) -> String {
     let mut report = Report::new(held(&format!("groundtruth laws -- {command}")));
     for row in &card.rows {
-        let mut suite = TestSuite::new(held(&row.name));
+        let mut suite = TestSuite::new(held(&shown(row)));
         for (law, status) in Law::of(row.kind).iter().zip(&row.laws) {
             let status = match (status, &row.trouble) {
                 (LawStatus::Broken(broken), _) => {
@@ -232,12 +256,14 @@ pub fn junit(card: &ClaimsCard, command: &str) -> String {
                     )));
                     status
                 }
-                (LawStatus::Undecided(_), Some(Trouble::Refused(why) | Trouble::Fault(why))) => {
+                (LawStatus::NotClaimed, _) => TestCaseStatus::skipped(),
+                (LawStatus::Undecided(_), Some(it @ (Trouble::Refused(_) | Trouble::Fault(_))))
+                | (_, Some(it @ Trouble::Interrupted)) => {
                     let mut status = TestCaseStatus::non_success(NonSuccessKind::Error);
-                    status.set_message(held(why));
+                    status.set_message(held(it.text()));
                     status
                 }
-                (LawStatus::NotClaimed | LawStatus::Undecided(_), _) => TestCaseStatus::skipped(),
+                (LawStatus::Undecided(_), _) => TestCaseStatus::skipped(),
                 (LawStatus::Holds(_), _) => TestCaseStatus::success(),
             };
             suite.add_test_case(TestCase::new(law.name, status));

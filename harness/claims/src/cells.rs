@@ -325,10 +325,13 @@ pub fn integrals<const N: usize, E>(
     Ok(Integrals { cells: found, whole, is_known })
 }
 
+/// Parts that are measured at once: what is asked and answered of all of them may be a gigabyte.
+const AT_ONCE: usize = 4000;
+
 /// The integrals over parts, each by one rule of sixteen points.
 fn measured<const N: usize, E>(
     frame: &Frame,
-    parts: Vec<Part>,
+    mut parts: Vec<Part>,
     values: &mut impl FnMut(&[Vector]) -> Result<Vec<[f64; N]>, E>,
 ) -> Result<Vec<(Part, [f64; N])>, E> {
     let points = |part: &Part| {
@@ -337,16 +340,20 @@ fn measured<const N: usize, E>(
             .into_iter()
             .flat_map(move |(a, _)| NODES.map(|(b, _)| frame.to_world(cell.at([a, b]))))
     };
-    let directions: Vec<Vector> = parts.iter().flat_map(points).collect();
-    let values = values(&directions)?;
     let weights: Vec<f64> = NODES.iter().flat_map(|(_, a)| NODES.map(|(_, b)| a * b)).collect();
     let sum = |values: &[[f64; N]], k: usize| -> f64 {
         values.iter().zip(&weights).map(|(value, weight)| weight * value[k]).sum()
     };
-    let with_values = parts.into_iter().zip(values.chunks(weights.len()));
     let integral = |(part, values): (Part, &[[f64; N]])| {
         let value = std::array::from_fn(|k| part.cell.solid_angle() * sum(values, k));
         (part, value)
     };
-    Ok(with_values.map(integral).collect())
+    let mut all = Vec::with_capacity(parts.len());
+    while !parts.is_empty() {
+        let now: Vec<Part> = parts.drain(..parts.len().min(AT_ONCE)).collect();
+        let directions: Vec<Vector> = now.iter().flat_map(points).collect();
+        let values = values(&directions)?;
+        all.extend(now.into_iter().zip(values.chunks(weights.len())).map(integral));
+    }
+    Ok(all)
 }

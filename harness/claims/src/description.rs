@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use exact::Draw;
+use groundtruth::printable;
 use libm::{exp, log};
 use serde::Deserialize;
 use serde_json::{Map, Value};
@@ -152,7 +153,32 @@ pub enum Index {
 /// How many significant digits drawn parameters have: they are read and typed again.
 const DIGITS: usize = 2;
 
+/// What the values of a parameter may be.
+const VALUES: &str = "write a number, [low, high], or {\"one_of\": […]}";
+/// The most characters of a name: each question repeats it.
+const LONGEST_NAME: usize = 1000;
+
 impl Description {
+    /// The entry of this index of a program's list.
+    ///
+    /// # Errors
+    /// Names the entry and the parameter, and says what is wrong.
+    pub fn read(index: usize, entry: &Value) -> Result<Self, String> {
+        let name = entry["name"].as_str().map(|name| format!(" (`{}`)", printable::name(name)));
+        let place = format!("entry {}{}", index + 1, name.unwrap_or_default());
+        let refused = |problem: String| Err(format!("{place}: {problem}"));
+        for (name, values) in entry["parameters"].as_object().into_iter().flatten() {
+            if Values::deserialize(values).is_err() {
+                let (name, values) = (printable::name(name), printable::name(&values.to_string()));
+                return refused(format!("the parameter `{name}` is {values}: {VALUES}"));
+            }
+        }
+        match Self::deserialize(entry) {
+            Err(error) => refused(error.to_string()),
+            Ok(found) => found.problem().map_or(Ok(found), refused),
+        }
+    }
+
     /// Parameters of a case: the first two cases have the low and the high ends.
     pub fn parameters(&self, case: usize, draw: &mut Draw) -> Map<String, Value> {
         let value = |values: &Values, draw: &mut Draw| match values {
@@ -186,6 +212,13 @@ impl Description {
 
     /// What is wrong with it, if anything is.
     pub fn problem(&self) -> Option<String> {
+        let long = |name: &&String| name.chars().nth(LONGEST_NAME).is_some();
+        if let Some(name) = self.parameters.keys().chain([&self.name]).find(long) {
+            let (name, length) = (printable::name(name), name.chars().count());
+            return Some(format!(
+                "the name `{name}` has {length} characters; at most {LONGEST_NAME} fit"
+            ));
+        }
         for (name, values) in &self.parameters {
             let is_good = match values {
                 Values::Number(number) => number.is_finite(),
@@ -193,10 +226,8 @@ impl Description {
                 Values::Choices { one_of } => !one_of.is_empty(),
             };
             if !is_good {
-                return Some(format!(
-                    "the values of the parameter `{name}` are none: write a number, [low, high], or \
-                     {{\"one_of\": […]}}"
-                ));
+                let name = printable::name(name);
+                return Some(format!("the values of the parameter `{name}` are none: {VALUES}"));
             }
         }
         self.problem_of_kind().or_else(|| self.problem_of_index())
@@ -234,11 +265,18 @@ impl Description {
         match self.claims.eta.as_ref()? {
             Index::Number(eta) if is_positive(*eta) => None,
             Index::Number(eta) => Some(format!("claims.eta is {eta}, but an index is positive")),
-            Index::Parameter(name) => match self.parameters.get(name) {
-                Some(Values::Number(low) | Values::Range([low, _])) if is_positive(*low) => None,
-                Some(_) => Some(format!("claims.eta names `{name}`, which needs positive numbers")),
-                None => Some(format!("claims.eta names `{name}`, which is no parameter")),
-            },
+            Index::Parameter(name) => {
+                let shown = printable::name(name);
+                match self.parameters.get(name) {
+                    Some(Values::Number(low) | Values::Range([low, _])) if is_positive(*low) => {
+                        None
+                    }
+                    Some(_) => {
+                        Some(format!("claims.eta names `{shown}`, which needs positive numbers"))
+                    }
+                    None => Some(format!("claims.eta names `{shown}`, which is no parameter")),
+                }
+            }
         }
     }
 }
@@ -246,9 +284,8 @@ impl Description {
 /// A point in a box, in coordinates of few digits.
 pub fn point_within([low, high]: [[f64; 3]; 2], draw: &mut Draw) -> [f64; 3] {
     [0, 1, 2].map(|axis| {
-        let text = format!("{:.*e}", DIGITS - 1, draw.between(low[axis], high[axis]));
-        let drawn: f64 = text.parse().expect("a printed number can be read");
-        drawn.clamp(low[axis], high[axis])
+        let drawn = between(low[axis], high[axis], draw);
+        rounded(drawn).clamp(low[axis], high[axis])
     })
 }
 
@@ -257,8 +294,17 @@ fn within(low: f64, high: f64, draw: &mut Draw) -> f64 {
     let drawn = if low > 0.0 && high >= 10.0 * low {
         exp(draw.between(log(low), log(high)))
     } else {
-        draw.between(low, high)
+        between(low, high, draw)
     };
-    let text = format!("{drawn:.*e}", DIGITS - 1);
-    text.parse().expect("a printed number can be read")
+    rounded(drawn)
+}
+
+/// A number between two ends, whose difference need not be one.
+fn between(low: f64, high: f64, draw: &mut Draw) -> f64 {
+    2.0 * draw.between(0.5 * low, 0.5 * high)
+}
+
+/// The number with few digits.
+fn rounded(x: f64) -> f64 {
+    format!("{x:.*e}", DIGITS - 1).parse().expect("a printed number can be read")
 }

@@ -1,11 +1,14 @@
 //! A run: every subject in several cases, each case held to every law; and what chance may have done.
 
+use std::collections::BTreeSet;
+
 use conform::Subject;
 use exact::Draw;
 use groundtruth::math::hash;
+use groundtruth::printable;
 use serde_json::json;
 
-use crate::asked::{Trouble, answer};
+use crate::asked::{Counted, Trouble, answer};
 use crate::description::{Description, Kind};
 use crate::laws::{Breach, Finding, Law};
 use crate::setting::{Case, Setting};
@@ -17,6 +20,8 @@ const LEVEL: f64 = 1e-2;
 const AT_ONCE: f64 = 1e-12;
 /// How many times the samples are drawn when a law of chance is asked again.
 const AGAIN: usize = 10;
+/// Questions to a subject for each of its cases, on average: right ones need at most 250.
+const MOST_QUESTIONS: usize = 1000;
 
 /// Cases of each lobe, if it is not said how many.
 pub const CASES: usize = 8;
@@ -124,20 +129,16 @@ pub fn listed(subject: &mut dyn Subject) -> Result<Vec<Description>, Trouble> {
     let reply = subject.ask(&[json!({"list": {}})]).pop();
     let list = answer(reply.ok_or(Trouble::Interrupted)?)?;
     let refused = |problem: String| Trouble::Refused(format!("the answer to `list`: {problem}"));
-    let list: Vec<Description> =
-        serde_json::from_value(list).map_err(|error| refused(error.to_string()))?;
-    if list.is_empty() {
-        return Err(refused("it names nothing".to_owned()));
+    let entries = list.as_array().filter(|list| !list.is_empty());
+    let entries =
+        entries.ok_or_else(|| refused("it is no list of at least one entry".to_owned()))?;
+    let read = |(index, entry)| Description::read(index, entry).map_err(refused);
+    let list: Vec<Description> = entries.iter().enumerate().map(read).collect::<Result<_, _>>()?;
+    let mut names = BTreeSet::new();
+    match list.iter().find(|lobe| !names.insert(&lobe.name)) {
+        Some(twice) => Err(refused(format!("`{}` is listed twice", printable::name(&twice.name)))),
+        None => Ok(list),
     }
-    for (index, lobe) in list.iter().enumerate() {
-        if list[..index].iter().any(|other| other.name == lobe.name) {
-            return Err(refused(format!("`{}` is listed twice", lobe.name)));
-        }
-        if let Some(problem) = lobe.problem() {
-            return Err(refused(format!("`{}`: {problem}", lobe.name)));
-        }
-    }
-    Ok(list)
 }
 
 /// A test of chance, to be judged when all are known.
@@ -158,32 +159,35 @@ pub fn run(
     let (mut rows, mut tests) = (Vec::new(), Vec::new());
     let mut is_whole = true;
     for (index, lobe) in lobes.iter().enumerate() {
-        let mut judge = Judge { subject, lobe, options, row: index, tests: &mut tests };
-        let row = judge.row();
+        // after an interruption nothing is asked, but the card has a row for each
+        let options = if is_whole { options } else { ClaimsOptions { cases: 0, ..options } };
+        let mut judge = Judge::new(subject, lobe, options, index, &mut tests);
+        let mut row = judge.row();
+        if !is_whole {
+            row.trouble = Some(Trouble::Interrupted);
+        }
         is_whole &= row.trouble != Some(Trouble::Interrupted);
         rows.push(row);
-        if !is_whole {
-            break;
+        if is_whole {
+            finished(&lobe.name);
         }
-        finished(&lobe.name);
     }
     let planned = tests.len();
     for test in rejected(tests) {
         let lobe = &lobes[test.row];
         let mut none = Vec::new();
-        let mut judge = Judge { subject, lobe, options, row: test.row, tests: &mut none };
-        match judge.again(test.law, test.case, planned) {
-            Ok(Some(status)) => {
-                let status_of = &mut rows[test.row].laws[test.law];
-                if !matches!(status_of, LawStatus::Broken(_)) {
-                    *status_of = status;
-                }
-            }
-            Ok(None) => {}
+        let mut judge = Judge::new(subject, lobe, options, test.row, &mut none);
+        let found = match judge.again(test.law, test.case, planned) {
+            Ok(found) => found,
             Err(trouble) => {
                 is_whole &= trouble != Trouble::Interrupted;
                 rows[test.row].trouble = Some(trouble);
+                Some(LawStatus::Undecided("it seemed broken, and was not asked again".to_owned()))
             }
+        };
+        let status = &mut rows[test.row].laws[test.law];
+        if let (Some(found), false) = (found, matches!(status, LawStatus::Broken(_))) {
+            *status = found;
         }
     }
     for (row, lobe) in rows.iter_mut().zip(lobes) {
@@ -206,14 +210,24 @@ fn rejected(mut tests: Vec<Test>) -> Vec<Test> {
 
 /// One lobe under the laws.
 struct Judge<'a> {
-    subject: &'a mut dyn Subject,
+    subject: Counted<'a>,
     lobe: &'a Description,
     options: ClaimsOptions,
     row: usize,
     tests: &'a mut Vec<Test>,
 }
 
-impl Judge<'_> {
+impl<'a> Judge<'a> {
+    fn new(
+        subject: &'a mut dyn Subject,
+        lobe: &'a Description,
+        options: ClaimsOptions,
+        row: usize,
+        tests: &'a mut Vec<Test>,
+    ) -> Self {
+        Self { subject: Counted { subject, asked: 0 }, lobe, options, row, tests }
+    }
+
     fn row(&mut self) -> SubjectRow {
         let status = |law: &Law| match (law.applies)(&self.lobe.claims) {
             true => LawStatus::Holds(0),
@@ -221,27 +235,31 @@ impl Judge<'_> {
         };
         let mut laws: Vec<LawStatus> = Law::of(self.lobe.kind).iter().map(status).collect();
         let mut trouble = None;
+        let most = MOST_QUESTIONS * self.options.cases;
         for case in 0..self.options.cases {
+            if self.subject.asked > most {
+                undecided(&mut laws, "left alone after more questions than any right one needs");
+                break;
+            }
             if let Err(found) = self.case(case, &mut laws) {
                 trouble = Some(found);
                 break;
             }
         }
-        for status in &mut laws {
-            if let LawStatus::Holds(0) = status {
-                *status = LawStatus::Undecided("no case was asked".to_owned());
-            }
-        }
+        undecided(&mut laws, "no case was asked");
         SubjectRow { name: self.lobe.name.clone(), kind: self.lobe.kind, laws, trouble }
     }
 
-    /// Holds one case to all laws that are not broken yet.
+    /// Holds one case to all laws that are not broken yet, until it has values that are none: nothing can be held to those,
+    /// and integrals of them never settle.
     fn case(&mut self, index: usize, laws: &mut [LawStatus]) -> Result<(), Trouble> {
         let (lobe, options, row) = (self.lobe, self.options, self.row);
         let (setting, draw) = Setting::drawn(lobe, options.seed, index);
-        let mut case = Case::new(self.subject, lobe, &setting, draw);
-        for (number, (law, status)) in Law::of(lobe.kind).iter().zip(laws).enumerate() {
-            if matches!(status, LawStatus::Broken(_) | LawStatus::NotClaimed) {
+        let mut case = Case::new(&mut self.subject, lobe, &setting, draw);
+        for (number, law) in Law::of(lobe.kind).iter().enumerate() {
+            let status = &mut laws[number];
+            let is_known = matches!(status, LawStatus::Broken(_));
+            if matches!(status, LawStatus::NotClaimed) || is_known && !law.ends_a_case() {
                 continue;
             }
             let mut finding = law.check(&mut case, 1)?;
@@ -257,6 +275,7 @@ impl Judge<'_> {
                 case.forget();
             }
             match finding {
+                Finding::Holds if is_known => {}
                 Finding::Holds => count(status),
                 Finding::Chance(p, _) => {
                     self.tests.push(Test { row, law: number, case: index, p });
@@ -268,7 +287,15 @@ impl Judge<'_> {
                     }
                 }
                 Finding::Broken(breach) => {
-                    *status = LawStatus::Broken(Broken { setting: setting.clone(), breach });
+                    let ends = law.ends_a_case() || breach.error.is_infinite();
+                    if !is_known {
+                        *status = LawStatus::Broken(Broken { setting: setting.clone(), breach });
+                    }
+                    if ends {
+                        let what = format!("not asked where \"{}\" is broken", law.name);
+                        undecided(laws, &what);
+                        break;
+                    }
                 }
             }
         }
@@ -285,13 +312,22 @@ impl Judge<'_> {
         let seed = self.options.seed;
         let (setting, _) = Setting::drawn(self.lobe, seed, index);
         let draw = Draw::new(hash(&[seed, index as u64, law as u64]));
-        let mut case = Case::new(self.subject, self.lobe, &setting, draw);
+        let mut case = Case::new(&mut self.subject, self.lobe, &setting, draw);
         let breach = match Law::of(self.lobe.kind)[law].check(&mut case, AGAIN)? {
             Finding::Chance(p, breach) if p < LEVEL / tests.max(1) as f64 => Some(breach),
             Finding::Broken(breach) => Some(breach),
             _ => None,
         };
         Ok(breach.map(|breach| LawStatus::Broken(Broken { setting, breach })))
+    }
+}
+
+/// Says why laws are not decided that were not asked in any case.
+fn undecided(laws: &mut [LawStatus], why: &str) {
+    for status in laws {
+        if let LawStatus::Holds(0) = status {
+            *status = LawStatus::Undecided(why.to_owned());
+        }
     }
 }
 

@@ -5,12 +5,12 @@
 //! the same law is broken, by at least a quarter of the first error and, where a mistake was recognised, by the same one:
 //! else a gross mistake turns into something that looks like rounding.
 
-use conform::{Reply, Subject, simpler, weight};
+use conform::{Subject, simpler, weight};
 use exact::Draw;
 use groundtruth::math::hash;
 use serde_json::Value;
 
-use crate::asked::Trouble;
+use crate::asked::{Counted, Trouble};
 use crate::description::{Description, Kind, Values};
 use crate::laws::{Breach, Finding, Law};
 use crate::run::{Broken, LawStatus, SubjectRow};
@@ -52,19 +52,6 @@ pub fn row(
         found.push(broken.setting.clone());
     }
     Ok(())
-}
-
-/// A subject whose questions are counted.
-struct Counted<'a> {
-    subject: &'a mut dyn Subject,
-    asked: usize,
-}
-
-impl Subject for Counted<'_> {
-    fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        self.asked += questions.len();
-        self.subject.ask(questions)
-    }
 }
 
 /// The search for a smaller case of one finding.

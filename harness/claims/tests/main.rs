@@ -9,6 +9,7 @@ mod cells;
 mod chance;
 mod claimed;
 mod counted;
+mod extreme;
 mod fields;
 mod kinds;
 mod lamps;

@@ -28,7 +28,7 @@ fn refused(list: &Value) -> String {
 #[test]
 fn bad_lists_are_refused() {
     for (list, words) in [
-        (json!([]), "names nothing"),
+        (json!([]), "no list of at least one entry"),
         (json!([{"name": "a"}, {"name": "a"}]), "`a` is listed twice"),
         (json!([{"name": "a", "parameters": {"x": [2, 1]}}]), "parameter `x`"),
         (json!([{"name": "a", "parameters": {"x": {"one_of": []}}}]), "parameter `x`"),
@@ -38,7 +38,18 @@ fn bad_lists_are_refused() {
             json!([{"name": "a", "parameters": {"n": [-1, 2]}, "claims": {"eta": "n"}}]),
             "claims.eta",
         ),
-        (json!([{"name": "a", "claims": {"reciproc": true}}]), "reciproc"),
+        (
+            json!([{"name": "a", "claims": {"reciproc": true}}]),
+            "entry 1 (`a`): unknown field `reciproc`",
+        ),
+        (json!([{"name": "a"}, {"claims": {}}]), "entry 2: missing field `name`"),
+        (
+            json!([{"name": "a", "parameters": {"b": 1, "roughness": [1, 2, 3]}}]),
+            "entry 1 (`a`): the parameter `roughness` is [1,2,3]: write a number, [low, high]",
+        ),
+        (json!([{"name": "a", "parameters": {"x": "nan"}}]), "the parameter `x` is \"nan\""),
+        (json!([{"name": "x".repeat(100_000)}]), "has 100000 characters; at most 1000 fit"),
+        (json!([{"name": "a\u{1b}[31m", "points": 1}]), "entry 1 (`a\\u{1b}[31m`): "),
         (json!({"name": "a"}), "list"),
     ] {
         let why = refused(&list);
@@ -82,10 +93,38 @@ fn troubles_are_told() {
     }
 }
 
-/// Law: an interrupted run is not whole.
+/// Law: a run that is interrupted says so on each form of the card, with what is known until then and a row for each lobe; it does not
+/// say that no law is broken. Oracle: how many of three lobes were asked until then; what the first of them breaks.
 #[test]
-fn interrupted_runs_are_not_whole() {
-    assert!(!card(|_| Reply::NotAsked).is_whole);
+fn an_interrupted_run_says_so_on_each_form() {
+    for (first, known) in [(0.0, "no law is known to be broken"), (-1.0, "a breaks \"positive\"")] {
+        let mut subject = Answers(|question: &Value| match question.get("list") {
+            Some(_) => Reply::Answer(json!([{"name": "a"}, {"name": "b"}, {"name": "c"}])),
+            None if ["eval", "sample"].iter().any(|it| question[it]["lobe"] == "a") => {
+                constant(first, 0.0, &Value::Null, question)
+            }
+            None => Reply::NotAsked,
+        });
+        let lobes = listed(&mut subject).expect("a list");
+        let options = ClaimsOptions { cases: 2, seed: 1 };
+        let card = run(&mut subject, &lobes, options, &mut |_| {});
+        assert!(!card.is_whole && card.rows.len() == 3);
+        let program = ["./mine".to_owned()];
+        let invocation = conform::Invocation { program: &program, ..Default::default() };
+        let told = told(&card, &invocation);
+        let begins = format!("interrupted after 1 of 3 lobes; until then {known}");
+        assert!(told.verdict.starts_with(&begins), "{}", told.verdict);
+        assert!(!told.text().contains("no law is broken"), "{}", told.text());
+        let html = page(&card, &told, "./mine");
+        assert!(html.contains("interrupted after 1 of 3 lobes"), "{html}");
+        let errors = junit(&card, "./mine").matches("message=\"interrupted\"").count();
+        let laws = claims::Law::of(claims::Kind::Lobe).iter();
+        let claimed = laws.filter(|law| (law.applies)(&claims::Claims::default())).count();
+        assert_eq!(errors, 2 * claimed, "errors of the two lobes that were not asked");
+        let again =
+            if first < 0.0 { "laws a --seed 1 -- ./mine" } else { "laws --seed 1 -- ./mine" };
+        assert!(told.next.ends_with(again), "{}", told.next);
+    }
 }
 
 /// Law: values that JSON has no numbers for are read, and break the law of finite values. Oracle: what was planted.

@@ -59,7 +59,11 @@ fn integrate<C: Directed>(case: &mut C, scale: usize) -> Result<Integrated, Trou
     let placing = case.drawn(PLACING)?;
     let placing: Vec<Vector> = placing.iter().filter_map(with_density).map(|it| it.w).collect();
     let cells = Cells::around(&placing, DEPTH);
-    let samples = case.drawn(COUNTED * scale)?;
+    // not all at once: as JSON they are many times as large
+    let mut samples = Vec::with_capacity(COUNTED * scale);
+    for _ in 0..scale {
+        samples.extend(case.drawn(COUNTED)?);
+    }
     let mut counts = vec![0; cells.all.len()];
     let mut directions = Vec::with_capacity(samples.len());
     for (index, sample) in samples.iter().enumerate() {
@@ -133,7 +137,8 @@ impl Integrated {
     fn mean(&self, k: usize, value: f64, error: f64) -> (f64, f64) {
         let groups: Vec<f64> = self.weights.iter().map(|mean| mean[k]).collect();
         let mean = groups.iter().sum::<f64>() / groups.len() as f64;
-        if (mean - value).abs() <= error {
+        // a sum beyond the largest number tells nothing
+        if (mean - value).abs() <= error || ![mean, value, error].iter().all(|x| x.is_finite()) {
             return (mean, 1.0);
         }
         // the nearest value that the integral may have

@@ -13,7 +13,7 @@ pub const LOBES: [Law; 10] = [
     },
     Law {
         name: "positive",
-        sentence: "f and pdf are finite and not negative, at the limb too",
+        sentence: "f, pdf and weights are finite and not negative, at the limb too",
         cause: "0/0 or a cosine without its absolute value at grazing directions",
         applies: |claims| !claims.delta,
         check: Check::Lobe(values::positive),

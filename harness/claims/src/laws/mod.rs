@@ -50,6 +50,11 @@ impl Law {
         }
     }
 
+    /// Whether nothing else can be held to a case in which it is broken: its values are no numbers, or negative.
+    pub fn ends_a_case(&self) -> bool {
+        self.name == "positive"
+    }
+
     /// Whether it holds in a case of its kind; for laws of chance, with so many times the usual samples.
     ///
     /// # Errors

@@ -1,9 +1,10 @@
 //! Laws of lobes that hold value by value, to rounding.
 
 use groundtruth::math::{Vector, cos, sin};
+use serde_json::Value;
 
 use super::pairs::{self, Equality};
-use super::{Breach, Finding, negative};
+use super::{Breach, Finding, apart, negative};
 use crate::asked::Trouble;
 use crate::case::LobeCase;
 use crate::lobe::{Evaluated, Sampled};
@@ -120,8 +121,28 @@ pub fn turned(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
 const LIMB: [f64; 2] = [1e-3, 1e-5];
 
 pub fn positive(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
-    let mut directions: Vec<Vector> =
-        case.samples(COMPARED)?.into_iter().flatten().map(|it| it.wi).collect();
+    let is_bad = |x: f64| !x.is_finite() || x < 0.0;
+    let broken = |found: String, numbers: [f64; 4], question: Value| {
+        Finding::Broken(Breach {
+            found,
+            expected: "finite numbers of at least 0".to_owned(),
+            error: numbers.map(negative).into_iter().fold(0.0, f64::max),
+            mistake: None,
+            questions: vec![question],
+        })
+    };
+    let u = case.numbers(COMPARED);
+    let samples = case.lobe.sample(case.wo, &u)?;
+    for (it, u) in samples.iter().zip(&u).filter_map(|(it, u)| Some(((*it)?, u))) {
+        let [r, g, b] = it.weight;
+        let numbers = [r, g, b, it.pdf.unwrap_or(1.0)];
+        if numbers.into_iter().any(is_bad) {
+            let found = format!("a sample with weight = {:?}, pdf = {:?}", it.weight, it.pdf);
+            let question = case.lobe.sample_question(case.wo, &[*u]);
+            return Ok(broken(found, numbers, question));
+        }
+    }
+    let mut directions: Vec<Vector> = samples.into_iter().flatten().map(|it| it.wi).collect();
     for side in [1.0, -1.0] {
         directions.extend(case.directions(COMPARED, side));
         let level = case.directions(COMPARED, side);
@@ -133,16 +154,12 @@ pub fn positive(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
     viewers.extend(LIMB.map(|z| lowered(case.wo, z.copysign(case.wo.z()))));
     for wo in viewers {
         let values = case.lobe.eval(wo, &directions)?;
-        let is_bad = |x: f64| !x.is_finite() || x < 0.0;
         for (wi, Evaluated { f, pdf }) in directions.iter().zip(values) {
             if is_bad(pdf) || f.into_iter().any(is_bad) {
-                return Ok(Finding::Broken(Breach {
-                    found: format!("f = {f:?} and pdf = {pdf:e}"),
-                    expected: "finite numbers of at least 0".to_owned(),
-                    error: f.into_iter().chain([pdf]).map(negative).fold(0.0, f64::max),
-                    mistake: None,
-                    questions: vec![case.lobe.eval_question(wo, &[*wi])],
-                }));
+                let found = format!("f = {f:?} and pdf = {pdf:e}");
+                let question = case.lobe.eval_question(wo, &[*wi]);
+                let [r, g, b] = f;
+                return Ok(broken(found, [r, g, b, pdf], question));
             }
         }
     }
@@ -172,7 +189,7 @@ pub fn sides(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
         return Ok(Finding::Broken(Breach {
             found: format!("the sample wi = {:?}", wi.to_array()),
             expected,
-            error: if is_unit { 1.0 } else { (length - 1.0).abs() },
+            error: if is_unit { 1.0 } else { apart(length, 1.0) },
             mistake: None,
             questions: vec![case.lobe.sample_question(case.wo, &[*u])],
         }));
