@@ -38,6 +38,9 @@ mod shaded_sets;
 
 pub use search::{about, search};
 
+use std::path::Path;
+
+use groundtruth::film;
 use groundtruth::scene::Scene;
 use groundtruth::similar::did_you_mean;
 
@@ -97,8 +100,13 @@ pub fn unknown(name: &str) -> String {
     let problem = format!(
         "no scene `{name}`: neither a gallery name (`groundtruth list` shows them) nor a file"
     );
-    let names: Vec<&str> = scenes().map(|entry| entry.name).collect();
-    problem + &did_you_mean(name, &names)
+    let beside =
+        std::fs::read_dir(film::folder_of(Path::new(name))).into_iter().flatten().flatten();
+    let beside = beside.map(|file| Path::new(name).with_file_name(file.file_name()));
+    let beside = beside.filter(|file| file.extension().is_some_and(|it| it == "toml"));
+    let names = scenes().map(|entry| entry.name.to_owned());
+    let names: Vec<String> = names.chain(beside.map(|file| file.display().to_string())).collect();
+    problem + &did_you_mean(name, &names.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
 /// The scenes of a chapter: names and build functions.

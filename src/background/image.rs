@@ -39,7 +39,8 @@ pub struct Image {
     /// Which texels count; the nearest if left out.
     #[serde(default)]
     pub filtering: Filtering,
-    /// What the numbers of a PNG, JPEG or PPM file mean; `srgb` if left out. Those of HDR, EXR and PFM are
+    /// What the numbers of a PNG, JPEG or PPM file mean; if left out, what a PNG file says of itself (sRGB,
+    /// gAMA), else `srgb`. Those of HDR, EXR and PFM are
     /// linear.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub encoding: Option<Encoding>,

@@ -19,7 +19,7 @@ use std::fmt::Debug;
 use crate::math::{Point, Vector};
 
 pub use stereo::{Side, Stereo, Viewing};
-pub use viewpoint::{Eye, View, Viewpoint};
+pub use viewpoint::{Eye, Handedness, View, Viewpoint};
 
 /// The size of the view plane (the film), whose centre is on the view direction, in world units.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -28,6 +28,9 @@ pub struct Viewpoint {
     /// picture rotates clockwise.
     #[serde(default)]
     pub roll: f64,
+    /// Whether the coordinates of the scene are those of a right-handed renderer, as the book's, or of a left-handed one.
+    #[serde(default, skip_serializing_if = "Handedness::is_right")]
+    pub handedness: Handedness,
     /// The factor of every pixel; positive.
     #[serde(default = "kinds::one")]
     pub exposure_time: f64,
@@ -40,6 +43,29 @@ pub struct Viewpoint {
     pub stereo: Option<Stereo>,
     /// The kind of camera.
     pub lens: Kind,
+}
+
+/// The handedness of the axes x, y and z.
+///
+/// The same numbers, read as left-handed coordinates, are the mirror image of the scene. So the picture of `left` is that
+/// of `right`, mirrored: +x is on the right for a camera that looks along +z. Nothing else changes, neither normals nor
+/// the order of the vertices of triangles.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "snake_case")]
+#[schemars(title = "handedness")]
+pub enum Handedness {
+    /// x × y = z, as in the book: +x is on the right for a camera that looks along −z.
+    #[default]
+    Right,
+    /// x × y = −z.
+    Left,
+}
+
+impl Handedness {
+    /// Whether it is the book's.
+    pub fn is_right(&self) -> bool {
+        *self == Self::Right
+    }
 }
 
 fn up() -> Vector {
@@ -78,7 +104,18 @@ impl Viewpoint {
     /// A camera with the book's defaults: upright, exposure 1, in air.
     pub fn new(eye: Point, look_at: Point, lens: impl Into<Kind>) -> Self {
         let (up, medium, lens) = (up(), Medium::default(), lens.into());
-        Self { eye, look_at, up, roll: 0.0, exposure_time: 1.0, medium, stereo: None, lens }
+        let handedness = Handedness::Right;
+        Self {
+            eye,
+            look_at,
+            up,
+            roll: 0.0,
+            handedness,
+            exposure_time: 1.0,
+            medium,
+            stereo: None,
+            lens,
+        }
     }
 
     /// Checks the data and builds the camera for a film of this size.
@@ -103,6 +140,8 @@ impl Viewpoint {
         let medium = self.medium.checked("medium")?;
         let camera = self.lens.build(&mut film.clone()).map_err(|e| e.inside("lens"))?;
         let frame = rolled(upright(back, up), self.roll);
+        let u = if self.handedness.is_right() { frame.u } else { -frame.u };
+        let frame = Frame { u, ..frame };
         // an eye moved to the left by `eye_shift`: its view plane stays fixed, so film points shift
         // right
         let eye = |eye_shift: f64| Eye {

@@ -205,6 +205,9 @@ impl Explaining<'_> {
     /// Works out the contributions of a ray and of those after it, the reasons of its lights, and why it is
     /// black. `throughput` is the weight at the eye of the radiance that arrives at the ray's origin.
     fn explain(&self, ray: &mut RecordedRay, throughput: Rgb) {
+        if let Some(optics) = ray.hit.as_mut().and_then(|hit| hit.optics.as_mut()) {
+            optics.scales_radiance = self.scene.transparency.scales_radiance;
+        }
         // the throughput of light that leaves the surface: through the medium too
         let leaving = throughput * ray.transmittance;
         for term in &mut ray.terms {

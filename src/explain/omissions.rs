@@ -5,8 +5,8 @@ use crate::printable;
 use crate::trace::{Direct, Scatter, Strategy};
 use crate::world::{PlacedLight, PlacedMaterial, World};
 
-/// A sentence for the user about each light that the world's tracer leaves out, and about each mirror and
-/// glass that it does not trace.
+/// A sentence for the user about each light that the world's tracer leaves out, about each mirror and
+/// glass that it does not trace, and about objects without any light.
 pub fn omissions(world: &World) -> Vec<String> {
     let strategy = Strategy::of(world.tracer);
     let tracer = world.tracer.name();
@@ -25,7 +25,19 @@ pub fn omissions(world: &World) -> Vec<String> {
         })
     };
     let lights = world.lights.iter().filter_map(of_light);
-    lights.chain(world.materials.iter().filter_map(of_material)).collect()
+    let materials = world.materials.iter().filter_map(of_material);
+    lights.chain(materials).chain(dark(world, strategy)).collect()
+}
+
+/// That nothing lights the objects, if it is so: paths find the background by themselves.
+fn dark(world: &World, strategy: Strategy) -> Option<String> {
+    let shines = world.materials.iter().any(|material| material.recipe.emission().is_some());
+    let is_lit = !world.lights.is_empty() || shines || strategy.is_path();
+    let is_dark = !is_lit && !world.names.objects.is_empty();
+    is_dark.then(|| {
+        "no light is on and no material is emissive: surfaces are black, but for the background in mirrors and glass"
+            .to_owned()
+    })
 }
 
 /// What is done with light of this kind instead of counting it at every hit, and why, in words for the

@@ -173,9 +173,12 @@ impl fmt::Display for Optics {
         }
         match self.angle_of_refraction {
             Some(angle) => {
-                // the same light fills a smaller cone of directions in the denser medium (ch. 27)
-                let factor = brief(1.0 / (self.eta * self.eta));
-                write!(f, "refracted at {}° (radiance × 1/η² = {factor}), ", brief(angle))?;
+                write!(f, "refracted at {}°", brief(angle))?;
+                if self.scales_radiance {
+                    // the same light fills a smaller cone of directions in the denser medium (ch. 27)
+                    write!(f, " (radiance × 1/η² = {})", brief(1.0 / (self.eta * self.eta)))?;
+                }
+                f.write_str(", ")?;
             }
             None => f.write_str("total internal reflection, ")?,
         }

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 
 use tempfile::NamedTempFile;
 
+use crate::printable;
+
 /// How the names of temporary files begin. What a killed run leaves behind, the next one
 /// removes that writes into the same folder.
 pub const TEMPORARY: &str = ".groundtruth-";
@@ -144,7 +146,13 @@ fn temporary_beside(path: &Path) -> Result<NamedTempFile> {
     let folder = folder_of(path);
     remove_left(folder);
     loop {
-        let file = builder.tempfile_in(folder).map_err(without_path)?;
+        let file = builder.tempfile_in(folder).map_err(|error| match error.kind() {
+            ErrorKind::NotFound => {
+                let folder = printable::text(&folder.display().to_string());
+                Error::new(error.kind(), format!("there is no folder `{folder}`; make it first"))
+            }
+            _ => without_path(error),
+        })?;
         // the lock says that a process is at work; the system frees that of a killed one. A process that
         // came before the lock may have removed the file as one that was left.
         let is_locked = file.as_file().lock().is_ok();

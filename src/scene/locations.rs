@@ -52,6 +52,12 @@ pub(super) fn parse_error(text: &str, file: &Path, error: &toml::de::Error) -> S
     let end = if header { text[span.start..].find(']').unwrap_or(0) } else { 0 };
     let location = Location::line(file, line_at(text, span.start));
     let Some(document) = parse(text) else {
+        if let Some((at, problem)) = syntax::unclosed(text, span.start) {
+            let location = Location::line(file, line_at(text, at));
+            return SceneError::Invalid { location, invalid: Invalid::new(problem) };
+        }
+        let name = text.get(span.clone()).filter(|_| problem == "duplicate key");
+        let problem = name.map_or(problem.clone(), |name| format!("{problem} `{name}`; keep one"));
         let line = text[..span.start].rfind('\n').map_or(0, |end| end + 1);
         let problem =
             syntax::with_advice(&problem, text[line..].lines().next().unwrap_or_default());

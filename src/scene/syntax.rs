@@ -10,6 +10,48 @@ pub(super) fn with_advice(problem: &str, line: &str) -> String {
     }
 }
 
+/// The byte offset of a bracket that is not closed where a text that is not TOML fails, and what to write. A list or a
+/// table of several lines begins with a bracket at the end of its line; another is missing its end there.
+pub(super) fn unclosed(text: &str, at: usize) -> Option<(usize, String)> {
+    let line = text[..at].rfind('\n').map_or(0, |end| end + 1);
+    let rest = text[line..].lines().next().unwrap_or_default();
+    let is_next_entry = |rest: &str| {
+        let key = rest.split_once('=').map_or("", |(key, _)| key).trim();
+        let is_key = |c: char| c.is_alphanumeric() || "_-.\"".contains(c);
+        let header = rest.trim_start_matches('[');
+        (!key.is_empty() && key.chars().all(is_key))
+            || (header.len() < rest.len() && header.starts_with(char::is_alphabetic))
+    };
+    let is_end = text[at..].trim().is_empty();
+    let before = if is_end { text } else { &text[..line] };
+    let (open, bracket) = brackets(before).pop()?;
+    let begins_block = text[open + 1..].lines().next().is_some_and(|rest| rest.trim().is_empty());
+    let close = if bracket == '[' { ']' } else { '}' };
+    let problem = format!("this `{bracket}` is not closed; write its `{close}`");
+    (is_end || (is_next_entry(rest) && !begins_block)).then_some((open, problem))
+}
+
+/// The brackets that are open at the end of a text, with their byte offsets; none in texts and comments.
+fn brackets(text: &str) -> Vec<(usize, char)> {
+    let (mut open, mut quote, mut letters) = (Vec::new(), None, text.char_indices());
+    while let Some((at, letter)) = letters.next() {
+        match (quote, letter) {
+            // a text of one line ends with it
+            (Some(_), '\n') => quote = None,
+            (Some('"'), '\\') => drop(letters.next()),
+            (Some(end), _) if end == letter => quote = None,
+            (Some(_), _) => {}
+            (None, '"' | '\'' | '#') => {
+                quote = Some(letter).map(|mark| if mark == '#' { '\n' } else { mark })
+            }
+            (None, '[' | '{') => open.push((at, letter)),
+            (None, ']' | '}') => drop(open.pop()),
+            _ => {}
+        }
+    }
+    open
+}
+
 fn advice(line: &str) -> Option<String> {
     let is_escape = |text: &str| text.contains('\\');
     // every second part stands in double quotes

@@ -53,7 +53,8 @@ pub struct Image {
     /// The part of the image that each texel covers.
     #[serde(default)]
     pub rule: Rule,
-    /// How a PNG, JPEG or PPM file encodes colours; `srgb` if left out. HDR, EXR and PFM files are linear.
+    /// How a PNG, JPEG or PPM file encodes colours; if left out, what a PNG file says of itself (sRGB, gAMA), else `srgb`.
+    /// HDR, EXR and PFM files are linear.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub encoding: Option<Encoding>,
     /// The layer or view of an EXR file, such as `ViewLayer.Combined`; only needed if it has several.

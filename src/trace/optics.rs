@@ -23,6 +23,9 @@ pub struct Optics {
     pub reflected: Rgb,
     /// The share that is transmitted, `T` (`k_t` in the book), without the `1/η²` of radiance.
     pub transmitted: Rgb,
+    /// Whether refraction multiplies radiance by `1/η²`, as the scene says it; worked out by an explanation.
+    #[serde(skip)]
+    pub scales_radiance: bool,
     /// The media in front of and behind the surface, if the material has them.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub media: Option<[Medium; 2]>,
@@ -51,6 +54,7 @@ impl Optics {
                 .map(|t| angle((t.x() * t.x() + t.y() * t.y()).sqrt(), t.z().abs())),
             reflected: share(false),
             transmitted: (eta * eta) * share(true),
+            scales_radiance: true,
             media,
         })
     }

@@ -1,7 +1,7 @@
 //! Chapter 9: a practical viewing system.
 
 use crate::properties::*;
-use groundtruth::cameras::View;
+use groundtruth::cameras::{Handedness, View};
 
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
 use crate::pictures::studio::{RED, built};
@@ -53,6 +53,30 @@ proptest! {
         near!(u.cross(v), w, 24.0 * U);
         let back = viewpoint.eye.to_vector();
         near!(back.length() * w, back, 8.0 * U * back.length());
+    }
+
+    /// Law: the camera of a scene in left-handed axes sees what that of the scene with z negated sees in right-handed ones:
+    /// its rays are those with z negated. Oracle: the mirror image of the scene, by hand.
+    #[test]
+    fn left_handed_axes_are_right_handed_ones_with_z_negated(
+        viewpoint in viewpoint(), up in point(10.0), film in film(),
+    ) {
+        let up = up.to_vector();
+        prop_assume!(up.cross(viewpoint.eye.to_vector()).length() > 1e-3);
+        // a roll is turned the other way by the mirror
+        let left = Viewpoint { up, handedness: Handedness::Left, ..viewpoint };
+        let mirrored = |[x, y, z]: [f64; 3]| [x, y, -z];
+        let right = Viewpoint {
+            eye: Point::from(mirrored(left.eye.to_array())),
+            up: Vector::from(mirrored(up.to_array())),
+            roll: -left.roll,
+            handedness: Handedness::Right,
+            ..left.clone()
+        };
+        let [left, right] = [left, right].map(|it| view(&it).eyes()[0].ray(film, [0.0; 2]));
+        let (left, right) = (left.expect("a ray"), right.expect("a ray"));
+        let far = right.direction.to_array();
+        near!(left.direction, Vector::from(mirrored(far)), 1e-9);
     }
 
     /// Law: the point looked at is in the middle of the picture: the ray there is −w from the eye.

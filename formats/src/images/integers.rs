@@ -1,24 +1,17 @@
 //! Colours of integer samples: grey or three channels, with alpha or without, encoded for display or not.
 
 use image::DynamicImage;
-use libm::pow;
 
-use super::{Encoding, Problem, Texels};
+use super::{Problem, Texels, Transfer};
 
 /// The colours of integer samples, where `largest` means 1: grey, or red, green and blue; alpha is
 /// ignored.
 pub(super) fn integers(
     image: DynamicImage,
     largest: u16,
-    encoding: Option<Encoding>,
+    transfer: Transfer,
 ) -> Result<Texels, Problem> {
-    let linear = |sample: u32| {
-        let value = f64::from(sample) / f64::from(largest);
-        match encoding {
-            Some(Encoding::Linear) => value as f32,
-            Some(Encoding::Srgb) | None => srgb_decoded(value) as f32,
-        }
-    };
+    let linear = |sample: u32| transfer.decoded(f64::from(sample) / f64::from(largest)) as f32;
     // a table, because many texels have the same sample values
     let table: Vec<f32> = (0..=u32::from(largest)).map(linear).collect();
     let (width, height) = (image.width(), image.height());
@@ -59,9 +52,4 @@ fn colors(
         }
     }
     Ok((colors, transparent))
-}
-
-/// The linear value of an sRGB value (IEC 61966-2-1).
-fn srgb_decoded(c: f64) -> f64 {
-    if c <= 0.04045 { c / 12.92 } else { pow((c + 0.055) / 1.055, 2.4) }
 }

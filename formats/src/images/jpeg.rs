@@ -5,21 +5,43 @@ use std::io::Cursor;
 use image::ImageDecoder;
 use image::codecs::jpeg::JpegDecoder;
 
-use super::{Encoding, Problem, after_the_end, check_size, damaged, integers, samples};
+use super::{Problem, Transfer, after_the_end, check_size, damaged, integers, samples};
 use crate::images::Texels;
 
 /// The decoder fills what is missing with grey, so the segments are checked first.
-pub fn decode(
-    bytes: &[u8],
-    encoding: Option<Encoding>,
-    max_texels: u64,
-) -> Result<Texels, Problem> {
+pub fn decode(bytes: &[u8], transfer: Transfer, max_texels: u64) -> Result<Texels, Problem> {
     let after = after_last_segment(bytes)?;
     let whole = &bytes[..bytes.len() - after.len()];
     let decoder = JpegDecoder::new(Cursor::new(whole)).map_err(damaged)?;
     let (width, height) = decoder.dimensions();
     check_size([width, height].map(u64::from), max_texels)?;
-    Ok(integers(samples(decoder)?, 255, encoding)?.with_notes(after_the_end(after)))
+    Ok(integers(samples(decoder)?, 255, transfer)?.with_notes(after_the_end(after)))
+}
+
+/// By how much compression may change the mean of a block of 16 × 16 pixels, in steps of 1/255: the mean of 8 × 8 values
+/// is an eighth of their first coefficient, which is wrong by half of its step at most, and a channel is the sum of the
+/// luminance and at most 1.772 times a chrominance (ITU-T T.81, A.3.3; JFIF 1.02). Two steps are for what is clamped and
+/// rounded.
+pub fn loss(bytes: &[u8]) -> f64 {
+    const START_OF_SCAN: u8 = 0xda;
+    const TABLES: u8 = 0xdb;
+    let (mut rest, mut largest) = (bytes.get(2..).unwrap_or_default(), 1.0_f64);
+    while let [0xff, marker, high, low, ..] = *rest
+        && marker != START_OF_SCAN
+    {
+        let length = usize::from(u16::from_be_bytes([high, low]));
+        let mut tables = rest.get(4..2 + length).unwrap_or_default();
+        while let (TABLES, [kind, first, second, ..]) = (marker, tables) {
+            let (step, length) = match kind >> 4 {
+                0 => (u16::from(*first), 65),
+                _ => (u16::from_be_bytes([*first, *second]), 129),
+            };
+            largest = largest.max(step.into());
+            tables = tables.get(length..).unwrap_or_default();
+        }
+        rest = rest.get(2 + length..).unwrap_or_default();
+    }
+    2.0 + (1.0 + 1.772) * largest / 16.0
 }
 
 /// The bytes after the end marker; fails if a segment is incomplete, or there is no end.

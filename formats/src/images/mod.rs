@@ -13,6 +13,7 @@ mod pfm;
 mod png;
 mod pnm;
 mod texels;
+mod transfer;
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
@@ -23,6 +24,7 @@ use serde::{Deserialize, Serialize};
 
 use integers::integers;
 pub use texels::Texels;
+pub use transfer::{Curve, Transfer, settled};
 
 /// An image file that cannot be used.
 #[derive(Debug, thiserror::Error)]
@@ -134,7 +136,7 @@ pub fn read(
 }
 
 /// The texels of the bytes of a file, at most `max_texels`. HDR, EXR and PFM are linear, whatever
-/// `encoding` is.
+/// `encoding` is; of others it is what a PNG file says, else sRGB, if it is left out.
 ///
 /// # Errors
 /// A text that says what is wrong with the bytes.
@@ -163,23 +165,37 @@ fn decode_format(
     layer: Option<&str>,
     max_texels: u64,
 ) -> Result<Texels, Wrong> {
-    let texels = decode_stored(format, bytes, encoding, layer, max_texels)?;
+    let (curve, note) = curve(format, bytes)?;
+    let wrong = |problem| Wrong { field: "encoding", problem };
+    let (transfer, own) =
+        settled(curve, encoding.map(Transfer::from), "`encoding`").map_err(wrong)?;
+    let transfer = transfer.unwrap_or(Transfer::Srgb);
+    let texels = decode_stored(format, bytes, transfer, layer, max_texels)?;
+    let texels = texels.with_notes(note).with_notes(own);
     Ok(if format.is_linear() { radiance(texels)? } else { texels })
 }
 
-/// The values as the file stores them, also those that are no radiance.
+/// What the file says of its transfer function, and a note on its primaries.
+fn curve(format: Format, bytes: &[u8]) -> Result<(Option<Curve>, Option<String>), Problem> {
+    match format {
+        Format::Png => png::curve(bytes),
+        _ => Ok((None, None)),
+    }
+}
+
+/// The values as the file stores them, also those that are no radiance; of integers what this function decodes.
 fn decode_stored(
     format: Format,
     bytes: &[u8],
-    encoding: Option<Encoding>,
+    transfer: Transfer,
     layer: Option<&str>,
     max_texels: u64,
 ) -> Result<Texels, Wrong> {
     guard::guarded(|| {
         Ok(match format {
-            Format::Png => png::decode(bytes, encoding, max_texels)?,
-            Format::Jpeg => jpeg::decode(bytes, encoding, max_texels)?,
-            Format::Pnm => pnm::decode(bytes, encoding, max_texels)?,
+            Format::Png => png::decode(bytes, transfer, max_texels)?,
+            Format::Jpeg => jpeg::decode(bytes, transfer, max_texels)?,
+            Format::Pnm => pnm::decode(bytes, transfer, max_texels)?,
             Format::Hdr => hdr::decode(bytes, max_texels)?,
             Format::Exr => exr::decode(bytes, layer, max_texels)?,
             Format::Pfm => pfm::decode(bytes, max_texels)?,
@@ -197,17 +213,8 @@ pub struct Stored {
     pub is_linear: bool,
     /// What the file says of its transfer function, if anything.
     pub curve: Option<Curve>,
-}
-
-/// What a file says of its transfer function.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Curve {
-    /// That of sRGB (IEC 61966-2-1).
-    Srgb,
-    /// Radiance is the value to this power.
-    Gamma(f64),
-    /// A chunk of this kind, which is not read.
-    Unread(&'static str),
+    /// Of a JPEG, by how many steps of 1/255 the mean of a block of 16 × 16 pixels may be off.
+    pub loss: Option<f64>,
 }
 
 /// The stored values of a picture file, or of the standard input if its path is `-`; at most `max_texels`.
@@ -230,13 +237,11 @@ pub fn read_stored(path: &Path, max_texels: u64) -> Result<Stored, ImageFileErro
 pub fn stored(bytes: &[u8], path: &Path, max_texels: u64) -> Result<Stored, ImageFileError> {
     let wrong = |problem| ImageFileError { path: path.to_owned(), problem, field: "file" };
     let format = Format::of(bytes).map_err(wrong)?;
-    let texels = decode_stored(format, bytes, Some(Encoding::Linear), None, max_texels);
+    let texels = decode_stored(format, bytes, Transfer::Linear, None, max_texels);
     let texels = texels.map_err(|Wrong { problem, .. }| wrong(problem))?;
-    let (curve, note) = match format {
-        Format::Png => png::curve(bytes).map_err(wrong)?,
-        _ => (None, None),
-    };
-    Ok(Stored { texels: texels.with_notes(note), is_linear: format.is_linear(), curve })
+    let (curve, note) = curve(format, bytes).map_err(wrong)?;
+    let loss = (format == Format::Jpeg).then(|| jpeg::loss(bytes));
+    Ok(Stored { texels: texels.with_notes(note), is_linear: format.is_linear(), curve, loss })
 }
 
 /// All bytes of the standard input; fails if they are too many.
@@ -300,11 +305,14 @@ fn check_size([width, height]: [u64; 2], max_texels: u64) -> Result<(), Problem>
     }
 }
 
-/// The samples of a decoder whose size was checked.
+/// The samples of a decoder whose size was checked, turned as its EXIF data say.
 fn samples(decoder: impl ImageDecoder) -> Result<DynamicImage, Problem> {
     let mut decoder = decoder;
     decoder.set_limits(limits(decoder.total_bytes())).map_err(damaged)?;
-    DynamicImage::from_decoder(decoder).map_err(damaged)
+    let orientation = decoder.orientation().map_err(damaged)?;
+    let mut image = DynamicImage::from_decoder(decoder).map_err(damaged)?;
+    image.apply_orientation(orientation);
+    Ok(image)
 }
 
 /// A memory limit of `bytes` for the samples, and some more for metadata.
@@ -331,7 +339,7 @@ fn radiance(mut texels: Texels) -> Result<Texels, Problem> {
         let (column, row) = (at % texels.width as usize, at / texels.width as usize);
         return Err(format!(
             "the texel in column {column} from the left, row {row} from the top, both from 0, is \
-             {:?}; light is finite",
+             {:?}; light is finite: write the file again with numbers there, such as the largest that the scene needs",
             colors[at]
         ));
     }

@@ -7,17 +7,12 @@ use image::codecs::png::PngDecoder;
 use png::{ColorType, Decoder, Reader};
 
 use super::{
-    Curve, Encoding, Problem, after_the_end, check_size, damaged, integers, limits, samples,
+    Curve, Problem, Transfer, after_the_end, check_size, damaged, integers, limits, samples,
 };
 use crate::images::Texels;
 
 /// The decoder scales samples of fewer than 8 bits to 8, exactly: `255/(2ⁿ − 1)` is an integer.
-/// Colour profiles are ignored.
-pub fn decode(
-    bytes: &[u8],
-    encoding: Option<Encoding>,
-    max_texels: u64,
-) -> Result<Texels, Problem> {
+pub fn decode(bytes: &[u8], transfer: Transfer, max_texels: u64) -> Result<Texels, Problem> {
     let (chunks, after) = checked_chunks(bytes)?;
     check_palette_length(&chunks)?;
     let bytes = &bytes[..bytes.len() - after.len()];
@@ -28,7 +23,7 @@ pub fn decode(
     let image = samples(decoder.map_err(damaged)?)?;
     check_data(bytes, &chunks).map_err(|e| format!("it is damaged: {e}"))?;
     let is_8_bit = image.color().bytes_per_pixel() == image.color().channel_count();
-    let texels = integers(image, if is_8_bit { 255 } else { u16::MAX }, encoding)?;
+    let texels = integers(image, if is_8_bit { 255 } else { u16::MAX }, transfer)?;
     Ok(texels.with_notes(after_the_end(after)))
 }
 
@@ -40,7 +35,9 @@ pub fn curve(bytes: &[u8]) -> Result<(Option<Curve>, Option<String>), Problem> {
     let before_data = || chunks.iter().take_while(|chunk| chunk.kind != b"IDAT");
     let find = |kind: &[u8; 4]| before_data().find(|chunk| chunk.kind == kind);
     let gamma = || match find(b"gAMA")?.data {
-        &[a, b, c, d] => gamma_of(u32::from_be_bytes([a, b, c, d])).map(Curve::Gamma),
+        &[a, b, c, d] => {
+            gamma_of(u32::from_be_bytes([a, b, c, d])).map(Transfer::of_gamma).map(Curve::Is)
+        }
         _ => None,
     };
     let curve = if find(b"cICP").is_some() {
@@ -48,12 +45,12 @@ pub fn curve(bytes: &[u8]) -> Result<(Option<Curve>, Option<String>), Problem> {
     } else if find(b"iCCP").is_some() {
         Some(Curve::Unread("iCCP"))
     } else if find(b"sRGB").is_some() {
-        Some(Curve::Srgb)
+        Some(Curve::Is(Transfer::Srgb))
     } else {
         gamma()
     };
     let has_others = find(b"cHRM").is_some_and(|chunk| chunk.data != srgb_primaries());
-    let counts = matches!(curve, None | Some(Curve::Gamma(_)));
+    let counts = matches!(curve, None | Some(Curve::Is(Transfer::Linear | Transfer::Gamma(_))));
     let note = "its primaries (cHRM) are not those of sRGB; they are ignored";
     Ok((curve, (has_others && counts).then(|| note.to_owned())))
 }

@@ -4,16 +4,12 @@ use std::io::{Cursor, Read};
 
 use image::codecs::pnm::{GraymapHeader, PixmapHeader, PnmDecoder, PnmHeader};
 
-use super::{Encoding, Problem, after_the_end, check_size, damaged, integers, samples};
+use super::{Problem, Transfer, after_the_end, check_size, damaged, integers, samples};
 use crate::images::Texels;
 
 /// Samples are divided by maxval. The decoder would round them to 8 or 16 bits and hide samples
 /// above maxval, so it gets a header whose maxval needs no scaling.
-pub fn decode(
-    bytes: &[u8],
-    encoding: Option<Encoding>,
-    max_texels: u64,
-) -> Result<Texels, Problem> {
+pub fn decode(bytes: &[u8], transfer: Transfer, max_texels: u64) -> Result<Texels, Problem> {
     let bytes = without_comments(bytes);
     let (raster, header) = PnmDecoder::new(Cursor::new(&bytes[..])).map_err(damaged)?.into_inner();
     check_size([header.width(), header.height()].map(u64::from), max_texels)?;
@@ -29,7 +25,7 @@ pub fn decode(
     let image = samples(PnmDecoder::new(&mut reader).map_err(damaged)?)?;
     let mut left = Vec::new();
     reader.read_to_end(&mut left).expect("nothing fails that is read from memory");
-    let texels = integers(image, largest, encoding)?;
+    let texels = integers(image, largest, transfer)?;
     Ok(texels.with_notes(after_the_end(left.trim_ascii())))
 }
 

@@ -1,9 +1,11 @@
 //! Cameras that see everything, so that nobody has to guess where a mesh is.
 
+use std::collections::HashMap;
 use std::path::Path;
 
+use formats::meshes::{self, MeshData};
 use groundtruth::cameras::{Pinhole, Viewpoint};
-use groundtruth::math::{Aabb, Point, Vector};
+use groundtruth::math::{Aabb, Point, Vector, cos_degrees};
 use groundtruth::scene::build::{add, ambient, directional, grey, matte, pinhole};
 use groundtruth::scene::{Material, Scene, SceneError};
 use groundtruth::shapes::Mesh;
@@ -52,6 +54,33 @@ fn rounded(point: Point, length: f64) -> Point {
     Point::new(x, y, z)
 }
 
+/// Two triangles that meet at a larger angle, in degrees, show an edge.
+const CREASE: f64 = 45.0;
+
+/// A mesh without normals is flat if more than one of so many edges are seen.
+const FEW: usize = 10;
+
+/// The edges that two triangles share, and those of them that are seen.
+fn edges(mesh: &MeshData) -> [usize; 2] {
+    let corner = |index: u32| Point::from(mesh.vertices[index as usize]);
+    let (mut normals, [mut shared, mut sharp]) = (HashMap::new(), [0, 0]);
+    // a position with several texture coordinates is one corner
+    let first = |index: u32| mesh.first_at_position.get(index as usize).copied().unwrap_or(index);
+    for [a, b, c] in mesh.triangles.iter().map(|triangle| triangle.map(first)) {
+        let [from, to, third] = [a, b, c].map(corner);
+        let Some(normal) = (to - from).cross(third - from).unit() else { continue };
+        for [from, to] in [[a, b], [b, c], [c, a]] {
+            let Some(other) = normals.insert([from.min(to), from.max(to)], normal) else {
+                continue;
+            };
+            shared += 1;
+            // files may be wound either way
+            sharp += usize::from(normal.dot(other).abs() < cos_degrees(CREASE));
+        }
+    }
+    [shared, sharp]
+}
+
 /// A scene to begin with: a mesh file, grey, lit from above the camera that sees all of it; and the world in which it
 /// was measured.
 ///
@@ -62,7 +91,16 @@ pub fn scene_of_mesh(file: &Path) -> Result<(Scene, World), SceneError> {
     let view = [Point::new(1.0, 0.8, 2.0), Point::ORIGIN];
     let mut scene = pinhole(&format!("the mesh {name}"), [400, 300], view, 800.0);
     scene.lights = vec![ambient(0.5), directional("sun", Vector::new(1.0, 2.0, 2.0), 2.0)];
-    let mesh = Mesh { smooth: true, ..Mesh::of_file(file) };
+    let data = meshes::read(file).ok().filter(|data| data.normals.is_none());
+    let [shared, sharp] = data.as_ref().map_or([0, 0], edges);
+    let smooth = FEW * sharp <= shared;
+    if data.is_some() {
+        scene.about += &format!(
+            "; it has no normals, so it is {}: {sharp} of its {shared} inner edges turn by more than {CREASE} degrees",
+            if smooth { "smooth" } else { "flat" }
+        );
+    }
+    let mesh = Mesh { smooth, ..Mesh::of_file(file) };
     add(&mut scene, "mesh", mesh, matte(0.3, 0.7, grey(0.8)));
     // files are often open, or wound the wrong way
     scene.materials = vec![Material { two_sided: true, ..scene.materials.remove(0) }];

@@ -1,7 +1,7 @@
 //! Cameras that see everything.
 
 use exchange::framing::*;
-use groundtruth::math::{Point, Vector};
+use groundtruth::math::{Point, Vector, cos_degrees, sin_degrees};
 use groundtruth::scene::Scene;
 use groundtruth::scene::build::*;
 use groundtruth::world::World;
@@ -78,5 +78,42 @@ fn the_box_of_a_scene_is_around_all_objects() {
         let expected = ([-9.0, -6.0, -4.0], [8.0, 5.0, 3.0]);
         assert_eq!(found, expected, "the box around five, turned by {turn}");
         boxes.rotate_left(1);
+    }
+}
+
+/// Law: a mesh without normals is smooth unless its edges are seen, and the scene says which. Oracle: a cube of 8 vertices,
+/// whose 12 edges are seen and 6 diagonals are not; the sides of a prism of 32, of which none is.
+#[test]
+fn a_mesh_without_normals_is_flat_where_its_edges_are_seen() {
+    let cube = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n\
+                f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    let corner = |i: u32, y: u32| {
+        let degrees = 11.25 * f64::from(i);
+        format!("v {} {y} {}\n", cos_degrees(degrees), sin_degrees(degrees))
+    };
+    let vertices: String = (0..32).flat_map(|i| [corner(i, 0), corner(i, 1)]).collect();
+    let side = |i: u32| {
+        let [a, b] = [i, (i + 1) % 32].map(|i| 2 * i + 1);
+        format!("f {a} {} {} {b}\n", a + 1, b + 1)
+    };
+    let prism = vertices + &(0..32).map(side).collect::<String>();
+    let file = std::path::Path::new(env!("CARGO_TARGET_TMPDIR")).join("edges.obj");
+    for (mesh, smooth, said) in [
+        (
+            cube,
+            false,
+            "it has no normals, so it is flat: 12 of its 18 inner edges turn by more than 45 degrees",
+        ),
+        (
+            &prism,
+            true,
+            "it has no normals, so it is smooth: 0 of its 64 inner edges turn by more than 45 degrees",
+        ),
+    ] {
+        std::fs::write(&file, mesh).expect("written");
+        let (scene, _) = scene_of_mesh(&file).expect("it is a mesh");
+        assert!(scene.about.ends_with(said), "{}", scene.about);
+        let text = groundtruth::scene::to_toml(&scene).expect("plain");
+        assert_eq!(text.contains("smooth = true"), smooth, "{text}");
     }
 }

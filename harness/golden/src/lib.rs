@@ -19,6 +19,7 @@ use sha2::{Digest, Sha256};
 
 use compare::Verdict;
 use groundtruth::film::{self, Film, ImageError};
+use groundtruth::scene::SceneError;
 
 pub use entry::{Golden, leaf};
 pub use error::GoldenError;
@@ -52,7 +53,7 @@ pub enum Status {
     Missing,
     /// The image is not the one whose digest the manifest keeps.
     Mismatch,
-    /// The gallery has no such scene.
+    /// The gallery has no such scene, or its file is gone.
     NoScene,
 }
 
@@ -77,6 +78,13 @@ impl Finding {
     /// The path of the scene file; `None` for a scene of the gallery.
     pub fn scene_file(&self) -> Option<PathBuf> {
         self.golden.as_ref()?.scene_file(&self.folder)
+    }
+
+    /// The scene file as it was accepted and as it is, if they differ.
+    pub fn changed_file(&self) -> Option<[String; 2]> {
+        let copy = self.folder.join(format!("{}.{COPY}", self.name));
+        let [was, is] = [copy, self.scene_file()?].map(std::fs::read_to_string);
+        Some([was.ok()?, is.ok()?]).filter(|[was, is]| was != is)
     }
 }
 
@@ -116,6 +124,12 @@ pub struct GoldenSettings {
 }
 
 const MANIFEST: &str = "manifest.toml";
+
+/// The extension of the copy of a scene file, as it was accepted.
+const COPY: &str = "txt";
+
+/// The extensions of the files of a golden.
+const EXTENSIONS: [&str; 3] = ["exr", "png", COPY];
 
 const HEADER: &str = "\
 # Golden images: `groundtruth goldens check`, `review` and `accept NAME --because \"…\"`.
@@ -224,6 +238,11 @@ impl Goldens {
         };
         let got = match known.render(&self.folder) {
             Err(GoldenError::NoScene(_)) => return alone(Status::NoScene),
+            Err(GoldenError::Scene { source, .. })
+                if matches!(*source, SceneError::Unreadable { .. }) =>
+            {
+                return alone(Status::NoScene);
+            }
             other => other?,
         };
         let image = self.file(name, "exr");
@@ -277,12 +296,35 @@ impl Goldens {
     /// # Errors
     /// [`GoldenError::File`] and [`GoldenError::Image`].
     pub fn accept(&mut self, proposals: Vec<Proposal>) -> Result<(), GoldenError> {
+        self.change(proposals, &[])
+    }
+
+    /// Removes goldens of these names from the manifest, then their files. The scenes stay.
+    ///
+    /// # Errors
+    /// As [`Self::accept`].
+    pub fn remove(&mut self, names: &[String]) -> Result<(), GoldenError> {
+        self.change(Vec::new(), names)?;
+        for (name, extension) in names.iter().flat_map(|name| EXTENSIONS.map(|it| (name, it))) {
+            match std::fs::remove_file(self.file(name, extension)) {
+                Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
+                    return Err(self.unwritten(error));
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Accepts these pictures, and removes goldens of these names from the manifest.
+    fn change(&mut self, proposals: Vec<Proposal>, removed: &[String]) -> Result<(), GoldenError> {
         std::fs::create_dir_all(&self.folder).map_err(|e| self.unwritten(e))?;
         let _lock = journal::lock(&self.folder).map_err(|e| self.unwritten(e))?;
         journal::finish(&self.folder).map_err(|e| self.unwritten(e))?;
         if !Self::is_none(&self.folder) {
             self.all = Self::read(&self.folder)?;
         }
+        self.all.retain(|golden| !removed.contains(&golden.name()));
         let all = self.decide(proposals)?;
         journal::finish(&self.folder).map_err(|e| self.unwritten(e))?;
         self.all = all;
@@ -301,6 +343,8 @@ impl Goldens {
         for Proposal { golden, film } in proposals {
             let name = golden.name();
             let (scene, _) = golden.small_scene(&self.folder)?;
+            let file = golden.scene_file(&self.folder).map(std::fs::read);
+            let file = file.transpose().map_err(|e| self.unwritten(e))?;
             let tone = golden.view.tone(&scene);
             let shown = golden.view.for_eyes(&film);
             for (extension, film) in [("exr", &film), ("png", &shown)] {
@@ -311,6 +355,10 @@ impl Goldens {
                     ImageError::Unwritable { source, .. } => self.unwritten(source),
                     other => other.into(),
                 })?;
+            }
+            if let Some(file) = file {
+                let copy = staged.path().join(format!("{name}.{COPY}"));
+                film::replace(&copy, &file).map_err(|e| self.unwritten(e))?;
             }
             all.retain(|other| other.name() != name);
             all.push(golden);

@@ -7,7 +7,6 @@ use crate::compare::DRIFT;
 use crate::{Finding, Golden, Status, View};
 use groundtruth::explain::count;
 use groundtruth::film::{Film, Tone, data_uri};
-use groundtruth::printable;
 use pictures::compare::pair::{self, ComparedPictures};
 use pictures::compare::{Comparison, Picture};
 use pictures::html::escaped;
@@ -33,7 +32,7 @@ pub fn told(findings: &[Finding], folder: &Path) -> Told {
     };
     let line = |it: &&Finding| format!("{:9} {}\n", words(&it.status), it.name);
     let details = different.iter().map(line).collect();
-    let next = match different.iter().find(|it| it.status != Status::NoScene) {
+    let next = match different.first() {
         Some(first) => accept_command(first),
         None => format!("groundtruth goldens check{}", folder_option(folder)),
     };
@@ -59,12 +58,32 @@ fn section(html: &mut String, finding: &Finding) {
             "<p>Shows: {shows}<br>Accepted because: {because}<br>{w} × {h} pixels, samples: {samples}</p>"
         );
     }
+    if let Some([was, is]) = finding.changed_file() {
+        let lines = escaped(&changes(&was, &is));
+        let _ = writeln!(html, "<p>Changed in the scene file since:</p>\n<pre>{lines}</pre>");
+    }
     pictures(html, finding);
     if finding.status != Status::Same {
         let command = escaped(&accept_command(finding));
-        let _ = writeln!(html, "<p>To accept: <code>{command}</code></p>");
+        let to = if finding.status == Status::NoScene { "remove" } else { "accept" };
+        let _ = writeln!(html, "<p>To {to}: <code>{command}</code></p>");
     }
     html.push_str("</section>\n");
+}
+
+/// The lines from the first to the last change: those of the text as it was after a minus, the new ones after a plus.
+fn changes(was: &str, is: &str) -> String {
+    let [mut old, mut new] = [was, is].map(|text| text.lines().collect::<Vec<&str>>());
+    let same = old.iter().zip(&new).take_while(|(a, b)| a == b).count();
+    let [mut old, mut new] = [old.split_off(same), new.split_off(same)];
+    while old.last().is_some_and(|line| new.last() == Some(line)) {
+        old.pop();
+        new.pop();
+    }
+    let marked = |mark, lines: &[&str]| {
+        lines.iter().map(|line| format!("{mark} {line}\n")).collect::<String>()
+    };
+    marked('-', &old) + &marked('+', &new)
 }
 
 /// The state in words.
@@ -79,11 +98,12 @@ pub fn words(status: &Status) -> &'static str {
     }
 }
 
-/// The command that accepts the picture as it is now.
+/// The command that accepts the picture as it is now, or removes a golden without a scene.
 pub fn accept_command(finding: &Finding) -> String {
     match finding.status {
         Status::NoScene => {
-            format!("remove {} from the manifest, and its pictures", printable::name(&finding.name))
+            let (name, folder) = (shell::quoted(&finding.name), folder_option(&finding.folder));
+            format!("groundtruth goldens remove {name}{folder}")
         }
         _ => {
             let (name, folder) = (shell::quoted(&finding.name), folder_option(&finding.folder));

@@ -232,3 +232,36 @@ fn two_runs_at_once_lose_nothing() {
         std::fs::write(&manifest, &before).unwrap();
     }
 }
+
+/// Law: a scene file that is gone is told of its golden alone; a golden that is removed is gone from the manifest, and so
+/// are its files, and only they. Oracle: the folder.
+#[test]
+fn a_golden_whose_file_is_gone_is_told_and_can_be_removed() {
+    let (folder, mut goldens) = one_golden();
+    let scene = folder.path().join("mine.toml");
+    let export = |entry: &str| {
+        let entry = gallery::find(entry).expect("it is there");
+        groundtruth::scene::to_toml(&(entry.build)()).expect("plain")
+    };
+    std::fs::write(&scene, export(NAME)).expect("written");
+    let proposal = goldens.propose(scene.to_str().expect("UTF-8"), "seen", &small()).unwrap();
+    goldens.accept(vec![proposal]).unwrap();
+    assert!(goldens.check("mine.toml").unwrap().changed_file().is_none());
+    std::fs::write(&scene, export(NAME).replacen("radius = 80.0", "radius = 60.0", 1)).unwrap();
+    let finding = goldens.check("mine.toml").unwrap();
+    assert_eq!(finding.status, Status::Changed);
+    let page = golden::review::page(
+        std::slice::from_ref(&finding),
+        &golden::review::told(std::slice::from_ref(&finding), folder.path()),
+    );
+    assert!(page.contains("<pre>- radius = 80.0\n+ radius = 60.0\n</pre>"), "{page}");
+    std::fs::remove_file(&scene).expect("it was there");
+    assert_eq!(goldens.check("mine.toml").unwrap().status, Status::NoScene);
+    assert_eq!(goldens.check(NAME).unwrap().status, Status::Same);
+    goldens.remove(&["mine.toml".to_owned()]).unwrap();
+    assert_eq!(goldens.all().len(), 1);
+    let left = std::fs::read_dir(folder.path()).unwrap().flatten();
+    let left: Vec<_> = left.map(|it| it.file_name().into_string().unwrap()).collect();
+    assert!(left.iter().all(|name| !name.starts_with("mine")), "{left:?}");
+    assert_eq!(Goldens::open(folder.path()).unwrap().check(NAME).unwrap().status, Status::Same);
+}

@@ -109,7 +109,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
     (
         "[[lights]]",
         "[[camera.lights]]",
-        "scene.toml:15: camera.lights: unknown field `lights`, expected one of `eye`, `look_at`, `up`, `roll`, `exposure_time`, `medium`, `stereo`, `lens`",
+        "scene.toml:15: camera.lights: unknown field `lights`, expected one of `eye`, `look_at`, `up`, `roll`, `handedness`, `exposure_time`, `medium`, `stereo`, `lens`",
     ),
     ("whitted", "paths", "scene.toml:4: tracer.paths: unknown kind `paths`; did you mean `path`?"),
     (
@@ -118,7 +118,7 @@ const ERRORS: &[(&str, &str, &str)] = &[
         "scene.toml:27: objects[0] \"ball\", material: no material `blue`; defined are: red",
     ),
     ("material = \"red\"\n", "", "scene.toml:25: objects[0] \"ball\": missing field `material`"),
-    ("radius = 1", "radius = 1\nradius = 2", "scene.toml:32: duplicate key"),
+    ("radius = 1", "radius = 1\nradius = 2", "scene.toml:32: duplicate key `radius`; keep one"),
     ("\"lamp\"", "\"lamp", "scene.toml:16: invalid basic string, expected `\"`"),
     (
         "background = 0.5",

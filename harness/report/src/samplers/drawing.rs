@@ -29,7 +29,7 @@ fn section(data: &IntegrandData) -> String {
         plot(&others).figure("Random samples again, and the other samplers."),
     ];
     heading(data.integrand.name, data.integrand.about)
-        + &pick("What to pick.", &advice(data))
+        + &pick("What to pick.", &(advice(data) + &smallest(data)))
         + &row("pictures", &plots)
         + &table(data)
 }
@@ -46,7 +46,8 @@ fn explanation(data: &Data) -> String {
          samples falls with slope −1/2, whatever the function. Slopes are fitted from {FITTED_FROM} \
          samples on, with an interval of {:.0} % confidence. Seconds are for one pixel on one thread, \
          for samples and function; tracing a ray takes much longer, so that in a renderer the number \
-         of samples decides.</p>\n",
+         of samples decides. <code>groundtruth render SCENE --sampler NAME</code> tries one, such as \
+         multi_jittered.</p>\n",
         100.0 * CONFIDENCE
     )
 }
@@ -114,6 +115,24 @@ fn advice(data: &IntegrandData) -> String {
         or_as_good(&as_good),
         short(fewest)
     )
+}
+
+/// One sentence: the sampler with the smallest error for each of a few numbers of samples; without fixed ones.
+fn smallest(data: &IntegrandData) -> String {
+    let error = |s: &SamplerData, n: u32| Some(s.errors.iter().find(|e| e.samples == n)?.rms);
+    let of_number = |n: u32| {
+        let of_kind = data.samplers.iter().filter(|s| !FIXED.contains(&&*s.sampler));
+        let known = of_kind.filter_map(|s| Some((s, error(s, n)?)));
+        let (best, least) = known.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let random = error(data.samplers.iter().find(|s| s.sampler == BOOKS[0])?, n)?;
+        let (least, random) = (short(least), short(random));
+        Some(format!("with {n} samples {} ({least}, random {random})", best.sampler))
+    };
+    let found: Vec<String> = [4, 16, 64].into_iter().filter_map(of_number).collect();
+    match found.is_empty() {
+        true => String::new(),
+        false => format!(" The smallest error has {}.", found.join(", ")),
+    }
 }
 
 /// The samplers that are fixed, or those that are not, with the samples that each needs for 1 %,

@@ -13,7 +13,7 @@ pub struct Integrand {
     pub name: &'static str,
     /// A description, and the case in a picture that it represents.
     pub about: &'static str,
-    /// Whether it needs a second sample, for the lens.
+    /// Whether it needs a second sample, for the lens or a lamp.
     #[serde(skip)]
     pub four_dimensional: bool,
     /// The function of a pixel, from random numbers.
@@ -21,7 +21,7 @@ pub struct Integrand {
     pub problem: fn(&mut Pcg32) -> Problem,
 }
 
-/// A function of a pixel sample and a lens sample, and its mean.
+/// A function of a pixel sample and a sample of the lens or a lamp, and its mean.
 pub struct Problem {
     /// The mean over both unit squares.
     pub exact: f64,
@@ -51,7 +51,7 @@ impl Problem {
 }
 
 /// All integrands.
-pub static INTEGRANDS: [Integrand; 7] = [
+pub static INTEGRANDS: [Integrand; 8] = [
     Integrand {
         name: "edge",
         about: "A straight edge through the pixel, at any angle: the outline of an object.",
@@ -95,6 +95,13 @@ pub static INTEGRANDS: [Integrand; 7] = [
         about: "An edge out of focus, blurred over up to 8 pixels by a round lens.",
         four_dimensional: true,
         problem: defocused_edge,
+    },
+    Integrand {
+        name: "soft shadow",
+        about: "A point of a penumbra, from 3 to 30 pixels wide: which part of a square lamp an edge hides, at any \
+                angle.",
+        four_dimensional: true,
+        problem: soft_shadow,
     },
 ];
 
@@ -209,6 +216,21 @@ fn defocused_edge(random: &mut Pcg32) -> Problem {
     let exact = r * (mean_excess(c / r) - mean_excess((c - 1.0) / r));
     let inside = move |[x, _]: [f64; 2], lens| x + r * maps::disk(lens)[0] < c;
     Problem::of_white(exact, inside)
+}
+
+/// `a l + b m < c + s x`: the point (l, m) of the lamp is on one side of the edge, which the pixel coordinate x moves by
+/// `s`; the penumbra is `(a + b)/s` pixels wide.
+fn soft_shadow(random: &mut Pcg32) -> Problem {
+    // not so near to an axis that the cubes would cancel
+    let degrees = 5.0 + 80.0 * random.uniform();
+    let (a, b) = (cos_degrees(degrees), sin_degrees(degrees));
+    let s = (a + b) / (3.0 + 27.0 * random.uniform());
+    let c = (a + b + s) * random.uniform() - s;
+    // the integral of `below_line` from 0 to c
+    let triangle = |c: f64| power(c.max(0.0), 3.0) / (6.0 * a * b);
+    let integral = |c: f64| triangle(c) - triangle(c - a) - triangle(c - b) + triangle(c - a - b);
+    let exact = (integral(c + s) - integral(c)) / s;
+    Problem::of_white(exact, move |[x, _], [l, m]| a * l + b * m < c + s * x)
 }
 
 /// The mean of `max(z − l, 0)`, where l is the first coordinate of a point of the unit disk, with

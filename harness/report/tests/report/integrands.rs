@@ -4,7 +4,7 @@ use groundtruth::math::Pcg32;
 use report::samplers::integrands::*;
 
 /// Law: `exact` is the mean of each function. Oracle: 2¹⁸ random points; five of their standard
-/// errors, for 7 × 24 problems (level 1e-4 together).
+/// errors, for 8 × 24 problems (level 1e-4 together).
 #[test]
 fn means_are_exact() {
     for integrand in &INTEGRANDS {

@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Write;
 use std::path::PathBuf;
 
-use formats::images::read;
+use formats::images::{Encoding, read};
 use groundtruth::film::{self, OutOfGamut, Tone};
 
 use super::*;
@@ -53,18 +53,20 @@ fn written_pictures_are_read_back() {
     let places = (0..6).map(|i| [i % 3, i / 3]);
     places.clone().for_each(|[x, y]| picture.set([x, y], value(x, y)));
     let tone = Tone { exposure: 0.9, gamma: 2.2, out_of_gamut: OutOfGamut::MaxToOne };
-    let written = |name: &str| {
+    let written = |name: &str, encoding: Option<Encoding>, notes: &[&str]| {
         let path: PathBuf = folder.path().join(name);
         film::write(&picture, &tone, &path).expect("the folder can be written to");
-        let texels = read(&path, None, None, MAX).expect("it was written here");
-        assert_eq!(([texels.width(), texels.height()], texels.notes()), ([3, 2], &[][..]));
+        let texels = read(&path, encoding, None, MAX).expect("it was written here");
+        assert_eq!([texels.width(), texels.height()], [3, 2]);
+        assert_eq!(texels.notes(), notes);
         rows(&texels)
     };
-    assert_eq!(written("a.ppm"), written("a.png"));
+    let (linear, note) = (Some(Encoding::Linear), "it says gamma 2.2; `encoding` counts");
+    assert_eq!(written("a.ppm", linear, &[]), written("a.png", linear, &[note]));
     let exact: Vec<_> =
         places.map(|[x, y]| value(x, y).to_array().map(|c| f64::from(c as f32))).collect();
-    assert_eq!(written("a.pfm"), exact);
-    assert_eq!(written("a.exr"), exact);
+    assert_eq!(written("a.pfm", None, &[]), exact);
+    assert_eq!(written("a.exr", None, &[]), exact);
     // the chunk gAMA (PNG, section 11.3.2) comes after the header: 100000 / 2.2
     let png = std::fs::read(folder.path().join("a.png")).expect("written");
     let gamma = [&4_u32.to_be_bytes()[..], b"gAMA", &45_455_u32.to_be_bytes()].concat();

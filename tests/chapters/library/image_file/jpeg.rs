@@ -116,6 +116,27 @@ fn truncated_files_are_refused_and_longer_ones_load() {
     assert_eq!(texels.notes(), ["4 bytes after its end are ignored"]);
 }
 
+/// Law: a picture is turned as its EXIF orientation says: 3 is upside down, 6 a quarter to the right. Oracle: two blocks,
+/// dark and bright, whose places are known.
+#[test]
+fn an_image_is_turned_as_its_exif_data_say() {
+    let file = grey_blocks(&[50, 200], false);
+    let turned = |orientation: u8| {
+        // little-endian TIFF: one entry, of tag 0x0112, type SHORT, count 1
+        let tiff = b"II*\0\x08\0\0\0\x01\0\x12\x01\x03\0\x01\0\0\0";
+        let exif = [&b"Exif\0\0"[..], tiff, &[orientation, 0, 0, 0], &[0; 4]].concat();
+        let bytes = [&file[..2], &segment(0xe1, &exif), &file[2..]].concat();
+        let texels = decode(&bytes, Some(Encoding::Linear), MAX).expect("it is right");
+        let is_dark = |column, row| texels.color(column, row)[0] < 0.5;
+        let (right, top) = (texels.width() - 1, texels.height() - 1);
+        ([right + 1, top + 1], [[0, top], [right, 0]].map(|[column, row]| is_dark(column, row)))
+    };
+    assert_eq!(turned(1), ([16, 8], [true, false]));
+    assert_eq!(turned(3), ([16, 8], [false, true]));
+    assert_eq!(turned(6), ([8, 16], [true, false]));
+    assert_eq!(turned(8), ([8, 16], [false, true]));
+}
+
 /// Law: forms that are not read are named, and are not called damaged; a huge size is refused by its header.
 /// Oracle: the text.
 #[test]

@@ -1,6 +1,6 @@
 //! PNG, written here: stored blocks, filter 0 (ISO/IEC 15948, RFC 1950, RFC 1951).
 
-use super::*;
+use super::{rows as rows_of, *};
 
 /// The CRC of ISO 3309, bit by bit.
 fn crc(bytes: &[u8]) -> u32 {
@@ -207,6 +207,44 @@ fn wrong_counts_are_refused() {
     let more = "its data go on after the last row, of 4 bytes in all";
     assert_refused("too many rows", &png([3, 1], rows), more);
     assert_refused("no columns", &png([0, 2], vec![]), "0 × 2 texels");
+}
+
+/// Law: a texture is decoded as its file says, unless the scene says it, and a note says which. Oracle: the curves, by hand;
+/// PNG, 4.3: of the chunks, cICP and iCCP count before sRGB, and this before gAMA.
+#[test]
+fn a_texture_is_decoded_as_its_file_says() {
+    let gama = |power: u32| chunk(b"gAMA", &power.to_be_bytes());
+    let decoded = |extra: Vec<Vec<u8>>, encoding| {
+        let (size, depth, color, rows) = ([1, 1], 8, GREY, vec![&[128_u8][..]]);
+        let bytes = Png { size, depth, color, interlaced: false, extra, rows }.bytes();
+        let texels = decode(&bytes, encoding, MAX)?;
+        Ok::<_, String>((rows_of(&texels), texels.notes().join("; ")))
+    };
+    let value = 128.0 / 255.0;
+    let srgb = power((value + 0.055) / 1.055, 2.4);
+    let says = |what: &str| format!("the transfer function is {what}, as the file says");
+    let profile = chunk(b"cICP", &[1, 8, 0, 1]);
+    let unread = "the transfer function is in a chunk cICP, which is not read; `encoding` says it";
+    for (extra, encoding, expected, note) in [
+        (vec![], None, srgb, String::new()),
+        (vec![gama(100_000)], None, value, says("linear")),
+        (vec![gama(45_455)], None, power(value, 2.2), says("gamma 2.2")),
+        (vec![gama(45_455), chunk(b"sRGB", &[0])], None, srgb, says("sRGB")),
+        (vec![profile, gama(100_000)], None, srgb, unread.to_owned()),
+        (
+            vec![gama(100_000)],
+            Some(Encoding::Srgb),
+            srgb,
+            "it says linear; `encoding` counts".to_owned(),
+        ),
+        (vec![gama(100_000)], Some(Encoding::Linear), value, String::new()),
+    ] {
+        let (found, said) = decoded(extra, encoding).expect("it is right");
+        assert_eq!(said, note);
+        assert!((found[0][0] - expected).abs() < 1e-6, "{} in place of {expected}", found[0][0]);
+    }
+    let problem = decoded(vec![gama(1)], None).expect_err("no display is so");
+    assert!(problem.contains("gamma 100000, which no display has"), "{problem}");
 }
 
 /// Law: a huge number of claimed texels is refused by the header alone. Oracle: the text.

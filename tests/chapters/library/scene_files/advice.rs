@@ -61,6 +61,22 @@ const ADVICE: &[(&str, &str, &str)] = &[
         "scene.toml:31: invalid mantissa, expected digits: write `0.5`, with digits on both sides",
     ),
     (
+        "center = [0, 0, 0]",
+        "center = [0, 0, 0",
+        "scene.toml:30: this `[` is not closed; write its `]`",
+    ),
+    (
+        "lens = { pinhole = { distance = 5 } }",
+        "lens = { pinhole = { distance = 5 } # \"]",
+        "scene.toml:13: this `{` is not closed; write its `}`",
+    ),
+    ("radius = 1", "radius = [1, \"]\", 2", "scene.toml:31: this `[` is not closed; write its `]`"),
+    (
+        "center = [0, 0, 0]",
+        "center = [\n0,\n0\n0]",
+        "scene.toml:33: missing comma between array elements, expected `,`",
+    ),
+    (
         "name = \"red\"",
         "name: \"red\"",
         "scene.toml:20: key with no value, expected `=`: write `name = \"red\"`",

@@ -22,6 +22,9 @@ impl Writer<'_> {
     /// - `orthographic`: the width is from −1 to 1 along its x; so x and y are scaled by width / (2 · zoom).
     pub(super) fn sensor(&mut self) -> (How, String) {
         let camera = &self.scene.camera;
+        if !camera.handedness.is_right() {
+            self.refuse("camera.handedness", "a mirrored picture; export the scene without it");
+        }
         if camera.stereo.is_some() {
             self.refuse("camera.stereo", "two images; export the scene without it");
         }

@@ -32,6 +32,9 @@ impl Writer<'_> {
     ///   2y tan(vertical_fov / 2) in place of y |up|.
     pub(super) fn camera(&mut self) -> How {
         let camera = &self.scene.camera;
+        if !camera.handedness.is_right() {
+            self.refuse("camera.handedness", "a mirrored picture; export the scene without it");
+        }
         if camera.stereo.is_some() {
             self.refuse("camera.stereo", "two images; export the scene without it");
         }
