@@ -2,9 +2,10 @@
 
 use std::time::Instant;
 
+use groundtruth::printable;
 use groundtruth::render;
 use groundtruth::world::World;
-use pictures::compare::some_pixels;
+use pictures::compare::{Picture, some_pixels};
 
 /// Renderings that are shorter, in seconds, are not announced.
 const LONG: f64 = 5.0;
@@ -14,6 +15,17 @@ const PIXELS: u32 = 64;
 
 /// At most about so long, in seconds, is estimated.
 const PATIENCE: f64 = 0.2;
+
+/// Says what is to be known of pictures of these names: what is true of several, of the first.
+pub fn notes<'a>(pictures: impl IntoIterator<Item = (&'a str, &'a Picture)>) {
+    let mut said: Vec<&str> = Vec::new();
+    for (name, picture) in pictures {
+        for note in picture.notes.iter().filter(|note| !said.contains(&note.as_str())) {
+            eprintln!("note: {}: {note}", printable::name(name));
+        }
+        said.extend(picture.notes.iter().map(String::as_str));
+    }
+}
 
 /// Says that so many pictures of a scene are rendered at the size of another picture, and how long it takes, if that is
 /// long.

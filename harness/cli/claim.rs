@@ -24,14 +24,6 @@ impl Claim {
     /// # Errors
     /// Another process has it, or the folder cannot be written to.
     pub fn of(output: &Path) -> Result<Self, Box<dyn Error>> {
-        Self::within(output, PATIENCE)
-    }
-
-    /// The same, for outputs that others may hold for a while.
-    ///
-    /// # Errors
-    /// Another process has it all that time, or the folder cannot be written to.
-    pub fn within(output: &Path, patience: Duration) -> Result<Self, Box<dyn Error>> {
         let name = output.display();
         let path = lock_file(output).map_err(|e| format!("{name}: cannot be written: {e}"))?;
         let begun = Instant::now();
@@ -42,7 +34,7 @@ impl Claim {
             if lock.try_lock().is_ok() && is_at(&lock, &path) {
                 return Ok(Self { path, _lock: lock });
             }
-            if begun.elapsed() > patience {
+            if begun.elapsed() > PATIENCE {
                 let problem = "another process is writing to it, and one of both would be lost; write to another file";
                 return Err(format!("{name}: {problem}").into());
             }

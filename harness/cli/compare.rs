@@ -2,20 +2,20 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
+use std::slice;
 
 use clap::Args;
 use groundtruth::film::{self, Film};
 use groundtruth::printable;
-use groundtruth::render;
-use groundtruth::rgb::Rgb;
+use groundtruth::render::{self, Canvas};
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
-use judge::mistakes::Mistake;
-use judge::verdict::Areas;
-use pictures::compare::{self, Comparison, Picture, Transfer};
+use judge::verdict::{self, Areas, Case, Cause, RayTolerance, Stored, Strictness};
+use pictures::compare::{self, Comparison, Hypothesis, Picture, Transfer};
 use pictures::shell::quoted;
 use pictures::told::Told;
 
+use super::watch::Watch;
 use super::{Exit, Outcome, announce, output};
 
 #[derive(Args)]
@@ -52,8 +52,21 @@ fn tolerance(text: &str) -> Result<f64, String> {
 type Ours<'a> = (&'a str, [u32; 2]);
 
 /// A name is that of a scene if the gallery has it, or if it ends in `.toml`.
-fn is_scene(name: &str) -> bool {
+pub(super) fn is_scene(name: &str) -> bool {
     gallery::find(name).is_some() || Path::new(name).extension().is_some_and(|it| it == "toml")
+}
+
+/// Why a picture is not ours.
+#[derive(Default)]
+struct Why {
+    harmless: Option<Hypothesis>,
+    known: Vec<Cause>,
+    /// Whether anything else was looked for, too.
+    is_judged: bool,
+    /// How it is read, if nothing says so.
+    note: Option<String>,
+    /// Of a JPEG that differs no more than by its compression, by how much that is.
+    loss: Option<f64>,
 }
 
 /// One side of a comparison.
@@ -77,14 +90,16 @@ impl Compare {
             Side::Picture(picture) => Some(picture.size),
             Side::Scene(..) => None,
         });
-        let (mut pictures, mut worlds) = (Vec::new(), [None, None]);
+        announce::notes(sides.iter().zip([&*self.a, &*self.b]).filter_map(
+            |(side, name)| match side {
+                Side::Picture(picture) => Some((name, picture)),
+                Side::Scene(..) => None,
+            },
+        ));
+        let (mut pictures, mut films, mut worlds) = (Vec::new(), Vec::new(), [None, None]);
         for ((side, name), built) in sides.into_iter().zip([&self.a, &self.b]).zip(&mut worlds) {
             match side {
-                Side::Picture(picture) => {
-                    let name = printable::name(name);
-                    picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
-                    pictures.push(picture);
-                }
+                Side::Picture(picture) => pictures.push(picture),
                 Side::Scene(scene, source) => {
                     let folder = film::folder_of(Path::new(name));
                     let named: Vec<_> =
@@ -95,10 +110,15 @@ impl Compare {
                     )?;
                     let (scene, world) = world_of(*scene, source, name, size)?;
                     announce::long_rendering(&world, &printable::text(name), 1);
-                    pictures.push(Picture::of_film(&render::render(&world)));
+                    films.push(render::render(&world));
+                    pictures.push(Picture::of_film(&films[films.len() - 1]));
                     *built = Some((scene, world));
                 }
             }
+        }
+        let mut why = Why::default();
+        if let (Some((scene, world)), false) = (&mut worlds[0], is_scene(&self.b)) {
+            why = self.why((scene, world), &films[0], &mut pictures)?;
         }
         let size = |world: &World| [world.image.width, world.image.height];
         let ours = [&*self.a, &*self.b].into_iter().zip(&worlds);
@@ -107,16 +127,23 @@ impl Compare {
         let names = [&*names[0], &*names[1]];
         let both = [&pictures[0], &pictures[1]];
         let mut comparison = Comparison::named(names, both, self.tolerance)?;
-        let mut known = Vec::new();
+        comparison.notes.extend(why.note);
+        comparison.loss = why.loss;
         if !comparison.is_same() {
-            known = self.ask_scenes(&mut comparison, &pictures, worlds);
+            comparison.known_mistakes = why.known.iter().map(Cause::to_string).collect();
+            if let Some(harmless) = why.harmless {
+                comparison.explained_by = vec![harmless];
+            } else if why.is_judged {
+                comparison.explained_by.clear();
+            }
+            self.ask_scenes(&mut comparison, &pictures, worlds);
         }
-        let next = match known.first() {
-            Some(mistake) => format!("groundtruth mistakes {}", mistake.name),
+        let next = match why.known.first().and_then(|cause| cause.name) {
+            Some(name) => format!("groundtruth mistakes {name}"),
             None => self.next(&comparison, ours),
         };
         self.tell(&comparison, ours, both, next)?;
-        Ok(if comparison.is_same() { Exit::Yes } else { Exit::No })
+        Ok(if comparison.is_same() || comparison.loss.is_some() { Exit::Yes } else { Exit::No })
     }
 
     /// Writes the page and prints what is said.
@@ -139,20 +166,18 @@ impl Compare {
         output::say(&text, self.output.as_deref())
     }
 
-    /// What only a scene can tell: whether its film points are off by half a pixel, whether it has noise, and if it has
-    /// none, the known mistakes with which it has the other picture.
+    /// What only a scene can tell: whether its film points are off by half a pixel, and whether it has noise.
     fn ask_scenes(
         &self,
         comparison: &mut Comparison,
         pictures: &[Picture],
         worlds: [Option<(Scene, World)>; 2],
-    ) -> Vec<&'static Mistake> {
-        let mut known = Vec::new();
+    ) {
         for (index, world) in worlds.into_iter().enumerate() {
-            let Some((scene, mut world)) = world else { continue };
+            let Some((_, mut world)) = world else { continue };
             let ours = if index == 0 { &self.a } else { &self.b };
             let theirs = &comparison.names[1 - index];
-            if comparison.explained_by.is_empty() {
+            if comparison.explained_by.is_empty() && comparison.known_mistakes.is_empty() {
                 let found = compare::half_pixel_shifts(&mut world, &pictures[1 - index], theirs);
                 comparison.explained_by = found;
             }
@@ -160,16 +185,55 @@ impl Compare {
                 let Areas { objects, object_of, .. } = Areas::of(&world);
                 comparison.find_object((&objects, &object_of), [&pictures[0], &pictures[1]]);
             }
-            let noise = compare::noise_note(&mut world, comparison, ours);
-            let is_unexplained = noise.is_none() && comparison.explained_by.is_empty();
-            if is_unexplained && index == 0 && !is_scene(&self.b) {
-                let both = [&pictures[0], &pictures[1]];
-                known = mistakes_of((&scene, &world, ours), comparison, both);
-                comparison.known_mistakes = known.iter().map(|mistake| in_words(mistake)).collect();
-            }
-            comparison.notes.extend(noise);
+            comparison.notes.extend(compare::noise_note(&mut world, comparison, ours));
         }
-        known
+    }
+
+    /// How the picture stores its values, by which it is read and our colours above 1 are mapped; and if the scene has no
+    /// noise and the picture is not ours, why.
+    fn why(
+        &self,
+        (scene, world): (&Scene, &mut World),
+        film: &Film,
+        pictures: &mut [Picture],
+    ) -> Result<Why, Box<dyn Error>> {
+        let (stated, tone) = (pictures[1].stated, (scene.image.gamma, scene.image.out_of_gamut));
+        let candidates = Stored::candidates(&pictures[1], stated, tone);
+        let mut stored = verdict::plausible(&candidates, &pictures[1], slice::from_ref(film))[0];
+        let mut why = Why::default();
+        if !compare::has_noise(world) && verdict::refusal(&pictures[1]).is_none() {
+            let watch = Watch::new(Strictness::USUAL.first, 40)?;
+            let mut case = Case {
+                world,
+                scene,
+                folder: film::folder_of(Path::new(&self.a)),
+                is_over: &|| watch.is_over(),
+                so_far: &|progress| watch.tell(progress),
+                strictness: Strictness { first: 3, ..Strictness::USUAL },
+                transfer: stated,
+                tone,
+                seed: DEFAULT_SEED,
+                reference: None,
+                tolerance: RayTolerance::DOUBLE,
+            };
+            let renders = &mut |world: &World, canvas: &Canvas| watch.render(world, canvas);
+            let verdict = case.verdict(&pictures[1], renders);
+            watch.bar.finish_and_clear();
+            if let Some(verdict) = verdict {
+                (stored, why.is_judged) = (verdict.stored, true);
+                let explained = verdict.explained.filter(|it| it.agrees);
+                why.harmless = explained
+                    .map(|it| Hypothesis { what: it.what.replace("theirs", "yours"), left: 0.0 });
+                why.known = verdict.causes.explained_by;
+                why.loss = verdict.loss;
+            }
+        }
+        pictures[0] = Picture::of_film(&stored.mapped(film));
+        if let (Some(transfer), None) = (stored.transfer(), stated) {
+            why.note = Some(format!("yours is read as {stored}; nothing says so (--encoding)"));
+            pictures[1].transfer = transfer;
+        }
+        Ok(why)
     }
 
     /// What the sides are called: `ours` and `yours`, if one is a scene, else as they were given.
@@ -185,12 +249,13 @@ impl Compare {
         if let Some(entry) = gallery::find(name) {
             return Ok(Side::Scene(Box::new((entry.build)()), None));
         }
+        let may_be_scene = is_scene(name) || path.extension().is_none();
+        if may_be_scene && !path.exists() && !output::is_standard(path) {
+            return Err(gallery::unknown(name).into());
+        }
         if is_scene(name) {
             let (scene, source) = scene::open(path)?;
             return Ok(Side::Scene(Box::new(scene), Some(source)));
-        }
-        if path.extension().is_none() && !path.exists() && !output::is_standard(path) {
-            return Err(gallery::unknown(name).into());
         }
         Ok(Side::Picture(Picture::read(path, self.encoding)?))
     }
@@ -251,50 +316,6 @@ impl Compare {
             window.unwrap_or_default()
         )
     }
-}
-
-/// Known mistakes are tried on about so many pixels, and on the worst of each region; only if they give their values, on
-/// the whole picture.
-const TRIED: usize = 256;
-
-/// Floating-point values of two renderers without a difference are within this of each other, relative to the larger.
-const ROUNDING: f64 = 1e-5;
-
-/// The known mistakes with which a scene without noise, of this name, has their picture.
-fn mistakes_of(
-    (scene, world, name): (&Scene, &World, &str),
-    comparison: &Comparison,
-    [ours, theirs]: [&Picture; 2],
-) -> Vec<&'static Mistake> {
-    let tolerance = comparison.tolerance.max(ROUNDING);
-    let is_theirs = |ours: &Picture, theirs: &Picture| {
-        Comparison::of(ours, theirs, tolerance).is_ok_and(|found| found.is_same())
-    };
-    if is_theirs(ours, theirs) {
-        // so has every mistake that changes nothing
-        return Vec::new();
-    }
-    let mut pixels: Vec<[u32; 2]> = comparison.listed().map(|region| region.worst).collect();
-    pixels.extend(compare::some_pixels(comparison.size, TRIED));
-    let size = [pixels.len() as u32, 1];
-    let values = pixels.iter().map(|at| theirs.values[theirs.index(*at)]).collect();
-    let tried = Picture { values, size, ..theirs.clone() };
-    let matches = |colors: &[Rgb]| {
-        let mut film = Film::new(size[0], 1);
-        (0..).zip(colors).for_each(|(column, color)| film.set([column, 0], *color));
-        is_theirs(&Picture::of_film(&film), &tried)
-    };
-    let folder = film::folder_of(Path::new(name));
-    let mut known = judge::mistakes::matching((scene, world, folder), &pixels, &matches);
-    known.retain(|mistake| {
-        let film = judge::mistakes::replica(mistake, scene, folder, world.seed).ok().flatten();
-        film.is_some_and(|film| is_theirs(&Picture::of_film(&film), theirs))
-    });
-    known
-}
-
-fn in_words(mistake: &Mistake) -> String {
-    format!("{} ({}, ch. {})", mistake.words, mistake.name, mistake.chapter)
 }
 
 /// Whether a size has the shape of the scene of this name; `false` if that cannot be said.

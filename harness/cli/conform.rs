@@ -144,7 +144,12 @@ impl Conform {
             named && self.only.as_ref().is_none_or(|only| only.matches(&family.name))
         });
         match families.is_empty() {
-            true => Err("no family matches --only; the names are those on the card".into()),
+            true => {
+                let word = self.only.as_ref().map_or("", |only| only.as_str()).trim_matches('*');
+                let hint = conform::suite::similar(word.trim_matches('.'), &conform::suite::all());
+                Err(format!("no family matches --only{hint} (the names are those on the card)")
+                    .into())
+            }
             false => Ok(families),
         }
     }

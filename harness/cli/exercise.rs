@@ -116,13 +116,26 @@ impl Exercise {
         let refused = |error: std::io::Error| {
             format!("{}: cannot be written: {error}", self.output.display())
         };
+        let is_new = !self.output.exists();
+        let made = self.write_in_folders(files);
+        if made.is_err() {
+            // those that are empty, from the inside out
+            let folders = ["class/scenes", "class", "teacher", ""];
+            for folder in &folders[..if is_new { 4 } else { 3 }] {
+                let _ = fs::remove_dir(self.output.join(folder));
+            }
+        }
+        Ok(made.map_err(refused)?)
+    }
+
+    fn write_in_folders(&self, files: &[File]) -> std::io::Result<()> {
         for folder in ["class/scenes", "teacher"] {
-            fs::create_dir_all(self.output.join(folder)).map_err(refused)?;
+            fs::create_dir_all(self.output.join(folder))?;
         }
         let paths: Vec<PathBuf> = files.iter().map(|(name, _)| self.output.join(name)).collect();
         let bytes = files.iter().map(|(_, bytes)| &bytes[..]);
         let all: Vec<(&Path, &[u8])> = paths.iter().map(PathBuf::as_path).zip(bytes).collect();
-        Ok(film::replace_all(&all).map_err(|(_, error)| refused(error))?)
+        film::replace_all(&all).map_err(|(_, error)| error)
     }
 }
 

@@ -7,7 +7,8 @@ use std::sync::atomic::Ordering;
 use clap::{Args, Subcommand};
 use golden::compare;
 use golden::review;
-use golden::{self, Finding, GoldenSettings, Goldens as Folder, Status};
+use golden::{self, Finding, GoldenSettings, Goldens as Folder, Proposal, Status};
+use groundtruth::explain::count;
 use groundtruth::printable;
 use groundtruth::similar;
 
@@ -31,10 +32,12 @@ enum Command {
     /// Render every golden and compare; exit status 0 if all are the same
     Check(Check),
     /// Write one HTML page: of each golden that differs the expected and the actual picture, side by side, to flip
-    /// and to swipe, their difference, and its regions
+    /// and to swipe, their difference, its regions, and what was changed in its scene file
     Review(Review),
     /// Accept the current pictures as goldens, with a reason
     Accept(Accept),
+    /// Remove goldens: from the manifest, and their pictures. Their scenes stay
+    Remove(Remove),
 }
 
 #[derive(Args)]
@@ -61,6 +64,13 @@ struct Review {
     /// The page to write
     #[arg(short, long, value_name = "FILE", default_value = "review.html")]
     output: PathBuf,
+}
+
+#[derive(Args)]
+struct Remove {
+    /// Goldens, such as ch24/hall-of-mirrors or spheres.toml.normals, or chapters, such as ch24
+    #[arg(required = true)]
+    names: Vec<String>,
 }
 
 #[derive(Args)]
@@ -92,6 +102,7 @@ impl Goldens {
             Command::Check(check) => check.run(&self.folder),
             Command::Review(review) => review.run(&self.folder),
             Command::Accept(accept) => accept.run(&self.folder),
+            Command::Remove(remove) => remove.run(&self.folder),
         }
     }
 }
@@ -155,7 +166,8 @@ impl Check {
             review::folder_option(folder)
         );
         for finding in bad.iter().filter(|f| f.status != Status::Drift) {
-            advice += &format!("to accept: {}\n", review::accept_command(finding));
+            let to = if finding.status == Status::NoScene { "remove" } else { "accept" };
+            advice += &format!("to {to}: {}\n", review::accept_command(finding));
         }
         if bad.iter().any(|f| f.status == Status::Drift) {
             let folder = review::folder_option(folder);
@@ -177,7 +189,10 @@ fn line(finding: &Finding) -> String {
         (Status::Mismatch, ..) => {
             ": its .exr file is not the one that the manifest's digest names".to_owned()
         }
-        (Status::NoScene, ..) => ": the gallery has no such scene".to_owned(),
+        (Status::NoScene, ..) => match finding.scene_file() {
+            Some(file) => format!(": its scene file {} cannot be read", file.display()),
+            None => ": the gallery has no such scene".to_owned(),
+        },
         (_, Some(a), Some(b)) if a.width() == b.width() && a.height() == b.height() => {
             let differences = compare::differences(a, b);
             let (count, pixels) = (differences.len(), a.pixels().len());
@@ -228,16 +243,33 @@ impl Accept {
                 return Ok(Exit::Interrupted);
             }
         }
-        goldens.accept(proposals)?;
-        let text: String =
-            names.iter().map(|name| format!("accepted  {}\n", golden::leaf(name))).collect();
-        print(&text)?;
-        let kept = match goldens.all().len() {
-            1 => "1 golden".to_owned(),
-            count => format!("{count} goldens"),
+        let line = |Proposal { golden, .. }: &Proposal| {
+            let [width, height] = golden.size;
+            let samples = count(golden.samples as usize, "sample");
+            format!("accepted  {}: {width} × {height} pixels, {samples} a pixel\n", golden.name())
         };
-        print(&format!("{}: {kept}\n", folder.display()))
+        let text: String = proposals.iter().map(line).collect();
+        goldens.accept(proposals)?;
+        print(&text)?;
+        print_kept(&goldens)
     }
+}
+
+impl Remove {
+    fn run(&self, folder: &Path) -> Outcome {
+        let mut goldens = open(folder)?;
+        let mut names = wanted(&goldens, &self.names, PartOf::default())?;
+        names.retain(|name| goldens.find(name).is_some());
+        goldens.remove(&names)?;
+        let text: String = names.iter().map(|name| format!("removed   {name}\n")).collect();
+        print(&text)?;
+        print_kept(&goldens)
+    }
+}
+
+fn print_kept(goldens: &Folder) -> Outcome {
+    let kept = count(goldens.all().len(), "golden");
+    print(&format!("{}: {kept}\n", goldens.folder().display()))
 }
 
 /// The goldens that differ by rounding only.

@@ -52,7 +52,10 @@ impl Laws {
         let mut program = self.program.program(interrupt::flag()?);
         let lobes = match claims::listed(&mut program) {
             Ok(lobes) => self.chosen(lobes)?,
-            Err(Trouble::Interrupted) => return Ok(Exit::Interrupted),
+            Err(Trouble::Interrupted) => {
+                eprintln!("interrupted; nothing was written");
+                return Ok(Exit::Interrupted);
+            }
             Err(Trouble::Unsupported(why) | Trouble::Refused(why) | Trouble::Fault(why)) => {
                 let text = no_answer(&why, &program.log());
                 text.lines().for_each(|line| eprintln!("{}", printable::text(line)));
@@ -65,7 +68,7 @@ impl Laws {
         let bar = progress::bar(lobes.len() as u64, style);
         let card = claims::run(&mut program, &lobes, options, &mut |name| {
             bar.inc(1);
-            bar.set_message(printable::name(name).to_string());
+            bar.set_message(printable::name(name));
         });
         bar.finish_and_clear();
         drop(program);
@@ -87,11 +90,10 @@ impl Laws {
     }
 
     fn chosen(&self, mut lobes: Vec<Description>) -> Result<Vec<Description>, Box<dyn Error>> {
-        let names: Vec<String> =
-            lobes.iter().map(|lobe| printable::name(&lobe.name).to_string()).collect();
+        let names = printable::listed(lobes.iter().map(|lobe| &lobe.name));
         lobes.retain(|lobe| self.only.as_ref().is_none_or(|only| only.matches(&lobe.name)));
         match lobes.is_empty() {
-            true => Err(format!("nothing matches; the program lists {}", names.join(", ")).into()),
+            true => Err(format!("nothing matches; the program lists {names}").into()),
             false => Ok(lobes),
         }
     }

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt::Write;
 use std::io::{IsTerminal, stderr};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use clap::Args;
 use groundtruth::film::{self, Film, Format, Provenance};
@@ -12,9 +12,6 @@ use groundtruth::render::{Canvas, Crop, Renderer};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use layers::{Colors, Layer, LayerFilms, LegendRow, values};
-use pictures::compare::Transfer;
-
-use super::against::{Request, Wanted};
 
 #[derive(Args)]
 pub struct LayerArguments {
@@ -23,17 +20,9 @@ pub struct LayerArguments {
     #[arg(long, conflicts_with_all = ["layer", "replicas", "stereo"])]
     layers: bool,
     /// Write this layer in false colours (.png, .ppm), whose legend is printed, or its values (.exr): normal, distance,
-    /// object, rays, light:NAME, depth:N … A wrong name lists all. With --against: difference or z
+    /// object, rays, light:NAME, depth:N … A wrong name lists all
     #[arg(long, value_name = "NAME", conflicts_with_all = ["replicas", "stereo"])]
     layer: Option<String>,
-    /// Render the scene at the size of this picture by another program, for the layer difference (theirs less ours) or z
-    /// (how many standard deviations of the noise theirs is off, the map that `verify` makes); with --layers all and both
-    #[arg(long, value_name = "IMAGE", conflicts_with_all = ["crop", "mistake"])]
-    against: Option<PathBuf>,
-    /// How that picture encodes radiance, if it is PNG, JPEG or PPM: srgb, linear, or gamma=2.2. If left out, what the
-    /// file says, else srgb; for z the likeliest
-    #[arg(long, value_name = "CURVE", requires = "against")]
-    encoding: Option<Transfer>,
 }
 
 /// What is written of a scene.
@@ -47,22 +36,6 @@ pub enum Content {
 }
 
 impl LayerArguments {
-    /// What is asked of another program's picture, if one is given.
-    ///
-    /// # Errors
-    /// The layer has nothing to do with it.
-    pub fn against(&self) -> Result<Option<Request<'_>>, String> {
-        let Some(image) = self.against.as_deref() else { return Ok(None) };
-        let wanted = match self.layer.as_deref() {
-            None if self.layers => Wanted::All,
-            Some(name) => Wanted::named(name)?,
-            None => {
-                return Err("--against: add --layer difference, --layer z or --layers".to_owned());
-            }
-        };
-        Ok(Some(Request { image, encoding: self.encoding, wanted }))
-    }
-
     /// What they ask for, of this part of a world's picture.
     ///
     /// # Errors
@@ -81,9 +54,6 @@ impl LayerArguments {
             None if self.layers => Ok(Content::All(LayerFilms::new(crop))),
             None => Ok(Content::Picture),
             Some(_) if format == Format::Pfm => refused(layers::NO_FILE),
-            Some(name) if Wanted::named(name).is_ok() => {
-                Err(format!("--layer {name}: name their picture by --against IMAGE").into())
-            }
             Some(name) => {
                 let layer =
                     Layer::named(name, world).map_err(|why| format!("--layer {name}: {why}"))?;
@@ -124,7 +94,7 @@ impl Content {
         let tone = scene.image.tone();
         match self {
             Self::Picture => film::encode(film, &tone, format, made),
-            Self::All(films) => films.encode(world, Vec::new(), made),
+            Self::All(films) => films.encode(world, made),
             Self::One(layer) => layers::encode_film(layer, film, format, (world, tone), made),
         }
     }

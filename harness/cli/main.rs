@@ -3,7 +3,6 @@
 //! Exit status 0 means yes, 1 means the answer is no, 2 means an error, and 130 means that the user
 //! interrupted the command.
 
-mod against;
 mod announce;
 mod bounds;
 mod claim;
@@ -17,7 +16,6 @@ mod explain;
 mod export;
 mod formulas;
 mod goldens;
-mod grade;
 mod interrupt;
 mod kept;
 mod kinds;
@@ -100,12 +98,6 @@ enum Command {
     /// questions, the claims and the laws. The exit status is 0 if no law is broken, 1 if one is, 2 if nothing could
     /// be judged.
     Laws(laws::Laws),
-    /// Give points to a student's program, with hints that do not give the answers away
-    ///
-    /// A TOML file says what is asked and how many points it gives; `--init` prints one to start from, and
-    /// docs/grade.md describes it. The program is asked as by `conform`. The exit status is 0 if it gets all points, 1
-    /// if fewer, 2 if it answers no question (then it gets 0 points) or a judge failed.
-    Grade(grade::Grade),
     /// Add the parts that `render --replicas R --part K/N` wrote, on any machines
     ///
     /// Writes the mean of the replicas, and its standard error: the same bits for any division into parts and any order
@@ -170,7 +162,6 @@ fn main() -> ExitCode {
         Command::List(command) => command.run(),
         Command::Kinds(command) => command.run(),
         Command::Laws(command) => command.run(),
-        Command::Grade(command) => command.run(),
         Command::Render(command) => command.run(),
         Command::Explain(command) => command.run(),
         Command::Bounds(command) => command.run(),

@@ -12,7 +12,7 @@ use groundtruth::scene::Scene;
 use groundtruth::similar;
 use groundtruth::world::{DEFAULT_SEED, World};
 use judge::mistakes::known::KnownMistake;
-use judge::mistakes::table::{CHANGE, SAMPLES, sized};
+use judge::mistakes::table::{self, CHANGE, SAMPLES, sized};
 use judge::mistakes::{self, Beside, Mistake, MistakeInScene, Mistaken};
 
 use super::scene::SceneArguments;
@@ -53,6 +53,23 @@ impl MistakeArgument {
         };
         Ok(Some(mistaken.ok_or_else(refused)?))
     }
+}
+
+/// Says so if a scene does not show the mistake of a program, in the size of the table.
+pub fn note_if_not_shown(
+    mistaken: &Mistaken,
+    arguments: &SceneArguments,
+    scene: &Scene,
+) -> Result<(), Box<dyn Error>> {
+    let folder = arguments.folder().unwrap_or(Path::new(""));
+    let KnownMistake { name, .. } = mistaken.mistake().known;
+    if table::shown(&[mistaken.mistake()], scene, folder)?.is_empty() {
+        eprintln!(
+            "note: this scene does not show {name}: it changes hardly a pixel; `groundtruth mistakes {name}` lists \
+             scenes that do"
+        );
+    }
+    Ok(())
 }
 
 /// The mistake of this name.

@@ -1,17 +1,18 @@
 //! `groundtruth mistakes`.
 
-use std::path::PathBuf;
+use std::error::Error;
+use std::path::{Path, PathBuf};
 
 use clap::Args;
-use groundtruth::similar;
+use groundtruth::{film, printable, scene, similar};
 use judge::mistakes::{self, Cover, Mistake, table};
 
 use super::{Outcome, mistake, print, progress};
 
 #[derive(Args)]
 pub struct Mistakes {
-    /// A mistake: what is done wrong, where the book has it right, and how it looks; a scene of the gallery: the
-    /// mistakes that it shows, and those that it does not; or a chapter, such as ch28: few scenes that show all its
+    /// A mistake: what is done wrong, where the book has it right, and how it looks; a scene of the gallery, or a scene
+    /// file: the mistakes that it shows, and those that it does not; or a chapter, such as ch28: few scenes that show all its
     /// mistakes. All mistakes if left out
     #[arg(value_name = "MISTAKE|SCENE|CHAPTER")]
     name: Option<String>,
@@ -94,10 +95,20 @@ fn of_chapter(chapter: u32) -> Result<String, String> {
     Ok(text)
 }
 
-fn of_scene(scene: &str) -> Result<String, String> {
-    let hidden = mistakes::not_shown_by(scene).ok_or_else(|| unknown(scene))?;
-    let shown: Vec<&Mistake> = mistakes::shown_by(scene).iter().map(|pair| pair.mistake).collect();
-    let mut text = format!("{scene} shows {} mistakes:\n{}", shown.len(), listed(&shown));
+fn of_scene(name: &str) -> Result<String, Box<dyn Error>> {
+    let shown: Vec<&Mistake> = match gallery::find(name) {
+        Some(_) => mistakes::shown_by(name).iter().map(|pair| pair.mistake).collect(),
+        None if mistakes::is_file(name) => {
+            let (scene, _) = scene::open(Path::new(name))?;
+            let folder = film::folder_of(Path::new(name));
+            let shown = table::shown(&mistakes::all(), &scene, folder)?;
+            shown.into_iter().map(|(mistake, _)| mistake).collect()
+        }
+        None => return Err(unknown(name).into()),
+    };
+    let hidden = mistakes::others(&shown);
+    let name = printable::name(name);
+    let mut text = format!("{name} shows {} mistakes:\n{}", shown.len(), listed(&shown));
     text += &format!("\nIt does not show {}:\n", hidden.len());
     for (mistake, best) in hidden {
         let best = best.map_or("no scene shows it".to_owned(), |best| format!("{best} does"));

@@ -15,7 +15,7 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
 use super::layers::{Content, LayerArguments};
-use super::mistake::MistakeArgument;
+use super::mistake::{MistakeArgument, note_if_not_shown};
 use super::numbers::whole;
 use super::output;
 use super::part::PartOf;
@@ -87,14 +87,14 @@ impl Render {
     }
 
     fn picture(&self) -> Outcome {
-        if let Some(request) = self.layer.against()? {
-            return request.run(&self.scene, (&self.output, self.format));
-        }
         let start = Instant::now();
         let (scene, world) = self.scene.load()?;
         match self.mistake.mistaken(&self.scene, &scene)? {
             None => self.rendered(start, &scene, &world),
-            Some(mistaken) => self.rendered(start, &scene, &mistaken),
+            Some(mistaken) => {
+                note_if_not_shown(&mistaken, &self.scene, &scene)?;
+                self.rendered(start, &scene, &mistaken)
+            }
         }
     }
 

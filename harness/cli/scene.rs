@@ -26,6 +26,10 @@ pub struct SceneArguments {
     /// Samples per pixel
     #[arg(long, value_name = "N", value_parser = samples())]
     samples: Option<u32>,
+    /// The sampler, instead of that of the scene: regular, random, jittered, n_rooks, multi_jittered, hammersley,
+    /// correlated_multi_jittered or sobol
+    #[arg(long, value_name = "NAME", value_parser = |name: &str| sampler(name).map(|_| name.to_owned()))]
+    sampler: Option<String>,
     /// The tracer, instead of that of the scene: ray_cast, whitted, path_trace, global_trace or
     /// path
     #[arg(long, value_name = "NAME")]
@@ -93,8 +97,9 @@ impl SceneArguments {
         if let Some(samples) = samples.or(self.samples) {
             scene.image.samples = samples;
         }
-        if let Some(sampler) = sampler {
-            scene.image.sampler = Some(sampler.clone());
+        let own = self.sampler.as_deref().map(self::sampler).transpose()?;
+        if let Some(sampler) = sampler.cloned().or(own) {
+            scene.image.sampler = Some(sampler);
         }
         let changed = scene.tracer.change(self.tracer, self.max_depth);
         changed.map_err(|problem| format!("--max-depth: {problem}"))?;
@@ -140,6 +145,9 @@ impl SceneArguments {
         if let Some(samples) = self.samples {
             scene.image.samples = samples;
         }
+        if let Some(name) = &self.sampler {
+            scene.image.sampler = Some(sampler(name)?);
+        }
         let changed = scene.tracer.change(self.tracer, self.max_depth);
         changed.map_err(|problem| format!("--max-depth: {problem}"))
     }
@@ -155,6 +163,7 @@ impl SceneArguments {
         let options = [
             ("--size", size),
             ("--samples", self.samples.map(|samples| samples.to_string())),
+            ("--sampler", self.sampler.clone()),
             ("--tracer", self.tracer.map(|tracer| tracer.name().to_owned())),
             ("--max-depth", self.max_depth.map(|depth| depth.to_string())),
         ];
@@ -165,7 +174,8 @@ impl SceneArguments {
     /// The scene of this name or file, as it is.
     pub fn of_name(scene: &str) -> Self {
         let scene = scene.to_owned();
-        Self { scene, size: None, samples: None, tracer: None, max_depth: None, seed: DEFAULT_SEED }
+        let (size, samples, sampler, tracer, max_depth) = (None, None, None, None, None);
+        Self { scene, size, samples, sampler, tracer, max_depth, seed: DEFAULT_SEED }
     }
 
     /// The scene of such arguments.
@@ -194,7 +204,7 @@ impl SceneArguments {
             return Ok(((entry.build)(), None));
         }
         let path = Path::new(&self.scene);
-        if path.extension().is_none() && !path.exists() && self.scene != scene::STANDARD_INPUT {
+        if !path.exists() && self.scene != scene::STANDARD_INPUT {
             return Err(gallery::unknown(&self.scene).into());
         }
         let (scene, source) = scene::open(path)?;

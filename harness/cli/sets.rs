@@ -59,7 +59,7 @@ impl Request<'_> {
         }
         let regions = self.regions.map(|file| Picture::read(file, Some(Transfer::Linear)));
         let regions = regions.transpose()?;
-        let sets = sets::Sets::new([&before, &after], regions.as_ref()).map_err(|problem| {
+        let sets = sets::Sets::new([before, after], regions.as_ref()).map_err(|problem| {
             let file = self.regions.map_or(String::new(), |file| file.display().to_string());
             format!("{}: {problem}", printable::name(&file))
         })?;

@@ -2,8 +2,6 @@
 
 use std::error::Error;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::sync::atomic::Ordering;
 use std::time::Duration;
 
 use clap::Args;
@@ -21,6 +19,7 @@ use pictures::shell::quoted;
 use pictures::sums::SumsFile;
 use pictures::told::Told;
 
+use super::compare::is_scene;
 use super::numbers::whole;
 use super::scene::SceneArguments;
 use super::watch::Watch;
@@ -69,6 +68,9 @@ pub struct Verify {
     /// shows smaller differences of a picture with little noise. Ours have other seeds
     #[arg(long, value_name = "FILE")]
     reference: Option<PathBuf>,
+    /// The seconds of processor time in which causes of a difference are looked for
+    #[arg(long, value_name = "SECONDS", default_value_t = 40, value_parser = whole::<u32>(0..=31_536_000))]
+    search: u32,
     /// Say also whether the means of the picture and of each object are within this margin, such as 1%; the exit status is
     /// then 0 if they are, 1 if one is beyond it, and 2 if the noise is too large to tell
     #[arg(long, value_name = "M", value_parser = margin)]
@@ -138,13 +140,12 @@ impl Verify {
             return Err(problem.into());
         }
         announce::long_rendering(&world, &printable::text(arguments.name()), self.replicas);
-        let watch = Watch::new(strictness.most())?;
-        let interrupted = Arc::clone(&watch.interrupted);
+        let watch = Watch::new(strictness.most(), self.search)?;
         let mut case = Case {
             world: &mut world,
             scene: &scene,
             folder: arguments.folder().unwrap_or(Path::new("")),
-            is_interrupted: &|| interrupted.load(Ordering::Relaxed),
+            is_over: &|| watch.is_over(),
             so_far: &|progress| watch.tell(progress),
             strictness,
             transfer: pictures[0].stated,
@@ -254,17 +255,31 @@ impl Verify {
         image.unwrap_or_else(|| "another renderer".to_owned())
     }
 
+    /// Fails if a scene stands where a picture is meant.
+    fn check_order(&self) -> Result<(), String> {
+        let scene = self.scene.as_ref().map_or("", SceneArguments::name);
+        let names = self.images.iter().map(|image| image.to_string_lossy());
+        let Some(other) = names.into_iter().find(|name| is_scene(name)) else { return Ok(()) };
+        let [first, second] = [scene, &other].map(quoted);
+        let command = match is_scene(scene) {
+            true => format!("compare {first} {second}"),
+            false => format!("verify {second} {first}"),
+        };
+        let name = printable::name(&other);
+        Err(format!("{name} is a scene, not a picture; did you mean `groundtruth {command}`?"))
+    }
+
     /// The pictures, all of one size and without values that are no numbers.
     fn pictures(&self) -> Result<Vec<Picture>, Box<dyn Error>> {
         let scene = self.scene.as_ref().map(|scene| Path::new(scene.name()));
         let inputs = || self.images.iter().map(PathBuf::as_path).chain(scene);
         output::once(inputs(), "input")?;
+        self.check_order()?;
         output::check_distinct(self.output.as_deref(), inputs().chain(self.reference.as_deref()))?;
         let mut pictures: Vec<Picture> = Vec::new();
         for file in &self.images {
             let picture = Picture::read(file, self.encoding)?;
             let name = printable::name(&file.display().to_string());
-            picture.notes.iter().for_each(|note| eprintln!("note: {name}: {note}"));
             if let Some(problem) = verdict::refusal(&picture) {
                 return Err(format!("{name}: {problem}").into());
             }
@@ -287,6 +302,8 @@ impl Verify {
             }
             pictures.push(picture);
         }
+        let names: Vec<_> = self.images.iter().map(|file| file.to_string_lossy()).collect();
+        announce::notes(names.iter().map(|name| &**name).zip(&pictures));
         Ok(pictures)
     }
 }
@@ -311,6 +328,11 @@ fn advice(scene: &str, verdict: &Verdict, arguments: &str) -> (String, String) {
         Decision::Agrees if hidden > 0 => {
             let all = judge::mistakes::all().len();
             format!("this scene cannot show {hidden} of the {all} known mistakes\n")
+        }
+        Decision::Agrees if judge::mistakes::is_file(scene) => {
+            format!(
+                "it says nothing of mistakes that this scene cannot show: {mistakes} lists them\n"
+            )
         }
         _ => String::new(),
     };

@@ -78,6 +78,30 @@ fn the_exit_status_says_whether_a_law_is_broken() {
     }
 }
 
+/// Law: a run that is interrupted ends with 130 and says so in the terminal, on the page and in JUnit's file, with what is known. Oracle:
+/// a program that interrupts whoever asks it about the second lobe.
+#[test]
+#[cfg(unix)]
+fn an_interrupted_run_says_so_and_not_that_all_is_right() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [page, junit] = ["card.html", "junit.xml"].map(|name| folder.path().join(name));
+    let [shown_page, shown_junit] = [&page, &junit].map(|path| path.to_str().expect("text"));
+    let program = "import os, signal, sys; sys.path.insert(0, 'examples/laws'); import bsdfs, init\n\
+                   old = init.answer\n\
+                   def answer(question):\n    \
+                   data = list(question.values())[0]\n    \
+                   if data.get('lobe', 'lambert') != 'lambert': os.kill(os.getppid(), signal.SIGINT)\n    \
+                   return old(question)\n\
+                   init.answer = answer; init.main()";
+    let files = ["--cases", "2", "-o", shown_page, "--junit", shown_junit];
+    let output = laws(&[&files[..], &["--", "python3", "-c", program]].concat());
+    assert_eq!(output.status.code(), Some(130), "{}", text(&output.stderr));
+    let said = "interrupted after 1 of 6 lobes; until then no law is known to be broken";
+    assert!(text(&output.stdout).starts_with(said), "{}", text(&output.stdout));
+    assert!(read(&page).contains(said));
+    assert!(read(&junit).contains("<error message=\"interrupted\""));
+}
+
 /// Law: the programs to start from keep all laws as they are. Oracle: Lambert's lobe.
 #[test]
 fn programs_to_start_from_keep_all_laws() {

@@ -77,7 +77,7 @@ fn the_page_of_scene_files_is_up_to_date() {
     assert!(
         read("docs/scene.md") == reference::page(),
         "docs/scene.md is out of date; renew it by\n\n    \
-         cargo run --release -- kinds --page > docs/scene.md\n"
+         cargo run -- kinds --page > docs/scene.md\n"
     );
 }
 

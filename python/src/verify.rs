@@ -40,7 +40,7 @@ pub fn verify(
             world: &mut built.world,
             scene: &built.scene,
             folder: &built.folder,
-            is_interrupted: &is_interrupted,
+            is_over: &is_interrupted,
             so_far: &|_| {},
             strictness: Strictness::USUAL,
             transfer: pictures[0].stated,

@@ -1,7 +1,7 @@
 //! Exercises for a class.
 
 use judge::exercise::{Difficulty, Task, key, sheet, tasks};
-use judge::mistakes::is_wrong_on_purpose;
+use judge::mistakes::{self, is_wrong_on_purpose};
 use std::collections::BTreeSet;
 
 const WIDTH: u32 = 24;
@@ -32,6 +32,34 @@ fn tasks_are_different_mistakes_that_can_be_seen() {
     }
     assert_eq!(names(&made(14, Difficulty::Medium, 6, 1)), names(&all));
     assert_ne!(names(&made(14, Difficulty::Medium, 6, 2)), names(&all));
+}
+
+/// Law: no exercise needs a later chapter: each of its scenes, and a scene of each mistake on its sheet, is one of chapters up
+/// to its own; acne is among those of chapter 16. Oracle: the scenes' names, and the table.
+#[test]
+fn exercises_stay_within_the_chapters_up_to_theirs() {
+    let is_reached =
+        |scene: &str, chapter: u32| scene[2..4].parse::<u32>().expect("a chapter") <= chapter;
+    let mut listed = 0;
+    for chapter in [3, 9, 14, 16, 20] {
+        let all = made(chapter, Difficulty::Easy, 100, 1);
+        assert!(all.iter().all(|task| is_reached(task.name, chapter)), "{:?}", names(&all));
+        let sheet = sheet(chapter, Difficulty::Easy, &all);
+        for mistake in mistakes::all() {
+            if sheet.contains(&format!("<li>{}</li>", pictures::html::escaped(mistake.words))) {
+                let shown = mistakes::scenes_that_show(mistake);
+                assert_eq!(mistake.chapter, chapter);
+                assert!(
+                    shown.iter().any(|pair| is_reached(pair.scene, chapter)),
+                    "{}",
+                    mistake.name
+                );
+                listed += 1;
+            }
+        }
+        assert_eq!(chapter == 16, sheet.contains("(acne)"));
+    }
+    assert!(listed > 20, "{listed}");
 }
 
 /// Law: a chapter with fewer mistakes has fewer tasks, and one without has none. Oracle: the catalogue.

@@ -11,5 +11,6 @@ mod paths;
 mod recorder;
 mod stage;
 mod table;
+mod tables;
 mod textures;
 mod twins;

@@ -65,9 +65,15 @@ impl ReducedScene {
              let expected = [{bits}];\n    \
              assert_eq!(bits, expected, \"the pixel is {{radiance:?}}\");\n}}\n\n"
         );
-        let hashes = hashes(&self.toml);
         let toml = self.toml.trim_end();
-        let _ = writeln!(text, "const SCENE: &str = r{hashes}\"\n{toml}\n\"{hashes};");
+        let _ = match toml.chars().any(|c| c != '\n' && printable::is_obeyed(c)) {
+            // a compiler refuses direction marks in a raw string, which has no escapes
+            true => writeln!(text, "const SCENE: &str = {toml:?};"),
+            false => {
+                let hashes = hashes(toml);
+                writeln!(text, "const SCENE: &str = r{hashes}\"\n{toml}\n\"{hashes};")
+            }
+        };
         text
     }
 

@@ -183,6 +183,24 @@ fn a_name_cannot_end_the_raw_string() {
     assert!(text.contains("fn pixel_200_150_of_a__b()"));
 }
 
+/// Law: a direction mark or a control character in a name is an escape in the test, which a compiler refuses in a raw string; the
+/// scene is the same. Oracle: the characters of the text; the scene that the literal is of.
+#[test]
+fn a_name_cannot_turn_the_text_of_a_test() {
+    let mut scene = scene_of("ch16/shadows");
+    let kept = Kept { pixel: [200, 150], sample: None, seed: DEFAULT_SEED };
+    let used = reduced(&scene, kept).scene.objects[0].name.clone();
+    for object in scene.objects.iter_mut().filter(|object| object.name == used) {
+        object.name = "\u{202e}'\"\u{1b}[31m".to_owned();
+    }
+    let found = reduced(&scene, kept);
+    let text = found.rust_test("ch16/\u{202e}shadows", Path::new("scene.toml"));
+    let obeyed = |c: char| c != '\n' && groundtruth::printable::is_obeyed(c);
+    assert_eq!(text.chars().find(|c| obeyed(*c)), None, "a character that a terminal obeys");
+    let literal = format!("const SCENE: &str = {:?};\n", found.toml.trim_end());
+    assert!(text.ends_with(&literal) && literal.contains("\\u{202e}"), "{text}");
+}
+
 /// Law: the test beside this file, which is compiled and passes with these, is what is written today. Oracle: the file.
 #[test]
 fn the_kept_test_reads_as_before() {

@@ -54,19 +54,14 @@ impl LayerFilms {
         films.keys().flat_map(Layer::channels).collect()
     }
 
-    /// The bytes of an EXR file with all of them and with `others`. Its comment says what indices stand for.
+    /// The bytes of an EXR file with all of them. Its comment says what indices stand for.
     ///
     /// # Errors
     /// Two lights whose names differ only in letters that names of channels have not.
-    pub fn encode(
-        &self,
-        world: &World,
-        others: Vec<Channel>,
-        made: &Provenance,
-    ) -> io::Result<Vec<u8>> {
+    pub fn encode(&self, world: &World, made: &Provenance) -> io::Result<Vec<u8>> {
         let films = self.films.lock().expect("nothing panics while it holds the films");
         let channels = films.iter().flat_map(|(layer, values)| channels(layer, values));
-        let mut channels: Vec<Channel> = channels.chain(others).collect();
+        let mut channels: Vec<Channel> = channels.collect();
         channels.sort_by(|a, b| a.name.cmp(&b.name));
         for index in 1..channels.len() {
             if channels[index].name == channels[index - 1].name {

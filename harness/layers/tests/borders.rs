@@ -188,14 +188,13 @@ fn a_crop_has_the_values_of_the_whole() {
     let (_, world) = named("ch28/glass-sphere", 9, 2);
     let all = whole(&world);
     let (film, _) = films(&world, all);
-    let (_, expected, _) = contents(&film.encode(&world, Vec::new(), &made()).expect("encoded"));
+    let (_, expected, _) = contents(&film.encode(&world, &made()).expect("encoded"));
     let (w, h) = (all.width, all.height);
     for [x, y, width, height] in
         [[0, 0, 1, 1], [w - 1, h - 1, 1, 1], [2, 1, w - 2, 2], [0, 2, 3, h - 2]]
     {
         let (film, _) = films(&world, Crop { x, y, width, height });
-        let (size, found, _) =
-            contents(&film.encode(&world, Vec::new(), &made()).expect("encoded"));
+        let (size, found, _) = contents(&film.encode(&world, &made()).expect("encoded"));
         assert_eq!(size, (width as usize, height as usize), "the size of the part");
         for (name, values) in &found {
             for (at, value) in values.iter().enumerate() {

@@ -54,8 +54,7 @@ fn a_file_has_all_layers() {
     let (_, world) = named("ch28/glass-sphere", 12, 2);
     let crop = Crop { x: 3, y: 2, width: 7, height: 5 };
     let (films, canvas) = films(&world, crop);
-    let (size, channels, comment) =
-        contents(&films.encode(&world, Vec::new(), &made()).expect("encoded"));
+    let (size, channels, comment) = contents(&films.encode(&world, &made()).expect("encoded"));
     assert_eq!(size, (7, 5));
     let mut left: Vec<&str> = channels.iter().map(|(name, _)| name.as_str()).collect();
     for y in 0..5_u32 {
@@ -130,7 +129,7 @@ fn what_is_too_bright_is_stored_as_the_largest_number() {
         shape.plane = { point = [0, 0, 0], normal = [0, 0, 1] }\n";
     let (_, world) = groundtruth::world::from_toml(text, "here.toml".as_ref()).expect("valid");
     let (films, _) = films(&world, whole(&world));
-    let (_, channels, _) = contents(&films.encode(&world, Vec::new(), &made()).expect("encoded"));
+    let (_, channels, _) = contents(&films.encode(&world, &made()).expect("encoded"));
     for (name, expected) in [("R", f32::MAX), ("G", f32::MAX), ("B", 1.0)] {
         assert_eq!(channel(&channels, name), [expected], "the channel {name}");
         let emission = channel(&channels, &format!("emission.{name}"));

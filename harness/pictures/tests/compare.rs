@@ -59,7 +59,10 @@ fn each_simple_change_is_named() {
     let scaled = |factor: f32| mapped(&ours, |color| color.map(|value| factor * value));
     let changes = [
         (moved(&ours, |x, y| [x, height - 1 - y]), "the rows of B are upside down"),
-        (moved(&ours, |x, y| [width - 1 - x, y]), "left and right of B are exchanged"),
+        (
+            moved(&ours, |x, y| [width - 1 - x, y]),
+            "left and right of B are exchanged (if its axes are left-handed: negate z in the scene)",
+        ),
         (moved(&ours, |x, y| [width - 1 - x, height - 1 - y]), "B is turned by 180°"),
         (moved(&ours, |x, y| [x + 1, y]), "B is one pixel too far left"),
         (moved(&ours, |x, y| [x - 1, y]), "B is one pixel too far right"),

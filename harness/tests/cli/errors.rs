@@ -36,11 +36,28 @@ const ERRORS: &[(&[&str], &str)] = &[
     ),
     (
         &["render", "no.toml", "-o", "a.png"],
-        "error: no.toml: cannot be read: No such file or directory (os error 2)",
+        "error: no scene `no.toml`: neither a gallery name (`groundtruth list` shows them) nor a file",
     ),
     (
         &["goldens", "accept", "none.toml", "--because", "seen"],
         "error: none.toml: cannot be read: No such file or directory (os error 2)",
+    ),
+    (
+        &["verify", "a.png", "ch28/glass-sphere"],
+        "error: ch28/glass-sphere is a scene, not a picture; did you mean `groundtruth verify ch28/glass-sphere a.png`?",
+    ),
+    (
+        &["verify", "ch28/glass-sphere", "ch03/single-sphere"],
+        "error: ch03/single-sphere is a scene, not a picture; did you mean `groundtruth compare ch28/glass-sphere \
+         ch03/single-sphere`?",
+    ),
+    (
+        &["compare", "no.toml", "a.png"],
+        "error: no scene `no.toml`: neither a gallery name (`groundtruth list` shows them) nor a file",
+    ),
+    (
+        &["goldens", "remove", "ch03/single-spheres", "--folder", "no"],
+        "error: no/manifest.toml: there is none; run this where the folder `goldens` is, or name a folder by --folder DIR",
     ),
     (
         &["compare", "-", "-"],
@@ -65,7 +82,7 @@ const ERRORS: &[(&[&str], &str)] = &[
     ),
     (
         &["render", "ch03/single-sphere", "-o", "no/a.png"],
-        "error: no/a.png: cannot be written: No such file or directory (os error 2)",
+        "error: no/a.png: cannot be written: there is no folder `no`; make it first",
     ),
     (
         &["render", "ch03/single-sphere", "--size", "0x0", "-o", "a.png"],
@@ -171,8 +188,9 @@ const ERRORS: &[(&[&str], &str)] = &[
          them) nor a file; did you mean `ch03/single-sphere`?",
     ),
     (
-        &["describe", "no.toml"],
-        "error: no.toml: cannot be read: No such file or directory (os error 2)",
+        &["describe", "ch28/glass-sphere.toml"],
+        "error: no scene `ch28/glass-sphere.toml`: neither a gallery name (`groundtruth list` shows them) nor a file; \
+         did you mean `ch28/glass-sphere`?",
     ),
     (
         &["describe", "ch03/single-sphere", "--seed", "7"],
@@ -226,7 +244,7 @@ const ERRORS: &[(&[&str], &str)] = &[
     ),
     (
         &["export", "ch03/single-sphere", "-o", "no/a.toml"],
-        "error: no/a.toml: cannot be written: No such file or directory (os error 2)",
+        "error: no/a.toml: cannot be written: there is no folder `no`; make it first",
     ),
     (&["export", "ch03/single-sphere", "-o", "."], "error: .: cannot be written: it is a folder"),
     (&["rendr"], "error: unrecognized subcommand 'rendr'"),

@@ -1,6 +1,5 @@
 //! The verdict on their picture, the same as that of `groundtruth verify`: a button starts it, beside the window.
 
-use std::cell::Cell;
 use std::mem::take;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
@@ -111,7 +110,7 @@ struct Question {
 impl Question {
     /// The answer, if it is found within the slice.
     fn answer(&mut self, course: &Course, slice: &Slice) -> Option<Outcome> {
-        let is_paused = Cell::new(false);
+        let is_paused = AtomicBool::new(false);
         let (mut rendered, mut under_way) = (take(&mut self.rendered), self.under_way.take());
         let mut asked = 0;
         let outcome = self.judged(course, &is_paused, &mut |world, canvas| {
@@ -119,14 +118,14 @@ impl Question {
                 return course.render(world, canvas, slice);
             }
             // what is under way is of another world than a picture that is asked for after it
-            if is_paused.get() {
+            if is_paused.load(Ordering::Relaxed) {
                 return false;
             }
             let of @ Crop { x, y, .. } = canvas.crop();
             if asked == rendered.len() {
                 let next = under_way.take().unwrap_or_else(|| Canvas::cropped(of));
                 if !course.render(world, &next, &slice.doubled()) {
-                    is_paused.set(!course.is_stopped());
+                    is_paused.store(!course.is_stopped(), Ordering::Relaxed);
                     under_way = Some(next);
                     return false;
                 }
@@ -138,10 +137,10 @@ impl Question {
             true
         });
         (self.rendered, self.under_way) = (rendered, under_way);
-        (!is_paused.get()).then_some(outcome)
+        (!is_paused.load(Ordering::Relaxed)).then_some(outcome)
     }
 
-    fn judged(&self, course: &Course, is_paused: &Cell<bool>, renders: Renders<'_>) -> Outcome {
+    fn judged(&self, course: &Course, is_paused: &AtomicBool, renders: Renders<'_>) -> Outcome {
         let Self { source, read, scene, seed, theirs, .. } = self;
         let (scene, theirs, seed) = (&**scene, &**theirs, *seed);
         let refusal = verdict::refusal(theirs).or_else(|| verdict::refusal_of_seed(seed));
@@ -155,7 +154,7 @@ impl Question {
             world: &mut world,
             scene,
             folder: &folder,
-            is_interrupted: &|| is_paused.get() || course.is_stopped(),
+            is_over: &|| is_paused.load(Ordering::Relaxed) || course.is_stopped(),
             so_far: &|progress| course.note(progress),
             strictness: Strictness::USUAL,
             transfer: theirs.stated,

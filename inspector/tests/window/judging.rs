@@ -66,7 +66,7 @@ fn of_command(picture: &Picture) -> Verdict {
         world: &mut world,
         scene: &scene,
         folder: Path::new(""),
-        is_interrupted: &|| false,
+        is_over: &|| false,
         so_far: &|_| {},
         strictness: Strictness { level: 0.01, first: 8 },
         transfer: None,

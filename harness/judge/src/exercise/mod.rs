@@ -67,8 +67,7 @@ pub fn tasks(
     seed: u64,
     finished: &mut dyn FnMut(),
 ) -> Result<Vec<Task>, SceneError> {
-    let mut all: Vec<&Mistake> =
-        mistakes::all().into_iter().filter(|mistake| mistake.chapter == chapter).collect();
+    let mut all = of_chapter(chapter);
     Pcg32::new(seed, u64::from(chapter)).shuffle(&mut all);
     let mut tasks: Vec<Task> = Vec::new();
     for mistake in all {
@@ -87,16 +86,29 @@ pub fn tasks(
     Ok(tasks)
 }
 
-/// The scenes that show a mistake: those of chapters up to its own first, then those that are new, then by the share of
+/// The mistakes of a chapter that a scene of the chapters up to it shows.
+fn of_chapter(chapter: u32) -> Vec<&'static Mistake> {
+    let is_shown = |mistake: &&Mistake| mistake.chapter == chapter && !reached(mistake).is_empty();
+    mistakes::all().into_iter().filter(is_shown).collect()
+}
+
+/// The scenes of the chapters up to its own that show a mistake.
+fn reached(mistake: &Mistake) -> Vec<&'static MistakeInScene> {
+    let mut pairs = mistakes::scenes_that_show(mistake);
+    pairs.retain(|pair| {
+        !is_wrong_on_purpose(pair.scene) && chapter_of(pair.scene) <= Some(mistake.chapter)
+    });
+    pairs
+}
+
+/// The scenes that show a mistake to a class that has come to its chapter: those that are new first, then by the share of
 /// pixels that is looked for.
 fn scenes(mistake: &Mistake, level: Difficulty, used: &[&str]) -> Vec<&'static str> {
-    let mut pairs = mistakes::scenes_that_show(mistake);
-    pairs.retain(|pair| !is_wrong_on_purpose(pair.scene));
-    let is_later = |pair: &MistakeInScene| chapter_of(pair.scene) > Some(mistake.chapter);
+    let mut pairs = reached(mistake);
     let off = |pair: &MistakeInScene| (pair.effect.share - level.share()).abs();
     pairs.sort_by(|a, b| {
-        let order = |pair: &MistakeInScene| (is_later(pair), used.contains(&pair.scene));
-        order(a).cmp(&order(b)).then(off(a).total_cmp(&off(b)))
+        let is_used = |pair: &MistakeInScene| used.contains(&pair.scene);
+        is_used(a).cmp(&is_used(b)).then(off(a).total_cmp(&off(b)))
     });
     pairs.into_iter().map(|pair| pair.scene).collect()
 }

@@ -5,8 +5,7 @@ use std::fmt::Write;
 use groundtruth::film::data_uri;
 use pictures::html::{escaped, page};
 
-use super::{Difficulty, Task};
-use crate::mistakes::{self, Mistake};
+use super::{Difficulty, Task, of_chapter};
 
 /// Two pictures side by side, and lines to write on, on paper of size A4.
 pub(super) const STYLE: &str = "\
@@ -47,11 +46,7 @@ pub fn sheet(chapter: u32, level: Difficulty, tasks: &[Task]) -> String {
         body += "</section>\n";
     }
     if level != Difficulty::Hard {
-        let mut words: Vec<&str> = mistakes::all()
-            .into_iter()
-            .filter(|mistake: &&Mistake| mistake.chapter == chapter)
-            .map(|mistake| mistake.words)
-            .collect();
+        let mut words: Vec<&str> = of_chapter(chapter).iter().map(|it| it.words).collect();
         words.sort_unstable();
         body += "<section>\n<h2>The mistakes are among these</h2>\n<ul>\n";
         for words in words {

@@ -78,9 +78,9 @@ pub(super) const ALL: &[Mistake] = &[
     Mistake::ray(&known::ABSORPTION_TWICE, |ray| absorption_over(ray, |_| 2.0)),
 ];
 
-/// The index behind the surface over the one in front of it, of a term that was refracted.
+/// The index behind the surface over the one in front of it, of a term that was refracted and has the factor 1/η².
 fn refracted(term: &ObservedTerm<'_>) -> Option<f64> {
-    match term.traced()? {
+    match term.traced().filter(|_| term.world.transparency.scales_radiance)? {
         Lobe::PerfectTransmitter(_) | Lobe::FresnelTransmitter(_) => {
             term.ray.surface.as_ref()?.eta()
         }

@@ -9,6 +9,7 @@
 
 mod beside;
 mod changes;
+pub mod fields;
 mod films;
 mod glass_terms;
 pub mod known;
@@ -30,18 +31,19 @@ use std::path::Path;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use known::KnownMistake;
+use pictures::shell::quoted;
 
 pub use beside::Beside;
 pub use films::{Films, films, pixel};
 pub use mistaken::Mistaken;
 pub use observed::{ObservedRay, ObservedSurface, ObservedTerm};
 pub use page::page;
-pub use probed::matching;
+pub use probed::{IsOver, Probed, probed};
 pub use recorder::Reweighing;
 pub use replicas::{replica, replicas};
 pub use shown::{
-    Cover, HEADING, MistakeInScene, TABLE, fewest_scenes, is_wrong_on_purpose, not_shown_by, pairs,
-    scenes_that_show, shown_by,
+    Cover, HEADING, MistakeInScene, TABLE, fewest_scenes, is_wrong_on_purpose, not_shown_by,
+    others, pairs, scenes_that_show, shown_by,
 };
 
 /// A mistake of a ray tracer in the style of the book: its entry in the catalogue, and its picture.
@@ -157,13 +159,19 @@ pub fn find(name: &str) -> Option<&'static Mistake> {
     all().into_iter().find(|mistake| mistake.name == name)
 }
 
-/// The command that lists the mistakes that a scene of the gallery shows and those that it does not; of another scene, which
-/// was not measured, all mistakes.
+/// The command that lists the mistakes that a scene of the gallery or of a file shows and those that it does not; all mistakes
+/// of another scene.
 pub fn command(scene: &str) -> String {
     match gallery::find(scene) {
         Some(entry) => format!("groundtruth mistakes {}", entry.name),
+        None if is_file(scene) => format!("groundtruth mistakes {}", quoted(scene)),
         None => "groundtruth mistakes".to_owned(),
     }
+}
+
+/// Whether this names a scene file.
+pub fn is_file(scene: &str) -> bool {
+    Path::new(scene).extension().is_some_and(|it| it == "toml")
 }
 
 /// The scene of which the picture of a mistake is made; `None` if the mistake does not apply to it, or

@@ -20,6 +20,8 @@ pub struct ObservedSurface {
     pub wo: Vector,
     /// The lobes.
     pub lobes: Lobes,
+    /// The radius, where the point is one of a sphere.
+    pub radius: Option<f64>,
 }
 
 /// A ray, and the surface that it met.
@@ -82,7 +84,8 @@ pub struct LampHeard {
 impl ObservedSurface {
     pub(super) fn of(point: &ShadingPoint<'_>, lobes: &Lobes) -> Self {
         let (t, normals, wo) = (point.hit.t, point.normals, point.wo);
-        Self { t, point: point.hit.surface.point, normals, wo, lobes: lobes.clone() }
+        let (radius, lobes) = (radius(point), lobes.clone());
+        Self { t, point: point.hit.surface.point, normals, wo, lobes, radius }
     }
 
     /// The cosine between the viewer's direction and the true normal; negative on the inner side.
@@ -104,6 +107,16 @@ impl ObservedSurface {
         let passes = |eta: f64| (eta - 1.0) * (eta + 1.0) + cos_o * cos_o >= 0.0;
         self.eta().is_some_and(|eta| !passes(eta))
     }
+}
+
+/// The radius of the ball in the box around the object, if the point and its normal are those of this ball.
+fn radius(point: &ShadingPoint<'_>) -> Option<f64> {
+    /// Of the box, relative: it may be rounded outwards.
+    const ROUNDING: f64 = 1e-6;
+    let (bounds, surface) = (point.hit.object.bounds(), &point.hit.surface);
+    let radius = 0.5 * bounds.extent().max_abs();
+    let off = (surface.point - bounds.center()) - radius * Vector::from(surface.normal);
+    (off.max_abs() < ROUNDING * radius).then_some(radius)
 }
 
 impl ObservedTerm<'_> {
@@ -142,10 +155,15 @@ impl ObservedTerm<'_> {
     /// The direction of the light of a term of direct light. `None` if no ray was cast and the light has more than
     /// one direction.
     pub fn to_light(&self) -> Option<Vector> {
-        let TermSource::Direct { light, .. } = self.term.source else { return None };
-        if let Some(ray) = self.from {
-            return ray.direction.unit();
+        match self.from {
+            Some(ray) if self.direct().is_some() => ray.direction.unit(),
+            _ => self.single_direction(),
         }
+    }
+
+    /// The direction of a light that has only one, as the light says it, for a term of direct light.
+    pub fn single_direction(&self) -> Option<Vector> {
+        let TermSource::Direct { light, .. } = self.term.source else { return None };
         let surface = self.ray.surface.as_ref()?;
         let light = self.world.lights.iter().find(|placed| placed.index == light)?;
         let from = LightContext { point: surface.point, normal: surface.normals.shading };

@@ -1,5 +1,7 @@
 //! Mistakes of path tracers (Suffern, ch. 26): changed values of terms.
 
+use std::f64::consts::PI;
+
 use groundtruth::lobes::Lobe;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::TermSource;
@@ -46,6 +48,10 @@ pub(super) const ALL: &[Mistake] = &[
     }),
     Mistake::term(&known::PATH_WITHOUT_DENSITY, |term| match term.term.source {
         TermSource::Traced { lobe: Lobe::Lambertian(_), pdf: Some(pdf), .. } => term.times(pdf),
+        _ => term.value(),
+    }),
+    Mistake::term(&known::PATH_PI_TWICE, |term| match term.traced() {
+        Some(Lobe::Lambertian(_)) => term.times(1.0 / PI),
         _ => term.value(),
     }),
     Mistake::term(&known::CHOICE_NOT_COMPENSATED, |term| match term.term.source {

@@ -1,45 +1,60 @@
-//! Mistakes found by a few pixels: of a scene without noise each mistake has values of its own.
+//! The values of a few pixels of a scene, without a mistake and with each: enough to tell which mistakes a picture may have.
 
 use std::path::Path;
 
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
+use groundtruth::scene::{Scene, SceneError};
 use groundtruth::world::World;
 use rayon::prelude::*;
 
-use super::{Mistake, Mistaken, Reweighing, all, pixel};
+use super::{Mistake, Mistaken, Reweighing, pixel};
 
-/// The mistakes, by chapter, with which some pixels of a scene have values that match. Those that change the scene are left
-/// out if it names files, which each of them would read again.
+/// Says that it is time to stop.
+pub type IsOver<'a> = &'a (dyn Fn() -> bool + Sync);
+
+/// The values of some pixels.
+#[derive(Clone, Debug)]
+pub struct Probed {
+    /// Without a mistake.
+    pub ours: Vec<Rgb>,
+    /// With each of the mistakes that change one of them.
+    pub altered: Vec<(&'static Mistake, Vec<Rgb>)>,
+}
+
+/// The values of some pixels of a scene with a seed; `None` if it was time to stop. Files that the scene names are in the
+/// folder. A mistake whose change gives no valid scene does not apply.
 ///
-/// `world` is the scene's, at the size and with the seed of its pictures; files that it names are in the folder.
-pub fn matching(
-    (scene, world, folder): (&Scene, &World, &Path),
+/// # Errors
+/// If the scene has no world.
+pub fn probed(
+    mistakes: &[&'static Mistake],
+    (scene, folder, seed): (&Scene, &Path, u64),
     pixels: &[[u32; 2]],
-    matches: &(dyn Fn(&[Rgb]) -> bool + Sync),
-) -> Vec<&'static Mistake> {
+    is_over: IsOver<'_>,
+) -> Result<Option<Probed>, SceneError> {
     let (terms, others): (Vec<&Mistake>, Vec<&Mistake>) =
-        all().into_iter().partition(|mistake| mistake.is_reweighed());
-    let mut recorder = Reweighing::new(world, &terms);
-    let values: Vec<Vec<Rgb>> = pixels.iter().map(|at| pixel(world, &mut recorder, *at)).collect();
-    let is_of_terms = |index: usize| {
-        // the first is ours
-        let of_mistake: Vec<Rgb> = values.iter().map(|colors| colors[index + 1]).collect();
-        matches(&of_mistake)
+        mistakes.iter().copied().partition(|mistake| mistake.is_reweighed());
+    let world = World::build_seeded(scene, folder, seed)?;
+    let reweighed = |recorder: &mut Reweighing<'_>, at: &[u32; 2]| {
+        (!is_over()).then(|| pixel(&world, recorder, *at))
     };
-    let mut found: Vec<&Mistake> =
-        terms.iter().enumerate().filter(|(index, _)| is_of_terms(*index)).map(|it| *it.1).collect();
-    if scene.files().is_empty() {
-        found.par_extend(others.into_par_iter().filter(|mistake| {
-            let mistaken = Mistaken::new(mistake, scene, folder, world.seed);
-            // a change that gives no valid scene does not apply
-            mistaken.ok().flatten().is_some_and(|mistaken| {
-                let values = pixels.iter().map(|at| render::pixel(&mistaken, *at));
-                matches(&values.collect::<Vec<Rgb>>())
-            })
-        }));
+    let values: Option<Vec<Vec<Rgb>>> =
+        pixels.par_iter().map_init(|| Reweighing::new(&world, &terms), reweighed).collect();
+    let Some(values) = values else { return Ok(None) };
+    // the first is ours
+    let of_terms = |index: usize| values.iter().map(|colors| colors[index]).collect::<Vec<Rgb>>();
+    let ours = of_terms(0);
+    let mut altered: Vec<(&Mistake, Vec<Rgb>)> =
+        (1..).zip(terms).map(|(index, mistake)| (mistake, of_terms(index))).collect();
+    for mistake in others {
+        let Ok(Some(mistaken)) = Mistaken::new(mistake, scene, folder, seed) else { continue };
+        let of = |at: &[u32; 2]| (!is_over()).then(|| render::pixel(&mistaken, *at));
+        let values: Option<Vec<Rgb>> = pixels.par_iter().map(of).collect();
+        let Some(values) = values else { return Ok(None) };
+        altered.push((mistake, values));
     }
-    found.sort_by_key(|mistake| mistake.chapter);
-    found
+    altered.retain(|(_, values)| *values != ours);
+    altered.sort_by_key(|(mistake, _)| mistake.chapter);
+    Ok(Some(Probed { ours, altered }))
 }

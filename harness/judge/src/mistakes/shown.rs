@@ -51,15 +51,18 @@ pub fn shown_by(scene: &str) -> Vec<&'static MistakeInScene> {
     pairs().iter().filter(|pair| pair.scene == scene).collect()
 }
 
-/// The mistakes that a scene of the gallery does not show, each with the scene that shows it best, if one does. `None`
-/// for other scenes, which were not measured.
+/// The mistakes that a scene of the gallery does not show, as [`others`]. `None` for other scenes, which were not
+/// measured.
 pub fn not_shown_by(scene: &str) -> Option<Vec<(&'static Mistake, Option<&'static str>)>> {
     gallery::find(scene)?;
-    let shown = shown_by(scene);
-    let hidden =
-        all().into_iter().filter(|mistake| !shown.iter().any(|pair| pair.mistake == *mistake));
-    let with_best = |mistake| (mistake, scenes_that_show(mistake).first().map(|best| best.scene));
-    Some(hidden.map(with_best).collect())
+    let shown: Vec<&Mistake> = shown_by(scene).iter().map(|pair| pair.mistake).collect();
+    Some(others(&shown))
+}
+
+/// The mistakes that are none of these, each with the scene that shows it best, if one does.
+pub fn others(shown: &[&Mistake]) -> Vec<(&'static Mistake, Option<&'static str>)> {
+    let hidden = all().into_iter().filter(|mistake| !shown.contains(mistake));
+    hidden.map(|it| (it, scenes_that_show(it).first().map(|best| best.scene))).collect()
 }
 
 /// A few scenes that together show all mistakes of a chapter that any scene shows.

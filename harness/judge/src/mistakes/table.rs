@@ -61,11 +61,6 @@ pub(super) fn changes(ours: &Film, theirs: &Film) -> Vec<f64> {
     ours.iter().zip(&theirs).map(change).collect()
 }
 
-/// A scene in the size of the table.
-pub fn small(entry: &Entry) -> Scene {
-    sized((entry.build)(), WIDTH, SAMPLES)
-}
-
 /// A scene so many pixels wide, with at most so many samples.
 pub fn sized(mut scene: Scene, width: u32, samples: u32) -> Scene {
     let image = &mut scene.image;
@@ -75,12 +70,18 @@ pub fn sized(mut scene: Scene, width: u32, samples: u32) -> Scene {
     scene
 }
 
-/// The mistakes that a scene of the gallery shows, with their effects.
+/// Those of these mistakes that a scene shows, in the size of the table, with their effects. Files that the scene names are in
+/// the folder.
 ///
 /// # Errors
 /// If the scene has no world.
-pub fn shown(entry: &Entry) -> Result<Vec<(&'static Mistake, Effect)>, SceneError> {
-    let films = replicas(&all(), &small(entry), Path::new(""), DEFAULT_SEED)?;
+pub fn shown(
+    mistakes: &[&'static Mistake],
+    scene: &Scene,
+    folder: &Path,
+) -> Result<Vec<(&'static Mistake, Effect)>, SceneError> {
+    let small = sized(scene.clone(), WIDTH, SAMPLES);
+    let films = replicas(mistakes, &small, folder, DEFAULT_SEED)?;
     let effects = films.altered.iter().map(|(it, film)| (*it, Effect::of(&films.ours, film)));
     Ok(effects.filter(|(_, effect)| effect.is_shown()).collect())
 }
@@ -94,5 +95,5 @@ pub fn lines(entry: &Entry) -> Result<String, SceneError> {
         let Effect { share, largest } = effect;
         format!("{},{},{share:.4},{largest:.3e}\n", entry.name, mistake.name)
     };
-    Ok(shown(entry)?.iter().map(line).collect())
+    Ok(shown(&all(), &(entry.build)(), Path::new(""))?.iter().map(line).collect())
 }

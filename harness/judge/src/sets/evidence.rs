@@ -1,7 +1,7 @@
 //! What is tested: the pictures, or differences of pairs of them, added up, and the test that can be had with so many.
 
+use groundtruth::math::ln;
 use serde::Serialize;
-use statrs::distribution::{ContinuousCDF, Normal};
 
 use statistics::means::two_samples;
 use statistics::quantile;
@@ -19,11 +19,7 @@ const ALIKE: f64 = 0.9;
 /// So many divisions over the level are tried: the probability of the last one that counts is known to a quarter.
 const DIVISIONS: f64 = 4.0;
 
-/// Where pictures cannot be divided often enough, only tiles of at least this part of the picture's side are tested: each
-/// further halving makes every test stricter.
-const SMALLEST_PART: usize = 8;
-
-/// Of one picture, tiles of this side and larger are tested: their sums are of enough pixels to be about normal.
+/// Of one picture, tiles of this side and larger are tested.
 const SMALLEST_OF_ONE: usize = 8;
 
 /// Of one picture, the correlation of neighbours is measured on at least so many tiles.
@@ -56,8 +52,8 @@ pub struct SetEvidence<'a> {
 pub struct Found {
     /// The probability of a difference as large, if there is none.
     pub probability: f64,
-    /// The sums that differ, the farthest first.
-    pub sums: Vec<usize>,
+    /// The sums that differ, each with what [`AreaSums::beyond`] says of it.
+    pub sums: Vec<(usize, f64)>,
 }
 
 /// Why single areas cannot be tested by divisions.
@@ -72,11 +68,8 @@ pub enum Reason {
 
 impl<'a> SetEvidence<'a> {
     /// The best that there is of these sets.
-    ///
-    /// `not_finite` has the number of values of each picture that are no numbers.
     pub fn of(
         sets: &'a Sets,
-        not_finite: Vec<f64>,
         (pairs, noise): (&Pairs, &Noise),
         level: f64,
         watch: Watch<'a>,
@@ -84,7 +77,7 @@ impl<'a> SetEvidence<'a> {
         let most = (DIVISIONS / level).ceil() as usize;
         let sizes @ [n, m] = sets.sizes();
         if pairs.0.len() >= 2 {
-            return Self::of_pairs(sets, &not_finite, pairs, (level, most), watch);
+            return Self::of_pairs(sets, pairs, (level, most), watch);
         }
         if n < 2 || m < 2 {
             return Self::of_one(sets, level, watch);
@@ -100,14 +93,13 @@ impl<'a> SetEvidence<'a> {
             None => Method::Areas { because: Reason::Noise },
         };
         let mean = sets.mean_of_all();
-        let values: Vec<Vec<f64>> = sets.all().map(|picture| less(picture, &mean)).collect();
-        let variance = with_rounding(smoothed(&values, (n + m) as f64 - 1.0, sets), sets);
-        let values = values.into_iter().zip(centred(not_finite)).collect();
-        let pictures = SummedPictures { values, mean: &mean, variance: &variance };
+        let values = || sets.all().map(|picture| less(picture, &mean));
+        let variance = with_rounding(smoothed(values(), (n + m) as f64 - 1.0, sets), sets);
+        let pictures = SummedPictures { values: values(), mean: &mean, variance: &variance };
         let all = (n + m) as f64;
         let both = |before: f64, after: f64| [vec![before; n], vec![after; m]].concat();
         Self {
-            sums: AreaSums::of(&pictures, &sets.areas, design),
+            sums: AreaSums::of(pictures, &sets.areas, design),
             method,
             correlation: 1.0,
             weights: both(-1.0 / n as f64, 1.0 / m as f64),
@@ -123,7 +115,6 @@ impl<'a> SetEvidence<'a> {
     /// Of pairs with equal seeds, whose differences have little noise.
     fn of_pairs(
         sets: &'a Sets,
-        not_finite: &[f64],
         pairs: &Pairs,
         (level, most): (f64, usize),
         watch: Watch<'a>,
@@ -135,12 +126,10 @@ impl<'a> SetEvidence<'a> {
             let both = sets.before[*a].iter().zip(&sets.after[*b]);
             both.map(|(before, after)| f64::from(*after) - f64::from(*before)).collect()
         };
-        let values: Vec<Vec<f64>> = pairs.0.iter().map(difference).collect();
-        let variance = with_rounding(smoothed(&values, count as f64, sets), sets);
-        let more = pairs.0.iter().map(|[a, b]| not_finite[sets.before.len() + b] - not_finite[*a]);
-        let values = values.into_iter().zip(more).collect();
+        let values = || pairs.0.iter().map(difference);
+        let variance = with_rounding(smoothed(values(), count as f64, sets), sets);
         let design = Design::differences(count);
-        let pictures = SummedPictures { values, mean: &mean, variance: &variance };
+        let pictures = SummedPictures { values: values(), mean: &mean, variance: &variance };
         let method = match &divisions {
             Some(divisions) => Method::Signs {
                 pairs: count,
@@ -150,7 +139,7 @@ impl<'a> SetEvidence<'a> {
             None => Method::PairedAreas { pairs: count, because: Reason::Few(least) },
         };
         Self {
-            sums: AreaSums::of(&pictures, &sets.areas, design),
+            sums: AreaSums::of(pictures, &sets.areas, design),
             method,
             correlation: 1.0,
             weights: vec![1.0 / count as f64; count],
@@ -168,12 +157,16 @@ impl<'a> SetEvidence<'a> {
         let mean = sets.mean_of_all();
         let [before, after] = [&sets.before, &sets.after].map(|set| sets.mean(set));
         let difference: Vec<f64> = after.iter().zip(&before).map(|(b, a)| b - a).collect();
-        let own = channels(&difference).map(|channel| own_variance(&channel, sets.areas.size));
+        let own = match sets.areas.size.contains(&1) {
+            false => channels(&difference).map(|channel| own_variance(&channel, sets.areas.size)),
+            // of one row or column there are no details
+            true => [0; 3].map(|_| vec![f64::INFINITY; sets.areas.object_of.len()]),
+        };
         let variance = with_rounding(interleaved(&own), sets);
-        let values = vec![(difference, 0.0)];
+        let values = std::iter::once(difference);
         let pictures = SummedPictures { values, mean: &mean, variance: &variance };
         let design = Design::differences(1);
-        let sums = AreaSums::of(&pictures, &sets.areas, design);
+        let sums = AreaSums::of(pictures, &sets.areas, design);
         Self {
             correlation: correlation(&sums),
             sums,
@@ -199,22 +192,10 @@ impl<'a> SetEvidence<'a> {
     }
 
     fn found_in(&self, sums: &AreaSums<'_>) -> Found {
-        match (&self.divisions, &self.method) {
-            (Some(divisions), _) => self.by_divisions(sums, divisions),
-            (None, Method::OnePicture) => self.by_details(sums),
-            _ => self.by_holm(sums),
+        match &self.divisions {
+            Some(divisions) => self.by_divisions(sums, divisions),
+            None => self.by_areas(sums),
         }
-    }
-
-    /// What is found where there is no noise: more than rounding.
-    pub fn by_rounding(&self) -> Found {
-        let differences = self.sums.differences(&self.weights);
-        let differs =
-            |index: &usize| f64::from(differences[*index]).abs() > self.sums.rounding(*index);
-        let mut sums: Vec<usize> = (0..differences.len()).filter(differs).collect();
-        let farthest = |index: &usize| -f64::from(differences[*index].abs());
-        sums.sort_by(|a, b| farthest(a).total_cmp(&farthest(b)));
-        Found { probability: f64::from(u8::from(sums.is_empty())), sums }
     }
 
     /// For each pixel, the difference of the channel in which it is largest, in standard deviations.
@@ -224,7 +205,7 @@ impl<'a> SetEvidence<'a> {
         let Some((SumKind::Tiles(level), range)) = self.sums.levels.first() else { return z };
         let tiles = range.len() / 3;
         for index in range.clone() {
-            let t = self.sums.t(index, f64::from(differences[index]), self.design);
+            let t = self.sums.t(index, differences[index], self.design);
             for pixel in areas.pixels(areas.tile(*level, (index - range.start) % tiles)) {
                 if t.abs() > z[pixel].abs() {
                     z[pixel] = t;
@@ -243,87 +224,71 @@ impl<'a> SetEvidence<'a> {
 
     fn by_divisions(&self, sums: &AreaSums<'_>, divisions: &Divisions) -> Found {
         let rank = Rank::of(sums, self.design, (divisions, self.watch), self.level);
-        let mut found: Vec<(f64, usize)> = Vec::new();
+        let mut found = Vec::new();
         if rank.probability <= self.level {
             let differences = sums.differences(&self.weights);
             for ((_, range), needed) in sums.levels.iter().zip(&rank.needed) {
                 for index in range.clone() {
-                    let t = sums.t(index, f64::from(differences[index]), self.design).abs();
+                    let t = sums.t(index, differences[index], self.design).abs();
                     if t >= *needed {
-                        found.push((self.design.score(t, range.len()), index));
+                        found.push((index, sums.beyond(index, differences[index], needed / t)));
                     }
                 }
             }
         }
-        found.sort_by(|a, b| b.0.total_cmp(&a.0));
-        Found { probability: rank.probability, sums: found.into_iter().map(|it| it.1).collect() }
+        Found { probability: rank.probability, sums: found }
     }
 
-    /// The test of each large area by its t, all together at the level (Holm, "A Simple Sequentially Rejective Multiple Test
-    /// Procedure", 1979); if the noise has changed, by Welch's test too, which does not take it for the same.
-    fn by_holm(&self, sums: &AreaSums<'_>) -> Found {
+    /// The test of each area by its t, those of a size together at an equal part of the level (Bonferroni); if the noise has
+    /// changed, by Welch's test too, which does not take it for the same.
+    fn by_areas(&self, sums: &AreaSums<'_>) -> Found {
         let differences = sums.differences(&self.weights);
-        let is_changed = self.method == Method::Areas { because: Reason::Noise };
-        let mut tests: Vec<(f64, usize)> = Vec::new();
-        for index in large(sums, self.smallest()) {
-            let probability = self
-                .design
-                .probability(sums.t(index, f64::from(differences[index]), self.design).abs());
-            let welch = || {
+        let levels: Vec<_> = sums.levels.iter().filter(|(kind, _)| self.is_tested(*kind)).collect();
+        let mut found = Found { probability: 1.0, sums: Vec::new() };
+        for (_, range) in &levels {
+            let count = levels.len() * range.len();
+            let [possible, needed] =
+                [1.0, self.level].map(|level| self.design.t_of_score(-ln(level), count));
+            for index in range.clone() {
+                let t = sums.t(index, differences[index], self.design).abs();
+                let t = t / self.correlation.sqrt();
+                if t < possible {
+                    continue;
+                }
                 let values = sums.in_pictures(index);
-                two_samples(&values[..self.sizes[0]], &values[self.sizes[0]..])
-            };
-            tests.push((if is_changed { probability.max(welch()) } else { probability }, index));
+                let (before, after) = values.split_at(self.sizes[0]);
+                let welch = if self.is_changed() { two_samples(before, after) } else { 0.0 };
+                let probability = count as f64 * self.design.probability(t).max(welch);
+                found.probability = found.probability.min(probability);
+                if probability <= self.level {
+                    found.sums.push((index, sums.beyond(index, differences[index], needed / t)));
+                }
+            }
         }
-        tests.sort_by(|a, b| a.0.total_cmp(&b.0));
-        let count = tests.len();
-        let adjusted = |at: usize| (tests[at].0 * (count - at) as f64).min(1.0);
-        let differ = (0..count).take_while(|at| adjusted(*at) <= self.level);
-        Found {
-            sums: differ.map(|at| tests[at].1).collect(),
-            probability: if count > 0 { adjusted(0) } else { 1.0 },
-        }
+        found
     }
 
-    /// Each area of one difference against the noise of its finest details, at the level of all together (Bonferroni).
-    fn by_details(&self, sums: &AreaSums<'_>) -> Found {
-        let z = z_of_one(sums);
-        let is_tested = |level| match level {
-            SumKind::Tiles(level) => 1 << level >= SMALLEST_OF_ONE,
+    /// Whether sums of this kind are tested by their t: of one difference, those of many pixels, which are about normal.
+    fn is_tested(&self, kind: SumKind) -> bool {
+        let is_one = self.method == Method::OnePicture;
+        match kind {
+            SumKind::Tiles(level) => !is_one || 1 << level >= SMALLEST_OF_ONE,
             SumKind::Regions => true,
-            // single bright pixels are in the difference and in the patterns of its mean
-            SumKind::Patterns | SumKind::NotFinite => false,
-        };
-        let levels = sums.levels.iter().filter(|(level, _)| is_tested(*level));
-        let deviation = self.correlation.sqrt();
-        let mut tests: Vec<(f64, usize)> = levels
-            .flat_map(|(_, range)| range.clone().map(|index| (z[index].abs() / deviation, index)))
-            .collect();
-        tests.sort_by(|a, b| b.0.total_cmp(&a.0));
-        let (count, normal) = (tests.len() as f64, Normal::standard());
-        let probability = |z: f64| (2.0 * count * normal.sf(z)).min(1.0);
-        let differ = tests.iter().take_while(|(z, _)| probability(*z) <= self.level);
-        Found {
-            sums: differ.map(|(_, index)| *index).collect(),
-            probability: tests.first().map_or(1.0, |(z, _)| probability(*z)),
+            // they are of the mean of all pictures, in which the side with more noise has more of its own
+            SumKind::Patterns => !is_one && !self.is_changed(),
         }
     }
 
-    /// The smallest side of tiles that [`SetEvidence::by_holm`] tests.
-    fn smallest(&self) -> usize {
-        let levels = self.sums.levels.iter();
-        let largest = levels.filter_map(|(level, _)| match level {
-            SumKind::Tiles(level) => Some(1 << level),
-            _ => None,
-        });
-        largest.max().unwrap_or(1) / SMALLEST_PART
+    /// Whether the noise is not the same on both sides.
+    fn is_changed(&self) -> bool {
+        self.method == Method::Areas { because: Reason::Noise }
     }
 }
 
 /// One difference in standard deviations of its finest details.
 fn z_of_one(sums: &AreaSums<'_>) -> Vec<f64> {
     let differences = sums.differences(&[1.0]).into_iter().enumerate();
-    let z = |(index, difference)| sums.t(index, f64::from(difference), Design::differences(1));
+    let z = |(index, difference)| sums.t(index, difference, Design::differences(1));
     differences.map(z).collect()
 }
 
@@ -342,21 +307,11 @@ fn correlation(sums: &AreaSums<'_>) -> f64 {
     factor
 }
 
-/// The sums of regions, patterns, and tiles of at least this side.
-fn large<'a>(sums: &'a AreaSums<'_>, smallest: usize) -> impl Iterator<Item = usize> + 'a {
-    let is_large = move |level: SumKind| match level {
-        SumKind::Tiles(level) => 1 << level >= smallest,
-        SumKind::Regions | SumKind::Patterns | SumKind::NotFinite => true,
-    };
-    let levels = sums.levels.iter().filter(move |(level, _)| is_large(*level));
-    levels.flat_map(|(_, range)| range.clone())
-}
-
 /// The mean of the squares of values over the neighbours of each, and over the pictures.
-fn smoothed(pictures: &[Vec<f64>], freedom: f64, sets: &Sets) -> Vec<f64> {
-    let mut variance = vec![0.0; pictures[0].len()];
+fn smoothed(pictures: impl Iterator<Item = Vec<f64>>, freedom: f64, sets: &Sets) -> Vec<f64> {
+    let mut variance = vec![0.0; sets.rounding.len()];
     for picture in pictures {
-        variance.iter_mut().zip(picture).for_each(|(sum, x)| *sum += x * x / freedom);
+        variance.iter_mut().zip(&picture).for_each(|(sum, x)| *sum += x * x / freedom);
     }
     interleaved(&channels(&variance).map(|channel| around(&channel, sets.areas.size)))
 }
@@ -375,9 +330,4 @@ fn with_rounding(mut variance: Vec<f64>, sets: &Sets) -> Vec<f64> {
 
 fn less(picture: &[f32], mean: &[f64]) -> Vec<f64> {
     picture.iter().zip(mean).map(|(x, mean)| f64::from(*x) - mean).collect()
-}
-
-fn centred(values: Vec<f64>) -> Vec<f64> {
-    let mean = values.iter().sum::<f64>() / values.len() as f64;
-    values.into_iter().map(|value| value - mean).collect()
 }

@@ -7,8 +7,10 @@
 
 mod divisions;
 mod evidence;
+mod fixed;
 mod means;
 mod noise;
+mod odd;
 mod page;
 mod power;
 mod sums;
@@ -26,6 +28,7 @@ pub use divisions::{Divisions, Rank};
 pub use evidence::Reason;
 pub use means::AreaMeans;
 pub use noise::{Noise, Pairs};
+pub use odd::Odd;
 pub use page::page;
 pub use power::Power;
 pub use sums::{AreaSums, Design, Pattern, SumKind, SummedPictures};
@@ -69,30 +72,26 @@ impl Sets {
     /// # Errors
     /// If it is of another size, or has too many colours.
     pub fn new(
-        [before, after]: [&[Picture]; 2],
+        [before, after]: [Vec<Picture>; 2],
         regions: Option<&Picture>,
     ) -> Result<Self, String> {
         let size = before[0].size.map(|side| side as usize);
-        let radiances = |picture: &Picture| {
-            let decoded = Decoded::new(picture);
-            let colors = picture.values.iter().flat_map(|color| decoded.linear(*color));
-            colors.map(|value| value as f32).collect()
-        };
         let decoded = Decoded::new(&before[0]);
         let rounding = |value: &f32| {
             let [low, high] = decoded.interval(*value);
             // evenly spread over the interval
             Some((high - low) * (high - low) / 12.0).filter(|it| it.is_finite()).unwrap_or(0.0)
         };
+        let rounding = before[0].values.as_flattened().iter().map(rounding).collect();
         let areas = match regions {
             None => Areas::tiles(size),
             Some(regions) => regions_of(regions, before[0].size)?,
         };
         Ok(Self {
             areas,
-            before: before.iter().map(radiances).collect(),
-            after: after.iter().map(radiances).collect(),
-            rounding: before[0].values.as_flattened().iter().map(rounding).collect(),
+            before: before.into_iter().map(radiances).collect(),
+            after: after.into_iter().map(radiances).collect(),
+            rounding,
         })
     }
 
@@ -123,16 +122,15 @@ impl Sets {
         before.iter().zip(after).map(|(a, b)| (n * a + m * b) / (n + m)).collect()
     }
 
-    /// Values that are no numbers in some picture become 0 in all; their number in each picture.
-    fn without_not_finite(mut self) -> (Self, Vec<usize>) {
+    /// Values that are no numbers in some picture become 0 in all; whether all do.
+    fn without_not_finite(mut self) -> (Self, bool) {
         let is_finite = |index: usize| self.all().all(|picture| picture[index].is_finite());
         let bad: Vec<usize> = (0..self.rounding.len()).filter(|index| !is_finite(*index)).collect();
-        let count = |picture: &Vec<f32>| bad.iter().filter(|i| !picture[**i].is_finite()).count();
-        let counts = self.all().map(count).collect();
         for picture in self.before.iter_mut().chain(&mut self.after) {
             bad.iter().for_each(|index| picture[*index] = 0.0);
         }
-        (self, counts)
+        let are_all = bad.len() == self.rounding.len();
+        (self, are_all)
     }
 
     /// Whether all pictures of each set have the same values: there is no noise, or only one picture.
@@ -140,6 +138,16 @@ impl Sets {
         let is_same = |set: &[Vec<f32>]| set.iter().all(|picture| *picture == set[0]);
         is_same(&self.before) && is_same(&self.after)
     }
+}
+
+/// The radiances of a picture, in the place of its values.
+fn radiances(mut picture: Picture) -> Vec<f32> {
+    if picture.step.is_some() {
+        let decoded = Decoded::new(&picture);
+        let linear = |color: &[f32; 3]| decoded.linear(*color).map(|value| value as f32);
+        picture.values = picture.values.iter().map(linear).collect();
+    }
+    picture.values.into_flattened()
 }
 
 /// The regions of a picture with a colour for each.
@@ -177,6 +185,8 @@ fn regions_of(picture: &Picture, size: [u32; 2]) -> Result<Areas, String> {
 pub enum Method {
     /// By rounding: there is no noise.
     Rounding,
+    /// By pictures with values that are no numbers, or far out of their set: only one side has some.
+    Odd,
     /// By other divisions of the pictures.
     Divisions {
         /// Their number.
@@ -193,12 +203,12 @@ pub enum Method {
         /// Whether there are no others.
         is_all: bool,
     },
-    /// By tests of the means of large areas.
+    /// By tests of the means of areas.
     Areas {
         /// Why not by divisions.
         because: Reason,
     },
-    /// By tests of the mean differences of pairs with equal seeds, in large areas.
+    /// By tests of the mean differences of pairs with equal seeds, in areas.
     PairedAreas {
         /// The number of pairs.
         pairs: usize,
@@ -217,7 +227,7 @@ pub enum SetsDecision {
     Agree,
     /// The means differ.
     Differ,
-    /// One picture a side: no difference is seen, and its noise is only estimated.
+    /// No difference is seen, but there is one picture a side, whose noise is only estimated, or no number on both sides.
     CannotTell,
 }
 
@@ -228,10 +238,12 @@ pub struct AreaDifference {
     pub name: String,
     /// Left column, top row, columns, rows.
     pub bounds: [usize; 4],
-    /// The mean over its pixels and channels before.
+    /// The mean over its pixels before, of its channel or all.
     pub before: f64,
     /// The same after.
     pub after: f64,
+    /// Whether it is this mean that differs, and not what the name says.
+    pub is_mean: bool,
 }
 
 /// What is known of two sets of pictures.
@@ -255,8 +267,8 @@ pub struct SetsVerdict {
     pub means: Vec<AreaMeans>,
     /// The noise after, held against that before; `None` if there is one picture a side, or no noise.
     pub noise: Option<Noise>,
-    /// For each picture, before first, its values that are no numbers.
-    pub not_finite: Vec<usize>,
+    /// What stands out in each picture, before first.
+    pub odd: Vec<Odd>,
     /// What would have been seen, if nothing is.
     pub power: Option<Power>,
     /// The margin, and whether all means are within it.
@@ -269,6 +281,12 @@ pub struct SetsVerdict {
     pub z: Vec<f64>,
 }
 
+/// Of means that are less than so many times as far apart as noise puts them, chance explains the rest.
+const SEEN: f64 = 1.1;
+
+/// Pictures with shorter sides have no cause.
+const SHORTEST: usize = 3;
+
 /// At most so many areas are named.
 const LISTED: usize = 5;
 
@@ -276,39 +294,59 @@ impl SetsVerdict {
     /// Compares two sets; a false alarm has this probability. Each has one picture or more. `None` if it is interrupted.
     pub fn of(sets: Sets, level: f64, watch: Watch<'_>) -> Option<Self> {
         let pictures = sets.sizes();
-        let (sets, not_finite) = sets.without_not_finite();
+        let odd = Odd::of(&sets);
+        let (sets, is_nothing_left) = sets.without_not_finite();
         let is_exact = sets.is_fixed() && (pictures != [1, 1] || sets.before[0] == sets.after[0]);
         let pairs = Pairs::of(&sets);
         let noise = Noise::of(&sets);
-        let counts = not_finite.iter().map(|count| *count as f64).collect();
-        let evidence = SetEvidence::of(&sets, counts, (&pairs, &noise), level, watch);
-        let found = if is_exact { evidence.by_rounding() } else { evidence.found() };
-        let differs = !found.sums.is_empty();
-        let method = if is_exact { Method::Rounding } else { evidence.method.clone() };
+        let evidence = SetEvidence::of(&sets, (&pairs, &noise), level, watch);
+        let mut found = match is_exact {
+            true => Found { probability: 1.0, sums: Vec::new() },
+            false => evidence.found(),
+        };
+        let fixed = sets.fixed_apart();
+        let sum = |(pixel, channel, difference): &(usize, usize, f64)| {
+            (evidence.sums.smallest(*pixel)[*channel], *difference)
+        };
+        found.sums.extend(fixed.iter().map(sum));
+        let is_one_sided = {
+            let (before, after) = odd.split_at(pictures[0]);
+            before.iter().any(Odd::is_broken) != after.iter().any(Odd::is_broken)
+        };
+        if is_one_sided || !fixed.is_empty() {
+            found.probability = 0.0;
+        }
+        let differs = is_one_sided || !found.sums.is_empty();
+        let method = match is_exact {
+            _ if is_one_sided => Method::Odd,
+            true => Method::Rounding,
+            false => evidence.method.clone(),
+        };
         let decision = match (differs, &method) {
             (true, _) => SetsDecision::Differ,
             (false, Method::OnePicture) => SetsDecision::CannotTell,
+            (false, _) if is_nothing_left => SetsDecision::CannotTell,
             (false, _) => SetsDecision::Agree,
         };
         let shown = [&sets.before, &sets.after].map(|set| {
             let mean: Vec<f32> = sets.mean(set).into_iter().map(|value| value as f32).collect();
             Picture::of_radiance(&mean, sets.areas.size.map(|side| side as u32))
         });
-        let explained_by = differs.then(|| explained(&sets, &shown)).flatten();
+        let explained_by = (differs && !is_one_sided).then(|| explained(&sets, &shown)).flatten();
         let verdict = Self {
             decision,
             pictures,
             level,
-            areas: areas(&sets, &evidence, &found),
             explained_by,
             means: AreaMeans::of(&sets, &pairs, &evidence, level),
             noise: (!is_exact && pictures.iter().all(|count| *count > 1)).then_some(noise),
-            not_finite,
+            odd,
             power: (!differs && !is_exact).then(|| Power::of(&sets, &evidence)),
             margin: None,
             z: evidence.z_of_pixels(&sets.areas),
             shown,
             probability: found.probability,
+            areas: areas(&sets, &evidence, found),
             method,
         };
         (!watch.is_interrupted()).then_some(verdict)
@@ -320,28 +358,34 @@ impl SetsVerdict {
     }
 }
 
-/// The areas that differ, the farthest first, without those that overlap one before them.
-fn areas(sets: &Sets, evidence: &SetEvidence<'_>, found: &Found) -> Vec<AreaDifference> {
+/// The areas that differ, those of the largest difference first, without those that overlap one before them.
+fn areas(sets: &Sets, evidence: &SetEvidence<'_>, mut found: Found) -> Vec<AreaDifference> {
     let (mut taken, mut areas) = (vec![false; sets.areas.object_of.len()], Vec::new());
     let [before, after] = [&sets.before, &sets.after].map(|set| sets.mean(set));
-    for index in &found.sums {
+    found.sums.sort_by(|a, b| b.1.total_cmp(&a.1));
+    for (index, _) in found.sums {
         if areas.len() == LISTED {
             break;
         }
-        let pixels = sets.areas.pixels(evidence.sums.area(*index));
+        let pixels = sets.areas.pixels(evidence.sums.area(index));
         if pixels.iter().any(|pixel| taken[*pixel]) {
             continue;
         }
         pixels.iter().for_each(|pixel| taken[*pixel] = true);
+        let channels = match evidence.sums.place(index) {
+            (SumKind::Tiles(_), channel, _) => channel..channel + 1,
+            _ => 0..3,
+        };
         let mean = |values: &[f64]| {
-            let sum: f64 = pixels.iter().flat_map(|pixel| &values[3 * pixel..][..3]).sum();
-            sum / (3 * pixels.len()) as f64
+            let value = |pixel: &usize| values[3 * pixel..][channels.clone()].iter().sum::<f64>();
+            pixels.iter().map(value).sum::<f64>() / (channels.len() * pixels.len()) as f64
         };
         areas.push(AreaDifference {
-            name: evidence.sums.name(*index),
+            name: evidence.sums.name(index),
             bounds: bounds(&pixels, sets.areas.size[0]),
             before: mean(&before),
             after: mean(&after),
+            is_mean: evidence.sums.place(index).0 != SumKind::Patterns,
         });
     }
     areas
@@ -360,6 +404,10 @@ fn bounds(pixels: &[usize], width: usize) -> [usize; 4] {
 
 /// The simple change of the mean after that explains most of its difference from the mean before.
 fn explained(sets: &Sets, shown: &[Picture; 2]) -> Option<String> {
+    // of a row or a column, a shift by a pixel leaves nothing that could differ
+    if sets.areas.size.iter().any(|side| *side < SHORTEST) {
+        return None;
+    }
     let [before, after] = shown.each_ref().map(Decoded::new);
     // two halves of the pictures before are apart by noise alone
     let (first, second) = sets.before.split_at(sets.before.len() / 2);
@@ -376,6 +424,9 @@ fn explained(sets: &Sets, shown: &[Picture; 2]) -> Option<String> {
         let of_halves = 1.0 / first.len() as f64 + 1.0 / second.len() as f64;
         distance_of(&a, &b) * ((n + m) / of_halves).sqrt()
     };
+    if distance_of(&before, &after) < SEEN * noise {
+        return None;
+    }
     let (change, _) = changes_that_explain(&before, &after, noise).into_iter().next()?;
     Some(change.words(["before", "after"], Transfer::Linear))
 }

@@ -12,7 +12,7 @@ use groundtruth::math::{exp, ln};
 const EQUAL: f64 = 0.5;
 
 /// The noise is measured in about so many squares along the longer side.
-const SQUARES: usize = 16;
+pub const SQUARES: usize = 16;
 
 /// The noise after, held against that before.
 #[derive(Clone, Copy, Debug, Serialize)]

@@ -119,10 +119,10 @@ fn one_lamp(mean: &[f64], [width, height]: [usize; 2]) -> Vec<f64> {
         let share = |index: usize| light(lamp, index / 3) / of_all[index / 3];
         (0..mean.len()).map(|index| share(index) * mean[index]).collect()
     };
-    let mut parts: Vec<(f64, Vec<f64>)> =
-        lamps.clone().map(part).map(|part| (part.iter().sum(), part)).collect();
-    parts.sort_by(|a, b| a.0.total_cmp(&b.0));
-    parts.swap_remove(parts.len() / 2).1
+    let mut sums: Vec<(f64, [usize; 2])> =
+        lamps.clone().map(|lamp| (part(lamp).iter().sum(), lamp)).collect();
+    sums.sort_by(|a, b| a.0.total_cmp(&b.0));
+    part(sums[sums.len() / 2].1)
 }
 
 /// What a shift by half a pixel to the left, or up, adds to a picture. The picture is smoothed first: the noise of its mean

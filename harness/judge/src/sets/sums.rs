@@ -11,7 +11,7 @@ use crate::verdict::{Area, Areas, residuals::around};
 const MOST_TILES: usize = 1 << 16;
 
 /// Relative differences up to this are rounding of the renderer.
-const ROUNDING: f64 = 1e-5;
+pub const ROUNDING: f64 = 1e-5;
 
 /// What the sums of a level are over.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -22,8 +22,6 @@ pub enum SumKind {
     Regions,
     /// The whole picture, each pixel weighted by what a harmless change adds to it: see [`Pattern`].
     Patterns,
-    /// The whole picture's values that are no numbers.
-    NotFinite,
 }
 
 /// What is added to a picture by a small change of all of it.
@@ -91,7 +89,9 @@ impl Design {
 
     /// Half of the variance is of the sums themselves, half expected from the noise of pixels: see [`AreaSums::t`].
     fn student(self) -> StudentsT {
-        StudentsT::new(0.0, 1.0, 2.0 * self.freedom).expect("two pictures or more")
+        // of one difference, all is expected from pixels, of which there are many
+        let freedom = if self.freedom > 0.0 { 2.0 * self.freedom } else { f64::INFINITY };
+        StudentsT::new(0.0, 1.0, freedom).expect("it is positive")
     }
 
     /// The probability of a `t` at least as large, on either side.
@@ -126,16 +126,16 @@ pub struct AreaSums<'a> {
     pub mean: Vec<f64>,
     layout: Layout<'a>,
     /// For each picture, its sums.
-    pictures: Vec<Vec<f32>>,
+    pictures: Vec<Vec<f64>>,
     /// For each sum, its squares added up over the pictures.
     squares: Vec<f64>,
 }
 
 /// Pictures to be added up, three values a pixel.
-pub struct SummedPictures<'a> {
-    /// The values of each, less their mean over the pictures if two means are compared; and the number of its values
-    /// that are no numbers, less the same.
-    pub values: Vec<(Vec<f64>, f64)>,
+pub struct SummedPictures<'a, I> {
+    /// The values of each, less their mean over the pictures if two means are compared; one picture after the other, as
+    /// large ones need much memory.
+    pub values: I,
     /// The mean radiance.
     pub mean: &'a [f64],
     /// The variance of each value.
@@ -144,21 +144,22 @@ pub struct SummedPictures<'a> {
 
 impl<'a> AreaSums<'a> {
     /// The sums of these pictures.
-    pub fn of(pictures: &SummedPictures<'_>, areas: &'a Areas, design: Design) -> Self {
+    pub fn of<I: Iterator<Item = Vec<f64>>>(
+        pictures: SummedPictures<'_, I>,
+        areas: &'a Areas,
+        design: Design,
+    ) -> Self {
         let layout = Layout::new(areas, pictures.mean, pictures.variance);
         let squared = layout.weights.each_ref().map(|patterns| {
             patterns.each_ref().map(|pattern| pattern.iter().map(|w| w * w).collect())
         });
-        let mean = layout.sums(pictures.mean, &layout.weights, 0.0);
-        let mut expected = layout.sums(pictures.variance, &squared, 0.0);
+        let mean = layout.sums(pictures.mean, &layout.weights);
+        let mut expected = layout.sums(pictures.variance, &squared);
         for (expected, mean) in expected.iter_mut().zip(&mean) {
             *expected += design.between * ROUNDING * ROUNDING * mean * mean;
         }
-        let sums = |(values, other): &(Vec<f64>, f64)| {
-            let sums = layout.sums(values, &layout.weights, *other);
-            sums.into_iter().map(|sum| sum as f32).collect()
-        };
-        let pictures = pictures.values.iter().map(sums).collect();
+        let sums = |values: Vec<f64>| layout.sums(&values, &layout.weights);
+        let pictures = pictures.values.map(sums).collect();
         let squares = vec![0.0; mean.len()];
         let levels = layout.levels();
         Self { levels, expected, mean, layout, pictures, squares }.with_squares()
@@ -168,7 +169,7 @@ impl<'a> AreaSums<'a> {
         self.squares.fill(0.0);
         for picture in &self.pictures {
             let squares = self.squares.iter_mut().zip(picture);
-            squares.for_each(|(sum, x)| *sum += f64::from(*x) * f64::from(*x));
+            squares.for_each(|(sum, x)| *sum += x * x);
         }
         self
     }
@@ -176,9 +177,9 @@ impl<'a> AreaSums<'a> {
     /// The same pictures, to each of which a picture is added so many times.
     #[must_use]
     pub fn with_added(&self, added: &[f64], times: &[f64]) -> Self {
-        let added = self.layout.sums(added, &self.layout.weights, 0.0);
+        let added = self.layout.sums(added, &self.layout.weights);
         let pictures = self.pictures.iter().zip(times).map(|(sums, times)| {
-            sums.iter().zip(&added).map(|(sum, added)| sum + (times * added) as f32).collect()
+            sums.iter().zip(&added).map(|(sum, added)| sum + times * added).collect()
         });
         Self {
             levels: self.levels.clone(),
@@ -192,10 +193,9 @@ impl<'a> AreaSums<'a> {
     }
 
     /// For each sum, the difference that these weights of the pictures make.
-    pub fn differences(&self, weights: &[f64]) -> Vec<f32> {
-        let mut differences = vec![0.0_f32; self.squares.len()];
+    pub fn differences(&self, weights: &[f64]) -> Vec<f64> {
+        let mut differences = vec![0.0; self.squares.len()];
         for (picture, weight) in self.pictures.iter().zip(weights) {
-            let weight = *weight as f32;
             differences.iter_mut().zip(picture).for_each(|(sum, x)| *sum += weight * x);
         }
         differences
@@ -216,14 +216,16 @@ impl<'a> AreaSums<'a> {
             0.0 => self.expected[index],
             freedom => 0.5 * (left / freedom + self.expected[index]),
         };
-        difference.signum() * (square / variance).sqrt()
+        let t = difference.signum() * (square / variance).sqrt();
+        // of values near the ends of single precision, squares of weighted sums may be infinite
+        if t.is_nan() { 0.0 } else { t }
     }
 
     /// The largest |t| of each level.
     pub fn largest(&self, weights: &[f64], design: Design) -> Vec<f64> {
         let differences = self.differences(weights);
         let largest = |(_, range): &(SumKind, Range<usize>)| {
-            let t = range.clone().map(|i| self.t(i, f64::from(differences[i]), design).abs());
+            let t = range.clone().map(|i| self.t(i, differences[i], design).abs());
             t.fold(0.0, f64::max)
         };
         self.levels.iter().map(largest).collect()
@@ -231,11 +233,11 @@ impl<'a> AreaSums<'a> {
 
     /// The sum at this place in each picture.
     pub fn in_pictures(&self, index: usize) -> Vec<f64> {
-        self.pictures.iter().map(|picture| f64::from(picture[index])).collect()
+        self.pictures.iter().map(|picture| picture[index]).collect()
     }
 
     /// What a sum is of: its level, channel, and the number of its area or pattern in the level.
-    fn place(&self, index: usize) -> (SumKind, usize, usize) {
+    pub fn place(&self, index: usize) -> (SumKind, usize, usize) {
         let holds = |level: &&(SumKind, Range<usize>)| level.1.contains(&index);
         let (level, range) = self.levels.iter().find(holds).expect("a place of a sum");
         let (within, each) = (index - range.start, range.len().div_ceil(3));
@@ -247,11 +249,6 @@ impl<'a> AreaSums<'a> {
         let of_level = self.levels.iter().find(|(other, _)| *other == level);
         let range = &of_level.expect("a level that is there").1;
         [0, 1, 2].map(|channel| range.start + channel * range.len() / 3 + number)
-    }
-
-    /// The difference of this sum that is rounding.
-    pub fn rounding(&self, index: usize) -> f64 {
-        ROUNDING * self.mean[index].abs()
     }
 
     /// What a sum is of, in words.
@@ -279,8 +276,29 @@ impl<'a> AreaSums<'a> {
                     }
                 }
             }
-            _ => "the number of values that are no numbers".to_owned(),
+            (SumKind::Tiles(_), Area::Object(_) | Area::Structure(_)) => unreachable!("a tile"),
         }
+    }
+
+    /// How much the mean difference of the pixels of a sum is beyond this part of it, which noise may be: the largest difference
+    /// itself is mostly that of a small area to which noise has added. Of a pattern, which is no light, nothing.
+    pub fn beyond(&self, index: usize, difference: f64, noise: f64) -> f64 {
+        let areas = self.layout.areas;
+        let pixels = match (self.place(index).0, self.area(index)) {
+            (SumKind::Patterns, _) => return 0.0,
+            (_, Area::Tile { corner, side }) => {
+                [0, 1].map(|i| side.min(areas.size[i] - corner[i])).iter().product()
+            }
+            (_, Area::Object(object) | Area::Structure(object)) => areas.objects[object].1 as usize,
+        };
+        difference.abs() * (1.0 - noise) / pixels as f64
+    }
+
+    /// The sums of the three channels of the smallest tile with this pixel.
+    pub fn smallest(&self, pixel: usize) -> [usize; 3] {
+        let (areas, first) = (self.layout.areas, self.layout.first);
+        let [x, y] = [pixel % areas.size[0], pixel / areas.size[0]].map(|at| at >> first);
+        self.places(SumKind::Tiles(first), y * areas.grid(first)[0] + x)
     }
 
     /// The area of a sum.
@@ -288,14 +306,9 @@ impl<'a> AreaSums<'a> {
         match self.place(index) {
             (SumKind::Tiles(level), _, tile) => self.layout.areas.tile(level, tile),
             (SumKind::Regions, _, region) => Area::Object(region),
-            (SumKind::Patterns | SumKind::NotFinite, ..) => whole(self.layout.areas),
+            (SumKind::Patterns, ..) => self.layout.areas.tile(self.layout.areas.levels() - 1, 0),
         }
     }
-}
-
-/// The whole picture.
-pub fn whole(areas: &Areas) -> Area {
-    areas.tile(areas.levels() - 1, 0)
 }
 
 /// The values of each channel.
@@ -328,8 +341,7 @@ impl<'a> Layout<'a> {
             (SumKind::Tiles(level), 3 * self.areas.grid(level).iter().product::<usize>())
         });
         let regions = (SumKind::Regions, 3 * self.areas.objects.len());
-        let others =
-            [regions, (SumKind::Patterns, 3 * Pattern::ALL.len()), (SumKind::NotFinite, 1)];
+        let others = [regions, (SumKind::Patterns, 3 * Pattern::ALL.len())];
         let mut start = 0;
         let place = |(level, count)| {
             start += count;
@@ -339,7 +351,7 @@ impl<'a> Layout<'a> {
     }
 
     /// The sums of a picture; those of patterns have these weights.
-    fn sums(&self, values: &[f64], weights: &Weights, other: f64) -> Vec<f64> {
+    fn sums(&self, values: &[f64], weights: &Weights) -> Vec<f64> {
         let mut tiles = channels(values);
         let regions = tiles.each_ref().map(|channel| self.areas.by_object(channel));
         let product = |channel: &[f64], weights: &[f64]| -> f64 {
@@ -361,7 +373,6 @@ impl<'a> Layout<'a> {
         }
         regions.iter().for_each(|channel| sums.extend(channel));
         sums.extend(patterns);
-        sums.push(other);
         sums
     }
 }

@@ -6,10 +6,13 @@ use std::fmt;
 use groundtruth::explain::count;
 
 use super::evidence::Reason;
-use super::{AreaDifference, AreaMeans, Method, SetsDecision, SetsVerdict};
+use super::{AreaDifference, AreaMeans, Method, Odd, SetsDecision, SetsVerdict};
 use pictures::compare::article;
 use pictures::digits::short;
 use pictures::percent;
+
+/// From so many times on, both values say more than their ratio.
+const MANY: f64 = 100.0;
 
 impl SetsVerdict {
     /// The verdict in one sentence.
@@ -24,9 +27,17 @@ impl SetsVerdict {
                     "agree: the means of {before} before and {after} after do not differ by more than noise"
                 )
             }
+            (SetsDecision::CannotTell, Method::Rounding) => {
+                "cannot tell: each value is no number in some picture".to_owned()
+            }
             (SetsDecision::CannotTell, _) => {
                 "cannot tell: the difference may be noise, which one picture a side hardly shows"
                     .to_owned()
+            }
+            (SetsDecision::Differ, Method::Odd) => {
+                let first = self.odd.iter().position(Odd::is_broken).unwrap_or_default();
+                let side = if first < before { "after" } else { "before" };
+                format!("differ: {}; no picture {side} is so", self.odd_in_words(first))
             }
             (SetsDecision::Differ, _) => match (&self.explained_by, self.areas.first()) {
                 (Some(change), _) => format!("differ: {change}"),
@@ -48,6 +59,7 @@ impl SetsVerdict {
         let [before, after] = self.pictures;
         match &self.method {
             Method::Rounding => "there is no noise: each value counts".to_owned(),
+            Method::Odd => "such pictures are on one side only: no test is needed".to_owned(),
             Method::Divisions { count, is_all } => format!(
                 "{count} ways to divide {} pictures into {before} and {after} ({}), p = {:.3}",
                 before + after,
@@ -61,13 +73,13 @@ impl SetsVerdict {
                 self.probability
             ),
             Method::Areas { because } => format!(
-                "{}; so a t-test of each large area, p = {:.3} after Holm's correction",
+                "{}; so a t-test of each area, p = {:.3} after correction for their number",
                 few(because),
                 self.probability
             ),
             Method::PairedAreas { pairs, because } => format!(
-                "{pairs} pairs have equal seeds, so most noise is gone; {}; so a t-test of each large area, p = {:.3} after \
-                 Holm",
+                "{pairs} pairs have equal seeds, so most noise is gone; {}; so a t-test of each area, p = {:.3} after \
+                 correction for their number",
                 few(because),
                 self.probability
             ),
@@ -100,17 +112,32 @@ impl SetsVerdict {
         )
     }
 
-    fn about_pictures(&self, f: &mut dyn fmt::Write) -> fmt::Result {
+    /// What stands out in a picture: `picture 3 after: 3 values no number, left out everywhere`.
+    fn odd_in_words(&self, index: usize) -> String {
         let [before, _] = self.pictures;
-        for (index, values) in self.not_finite.iter().enumerate().filter(|(_, values)| **values > 0)
-        {
-            let (set, number) = match index < before {
-                true => ("before", index + 1),
-                false => ("after", index + 1 - before),
-            };
-            let values = count(*values, "value");
-            writeln!(f, "picture {number} {set}: {values} no number; left out everywhere")?;
-        }
+        let (set, number) = match index < before {
+            true => ("before", index + 1),
+            false => ("after", index + 1 - before),
+        };
+        let Odd { not_finite, negative, is_far } = self.odd[index];
+        let values = |values, what| format!("{} {what}", count(values, "value"));
+        let parts = [
+            (not_finite > 0).then(|| values(not_finite, "no number, left out everywhere")),
+            is_far.then(|| "far from the others of its set".to_owned()),
+            (negative > 0).then(|| values(negative, "negative")),
+        ];
+        let parts = parts.into_iter().flatten().collect::<Vec<_>>().join("; ");
+        format!("picture {number} {set}: {parts}")
+    }
+
+    fn about_pictures(&self, f: &mut dyn fmt::Write) -> fmt::Result {
+        let is_odd = |index: &usize| self.odd[*index] != Odd::default();
+        (0..self.odd.len())
+            .filter(is_odd)
+            .try_for_each(|index| writeln!(f, "{}", self.odd_in_words(index)))
+    }
+
+    fn about_noise(&self, f: &mut dyn fmt::Write) -> fmt::Result {
         if let Some(noise) = &self.noise {
             let [low, high] = noise.interval;
             let is_changed = if low > 1.0 || high < 1.0 { "; it has changed" } else { "" };
@@ -146,8 +173,9 @@ impl SetsVerdict {
     }
 
     fn write_details(&self, f: &mut dyn fmt::Write) -> fmt::Result {
+        self.about_pictures(f)?;
         self.margin(f)?;
-        let further = usize::from(self.explained_by.is_none());
+        let further = usize::from(self.explained_by.is_none() && self.method != Method::Odd);
         for area in self.areas.iter().skip(further) {
             writeln!(f, "  {}", in_words(area))?;
         }
@@ -159,23 +187,25 @@ impl SetsVerdict {
                 writeln!(f, "{}: {}", means.name, means_in_words(means))?;
             }
         }
-        self.about_pictures(f)
+        self.about_noise(f)
     }
 }
 
-fn in_words(AreaDifference { name, before, after, .. }: &AreaDifference) -> String {
-    let relative = (after - before) / before;
+fn in_words(AreaDifference { name, before, after, is_mean, .. }: &AreaDifference) -> String {
+    let name = article(name);
+    if !is_mean {
+        return format!("{name} has changed");
+    }
+    let relative = (after - before).abs() / before;
     let direction = if after < before { "darker" } else { "brighter" };
-    let by = match relative.is_finite() {
-        true => format!("by {} on average", percent::of_pixels(relative.abs())),
-        false => "it was black".to_owned(),
+    let by = match relative {
+        usual if (0.0..MANY).contains(&usual) => {
+            format!(", by {} on average", percent::of_pixels(relative))
+        }
+        _ if *before == 0.0 => ", it was black".to_owned(),
+        _ => String::new(),
     };
-    format!(
-        "{} is {direction} after, {by} (from {} to {})",
-        article(name),
-        short(*before),
-        short(*after)
-    )
+    format!("{name} is {direction} after{by} (from {} to {})", short(*before), short(*after))
 }
 
 /// The means of an area, and their difference.

@@ -6,6 +6,9 @@ use groundtruth::math::Span;
 use groundtruth::render;
 use groundtruth::world::World;
 
+/// What a pixel shows whose ray hits nothing.
+pub(super) const BACKGROUND: &str = "the background";
+
 /// The areas of the pictures of one scene.
 #[derive(Clone, Debug)]
 pub struct Areas {
@@ -127,5 +130,5 @@ fn shown(world: &World, pixel: [u32; 2]) -> Arc<str> {
     let hit = eye
         .ray(film, [0.0; 2])
         .and_then(|ray| Some(world.hit(&ray, Span::AHEAD)?.object.name.clone()));
-    hit.unwrap_or_else(|| "the background".into())
+    hit.unwrap_or_else(|| BACKGROUND.into())
 }

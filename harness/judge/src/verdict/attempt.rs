@@ -1,7 +1,10 @@
 //! A picture held against ours, its values stored in each way that is possible; and what is tried when it differs.
 
+use std::path::Path;
+
 use groundtruth::film::{Film, OutOfGamut};
 use groundtruth::samplers;
+use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
 use super::hopeless::{is_hopeless, steps};
@@ -14,6 +17,7 @@ use super::{
     Reference, Replicas, Stored, Strictness, exclude, is_alike, is_nearer, noise, planted,
     plausible,
 };
+use crate::mistakes::IsOver;
 use pictures::compare::{
     Change, Decoded, Picture, Transfer, changes_that_explain, distance_of, half_pixel_directions,
     half_pixel_words,
@@ -24,6 +28,12 @@ const PLANTED: [f64; 2] = [1.02, 1.05];
 
 /// Objects in which a defect is planted have at least so many pixels.
 const SEEN: u32 = 100;
+
+/// So few of ours refute a way to store values.
+const FEW: usize = 4;
+
+/// So many harmless changes are judged.
+const TRIED: usize = 4;
 
 /// A plant makes the picture at least this many times as bright.
 const LEAST_GAIN: f64 = 1.0001;
@@ -50,6 +60,11 @@ pub(super) struct Judge<'a> {
     pub so_far: &'a dyn Fn(Progress<'_>),
     pub reference: Option<&'a Reference>,
     pub tolerance: RayTolerance,
+    pub scene: &'a Scene,
+    pub folder: &'a Path,
+    pub seed: u64,
+    /// Whether the search for causes is to end.
+    pub is_over: IsOver<'a>,
 }
 
 impl Judge<'_> {
@@ -110,7 +125,15 @@ impl Judge<'_> {
             return None;
         }
         let candidates = Stored::candidates(theirs, self.transfer, self.tone);
-        let ways = plausible(&candidates, theirs, &replicas.films);
+        let mut ways = plausible(&candidates, theirs, &replicas.films);
+        let films = &replicas.films[..replicas.films.len().min(FEW)];
+        let is_hopeless = |way: &Stored| {
+            (self.is_over)() || self.is_hopeless_as(*way, theirs, replicas.world, films)
+        };
+        let hopeless: Vec<bool> = ways.iter().skip(1).map(is_hopeless).collect();
+        let mut next = hopeless.into_iter();
+        let first = ways[0];
+        ways.retain(|way| *way == first || next.next() == Some(false));
         let is_last = |way: usize| way + 1 == ways.len();
         let attempts = ways
             .iter()
@@ -120,7 +143,7 @@ impl Judge<'_> {
     }
 
     /// The picture judged, stored in one way; `keeps` our films for the next.
-    fn judged_as(
+    pub fn judged_as(
         &self,
         theirs: &Picture,
         stored: Stored,
@@ -152,39 +175,91 @@ impl Judge<'_> {
         Some(Attempt { judged, verdict, known })
     }
 
-    /// The most harmless change that explains the difference, and whether the picture agrees after it.
+    /// The most harmless change with which the picture agrees, read in one of these ways; and the way.
     pub fn explained(
         &self,
         theirs: &Picture,
         replicas: &mut Replicas<'_, '_>,
-        known: &[Vec<f32>],
-        stored: Stored,
-    ) -> Option<Explanation> {
-        let mean: Vec<f32> = mean_of(known).into_iter().map(|value| value as f32).collect();
-        let [mean, alike] =
-            [&mean, &known[0]].map(|values| Picture::of_radiance(values, theirs.size));
-        let [ours, alike_decoded] = [&mean, &alike].map(Decoded::new);
-        let noise = distance_of(&ours, &alike_decoded);
-        let as_theirs = Picture { transfer: transfer_of(stored, theirs), ..theirs.clone() };
-        let theirs_decoded = Decoded::read_by(&as_theirs, |value| f64::from(stored.read(value)));
-        let names = ["ours", "theirs"];
-        let found = changes_that_explain(&ours, &theirs_decoded, noise).into_iter().next();
-        if let Some((change, _)) = found {
-            let what = change.words(names, as_theirs.transfer);
-            let changed = change.applied(&as_theirs);
-            let agrees = self.agrees(&changed, replicas) == Some(true);
-            // a factor that is not the whole difference says little
-            let is_gain = matches!(change, Change::Scaled(_));
-            if agrees || !is_gain {
-                return Some(Explanation { what, agrees, is_gain });
+        ways: &[Stored],
+    ) -> Option<(Explanation, Stored)> {
+        let of = |way: &Stored| self.harmless(theirs, &replicas.films, *way);
+        let mut changes: Vec<(f64, Change, Stored)> = ways.iter().flat_map(of).collect();
+        // read in another way, a known factor is nearly some other one
+        let rank = |(left, change, _): &(f64, Change, Stored)| {
+            if change.is_known_factor() { 0.1 * left } else { *left }
+        };
+        changes.sort_by(|a, b| rank(a).total_cmp(&rank(b)));
+        for (_, change, way) in changes.into_iter().take(TRIED) {
+            if (self.is_over)() {
+                return None;
+            }
+            let as_theirs = read_so(theirs, way);
+            let judge = Self { transfer: way.transfer().or(self.transfer), ..*self };
+            let agrees = match change {
+                Change::Scaled(factor) => judge.agrees_scaled(theirs, replicas, factor),
+                _ => judge.agrees(&change.applied(&as_theirs), replicas),
+            };
+            if agrees == Some(true) {
+                let what = change.words(["ours", "theirs"], as_theirs.transfer);
+                // of a factor it is not known where it comes from
+                let is_gain = matches!(change, Change::Scaled(_));
+                return Some((Explanation { what, agrees: true, is_gain }, way));
             }
         }
-        let direction = half_pixel_directions(replicas.world, &as_theirs, Some(&alike)).first()?.0;
+        let alike = Picture::of_radiance(&ways[0].values(replicas.films.first()?), theirs.size);
+        let half = |way: &Stored| {
+            if (self.is_over)() {
+                return None;
+            }
+            let as_theirs = read_so(theirs, *way);
+            let found = half_pixel_directions(replicas.world, &as_theirs, Some(&alike));
+            found.first().map(|(direction, left)| (*left, *direction, *way))
+        };
+        let all: Vec<(f64, [i32; 2], Stored)> = ways.iter().filter_map(half).collect();
+        let (_, direction, way) = all.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
+        let films = std::mem::take(&mut replicas.films);
         replicas.direction = direction;
-        replicas.films.clear();
-        let agrees = self.agrees(&as_theirs, replicas)?;
+        let judge = Self { transfer: way.transfer().or(self.transfer), ..*self };
+        let agrees = judge.agrees(theirs, replicas);
+        (replicas.direction, replicas.films) = ([0, 0], films);
         let what = half_pixel_words(direction, "theirs");
-        Some(Explanation { what, agrees, is_gain: false })
+        Some((Explanation { what, agrees: agrees?, is_gain: false }, way))
+    }
+
+    /// Whether the picture agrees with ours divided by a factor: theirs times the factor would be coarser than it is.
+    fn agrees_scaled(
+        &self,
+        theirs: &Picture,
+        replicas: &mut Replicas<'_, '_>,
+        factor: f64,
+    ) -> Option<bool> {
+        let (films, time) =
+            (std::mem::take(&mut replicas.films), replicas.world.view.exposure_time);
+        replicas.world.view.exposure_time = time / factor;
+        let agrees = self.agrees(theirs, replicas);
+        (replicas.films, replicas.world.view.exposure_time) = (films, time);
+        agrees
+    }
+
+    /// The harmless changes that leave little of the difference of a picture read in one way, with the part that each
+    /// leaves.
+    fn harmless(
+        &self,
+        theirs: &Picture,
+        films: &[Film],
+        way: Stored,
+    ) -> Vec<(f64, Change, Stored)> {
+        let known: Vec<Vec<f32>> = films.iter().map(|film| way.values(film)).collect();
+        let mean: Vec<f32> = mean_of(&known).into_iter().map(|value| value as f32).collect();
+        let [mean, alike] =
+            [&mean, &known[0]].map(|values| Picture::of_radiance(values, theirs.size));
+        let [ours, alike] = [&mean, &alike].map(Decoded::new);
+        let as_theirs = read_so(theirs, way);
+        let decoded = Decoded::read_by(&as_theirs, |value| f64::from(way.read(value)));
+        let found = changes_that_explain(&ours, &decoded, distance_of(&ours, &alike)).into_iter();
+        // other ways to read it are tried by themselves
+        let found = found.filter(|(change, _)| !matches!(change, Change::Decoded(_)));
+        found.map(|(change, left)| (left, change, way)).collect()
     }
 
     /// The samples that are alike in all pixels with which ours are nearest to the picture, if it agrees with these.
@@ -208,7 +283,7 @@ impl Judge<'_> {
             if candidate.is_that_of(replicas) {
                 continue;
             }
-            let Some(film) = candidate.film(replicas) else { break };
+            let Some(film) = candidate.film(replicas).filter(|_| !(self.is_over)()) else { break };
             let distance = apart(&film);
             if distance < nearest.as_ref().map_or(farthest, |nearest| nearest.0) {
                 nearest = Some((distance, candidate, film));
@@ -228,7 +303,7 @@ impl Judge<'_> {
 
     /// Whether the picture agrees with these replicas, of which few are rendered if these refute it; `None` if the user
     /// interrupts.
-    fn agrees(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> Option<bool> {
+    pub fn agrees(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> Option<bool> {
         for count in steps(self.strictness) {
             replicas.fill(count);
             if self.is_hopeless(theirs, replicas.world, replicas.films.get(..count)?) {
@@ -245,11 +320,15 @@ impl Judge<'_> {
     /// Whether the picture is too far out to agree with more replicas, however its values are stored.
     fn is_hopeless(&self, theirs: &Picture, world: &World, films: &[Film]) -> bool {
         let candidates = Stored::candidates(theirs, self.transfer, self.tone);
-        plausible(&candidates, theirs, films).into_iter().all(|stored| {
-            let known: Vec<Vec<f32>> = films.iter().map(|film| stored.values(film)).collect();
-            let subject = PoolContext { areas: self.areas, stored, reference: None };
-            is_hopeless(&read(theirs, stored), world, subject, &known, self.tolerance)
-        })
+        let ways = plausible(&candidates, theirs, films);
+        ways.into_iter().all(|way| self.is_hopeless_as(way, theirs, world, films))
+    }
+
+    /// The same, if its values are stored in one way.
+    fn is_hopeless_as(&self, way: Stored, theirs: &Picture, world: &World, films: &[Film]) -> bool {
+        let known: Vec<Vec<f32>> = films.iter().map(|film| way.values(film)).collect();
+        let subject = PoolContext { areas: self.areas, stored: way, reference: None };
+        is_hopeless(&read(theirs, way), world, subject, &known, self.tolerance)
     }
 
     /// Whether defects in our first replica are found.
@@ -320,9 +399,7 @@ pub(super) fn read(picture: &Picture, stored: Stored) -> Vec<f32> {
     picture.values.as_flattened().iter().map(|value| stored.read(*value)).collect()
 }
 
-fn transfer_of(stored: Stored, theirs: &Picture) -> Transfer {
-    match stored {
-        Stored::Integers { transfer, .. } => transfer,
-        _ => theirs.transfer,
-    }
+/// The picture, encoded as it is if its values are stored in this way.
+fn read_so(theirs: &Picture, way: Stored) -> Picture {
+    Picture { transfer: way.transfer().unwrap_or(theirs.transfer), ..theirs.clone() }
 }

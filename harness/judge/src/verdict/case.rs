@@ -7,12 +7,13 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
 use super::attempt::{Attempt, Judge, better, read};
-use super::verdict::{DifferingRegion, Explanation, REGIONS, Verdict};
+use super::lossy;
+use super::verdict::{DifferingRegion, REGIONS, Verdict};
 use super::{
-    Areas, Decision, Evaluation, Evidence, Factors, Map, Progress, RayTolerance, Reference,
-    Renders, Replicas, Stored, Strictness, Suspects, factors, plausible, several, smallest_gains,
-    terms,
+    Areas, Decision, Evaluation, Map, Progress, RayTolerance, Reference, Renders, Replicas, Stored,
+    Strictness, plausible, several, smallest_gains,
 };
+use crate::mistakes::IsOver;
 use pictures::compare::{Picture, Transfer};
 
 /// A scene, and how strictly its pictures are judged.
@@ -23,8 +24,8 @@ pub struct Case<'a> {
     pub scene: &'a Scene,
     /// Where the files are that it names.
     pub folder: &'a Path,
-    /// Whether the user interrupted.
-    pub is_interrupted: &'a dyn Fn() -> bool,
+    /// Whether the search for causes is to end: the user interrupted, or it has taken long enough.
+    pub is_over: IsOver<'a>,
     /// Is told what is known so far.
     pub so_far: &'a dyn Fn(Progress<'_>),
     /// How strictly.
@@ -41,9 +42,6 @@ pub struct Case<'a> {
     pub tolerance: RayTolerance,
 }
 
-/// Terms are the mean of so many replicas.
-const TERM_REPLICAS: u64 = 4;
-
 impl Case<'_> {
     /// What is to be said of a picture; `None` if the user interrupted before anything could be.
     pub fn verdict(&mut self, theirs: &Picture, renders: Renders<'_>) -> Option<Verdict> {
@@ -53,45 +51,47 @@ impl Case<'_> {
         let mut replicas = Replicas::new(self.world, seed, renders);
         replicas.fill(strictness.first);
         let (so_far, reference, tolerance) = (self.so_far, self.reference, self.tolerance);
-        let judge =
-            Judge { areas: &areas, strictness, transfer, tone, so_far, reference, tolerance };
+        let Self { scene, folder, is_over, .. } = *self;
+        let judge = Judge {
+            areas: &areas,
+            strictness,
+            transfer,
+            tone,
+            so_far,
+            reference,
+            tolerance,
+            scene,
+            folder,
+            seed,
+            is_over,
+        };
         let independent = judge
             .preliminary(theirs, &replicas)
             .is_some_and(|noise| judge.match_noise(theirs, &mut replicas, noise));
-        let Attempt { judged, mut verdict, known } = judge.judged(theirs, &mut replicas)?;
-        let stored = judged.pool.stored;
-        if let Some(equal) = equal_to(&replicas.films, theirs, stored) {
+        let Attempt { mut judged, mut verdict, known } = judge.judged(theirs, &mut replicas)?;
+        if let Some(equal) = equal_to(&replicas.films, theirs, judged.pool.stored) {
             return Some(verdict.equal(seed + equal as u64));
         }
-        verdict.independent = independent;
+        let is_loss = |loss: f64| lossy::agrees(theirs, loss, judged.pool.stored, &replicas.films);
         match verdict.decision {
+            Decision::Differs if theirs.loss.is_some_and(is_loss) => {
+                (verdict.decision, verdict.loss) = (Decision::Agrees, theirs.loss);
+            }
             Decision::Differs => {
+                so_far(Progress::Explaining);
+                let reason = judge.reason(theirs, &mut replicas, &judged);
+                let stored = judged.pool.stored;
+                if let Some(way) = reason.way.filter(|way| *way != stored)
+                    && let Some(attempt) = judge.judged_as(theirs, way, &mut replicas, true)
+                    && attempt.verdict.decision == Decision::Differs
+                {
+                    (judged, verdict) = (attempt.judged, attempt.verdict);
+                }
                 if verdict.decided_by.is_none() {
                     let shown = verdict.shown.theirs.values.as_flattened();
                     verdict.regions = regions(&judged, &areas, shown);
                 }
-                so_far(Progress::Explaining);
-                verdict.explained = judge
-                    .alike_in_all_pixels(theirs, &mut replicas, stored)
-                    .or_else(|| judge.explained(theirs, &mut replicas, &known, stored));
-                let is_harmless = |it: &Explanation| it.agrees && !it.is_gain;
-                if !verdict.explained.as_ref().is_some_and(is_harmless) {
-                    let evidence = Evidence::of(&judged, &areas, &read(theirs, stored));
-                    let mut scene = self.scene.clone();
-                    scene.image.sampler = replicas.world.image.sampler.clone();
-                    let (folder, is_interrupted) = (self.folder, self.is_interrupted);
-                    let world = &*replicas.world;
-                    let suspects = Suspects { scene: &scene, world, folder, seed, is_interrupted };
-                    verdict.causes = suspects.causes(&evidence, strictness);
-                    verdict.simplify();
-                    if verdict.wants_factors() {
-                        so_far(Progress::Dividing);
-                        let terms = terms(replicas.world, seed..seed + TERM_REPLICAS);
-                        let nearest = verdict.causes.nearest.as_ref().map_or(0.0, |it| it.share);
-                        let explain_more = |it: &Factors| it.share > nearest;
-                        verdict.factors = factors(&terms, &evidence).filter(explain_more);
-                    }
-                }
+                verdict.explain(reason);
             }
             Decision::Agrees if !judged.is_fixed => {
                 verdict.plants = judge.planted_defects(&mut replicas, &known, &judged);
@@ -99,6 +99,7 @@ impl Case<'_> {
             }
             _ => {}
         }
+        verdict.independent = independent;
         Some(verdict)
     }
 }

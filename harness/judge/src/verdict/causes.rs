@@ -1,18 +1,30 @@
 //! Why a picture differs: which known mistake brings it to ours, or nearest to ours.
 //!
-//! Each mistake is first rendered twice, with few samples and the random numbers of ours, so that the change it makes
-//! has little noise. The mistakes whose changes come nearest to the picture are then rendered as often as our own
+//! Each mistake is first rendered twice in a part of the picture, with few samples and the random numbers of ours, so that
+//! the change it makes has little noise. If nothing says how the picture encodes radiance, its values are read in each
+//! usual way, and in each way with its rows, columns and channels in other orders: read as it fits a wrong picture best,
+//! a mistake is hidden. The mistakes whose changes come nearest to the picture are then rendered as often as our own
 //! pictures, and the picture is judged against these.
 
+use groundtruth::film::Film;
+use groundtruth::rgb::Rgb;
+use groundtruth::scene::Scene;
+use pictures::compare::{Change, Picture, Transfer};
 use rayon::prelude::*;
 use serde::Serialize;
 
+use super::Evaluation;
+use super::areas::Areas;
+use super::attempt::{Judge, read};
 use super::evidence::Evidence;
-use super::hopeless::{is_hopeless, steps};
+use super::numbers::Searched;
 use super::place::Place;
-use super::share::Share;
-use super::suspects::{Suspect, Suspects};
-use super::{Decision, Evaluation, PoolContext, RayTolerance, Strictness, exclude};
+use super::pool::Pool;
+use super::replicas::Replicas;
+use super::share::{Share, remainder};
+use super::stored::Stored;
+use super::suspects::{Lineup, Suspect, Suspects};
+use crate::mistakes::local::Local;
 
 /// A mistake that explains a picture.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -23,6 +35,8 @@ pub struct Cause {
     pub words: String,
     /// The chapter that has the right rule; `None` for changes in one place.
     pub chapter: Option<u32>,
+    /// What is also different about the picture: its orientation, or the order of its channels.
+    pub also: Option<String>,
 }
 
 /// The mistake that comes nearest to a picture.
@@ -47,13 +61,24 @@ pub struct Causes {
     pub place: Option<Place>,
     /// The number of mistakes that change the picture and were tried.
     pub tried: usize,
+    /// What would explain it if its values encoded radiance in another way, which is named, and nothing says in which they
+    /// do.
+    pub otherwise: Vec<(String, Cause)>,
+    /// Whether the search ended before everything was tried.
+    pub is_unfinished: bool,
 }
 
 /// So many of the nearest mistakes are judged.
-const JUDGED: usize = 4;
+const JUDGED: usize = 5;
 
 /// A mistake is worth judging if its change leaves at most this part of the squared difference.
 const LEFT: f64 = 0.5;
+
+/// What would explain a picture that is read in another way must leave at most this part.
+const LITTLE: f64 = 0.05;
+
+/// A number of the scene that explains this part of the difference is named.
+const FITTED: f64 = 0.99;
 
 /// Changes of two mistakes are alike if they differ by at most this part of either, squared.
 const ALIKE: f64 = 0.02;
@@ -61,119 +86,310 @@ const ALIKE: f64 = 0.02;
 /// Changes that are so alike have the same judgement.
 const EQUAL: f64 = 1e-6;
 
-/// The change that a mistake makes, over tiles.
-struct SuspectFit {
-    suspect: Suspect,
-    tiles: Vec<f64>,
-    /// How much of the difference it explains.
-    share: Share,
+/// Mistakes are tried in about so many tiles.
+const TILES: usize = 128;
+
+/// Numbers are looked for in so many ways to read the picture.
+const WAYS_WITH_NUMBERS: usize = 2;
+
+/// A change of orientation is named beside a mistake only if it leaves this much less.
+const SIMPLER: f64 = 0.5;
+
+/// A picture that differs.
+pub(super) struct Inquiry<'a, 'b, 'c> {
+    pub judge: Judge<'a>,
+    pub theirs: &'a Picture,
+    pub replicas: &'a mut Replicas<'b, 'c>,
+    pub suspects: Suspects<'a>,
+    /// How it was judged.
+    pub judged: &'a Evaluation,
 }
 
-impl Suspects<'_> {
-    /// The mistakes that explain a picture.
-    pub fn causes(&self, evidence: &Evidence<'_>, strictness: Strictness) -> Causes {
-        let place = Place::of(evidence, self.scene);
-        let weights = evidence.weights();
-        let changes = self.ranked(evidence, place.as_ref(), &weights);
-        let tried = changes.len();
-        let mut causes = Causes { place, tried, ..Causes::default() };
-        let is_near = |change: &&SuspectFit| change.share.interval[1] >= 1.0 - LEFT;
-        let mut judged: Vec<&SuspectFit> = Vec::new();
-        for change in changes.iter().filter(is_near) {
-            if judged.len() == JUDGED || (self.is_interrupted)() {
-                break;
+/// The picture read in one way.
+struct Reading<'a> {
+    evidence: Evidence<'a>,
+    /// For each pixel, its index in the lineup.
+    index: Vec<usize>,
+    weights: Vec<f64>,
+    noise: Vec<f64>,
+    /// What is left without any change.
+    before: f64,
+    /// The changes that the suspects make, of each seed, over tiles.
+    changes: Vec<Vec<Vec<f64>>>,
+}
+
+/// A suspect, and how the picture is read if it is his.
+#[derive(Clone, Copy)]
+struct Hypothesis {
+    reading: usize,
+    change: Change,
+    suspect: usize,
+    /// The weighted squares that are left of the difference.
+    left: f64,
+    /// The part of the difference that is explained.
+    part: f64,
+}
+
+impl<'a> Inquiry<'a, '_, '_> {
+    /// The mistakes that explain the picture, and the way to read it in which they do, or nearly.
+    pub fn causes(&mut self, ways: &[Stored]) -> (Causes, Option<Stored>) {
+        let (beside, areas) = ((self.theirs, self.judged), self.judge.areas);
+        let films = &self.replicas.films;
+        let of = |way: &Stored| evidence(beside, films, areas, *way);
+        let mut evidence: Vec<Evidence<'_>> = ways.par_iter().map(of).collect();
+        let scene = self.suspects.scene;
+        let places: Vec<Place> = evidence.iter().filter_map(|it| Place::of(it, scene)).collect();
+        evidence[0].keep(TILES);
+        let blocks = evidence[0].blocks.clone();
+        evidence.iter_mut().for_each(|it| it.blocks.clone_from(&blocks));
+        let (width, pixels) = (self.judge.areas.size[0], blocks.concat());
+        let at = |pixel: &usize| [pixel % width, pixel / width].map(|along| along as u32);
+        let at: Vec<[u32; 2]> = pixels.iter().map(at).collect();
+        let mut lineup = self.suspects.lineup(&at, evidence[0].has_noise, &places);
+        let mut readings: Vec<Reading<'_>> =
+            evidence.into_par_iter().map(|it| Reading::new(it, &lineup, &pixels)).collect();
+        let mut hypotheses = self.hypotheses(&readings, 0);
+        let mut found = self.judged(&readings, &hypotheses, &lineup);
+        let tried = lineup.suspects.len();
+        for count in [1, 3].into_iter().filter(|_| !lineup.ours.is_empty()) {
+            if found.is_empty() && !(self.suspects.is_over)() {
+                let first = lineup.suspects.len();
+                let of = |reading: &Reading<'_>| reading.numbers(&self.suspects, &lineup, count);
+                let numbers = readings.iter().take(WAYS_WITH_NUMBERS).flat_map(of).collect();
+                let numbers = self.suspects.suspected(numbers, &lineup);
+                lineup.suspects.extend(numbers);
+                readings.iter_mut().for_each(|it| it.add(&lineup, first));
+                let more = self.hypotheses(&readings, first);
+                found = self.judged(&readings, &more, &lineup);
+                hypotheses.extend(more);
+                hypotheses.sort_by(|a, b| b.part.total_cmp(&a.part));
             }
-            if judged.iter().any(|other| are_alike(change, other, &weights, EQUAL)) {
+        }
+        // a number that was fitted is not exact, and pictures without noise tell
+        let is_fitted = |it: &&Hypothesis| {
+            let share = || readings[it.reading].share(it, self.theirs);
+            it.suspect >= tried && it.part >= FITTED && share().interval[0] >= FITTED
+        };
+        if found.is_empty() {
+            found.extend(hypotheses.iter().find(is_fitted));
+        }
+        let cause = |it: &Hypothesis| it.cause(&lineup.suspects[it.suspect].0);
+        let mut causes = Causes { tried, ..Causes::default() };
+        if let Some(first) = found.first() {
+            causes.explained_by = readings[first.reading].alike(first, &lineup);
+            let transfer = |it: &Hypothesis| ways[it.reading].transfer().map(|it| it.to_string());
+            causes.otherwise =
+                found[1..].iter().filter_map(|it| Some((transfer(it)?, cause(it)))).collect();
+        } else if let Some(best) = hypotheses.first() {
+            let share = readings[best.reading].share(best, self.theirs);
+            let (part, interval) = (share.part, share.interval);
+            causes.nearest = Some(Nearest { cause: cause(best), share: part, interval });
+        }
+        causes.is_unfinished = (self.suspects.is_over)();
+        let near = hypotheses.first().filter(|it| it.part >= 1.0 - LITTLE);
+        let chosen = found.first().or(near).map(|it| ways[it.reading]);
+        causes.place = Place::of(&self.evidence(chosen.unwrap_or(ways[0])), scene);
+        (causes, chosen)
+    }
+
+    /// The picture beside ours, read in one way.
+    pub fn evidence(&self, way: Stored) -> Evidence<'a> {
+        evidence((self.theirs, self.judged), &self.replicas.films, self.judge.areas, way)
+    }
+
+    /// Who, from this suspect on, may have made the picture, read in some way, with the least left of the difference first.
+    fn hypotheses(&self, readings: &[Reading<'_>], first: usize) -> Vec<Hypothesis> {
+        let orders = Change::of_pixels(self.theirs.size).into_iter();
+        let mut all: Vec<Hypothesis> = Vec::new();
+        for change in std::iter::once(Change::Same).chain(orders) {
+            let changed = change.applied(self.theirs);
+            if change != Change::Same && changed.values == self.theirs.values {
                 continue;
             }
-            if self.explains(&change.suspect, evidence, strictness) {
-                causes.explained_by = alike(change, &changes, &weights);
-                return causes;
-            }
-            judged.push(change);
+            let of = |(index, reading): (usize, &Reading<'_>)| {
+                let difference = reading.difference(&changed);
+                let of = |(suspect, tiles): (usize, &Vec<Vec<f64>>)| {
+                    let left = reading.left(&difference, tiles);
+                    let part = 1.0 - left / reading.before;
+                    Hypothesis { reading: index, change, suspect, left, part }
+                };
+                reading.changes.iter().enumerate().skip(first).map(of).collect::<Vec<Hypothesis>>()
+            };
+            all.par_extend(readings.par_iter().enumerate().flat_map(of));
         }
-        let nearest = changes.first().filter(|change| change.share.part > 0.0);
-        causes.nearest = nearest.map(|SuspectFit { suspect, share, .. }| Nearest {
-            cause: suspect.cause(),
-            share: share.part,
-            interval: share.interval,
-        });
-        causes
+        all.retain(|it| it.part >= 1.0 - LEFT || it.change == Change::Same);
+        let rank =
+            |it: &Hypothesis| if it.change == Change::Same { it.left } else { it.left / SIMPLER };
+        all.sort_by(|a, b| rank(a).total_cmp(&rank(b)));
+        all
     }
 
-    /// The changes that suspects make, those that explain most first.
-    fn ranked(
-        &self,
-        evidence: &Evidence<'_>,
-        place: Option<&Place>,
-        weights: &[f64],
-    ) -> Vec<SuspectFit> {
-        let difference = evidence.tiles(|at| finite(evidence.theirs[at] - evidence.mean[at]));
-        let noise = evidence.squares_of_noise();
-        let of = |(suspect, tiles): (Suspect, Vec<Vec<f64>>)| {
-            let ends = [&tiles[0], &tiles[tiles.len() - 1]];
-            let [first, last] = ends.map(|change| difference_of(&difference, change));
-            let share = Share::of(&difference, [&first, &last], weights, &noise);
-            let mean = ends[0].iter().zip(ends[1]).map(|(a, b)| 0.5 * (a + b)).collect();
-            SuspectFit { suspect, tiles: mean, share }
-        };
-        let changes = self.changes(evidence, place);
-        let mut changes: Vec<SuspectFit> = changes.into_par_iter().map(of).collect();
-        changes.sort_by(|a, b| b.share.part.total_cmp(&a.share.part));
-        changes
-    }
-
-    /// Whether a picture agrees with those of a mistake.
-    fn explains(
-        &self,
-        suspect: &Suspect,
-        Evidence { areas, stored, theirs, .. }: &Evidence<'_>,
-        strictness: Strictness,
-    ) -> bool {
-        let mut seed = self.seed;
-        let mut replicas = || {
-            seed += 1;
-            let film = suspect.picture(self.scene, self.folder, seed);
-            film.filter(|_| !(self.is_interrupted)()).map(|film| stored.values(&film))
-        };
-        let mut theirs: Vec<f32> = theirs.iter().map(|value| *value as f32).collect();
-        let subject = PoolContext { areas, stored: *stored, reference: None };
-        let (world, tolerance) = (self.world, RayTolerance::DOUBLE);
-        let mut known: Vec<Vec<f32>> = Vec::new();
-        let mut fill = |known: &mut Vec<Vec<f32>>, count: usize| {
-            known.extend(std::iter::from_fn(&mut replicas).take(count - known.len()));
-            known.len() == count
-        };
-        for count in steps(strictness) {
-            if !fill(&mut known, count) || is_hopeless(&theirs, world, subject, &known, tolerance) {
-                return false;
+    /// Those with which the picture agrees: the first, and what would explain it if it were read in other ways.
+    fn judged(
+        &mut self,
+        readings: &[Reading<'_>],
+        hypotheses: &[Hypothesis],
+        lineup: &Lineup,
+    ) -> Vec<Hypothesis> {
+        let (mut found, mut tried): (Vec<Hypothesis>, Vec<Hypothesis>) = (Vec::new(), Vec::new());
+        for it in hypotheses {
+            if tried.len() == JUDGED || (self.suspects.is_over)() {
+                break;
+            }
+            let is_known = |other: &Hypothesis| {
+                let reading = &readings[it.reading];
+                (it.reading, it.change) == (other.reading, other.change)
+                    && reading.are_alike(it.suspect, other.suspect, EQUAL)
+            };
+            let is_other = |found: &Hypothesis| {
+                it.reading != found.reading
+                    && it.suspect != found.suspect
+                    && it.part >= 1.0 - LITTLE
+            };
+            // of a difference that looks like noise, the part is not certain
+            let is_near = || {
+                let share = || readings[it.reading].share(it, self.theirs);
+                it.part >= 1.0 - LEFT || share().interval[1] >= 1.0 - LEFT
+            };
+            if tried.iter().any(is_known) || !found.iter().all(is_other) || !is_near() {
+                continue;
+            }
+            tried.push(*it);
+            if self.agrees(it, &lineup.suspects[it.suspect].0, readings[it.reading].evidence.stored)
+            {
+                found.push(*it);
             }
         }
-        if !fill(&mut known, strictness.first) {
-            return false;
-        }
-        exclude(&mut theirs, world, &known, *stored, tolerance);
-        let judged = Evaluation::of(&theirs, subject, strictness, &mut known, |_| replicas());
-        judged.is_some_and(|judged| judged.decision == Decision::Agrees)
+        found
+    }
+
+    /// Whether the picture agrees with those of a mistake.
+    fn agrees(&mut self, it: &Hypothesis, suspect: &Suspect, way: Stored) -> bool {
+        let source = |seed| suspect.picture(&self.suspects, seed);
+        let judge = Judge { transfer: way.transfer().or(self.judge.transfer), ..self.judge };
+        let mut replicas = self.replicas.of_others(&source);
+        judge.agrees(&it.change.applied(self.theirs), &mut replicas) == Some(true)
     }
 }
 
-/// The causes that a scene cannot tell from this one, each mistake once.
-fn alike(change: &SuspectFit, changes: &[SuspectFit], weights: &[f64]) -> Vec<Cause> {
-    let mut group = vec![change.suspect.cause()];
-    for other in changes.iter().filter(|other| are_alike(change, other, weights, ALIKE)) {
-        let cause = other.suspect.cause();
-        let is_known = |known: &Cause| match cause.name {
-            Some(name) => known.name == Some(name),
-            None => known.words == cause.words,
-        };
-        if !group.iter().any(is_known) {
-            group.push(cause);
-        }
+impl<'a> Reading<'a> {
+    /// The picture, and the changes that the suspects make at some pixels, those of the tiles of the evidence.
+    fn new(evidence: Evidence<'a>, lineup: &Lineup, pixels: &[usize]) -> Self {
+        let mut index = vec![0; evidence.theirs.len() / 3];
+        pixels.iter().enumerate().for_each(|(at, pixel)| index[*pixel] = at);
+        let (weights, noise) = (evidence.weights(), evidence.squares_of_noise());
+        let changes = Vec::new();
+        let mut reading = Self { evidence, index, weights, noise, before: 0.0, changes };
+        let Evidence { theirs, mean, .. } = &reading.evidence;
+        let difference = reading.evidence.tiles(|at| finite(theirs[at] - mean[at]));
+        reading.before = remainder([&difference; 2], &reading.weights, &reading.noise);
+        reading.add(lineup, 0);
+        reading
     }
-    // what is the same everywhere is simpler than what is so in one place
-    group.sort_by_key(|cause| cause.chapter.is_none());
-    group
+
+    /// The change from our pixels to others, over tiles.
+    fn change(&self, colors: &[Rgb], ours: &[Rgb]) -> Vec<f64> {
+        let [altered, ours] = [colors, ours].map(|colors| self.evidence.stored.of_colors(colors));
+        let change = |at: usize| f64::from(altered[at]) - f64::from(ours[at]);
+        self.evidence.tiles(|at| finite(change(3 * self.index[at / 3] + at % 3)))
+    }
+
+    /// Adds the changes of the suspects from this one on.
+    fn add(&mut self, lineup: &Lineup, first: usize) {
+        let of = |(_, values): &(Suspect, Vec<Vec<Rgb>>)| {
+            values
+                .iter()
+                .zip(&lineup.ours)
+                .map(|(values, ours)| self.change(values, ours))
+                .collect()
+        };
+        let more: Vec<Vec<Vec<f64>>> = lineup.suspects[first..].par_iter().map(of).collect();
+        self.changes.extend(more);
+    }
+
+    /// Scenes with another number that explain most of the difference.
+    fn numbers(&self, suspects: &Suspects<'_>, lineup: &Lineup, count: usize) -> Vec<Local> {
+        let change = |scene: &Scene| {
+            Some(self.change(&suspects.pixels(scene, lineup.seeds[0], lineup)?, &lineup.ours[0]))
+        };
+        let Evidence { theirs, mean, .. } = &self.evidence;
+        let difference = self.evidence.tiles(|at| finite(theirs[at] - mean[at]));
+        let (scene, difference, weights) = (&lineup.scene, &*difference, &*self.weights);
+        Searched { scene, change: &change, difference, weights }.scenes(count)
+    }
+
+    /// A picture less the mean of ours, over tiles.
+    fn difference(&self, theirs: &Picture) -> Vec<f64> {
+        let Evidence { stored, mean, .. } = &self.evidence;
+        let values = theirs.values.as_flattened();
+        self.evidence.tiles(|at| finite(f64::from(stored.read(values[at])) - mean[at]))
+    }
+
+    /// The weighted squares that changes leave of a difference.
+    fn left(&self, difference: &[f64], changes: &[Vec<f64>]) -> f64 {
+        let [first, last] = ends(changes).map(|change| difference_of(difference, change));
+        let left = remainder([&first, &last], &self.weights, &self.noise);
+        // far below 0, the changes of the two seeds are mostly noise
+        if left < -self.before { left.abs() } else { left }
+    }
+
+    /// How much of the difference a hypothesis explains.
+    fn share(&self, it: &Hypothesis, theirs: &Picture) -> Share {
+        let difference = self.difference(&it.change.applied(theirs));
+        let of = |change: &Vec<f64>| difference_of(&difference, change);
+        let [first, last] = ends(&self.changes[it.suspect]).map(of);
+        Share::of(&difference, [&first, &last], &self.weights, &self.noise)
+    }
+
+    /// Whether the changes of two suspects are alike.
+    fn are_alike(&self, a: usize, b: usize, most: f64) -> bool {
+        let [a, b] = [a, b].map(|suspect| mean(&self.changes[suspect]));
+        let squared = |values: &[f64]| remainder([values; 2], &self.weights, &[]);
+        squared(&difference_of(&a, &b)) <= most * squared(&a)
+    }
+
+    /// The causes that a scene cannot tell from this one, each mistake once.
+    fn alike(&self, it: &Hypothesis, lineup: &Lineup) -> Vec<Cause> {
+        let mut group = vec![it.cause(&lineup.suspects[it.suspect].0)];
+        for (other, (suspect, _)) in lineup.suspects.iter().enumerate() {
+            let cause = it.cause(suspect);
+            let is_known = |known: &Cause| match cause.name {
+                Some(name) => known.name == Some(name),
+                None => known.words == cause.words,
+            };
+            if self.are_alike(it.suspect, other, ALIKE) && !group.iter().any(is_known) {
+                group.push(cause);
+            }
+        }
+        // what is the same everywhere is simpler than what is so in one place
+        group.sort_by_key(|cause| cause.chapter.is_none());
+        group
+    }
+}
+
+/// A picture beside ours, read in one way: as it was judged, or beside the first of ours.
+fn evidence<'a>(
+    (theirs, judged): (&Picture, &Evaluation),
+    films: &[Film],
+    areas: &'a Areas,
+    way: Stored,
+) -> Evidence<'a> {
+    let theirs = read(theirs, way);
+    let noise = judged.ranking.noise[judged.pool.count() - 1];
+    if way == judged.pool.stored {
+        return Evidence::of(&judged.pool, noise, areas, &theirs);
+    }
+    let known = films.iter().map(|film| way.values(film));
+    let pictures = known.chain([theirs.clone()]).collect();
+    Evidence::of(&Pool::new(areas.size, way, pictures), noise, areas, &theirs)
+}
+
+impl Hypothesis {
+    fn cause(&self, suspect: &Suspect) -> Cause {
+        let also = (self.change != Change::Same)
+            .then(|| self.change.words(["ours", "theirs"], Transfer::Linear));
+        Cause { also, ..suspect.cause() }
+    }
 }
 
 /// What is no number has no weight.
@@ -181,15 +397,16 @@ pub(super) fn finite(value: f64) -> f64 {
     if value.is_finite() { value } else { 0.0 }
 }
 
-/// The weighted sum of squares.
-fn squared(values: &[f64], weights: &[f64]) -> f64 {
-    values.iter().zip(weights).map(|(value, weight)| weight * value * value).sum()
+/// The first and the last.
+fn ends(changes: &[Vec<f64>]) -> [&Vec<f64>; 2] {
+    [&changes[0], &changes[changes.len() - 1]]
+}
+
+fn mean(changes: &[Vec<f64>]) -> Vec<f64> {
+    let [first, last] = ends(changes);
+    first.iter().zip(last).map(|(a, b)| 0.5 * (a + b)).collect()
 }
 
 fn difference_of(a: &[f64], b: &[f64]) -> Vec<f64> {
     a.iter().zip(b).map(|(a, b)| a - b).collect()
-}
-
-fn are_alike(a: &SuspectFit, b: &SuspectFit, weights: &[f64], most: f64) -> bool {
-    squared(&difference_of(&a.tiles, &b.tiles), weights) <= most * squared(&a.tiles, weights)
 }

@@ -1,8 +1,14 @@
 //! A picture beside the mean of ours, from which causes are inferred.
 
+use std::mem::take;
+
+use pictures::compare::spread;
+
 use super::areas::Areas;
+use super::causes::finite;
+use super::pool::Pool;
 use super::residuals::{Residuals, around};
-use super::{Evaluation, Stored};
+use super::stored::Stored;
 
 /// A picture beside ours: three values a pixel, as radiance.
 #[derive(Clone, Debug)]
@@ -21,6 +27,8 @@ pub struct Evidence<'a> {
     pub noise: Vec<f64>,
     /// Whether ours have noise.
     pub has_noise: bool,
+    /// The pixels of each tile.
+    pub blocks: Vec<Vec<usize>>,
 }
 
 /// Differences below this part of our value are no evidence.
@@ -33,14 +41,14 @@ const SMALLEST_VARIANCE: f64 = 0.01;
 const LEVEL: usize = 2;
 
 impl<'a> Evidence<'a> {
-    /// That of a judgement; `theirs` is the judged picture with no pixel set apart. A wrong picture's finest details are
-    /// no noise, so the variance is that of ours.
-    pub fn of(judged: &Evaluation, areas: &'a Areas, theirs: &[f32]) -> Self {
-        let (pool, last) = (&judged.pool, judged.pool.count() - 1);
+    /// That of the last picture of a pool, whose noise is this part of that of the others; `theirs` are its values with no
+    /// pixel set apart. A wrong picture's finest details are no noise, so the variance is that of ours.
+    pub fn of(pool: &Pool, noise_of_theirs: f64, areas: &'a Areas, theirs: &[f32]) -> Self {
+        let last = pool.count() - 1;
         let theirs: Vec<f64> = theirs.iter().map(|value| f64::from(*value)).collect();
         let mean: Vec<f64> = (0..theirs.len()).map(|at| pool.mean_of_others(last, at)).collect();
         let level = mean.iter().sum::<f64>() / mean.len() as f64;
-        let own = judged.ranking.noise[last].min(1.0);
+        let own = noise_of_theirs.min(1.0);
         let factor = own * own + pool.variance_of_mean();
         let (mut variances, mut noise) = (vec![0.0; theirs.len()], vec![0.0; theirs.len()]);
         for channel in 0..3 {
@@ -55,11 +63,21 @@ impl<'a> Evidence<'a> {
                     noise[at] = factor * variance[pixel] + rounding * rounding;
                 }
                 let smallest = SMALLEST_VARIANCE * factor * around[pixel];
-                variances[at] = noise[at].max(smallest).max(least * least);
+                variances[at] = noise[at].max(smallest).max(least * least + rounding * rounding);
             }
         }
-        let (stored, has_noise) = (pool.stored, !judged.is_fixed);
-        Self { areas, stored, theirs, mean, variances, noise, has_noise }
+        let level = LEVEL.min(areas.levels() - 1);
+        let [across, down] = areas.grid(level);
+        let blocks = (0..across * down).map(|index| areas.pixels(areas.tile(level, index)));
+        let (stored, has_noise) = (pool.stored, noise.iter().any(|noise| *noise > 0.0));
+        Self { areas, stored, theirs, mean, variances, noise, has_noise, blocks: blocks.collect() }
+    }
+
+    /// That of another picture with the same noise.
+    #[must_use]
+    pub fn with(&self, theirs: &[f32]) -> Self {
+        let theirs = theirs.iter().map(|value| f64::from(*value)).collect();
+        Self { theirs, ..self.clone() }
     }
 
     /// The side of these tiles.
@@ -69,12 +87,32 @@ impl<'a> Evidence<'a> {
 
     /// Sums over tiles, of each channel, of values for each pixel and channel.
     pub fn tiles(&self, value: impl Fn(usize) -> f64) -> Vec<f64> {
-        let (pixels, level) = (self.theirs.len() / 3, LEVEL.min(self.areas.levels() - 1));
-        let of = |channel: usize| {
-            let values = (0..pixels).map(|pixel| value(3 * pixel + channel)).collect();
-            (1..=level).fold(values, |sums: Vec<f64>, level| self.areas.coarser(&sums, level))
+        let sum = |block: &Vec<usize>, channel: usize| {
+            block.iter().map(|pixel| value(3 * pixel + channel)).sum::<f64>()
         };
-        (0..3).flat_map(of).collect()
+        (0..3)
+            .flat_map(|channel| self.blocks.iter().map(move |block| (block, channel)))
+            .map(|(block, channel)| sum(block, channel))
+            .collect()
+    }
+
+    /// Keeps about so many tiles: those in which the picture differs most, and as many that are evenly spread.
+    pub fn keep(&mut self, most: usize) {
+        if self.blocks.len() <= most {
+            return;
+        }
+        let difference = self.tiles(|at| finite(self.theirs[at] - self.mean[at]));
+        let (weights, count) = (self.weights(), self.blocks.len());
+        let square = |tile: usize| -> f64 {
+            let channels = (0..3).map(|channel| channel * count + tile);
+            channels.map(|at| weights[at] * difference[at] * difference[at]).sum()
+        };
+        let mut order: Vec<(f64, usize)> = (0..count).map(|tile| (square(tile), tile)).collect();
+        order.sort_by(|a, b| b.0.total_cmp(&a.0));
+        let rest = spread(count - most / 2, most / 2).map(|at| order[most / 2 + at].1);
+        let mut kept: Vec<usize> = order[..most / 2].iter().map(|it| it.1).chain(rest).collect();
+        kept.sort_unstable();
+        self.blocks = kept.into_iter().map(|tile| take(&mut self.blocks[tile])).collect();
     }
 
     /// For each tile and channel, one over the variance of the difference; 0 where there is a value that is no number.

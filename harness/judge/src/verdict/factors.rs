@@ -33,17 +33,10 @@ pub struct Factors {
 }
 
 /// Factors that mean something, but for 0.
-const KNOWN: [(f64, &str); 6] = [
-    (0.5, "1/2"),
-    (2.0, "2"),
-    (PI, "π"),
-    (1.0 / PI, "1/π"),
-    (2.25, "1.5², the square of the index of glass"),
-    (1.0 / 2.25, "1/1.5², of the index of glass"),
-];
+const KNOWN: [(f64, &str); 4] = [(0.5, "1/2"), (2.0, "2"), (PI, "π"), (1.0 / PI, "1/π")];
 
-/// A factor is named if its error is at most this part of what it is called.
-const CERTAIN: f64 = 0.05;
+/// A factor is named if its error is at most this part of what it is called: of a larger one it may be equal by chance.
+const CERTAIN: f64 = 0.003;
 
 /// A term is left out if its factor is at most this, or is 0 within an error of at most so much.
 const NOTHING: [f64; 2] = [0.02, 0.1];

@@ -1,10 +1,14 @@
 //! Which ways of storing values a picture leaves open: ours are put through each, and theirs must be like them.
 
-use groundtruth::film::Film;
+use std::collections::BTreeMap;
+
+use groundtruth::film::{Film, OutOfGamut};
+use groundtruth::rgb::Rgb;
 use rayon::prelude::*;
 
+use super::areas::{Area, Areas, BACKGROUND};
 use super::stored::Stored;
-use pictures::compare::{Picture, spread};
+use pictures::compare::{Picture, Transfer, spread};
 
 /// About so many pixels are held against all ways, and so many against those that are left.
 const PIXELS: [usize; 2] = [1 << 10, 1 << 14];
@@ -31,6 +35,60 @@ pub fn plausible(candidates: &[Stored], theirs: &Picture, films: &[Film]) -> Vec
     }
     open.truncate(MOST);
     open
+}
+
+/// The ways to read a picture, one for each usual way to encode radiance if nothing says which it is: in each, the
+/// likeliest rounding. Where a background is neither black nor white, its value settles which it is.
+pub(super) fn readings(
+    theirs: &Picture,
+    (stated, tone): (Option<Transfer>, (f64, OutOfGamut)),
+    films: &[Film],
+    areas: &Areas,
+) -> Vec<Stored> {
+    let candidates = Stored::candidates(theirs, stated, tone);
+    let mut transfers: Vec<Option<Transfer>> = Vec::new();
+    for transfer in candidates.iter().map(|it| it.transfer()) {
+        if !transfers.contains(&transfer) && transfer != Some(Transfer::Gamma(RARE)) {
+            transfers.push(transfer);
+        }
+    }
+    let of = |transfer: &Option<Transfer>| {
+        let its: Vec<Stored> =
+            candidates.iter().copied().filter(|it| it.transfer() == *transfer).collect();
+        plausible(&its, theirs, films)[0]
+    };
+    let all: Vec<Stored> = transfers.iter().map(of).collect();
+    let Some((ours, theirs)) = background(theirs, &films[0], areas) else { return all };
+    let is_it = |it: &&Stored| {
+        let integers = it.integers(ours);
+        // truncated by one program, rounded by the other
+        integers.is_some_and(|its| its.iter().zip(&theirs).all(|(a, b)| (a - b).abs() <= 1.0))
+    };
+    let settled: Vec<Stored> = all.iter().filter(is_it).copied().collect();
+    if settled.is_empty() { all } else { settled }
+}
+
+/// This gamma is seldom used, and near that of 2.2: it explains no mistake that that one does not.
+const RARE: f64 = 2.4;
+
+/// The colour of the background, and its most usual integers in the other picture; `None` if it is black, beyond white, or
+/// not the same everywhere.
+fn background(theirs: &Picture, ours: &Film, areas: &Areas) -> Option<(Rgb, [f64; 3])> {
+    let object = areas.objects.iter().position(|(name, _)| &**name == BACKGROUND)?;
+    let pixels = areas.pixels(Area::Object(object));
+    let color = ours.pixels()[*pixels.first()?];
+    let count = |of: &dyn Fn(usize) -> bool| pixels.iter().filter(|pixel| of(**pixel)).count();
+    // those at its edge show something else, too
+    let is_one = 2 * count(&|pixel| ours.pixels()[pixel] == color) > pixels.len();
+    let is_between = color.to_array().iter().any(|value| (0.02..0.98).contains(value));
+    let step = theirs.step.filter(|_| is_one && is_between)?;
+    let mut counts: BTreeMap<[u32; 3], usize> = BTreeMap::new();
+    for pixel in &pixels {
+        let integers = theirs.values[*pixel].map(|value| (f64::from(value) / step).round() as u32);
+        *counts.entry(integers).or_default() += 1;
+    }
+    let (most, _) = counts.into_iter().max_by_key(|(_, count)| *count)?;
+    Some((color, most.map(f64::from)))
 }
 
 /// About so many pixels, evenly spread, and as many of those in which ours is brighter than display values can be.

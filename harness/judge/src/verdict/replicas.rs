@@ -24,16 +24,39 @@ pub struct Replicas<'a, 'b> {
     pub films: Vec<Film>,
     /// How they are rendered.
     pub renders: Renders<'b>,
+    /// Where those come from that are not of the world, by their seeds.
+    source: Option<Source<'b>>,
 }
+
+/// A picture with a seed; `None` if there is none.
+type Source<'a> = &'a dyn Fn(u64) -> Option<Film>;
 
 impl<'a, 'b> Replicas<'a, 'b> {
     /// None so far, of a scene's world; `seed` is that of the first.
     pub fn new(world: &'a mut World, seed: u64, renders: Renders<'b>) -> Self {
-        Self { world, direction: [0, 0], first: seed, next: seed, films: Vec::new(), renders }
+        Self {
+            world,
+            direction: [0, 0],
+            first: seed,
+            next: seed,
+            films: Vec::new(),
+            renders,
+            source: None,
+        }
+    }
+
+    /// None so far, of another program's pictures of the world.
+    pub fn of_others<'c>(&'c mut self, source: Source<'c>) -> Replicas<'c, 'c> {
+        let (seed, renders) = (self.first, &mut *self.renders);
+        Replicas { source: Some(source), ..Replicas::new(self.world, seed, renders) }
     }
 
     /// The next replica; `None` if the user interrupts.
     pub fn render(&mut self) -> Option<Film> {
+        if let Some(source) = self.source {
+            self.next += 1;
+            return source(self.next - 1);
+        }
         self.world.reseed(self.next);
         let size @ [width, height] = [self.world.image.width, self.world.image.height];
         let canvas = match self.direction {
@@ -61,7 +84,10 @@ impl<'a, 'b> Replicas<'a, 'b> {
     /// Renders until there are so many films, or the user interrupts.
     pub fn fill(&mut self, count: usize) {
         while self.films.len() < count {
-            let Some(film) = self.render() else { return };
+            // two that are equal have no random numbers
+            let is_fixed = matches!(&*self.films, [first, second, ..] if first == second);
+            let film = if is_fixed { Some(self.films[0].clone()) } else { self.render() };
+            let Some(film) = film else { return };
             self.films.push(film);
         }
     }

@@ -26,7 +26,8 @@ impl Sampling {
         grids.dedup();
         let regular = |samples| Self { sampler: Regular {}.into(), samples };
         let one_set = Self { sampler: Hammersley { shifted: false }.into(), samples: own };
-        grids.into_iter().map(regular).chain([one_set]).collect()
+        // of one sample, Hammersley's is the corner of the pixel, which is said otherwise
+        grids.into_iter().map(regular).chain((own > 1).then_some(one_set)).collect()
     }
 
     /// Whether replicas are sampled like this.

@@ -45,3 +45,10 @@ impl Share {
         Self { part: part(&mut (0..tiles)), interval: [quantile(0.05), quantile(0.95)] }
     }
 }
+
+/// The weighted squares of a difference without those of its noise, from two of its values with independent noise of what
+/// explains it; without `noise`, with them.
+pub fn remainder(left: [&[f64]; 2], weights: &[f64], noise: &[f64]) -> f64 {
+    let squares = left[0].iter().zip(left[1]).zip(weights).map(|((a, b), weight)| weight * a * b);
+    squares.sum::<f64>() - noise.iter().sum::<f64>()
+}

@@ -88,7 +88,32 @@ impl Stored {
     /// The radiance of our picture's values, as it is read back if it is stored like this: three channels a pixel, row
     /// by row from the top left.
     pub fn values(self, film: &Film) -> Vec<f32> {
-        film.pixels().iter().flat_map(|color| self.color(*color)).collect()
+        self.of_colors(film.pixels())
+    }
+
+    /// The same of some colours.
+    pub fn of_colors(self, colors: &[Rgb]) -> Vec<f32> {
+        colors.iter().flat_map(|color| self.color(*color)).collect()
+    }
+
+    /// Our picture, its colours above 1 as the rule for them makes them.
+    pub fn mapped(self, film: &Film) -> Film {
+        let Self::Integers { bright: Bright::Mapped(out_of_gamut), .. } = self else {
+            return film.clone();
+        };
+        let (tone, mut mapped) = (Tone { exposure: 1.0, gamma: 1.0, out_of_gamut }, film.clone());
+        for at in (0..film.height()).flat_map(|y| (0..film.width()).map(move |x| [x, y])) {
+            mapped.set(at, tone.map(film.get(at)));
+        }
+        mapped
+    }
+
+    /// How integers encode radiance.
+    pub fn transfer(self) -> Option<Transfer> {
+        match self {
+            Self::Integers { transfer, .. } => Some(transfer),
+            Self::Floats { .. } | Self::SharedExponent => None,
+        }
     }
 
     fn color(self, color: Rgb) -> [f32; 3] {

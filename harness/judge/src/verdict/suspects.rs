@@ -3,29 +3,27 @@
 use std::path::Path;
 
 use groundtruth::film::Film;
-use groundtruth::render;
+use groundtruth::render::{self, Canvas, Renderer};
+use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use rayon::prelude::*;
 
-use super::causes::{Cause, finite};
-use super::evidence::Evidence;
+use super::causes::Cause;
 use super::place::Place;
 use crate::mistakes::local::{self, Local};
-use crate::mistakes::{self, Films, Mistake};
+use crate::mistakes::{self, IsOver, Mistake, Mistaken, Probed};
 
 /// A scene whose mistaken pictures are rendered.
-pub struct Suspects<'a> {
+pub(super) struct Suspects<'a> {
     /// The scene, at the size of the picture.
     pub scene: &'a Scene,
-    /// Its world.
-    pub world: &'a World,
     /// Where the files are that it names.
     pub folder: &'a Path,
     /// The seed of the first replica.
     pub seed: u64,
-    /// Whether the user interrupted.
-    pub is_interrupted: &'a dyn Fn() -> bool,
+    /// Whether the search is to end.
+    pub is_over: IsOver<'a>,
 }
 
 /// One that may have made a picture.
@@ -44,28 +42,45 @@ impl Suspect {
                 name: Some(mistake.name),
                 words: mistake.sentence(),
                 chapter: Some(mistake.chapter),
+                also: None,
             },
-            Self::Local(local) => {
-                Cause { name: local.everywhere, words: local.words.clone(), chapter: None }
-            }
+            Self::Local(local) => Cause {
+                name: local.everywhere,
+                words: local.words.clone(),
+                chapter: None,
+                also: None,
+            },
         }
     }
 
-    /// Its picture of a scene with a seed; `None` if it has none.
-    pub fn picture(&self, scene: &Scene, folder: &Path, seed: u64) -> Option<Film> {
+    /// Its picture of a scene with a seed; `None` if it has none, or if the search is to end.
+    pub fn picture(&self, of: &Suspects<'_>, seed: u64) -> Option<Film> {
         match self {
-            Self::Known(mistake) => mistakes::replica(mistake, scene, folder, seed).ok().flatten(),
+            Self::Known(mistake) => {
+                let mistaken = Mistaken::new(mistake, of.scene, of.folder, seed).ok()??;
+                let canvas = Canvas::new(mistaken.world());
+                canvas.render_until(&mistaken, of.is_over).then(|| canvas.film())
+            }
             Self::Local(local) => {
                 let mut changed = local.scene.clone();
-                changed.image = scene.image.clone();
-                Some(render::render(&World::build_seeded(&changed, folder, seed).ok()?))
+                changed.image = of.scene.image.clone();
+                let world = World::build_seeded(&changed, of.folder, seed).ok()?;
+                let canvas = Canvas::new(&world);
+                canvas.render_until(&world, of.is_over).then(|| canvas.film())
             }
         }
     }
 }
 
-/// A suspect, and for each of some seeds the change that it makes of our picture, over tiles.
-pub(super) type Changes = Vec<(Suspect, Vec<Vec<f64>>)>;
+/// The values of some pixels, for each of some seeds: of ours, and of each suspect who changes them.
+pub(super) struct Lineup {
+    /// The scene, whose image has few samples.
+    pub scene: Scene,
+    pub seeds: Vec<u64>,
+    pub pixels: Vec<[u32; 2]>,
+    pub ours: Vec<Vec<Rgb>>,
+    pub suspects: Vec<(Suspect, Vec<Vec<Rgb>>)>,
+}
 
 /// Pictures have at most so many samples per pixel.
 const FEW_SAMPLES: u32 = 16;
@@ -74,54 +89,68 @@ const FEW_SAMPLES: u32 = 16;
 const FEWEST_SAMPLES: u32 = 4;
 
 /// And about so many in all, if that is not fewer.
-const SAMPLES: u32 = 1 << 20;
+const SAMPLES: u32 = 1 << 15;
 
 /// Between the seeds of the two pictures of a suspect.
 const APART: u64 = 1 << 20;
 
 impl Suspects<'_> {
-    /// The changes that suspects make: with two seeds if there is noise.
-    pub(super) fn changes(&self, evidence: &Evidence<'_>, place: Option<&Place>) -> Changes {
+    /// Some pixels of ours and of all suspects: with two seeds if there is noise. As much as there is when the search is
+    /// to end.
+    pub fn lineup(&self, pixels: &[[u32; 2]], has_noise: bool, places: &[Place]) -> Lineup {
         let mut scene = self.scene.clone();
-        let few = SAMPLES / (scene.image.width * scene.image.height).max(1);
-        let few = few.clamp(FEWEST_SAMPLES, FEW_SAMPLES);
-        scene.image.samples = scene.image.samples.min(few);
+        if has_noise {
+            let few = (SAMPLES / pixels.len() as u32).clamp(FEWEST_SAMPLES, FEW_SAMPLES);
+            scene.image.samples = scene.image.samples.min(few);
+        }
         let seeds = [self.seed, self.seed + APART];
-        let seeds = if evidence.has_noise { &seeds[..] } else { &seeds[..1] };
-        let (mut all, mut ours): (Changes, Vec<Vec<f32>>) = (Vec::new(), Vec::new());
+        let seeds = seeds[..if has_noise { 2 } else { 1 }].to_vec();
+        let (pixels, ours) = (pixels.to_vec(), Vec::new());
+        let mut found = Lineup { scene, seeds, pixels, ours, suspects: Vec::new() };
         let mut tried = mistakes::forms();
-        for seed in seeds {
-            let known = mistakes::replicas(&tried, &scene, self.folder, *seed);
-            let Ok(Films { ours: film, altered, .. }) = known else { return Vec::new() };
+        for seed in &found.seeds {
+            let of = (&found.scene, self.folder, *seed);
+            let known = mistakes::probed(&tried, of, &found.pixels, self.is_over);
+            let Ok(Some(Probed { ours, altered })) = known else { return found };
             // one that changes the picture of one seed alone changes it by next to nothing
             tried = altered.iter().map(|(mistake, _)| *mistake).collect();
-            ours.push(evidence.stored.values(&film));
-            let before = &ours[ours.len() - 1];
-            let tiles = |(mistake, film): (&'static Mistake, Film)| {
-                (mistake, change(evidence, &film, before))
-            };
-            let changes: Vec<_> = altered.into_par_iter().map(tiles).collect();
-            changes.into_iter().for_each(|(mistake, tiles)| add(&mut all, mistake, tiles));
+            found.ours.push(ours);
+            let all = &mut found.suspects;
+            altered.into_iter().for_each(|(mistake, values)| add(all, mistake, values));
         }
-        for local in self.changes_in_one_place(place) {
-            if (self.is_interrupted)() {
-                break;
-            }
-            let suspect = Suspect::Local(Box::new(local));
-            let of_seed = |(seed, ours): (&u64, &Vec<f32>)| {
-                Some(change(evidence, &suspect.picture(&scene, self.folder, *seed)?, ours))
-            };
-            let tiles: Option<Vec<Vec<f64>>> = seeds.iter().zip(&ours).map(of_seed).collect();
-            let is_change = |it: &Vec<Vec<f64>>| it[0].iter().any(|value| *value != 0.0);
-            all.extend(tiles.filter(is_change).map(|tiles| (suspect, tiles)));
-        }
-        all.retain(|(_, tiles)| tiles.len() == seeds.len());
-        all
+        found.suspects.retain(|(_, values)| values.len() == found.seeds.len());
+        let places = self.changes_in_one_place(places);
+        let places = self.suspected(places, &found);
+        found.suspects.extend(places);
+        found
     }
 
-    fn changes_in_one_place(&self, place: Option<&Place>) -> Vec<Local> {
+    /// Those of the changed scenes whose pixels are not ours.
+    pub fn suspected(&self, changed: Vec<Local>, lineup: &Lineup) -> Vec<(Suspect, Vec<Vec<Rgb>>)> {
+        let of = |local: Local| {
+            let of_seed = |(seed, ours): (&u64, &Vec<Rgb>)| {
+                let values = self.pixels(&local.scene, *seed, lineup)?;
+                (values != *ours).then_some(values)
+            };
+            let values: Option<Vec<Vec<Rgb>>> =
+                lineup.seeds.iter().zip(&lineup.ours).map(of_seed).collect();
+            Some((Suspect::Local(Box::new(local)), values?))
+        };
+        changed.into_iter().filter_map(of).collect()
+    }
+
+    /// The pixels of a lineup in another scene; `None` if it has no world, or the search is to end.
+    pub fn pixels(&self, scene: &Scene, seed: u64, lineup: &Lineup) -> Option<Vec<Rgb>> {
+        let mut scene = scene.clone();
+        scene.image = lineup.scene.image.clone();
+        let world = World::build_seeded(&scene, self.folder, seed).ok()?;
+        let of = |at: &[u32; 2]| (!(self.is_over)()).then(|| render::pixel(&world, *at));
+        lineup.pixels.par_iter().map(of).collect()
+    }
+
+    fn changes_in_one_place(&self, places: &[Place]) -> Vec<Local> {
         let mut all = local::without_shadows(self.scene);
-        if let Some(place) = place {
+        for place in places {
             if let Some(material) = &place.material {
                 all.extend(local::in_material(self.scene, material));
             }
@@ -133,16 +162,10 @@ impl Suspects<'_> {
     }
 }
 
-/// What a film is more than ours, over tiles.
-fn change(evidence: &Evidence<'_>, film: &Film, ours: &[f32]) -> Vec<f64> {
-    let altered = evidence.stored.values(film);
-    evidence.tiles(|at| finite(f64::from(altered[at]) - f64::from(ours[at])))
-}
-
-fn add(all: &mut Changes, mistake: &'static Mistake, tiles: Vec<f64>) {
+fn add(all: &mut Vec<(Suspect, Vec<Vec<Rgb>>)>, mistake: &'static Mistake, values: Vec<Rgb>) {
     let is_it = |it: &Suspect| matches!(it, Suspect::Known(known) if *known == mistake);
     match all.iter_mut().find(|(it, _)| is_it(it)) {
-        Some((_, of_seeds)) => of_seeds.push(tiles),
-        None => all.push((Suspect::Known(mistake), vec![tiles])),
+        Some((_, of_seeds)) => of_seeds.push(values),
+        None => all.push((Suspect::Known(mistake), vec![values])),
     }
 }

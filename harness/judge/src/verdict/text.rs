@@ -20,8 +20,8 @@ impl fmt::Display for Verdict {
 /// Of an object of which a smaller part differs pixel by pixel, its mean says more.
 const FEW: f64 = 0.05;
 
-/// A mistake that explains less is not near.
-const NEAR: f64 = 0.25;
+/// What explains less is no part of it that is worth a line.
+const PART: f64 = 0.5;
 
 impl Verdict {
     /// The verdict in one sentence.
@@ -29,6 +29,11 @@ impl Verdict {
         let Self { as_far, replicas, pictures, .. } = self;
         match (self.decision, self.equal_to_seed) {
             (_, Some(seed)) => format!("agrees: it is our picture with --seed {seed}, bit for bit"),
+            (Decision::Agrees, _) if self.loss.is_some() => format!(
+                "agrees, as far as a JPEG can tell: no block of 16 × 16 pixels is off by more than {:.1} of 255 on \
+                 average; a PNG tells more",
+                self.loss.unwrap_or_default()
+            ),
             (Decision::Agrees, _) if self.fixed => {
                 "agrees: no value differs by more than rounding".to_owned()
             }
@@ -80,30 +85,38 @@ impl Verdict {
         }
     }
 
-    /// The known mistake or the terms that explain it, all of it or most.
+    /// The known mistake or the terms that explain it.
     fn why(&self) -> String {
-        let Causes { explained_by, nearest, tried, .. } = &self.causes;
+        let Causes { explained_by, tried, otherwise, is_unfinished, .. } = &self.causes;
+        if let (Some(cause), [first, ..]) = (explained_by.first(), &**otherwise) {
+            return format!(
+                "; nothing says how its values encode radiance: read as {}, the known mistake is that {}; as {}, that {}",
+                self.encoding(),
+                cause,
+                first.0,
+                &first.1
+            );
+        }
         if let Some(cause) = explained_by.first() {
-            return format!("; known mistake: {}", because(cause));
+            return format!("; known mistake: {cause}");
         }
         if let Some(Explanation { what, agrees: false, .. }) = &self.explained {
             return format!("; {what} explains a part of it");
         }
-        if let Some(Factors { factors, .. }) = &self.factors {
-            let one = |TermFactor { terms, factor, .. }: &TermFactor| {
-                format!("{} is {} times ours", terms.join(" and "), short(*factor))
-            };
-            let all: Vec<String> = factors.iter().map(one).collect();
-            return format!("; nearest explanation: {}", all.join(", "));
+        let guess = match self.is_guessed {
+            true => format!("; it is read as {}, which is a guess", self.encoding()),
+            false => String::new(),
+        };
+        match (is_unfinished, tried) {
+            (true, _) => format!("; the search for a cause was ended{guess}"),
+            (false, 0) => guess,
+            (false, _) => format!("; no known mistake explains it{guess}"),
         }
-        match nearest {
-            Some(Nearest { cause, share, .. }) if *share >= NEAR => {
-                let share = percent::percent(*share, 0);
-                format!("; nearest known mistake: {} ({share} of the difference)", because(cause))
-            }
-            _ if *tried > 0 => "; no known mistake is near".to_owned(),
-            _ => String::new(),
-        }
+    }
+
+    /// How its values are taken to encode radiance.
+    fn encoding(&self) -> &str {
+        self.assumed.split(',').next().unwrap_or_default()
     }
 
     /// What the sentence rests on, in lines: causes first, then places, then numbers.
@@ -119,6 +132,12 @@ impl Verdict {
             return self.about_values(f);
         }
         self.explanation(f)?;
+        if self.is_guessed {
+            writeln!(f, "encoding: nothing says how its values encode radiance; --encoding does")?;
+        }
+        if self.causes.is_unfinished {
+            writeln!(f, "the search for causes was ended; --search gives it more seconds")?;
+        }
         self.places(f)?;
         self.margin(f)?;
         self.rank(f)?;
@@ -209,16 +228,19 @@ impl Verdict {
 
     /// What explains the difference, or most of it.
     fn cause(&self, f: &mut dyn fmt::Write) -> fmt::Result {
-        let Causes { explained_by, nearest, place, tried } = &self.causes;
+        let Causes { explained_by, nearest, place, tried, otherwise, .. } = &self.causes;
         for (index, cause) in explained_by.iter().enumerate() {
             let or = match index {
                 0 => "cause: the picture agrees with ours if",
                 _ => "  or, which this scene cannot tell apart, if",
             };
-            writeln!(f, "{or} {}", because(cause))?;
+            writeln!(f, "{or} {cause}")?;
         }
         if explained_by.is_empty() && *tried > 0 {
             writeln!(f, "cause: none of the {tried} known mistakes that change this picture")?;
+        }
+        for (encoding, cause) in otherwise {
+            writeln!(f, "  or, if its values are {encoding}, that {cause}")?;
         }
         // they explain more than what is nearest
         if let Some(Factors { factors, share }) = &self.factors {
@@ -226,13 +248,15 @@ impl Verdict {
             writeln!(f, "terms: these explain {share:.0} % of the difference")?;
             factors.iter().try_for_each(|factor| writeln!(f, "  {factor}"))?;
         }
-        if let Some(Nearest { cause, share, interval }) = nearest {
+        if let Some(Nearest { cause, share, interval }) =
+            nearest.as_ref().filter(|it| it.share >= PART)
+        {
             let [share, low, high] =
                 [*share, interval[0].max(0.0), interval[1]].map(|it| 100.0 * it);
             writeln!(
                 f,
-                "nearest: that {} explains {share:.0} % ({low:.0} … {high:.0} %) of the difference",
-                because(cause)
+                "a part of it: that {} explains {share:.0} % ({low:.0} … {high:.0} %) of the difference",
+                cause
             )?;
         }
         if let Some(place) = place {
@@ -279,11 +303,14 @@ impl fmt::Display for DifferingRegion {
     }
 }
 
-/// The words of a cause, and in brackets where to read more.
-fn because(Cause { name, words, chapter }: &Cause) -> String {
-    match (name, chapter) {
-        (Some(name), Some(chapter)) => format!("{words} ({name}, ch. {chapter})"),
-        _ => words.clone(),
+/// Its words, and in brackets where to read more.
+impl fmt::Display for Cause {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.words)?;
+        if let (Some(name), Some(chapter)) = (self.name, self.chapter) {
+            write!(f, " ({name}, ch. {chapter})")?;
+        }
+        self.also.as_ref().map_or(Ok(()), |also| write!(f, ", and {also}"))
     }
 }
 

@@ -6,6 +6,7 @@ use serde::Serialize;
 use pictures::compare::{Affected, Picture};
 
 use super::pictures_shown::{Shown, ShownPictures};
+use super::reason::Reason;
 
 use super::{
     Answer, Area, Areas, Causes, Decision, DifferingArea, Evaluation, Factors, Map, Means,
@@ -23,6 +24,9 @@ pub struct Verdict {
     pub negative: Option<Negative>,
     /// What was assumed of how the picture stores its values.
     pub assumed: String,
+    /// The same as data.
+    #[serde(skip)]
+    pub stored: Stored,
     /// The number of pictures that were judged.
     pub pictures: usize,
     /// The seed of the replica that has the same bits.
@@ -59,6 +63,10 @@ pub struct Verdict {
     pub factors: Option<Factors>,
     /// The known mistakes that explain the difference.
     pub causes: Causes,
+    /// Whether nothing says how the picture encodes radiance, so that it is read as it fits best.
+    pub is_guessed: bool,
+    /// Of a JPEG that agrees no further, by how many steps of 1/255 the means of its blocks may be off.
+    pub loss: Option<f64>,
     /// Defects that would have been found or not.
     pub plants: Vec<PlantedDefect>,
     /// For tiles of each side, the gain that would stand out.
@@ -139,6 +147,7 @@ impl Verdict {
             decided_by: None,
             negative: None,
             assumed: judged.pool.stored.to_string(),
+            stored: judged.pool.stored,
             pictures: 1,
             equal_to_seed: None,
             means,
@@ -156,6 +165,8 @@ impl Verdict {
             explained: None,
             factors: None,
             causes: Causes::default(),
+            is_guessed: false,
+            loss: None,
             plants: Vec::new(),
             gains: Vec::new(),
             shown: pictures,
@@ -177,20 +188,19 @@ impl Verdict {
         }
     }
 
-    /// Leaves out what says less than something else: all that comes nearest to a picture that agrees but for a harmless
-    /// change, and a harmless change that leaves a difference if a mistake explains all.
-    pub(super) fn simplify(&mut self) {
-        if self.explained.as_ref().is_some_and(|it| it.agrees) {
+    /// Says why the picture differs.
+    pub(super) fn explain(&mut self, reason: Reason) {
+        let Reason { explained, causes, factors, is_guessed, way: _ } = reason;
+        (self.explained, self.causes, self.factors) = (explained, causes, factors);
+        let agrees = self.explained.as_ref().is_some_and(|it| it.agrees);
+        // what comes nearest to a picture that agrees but for a harmless change says nothing, nor does a harmless change
+        // that leaves a difference if a mistake explains all
+        if agrees {
             (self.causes.nearest, self.causes.place) = (None, None);
         } else if !self.causes.explained_by.is_empty() {
             self.explained = None;
         }
-    }
-
-    /// Whether factors of terms may say more than what is known.
-    pub(super) fn wants_factors(&self) -> bool {
-        let agrees = self.explained.as_ref().is_some_and(|it| it.agrees);
-        !agrees && self.causes.explained_by.is_empty()
+        self.is_guessed = is_guessed && !agrees && self.causes.explained_by.is_empty();
     }
 
     /// That of a picture with the bits of our picture of this seed.

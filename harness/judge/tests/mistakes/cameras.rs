@@ -38,6 +38,21 @@ fn corners_of_pixels() {
     assert!(share_of_differences(&film, &ours(&scene)) < 0.01);
 }
 
+/// Law: of 16 samples in cells of a quarter of the pixel, those at the corners are samples of a camera that stands an
+/// eighth of a pixel to the left and lower. Oracle: that camera, orthographic.
+#[test]
+fn corners_of_cells() {
+    let mut scene = small("ch03/three-objects", WIDTH, 1);
+    scene.image.samples = 16;
+    let film = with("sub-cell-corner", &scene);
+    let world = World::build(&scene).expect("it is valid");
+    let frame = world.view.frame();
+    let shift = -0.125 * scene.image.pixel_size * (frame.u + frame.v);
+    scene.camera.eye = scene.camera.eye + shift;
+    scene.camera.look_at = scene.camera.look_at + shift;
+    assert!(share_of_differences(&film, &ours(&scene)) < 0.01);
+}
+
 /// Law: with both sides of the same field of view, a picture three times as wide as high shows a square, each column of
 /// which is three columns wide. Oracle: the square picture.
 #[test]

@@ -57,6 +57,11 @@ fn highlights() {
     expect("no-highlight", &scene, 0.0, 0.0);
     let half = |degrees: f64| ks * power(cos_degrees(degrees), exponent);
     expect("highlight-of-half-vector", &scene, half(10.0) * cos_i, ROUNDING);
+    let narrow = ks * power(cos_degrees(10.0), 4.0 * exponent) * cos_i;
+    let four_times = "with four times the exponent";
+    expect_form("highlight-of-half-vector", four_times, &scene, narrow, ROUNDING);
+    let short = cos_i * cos_degrees(viewer) - cos_degrees(sun - viewer);
+    expect("highlight-without-two", &scene, ks * power(short, exponent) * cos_i, ROUNDING);
     let grey = Phong { cd: Rgb::grey(0.5).into(), ..shiny(KD) };
     let both = (KD * 0.5 / PI + 0.5 * phong) * cos_i;
     expect("highlight-of-surface-colour", &lit_plane(grey, viewer, sun), both, ROUNDING);
@@ -92,6 +97,96 @@ fn directions_of_the_sun() {
     let mut scene = plane(diffuse(), 10.0);
     scene.lights.push(directional("sun", 3.0 * at_angle(65.0), 1.0).without_shadows());
     expect("sun-not-normalised", &scene, 3.0 * KD / PI * cos_degrees(65.0), ROUNDING);
+}
+
+/// Law: of a sun whose direction is three halves long, highlights have the power of this length, and nothing else has it,
+/// with and without shadow rays. Oracle: `(k_d/π + k_s (3/2 cos α)^e) cosθ_i`.
+#[test]
+fn a_long_direction_in_highlights_alone() {
+    let phong = Phong {
+        kd: KD.into(),
+        cd: Rgb::WHITE.into(),
+        ks: 0.25.into(),
+        exponent: 4.0.into(),
+        ..Phong::default()
+    };
+    let mut scene = plane(phong, -20.0);
+    light(&mut scene, PointLight { location: point(0.0, 9.0, 0.0), ..point_source(0.0) });
+    scene.lights.push(directional("sun", 1.5 * at_angle(40.0), 1.0));
+    let highlight = 0.25 * power(1.5 * cos_degrees(20.0), 4.0);
+    let expected = (KD / PI + highlight) * cos_degrees(40.0);
+    expect("highlight-direction-not-unit", &scene, expected, ROUNDING);
+    scene.lights.iter_mut().for_each(|light| light.shadows = false);
+    expect("highlight-direction-not-unit", &scene, expected, ROUNDING);
+}
+
+fn point_source(ls: f64) -> PointLight {
+    PointLight { ls, color: Rgb::WHITE, location: point(0.0, 3.0, 0.0), attenuation: 0.0 }
+}
+
+/// Law: at the top of a sphere of radius 3/2 direct light has that factor, and the mirror direction its square. Oracle:
+/// `n' = r n` in the formulas of Lambert and Phong; a plane, and a sphere of radius 1, have the right ones.
+#[test]
+fn a_sphere_with_normals_as_long_as_its_radius() {
+    let phong = Phong {
+        kd: KD.into(),
+        cd: Rgb::WHITE.into(),
+        ks: 0.25.into(),
+        exponent: 4.0.into(),
+        ..Phong::default()
+    };
+    let (viewer, sun) = (-20.0, 40.0);
+    let of_radius = |radius: f64| {
+        let mut scene = lit_plane(phong.clone(), viewer, sun);
+        scene.objects[0].shape = sphere(point(0.0, -radius, 0.0), radius).into();
+        scene
+    };
+    let radius = 1.5;
+    let mirrored =
+        2.0 * radius * radius * cos_degrees(sun) * cos_degrees(viewer) - cos_degrees(sun - viewer);
+    let expected = (KD / PI + 0.25 * power(mirrored, 4.0)) * radius * cos_degrees(sun);
+    // the pixel's centre is the top of the sphere, up to the error of a root
+    expect("sphere-normal-not-unit", &of_radius(radius), expected, 1e-9);
+    for scene in [of_radius(1.0), lit_plane(phong.clone(), viewer, sun)] {
+        expect("sphere-normal-not-unit", &scene, value(&ours(&scene)), 1e-12);
+    }
+}
+
+/// Law: a sphere without an offset has spots: each pixel is ours or black, and neither is rare. Oracle: one light
+/// without ambient light, by definition of a shadow.
+#[test]
+fn a_sphere_that_shadows_itself() {
+    let mut scene = small("ch16/shadows", 32, 1);
+    scene.objects.clear();
+    scene.background = Rgb::BLACK.into();
+    add(&mut scene, "ball", sphere(point(3.0, 2.5, 0.0), 2.3), diffuse());
+    scene.lights = vec![directional("sun", vector(0.0, 0.0, 1.0), 1.0)];
+    let (right, wrong) = (ours(&scene), with("no-offset", &scene));
+    let lit = right.pixels().iter().filter(|pixel| !pixel.is_black()).count();
+    let black = right.pixels().iter().zip(wrong.pixels());
+    let mut dark = 0;
+    for (right, wrong) in black.filter(|(right, _)| !right.is_black()) {
+        let is_ours = (right.r - wrong.r).abs() < 1e-9 * right.r;
+        assert!(is_ours || wrong.is_black(), "{right:?}, {wrong:?}");
+        dark += usize::from(!is_ours);
+    }
+    assert!(lit > 100 && (lit / 10..9 * lit / 10).contains(&dark), "{dark} of {lit}");
+}
+
+/// Law: a cover half a unit above the plane casts no shadow if hits nearer than 1 do not count; one at 1.5 does. With
+/// 0.1 both do. Oracle: the distances.
+#[test]
+fn offsets_that_are_too_large() {
+    for (height, is_lit) in [(0.5, true), (1.5, false)] {
+        let mut scene = plane(diffuse(), 80.0);
+        light(&mut scene, point_source(1.0));
+        let cover = Disk { center: point(0.0, height, 0.0), normal: Vector::Y, radius: 0.2 };
+        add(&mut scene, "cover", cover, diffuse());
+        assert_eq!(value(&ours(&scene)), 0.0);
+        let expected = if is_lit { KD / PI } else { 0.0 };
+        expect("offset-too-large", &scene, expected, ROUNDING);
+        expect_form("offset-too-large", "or than 0.1", &scene, 0.0, ROUNDING);
+    }
 }
 
 /// Law: an object that casts no shadow does. Oracle: none; it is black.

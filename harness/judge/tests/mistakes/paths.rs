@@ -50,6 +50,7 @@ fn weights_of_diffuse_paths() {
     expect("path-cosine-twice", &scene, KD * 2.0 / 3.0, NOISE);
     expect("path-without-density", &scene, KD * 2.0 / (3.0 * PI), NOISE);
     expect("path-without-reflectance", &scene, 1.0, ROUNDING);
+    expect("path-pi-twice", &scene, KD / PI, ROUNDING);
     // 2 cosθ, of which the mean by the cosine is 4/3
     let even = "with the density 1/2π of even directions";
     expect_form("path-cosine-twice", even, &scene, KD * 4.0 / 3.0, NOISE);

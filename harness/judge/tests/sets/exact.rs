@@ -68,12 +68,9 @@ fn the_probability_is_the_share_of_divisions_as_far_out() {
             }
         }
         let (mean, variance) = (vec![0.0; 3 * pixels], vec![1.3; 3 * pixels]);
-        let summed = SummedPictures {
-            values: values.iter().map(|it| (it.clone(), 0.0)).collect(),
-            mean: &mean,
-            variance: &variance,
-        };
-        let sums = AreaSums::of(&summed, &areas, design);
+        let summed =
+            SummedPictures { values: values.iter().cloned(), mean: &mean, variance: &variance };
+        let sums = AreaSums::of(summed, &areas, design);
         let watch = Watch { tried: &|| (), interrupted: &never };
         let rank = Rank::of(&sums, design, (&divisions, watch), 0.05);
 
@@ -104,8 +101,7 @@ fn the_probability_is_the_share_of_divisions_as_far_out() {
             most
         };
         let scores: Vec<f64> = divisions.weights.iter().map(score).collect();
-        // sums are kept in single precision
-        let as_far = scores.iter().filter(|score| **score >= scores[0] - 1e-4).count();
+        let as_far = scores.iter().filter(|score| **score >= scores[0] - 1e-9).count();
         let expected = as_far as f64 / scores.len() as f64;
         near(format!("case {case}: probability"), rank.probability, expected, 1e-9);
         // a level of 5 % of 35 divisions or 32 signs lets one other be as far out: the farthest
@@ -323,11 +319,11 @@ fn sums_of_sets_are_sums() {
         let mut of = || (0..3 * pixels).map(|_| 1.0 + random.uniform()).collect::<Vec<f64>>();
         let (values, mean, variance) = (of(), of(), of());
         let summed = SummedPictures {
-            values: vec![(values.clone(), 4.0)],
+            values: std::iter::once(values.clone()),
             mean: &mean,
             variance: &variance,
         };
-        let sums = AreaSums::of(&summed, &areas, Design::differences(1));
+        let sums = AreaSums::of(summed, &areas, Design::differences(1));
         for (level, (_, tiles)) in areas_by_hand(size).iter().enumerate() {
             for (number, tile) in tiles.iter().enumerate() {
                 let places = sums.places(SumKind::Tiles(level), number);
@@ -336,7 +332,7 @@ fn sums_of_sets_are_sums() {
                         tile.iter().map(|pixel| values[3 * pixel + channel]).sum::<f64>()
                     };
                     let what = format!("{size:?}, level {level}, tile {number}, channel {channel}");
-                    near(&what, sums.in_pictures(place)[0], of(&values), 1e-5 * of(&values));
+                    near(&what, sums.in_pictures(place)[0], of(&values), 1e-12 * of(&values));
                     near(&what, sums.mean[place], of(&mean), 1e-9);
                     let rounding = 1e-5 * of(&mean);
                     near(&what, sums.expected[place], of(&variance) + rounding * rounding, 1e-9);
@@ -345,8 +341,6 @@ fn sums_of_sets_are_sums() {
                 }
             }
         }
-        let (_, last) = sums.levels.last().expect("levels").clone();
-        near("values that are no numbers", sums.in_pictures(last.start)[0], 4.0, 0.0);
     }
 }
 

@@ -116,16 +116,16 @@ pub fn moved(picture: &Picture, from: &dyn Fn([u32; 2]) -> [u32; 2]) -> Picture 
 }
 
 pub fn verdict(before: &[Picture], after: &[Picture]) -> SetsVerdict {
-    of(Sets::new([before, after], None).expect("one size"))
+    of(Sets::new([before, after].map(<[Picture]>::to_vec), None).expect("one size"))
 }
 
 pub fn verdict_of_regions(before: &[Picture], after: &[Picture], regions: &Picture) -> SetsVerdict {
-    of(Sets::new([before, after], Some(regions)).expect("one size"))
+    of(Sets::new([before, after].map(<[Picture]>::to_vec), Some(regions)).expect("one size"))
 }
 
 /// The verdict at another level.
 pub fn verdict_at(before: &[Picture], after: &[Picture], level: f64) -> SetsVerdict {
-    at(Sets::new([before, after], None).expect("one size"), level)
+    at(Sets::new([before, after].map(<[Picture]>::to_vec), None).expect("one size"), level)
 }
 
 fn of(sets: Sets) -> SetsVerdict {

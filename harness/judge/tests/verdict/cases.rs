@@ -50,7 +50,7 @@ pub fn watched(
         world: &mut world,
         scene,
         folder: Path::new(""),
-        is_interrupted: &|| false,
+        is_over: &|| false,
         so_far,
         strictness,
         transfer: None,
@@ -122,7 +122,10 @@ fn harmless_changes_are_named_before_anything_else() {
     let last = i64::from(SIZE[0]) - 1;
     let changes = [
         (moved(&film, |x, y| [x, last - y]), "the rows of theirs are upside down"),
-        (moved(&film, |x, y| [last - x, y]), "left and right of theirs are exchanged"),
+        (
+            moved(&film, |x, y| [last - x, y]),
+            "left and right of theirs are exchanged (if its axes are left-handed: negate z in the scene)",
+        ),
         (moved(&film, |x, y| [y, x]), "rows and columns of theirs are exchanged"),
         (moved(&film, |x, y| [x + 1, y]), "theirs is one pixel too far left"),
         (scaled(&film, std::f64::consts::PI), "theirs is ours divided by 1/π"),

@@ -189,7 +189,7 @@ fn weights_have_the_unit_of_radiance() {
             let subject = PoolContext { areas: &areas, stored: FLOATS, reference: None };
             let strictness = Strictness { level: 0.05, first: 9 };
             let judged = Evaluation::of(&theirs, subject, strictness, &mut known, |_| None);
-            Evidence::of(&judged.expect("enough"), &areas, &theirs).weights()
+            evidence(&judged.expect("enough"), &areas, &theirs).weights()
         };
         let (whole, small) = (weights(1.0), weights(1.0 / 4096.0));
         assert!(whole.iter().any(|weight| *weight > 0.0), "{name}: nothing has a weight");
@@ -219,7 +219,7 @@ fn factors_of(
     let strictness = Strictness { level: 0.05, first: 16 };
     let subject = PoolContext { areas: &areas, stored: FLOATS, reference: None };
     let judged = Evaluation::of(&theirs, subject, strictness, &mut known, |_| None);
-    let evidence = Evidence::of(&judged.expect("enough"), &areas, &theirs);
+    let evidence = evidence(&judged.expect("enough"), &areas, &theirs);
     factors(&terms(&mut world, 1..5), &evidence).expect("factors explain it").factors
 }
 
@@ -262,4 +262,10 @@ fn depths_that_are_left_out_are_named() {
     let names: Vec<&str> = off.iter().map(|factor| &*factor.terms[0]).collect();
     assert_eq!(names, ["light at depth 2", "light at depth 3 or more"], "{factors:?}");
     assert!(off.iter().all(|factor| factor.meaning() == Some("left out")), "{off:?}");
+}
+
+/// The evidence of a judgement.
+fn evidence<'a>(judged: &Evaluation, areas: &'a Areas, theirs: &[f32]) -> Evidence<'a> {
+    let noise = judged.ranking.noise[judged.pool.count() - 1];
+    Evidence::of(&judged.pool, noise, areas, theirs)
 }

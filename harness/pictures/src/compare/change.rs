@@ -45,12 +45,28 @@ impl Change {
         let index = of.picture.index([x, y]);
         Some(match self {
             Self::Channels(order) => order.map(|channel| of.at(index)[channel]),
-            Self::Scaled(factor) => of.at(index).map(|value| factor * value),
+            Self::Scaled(factor) => {
+                // integers hold no more than 1
+                let most = if of.picture.step.is_some() { 1.0 } else { f64::INFINITY };
+                of.at(index).map(|value| (factor * value).min(most))
+            }
             Self::Decoded(transfer) => {
                 of.picture.values[index].map(|value| transfer.decoded(f64::from(value)))
             }
             _ => of.at(index),
         })
+    }
+
+    /// Whether it is a factor that has a name.
+    pub fn is_known_factor(self) -> bool {
+        matches!(self, Self::Scaled(factor) if known(factor).is_some())
+    }
+
+    /// The part of a picture of this size that the change takes from inside.
+    pub fn overlap(self, size: [u32; 2]) -> f64 {
+        let Self::Shifted(step) = self else { return 1.0 };
+        let along = |i: usize| 1.0 - step[i].unsigned_abs() as f64 / f64::from(size[i]);
+        along(0) * along(1)
     }
 
     /// The pixel from which the change takes this one.
@@ -102,7 +118,9 @@ impl Change {
         match self {
             Self::Same => format!("{b} is unchanged"),
             Self::UpsideDown => format!("the rows of {b} are upside down"),
-            Self::Mirrored => format!("left and right of {b} are exchanged"),
+            Self::Mirrored => format!(
+                "left and right of {b} are exchanged (if its axes are left-handed: negate z in the scene)"
+            ),
             Self::Turned => format!("{b} is turned by 180°"),
             Self::Transposed => format!("rows and columns of {b} are exchanged"),
             Self::Shifted([dx, dy]) => {
@@ -126,14 +144,27 @@ impl Change {
     }
 }
 
+/// Factors that have a name.
+const KNOWN: [(f64, &str); 5] = {
+    use std::f64::consts::PI;
+    [(PI, "π"), (1.0 / PI, "1/π"), (0.5, "1/2"), (2.0, "2"), (4.0 * PI, "4π")]
+};
+
+/// The one that is within a hundredth of this.
+fn known(factor: f64) -> Option<&'static (f64, &'static str)> {
+    KNOWN.iter().find(|(value, _)| (value / factor - 1.0).abs() < 0.01)
+}
+
+/// The factor, or the known one that it nearly is: integers tell it no better.
+pub(super) fn known_factor(factor: f64) -> f64 {
+    known(factor).map_or(factor, |(value, _)| *value)
+}
+
 /// A factor, by its name if it has one.
 fn named(factor: f64) -> String {
-    use std::f64::consts::PI;
-    let known = [(PI, "π"), (1.0 / PI, "1/π"), (0.5, "1/2"), (2.0, "2"), (4.0 * PI, "4π")];
-    let name = known.iter().find(|(value, _)| (value / factor - 1.0).abs() < 0.01);
     let number = || match factor.abs() {
         usual if (1e-3..1e4).contains(&usual) => format!("{factor:.4}"),
         _ => format!("{factor:.2e}"),
     };
-    name.map_or_else(number, |(_, name)| (*name).to_owned())
+    known(factor).map_or_else(number, |(_, name)| (*name).to_owned())
 }

@@ -3,6 +3,7 @@
 use groundtruth::math::hash;
 use serde::Serialize;
 
+use super::change::known_factor;
 use super::{Change, Decoded, Transfer};
 
 /// A change of one picture that makes it nearly the other.
@@ -17,14 +18,17 @@ pub struct Hypothesis {
 /// A change explains a difference of which it leaves at most this part.
 pub(super) const EXPLAINED: f64 = 0.1;
 
+/// What is left of a picture must be at least this part of it: one pixel says nothing of a shift.
+const OVERLAP: f64 = 0.75;
+
 /// At most about so many pixels are tried: a change is one of all pixels.
 const PIXELS: usize = 1 << 16;
 
 /// A picture and a change of it.
 type Changed<'a> = (&'a Decoded<'a>, Change);
 
-/// The changes that leave little of the difference of two pictures, the best first. The first one is only
-/// decoded in other ways; all others are of the second. They have these names.
+/// The changes that leave little of the difference of two pictures, the best first; if none does, those in another
+/// transfer function. The first one is only decoded in other ways; all others are of the second. They have these names.
 pub fn explaining(names: [&str; 2], a: &Decoded<'_>, b: &Decoded<'_>) -> Vec<Hypothesis> {
     let of_b = changes_that_explain(a, b, 0.0)
         .into_iter()
@@ -36,8 +40,26 @@ pub fn explaining(names: [&str; 2], a: &Decoded<'_>, b: &Decoded<'_>) -> Vec<Hyp
         left: distance(&pixels, (a, change), (b, Change::Same)) / before,
     });
     let mut found: Vec<Hypothesis> = of_b.chain(of_a).filter(|it| it.left <= EXPLAINED).collect();
+    if found.is_empty() {
+        found = decodings(b).into_iter().flat_map(|it| explaining_both(names, a, b, it)).collect();
+    }
     found.sort_by(|a, b| a.left.total_cmp(&b.left));
     found
+}
+
+/// The changes of pixels that explain a difference together with another transfer function.
+fn explaining_both(
+    names: [&str; 2],
+    a: &Decoded<'_>,
+    b: &Decoded<'_>,
+    decoding: Change,
+) -> Vec<Hypothesis> {
+    let picture = decoding.applied(b.picture);
+    let found = changes_that_explain(a, &Decoded::new(&picture), 0.0).into_iter();
+    let of_pixels = found.filter(|(it, _)| !matches!(it, Change::Decoded(_) | Change::Scaled(_)));
+    let also = decoding.words(names, b.picture.transfer);
+    let words = |it: Change| format!("{}, and {also}", it.words(names, picture.transfer));
+    of_pixels.map(|(it, left)| Hypothesis { what: words(it), left }).collect()
 }
 
 /// The changes of `b` that leave little of its difference from `a` beyond their noise, each with the part that it
@@ -47,6 +69,7 @@ pub fn changes_that_explain(a: &Decoded<'_>, b: &Decoded<'_>, noise: f64) -> Vec
     let as_a = (a, Change::Same);
     let before = distance(&pixels, as_a, (b, Change::Same)) - noise;
     let mut changes = Change::of_pixels(b.picture.size);
+    changes.retain(|change| change.overlap(b.picture.size) >= OVERLAP);
     changes.extend(decodings(b));
     changes.extend(exposure(&pixels, as_a, b));
     let left = |change| (distance(&pixels, as_a, (b, change)) - noise).max(0.0) / before;
@@ -116,6 +139,6 @@ fn exposure(pixels: &[[i64; 2]], a: Changed<'_>, b: &Decoded<'_>) -> Option<Chan
         .filter(|ratio| ratio.is_finite() && *ratio > 0.0)
         .collect();
     ratios.sort_by(f64::total_cmp);
-    let factor = *ratios.get(ratios.len() / 2)?;
+    let factor = known_factor(*ratios.get(ratios.len() / 2)?);
     ((factor - 1.0).abs() >= 1e-3).then_some(Change::Scaled(factor))
 }

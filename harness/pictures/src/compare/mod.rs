@@ -24,7 +24,7 @@ pub use differences::Differences;
 pub use fitted::{NoPair, fit};
 pub use half_pixel::{half_pixel_directions, half_pixel_shifts, half_pixel_words, shift};
 pub use hypotheses::{Hypothesis, changes_that_explain, distance_of, spread};
-pub use noise::{noise_note, some_pixels};
+pub use noise::{has_noise, noise_note, some_pixels};
 pub use page::page;
 pub use picture::{Decoded, Picture, Transfer};
 pub use regions::Region;
@@ -71,6 +71,9 @@ pub struct Comparison {
     pub are_objects_known: bool,
     /// The known mistakes with which the scene has the other picture, in words; several if it cannot tell them apart.
     pub known_mistakes: Vec<String>,
+    /// Of a JPEG that differs from a scene by no more than its compression, by how many steps of 1/255 that changes the mean
+    /// of a block of 16 × 16 pixels.
+    pub loss: Option<f64>,
     /// What else to know about the difference, in sentences.
     pub notes: Vec<String>,
 }
@@ -129,6 +132,7 @@ impl Comparison {
             affected: text::affected(&both, tolerance, whole),
             are_objects_known: false,
             known_mistakes: Vec::new(),
+            loss: None,
             notes: Vec::new(),
         })
     }

@@ -1,98 +1,12 @@
 //! A picture to be compared: its stored values, and what they mean.
 
-use std::ops::RangeInclusive;
 use std::path::Path;
-use std::str::FromStr;
 
-use formats::images::{self, Curve, ImageFileError, Stored};
+use formats::images::{self, ImageFileError, Stored};
 use groundtruth::film::Film;
-use groundtruth::math::power;
 use groundtruth::world::MAX_PIXELS;
 
-/// How display values encode radiance.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Transfer {
-    /// They are proportional to radiance.
-    Linear,
-    /// The curve of sRGB (IEC 61966-2-1).
-    Srgb,
-    /// Radiance is the value to this power.
-    Gamma(f64),
-}
-
-impl Transfer {
-    /// What a file says, if it is read.
-    fn of(curve: Curve) -> Option<Self> {
-        match curve {
-            Curve::Srgb => Some(Self::Srgb),
-            Curve::Gamma(1.0) => Some(Self::Linear),
-            Curve::Gamma(gamma) => Some(Self::Gamma(gamma)),
-            Curve::Unread(_) => None,
-        }
-    }
-
-    /// The option of a command line that says it, after a space; nothing if it was not said.
-    pub fn option(said: Option<Self>) -> String {
-        match said {
-            None => String::new(),
-            Some(Self::Srgb) => " --encoding srgb".to_owned(),
-            Some(Self::Linear) => " --encoding linear".to_owned(),
-            Some(Self::Gamma(gamma)) => format!(" --encoding gamma={gamma}"),
-        }
-    }
-
-    /// The radiance of a display value.
-    pub fn decoded(self, value: f64) -> f64 {
-        match self {
-            Self::Linear => value,
-            Self::Srgb if value <= 0.04045 => value / 12.92,
-            Self::Srgb => power((value + 0.055) / 1.055, 2.4),
-            Self::Gamma(gamma) => power(value.max(0.0), gamma),
-        }
-    }
-
-    /// The display value of a radiance.
-    pub fn encoded(self, radiance: f64) -> f64 {
-        match self {
-            Self::Linear => radiance,
-            Self::Srgb if radiance <= 0.0031308 => 12.92 * radiance,
-            Self::Srgb => 1.055 * power(radiance, 1.0 / 2.4) - 0.055,
-            Self::Gamma(gamma) => power(radiance.max(0.0), 1.0 / gamma),
-        }
-    }
-}
-
-impl std::fmt::Display for Transfer {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Linear => f.write_str("linear"),
-            Self::Srgb => f.write_str("sRGB"),
-            Self::Gamma(gamma) => write!(f, "gamma {gamma}"),
-        }
-    }
-}
-
-/// `srgb`, `linear`, or `gamma=2.2`.
-impl FromStr for Transfer {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let gamma = text.strip_prefix("gamma=").and_then(|number| number.parse::<f64>().ok());
-        match (text, gamma) {
-            ("srgb", _) => Ok(Self::Srgb),
-            ("linear", _) => Ok(Self::Linear),
-            (_, Some(gamma)) if GAMMAS.contains(&gamma) => Ok(Self::Gamma(gamma)),
-            (_, Some(gamma)) => Err(format!("no display has gamma {gamma}; write one {ALLOWED}")),
-            _ => Err("write srgb, linear or gamma=2.2".to_owned()),
-        }
-    }
-}
-
-/// The gammas that a display may have; those of the files of real programs lie far inside.
-const GAMMAS: RangeInclusive<f64> = 0.1..=10.0;
-
-/// They in words.
-const ALLOWED: &str = "from 0.1 to 10";
+pub use formats::images::Transfer;
 
 /// A picture, row by row from the top left.
 #[derive(Clone, Debug)]
@@ -111,6 +25,8 @@ pub struct Picture {
     pub notes: Vec<String>,
     /// The number of pixels whose alpha, which is ignored, is below 1.
     pub transparent: u64,
+    /// Of a JPEG, by how many steps the mean of a block of 16 × 16 pixels may be off ([`Stored::loss`]).
+    pub loss: Option<f64>,
 }
 
 impl Picture {
@@ -125,13 +41,15 @@ impl Picture {
             step: None,
             notes: Vec::new(),
             transparent: 0,
+            loss: None,
         }
     }
 
     /// A picture of radiance: three values a pixel, row by row from the top left.
     pub fn of_radiance(values: &[f32], size: [u32; 2]) -> Self {
         let (values, transfer) = (values.as_chunks::<3>().0.to_vec(), Transfer::Linear);
-        Self { size, values, transfer, stated: None, step: None, notes: Vec::new(), transparent: 0 }
+        let (notes, transparent, loss) = (Vec::new(), 0, None);
+        Self { size, values, transfer, stated: None, step: None, notes, transparent, loss }
     }
 
     /// Reads a PNG, JPEG, PPM, HDR, EXR or PFM file. Display values are taken to be encoded as the user said, else as
@@ -160,25 +78,18 @@ impl Picture {
         path: &Path,
         said: Option<Transfer>,
     ) -> Result<Self, ImageFileError> {
-        if let (Some(Curve::Gamma(gamma)), None) = (stored.curve, said)
-            && !GAMMAS.contains(&gamma)
-        {
-            let problem = format!(
-                "its chunk gAMA says gamma {gamma}, which no display has: it is {ALLOWED}; --encoding says how its \
-                 values are encoded"
-            );
-            return Err(ImageFileError { path: path.to_owned(), problem, field: "encoding" });
-        }
+        let wrong = |problem| ImageFileError { path: path.to_owned(), problem, field: "encoding" };
+        let (said, note) = images::settled(stored.curve, said, "--encoding").map_err(wrong)?;
         let texels = stored.texels;
         let (size, values) = ([texels.width(), texels.height()], texels.colors().to_vec());
         let (mut notes, transparent) = (texels.notes().to_vec(), texels.transparent());
         let (stated, step) = match stored.is_linear {
             true => (Some(Transfer::Linear), None),
-            false => (said.or(stored.curve.and_then(Transfer::of)), Some(step_of(&values))),
+            false => (said, Some(step_of(&values))),
         };
-        notes.extend(stored.curve.and_then(|curve| note(curve, said)));
+        notes.extend(note);
         let transfer = stated.unwrap_or(Transfer::Srgb);
-        Ok(Self { size, values, transfer, stated, step, notes, transparent })
+        Ok(Self { size, values, transfer, stated, step, notes, transparent, loss: stored.loss })
     }
 
     /// A picture of radiance from 0 to 1 as integers of 16 bits, linear.
@@ -205,21 +116,6 @@ impl Picture {
     /// The index of a pixel.
     pub fn index(&self, [x, y]: [u32; 2]) -> usize {
         y as usize * self.size[0] as usize + x as usize
-    }
-}
-
-/// What a file says of its transfer function and the user does not.
-fn note(curve: Curve, said: Option<Transfer>) -> Option<String> {
-    let of_file = Transfer::of(curve);
-    match (of_file, curve, said) {
-        (Some(of_file), _, Some(said)) if of_file != said => {
-            Some(format!("it says {of_file}; --encoding counts"))
-        }
-        (Some(of_file), _, None) => Some(format!("its transfer function is {of_file}, as it says")),
-        (None, Curve::Unread(kind), None) => Some(format!(
-            "its transfer function is in a chunk {kind}, which is not read; --encoding says it"
-        )),
-        _ => None,
     }
 }
 

@@ -17,6 +17,12 @@ impl Comparison {
                 most => format!("same: no channel differs by more than {}", percent::short(most)),
             };
         }
+        if let Some(loss) = self.loss {
+            return format!(
+                "same, as far as a JPEG can tell: no block of 16 × 16 pixels is off by more than {loss:.1} of 255 on \
+                 average; a PNG tells more"
+            );
+        }
         if let Some(change) = self.explained_by.first() {
             let left = match change.left {
                 0.0 => "nothing else differs".to_owned(),

@@ -56,7 +56,11 @@ fn every_change_of_pixels_is_named() {
     let mut cases: Vec<(Picture, String)> = Vec::new();
     let moved = |from: &dyn Fn(i64, i64) -> [i64; 2]| super::moved(&ours, from);
     cases.push((moved(&|x, y| [x, last - y]), "the rows of B are upside down".to_owned()));
-    cases.push((moved(&|x, y| [last - x, y]), "left and right of B are exchanged".to_owned()));
+    cases.push((
+        moved(&|x, y| [last - x, y]),
+        "left and right of B are exchanged (if its axes are left-handed: negate z in the scene)"
+            .to_owned(),
+    ));
     cases.push((moved(&|x, y| [last - x, last - y]), "B is turned by 180°".to_owned()));
     cases.push((moved(&|x, y| [y, x]), "rows and columns of B are exchanged".to_owned()));
     let steps = [-1, 0, 1].into_iter().flat_map(|x| [-1, 0, 1].map(|y| [x, y]));

@@ -66,9 +66,15 @@ fn png_files_are_decoded_as_they_say() {
     let (yes, no) = (true, false);
     type Case = (fn(f64) -> f64, Vec<Vec<u8>>, Option<Transfer>, bool, &'static str);
     let cases: [Case; 12] = [
-        (gamma, vec![gama(45455)], Some(Transfer::Gamma(2.2)), yes, "is gamma 2.2, as it says"),
-        (|x| x, vec![gama(100_000)], Some(Transfer::Linear), yes, "is linear, as it says"),
-        (srgb, vec![srgb_chunk()], Some(Transfer::Srgb), yes, "is sRGB, as it says"),
+        (
+            gamma,
+            vec![gama(45455)],
+            Some(Transfer::Gamma(2.2)),
+            yes,
+            "is gamma 2.2, as the file says",
+        ),
+        (|x| x, vec![gama(100_000)], Some(Transfer::Linear), yes, "is linear, as the file says"),
+        (srgb, vec![srgb_chunk()], Some(Transfer::Srgb), yes, "is sRGB, as the file says"),
         (srgb, vec![gama(45455), srgb_chunk()], Some(Transfer::Srgb), yes, "is sRGB"),
         (srgb, vec![], None, yes, ""),
         (srgb, vec![gama(0)], None, yes, ""),

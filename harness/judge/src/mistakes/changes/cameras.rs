@@ -13,6 +13,7 @@ use crate::mistakes::{Mistake, known};
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::scene(&known::PIXEL_CORNER, pixel_corner),
+    Mistake::scene(&known::SUB_CELL_CORNER, sub_cell_corner),
     Mistake::scene(&known::NO_ASPECT, no_aspect),
     Mistake::scene(&known::ROLL_REVERSED, |scene, _| {
         changed(scene, |scene| {
@@ -100,6 +101,13 @@ fn with_film(scene: &Scene, scale: [f64; 2], shift: [f64; 2]) -> Option<Scene> {
 
 fn pixel_corner(scene: &Scene, _: &Path) -> Option<Scene> {
     with_film(scene, [1.0; 2], [-0.5 * scene.image.pixel_size; 2])
+}
+
+/// Of a single sample the cell is the pixel, which is another mistake.
+fn sub_cell_corner(scene: &Scene, _: &Path) -> Option<Scene> {
+    let cells = f64::from(scene.image.samples).sqrt().ceil();
+    let shift = -0.5 * scene.image.pixel_size / cells;
+    (cells > 1.0).then(|| with_film(scene, [1.0; 2], [shift; 2]))?
 }
 
 fn no_aspect(scene: &Scene, _: &Path) -> Option<Scene> {

@@ -5,17 +5,23 @@ use std::fmt;
 use std::path::Path;
 use std::sync::Arc;
 
+use groundtruth::invalid::LENGTHS;
 use groundtruth::kinds::Custom;
 use groundtruth::lights::{
     AmbientOccluder, Context, Directional, Kind, Light, LightContext, LightSample, Segment, Target,
     Unlit,
 };
 use groundtruth::math::{Frame, maps};
-use groundtruth::scene::Scene;
+use groundtruth::scene::{Intersect, Scene};
+use groundtruth::shapes;
 
 use super::lamps::lamp_light;
+use super::materials::is_transparent;
 use super::{changed, has_tree_of_rays};
-use crate::mistakes::{Mistake, known};
+use crate::mistakes::{How, Mistake, known};
+
+const OFFSET_TOO_LARGE: Mistake =
+    Mistake::scene(&known::OFFSET_TOO_LARGE, |scene, _| with_least_distance(scene, 1.0));
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::scene(&known::NO_FALL_OFF, |scene, _| with_exponent(scene, 0.0)),
@@ -27,13 +33,60 @@ pub(super) const ALL: &[Mistake] = &[
     Mistake::scene(&known::SUN_NOT_NORMALISED, |scene, _| {
         with_sun(scene, |sun| sun.ls *= sun.direction.length())
     }),
+    Mistake {
+        known: &known::HIGHLIGHT_DIRECTION_NOT_UNIT,
+        // the longer direction is in the cosine of all direct light, too: there it is taken off
+        how: How::Both(longer_suns, |term| match term.single_direction() {
+            Some(long) => term.times(1.0 / long.length()),
+            None => term.value(),
+        }),
+        form: None,
+    },
     Mistake::scene(&known::SPOT_WHOLE_ANGLE, spot_whole_angle),
     Mistake::scene(&known::SHADOW_SWITCHES_IGNORED, shadow_switches_ignored),
     Mistake::scene(&known::NO_SHADOWS, no_shadows),
     Mistake::scene(&known::SHADOW_RAYS_WITHOUT_END, shadow_rays_without_end),
+    Mistake::scene(&known::NO_OFFSET, |scene, _| with_least_distance(scene, *LENGTHS.start())),
+    OFFSET_TOO_LARGE,
+    OFFSET_TOO_LARGE.in_form("or than 0.1", How::Scene(|scene, _| with_least_distance(scene, 0.1))),
+    OFFSET_TOO_LARGE
+        .in_form("or than 0.01", How::Scene(|scene, _| with_least_distance(scene, 0.01))),
     Mistake::scene(&known::OCCLUDER_UNIFORM, occluder_uniform),
     Mistake::scene(&known::NO_MIN_AMOUNT, no_min_amount),
 ];
+
+/// The scene as the book's program hits it, whose rays start on the surface and ignore all hits that are nearer. Where that is
+/// far, only plain shapes are hit so: the boxes of the many parts of others would grow by it and overlap.
+fn with_least_distance(scene: &Scene, epsilon: f64) -> Option<Scene> {
+    // glass that is met again and again makes a tree of rays that takes minutes
+    if scene.materials.iter().any(|material| is_transparent(&material.recipe)) {
+        return None;
+    }
+    let is_near = epsilon == *LENGTHS.start();
+    changed(scene, |scene| {
+        let mut any = false;
+        for object in scene.objects.iter_mut().filter(|it| is_near || is_plain(&it.shape)) {
+            (object.intersect, object.epsilon) = (Some(Intersect::Textbook), Some(epsilon));
+            any = true;
+        }
+        any
+    })
+}
+
+fn is_plain(shape: &shapes::Kind) -> bool {
+    use shapes::Kind::*;
+    matches!(
+        shape,
+        Plane(_)
+            | Sphere(_)
+            | Cuboid(_)
+            | Rectangle(_)
+            | Disk(_)
+            | SolidCylinder(_)
+            | SolidCone(_)
+            | Torus(_)
+    )
+}
 
 fn with_exponent(scene: &Scene, exponent: f64) -> Option<Scene> {
     changed(scene, |scene| {
@@ -60,6 +113,26 @@ fn with_sun(scene: &Scene, change: fn(&mut Directional)) -> Option<Scene> {
                 change(sun);
                 any = true;
             }
+        }
+        any
+    })
+}
+
+/// Suns whose samples have the direction that the scene says, not made unit.
+fn longer_suns(scene: &Scene, _: &Path) -> Option<Scene> {
+    changed(scene, |scene| {
+        let mut any = false;
+        for light in scene.lights.iter_mut().filter(|light| light.enabled) {
+            let Kind::Directional(sun) = &light.source else { continue };
+            let (length, Some(built)) = (sun.direction.length(), single(&light.source)) else {
+                continue;
+            };
+            let longer = move |_: &LightContext, sample: LightSample| {
+                let direction = length * sample.direction;
+                LightSample { direction, ..sample }
+            };
+            light.source = with_samples(built, Arc::new(longer));
+            any = true;
         }
         any
     })

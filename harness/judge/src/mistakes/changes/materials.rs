@@ -50,7 +50,7 @@ fn back_sides_black(scene: &Scene, _: &Path) -> Option<Scene> {
     })
 }
 
-fn is_transparent(recipe: &Kind) -> bool {
+pub(super) fn is_transparent(recipe: &Kind) -> bool {
     matches!(recipe, Kind::Transparent(_) | Kind::Dielectric(_))
 }
 

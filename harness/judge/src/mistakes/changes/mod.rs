@@ -7,6 +7,7 @@ mod lamps;
 mod lights;
 mod materials;
 mod skies;
+mod tables;
 pub(super) mod textures;
 
 use groundtruth::scene::{Scene, Tracer};
@@ -15,7 +16,7 @@ use super::{Mistake, known};
 
 pub(super) use materials::NOT_INVERTED;
 
-pub(super) const ALL: [&[Mistake]; 9] = [
+pub(super) const ALL: [&[Mistake]; 10] = [
     &[
         Mistake::scene(&known::ONE_BOUNCE_LESS, |scene, _| deeper_by(scene, -1)),
         Mistake::scene(&known::ONE_BOUNCE_MORE, |scene, _| deeper_by(scene, 1)),
@@ -27,6 +28,7 @@ pub(super) const ALL: [&[Mistake]; 9] = [
     lights::ALL,
     materials::ALL,
     skies::ALL,
+    tables::ALL,
     textures::ALL,
 ];
 
