@@ -1,6 +1,7 @@
 //! Pictures of ours that are rendered for a verdict, until the user interrupts.
 
 use std::error::Error;
+use std::io::{self, Write};
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex, OnceLock, Weak};
 use std::thread;
@@ -46,7 +47,9 @@ fn end_in_time(interrupted: Arc<AtomicBool>, known: Weak<Mutex<String>>) {
         if interrupted.load(Ordering::Relaxed) {
             thread::sleep(GRACE_PERIOD);
             let Some(known) = known.upgrade() else { return };
-            println!("interrupted; {}", known.lock().expect("nobody panics with it"));
+            // a reader that is gone needs no words
+            let known = known.lock().map(|known| known.clone()).unwrap_or_default();
+            let _ = writeln!(io::stdout(), "interrupted; {known}");
             std::process::exit(130);
         }
     }

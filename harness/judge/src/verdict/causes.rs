@@ -118,7 +118,7 @@ struct Reading<'a> {
     changes: Vec<Vec<Vec<f64>>>,
 }
 
-/// A suspect, and how the picture is read if it is his.
+/// A suspect, and the reading and the orientation of the picture under which it is tested.
 #[derive(Clone, Copy)]
 struct Hypothesis {
     reading: usize,

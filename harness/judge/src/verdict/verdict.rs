@@ -193,8 +193,7 @@ impl Verdict {
         let Reason { explained, causes, factors, is_guessed, way: _ } = reason;
         (self.explained, self.causes, self.factors) = (explained, causes, factors);
         let agrees = self.explained.as_ref().is_some_and(|it| it.agrees);
-        // what comes nearest to a picture that agrees but for a harmless change says nothing, nor does a harmless change
-        // that leaves a difference if a mistake explains all
+        // a complete explanation replaces a partial one
         if agrees {
             (self.causes.nearest, self.causes.place) = (None, None);
         } else if !self.causes.explained_by.is_empty() {
