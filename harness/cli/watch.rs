@@ -80,7 +80,7 @@ impl Watch {
         match progress {
             Progress::Preliminary(_) => self.say(progress),
             Progress::Judged(_) => {}
-            Progress::Explaining | Progress::Dividing => {
+            Progress::Explaining => {
                 self.began.get_or_init(ProcessTime::now);
                 // the pictures of explanations come on top
                 let style = ProgressStyle::with_template(&style("{pos} pictures of ours"));

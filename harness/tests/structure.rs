@@ -3,6 +3,7 @@
 //! The tests read the source text: `crate::` paths outside comments, `mod` lines and lists.
 
 mod arrows;
+mod budget;
 mod dead;
 mod features;
 mod kinds;

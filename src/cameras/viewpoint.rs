@@ -48,8 +48,8 @@ pub struct Viewpoint {
 /// The handedness of the axes x, y and z.
 ///
 /// The same numbers, read as left-handed coordinates, are the mirror image of the scene. So the picture of `left` is that
-/// of `right`, mirrored: +x is on the right for a camera that looks along +z. Nothing else changes, neither normals nor
-/// the order of the vertices of triangles.
+/// of `right`, mirrored: +x is on the right for a camera that looks along +z. Normals and the
+/// order of the vertices of triangles stay as they are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "handedness")]

@@ -114,7 +114,7 @@ struct Listening<'a> {
 
 impl<'a> Listening<'a> {
     fn to(world: &'a World, wanted: Wanted) -> Self {
-        let terms = wanted.terms.then(|| Dividing::down_to(u32::MAX));
+        let terms = wanted.terms.then(Dividing::default);
         let (cost, counts_cost) = (Counts::default(), wanted.cost);
         Self { world, rays: 0, depth: 0, cost, counts_cost, terms, last: 0 }
     }

@@ -48,20 +48,14 @@ impl TermKey {
 pub type Terms = BTreeMap<TermKey, Rgb>;
 
 /// The recorder that divides the radiance of a sample into terms.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Dividing {
-    deepest: u32,
     /// For each ray that is under way, its terms, and those of its last child.
     frames: Vec<(Terms, Terms)>,
     whole: Terms,
 }
 
 impl Dividing {
-    /// Greater depths than `deepest` count as this one.
-    pub fn down_to(deepest: u32) -> Self {
-        Self { deepest, frames: Vec::new(), whole: Terms::new() }
-    }
-
     /// The terms of the sample that was recorded last, without its weight from the filter.
     pub fn into_terms(self) -> Terms {
         self.whole
@@ -84,8 +78,7 @@ impl Recorder for Dividing {
             TermSource::Direct { light, lobe, .. } => LightSource::Direct(light, lobe.name()),
             TermSource::Traced { lobe, .. } => {
                 for (key, arriving) in std::mem::take(child) {
-                    let depth = self.deepest.min(key.depth + 1);
-                    let key = TermKey { by: Some(lobe.name()), depth, ..key };
+                    let key = TermKey { by: Some(lobe.name()), depth: key.depth + 1, ..key };
                     *sums.entry(key).or_default() += term.weight * arriving;
                 }
                 return;

@@ -66,7 +66,7 @@ impl Course {
     }
 
     fn note(&self, progress: Progress<'_>) {
-        let is_explaining = matches!(progress, Progress::Explaining | Progress::Dividing);
+        let is_explaining = matches!(progress, Progress::Explaining);
         self.is_explaining.store(is_explaining, Ordering::Relaxed);
         *self.known.lock().expect("no holder panics") = format!("; {progress}");
     }

@@ -71,9 +71,9 @@ pub fn names(wrong: &[Wrong]) -> Vec<Name> {
     names
 }
 
-/// Of several names of a family, keeps those that most other families have, too, if these are at most two. A name that no other family has
-/// is not kept for few wrong answers, nor for a scene if most other scenes have wrong answers without a name. If all wrong
-/// answers of all families are those of left-handed axes, this is said first.
+/// Of several names of a family, keeps those that most other families share, if these are at most two. A name that no other
+/// family has is dropped if it rests on few wrong answers, or if it is that of a scene and most other wrong scenes have
+/// none. If all wrong answers of all families are those of left-handed axes, this is said first.
 pub fn agree(rows: &mut [Row]) {
     let failed: Vec<&Row> = rows.iter().filter(|row| row.count(Status::Wrong) > row.fair).collect();
     // some rules have no numbers to compare

@@ -13,9 +13,6 @@ use super::{Method, Sets, Watch};
 use crate::verdict::Areas;
 use crate::verdict::residuals::{around, own_variance};
 
-/// Sets whose noise is of this part of each other's, to its inverse, may be divided as if it were the same.
-const ALIKE: f64 = 0.9;
-
 /// So many divisions over the level are tried: the probability of the last one that counts is known to a quarter.
 const DIVISIONS: f64 = 4.0;
 
@@ -83,13 +80,12 @@ impl<'a> SetEvidence<'a> {
             return Self::of_one(sets, level, watch);
         }
         let (least, design) = (1.0 / Divisions::of_sets(sizes), Design::means(sizes));
-        let is_alike = (ALIKE..=1.0 / ALIKE).contains(&noise.factor) || noise.probability > level;
-        let divisions = (is_alike && least <= level).then(|| Divisions::sets(sizes, most));
+        let divisions = (noise.is_alike && least <= level).then(|| Divisions::sets(sizes, most));
         let method = match &divisions {
             Some(divisions) => {
                 Method::Divisions { count: divisions.weights.len(), is_all: divisions.is_all }
             }
-            None if is_alike => Method::Areas { because: Reason::Few(least) },
+            None if noise.is_alike => Method::Areas { because: Reason::Few(least) },
             None => Method::Areas { because: Reason::Noise },
         };
         let mean = sets.mean_of_all();

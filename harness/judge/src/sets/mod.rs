@@ -298,7 +298,7 @@ impl SetsVerdict {
         let (sets, is_nothing_left) = sets.without_not_finite();
         let is_exact = sets.is_fixed() && (pictures != [1, 1] || sets.before[0] == sets.after[0]);
         let pairs = Pairs::of(&sets);
-        let noise = Noise::of(&sets);
+        let noise = Noise::of(&sets, level);
         let evidence = SetEvidence::of(&sets, (&pairs, &noise), level, watch);
         let mut found = match is_exact {
             true => Found { probability: 1.0, sums: Vec::new() },

@@ -23,25 +23,58 @@ pub struct Noise {
     pub interval: [f64; 2],
     /// The probability of a factor as far from 1, if the noise is the same.
     pub probability: f64,
+    /// Whether it is the same as far as can be seen, so that pictures before and after may be exchanged.
+    #[serde(skip)]
+    pub is_alike: bool,
 }
 
+/// Noise of this part of the other's, to its inverse, is taken for the same.
+const ALIKE: f64 = 0.9;
+
 impl Noise {
-    /// Of sets of two pictures or more; of fewer nothing is known, and the factor is 1.
-    pub fn of(sets: &Sets) -> Self {
+    /// Of sets of two pictures or more; of fewer nothing is known, and the factor is 1. The level is that of a change that is
+    /// seen where there is none.
+    pub fn of(sets: &Sets, level: f64) -> Self {
         let [n, _] = sets.sizes();
-        let logarithms = logarithms(sets);
-        let (before, after) = logarithms.split_at(n.min(logarithms.len()));
-        let Some(apart) = difference(after, before, 0.99) else {
-            return Self { factor: 1.0, interval: [0.0, f64::MAX], probability: 1.0 };
+        let held = |values: Vec<f64>| {
+            let logarithm = |value: f64| (value > 0.0).then(|| 0.5 * ln(value));
+            let all: Option<Vec<f64>> = values.into_iter().map(logarithm).collect();
+            let all = all.unwrap_or_default();
+            let (before, after) = all.split_at(n.min(all.len()));
+            Some((difference(after, before, 0.99)?.map(exp), two_samples(after, before)))
         };
-        let [factor, low, high] = apart.map(exp);
-        Self { factor, interval: [low, high], probability: two_samples(after, before) }
+        let is_alike = |factor: f64, probability: f64| {
+            (ALIKE..=1.0 / ALIKE).contains(&factor) || probability > level
+        };
+        let squares = squares(sets);
+        let Some(([factor, low, high], probability)) = held(medians(&squares)) else {
+            let interval = [0.0, f64::MAX];
+            return Self { factor: 1.0, interval, probability: 1.0, is_alike: true };
+        };
+        // most squares have no firefly, so that their median shows no change of these
+        let whole = held(squares.iter().map(|sums| sums.iter().sum()).collect());
+        let is_alike = is_alike(factor, probability)
+            && whole.is_none_or(|([factor, ..], probability)| is_alike(factor, probability));
+        Self { factor, interval: [low, high], probability, is_alike }
     }
 }
 
-/// For each picture, the logarithm of its noise: the median over squares of how its squared differences from the mean of
-/// its set are to those of all pictures, so that single bright pixels do not decide.
-fn logarithms(sets: &Sets) -> Vec<f64> {
+/// For each picture, the median over squares of how its squared differences are to those of all pictures, so that single
+/// bright pixels do not decide; 0 if nothing is known.
+fn medians(squares: &[Vec<f64>]) -> Vec<f64> {
+    let count = squares.len() as f64;
+    let total = |square: usize| squares.iter().map(|sums| sums[square]).sum::<f64>() / count;
+    let totals: Vec<f64> = (0..squares.first().map_or(0, Vec::len)).map(total).collect();
+    let median = |sums: &Vec<f64>| {
+        let ratios = sums.iter().zip(&totals).map(|(sum, total)| sum / total);
+        let known: Vec<f64> = ratios.filter(|ratio| ratio.is_finite()).collect();
+        quantile(&known, 0.5).unwrap_or_default()
+    };
+    squares.iter().map(median).collect()
+}
+
+/// For each picture, its squared differences from the mean of its set, in squares.
+fn squares(sets: &Sets) -> Vec<Vec<f64>> {
     let [width, height] = sets.areas.size;
     let side = width.max(height).div_ceil(SQUARES);
     let across = width.div_ceil(side);
@@ -59,14 +92,7 @@ fn logarithms(sets: &Sets) -> Vec<f64> {
             squares.push(sums);
         }
     }
-    let count = squares.len() as f64;
-    let total = |square: usize| squares.iter().map(|sums| sums[square]).sum::<f64>() / count;
-    let of_picture = |sums: &Vec<f64>| {
-        let ratios = (0..sums.len()).map(|square| sums[square] / total(square));
-        let known: Vec<f64> = ratios.filter(|ratio| ratio.is_finite()).collect();
-        quantile(&known, 0.5).filter(|ratio| *ratio > 0.0).map(|ratio| 0.5 * ln(ratio))
-    };
-    squares.iter().map(of_picture).collect::<Option<_>>().unwrap_or_default()
+    squares
 }
 
 /// Pictures with equal seeds: the places of one before and of one after.

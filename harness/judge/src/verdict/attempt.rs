@@ -18,10 +18,7 @@ use super::{
     plausible,
 };
 use crate::mistakes::IsOver;
-use pictures::compare::{
-    Change, Decoded, Picture, Transfer, changes_that_explain, distance_of, half_pixel_directions,
-    half_pixel_words,
-};
+use pictures::compare::{Picture, Transfer};
 
 /// The gain that is planted everywhere, and the one in an object.
 const PLANTED: [f64; 2] = [1.02, 1.05];
@@ -31,9 +28,6 @@ const SEEN: u32 = 100;
 
 /// So few of ours refute a way to store values.
 const FEW: usize = 4;
-
-/// So many harmless changes are judged.
-const TRIED: usize = 4;
 
 /// A plant makes the picture at least this many times as bright.
 const LEAST_GAIN: f64 = 1.0001;
@@ -175,93 +169,6 @@ impl Judge<'_> {
         Some(Attempt { judged, verdict, known })
     }
 
-    /// The most harmless change with which the picture agrees, read in one of these ways; and the way.
-    pub fn explained(
-        &self,
-        theirs: &Picture,
-        replicas: &mut Replicas<'_, '_>,
-        ways: &[Stored],
-    ) -> Option<(Explanation, Stored)> {
-        let of = |way: &Stored| self.harmless(theirs, &replicas.films, *way);
-        let mut changes: Vec<(f64, Change, Stored)> = ways.iter().flat_map(of).collect();
-        // read in another way, a known factor is nearly some other one
-        let rank = |(left, change, _): &(f64, Change, Stored)| {
-            if change.is_known_factor() { 0.1 * left } else { *left }
-        };
-        changes.sort_by(|a, b| rank(a).total_cmp(&rank(b)));
-        for (_, change, way) in changes.into_iter().take(TRIED) {
-            if (self.is_over)() {
-                return None;
-            }
-            let as_theirs = read_so(theirs, way);
-            let judge = Self { transfer: way.transfer().or(self.transfer), ..*self };
-            let agrees = match change {
-                Change::Scaled(factor) => judge.agrees_scaled(theirs, replicas, factor),
-                _ => judge.agrees(&change.applied(&as_theirs), replicas),
-            };
-            if agrees == Some(true) {
-                let what = change.words(["ours", "theirs"], as_theirs.transfer);
-                // of a factor it is not known where it comes from
-                let is_gain = matches!(change, Change::Scaled(_));
-                return Some((Explanation { what, agrees: true, is_gain }, way));
-            }
-        }
-        let alike = Picture::of_radiance(&ways[0].values(replicas.films.first()?), theirs.size);
-        let half = |way: &Stored| {
-            if (self.is_over)() {
-                return None;
-            }
-            let as_theirs = read_so(theirs, *way);
-            let found = half_pixel_directions(replicas.world, &as_theirs, Some(&alike));
-            found.first().map(|(direction, left)| (*left, *direction, *way))
-        };
-        let all: Vec<(f64, [i32; 2], Stored)> = ways.iter().filter_map(half).collect();
-        let (_, direction, way) = all.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let films = std::mem::take(&mut replicas.films);
-        replicas.direction = direction;
-        let judge = Self { transfer: way.transfer().or(self.transfer), ..*self };
-        let agrees = judge.agrees(theirs, replicas);
-        (replicas.direction, replicas.films) = ([0, 0], films);
-        let what = half_pixel_words(direction, "theirs");
-        Some((Explanation { what, agrees: agrees?, is_gain: false }, way))
-    }
-
-    /// Whether the picture agrees with ours divided by a factor: theirs times the factor would be coarser than it is.
-    fn agrees_scaled(
-        &self,
-        theirs: &Picture,
-        replicas: &mut Replicas<'_, '_>,
-        factor: f64,
-    ) -> Option<bool> {
-        let (films, time) =
-            (std::mem::take(&mut replicas.films), replicas.world.view.exposure_time);
-        replicas.world.view.exposure_time = time / factor;
-        let agrees = self.agrees(theirs, replicas);
-        (replicas.films, replicas.world.view.exposure_time) = (films, time);
-        agrees
-    }
-
-    /// The harmless changes that leave little of the difference of a picture read in one way, with the part that each
-    /// leaves.
-    fn harmless(
-        &self,
-        theirs: &Picture,
-        films: &[Film],
-        way: Stored,
-    ) -> Vec<(f64, Change, Stored)> {
-        let known: Vec<Vec<f32>> = films.iter().map(|film| way.values(film)).collect();
-        let mean: Vec<f32> = mean_of(&known).into_iter().map(|value| value as f32).collect();
-        let [mean, alike] =
-            [&mean, &known[0]].map(|values| Picture::of_radiance(values, theirs.size));
-        let [ours, alike] = [&mean, &alike].map(Decoded::new);
-        let as_theirs = read_so(theirs, way);
-        let decoded = Decoded::read_by(&as_theirs, |value| f64::from(way.read(value)));
-        let found = changes_that_explain(&ours, &decoded, distance_of(&ours, &alike)).into_iter();
-        // other ways to read it are tried by themselves
-        let found = found.filter(|(change, _)| !matches!(change, Change::Decoded(_)));
-        found.map(|(change, left)| (left, change, way)).collect()
-    }
-
     /// The samples that are alike in all pixels with which ours are nearest to the picture, if it agrees with these.
     pub fn alike_in_all_pixels(
         &self,
@@ -389,17 +296,7 @@ pub(super) fn better<T>(
     first
 }
 
-fn mean_of(all: &[Vec<f32>]) -> Vec<f64> {
-    let count = all.len() as f64;
-    (0..all[0].len()).map(|i| all.iter().map(|it| f64::from(it[i])).sum::<f64>() / count).collect()
-}
-
 /// The radiance of a picture whose values are stored in this way.
 pub(super) fn read(picture: &Picture, stored: Stored) -> Vec<f32> {
     picture.values.as_flattened().iter().map(|value| stored.read(*value)).collect()
-}
-
-/// The picture, encoded as it is if its values are stored in this way.
-fn read_so(theirs: &Picture, way: Stored) -> Picture {
-    Picture { transfer: way.transfer().unwrap_or(theirs.transfer), ..theirs.clone() }
 }

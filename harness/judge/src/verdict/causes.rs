@@ -193,7 +193,7 @@ impl<'a> Inquiry<'a, '_, '_> {
     }
 
     /// The picture beside ours, read in one way.
-    pub fn evidence(&self, way: Stored) -> Evidence<'a> {
+    fn evidence(&self, way: Stored) -> Evidence<'a> {
         evidence((self.theirs, self.judged), &self.replicas.films, self.judge.areas, way)
     }
 

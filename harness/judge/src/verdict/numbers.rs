@@ -7,7 +7,7 @@ use groundtruth::scene::Scene;
 use pictures::digits::short;
 use serde_json::Value;
 
-use super::linear::{Equations, product};
+use super::linear::{fitted, product};
 use crate::mistakes::local::Local;
 
 /// Fields of materials and of lights that are tried.
@@ -80,13 +80,10 @@ impl Searched<'_> {
                 Some(difference(&change(&moved)?, &tiles))
             });
             let columns = columns.collect::<Option<Vec<Vec<f64>>>>()?;
-            let columns: Vec<&[f64]> = columns.iter().map(|column| &**column).collect();
-            let equations = Equations::new(&columns, &rest, self.weights)?;
-            let all: Vec<usize> = (0..values.len()).collect();
-            if step == 0 && equations.explained(&all)? < PROMISING * total {
+            let (multiples, explained) = fitted(&columns, &rest, self.weights)?;
+            if step == 0 && explained < PROMISING * total {
                 return None;
             }
-            let (multiples, _) = equations.solved(&all)?;
             let next =
                 values.iter().zip(multiples).map(|(value, multiple)| value + small * multiple);
             let next: Vec<f64> = next.map(|value| near(value, scale)).collect();

@@ -8,7 +8,6 @@ use serde_json::Value;
 
 use super::causes::finite;
 use super::evidence::Evidence;
-use super::factors::TermFactor;
 
 /// The object to which a difference is confined, or the objects of one material.
 #[derive(Clone, Debug, Serialize)]
@@ -21,8 +20,6 @@ pub struct Place {
     pub about: String,
     /// The part of the squared difference that is there, weighted by the noise.
     pub share: f64,
-    /// If there each channel is a multiple of ours: red, green and blue.
-    pub factors: Option<[TermFactor; 3]>,
 }
 
 /// A difference is in one place if at least this part of its squares is.
@@ -33,9 +30,6 @@ const ALL: f64 = 0.98;
 
 /// Other objects have at least this part of the pixels: else that says nothing.
 const OTHERS: f64 = 0.05;
-
-/// Factors explain what they leave at most this part of.
-const LEFT: f64 = 0.1;
 
 /// A part of an object within a tile: sums of a channel over its pixels.
 #[derive(Clone, Copy, Default)]
@@ -91,14 +85,12 @@ impl Place {
         let objects = single.chain(of_material.into_values()).find(|objects| is_it(objects))?;
         let material = material_of(objects[0]);
         let material = scene.materials.iter().find(|it| Some(&it.name) == material.as_ref());
-        let its: Vec<[Part; 3]> = objects.iter().flat_map(|it| parts[*it].clone()).collect();
         let share = objects.iter().map(|object| squares[*object]).sum::<f64>() / whole;
         Some(Self {
             objects: objects.iter().map(|it| areas.objects[*it].0.to_string()).collect(),
             material: material.map(|it| it.name.clone()),
             about: material.map(about).unwrap_or_default(),
             share: share.min(1.0),
-            factors: factors(&its),
         })
     }
 }
@@ -122,29 +114,6 @@ fn parts(evidence: &Evidence<'_>) -> Parts {
         }
     }
     parts.into_iter().map(|its| its.into_values().collect()).collect()
-}
-
-/// For each channel, the multiple of ours that is nearest to theirs, if these explain it.
-fn factors(parts: &[[Part; 3]]) -> Option<[TermFactor; 3]> {
-    let (mut before, mut after) = (0.0, 0.0);
-    let factors = [0, 1, 2].map(|channel| {
-        let its = || parts.iter().map(|part| part[channel]).filter(|part| part.variance > 0.0);
-        let [ours, both] = [
-            its().map(|it| it.ours * it.ours / it.variance).sum::<f64>(),
-            its().map(|it| it.ours * it.theirs / it.variance).sum::<f64>(),
-        ];
-        let factor = if ours > 0.0 { both / ours } else { 1.0 };
-        let multiple = |part: Part| Part { ours: factor * part.ours, ..part };
-        before += its().map(|it| it.square()).sum::<f64>();
-        let left: f64 = its().map(|it| multiple(it).square()).sum();
-        after += left;
-        // what is left beyond noise makes the factor less certain
-        let beyond = (1.0 + left / (its().count() as f64 - 1.0).max(1.0)).max(1.0);
-        let error = if ours > 0.0 { (beyond / ours).sqrt() } else { 0.0 };
-        let name = ["red", "green", "blue"][channel].to_owned();
-        TermFactor { terms: vec![name], factor, error, share: 1.0 }
-    });
-    (before > 0.0 && after <= LEFT * before).then_some(factors)
 }
 
 /// A material in words: its kind, and which fields have textures.

@@ -13,8 +13,6 @@ pub enum Progress<'a> {
     Judged(&'a Evaluation),
     /// It differs, and explanations are tried.
     Explaining,
-    /// No known mistake explains it: ours is divided into films of terms.
-    Dividing,
 }
 
 impl fmt::Display for Progress<'_> {
@@ -29,7 +27,6 @@ impl fmt::Display for Progress<'_> {
                 }
             }
             Self::Explaining => write!(f, "differs; explanations are tried"),
-            Self::Dividing => write!(f, "differs; ours is divided into terms"),
         }
     }
 }

@@ -1,32 +1,26 @@
-//! Why a picture differs: a harmless change, a known mistake, or other factors of terms.
+//! Why a picture differs: a harmless change or a known mistake.
 
 use pictures::compare::Picture;
 
+use super::Evaluation;
 use super::attempt::Judge;
 use super::causes::{Causes, Inquiry};
-use super::factors::{Factors, factors};
 use super::plausible::readings;
 use super::replicas::Replicas;
 use super::stored::Stored;
 use super::suspects::Suspects;
-use super::terms::terms;
 use super::verdict::Explanation;
-use super::{Evaluation, Progress};
 
 /// Why a picture differs.
 #[derive(Default)]
 pub(super) struct Reason {
     pub explained: Option<Explanation>,
     pub causes: Causes,
-    pub factors: Option<Factors>,
     /// How the picture's values are stored, if what explains it says so.
     pub way: Option<Stored>,
     /// Whether nothing else says how they encode radiance.
     pub is_guessed: bool,
 }
-
-/// Terms are the mean of so many replicas.
-const TERM_REPLICAS: u64 = 4;
 
 impl Judge<'_> {
     /// Why a picture differs from our replicas, as it was judged.
@@ -65,21 +59,6 @@ impl Judge<'_> {
         let (causes, way) = inquiry.causes(&ways);
         reason.way = if causes.explained_by.is_empty() { reason.way.or(way) } else { way };
         reason.causes = causes;
-        if reason.wants_factors() && !is_over() {
-            (self.so_far)(Progress::Dividing);
-            let evidence = inquiry.evidence(reason.way.unwrap_or(stored));
-            let terms = terms(inquiry.replicas.world, seed..seed + TERM_REPLICAS);
-            let nearest = reason.causes.nearest.as_ref().map_or(0.0, |it| it.share);
-            reason.factors = factors(&terms, &evidence).filter(|it| it.share > nearest);
-        }
         reason
-    }
-}
-
-impl Reason {
-    /// Whether factors of terms may say more than what is known.
-    fn wants_factors(&self) -> bool {
-        let agrees = self.explained.as_ref().is_some_and(|it| it.agrees);
-        !agrees && self.causes.explained_by.is_empty()
     }
 }

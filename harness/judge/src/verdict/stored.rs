@@ -61,7 +61,8 @@ impl Stored {
                 _ => Self::Floats { bits: 24 },
             }];
         };
-        let mut transfers = vec![Transfer::Gamma(gamma), Transfer::Srgb, Transfer::Linear];
+        let own = if gamma == 1.0 { Transfer::Linear } else { Transfer::Gamma(gamma) };
+        let mut transfers = vec![own, Transfer::Srgb, Transfer::Linear];
         transfers.extend([1.8, 2.0, 2.2, 2.4].map(Transfer::Gamma));
         if let Some(transfer) = transfer {
             transfers = vec![transfer];

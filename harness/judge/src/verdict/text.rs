@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use groundtruth::explain::{brief, count};
+use groundtruth::explain::count;
 
 use super::verdict::{DecidedBy, DifferingRegion, Explanation, Verdict};
-use super::{Cause, Causes, Decision, Factors, Means, Nearest, Place, Relative, TermFactor};
+use super::{Cause, Causes, Decision, Means, Nearest, Place, Relative};
 use pictures::compare::article;
 use pictures::digits::{short, three};
 use pictures::percent;
@@ -85,7 +85,7 @@ impl Verdict {
         }
     }
 
-    /// The known mistake or the terms that explain it.
+    /// The known mistake that explains it.
     fn why(&self) -> String {
         let Causes { explained_by, tried, otherwise, is_unfinished, .. } = &self.causes;
         if let (Some(cause), [first, ..]) = (explained_by.first(), &**otherwise) {
@@ -242,12 +242,6 @@ impl Verdict {
         for (encoding, cause) in otherwise {
             writeln!(f, "  or, if its values are {encoding}, that {cause}")?;
         }
-        // they explain more than what is nearest
-        if let Some(Factors { factors, share }) = &self.factors {
-            let share = 100.0 * share;
-            writeln!(f, "terms: these explain {share:.0} % of the difference")?;
-            factors.iter().try_for_each(|factor| writeln!(f, "  {factor}"))?;
-        }
         if let Some(Nearest { cause, share, interval }) =
             nearest.as_ref().filter(|it| it.share >= PART)
         {
@@ -314,15 +308,6 @@ impl fmt::Display for Cause {
     }
 }
 
-impl fmt::Display for TermFactor {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [times, error] = [self.factor, self.error].map(brief);
-        let meaning = self.meaning().map_or(String::new(), |name| format!(": {name}"));
-        let terms = self.terms.join(" and ");
-        write!(f, "{terms} is {times} ± {error} times ours{meaning}")
-    }
-}
-
 impl fmt::Display for Place {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let share = 100.0 * self.share;
@@ -331,10 +316,7 @@ impl fmt::Display for Place {
             None => String::new(),
         };
         let (how_much, objects) = (self.how_much(), self.objects.join(", "));
-        writeln!(f, "{how_much} in {objects}{of}: {share:.0} % of the difference")?;
-        let Some(factors) = &self.factors else { return Ok(()) };
-        let counts: Vec<String> = factors.iter().map(TermFactor::to_string).collect();
-        writeln!(f, "  there {}", counts.join(", "))
+        writeln!(f, "{how_much} in {objects}{of}: {share:.0} % of the difference")
     }
 }
 

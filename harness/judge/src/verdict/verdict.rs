@@ -9,8 +9,8 @@ use super::pictures_shown::{Shown, ShownPictures};
 use super::reason::Reason;
 
 use super::{
-    Answer, Area, Areas, Causes, Decision, DifferingArea, Evaluation, Factors, Map, Means,
-    Negative, PlantedDefect, Pool, Ranking, Stored, Strictness, WelchTest,
+    Answer, Area, Areas, Causes, Decision, DifferingArea, Evaluation, Map, Means, Negative,
+    PlantedDefect, Pool, Ranking, Stored, Strictness, WelchTest,
 };
 
 /// What is said of a picture.
@@ -59,8 +59,6 @@ pub struct Verdict {
     pub regions: Vec<DifferingRegion>,
     /// The change that explains the difference.
     pub explained: Option<Explanation>,
-    /// The terms of which the picture holds another multiple, if these explain it and no known mistake does.
-    pub factors: Option<Factors>,
     /// The known mistakes that explain the difference.
     pub causes: Causes,
     /// Whether nothing says how the picture encodes radiance, so that it is read as it fits best.
@@ -163,7 +161,6 @@ impl Verdict {
             margin: None,
             regions: Vec::new(),
             explained: None,
-            factors: None,
             causes: Causes::default(),
             is_guessed: false,
             loss: None,
@@ -190,8 +187,8 @@ impl Verdict {
 
     /// Says why the picture differs.
     pub(super) fn explain(&mut self, reason: Reason) {
-        let Reason { explained, causes, factors, is_guessed, way: _ } = reason;
-        (self.explained, self.causes, self.factors) = (explained, causes, factors);
+        let Reason { explained, causes, is_guessed, way: _ } = reason;
+        (self.explained, self.causes) = (explained, causes);
         let agrees = self.explained.as_ref().is_some_and(|it| it.agrees);
         // a complete explanation replaces a partial one
         if agrees {

@@ -48,7 +48,7 @@ fn values_that_are_no_numbers() {
 }
 
 /// Law: a picture of one value far from the noise of its set is named first, and makes a difference if only one side has such a
-/// picture; pictures with honest noise are never so, nor with single bright pixels. Oracle: it is planted; the noise is a
+/// picture. Of pictures with honest noise none is called far, with or without single bright pixels. Oracle: it is planted; the noise is a
 /// tenth of a mean of about 1.
 #[test]
 fn a_picture_far_from_its_set_is_named() {

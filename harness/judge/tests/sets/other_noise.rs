@@ -34,13 +34,16 @@ fn edge(seed: u64) -> Picture {
 
 /// Law: sets of equal means and other noise hardly ever differ, though each pixel is tested, and even where a sample has one of
 /// two values, which chance repeats in all pictures of a set. Oracle: the mean of four pictures has the mean of one; the
-/// binomial distribution at the level: of 30, more than 4 have a probability below 2e-5, so that it is below 2e-4 for all 6.
+/// binomial distribution at the level: of 30, more than 4 have a probability below 2e-5, so that it is below 2e-4 for all 8.
 #[test]
 fn few_honest_sets_with_other_noise_differ() {
     let of = |noise: Noise| move |seed: u64| picture(noise, seed);
-    // of fireflies the finest details do not show that the noise has changed
-    let kinds: [(&str, &(dyn Fn(u64) -> Picture + Sync)); 3] =
-        [("even", &of(Noise::Even)), ("filtered", &of(Noise::Filtered)), ("edge", &edge)];
+    let kinds: [(&str, &(dyn Fn(u64) -> Picture + Sync)); 4] = [
+        ("even", &of(Noise::Even)),
+        ("filtered", &of(Noise::Filtered)),
+        ("fireflies", &of(Noise::Fireflies)),
+        ("edge", &edge),
+    ];
     for (name, of) in kinds {
         for sizes in [[5, 5], [4, 7]] {
             let alarm = |seed: &u64| {

@@ -31,17 +31,17 @@ fn interrupted(
     strictness: Strictness,
     after: usize,
 ) -> Option<Verdict> {
-    watched(scene, theirs, strictness, after, (&Cell::new(0), &|_| {}))
+    watched(scene, theirs, (strictness, None), after, (&Cell::new(0), &|_| {}))
 }
 
 /// The number of pictures of ours, and what hears of progress.
 pub type Watch<'a> = (&'a Cell<usize>, &'a dyn Fn(Progress<'_>));
 
-/// The same; the watch counts them, and hears what is told.
+/// The same of files that may say their transfer function; the watch counts pictures of ours, and hears what is told.
 pub fn watched(
     scene: &Scene,
     theirs: &[Picture],
-    strictness: Strictness,
+    (strictness, transfer): (Strictness, Option<Transfer>),
     after: usize,
     (rendered, so_far): Watch<'_>,
 ) -> Option<Verdict> {
@@ -53,7 +53,7 @@ pub fn watched(
         is_over: &|| false,
         so_far,
         strictness,
-        transfer: None,
+        transfer,
         tone: (scene.image.gamma, scene.image.out_of_gamut),
         seed: 1,
         reference: None,
@@ -167,7 +167,7 @@ fn corners_for_centres_are_named() {
 fn transfer_functions_are_assumed_and_named() {
     let film = theirs(&noisy(), 500);
     let folder = tempfile::tempdir().expect("a folder");
-    for gamma in [1.0, 1.8, 2.2] {
+    for (gamma, name) in [(1.0, "linear"), (1.8, "gamma 1.8"), (2.2, "gamma 2.2")] {
         let file = folder.path().join("theirs.png");
         let tone = Tone { exposure: 1.0, gamma, out_of_gamut: OutOfGamut::MaxToOne };
         film::write(&film, &tone, &file).expect("written");
@@ -175,7 +175,7 @@ fn transfer_functions_are_assumed_and_named() {
         let unsaid = Picture { stated: None, ..Picture::read(&file, None).expect("a picture") };
         let verdict = judged_correct(&unsaid);
         assert_eq!(verdict.decision, Decision::Agrees, "gamma {gamma}: {verdict}");
-        assert!(verdict.assumed.starts_with(&format!("gamma {gamma}, ")), "{verdict}");
+        assert!(verdict.assumed.starts_with(&format!("{name}, ")), "{verdict}");
     }
     let encoded = |truncated: bool| {
         let code = |radiance: f64| {

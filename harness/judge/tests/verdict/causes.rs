@@ -283,34 +283,22 @@ fn a_mistake_of_one_texture_is_named_with_its_place() {
         let named =
             |it: &Cause| it.name == Some("texture-colours-exchanged") && it.chapter.is_none();
         assert!(verdict.causes.explained_by.iter().any(named), "{verdict}");
-        assert!(verdict.factors.is_none(), "{verdict}");
         let place = verdict.causes.place.expect("it is in one object");
         assert_eq!(place.objects, [name]);
         assert!(place.about.contains("checker3d"), "{place:?}");
     }
 }
 
-/// Law: where one object has another colour, it is named with its material and the factor of each channel. Oracle: the
-/// factors that were made.
+/// Law: where objects of one material have another colour, the material is named. Oracle: the material that was changed.
 #[test]
-fn another_colour_is_named_with_its_factors() {
+fn the_material_of_another_colour_is_named() {
     let scene = scene("ch14/set", [48, 48], 4);
     let mut found = 0;
     for DataChange { what, scene: other, place } in data_changes(&scene) {
         let Some(material) = place else { continue };
         let Some(place) = verdict_on(&scene, &other).causes.place else { continue };
         assert_eq!(place.material.as_ref(), Some(&material), "{what}");
-        if let Some(factors) = place.factors {
-            found += 1;
-            for (factor, expected) in factors.iter().zip([0.6, 1.0, 0.9]) {
-                // a channel that is black has any factor
-                let apart = (factor.factor - expected).abs();
-                assert!(
-                    apart < (4.0 * factor.error).max(0.02) || factor.error == 0.0,
-                    "{what}: {factor:?}, not {expected}"
-                );
-            }
-        }
+        found += 1;
     }
     assert!(found > 0);
 }

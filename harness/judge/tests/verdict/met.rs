@@ -1,14 +1,15 @@
 //! Mistakes as they were met: pictures of a student's program ([`student`]), stored in three ways, nothing said of how.
 
+use std::cell::Cell;
 use std::path::Path;
 
 use groundtruth::math::{Pcg32, power};
 use groundtruth::scene::{self, Scene};
 use image::ImageEncoder;
-use judge::verdict::{Decision, Strictness, Verdict};
-use pictures::compare::Picture;
+use judge::verdict::{Decision, Progress, Strictness, Verdict};
+use pictures::compare::{Picture, Transfer};
 
-use super::cases::verdict;
+use super::cases::{verdict, watched};
 use super::student::{self, MISTAKES, Stage, Student};
 
 /// A step of a storage, with its name.
@@ -106,6 +107,9 @@ fn mistakes_as_met_are_named_rightly_or_not_at_all() {
     let stages = student::stages();
     met(&stages[..1], &MISTAKES[..8], &[1, 2]);
     met(&stages[1..2], MISTAKES, &[0]);
+    // a PNG, which may be rounded or truncated
+    let half = MISTAKES.iter().position(|(name, _)| *name == "half of all light").expect("met");
+    met(&stages[1..2], &MISTAKES[half..half + 1], &[2]);
 }
 
 /// Law: the same for all mistakes, stages and ways to store. Oracle: as above.
@@ -214,4 +218,23 @@ fn honest_pictures_agree_or_are_told_what_was_done_to_them() {
         }
     }
     assert_eq!(wrong, Vec::<String>::new());
+}
+
+/// Law: a file that says that it is encoded as sRGB, and is not, is told so, and nothing else is. Oracle: how it was stored.
+#[test]
+fn a_file_that_lies_about_its_encoding_is_told_so() {
+    let stage = student::stages().swap_remove(1);
+    let strictness = Strictness { level: 0.01, first: 8 };
+    for (storage, name) in [(1, "linear"), (2, "gamma 2.2")] {
+        let picture = stored(&Student { stage: &stage, mistake: "" }.picture(40), storage);
+        let picture = Picture { transfer: Transfer::Srgb, ..picture };
+        let silent = |_: Progress<'_>| {};
+        let how = (strictness, Some(Transfer::Srgb));
+        let verdict =
+            watched(&scene_of(&stage), &[picture], how, usize::MAX, (&Cell::new(0), &silent));
+        let line = verdict.expect("nobody interrupts").sentence();
+        let expected =
+            format!("differs: theirs is encoded as {name}, not as sRGB; it agrees but for that");
+        assert!(line.starts_with(&expected), "{line}");
+    }
 }

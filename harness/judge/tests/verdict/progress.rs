@@ -23,7 +23,7 @@ fn judged(scene: &Scene, theirs: &Picture) -> (Verdict, Told, usize) {
         told.borrow_mut().push((rendered.get(), kind));
     };
     let theirs = std::slice::from_ref(theirs);
-    let verdict = watched(scene, theirs, STRICTNESS, usize::MAX, (&rendered, &so_far));
+    let verdict = watched(scene, theirs, (STRICTNESS, None), usize::MAX, (&rendered, &so_far));
     let verdict = verdict.expect("nobody interrupts");
     (verdict, told.into_inner(), rendered.get())
 }

@@ -1,10 +1,10 @@
-//! The statistic: ranks are fair, sums are sums, terms are parts of the picture.
+//! The statistic: ranks are fair, sums are sums.
 
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::Pcg32;
 use judge::verdict::{
     Area, Areas, Bright, DifferenceKind, Evaluation, Evidence, Map, Mean, Pool, PoolContext,
-    Quantiser, Ranking, Stored, Strictness, TermFactor, TermFilm, factors, terms,
+    Quantiser, Ranking, Stored, Strictness,
 };
 use pictures::compare::{Picture, Transfer};
 use statistics::chi_square;
@@ -134,43 +134,6 @@ fn values_are_stored_as_files_store_them() {
     }
 }
 
-/// Law: the sum of all terms is the picture. Oracle: the renderer.
-#[test]
-fn terms_add_up_to_the_picture() {
-    for name in [
-        "ch18/rectangle",
-        "ch26/cornell-box",
-        "ch28/three-filters",
-        "ch25/glossy-hall",
-        "ch12/thin-lens",
-    ] {
-        if gallery::find(name).is_none() {
-            continue;
-        }
-        let mut scene = scene(name, [16, 16], 4);
-        scene.camera.exposure_time = 0.75;
-        let mut world = world(&scene, 1);
-        let ours = films(&mut world, 7..9);
-        let terms = terms(&mut world, 7..9);
-        assert!(!terms.is_empty());
-        for y in 0..16 {
-            for x in 0..16 {
-                let sum = |films: &mut dyn Iterator<Item = &Film>| {
-                    films.fold([0.0; 3], |sum, film| {
-                        let color = film.get([x, y]).to_array();
-                        [0, 1, 2].map(|channel| sum[channel] + color[channel])
-                    })
-                };
-                let of_terms = sum(&mut terms.iter().map(|term| &term.film));
-                let of_ours = sum(&mut ours.iter()).map(|value| 0.5 * value);
-                for (a, b) in of_terms.into_iter().zip(of_ours) {
-                    assert!((a - b).abs() <= 1e-12 * (1.0 + b.abs()), "{name}: {a}, not {b}");
-                }
-            }
-        }
-    }
-}
-
 /// Law: the same pictures in another unit of radiance are the same evidence: weights are those of its square. Oracle: powers
 /// of two, by which all numbers are multiplied without rounding.
 #[test]
@@ -198,70 +161,6 @@ fn weights_have_the_unit_of_radiance() {
             assert!((a - b).abs() <= 1e-9 * a, "{name}, tile {index}: found {b}, expected {a}");
         }
     }
-}
-
-/// The factors of a picture that is made of the terms of a scene, each this many times; `made` is of the term.
-fn factors_of(
-    name: &str,
-    [side, samples]: [u32; 2],
-    made: impl Fn(&TermFilm) -> f64,
-) -> Vec<TermFactor> {
-    let mut world = world(&scene(name, [side; 2], samples), 1);
-    let areas = Areas::of(&world);
-    let mut known: Vec<Vec<f32>> =
-        films(&mut world, 1..17).iter().map(|it| FLOATS.values(it)).collect();
-    let mut theirs = vec![0.0_f32; 3 * (side * side) as usize];
-    for term in terms(&mut world, 300..301) {
-        for (sum, value) in theirs.iter_mut().zip(FLOATS.values(&term.film)) {
-            *sum += value * made(&term) as f32;
-        }
-    }
-    let strictness = Strictness { level: 0.05, first: 16 };
-    let subject = PoolContext { areas: &areas, stored: FLOATS, reference: None };
-    let judged = Evaluation::of(&theirs, subject, strictness, &mut known, |_| None);
-    let evidence = evidence(&judged.expect("enough"), &areas, &theirs);
-    factors(&terms(&mut world, 1..5), &evidence).expect("factors explain it").factors
-}
-
-/// Law: a picture that holds 1/π of the light of a lamp has this as its factor, within four standard deviations, and no
-/// other is off. Oracle: the multiples that were made.
-#[test]
-fn factors_of_terms_are_found() {
-    let made = |name: &str| if name.contains(" on ") { std::f64::consts::FRAC_1_PI } else { 1.0 };
-    let factors = factors_of("ch18/rectangle", [48, 16], |term| made(&term.name));
-    for factor in &factors {
-        let expected = made(&factor.terms[0]);
-        let apart = (factor.factor - expected).abs();
-        assert!(apart <= (4.0 * factor.error).max(0.01), "{factor:?}, not {expected}");
-    }
-    let direct = factors.iter().find(|factor| factor.terms[0].contains(" on ")).expect("a term");
-    assert_eq!(direct.meaning(), Some("1/π"), "{direct:?}");
-    assert_eq!(factors.iter().filter(|factor| factor.is_off()).count(), 1, "{factors:?}");
-}
-
-/// Law: a lamp that is gone is left out, whatever its light meets, and that is all that is said. Oracle: the lamp.
-#[test]
-fn a_lamp_that_is_gone_is_left_out() {
-    const NAME: &str = "ch15/page-one";
-    let gone = scene(NAME, [48; 2], 4).lights[1].name.clone();
-    let source = format!("light of {gone}");
-    let made = |term: &TermFilm| if term.source == source { 0.0 } else { 1.0 };
-    let factors = factors_of(NAME, [48, 4], made);
-    assert_eq!(factors.len(), 1, "{factors:?}");
-    assert!(factors[0].terms[0].starts_with(&source), "{factors:?}");
-    assert_eq!(factors[0].meaning(), Some("left out"), "{factors:?}");
-}
-
-/// Law: where a program traces no ray deeper than 1, light at greater depths is named as left out, and no other is off.
-/// Oracle: the depths that were left out.
-#[test]
-fn depths_that_are_left_out_are_named() {
-    let made = |term: &TermFilm| if term.depth > 1 { 0.0 } else { 1.0 };
-    let factors = factors_of("ch24/hall-of-mirrors", [80, 16], made);
-    let off: Vec<&TermFactor> = factors.iter().filter(|factor| factor.is_off()).collect();
-    let names: Vec<&str> = off.iter().map(|factor| &*factor.terms[0]).collect();
-    assert_eq!(names, ["light at depth 2", "light at depth 3 or more"], "{factors:?}");
-    assert!(off.iter().all(|factor| factor.meaning() == Some("left out")), "{off:?}");
 }
 
 /// The evidence of a judgement.

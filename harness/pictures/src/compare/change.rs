@@ -62,6 +62,13 @@ impl Change {
         matches!(self, Self::Scaled(factor) if known(factor).is_some())
     }
 
+    /// The factor with a name that it is if integers were rounded otherwise, by which a median of ratios is off by a few
+    /// hundredths.
+    pub fn near_known_factor(self) -> Option<Self> {
+        let Self::Scaled(factor) = self else { return None };
+        nearest(factor, 0.04).map(|(value, _)| Self::Scaled(*value))
+    }
+
     /// The part of a picture of this size that the change takes from inside.
     pub fn overlap(self, size: [u32; 2]) -> f64 {
         let Self::Shifted(step) = self else { return 1.0 };
@@ -152,7 +159,12 @@ const KNOWN: [(f64, &str); 5] = {
 
 /// The one that is within a hundredth of this.
 fn known(factor: f64) -> Option<&'static (f64, &'static str)> {
-    KNOWN.iter().find(|(value, _)| (value / factor - 1.0).abs() < 0.01)
+    nearest(factor, 0.01)
+}
+
+/// The one that is within this part of a factor.
+fn nearest(factor: f64, part: f64) -> Option<&'static (f64, &'static str)> {
+    KNOWN.iter().find(|(value, _)| (value / factor - 1.0).abs() < part)
 }
 
 /// The factor, or the known one that it nearly is: integers tell it no better.

@@ -124,7 +124,7 @@ fn distance(pixels: &[[i64; 2]], a: Changed<'_>, b: Changed<'_>) -> f64 {
 }
 
 /// The picture, if its values are for display, with each other transfer function.
-fn decodings(of: &Decoded<'_>) -> Vec<Change> {
+pub fn decodings(of: &Decoded<'_>) -> Vec<Change> {
     let picture = of.picture;
     let transfers = [Transfer::Linear, Transfer::Srgb, Transfer::Gamma(1.8), Transfer::Gamma(2.2)];
     let is_other = |it: &Transfer| picture.step.is_some() && *it != picture.transfer;

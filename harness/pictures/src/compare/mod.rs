@@ -23,7 +23,7 @@ pub use change::Change;
 pub use differences::Differences;
 pub use fitted::{NoPair, fit};
 pub use half_pixel::{half_pixel_directions, half_pixel_shifts, half_pixel_words, shift};
-pub use hypotheses::{Hypothesis, changes_that_explain, distance_of, spread};
+pub use hypotheses::{Hypothesis, changes_that_explain, decodings, distance_of, spread};
 pub use noise::{has_noise, noise_note, some_pixels};
 pub use page::page;
 pub use picture::{Decoded, Picture, Transfer};
