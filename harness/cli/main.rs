@@ -5,7 +5,6 @@
 
 mod announce;
 mod bounds;
-mod claim;
 mod columns;
 mod compare;
 mod conform;

@@ -1,18 +1,15 @@
 //! `groundtruth merge`.
 
 use std::error::Error;
-use std::hash::{BuildHasher, RandomState};
 use std::path::{Path, PathBuf};
 
 use clap::Args;
 use groundtruth::film::{self, Film, Format, Provenance, Tone};
-use indicatif::ProgressBar;
 use pictures::shell::quoted;
-use pictures::sums::{self, Contradiction, MergeError, Plan, Seeds, Sums, SumsFile};
-use pictures::told::{NEXT, Told};
+use pictures::sums::{self, Contradiction, MergeError, Merged, Sums};
+use pictures::told::Told;
 
-use super::scene::SceneArguments;
-use super::{Exit, Outcome, output, progress, replicas};
+use super::{Exit, Outcome, output, progress};
 
 #[derive(Args)]
 pub struct Merge {
@@ -29,22 +26,6 @@ pub struct Merge {
     /// The format of the pictures, exr or pfm, whatever the names of the files are
     #[arg(long, value_name = "FORMAT", value_parser = linear_format)]
     format: Option<Format>,
-    /// Render this share of the rows of each part again here, such as 1%, and compare the bits
-    #[arg(long, value_name = "P", value_parser = share)]
-    audit: Option<f64>,
-    /// The scene, if it has another name here than where it was rendered
-    #[arg(long, value_name = "SCENE")]
-    scene: Option<String>,
-}
-
-fn share(text: &str) -> Result<f64, String> {
-    let number = text.strip_suffix('%').map_or_else(
-        || text.parse().ok(),
-        |percent| percent.parse::<f64>().ok().map(|percent| percent / 100.0),
-    );
-    number
-        .filter(|share| *share > 0.0 && *share <= 1.0)
-        .ok_or_else(|| "write a share above 0 and up to 1, such as 0.01 or 1%".to_owned())
 }
 
 fn linear_format(name: &str) -> Result<Format, String> {
@@ -63,198 +44,66 @@ impl Merge {
             }
             output::writable(file)?;
         }
-        let parts: Vec<SumsFile> =
-            self.files.iter().map(|file| SumsFile::open(file)).collect::<Result<_, _>>()?;
-        let plan = match Plan::new(parts.clone()) {
-            Ok(plan) => plan,
-            Err(error) => return self.refused(&parts, error),
-        };
-        let bar = bar(self.files.len() as u64, "files");
-        let sums = plan.sums(|| bar.inc(1));
+        let style = "{bar:40} {pos} of {len} files  {elapsed} elapsed, {eta} to go";
+        let bar = progress::bar(self.files.len() as u64, style);
+        let merged = sums::merged(&self.files, || bar.inc(1));
         bar.finish_and_clear();
-        let sums = match sums {
-            Ok(sums) => sums,
-            Err(error) => return self.refused_after_audit(&parts, &plan, error),
+        let merged = match merged {
+            Ok(merged) => merged,
+            Err(MergeError::Contradiction(found)) => return Ok(refused(&found)),
+            Err(error) => return Err(error.into()),
         };
-        let mut audited = None;
-        if let Some(share) = self.audit {
-            match self.audit(&plan, share)? {
-                Ok(rows) => audited = Some(rows),
-                Err(error) => return self.refused(&parts, error),
-            }
-        }
-        self.report(&plan, &sums, audited)?;
-        self.write(&sums)?;
-        Ok(if plan.missing.is_empty() { Exit::Yes } else { Exit::No })
+        self.report(&merged)?;
+        self.write(&merged.sums)?;
+        Ok(if merged.missing().is_empty() { Exit::Yes } else { Exit::No })
     }
 
-    /// Prints what is there, what is missing, and of how many rows an audit found the same bits.
-    fn report(&self, plan: &Plan, sums: &Sums, audited: Option<[usize; 2]>) -> Outcome {
-        for [part, other] in &plan.twice {
-            let (part, other) = (part.path().display(), other.path().display());
+    /// Prints what is there, and what is missing.
+    fn report(&self, merged: &Merged) -> Outcome {
+        for [part, other] in &merged.twice {
+            let (part, other) = (part.display(), other.display());
             eprintln!("note: {part} has the same sums as {other}, and is left out");
         }
-        for [part, other] in &plan.inside {
-            let (part, other) = (part.path().display(), other.path().display());
-            eprintln!("note: {part} is left out: {other} has all its seeds, and more");
-        }
-        if let Some(first) = sums.not_finite().first() {
-            let (count, [x, y]) = (sums.not_finite().len(), first.pixel(sums.header().size[0]));
-            let seed = first.seed;
+        let mut wrong = merged.sums.not_finite();
+        if let Some([x, y]) = wrong.next() {
+            let count = 1 + wrong.count();
             eprintln!(
-                "note: {count} values are NaN or infinite, the first at pixel {x}, {y} with --seed {seed}"
+                "note: {count} pixels have values that are NaN or infinite, the first at {x}, {y}"
             );
         }
-        let told = self.told(plan, sums, audited);
         let to_output =
             self.standard_error.iter().chain([&self.output]).find(|it| output::is_standard(it));
-        output::say(&told.text(), to_output.map(PathBuf::as_path))
+        output::say(&self.told(merged).text(), to_output.map(PathBuf::as_path))
     }
 
     /// What is told of a sum.
-    fn told(&self, plan: &Plan, sums: &Sums, audited: Option<[usize; 2]>) -> Told {
-        let (done, missing) = (sums.header().seeds.count(), plan.missing.count());
-        let mut verdict = match missing {
-            0 => format!("whole: {done} of {done} replicas"),
-            _ => format!("not whole: {done} of {} replicas", done + missing),
-        };
-        if let Some([rows, all]) = audited {
-            verdict += &format!("; {rows} of {all} rows were rendered again, with the same bits");
+    fn told(&self, merged: &Merged) -> Told {
+        let (header, missing) = (merged.sums.header(), merged.missing());
+        let done = header.seeds.count();
+        if missing.is_empty() {
+            let verdict = format!("whole: {done} of {done} replicas");
+            return Told { verdict, details: String::new(), next: self.next(&header.arguments) };
         }
-        let mut header = sums.header().clone();
+        let mut header = header.clone();
         if header.arguments.is_empty() {
-            header.arguments = plan.used[0].header().arguments.clone();
+            header.arguments.clone_from(&merged.used[0].1.arguments);
         }
-        self.rename(&mut header.arguments);
-        let mut commands: Vec<String> =
-            plan.missing.ranges().map(|range| header.command(range)).collect();
-        let mut details = String::new();
-        if missing > 0 {
-            details = format!("missing: {}; render and merge them as well\n", plan.missing);
-            let next = commands.remove(0);
-            commands.iter().for_each(|command| details += &format!("  {command}\n"));
-            return Told { verdict, details, next };
-        }
-        Told { verdict, details, next: self.next(&header.arguments, audited.is_some()) }
+        let verdict = format!("not whole: {done} of {} replicas", done + missing.count());
+        let mut details = format!("missing: {missing}; render and merge them as well\n");
+        let mut commands = missing.ranges().map(|range| header.command(range));
+        let next = commands.next().expect("something is missing");
+        commands.for_each(|command| details += &format!("  {command}\n"));
+        Told { verdict, details, next }
     }
 
-    /// The next step: an audit, else the mean of the sums, or its picture beside one picture of the scene.
-    fn next(&self, arguments: &[String], is_audited: bool) -> String {
-        let name = |path: &Path| quoted(&path.display().to_string());
-        let output = name(&self.output);
-        match (arguments.first(), is_sums(&self.output)) {
-            _ if !is_audited => self.with_audit("1%"),
-            (_, true) => {
-                format!("groundtruth merge {output} -o mean.exr --standard-error error.exr")
-            }
-            (Some(scene), false) => {
-                format!("groundtruth compare {} {output} -o compare.html", quoted(scene))
-            }
-            (None, false) => format!("groundtruth scene {output}"),
+    /// The next step: the mean of the sums, or its picture beside one picture of the scene.
+    fn next(&self, arguments: &[String]) -> String {
+        let output = quoted(&self.output.display().to_string());
+        let scene = arguments.first().map_or("SCENE".to_owned(), |scene| quoted(scene));
+        match is_sums(&self.output) {
+            true => format!("groundtruth merge {output} -o mean.exr --standard-error error.exr"),
+            false => format!("groundtruth compare {scene} {output} -o compare.html"),
         }
-    }
-
-    /// This command, with an audit of this share.
-    fn with_audit(&self, share: &str) -> String {
-        let name = |path: &Path| quoted(&path.display().to_string());
-        let files: Vec<String> = self.files.iter().map(|file| name(file)).collect();
-        let scene = self.scene.as_ref().map(|it| format!(" --scene {}", quoted(it)));
-        let format = self.format.and_then(|format| {
-            let named = Format::ALL.into_iter().find(|(known, _)| *known == format)?;
-            Some(format!(" --format {}", named.1))
-        });
-        let error =
-            self.standard_error.as_ref().map(|it| format!(" --standard-error {}", name(it)));
-        let options = [format, error, scene].into_iter().flatten().collect::<String>();
-        let (files, output) = (files.join(" "), name(&self.output));
-        format!("groundtruth merge {files} -o {output}{options} --audit {share}")
-    }
-
-    /// Puts the name of the scene on this machine into the arguments.
-    fn rename(&self, arguments: &mut Vec<String>) {
-        match (&self.scene, arguments.first_mut()) {
-            (Some(scene), Some(first)) => first.clone_from(scene),
-            (Some(scene), None) => arguments.push(scene.clone()),
-            (None, _) => {}
-        }
-    }
-
-    /// With --audit, also two parts that contradict each other are audited, to tell which is wrong.
-    fn refused_after_audit(&self, parts: &[SumsFile], plan: &Plan, error: MergeError) -> Outcome {
-        if let (Some(share), MergeError::Contradiction(_)) = (self.audit, &error)
-            && let Err(found) = self.audit(plan, share)?
-        {
-            eprintln!("error: {error}");
-            return self.refused(parts, found);
-        }
-        self.refused(parts, error)
-    }
-
-    /// The exit status of parts that cannot be added; of those that contradict each other it prints the next step.
-    fn refused(&self, parts: &[SumsFile], error: MergeError) -> Outcome {
-        let MergeError::Contradiction(found) = error else { return Err(error.into()) };
-        eprintln!("error: {found}");
-        let next = match &found {
-            Contradiction::Differs { .. } => Some(self.with_audit("100%")),
-            Contradiction::Overlap { both, common } => self.rendered_anew(parts, &both[0], common),
-            Contradiction::Audit { path, .. } => self.rendered_anew(parts, path, &Seeds::default()),
-            // kinds of contradictions that are not known here
-            _ => None,
-        };
-        if let Some(next) = next {
-            eprintln!("{NEXT}{next}");
-        }
-        Ok(Exit::No)
-    }
-
-    /// The command that renders the seeds of a part again, without some: the first range of them.
-    fn rendered_anew(&self, parts: &[SumsFile], path: &Path, without: &Seeds) -> Option<String> {
-        let part = parts.iter().find(|part| part.path() == path)?;
-        let mut header = part.header().clone();
-        self.rename(&mut header.arguments);
-        let range = part.header().seeds.without(without).ranges().next()?;
-        Some(header.command(range))
-    }
-
-    /// Renders a share of the rows of each part again, those that come twice included.
-    /// The number of rows that have the same bits, and of all rows.
-    fn audit(
-        &self,
-        plan: &Plan,
-        share: f64,
-    ) -> Result<Result<[usize; 2], MergeError>, Box<dyn Error>> {
-        let parts = plan.used.iter().chain(plan.twice.iter().map(|[part, _]| part));
-        let replicas = parts.clone().map(|part| part.header().seeds.count()).sum();
-        let bar = bar(replicas, "replicas audited");
-        let mut audited = [0, 0];
-        for part in parts {
-            let mut arguments = part.header().arguments.clone();
-            self.rename(&mut arguments);
-            if arguments.is_empty() {
-                let problem =
-                    "its parts were rendered by several commands: name the scene with --scene";
-                return Err(format!("{}: {problem}", part.path().display()).into());
-            }
-            let scene = SceneArguments::of_arguments(&arguments)?;
-            let (header, mut world) = replicas::open(&scene)?;
-            if let Some(difference) = part.header().difference(&header) {
-                let path = part.path().display();
-                return Err(format!(
-                    "{path}: cannot be audited: is of {difference}; name its scene with --scene"
-                )
-                .into());
-            }
-            let rows = random_rows(header.size[1], share);
-            if let Err(error) = sums::audit(part, &mut world, &rows, || bar.inc(1)) {
-                bar.finish_and_clear();
-                return Ok(Err(error));
-            }
-            let (count, all, path) = (rows.len(), header.size[1], part.path().display());
-            audited = [audited[0] + count, audited[1] + all as usize];
-            bar.println(format!("{path}: {count} of {all} rows rendered again: the same bits"));
-        }
-        bar.finish_and_clear();
-        Ok(Ok(audited))
     }
 
     fn write(&self, sums: &Sums) -> Result<(), Box<dyn Error>> {
@@ -292,21 +141,11 @@ impl Merge {
     }
 }
 
+fn refused(found: &Contradiction) -> Exit {
+    eprintln!("error: {found}");
+    Exit::No
+}
+
 fn is_sums(file: &Path) -> bool {
     file.extension().is_some_and(|end| end == "sums")
-}
-
-/// Some rows of a picture, ascending: a share of them, at least one.
-fn random_rows(height: u32, share: f64) -> Vec<u32> {
-    let random = RandomState::new();
-    let mut rows: Vec<u32> = (0..height).collect();
-    rows.sort_by_cached_key(|row| random.hash_one(row));
-    rows.truncate(((share * f64::from(height)).round() as usize).max(1));
-    rows.sort_unstable();
-    rows
-}
-
-fn bar(count: u64, what: &str) -> ProgressBar {
-    let style = format!("{{bar:40}} {{pos}} of {{len}} {what}  {{elapsed}} elapsed, {{eta}} to go");
-    progress::bar(count, &style)
 }

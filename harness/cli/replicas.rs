@@ -1,18 +1,19 @@
 //! `groundtruth render --replicas`.
 
 use std::error::Error;
+use std::fs::File;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
 
-use groundtruth::film;
+use groundtruth::film::{self, Film};
 use groundtruth::render::{self, Canvas};
+use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use indicatif::ProgressBar;
-use pictures::sums::{self, Header, Seeds, Sums, SumsFile};
+use pictures::sums::{self, Header, Seeds, Sums};
 
-use super::claim::Claim;
 use super::part::PartOf;
 use super::scene::SceneArguments;
 use super::{Exit, Outcome, interrupt, progress};
@@ -26,13 +27,18 @@ pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, output: &
     let wanted = PartOf::default().seeds(arguments.seed(), replicas)?;
     film::replaceable(output)
         .map_err(|e| format!("{}: cannot be written: {e}", output.display()))?;
-    let _claim = Claim::of(output)?;
-    let (header, mut world) = open(arguments)?;
-    let begun = match output.exists() {
-        true => begun(output, &header, &asked)?,
-        false => Sums::new(header),
+    let (scene, mut world) = arguments.load()?;
+    let header = header(arguments, &scene, &world)?;
+    let begun = || begun(output, &header, &asked);
+    let mut sums =
+        begun()?.unwrap_or_else(|| Sums::new(header.clone())).asked(wanted, arguments.arguments());
+    let save = |sums: &Sums| -> Result<(), Box<dyn Error>> {
+        // another process may write another part to this file, even now; where folders have no locks it may be lost
+        let folder = File::open(film::folder_of(output));
+        let _lock = folder.and_then(|folder| folder.lock().map(|()| folder));
+        begun()?;
+        Ok(sums.write(output)?)
     };
-    let mut sums = begun.asked(wanted, arguments.arguments());
     let missing = asked.without(&sums.header().seeds);
     let style = "{bar:40} {pos} of {len} replicas  {elapsed} elapsed, {eta} to go{msg}";
     let bar = progress::bar(asked.count(), style).with_position(sums.header().seeds.count());
@@ -45,28 +51,21 @@ pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, output: &
         let (canvas, interrupted) = replica(&world, &signal, &bar);
         is_interrupted = interrupted;
         if !canvas.is_cancelled() {
-            canvas.look(|film| sums.add(film, seed)).map_err(|e| e.to_string())?;
+            canvas.look(|film| add(&mut sums, film, seed))?;
             bar.inc(1);
         }
         if is_interrupted {
             break;
         }
         if saved.elapsed() > SAVED_EVERY {
-            sums.write(output)?;
+            save(&sums)?;
             saved = Instant::now();
         }
     }
     bar.finish_and_clear();
     let (done, all, file) = (sums.header().seeds.count(), asked.count(), output.display());
     if done > 0 {
-        sums.write(output)?;
-    }
-    for entry in sums.not_finite().iter().take(1) {
-        let ([x, y], count) = (entry.pixel(sums.header().size[0]), sums.not_finite().len());
-        eprintln!(
-            "note: {count} values are NaN or infinite, the first at pixel {x}, {y} with --seed {}",
-            entry.seed
-        );
+        save(&sums)?;
     }
     if is_interrupted && done < all {
         match done {
@@ -81,10 +80,14 @@ pub fn render(arguments: &SceneArguments, replicas: u32, part: PartOf, output: &
     Ok(Exit::Yes)
 }
 
-/// The header of sums of a scene without any replica, and its world.
-pub fn open(arguments: &SceneArguments) -> Result<(Header, World), Box<dyn Error>> {
-    let (scene, world) = arguments.load()?;
-    Ok((header(arguments, &scene, &world)?, world))
+/// Adds a replica, and names the first pixel that is not finite.
+fn add(sums: &mut Sums, film: &Film, seed: u64) -> Result<(), String> {
+    let is_wrong = |color: &Rgb| !color.to_array().iter().all(|value| value.is_finite());
+    if let Some(pixel) = film.pixels().iter().position(is_wrong) {
+        let [x, y] = [pixel as u32 % film.width(), pixel as u32 / film.width()];
+        eprintln!("note: pixel {x}, {y} is NaN or infinite with --seed {seed}");
+    }
+    sums.add(film, seed).map_err(|e| e.to_string())
 }
 
 /// The header of sums of a scene that was loaded with these arguments, without any replica.
@@ -103,24 +106,22 @@ pub fn header(
         arguments: Vec::new(),
         wanted: Seeds::default(),
         seeds: Seeds::default(),
-        not_finite: 0,
     })
 }
 
-/// The sums of an existing part, to be continued.
-fn begun(output: &Path, header: &Header, asked: &Seeds) -> Result<Sums, Box<dyn Error>> {
-    let part = SumsFile::open(output)?;
-    let sums = part.read()?;
-    let other = "; write to another file";
-    if let Some(difference) = part.header().difference(header) {
-        return Err(format!("{}: is of {difference}{other}", output.display()).into());
+/// The sums of an existing part, to be continued; `None` if there is none.
+fn begun(output: &Path, header: &Header, asked: &Seeds) -> Result<Option<Sums>, Box<dyn Error>> {
+    if !output.exists() {
+        return Ok(None);
     }
-    let foreign = part.header().seeds.without(asked);
-    if !foreign.is_empty() {
-        let problem = format!("has {foreign}, which this part has not{other}");
-        return Err(format!("{}: {problem}", output.display()).into());
-    }
-    Ok(sums)
+    let sums = Sums::read(output)?;
+    let foreign = sums.header().seeds.without(asked);
+    let problem = match sums.header().difference(header) {
+        Some(difference) => format!("is of {difference}"),
+        None if foreign.is_empty() => return Ok(Some(sums)),
+        None => format!("has {foreign}, which this part has not"),
+    };
+    Err(format!("{}: {problem}; write to another file", output.display()).into())
 }
 
 /// Renders the replica of the world's seed. The first signal lets it finish; the second one cancels it. Whether there

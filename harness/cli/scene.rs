@@ -5,7 +5,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
-use clap::{Args, Parser};
+use clap::Args;
 use groundtruth::film::{self, Provenance};
 use groundtruth::render::Crop;
 use groundtruth::samplers;
@@ -176,21 +176,6 @@ impl SceneArguments {
         let scene = scene.to_owned();
         let (size, samples, sampler, tracer, max_depth) = (None, None, None, None, None);
         Self { scene, size, samples, sampler, tracer, max_depth, seed: DEFAULT_SEED }
-    }
-
-    /// The scene of such arguments.
-    ///
-    /// # Errors
-    /// They are none.
-    pub fn of_arguments(arguments: &[String]) -> Result<Self, String> {
-        #[derive(Parser)]
-        struct Only {
-            #[command(flatten)]
-            scene: SceneArguments,
-        }
-        let words = std::iter::once("render").chain(arguments.iter().map(String::as_str));
-        let only = Only::try_parse_from(words);
-        only.map(|only| only.scene).map_err(|_| format!("no scene: {}", arguments.join(" ")))
     }
 
     /// Whether the seed is not the default.

@@ -16,7 +16,7 @@ use judge::verdict::{
 };
 use pictures::compare::{Picture, Transfer};
 use pictures::shell::quoted;
-use pictures::sums::SumsFile;
+use pictures::sums::Sums;
 use pictures::told::Told;
 
 use super::compare::is_scene;
@@ -231,7 +231,7 @@ impl Verify {
             )
             .into());
         }
-        let sums = SumsFile::open(file)?.read()?;
+        let sums = Sums::read(file)?;
         let scene = replicas::header(arguments, scene, world)?;
         let problem = |problem| format!("{}: {problem}", file.display());
         Ok(Some(Reference::new(&sums, &scene).map_err(problem)?))

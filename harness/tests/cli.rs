@@ -112,7 +112,7 @@ fn help_speaks_of_every_option() {
             "render",
             &["--output", "--format", "--crop", "--stereo", "--threads", "--replicas", "--part"],
         ),
-        ("merge", &["--output", "--standard-error", "--audit", "--scene", "not one picture"]),
+        ("merge", &["--output", "--standard-error", "not one picture"]),
         (
             "explain",
             &["<X,Y>", "--sample", "--all", "--min-share", "--largest", "--json", "--columns"],

@@ -24,12 +24,8 @@ impl Reference {
                 "is of {difference}; render it as the picture is rendered here, with its --size and --samples"
             ));
         }
-        if let Some(first) = sums.not_finite().first() {
-            let [x, y] = first.pixel(scene.size[0]);
-            return Err(format!(
-                "seed {} has a value that is no number at pixel {x}, {y}",
-                first.seed
-            ));
+        if let Some([x, y]) = sums.not_finite().next() {
+            return Err(format!("a replica has a value that is no number at pixel {x}, {y}"));
         }
         Ok(Self { film: sums.mean(), seeds: sums.header().seeds.clone() })
     }

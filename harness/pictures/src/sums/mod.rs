@@ -7,7 +7,6 @@
 //! The mean of replicas is not one picture with more samples. Both have the same expected value, but one large set of
 //! stratified samples varies less than the mean of many small sets.
 
-mod audit;
 mod file;
 mod header;
 mod merge;
@@ -15,15 +14,11 @@ mod number;
 mod scene;
 mod seeds;
 
-use std::fmt;
-
 use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
 
-pub use audit::audit;
-pub use file::{FileError, SumsFile};
 pub use header::{Header, Made};
-pub use merge::{Contradiction, MergeError, Plan};
+pub use merge::{Contradiction, MergeError, Merged, merged};
 pub use number::{ChannelSums, U256, fixed};
 pub use scene::scene_digest;
 pub use seeds::Seeds;
@@ -31,47 +26,14 @@ pub use seeds::Seeds;
 /// The sums of all replicas of a picture so far.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Sums {
-    /// What they are of; its number of values that are not finite is that of the list.
     header: Header,
     /// Three channels a pixel, row by row from the top left.
     channels: Vec<ChannelSums>,
-    /// Ascending. These values count as 0 in the sums.
-    not_finite: Vec<NotFinite>,
-}
-
-/// A channel of a replica that is NaN or infinite.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct NotFinite {
-    /// The seed of the replica.
-    pub seed: u64,
-    /// Three times the index of the pixel, plus that of the channel.
-    pub channel: u64,
-    /// The bits of the value.
-    pub bits: u64,
-}
-
-impl NotFinite {
-    fn new(seed: u64, channel: u64, x: f64) -> Self {
-        // one NaN for all: its sign and payload depend on the machine
-        let bits = if x.is_nan() { f64::NAN } else { x }.to_bits();
-        Self { seed, channel, bits }
-    }
-
-    /// Those of the three channels of a pixel.
-    fn of(values: [f64; 3], [x, y]: [u32; 2], width: u32, seed: u64) -> impl Iterator<Item = Self> {
-        let first = 3 * (u64::from(y) * u64::from(width) + u64::from(x));
-        let entries = (first..).zip(values).filter(|(_, value)| !value.is_finite());
-        entries.map(move |(channel, value)| Self::new(seed, channel, value))
-    }
-
-    /// Column and row, from the top left.
-    pub fn pixel(&self, width: u32) -> [u32; 2] {
-        place(self.channel, width).0
-    }
 }
 
 /// Sums that do not fit: `|Σx|` reached 2⁴⁷ (about 1.4e14), or `Σx²` reached 2⁹⁶.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("pixel {}, {}: the sum of the {} channel reaches 2^47", pixel[0], pixel[1], ["red", "green", "blue"][*channel])]
 pub struct Overflow {
     /// Column and row, from the top left.
     pub pixel: [u32; 2],
@@ -79,27 +41,12 @@ pub struct Overflow {
     pub channel: usize,
 }
 
-impl std::error::Error for Overflow {}
-
-impl fmt::Display for Overflow {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let ([x, y], channel) = (self.pixel, ["red", "green", "blue"][self.channel]);
-        write!(f, "pixel {x}, {y}: the sum of the {channel} channel reaches 2^47")
-    }
-}
-
-/// Column and row of the pixel of a channel, and which of its three it is.
-fn place(channel: u64, width: u32) -> ([u32; 2], usize) {
-    let (pixel, width) = (channel / 3, u64::from(width));
-    ([(pixel % width) as u32, (pixel / width) as u32], (channel % 3) as usize)
-}
-
 impl Sums {
     /// The sums of no replica.
     pub fn new(header: Header) -> Self {
-        let header = Header { seeds: Seeds::default(), not_finite: 0, ..header };
-        let channels = vec![ChannelSums::default(); number_of_channels(header.size) as usize];
-        Self { header, channels, not_finite: Vec::new() }
+        let header = Header { seeds: Seeds::default(), ..header };
+        let channels = vec![ChannelSums::default(); header.channels()];
+        Self { header, channels }
     }
 
     /// What they are of.
@@ -115,14 +62,11 @@ impl Sums {
         self
     }
 
-    /// Three channels a pixel, row by row from the top left.
-    pub fn channels(&self) -> &[ChannelSums] {
-        &self.channels
-    }
-
-    /// The values that are NaN or infinite, ascending by seed and pixel.
-    pub fn not_finite(&self) -> &[NotFinite] {
-        &self.not_finite
+    /// The pixels (column and row from the top left) with a value that is NaN or infinite.
+    pub fn not_finite(&self) -> impl Iterator<Item = [u32; 2]> {
+        let pixels = self.channels.chunks_exact(3).enumerate();
+        let wrong = pixels.filter(|(_, sums)| sums.iter().any(|channel| channel.others != 0));
+        wrong.map(|(pixel, _)| self.place(pixel))
     }
 
     /// Adds the replica of a seed that was not added before.
@@ -132,23 +76,23 @@ impl Sums {
     pub fn add(&mut self, film: &Film, seed: u64) -> Result<(), Overflow> {
         assert_eq!([film.width(), film.height()], self.header.size, "a replica has the same size");
         let values = film.pixels().iter().flat_map(|pixel| pixel.to_array());
-        let width = self.header.size[0];
-        for (index, (sums, x)) in self.channels.iter_mut().zip(values).enumerate() {
-            if x.is_finite() {
-                let next = ChannelSums::of(x).and_then(|one| sums.checked_add(one));
-                *sums = next.ok_or_else(|| overflow(index, width))?;
-            } else {
-                self.not_finite.push(NotFinite::new(seed, index as u64, x));
-            }
-        }
-        self.not_finite.sort_unstable();
-        self.count(&Seeds::range(seed, 1).expect("one seed fits"));
+        self.add_each(values.map(ChannelSums::of))?;
+        let seed = Seeds::range(seed, 1).expect("one seed fits");
+        self.header.seeds = self.header.seeds.union(&seed);
         Ok(())
     }
 
-    fn count(&mut self, seeds: &Seeds) {
-        self.header.seeds = self.header.seeds.union(seeds);
-        self.header.not_finite = self.not_finite.len() as u64;
+    /// Adds sums to those of each channel; `None` if they do not fit by themselves.
+    fn add_each(
+        &mut self,
+        more: impl Iterator<Item = Option<ChannelSums>>,
+    ) -> Result<(), Overflow> {
+        for (index, more) in more.enumerate() {
+            let sum = more.and_then(|more| self.channels[index].checked_add(more));
+            let overflow = || Overflow { pixel: self.place(index / 3), channel: index % 3 };
+            self.channels[index] = sum.ok_or_else(overflow)?;
+        }
+        Ok(())
     }
 
     /// The mean of the replicas, each channel rounded once. A channel of which a replica is NaN or infinite is the
@@ -162,41 +106,21 @@ impl Sums {
     /// where a replica is NaN or infinite.
     pub fn standard_error(&self) -> Option<Film> {
         let n = self.header.seeds.count();
-        let mut film = (n > 1).then(|| self.film(|sums| sums.standard_error(n)))?;
-        for entry in &self.not_finite {
-            replace_channel(&mut film, entry.channel, |_| f64::NAN);
-        }
-        Some(film)
+        (n > 1).then(|| self.film(|sums| sums.standard_error(n)))
     }
 
     fn film(&self, value: impl Fn(ChannelSums) -> f64) -> Film {
         let [width, height] = self.header.size;
         let mut film = Film::new(width, height);
         for (pixel, sums) in self.channels.chunks_exact(3).enumerate() {
-            let (at, _) = place(3 * pixel as u64, width);
-            film.set(at, Rgb::new(value(sums[0]), value(sums[1]), value(sums[2])));
-        }
-        for entry in &self.not_finite {
-            replace_channel(&mut film, entry.channel, |sum| sum + f64::from_bits(entry.bits));
+            film.set(self.place(pixel), Rgb::new(value(sums[0]), value(sums[1]), value(sums[2])));
         }
         film
     }
-}
 
-fn replace_channel(film: &mut Film, channel: u64, change: impl Fn(f64) -> f64) {
-    let (at, which) = place(channel, film.width());
-    let mut values = film.get(at).to_array();
-    values[which] = change(values[which]);
-    let [r, g, b] = values;
-    film.set(at, Rgb::new(r, g, b));
-}
-
-fn overflow(index: usize, width: u32) -> Overflow {
-    let (pixel, channel) = place(index as u64, width);
-    Overflow { pixel, channel }
-}
-
-/// Three for each pixel.
-fn number_of_channels([width, height]: [u32; 2]) -> u64 {
-    3 * u64::from(width) * u64::from(height)
+    /// Column and row of a pixel, by its index.
+    fn place(&self, pixel: usize) -> [u32; 2] {
+        let width = self.header.size[0] as usize;
+        [pixel % width, pixel / width].map(|along| along as u32)
+    }
 }

@@ -91,26 +91,41 @@ fn words(number: U256) -> [u64; 4] {
 /// `Σk` and `Σk²` of one channel of one pixel.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct ChannelSums {
-    /// `Σk`; the magnitude is below 2¹²⁷.
+    /// `Σk` of the finite values; the magnitude is below 2¹²⁷.
     pub sum: i128,
-    /// `Σk²`.
+    /// `Σk²` of the finite values.
     pub squares: U256,
+    /// The bits of the floating-point sum of the others: an infinity, the one NaN, or 0 if there is none. It does not
+    /// depend on their order.
+    pub others: u64,
 }
 
 impl ChannelSums {
-    /// The sums of one value; `None` as for [`fixed`].
+    /// The sums of one value; `None` as for [`fixed`], but for values that are not finite.
     pub fn of(x: f64) -> Option<Self> {
-        fixed(x).map(|k| Self { sum: k, squares: U256::square(k) })
+        if !x.is_finite() {
+            return Some(Self { others: sum_of_others(0.0, x), ..Self::default() });
+        }
+        fixed(x).map(|k| Self { sum: k, squares: U256::square(k), others: 0 })
     }
 
     /// The sums of both; `None` if they do not fit.
     pub fn checked_add(self, other: Self) -> Option<Self> {
         let sum = self.sum.checked_add(other.sum).filter(|sum| *sum != i128::MIN)?;
-        Some(Self { sum, squares: self.squares.checked_add(other.squares)? })
+        let squares = self.squares.checked_add(other.squares)?;
+        Some(Self { sum, squares, others: sum_of_others(self.others(), other.others()) })
     }
 
-    /// The mean of `n` values, rounded once; `n` is from 1 to 2⁶³.
+    /// The floating-point sum of the values that are not finite; 0 if there is none.
+    pub fn others(self) -> f64 {
+        f64::from_bits(self.others)
+    }
+
+    /// The mean of `n` values, rounded once; `n` is from 1 to 2⁶³. With a value that is not finite, the sum of these.
     pub fn mean(self, n: u64) -> f64 {
+        if self.others != 0 {
+            return self.others();
+        }
         let magnitude = self.sum.unsigned_abs();
         if magnitude == 0 {
             return 0.0;
@@ -124,14 +139,23 @@ impl ChannelSums {
     }
 
     /// The standard error of the mean of `n ≥ 2` values, `√(Σ(x − x̄)² / (n (n − 1)))`, to a few units in the
-    /// last place.
+    /// last place; NaN with a value that is not finite.
     ///
     /// `n Σ(k − k̄)² = n Σk² − (Σk)²`: exact in integers, so nothing cancels.
     pub fn standard_error(self, n: u64) -> f64 {
+        if self.others != 0 {
+            return f64::NAN;
+        }
         let spread = difference(self.squares.times(n), U256::square(self.sum).times(1));
         let count = n as f64;
         (rounded(spread) / (count * count * (count - 1.0))).sqrt() * power_of_two(-FRACTION_BITS)
     }
+}
+
+/// The bits of a sum of values of which none is finite, or 0: one NaN for all, whose sign and payload depend on the machine.
+fn sum_of_others(a: f64, b: f64) -> u64 {
+    let sum = a + b;
+    if sum.is_nan() { f64::NAN.to_bits() } else { sum.to_bits() }
 }
 
 /// `a − b`, for `a ≥ b`.

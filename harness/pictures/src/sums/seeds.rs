@@ -2,9 +2,30 @@
 
 use std::fmt;
 
+use serde::{Deserialize, Serialize};
+
 /// Seeds: ascending ranges `[first, last]` with a gap between each two.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(into = "Vec<[u64; 2]>", try_from = "Vec<[u64; 2]>")]
 pub struct Seeds(Vec<[u64; 2]>);
+
+/// As first seed and number of seeds.
+impl From<Seeds> for Vec<[u64; 2]> {
+    fn from(seeds: Seeds) -> Self {
+        seeds.ranges().collect()
+    }
+}
+
+impl TryFrom<Vec<[u64; 2]>> for Seeds {
+    type Error = &'static str;
+
+    fn try_from(ranges: Vec<[u64; 2]>) -> Result<Self, Self::Error> {
+        let ranges: Option<Vec<Self>> =
+            ranges.into_iter().map(|[first, count]| Self::range(first, count)).collect();
+        let all = ranges.ok_or("seeds do not fit in 64 bits")?;
+        Ok(all.iter().fold(Self::default(), |all, range| all.union(range)))
+    }
+}
 
 impl Seeds {
     /// `count` seeds from `first` on; `None` if one of them would be `u64::MAX` or more.
@@ -91,11 +112,6 @@ impl Seeds {
             false => format!("{first} to {last}"),
         };
         self.0.iter().map(text).collect::<Vec<_>>().join(", ")
-    }
-
-    /// Whether `other` has all of them.
-    pub fn is_within(&self, other: &Self) -> bool {
-        self.without(other).is_empty()
     }
 }
 

@@ -18,6 +18,5 @@ pub fn header(size: [u32; 2]) -> Header {
         arguments: vec!["scene".to_owned()],
         wanted: Seeds::range(0, 8).expect("they fit"),
         seeds: Seeds::default(),
-        not_finite: 0,
     }
 }
