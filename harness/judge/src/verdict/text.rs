@@ -97,8 +97,15 @@ impl Verdict {
                 &first.1
             );
         }
-        if let Some(cause) = explained_by.first() {
-            return format!("; known mistake: {cause}");
+        if let Some((cause, others)) = explained_by.split_first() {
+            let names: Vec<&str> = others.iter().filter_map(|other| other.name).collect();
+            let or = match names.is_empty() {
+                true => String::new(),
+                false => {
+                    format!(", or, which this picture cannot tell apart, {}", names.join(", "))
+                }
+            };
+            return format!("; known mistake: {cause}{or}");
         }
         if let Some(Explanation { what, agrees: false, .. }) = &self.explained {
             return format!("; {what} explains a part of it");
