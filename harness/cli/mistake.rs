@@ -2,7 +2,6 @@
 
 use std::error::Error;
 use std::fmt::Write;
-use std::io::{IsTerminal, stdout};
 use std::path::Path;
 
 use clap::Args;
@@ -80,10 +79,8 @@ fn named(name: &str) -> Result<&'static Mistake, String> {
         format!("no known mistake has this name (`groundtruth mistakes` lists them){similar}")
     })
 }
-
-/// The width of the pictures of a mistake, and of both in characters of a terminal.
+/// The width of the pictures of a mistake.
 const WIDTH: u32 = 152;
-const COLUMNS: u32 = 80;
 /// So many scenes that show it are named.
 const NAMED: usize = 3;
 
@@ -117,9 +114,6 @@ pub fn told(mistake: &'static Mistake, file: Option<&Path>) -> Outcome {
         100.0 * CHANGE,
     );
     let (joined, tone) = (beside.joined(), scene.image.tone());
-    if stdout().is_terminal() && std::env::var_os("NO_COLOR").is_none() {
-        text += &(pictures::blocks(&joined, &tone, COLUMNS) + "\n");
-    }
     let _ = writeln!(text, "  groundtruth render {} --mistake {name} -o wrong.png", best.scene);
     let _ = writeln!(
         text,

@@ -2,7 +2,6 @@
 //! exactly, [`running`] runs another renderer with a time limit; [`told`] is the form in which verdicts are said; and text for
 //! [`html`], [`xml`], the [`shell`] and readers.
 
-mod blocks;
 pub mod compare;
 pub mod digits;
 pub mod html;
@@ -15,6 +14,5 @@ pub mod sums;
 pub mod told;
 pub mod xml;
 
-pub use blocks::blocks;
 pub use pixel::parse_pixel;
 pub use provenance::provenance;

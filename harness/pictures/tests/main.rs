@@ -6,7 +6,6 @@ mod asserts;
 #[path = "../../../tests/properties.rs"]
 mod properties;
 
-mod blocks;
 mod compare;
 mod digits;
 mod html;

@@ -1,4 +1,4 @@
-//! Pearson's and Spearman's correlation, and their significance.
+//! Pearson's correlation, and its significance.
 
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
@@ -19,7 +19,7 @@ pub struct Correlation {
 /// The pairs must be independent of each other. The probability is exact if x or y is normal, and in the
 /// limit of many pairs with finite variances. At level 1e-3 ten pairs of uniform numbers raise 1.3 times
 /// as many false alarms as they should, 30 pairs of exponential ones 2.8 times; lower levels are worse.
-/// With heavy tails use ranks, or more pairs. No correlation does not mean no dependence: see
+/// With heavy tails use more pairs. No correlation does not mean no dependence: see
 /// [`chi_square::independence`](super::chi_square::independence).
 ///
 /// Power: at level 1e-6 a true correlation ρ is found, 98 times in 100 or more, if `|ρ| √n > 7.2`
@@ -50,27 +50,4 @@ pub fn pearson(xs: &[f64], ys: &[f64]) -> Option<Correlation> {
     let t = r.abs() * ((n - 2.0) / ((1.0 - r) * (1.0 + r))).sqrt();
     let p = if t.is_finite() { 2.0 * student.sf(t) } else { 0.0 };
     Some(Correlation { r, p: p.min(1.0) })
-}
-
-/// Spearman's correlation: Pearson's of the ranks, equal numbers sharing the mean of theirs (Spearman 1904). It is ±1 if
-/// one number only grows, or only falls, with the other. The probability is that of [`pearson`], near enough for ten pairs
-/// or more. `None` where Pearson's is, and for NaN.
-///
-/// # Panics
-/// If there are not as many y as x.
-pub fn spearman(xs: &[f64], ys: &[f64]) -> Option<Correlation> {
-    match xs.iter().chain(ys).any(|x| x.is_nan()) {
-        true => None,
-        false => pearson(&ranks(xs), &ranks(ys)),
-    }
-}
-
-/// The rank of each number, from 0.
-fn ranks(numbers: &[f64]) -> Vec<f64> {
-    let rank = |x: &f64| {
-        let below = numbers.iter().filter(|other| *other < x).count();
-        let equal = numbers.iter().filter(|other| *other == x).count();
-        below as f64 + (equal as f64 - 1.0) / 2.0
-    };
-    numbers.iter().map(rank).collect()
 }

@@ -11,7 +11,6 @@
 //! | are two properties independent? | [`chi_square::independence`] |
 //! | do numbers follow a continuous distribution? | [`ks::uniform`] of its F |
 //! | are two numbers correlated? | [`correlation::pearson`] |
-//! | does one number grow with another, in any way? | [`correlation::spearman`] |
 //! | is a mean, such as a pixel's over replicas, what it should be? | [`means::one_sample`] |
 //! | do two renderers' means agree? | [`means::two_samples`] |
 //! | how fast does an error fall? | [`slope::power_law`] |
