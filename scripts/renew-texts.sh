@@ -12,4 +12,4 @@ page=$(mktemp)
 trap 'rm -f "$page"' EXIT
 cargo run --quiet -- kinds --page > "$page" && cp "$page" docs/scene.md
 cargo run --quiet -- mistakes --page > "$page" && cp "$page" docs/mistakes.md
-git status --short docs tests harness/exchange/tests harness/keep/tests
+git status --short docs tests harness/exchange/tests explain/keep/tests

@@ -6,8 +6,9 @@ use std::path::Path;
 use super::{read, rust_files, without_comments};
 
 /// The folders of all code of the repository.
-const FOLDERS: [&str; 10] = [
+const FOLDERS: [&str; 11] = [
     "src",
+    "explain",
     "formats",
     "gallery",
     "harness",
