@@ -10,7 +10,7 @@ use groundtruth::printable;
 use groundtruth::render::{self, Canvas};
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
-use judge::verdict::{self, Areas, Case, Cause, RayTolerance, Stored, Strictness};
+use judge::verdict::{self, Areas, Case, Cause, Stored, Strictness};
 use pictures::compare::{self, Comparison, Hypothesis, Picture, Transfer};
 use pictures::shell::quoted;
 use pictures::told::Told;
@@ -203,21 +203,15 @@ impl Compare {
         let mut why = Why::default();
         if !compare::has_noise(world) && verdict::refusal(&pictures[1]).is_none() {
             let watch = Watch::new(Strictness::USUAL.first, 40)?;
-            let mut case = Case {
-                world,
-                scene,
-                folder: film::folder_of(Path::new(&self.a)),
+            let case = Case {
                 is_over: &|| watch.is_over(),
                 so_far: &|progress| watch.tell(progress),
                 strictness: Strictness { first: 3, ..Strictness::USUAL },
                 transfer: stated,
-                tone,
-                seed: DEFAULT_SEED,
-                reference: None,
-                tolerance: RayTolerance::DOUBLE,
+                ..Case::new(scene, film::folder_of(Path::new(&self.a)), DEFAULT_SEED)
             };
             let renders = &mut |world: &World, canvas: &Canvas| watch.render(world, canvas);
-            let verdict = case.verdict(&pictures[1], renders);
+            let verdict = case.verdict(world, &pictures[1..], renders);
             watch.bar.finish_and_clear();
             if let Some(verdict) = verdict {
                 (stored, why.is_judged) = (verdict.stored, true);

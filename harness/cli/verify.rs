@@ -131,7 +131,6 @@ impl Verify {
         let Witnessed { scene, mut world, pictures, words: witness, explained_with } = witnessed;
         let named = arguments.files_of(&scene);
         output::check_distinct(self.output.as_deref(), named.iter().map(PathBuf::as_path))?;
-        let tone = (scene.image.gamma, scene.image.out_of_gamut);
         let strictness = Strictness { level: self.level, first: self.replicas as usize };
         let reference = self.reference(arguments, (&scene, &world), &pictures)?;
         let asked = arguments.seed();
@@ -141,24 +140,18 @@ impl Verify {
         }
         announce::long_rendering(&world, &printable::text(arguments.name()), self.replicas);
         let watch = Watch::new(strictness.most(), self.search)?;
-        let mut case = Case {
-            world: &mut world,
-            scene: &scene,
-            folder: arguments.folder().unwrap_or(Path::new("")),
+        let folder = arguments.folder().unwrap_or(Path::new(""));
+        let case = Case {
             is_over: &|| watch.is_over(),
             so_far: &|progress| watch.tell(progress),
             strictness,
             transfer: pictures[0].stated,
-            tone,
-            seed,
             reference: reference.as_ref(),
             tolerance: self.by.map_or(verdict::RayTolerance::DOUBLE, By::edge),
+            ..Case::new(&scene, folder, seed)
         };
         let renders = &mut |world: &World, canvas: &Canvas| watch.render(world, canvas);
-        let verdict = match &*pictures {
-            [only] => case.verdict(only, renders),
-            several => case.verdict_on_several(several, renders),
-        };
+        let verdict = case.verdict(&mut world, &pictures, renders);
         watch.bar.finish_and_clear();
         let Some(mut verdict) = verdict else {
             eprintln!("interrupted; too few pictures were rendered to say anything");

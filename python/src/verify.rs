@@ -2,7 +2,7 @@
 
 use groundtruth::render::Canvas;
 use groundtruth::world::World;
-use judge::verdict::{self, Case, Decision, RayTolerance, Strictness};
+use judge::verdict::{self, Case, Decision};
 use pictures::compare::Picture;
 use pictures::told::Told;
 use pyo3::prelude::*;
@@ -32,31 +32,19 @@ pub fn verify(
     if let Some(problem) = refusal.or_else(|| verdict::refusal_of_seed(seed)) {
         return Err(wrong(problem));
     }
-    let tone = (built.scene.image.gamma, built.scene.image.out_of_gamut);
     // asked by the thread that judges, which has let Python go on meanwhile
     let is_interrupted = || Python::attach(|py| py.check_signals().is_err());
     let judged = py.detach(|| {
-        let mut case = Case {
-            world: &mut built.world,
-            scene: &built.scene,
-            folder: &built.folder,
+        let case = Case {
             is_over: &is_interrupted,
-            so_far: &|_| {},
-            strictness: Strictness::USUAL,
             transfer: pictures[0].stated,
-            tone,
-            seed,
-            reference: None,
-            tolerance: RayTolerance::DOUBLE,
+            ..Case::new(&built.scene, &built.folder, seed)
         };
         let renders = &mut |world: &World, canvas: &Canvas| {
             canvas.render(world);
             !is_interrupted()
         };
-        match &*pictures {
-            [only] => case.verdict(only, renders),
-            several => case.verdict_on_several(several, renders),
-        }
+        case.verdict(&mut built.world, &pictures, renders)
     });
     let judged = judged.ok_or_else(|| wrong("interrupted; nothing is known yet"))?;
     let agrees = match judged.decision {

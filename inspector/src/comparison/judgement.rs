@@ -1,6 +1,7 @@
 //! The verdict on their picture, the same as that of `groundtruth verify`: a button starts it, beside the window.
 
 use std::mem::take;
+use std::slice;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
@@ -13,9 +14,7 @@ use groundtruth::film::{Film, Tone};
 use groundtruth::render::{Canvas, Crop};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use judge::verdict::{
-    self, Case, DifferingRegion, Progress, RayTolerance, Renders, Strictness, Verdict,
-};
+use judge::verdict::{self, Case, DifferingRegion, Progress, Renders, Strictness, Verdict};
 use pictures::compare::Picture;
 
 use crate::action::{Action, With};
@@ -150,20 +149,13 @@ impl Question {
         let folder = source.folder().to_owned();
         // a world of its own: it is given other seeds
         let mut world = source.clone().rebuild(read.clone(), scene.clone(), seed)?.world;
-        let mut case = Case {
-            world: &mut world,
-            scene,
-            folder: &folder,
+        let case = Case {
             is_over: &|| is_paused.load(Ordering::Relaxed) || course.is_stopped(),
             so_far: &|progress| course.note(progress),
-            strictness: Strictness::USUAL,
             transfer: theirs.stated,
-            tone: (scene.image.gamma, scene.image.out_of_gamut),
-            seed,
-            reference: None,
-            tolerance: RayTolerance::DOUBLE,
+            ..Case::new(scene, &folder, seed)
         };
-        let verdict = case.verdict(theirs, renders).map(Arc::new);
+        let verdict = case.verdict(&mut world, slice::from_ref(theirs), renders).map(Arc::new);
         verdict.ok_or("interrupted; too few pictures were rendered to say anything".to_owned())
     }
 }

@@ -62,24 +62,13 @@ fn theirs(window: &Window) -> &Theirs {
 /// The verdict of the command with its defaults.
 fn of_command(picture: &Picture) -> Verdict {
     let (scene, mut world) = (small(), built(&small()));
-    let mut case = Case {
-        world: &mut world,
-        scene: &scene,
-        folder: Path::new(""),
-        is_over: &|| false,
-        so_far: &|_| {},
-        strictness: Strictness { level: 0.01, first: 8 },
-        transfer: None,
-        tone: (scene.image.gamma, scene.image.out_of_gamut),
-        seed: DEFAULT_SEED,
-        reference: None,
-        tolerance: judge::verdict::RayTolerance::DOUBLE,
-    };
+    let strictness = Strictness { level: 0.01, first: 8 };
+    let case = Case { strictness, ..Case::new(&scene, Path::new(""), DEFAULT_SEED) };
     let renders = &mut |world: &World, canvas: &render::Canvas| {
         canvas.render(world);
         true
     };
-    case.verdict(picture, renders).expect("nobody interrupts")
+    case.verdict(&mut world, std::slice::from_ref(picture), renders).expect("nobody interrupts")
 }
 
 /// Judges the brighter picture.

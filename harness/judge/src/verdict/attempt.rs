@@ -1,24 +1,22 @@
 //! A picture held against ours, its values stored in each way that is possible; and what is tried when it differs.
 
-use std::path::Path;
+use std::ops::Deref;
 
-use groundtruth::film::{Film, OutOfGamut};
+use groundtruth::film::Film;
 use groundtruth::samplers;
-use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
+use super::case::Case;
 use super::hopeless::{is_hopeless, steps};
 use super::pictures_shown::Shown;
 use super::planted::brighter;
 use super::sampling::Sampling;
 use super::verdict::{Explanation, Verdict};
 use super::{
-    Area, Areas, Decision, Evaluation, PlantedDefect, PoolContext, Progress, RayTolerance,
-    Reference, Replicas, Stored, Strictness, exclude, is_alike, is_nearer, noise, planted,
-    plausible,
+    Area, Areas, Decision, Evaluation, PlantedDefect, PoolContext, Progress, Replicas, Stored,
+    exclude, is_alike, is_nearer, noise, planted, plausible,
 };
-use crate::mistakes::IsOver;
-use pictures::compare::{Picture, Transfer};
+use pictures::compare::Picture;
 
 /// The gain that is planted everywhere, and the one in an object.
 const PLANTED: [f64; 2] = [1.02, 1.05];
@@ -48,17 +46,23 @@ pub(super) struct Attempt {
 #[derive(Clone, Copy)]
 pub(super) struct Judge<'a> {
     pub areas: &'a Areas,
-    pub strictness: Strictness,
-    pub transfer: Option<Transfer>,
-    pub tone: (f64, OutOfGamut),
-    pub so_far: &'a dyn Fn(Progress<'_>),
-    pub reference: Option<&'a Reference>,
-    pub tolerance: RayTolerance,
-    pub scene: &'a Scene,
-    pub folder: &'a Path,
-    pub seed: u64,
-    /// Whether the search for causes is to end.
-    pub is_over: IsOver<'a>,
+    pub case: Case<'a>,
+}
+
+impl<'a> Deref for Judge<'a> {
+    type Target = Case<'a>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.case
+    }
+}
+
+impl Judge<'_> {
+    /// The same, if pictures encode radiance as they are read in this way.
+    pub fn reading(self, way: Stored) -> Self {
+        let transfer = way.transfer().or(self.transfer);
+        Self { case: Case { transfer, ..self.case }, ..self }
+    }
 }
 
 impl Judge<'_> {
@@ -219,7 +223,7 @@ impl Judge<'_> {
         }
         replicas.fill(self.strictness.first);
         // what is known of an explanation is not what is known of the picture
-        let silent = Self { so_far: &|_| {}, ..*self };
+        let silent = Self { case: Case { so_far: &|_| {}, ..self.case }, ..*self };
         let attempt = silent.judged(theirs, replicas)?;
         Some(attempt.verdict.decision == Decision::Agrees)
     }

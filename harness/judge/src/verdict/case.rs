@@ -16,10 +16,12 @@ use super::{
 use crate::mistakes::IsOver;
 use pictures::compare::{Picture, Transfer};
 
+/// So many of ours are held against several pictures of theirs at least.
+const AGAINST_SEVERAL: usize = 16;
+
 /// A scene, and how strictly its pictures are judged.
+#[derive(Clone, Copy)]
 pub struct Case<'a> {
-    /// The scene's world, at the size of the pictures.
-    pub world: &'a mut World,
     /// The scene.
     pub scene: &'a Scene,
     /// Where the files are that it names.
@@ -42,35 +44,54 @@ pub struct Case<'a> {
     pub tolerance: RayTolerance,
 }
 
-impl Case<'_> {
-    /// What is to be said of a picture; `None` if the user interrupted before anything could be.
-    pub fn verdict(&mut self, theirs: &Picture, renders: Renders<'_>) -> Option<Verdict> {
-        let areas = Areas::of(self.world);
-        let (strictness, seed) = (self.strictness, self.seed);
-        let (transfer, tone) = (self.transfer, self.tone);
-        let mut replicas = Replicas::new(self.world, seed, renders);
-        replicas.fill(strictness.first);
-        let (so_far, reference, tolerance) = (self.so_far, self.reference, self.tolerance);
-        let Self { scene, folder, is_over, .. } = *self;
-        let judge = Judge {
-            areas: &areas,
-            strictness,
-            transfer,
-            tone,
-            so_far,
-            reference,
-            tolerance,
+impl<'a> Case<'a> {
+    /// A scene whose files are in this folder, judged as usual, whose replicas have seeds from this one on; nobody waits for
+    /// what is known so far, and the search for causes has no end of its own.
+    pub fn new(scene: &'a Scene, folder: &'a Path, seed: u64) -> Self {
+        Self {
             scene,
             folder,
+            is_over: &|| false,
+            so_far: &|_| {},
+            strictness: Strictness::USUAL,
+            transfer: None,
+            tone: (scene.image.gamma, scene.image.out_of_gamut),
             seed,
-            is_over,
-        };
+            reference: None,
+            tolerance: RayTolerance::DOUBLE,
+        }
+    }
+
+    /// What is to be said of a picture, or of several of one program with other seeds, of the scene's world at their size;
+    /// `None` if the user interrupted before anything could be. The world's seed changes.
+    pub fn verdict(
+        &self,
+        world: &mut World,
+        theirs: &[Picture],
+        renders: Renders<'_>,
+    ) -> Option<Verdict> {
+        match theirs {
+            [only] => self.verdict_on_one(world, only, renders),
+            several => self.verdict_on_several(world, several, renders),
+        }
+    }
+
+    fn verdict_on_one(
+        &self,
+        world: &mut World,
+        theirs: &Picture,
+        renders: Renders<'_>,
+    ) -> Option<Verdict> {
+        let areas = Areas::of(world);
+        let mut replicas = Replicas::new(world, self.seed, renders);
+        replicas.fill(self.strictness.first);
+        let judge = Judge { areas: &areas, case: *self };
         let independent = judge
             .preliminary(theirs, &replicas)
             .is_some_and(|noise| judge.match_noise(theirs, &mut replicas, noise));
         let Attempt { mut judged, mut verdict, known } = judge.judged(theirs, &mut replicas)?;
         if let Some(equal) = equal_to(&replicas.films, theirs, judged.pool.stored) {
-            return Some(verdict.equal(seed + equal as u64));
+            return Some(verdict.equal(self.seed + equal as u64));
         }
         let is_loss = |loss: f64| lossy::agrees(theirs, loss, judged.pool.stored, &replicas.films);
         match verdict.decision {
@@ -78,7 +99,7 @@ impl Case<'_> {
                 (verdict.decision, verdict.loss) = (Decision::Agrees, theirs.loss);
             }
             Decision::Differs => {
-                so_far(Progress::Explaining);
+                (self.so_far)(Progress::Explaining);
                 let reason = judge.reason(theirs, &mut replicas, &judged);
                 let stored = judged.pool.stored;
                 if let Some(way) = reason.way.filter(|way| *way != stored)
@@ -102,46 +123,34 @@ impl Case<'_> {
         verdict.independent = independent;
         Some(verdict)
     }
-}
 
-/// So many of ours are held against several pictures of theirs at least.
-const AGAINST_SEVERAL: usize = 16;
-
-impl Case<'_> {
-    /// As [`Case::verdict_on_several`], for a scene without random numbers: each picture is judged by itself, and the
-    /// first that does not agree is said.
-    fn verdict_on_each(&mut self, theirs: &[Picture], renders: Renders<'_>) -> Option<Verdict> {
-        let mut last = None;
-        for picture in theirs {
-            let verdict = self.verdict(picture, renders)?;
-            if verdict.decision != Decision::Agrees {
-                return Some(verdict);
-            }
-            last = Some(verdict);
-        }
-        last
-    }
-
-    /// What is to be said of several pictures of one program with other seeds: nothing is assumed of their noise.
-    /// `None` if the user interrupted before anything could be.
-    pub fn verdict_on_several(
-        &mut self,
+    /// Nothing is assumed of the noise of several pictures. Of a scene without random numbers each is judged by itself, and
+    /// the first that does not agree is said.
+    fn verdict_on_several(
+        &self,
+        world: &mut World,
         theirs: &[Picture],
         renders: Renders<'_>,
     ) -> Option<Verdict> {
-        let areas = Areas::of(self.world);
-        let (strictness, seed) = (self.strictness, self.seed);
-        let (transfer, tone) = (self.transfer, self.tone);
-        let mut replicas = Replicas::new(self.world, seed, renders);
-        replicas.fill(strictness.first.max(AGAINST_SEVERAL));
+        let areas = Areas::of(world);
+        let mut replicas = Replicas::new(world, self.seed, renders);
+        replicas.fill(self.strictness.first.max(AGAINST_SEVERAL));
         if replicas.films.len() < 3 {
             return None;
         }
         if replicas.films.windows(2).all(|two| two[0] == two[1]) {
             let renders = replicas.renders;
-            return self.verdict_on_each(theirs, renders);
+            let mut last = None;
+            for picture in theirs {
+                let verdict = self.verdict_on_one(world, picture, renders)?;
+                if verdict.decision != Decision::Agrees {
+                    return Some(verdict);
+                }
+                last = Some(verdict);
+            }
+            return last;
         }
-        let candidates = Stored::candidates(&theirs[0], transfer, tone);
+        let candidates = Stored::candidates(&theirs[0], self.transfer, self.tone);
         let films = &replicas.films;
         let verdict = |stored: Stored| {
             let mut pictures: Vec<Vec<f32>> =
@@ -149,7 +158,7 @@ impl Case<'_> {
             let ours = pictures.len();
             pictures.extend(theirs.iter().map(|picture| read(picture, stored)));
             let tests = several(&pictures[ours..], &pictures[..ours], &areas);
-            let (subject, slack) = ((stored, &areas, strictness), stored.slack(&films[0]));
+            let (subject, slack) = ((stored, &areas, self.strictness), stored.slack(&films[0]));
             Verdict::of_several(subject, (&pictures, ours), theirs, &tests, &slack)
         };
         let ways = plausible(&candidates, &theirs[0], films);

@@ -266,7 +266,7 @@ impl<'a> Inquiry<'a, '_, '_> {
     /// Whether the picture agrees with those of a mistake.
     fn agrees(&mut self, it: &Hypothesis, suspect: &Suspect, way: Stored) -> bool {
         let source = |seed| suspect.picture(&self.suspects, seed);
-        let judge = Judge { transfer: way.transfer().or(self.judge.transfer), ..self.judge };
+        let judge = self.judge.reading(way);
         let mut replicas = self.replicas.of_others(&source);
         judge.agrees(&it.change.applied(self.theirs), &mut replicas) == Some(true)
     }

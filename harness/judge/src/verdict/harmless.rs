@@ -7,6 +7,7 @@ use pictures::compare::{
 };
 
 use super::attempt::Judge;
+use super::case::Case;
 use super::replicas::Replicas;
 use super::stored::Stored;
 use super::verdict::Explanation;
@@ -37,11 +38,13 @@ impl Judge<'_> {
                 return None;
             }
             let as_theirs = read_so(theirs, way);
-            let judge = Self { transfer: way.transfer().or(self.transfer), ..*self };
+            let judge = self.reading(way);
             let agrees = match change {
                 Change::Scaled(factor) => judge.agrees_scaled(theirs, replicas, factor),
-                Change::Decoded(transfer) => Self { transfer: Some(transfer), ..*self }
-                    .agrees(&change.applied(theirs), replicas),
+                Change::Decoded(transfer) => {
+                    let case = Case { transfer: Some(transfer), ..self.case };
+                    Self { case, ..*self }.agrees(&change.applied(theirs), replicas)
+                }
                 _ => judge.agrees(&change.applied(&as_theirs), replicas),
             };
             if agrees == Some(true) {
@@ -64,7 +67,7 @@ impl Judge<'_> {
         let (_, direction, way) = all.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
         let films = std::mem::take(&mut replicas.films);
         replicas.direction = direction;
-        let judge = Self { transfer: way.transfer().or(self.transfer), ..*self };
+        let judge = self.reading(way);
         let agrees = judge.agrees(theirs, replicas);
         (replicas.direction, replicas.films) = ([0, 0], films);
         let what = half_pixel_words(direction, "theirs");

@@ -4,6 +4,7 @@ use pictures::compare::Picture;
 
 use super::Evaluation;
 use super::attempt::Judge;
+use super::case::Case;
 use super::causes::{Causes, Inquiry};
 use super::plausible::readings;
 use super::replicas::Replicas;
@@ -30,7 +31,7 @@ impl Judge<'_> {
         replicas: &mut Replicas<'_, '_>,
         judged: &Evaluation,
     ) -> Reason {
-        let Self { folder, seed, is_over, .. } = *self;
+        let Case { folder, seed, is_over, .. } = self.case;
         let stored = judged.pool.stored;
         let usual = (self.transfer, self.tone);
         let mut ways = readings(theirs, usual, &replicas.films, self.areas);

@@ -7,8 +7,8 @@ use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::{Pcg32, power};
 use groundtruth::scene::Scene;
 use judge::verdict::{
-    Answer, Areas, Case, Decision, Means, PoolContext, Progress, RayTolerance, Relative,
-    Strictness, Verdict, noise,
+    Answer, Areas, Case, Decision, Means, PoolContext, Progress, Relative, Strictness, Verdict,
+    noise,
 };
 use pictures::compare::{Picture, Transfer};
 
@@ -46,28 +46,13 @@ pub fn watched(
     (rendered, so_far): Watch<'_>,
 ) -> Option<Verdict> {
     let mut world = world(scene, 1);
-    let mut case = Case {
-        world: &mut world,
-        scene,
-        folder: Path::new(""),
-        is_over: &|| false,
-        so_far,
-        strictness,
-        transfer,
-        tone: (scene.image.gamma, scene.image.out_of_gamut),
-        seed: 1,
-        reference: None,
-        tolerance: RayTolerance::DOUBLE,
-    };
+    let case = Case { so_far, strictness, transfer, ..Case::new(scene, Path::new(""), 1) };
     let renders = &mut |world: &_, canvas: &groundtruth::render::Canvas| {
         canvas.render(world);
         rendered.set(rendered.get() + 1);
         rendered.get() <= after
     };
-    match theirs {
-        [only] => case.verdict(only, renders),
-        several => case.verdict_on_several(several, renders),
-    }
+    case.verdict(&mut world, theirs, renders)
 }
 
 pub const STRICTNESS: Strictness = Strictness { level: 0.05, first: 8 };
