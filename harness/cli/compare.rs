@@ -15,6 +15,7 @@ use pictures::compare::{self, Comparison, Hypothesis, Picture, Transfer};
 use pictures::shell::quoted;
 use pictures::told::Told;
 
+use super::numbers::number;
 use super::watch::Watch;
 use super::{Exit, Outcome, announce, output};
 
@@ -31,7 +32,7 @@ pub struct Compare {
     #[arg(long, value_name = "CURVE")]
     encoding: Option<Transfer>,
     /// The relative difference up to which channels are equal
-    #[arg(long, value_name = "R", default_value_t = 0.0, value_parser = tolerance)]
+    #[arg(long, value_name = "R", default_value_t = 0.0, value_parser = number(0.0..1.0, "write a number from 0 to 1, such as 0.01"))]
     tolerance: f64,
     /// Write a page with both pictures, their difference and its regions
     #[arg(short, long, value_name = "FILE")]
@@ -39,13 +40,6 @@ pub struct Compare {
     /// Print JSON
     #[arg(long)]
     json: bool,
-}
-
-fn tolerance(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(r) if (0.0..1.0).contains(&r) => Ok(r),
-        _ => Err("write a number from 0 to 1, such as 0.01".to_owned()),
-    }
 }
 
 /// A scene's name, and the size of its image.

@@ -1,18 +1,16 @@
 //! `conform`.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
 use conform::family::Family;
 use conform::{self, Card, Invocation, KnownFailures, Options, Profile, Row, card};
-use groundtruth::printable;
-use pictures::told::Told;
 
 use super::numbers::whole;
-use super::program::{ProgramArguments, fresh_seed, no_answer};
-use super::{Exit, Outcome, interrupt, output, print, progress};
+use super::program::{CardArguments, Written, unanswered};
+use super::{Exit, Outcome, interrupt, print, progress};
 
 #[derive(Args)]
 pub struct Conform {
@@ -23,12 +21,6 @@ pub struct Conform {
     /// How exact answers have to be
     #[arg(long, value_enum, default_value_t = Exact::Careful)]
     profile: Exact,
-    /// Of the cases
-    #[arg(long, default_value_t = 1, value_parser = whole::<u64>(0..=u64::MAX))]
-    seed: u64,
-    /// A seed that nobody has seen; the card prints it
-    #[arg(long, conflicts_with = "seed")]
-    fresh: bool,
     /// Cases in each family
     #[arg(long, value_name = "N", default_value_t = conform::CASES, value_parser = whole::<usize>(0..=conform::MOST_CASES as u64))]
     cases: usize,
@@ -41,20 +33,11 @@ pub struct Conform {
     /// Write such a file of all that failed
     #[arg(long, value_name = "FILE")]
     write_known: Option<PathBuf>,
-    /// Write the results for continuous integration (JUnit's XML)
-    #[arg(long, value_name = "FILE")]
-    junit: Option<PathBuf>,
-    /// Write the card as a page; - is the standard output, here and for the other files
-    #[arg(short, long, value_name = "FILE")]
-    output: Option<PathBuf>,
-    /// Print JSON
-    #[arg(long)]
-    json: bool,
     /// Print an adapter to fill in, whose every question is a function that returns "unsupported"
     #[arg(long, value_name = "LANGUAGE", value_enum, exclusive = true)]
     init: Option<conform::Language>,
     #[command(flatten)]
-    program: ProgramArguments,
+    card: CardArguments,
 }
 
 /// The profiles by name.
@@ -72,23 +55,21 @@ impl Conform {
             return print(language.template());
         }
         let families = self.families()?;
-        output::once(self.files(), "output")?;
-        self.files().try_for_each(output::writable)?;
+        self.card.check_files(self.write_known.as_deref())?;
         let known = self.known.as_deref().map(KnownFailures::read).transpose()?;
         let interrupted = interrupt::flag()?;
         let profile = match self.profile {
             Exact::Careful => Profile::Careful,
             Exact::Book => Profile::Book,
         };
-        let seed = if self.fresh { fresh_seed() } else { self.seed };
         let options = Options {
             profile,
-            seed,
+            seed: self.card.seed(),
             cases: self.cases,
             shrink: true,
             interrupted: Arc::clone(&interrupted),
         };
-        let mut program = self.program.program(interrupted);
+        let mut program = self.card.program.program(interrupted);
         let style = "{bar:30} {pos} of {len} families  {wide_msg}";
         let bar = progress::bar(families.len() as u64, style);
         let card = conform::run(&mut program, &families, &options, &mut |row| {
@@ -100,16 +81,17 @@ impl Conform {
         drop(program);
         let card = match card {
             Ok(card) => card,
-            Err(error) => {
-                let text = no_answer(&error.to_string(), &log);
-                text.lines().for_each(|line| eprintln!("{}", printable::text(line)));
-                return Ok(Exit::Unanswered);
-            }
+            Err(error) => return unanswered(&error.to_string(), &log),
         };
         let told = card::told(&card, &self.invocation());
-        self.write(&card, &told)?;
-        let text = if self.json { told.json(&card.json())? } else { told.text() };
-        self.say(&text)?;
+        let known_now = || conform::KnownFailures::of(&card).to_string();
+        self.card.write(&Written {
+            told: &told,
+            json: card.json(),
+            page: &|command| card::page(&card, &told, command),
+            junit: &|command| card::junit(&card, command),
+            more: self.write_known.as_deref().map(|file| (file, known_now())),
+        })?;
         Ok(exit(&card, known.as_ref()))
     }
 
@@ -120,14 +102,9 @@ impl Conform {
         let book =
             matches!(self.profile, Exact::Book).then(|| option("--profile", "book".to_owned()));
         let known = self.known.iter().map(|file| option("--known", file.display().to_string()));
-        let options = book.into_iter().chain(known).flatten();
-        Invocation {
-            selection: self.what.iter().cloned().chain(only.flatten()).collect(),
-            options: options.chain(self.program.limits()).collect(),
-            cases: (self.cases != conform::CASES).then_some(self.cases),
-            is_fresh: self.fresh,
-            program: self.program.words(),
-        }
+        let selection = self.what.iter().cloned().chain(only.flatten()).collect();
+        let cases = (self.cases != conform::CASES).then_some(self.cases);
+        self.card.invocation(selection, book.into_iter().chain(known).flatten(), cases)
     }
 
     /// The families that the arguments select; at least one.
@@ -152,28 +129,6 @@ impl Conform {
             }
             false => Ok(families),
         }
-    }
-
-    /// The files that are written.
-    fn files(&self) -> impl Iterator<Item = &Path> {
-        [&self.output, &self.junit, &self.write_known].into_iter().flatten().map(PathBuf::as_path)
-    }
-
-    /// Prints what is said; to the standard error if a file goes to the standard output.
-    fn say(&self, text: &str) -> Outcome {
-        output::say(text, self.files().find(|file| output::is_standard(file)))
-    }
-
-    fn write(&self, card: &Card, told: &Told) -> Result<(), Box<dyn Error>> {
-        let command = self.program.command();
-        let write = |file: &Option<PathBuf>, text: &dyn Fn() -> String| match file {
-            Some(file) => output::write(file, text().as_bytes()),
-            None => Ok(()),
-        };
-        write(&self.output, &|| card::page(card, told, &command))?;
-        write(&self.junit, &|| card::junit(card, &command))?;
-        write(&self.write_known, &|| conform::KnownFailures::of(card).to_string())?;
-        Ok(())
     }
 }
 

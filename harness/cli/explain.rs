@@ -14,7 +14,7 @@ use serde::Serialize;
 use super::columns::wrapped;
 use super::kept::{self, Keeping};
 use super::mistake::MistakeArgument;
-use super::numbers::whole;
+use super::numbers::{number, whole};
 use super::scene::SceneArguments;
 use super::why_not::{Asked, WhyNotArguments};
 use super::{Exit, Outcome, formulas, output, print};
@@ -35,7 +35,7 @@ pub struct Explain {
     #[arg(long, conflicts_with = "sample")]
     all: bool,
     /// Show rays that contribute less than this percentage of their sample as one line; 0 shows all
-    #[arg(long, value_name = "PERCENT", default_value_t = 1.0, value_parser = percentage)]
+    #[arg(long, value_name = "PERCENT", default_value_t = 1.0, value_parser = number(0.0..=100.0, "a number from 0 to 100 is needed"))]
     min_share: f64,
     /// Show only the path of rays along which most of the light comes
     #[arg(long)]
@@ -80,13 +80,6 @@ struct Report<'a> {
 enum Explained<'a> {
     Plain(&'a PixelExplanation),
     WithFormulas(serde_json::Value),
-}
-
-fn percentage(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(percent) if (0.0..=100.0).contains(&percent) => Ok(percent),
-        _ => Err("a number from 0 to 100 is needed".to_owned()),
-    }
 }
 
 impl Explain {

@@ -1,6 +1,17 @@
-//! Whole numbers on the command line.
+//! Numbers on the command line.
 
-use std::ops::RangeInclusive;
+use std::ops::{RangeBounds, RangeInclusive};
+
+/// Parses a number of this range; the error says what to write.
+pub fn number(
+    range: impl RangeBounds<f64> + Clone + Send + Sync + 'static,
+    advice: &'static str,
+) -> impl Fn(&str) -> Result<f64, String> + Clone + Send + Sync + 'static {
+    move |text| {
+        let number = text.parse().ok().filter(|number| range.contains(number));
+        number.ok_or_else(|| advice.to_owned())
+    }
+}
 
 /// Parses a whole number of this range; the error says what to write.
 pub fn whole<T>(

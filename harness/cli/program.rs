@@ -1,12 +1,20 @@
-//! Programs that are asked questions: what `conform` and `laws` have in common.
+//! Programs that are asked questions, and cards of what is found: what `conform` and `laws` have in common.
 
+use std::error::Error;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use clap::Args;
-use conform::{Limits, Program};
+use conform::{Invocation, Limits, Program};
 use groundtruth::math::hash;
+use groundtruth::printable;
+use pictures::told::Told;
+use serde_json::Value;
+
+use super::numbers::{number, whole};
+use super::{Exit, Outcome, output};
 
 const ANSWER_SECONDS: f64 = 5.0;
 const START_SECONDS: f64 = 60.0;
@@ -15,21 +23,14 @@ const START_SECONDS: f64 = 60.0;
 #[derive(Args)]
 pub struct ProgramArguments {
     /// Seconds for an answer
-    #[arg(long, value_name = "SECONDS", default_value_t = ANSWER_SECONDS, value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", default_value_t = ANSWER_SECONDS, value_parser = number(1e-3..=1e6, "write a number of seconds, such as 5"))]
     timeout: f64,
     /// Seconds for the first answer after a start
-    #[arg(long, value_name = "SECONDS", default_value_t = START_SECONDS, value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", default_value_t = START_SECONDS, value_parser = number(1e-3..=1e6, "write a number of seconds, such as 5"))]
     start_timeout: f64,
     /// The program and its arguments
     #[arg(last = true, required_unless_present = "init", value_name = "PROGRAM")]
     program: Vec<String>,
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(x) if (1e-3..=1e6).contains(&x) => Ok(x),
-        _ => Err("write a number of seconds, such as 5".to_owned()),
-    }
 }
 
 impl ProgramArguments {
@@ -40,7 +41,7 @@ impl ProgramArguments {
     }
 
     /// The options that say how long it may take, if they are not the defaults.
-    pub fn limits(&self) -> Vec<String> {
+    fn limits(&self) -> Vec<String> {
         let all = [
             ("--timeout", self.timeout, ANSWER_SECONDS),
             ("--start-timeout", self.start_timeout, START_SECONDS),
@@ -48,15 +49,82 @@ impl ProgramArguments {
         let chosen = all.into_iter().filter(|(_, seconds, default)| seconds != default);
         chosen.flat_map(|(name, seconds, _)| [name.to_owned(), seconds.to_string()]).collect()
     }
+}
 
-    /// The program and its arguments.
-    pub fn words(&self) -> &[String] {
-        &self.program
+/// Which cases are drawn, and where the card goes.
+#[derive(Args)]
+pub struct CardArguments {
+    /// Of the cases
+    #[arg(long, default_value_t = 1, value_parser = whole::<u64>(0..=u64::MAX))]
+    seed: u64,
+    /// A seed that nobody has seen; the card prints it
+    #[arg(long, conflicts_with = "seed")]
+    fresh: bool,
+    /// Write the results for continuous integration (JUnit's XML)
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Write the card as a page; - is the standard output, here and for other files
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+    /// Print JSON
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    pub program: ProgramArguments,
+}
+
+/// A card, as it is written; a form takes the command line of the program.
+pub struct Written<'a> {
+    pub told: &'a Told,
+    pub json: Value,
+    pub page: &'a dyn Fn(&str) -> String,
+    pub junit: &'a dyn Fn(&str) -> String,
+    /// One file more, and what it holds.
+    pub more: Option<(&'a Path, String)>,
+}
+
+impl CardArguments {
+    /// The seed that was given, or a fresh one.
+    pub fn seed(&self) -> u64 {
+        if self.fresh { fresh_seed() } else { self.seed }
     }
 
-    /// The program and its arguments, as they were typed.
-    pub fn command(&self) -> String {
-        self.program.join(" ")
+    /// What was typed, to be asked again; `cases` if they are not the usual ones.
+    pub fn invocation(
+        &self,
+        selection: Vec<String>,
+        options: impl Iterator<Item = String>,
+        cases: Option<usize>,
+    ) -> Invocation<'_> {
+        let options = options.chain(self.program.limits()).collect();
+        let program = &self.program.program;
+        Invocation { selection, options, cases, is_fresh: self.fresh, program }
+    }
+
+    fn files<'a>(&'a self, more: Option<&'a Path>) -> impl Iterator<Item = &'a Path> {
+        [self.output.as_deref(), self.junit.as_deref(), more].into_iter().flatten()
+    }
+
+    /// Fails if a file cannot be written, found out before anything is asked.
+    pub fn check_files(&self, more: Option<&Path>) -> Result<(), Box<dyn Error>> {
+        output::once(self.files(more), "output")?;
+        self.files(more).try_for_each(output::writable)
+    }
+
+    /// Writes the files, and prints what is said: to the standard error if a file goes to the standard output.
+    pub fn write(&self, card: &Written<'_>) -> Outcome {
+        let command = self.program.program.join(" ");
+        for (file, text) in [(&self.output, card.page), (&self.junit, card.junit)] {
+            if let Some(file) = file {
+                output::write(file, text(&command).as_bytes())?;
+            }
+        }
+        if let Some((file, text)) = &card.more {
+            output::write(file, text.as_bytes())?;
+        }
+        let said = if self.json { card.told.json(&card.json)? } else { card.told.text() };
+        let more = card.more.as_ref().map(|(file, _)| *file);
+        output::say(&said, self.files(more).find(|file| output::is_standard(file)))
     }
 }
 
@@ -67,8 +135,8 @@ pub fn fresh_seed() -> u64 {
     hash(&[now.as_nanos() as u64]) >> 16
 }
 
-/// What is to be done about a program that answers nothing.
-pub fn no_answer(error: &str, log: &str) -> String {
+/// Says what is to be done about a program that answers nothing.
+pub fn unanswered(error: &str, log: &str) -> Outcome {
     let text = format!("error: {error}");
     let hint = if text.contains("no answer within") {
         "\nhint: flush the output after each line (C and Python keep it back when writing to a pipe)"
@@ -79,5 +147,6 @@ pub fn no_answer(error: &str, log: &str) -> String {
     };
     let log =
         if log.is_empty() { String::new() } else { format!("\nits standard error begins:\n{log}") };
-    text + hint + &log
+    (text + hint + &log).lines().for_each(|line| eprintln!("{}", printable::text(line)));
+    Ok(Exit::Unanswered)
 }

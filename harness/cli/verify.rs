@@ -20,7 +20,7 @@ use pictures::sums::Sums;
 use pictures::told::Told;
 
 use super::compare::is_scene;
-use super::numbers::whole;
+use super::numbers::{number, whole};
 use super::scene::SceneArguments;
 use super::watch::Watch;
 use super::witness::{By, Request, Witnessed};
@@ -62,7 +62,7 @@ pub struct Verify {
     #[arg(long, value_name = "R", default_value_t = Strictness::USUAL.first as u32, value_parser = whole::<u32>(3..=u32::MAX.into()))]
     replicas: u32,
     /// The probability of calling a correct picture wrong; a wrong one is called so after 1/P − 1 of our pictures
-    #[arg(long, value_name = "P", default_value_t = Strictness::USUAL.level, value_parser = level)]
+    #[arg(long, value_name = "P", default_value_t = Strictness::USUAL.level, value_parser = number(1e-4..=0.2, "write a number from 0.0001 to 0.2, such as 0.01"))]
     level: f64,
     /// Hold all pictures against the mean of these sums of the scene, which `render --replicas` or `merge` wrote: it
     /// shows smaller differences of a picture with little noise. Ours have other seeds
@@ -98,13 +98,6 @@ pub struct Verify {
     /// Print JSON
     #[arg(long)]
     json: bool,
-}
-
-fn level(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(level) if (1e-4..=0.2).contains(&level) => Ok(level),
-        _ => Err("write a number from 0.0001 to 0.2, such as 0.01".to_owned()),
-    }
 }
 
 fn margin(text: &str) -> Result<f64, String> {
