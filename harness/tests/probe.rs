@@ -59,55 +59,6 @@ fn the_examples_of_the_document_are_true() {
     hold(&Path::new(ROOT).join("docs/probe.md"), &true_lines, Printed::Exactly);
 }
 
-/// A question, and the paths of all tables in it.
-fn tables(value: &Value, path: &str, found: &mut Vec<String>) {
-    match value {
-        Value::Object(fields) => {
-            found.push(path.to_owned());
-            for (key, inner) in fields {
-                tables(inner, &format!("{path}/{key}"), found);
-            }
-        }
-        Value::Array(items) => {
-            for (i, inner) in items.iter().enumerate() {
-                tables(inner, &format!("{path}/{i}"), found);
-            }
-        }
-        _ => {}
-    }
-}
-
-/// Law: a list of a table's values, in whatever order, is not that table: the probe refuses it. The tables are those of
-/// the document's examples.
-#[test]
-fn a_list_is_no_table() {
-    let document = std::fs::read_to_string("../docs/probe.md")
-        .or_else(|_| std::fs::read_to_string("docs/probe.md"))
-        .expect("it is there");
-    let mut count = 0;
-    for line in document.lines().filter_map(|line| line.strip_prefix("→ ")) {
-        let Ok(question) = serde_json::from_str::<Value>(line) else { continue };
-        let (name, data) =
-            match question.as_object().into_iter().flatten().find(|(key, _)| *key != "id") {
-                Some((name, data)) if data.is_object() => (name, data),
-                _ => continue,
-            };
-        let mut paths = Vec::new();
-        tables(data, "", &mut paths);
-        for path in paths {
-            let mut listed = data.clone();
-            let table = listed.pointer_mut(&path).expect("a table");
-            let values: Vec<Value> =
-                table.as_object().into_iter().flatten().map(|(_, it)| it.clone()).collect();
-            *table = Value::from(values);
-            let reply = probe::answer(&json!({name: listed}).to_string());
-            assert!(reply.starts_with("{\"error\""), "{path} of {line}: {reply}");
-            count += 1;
-        }
-    }
-    assert!(count > 200, "{count} tables");
-}
-
 /// Law: bytes that are no text get the number of their line, counted with blank ones, and the byte in it, from
 /// 1. Oracle: where the test put them.
 #[test]

@@ -32,7 +32,6 @@ mod lines;
 pub mod mistaken;
 mod numbers;
 mod source;
-mod tables;
 
 use serde::de::{self, MapAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -43,7 +42,6 @@ use groundtruth::printable;
 
 pub use limits::{LONGEST_LINE, MAX_POINTS, MAX_TRIANGLES, MAX_WORK};
 pub use lines::serve;
-use tables::Tables;
 
 /// A question that a line can ask.
 trait Question {
@@ -183,7 +181,7 @@ fn reply(line: &str) -> Result<String, String> {
 
 fn read(line: &str) -> Result<Line, serde_json::Error> {
     let mut json = serde_json::Deserializer::from_str(line);
-    let read = Line::deserialize(Tables(&mut json))?;
+    let read = Line::deserialize(&mut json)?;
     json.end()?;
     Ok(read)
 }
