@@ -91,7 +91,7 @@ enum Command {
     /// answer; docs/conform.md describes it. The exit status is 0 if nothing failed, 1 if something did, 2 if the
     /// program answers nothing, or supports nothing of what is asked.
     Conform(conform::Conform),
-    /// Ask a program about its own lobes, and hold its answers to each other
+    /// Ask a program about its own lobes, lights and maps, and hold its answers to each other
     ///
     /// No answer of ours is needed: the program lists its BSDFs and what it claims of them; docs/laws.md describes the
     /// questions, the claims and the laws. The exit status is 0 if no law is broken, 1 if one is, 2 if nothing could

@@ -23,16 +23,16 @@ const AGAIN: usize = 10;
 /// Questions to a subject for each of its cases, on average: right ones need at most 250.
 const MOST_QUESTIONS: usize = 1000;
 
-/// Cases of each lobe, if it is not said how many.
+/// Cases of each subject, if it is not said how many.
 pub const CASES: usize = 8;
 
 /// At most so many can be asked for.
 pub const MOST_CASES: usize = 10_000;
 
-/// How lobes are asked.
+/// How subjects are asked.
 #[derive(Clone, Copy, Debug)]
 pub struct ClaimsOptions {
-    /// Cases of each lobe.
+    /// Cases of each.
     pub cases: usize,
     /// Of the cases.
     pub seed: u64,
@@ -149,7 +149,7 @@ struct Test {
     p: f64,
 }
 
-/// Holds lobes to the laws; `finished` hears of each lobe before chance is judged.
+/// Holds subjects to the laws; `finished` hears of each before chance is judged.
 pub fn run(
     subject: &mut dyn Subject,
     lobes: &[Description],

@@ -36,7 +36,7 @@ pub enum DifferenceKind {
     Structure,
     /// The number of values in which a picture differs from what all others agree on.
     Outliers,
-    /// As `Alone`, but only pixels count whose neighbours differ so too: noise that is unlike that of the others
+    /// As `Outliers`, but only pixels count whose neighbours differ so too: noise that is unlike that of the others
     /// reaches a little farther than theirs.
     InnerOutliers,
 }

@@ -16,7 +16,7 @@ pub struct Residuals {
 }
 
 impl Residuals {
-    /// `alone` counts the values in which all others agree against the picture.
+    /// `outliers` counts the values in which all others agree against the picture.
     pub fn of(pool: &Pool, picture: usize, channel: usize, outliers: &mut [f64]) -> Self {
         let pixels = pool.size[0] * pool.size[1];
         let (mut difference, mut variance, mut varied) =
