@@ -2,8 +2,9 @@
 
 use std::error::Error;
 
-use claims::{ClaimsCard, ClaimsOptions, Description, SubjectRow, Trouble};
+use claims::{ClaimsCard, ClaimsOptions, Description, SubjectRow};
 use clap::Args;
+use conform::Stop;
 use groundtruth::printable;
 
 use super::numbers::whole;
@@ -33,13 +34,11 @@ impl Laws {
         let mut program = self.card.program.program(interrupt::flag()?);
         let lobes = match claims::listed(&mut program) {
             Ok(lobes) => self.chosen(lobes)?,
-            Err(Trouble::Interrupted) => {
+            Err(Stop::NotAsked) => {
                 eprintln!("interrupted; nothing was written");
                 return Ok(Exit::Interrupted);
             }
-            Err(Trouble::Unsupported(why) | Trouble::Refused(why) | Trouble::Fault(why)) => {
-                return unanswered(&why, &program.log());
-            }
+            Err(stop) => return unanswered(stop.text(), &program.log()),
         };
         let options = ClaimsOptions { cases: self.cases, seed: self.card.seed() };
         let style = "{bar:30} {pos} of {len}  {wide_msg}";

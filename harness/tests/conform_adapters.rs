@@ -7,7 +7,7 @@ use std::time::Duration;
 use std::{env, fs};
 
 use conform::{
-    Card, Language, Limits, Options, Profile, Program, Reply, Status, Subject, run, suite,
+    Card, Language, Limits, Options, Profile, Program, Reply, Status, Stop, Subject, run, suite,
 };
 use serde_json::Value;
 
@@ -43,9 +43,9 @@ impl Subject for Called {
             let reply: Value = serde_json::from_str(&self.0(&line.to_string())).expect("JSON");
             assert_eq!(reply["id"], 7);
             match (reply.get("answer"), reply.get("unsupported")) {
-                (Some(answer), _) => Reply::Answer(answer.clone()),
-                (_, Some(why)) => Reply::Unsupported(why.to_string()),
-                _ => Reply::Refused(reply["error"].to_string()),
+                (Some(answer), _) => Ok(answer.clone()),
+                (_, Some(why)) => Err(Stop::Unsupported(why.to_string())),
+                _ => Err(Stop::Refused(reply["error"].to_string())),
             }
         };
         questions.iter().map(reply).collect()

@@ -1,7 +1,7 @@
 //! The questions of the probe, and the laws of functions of Python.
 
-use claims::{ClaimsOptions, Trouble};
-use conform::{Invocation, Reply, Subject, probe};
+use claims::ClaimsOptions;
+use conform::{Invocation, Reply, Stop, Subject, probe};
 use pictures::told::Told;
 use pyo3::prelude::*;
 use serde_json::Value;
@@ -25,20 +25,19 @@ impl Subject for Answers {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let reply = |question: &Value| {
             if self.raised.is_some() {
-                return Reply::NotAsked;
+                return Err(Stop::NotAsked);
             }
             let answered = Python::attach(|py| {
                 py.check_signals()?;
                 self.function.call1(py, (question.to_string(),))?.extract::<String>(py)
             });
             match answered {
-                Ok(text) => match serde_json::from_str(&text) {
-                    Ok(answer) => Reply::Answer(answer),
-                    Err(error) => Reply::Refused(error.to_string()),
-                },
+                Ok(text) => {
+                    serde_json::from_str(&text).map_err(|error| Stop::Refused(error.to_string()))
+                }
                 Err(error) => {
                     self.raised = Some(error);
-                    Reply::NotAsked
+                    Err(Stop::NotAsked)
                 }
             }
         };
@@ -63,7 +62,7 @@ pub fn laws(
     if let Some(raised) = subject.raised {
         return Err(raised);
     }
-    let card = card.map_err(|trouble: Trouble| wrong(trouble.text()))?;
+    let card = card.map_err(|stop: Stop| wrong(stop.text()))?;
     let next = format!("laws(…, seed={})", seed.wrapping_add(1));
     let told = Told { next, ..claims::told(&card, &Invocation::default()) };
     let page = claims::page(&card, &told, "functions of Python");

@@ -1,6 +1,6 @@
 //! A subject under questions: its name and parameters, as they stand in each question, and why there is no answer.
 
-use conform::{Reply, Subject, number, numbers};
+use conform::{Reply, Stop, Subject, number, numbers};
 use serde_json::{Map, Value, json};
 
 use crate::description::Kind;
@@ -16,29 +16,6 @@ pub struct Asked<'a> {
     subject: &'a mut dyn Subject,
     /// The name and the parameters.
     of: Value,
-}
-
-/// Why there is no answer to be judged.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Trouble {
-    /// The program does not do this.
-    Unsupported(String),
-    /// It refuses, or its answer is not of the form that is needed.
-    Refused(String),
-    /// It hung, died, or wrote what nobody can read.
-    Fault(String),
-    /// The run was interrupted.
-    Interrupted,
-}
-
-impl Trouble {
-    /// The program's words, or what happened.
-    pub fn text(&self) -> &str {
-        match self {
-            Self::Unsupported(text) | Self::Refused(text) | Self::Fault(text) => text,
-            Self::Interrupted => "interrupted",
-        }
-    }
 }
 
 /// A subject whose questions are counted.
@@ -79,22 +56,8 @@ impl<'a> Asked<'a> {
     ///
     /// # Errors
     /// Says why there are none.
-    pub fn answers(&mut self, questions: &[Value]) -> Result<Vec<Value>, Trouble> {
-        self.subject.ask(questions).into_iter().map(answer).collect()
-    }
-}
-
-/// The answer of a reply.
-///
-/// # Errors
-/// Says why there is none.
-pub fn answer(reply: Reply) -> Result<Value, Trouble> {
-    match reply {
-        Reply::Answer(value) => Ok(value),
-        Reply::Refused(why) => Err(Trouble::Refused(why)),
-        Reply::Unsupported(why) => Err(Trouble::Unsupported(why)),
-        Reply::Fault(fault) => Err(Trouble::Fault(fault.text().to_owned())),
-        Reply::NotAsked => Err(Trouble::Interrupted),
+    pub fn answers(&mut self, questions: &[Value]) -> Result<Vec<Value>, Stop> {
+        self.subject.ask(questions).into_iter().collect()
     }
 }
 
@@ -102,9 +65,9 @@ pub fn answer(reply: Reply) -> Result<Value, Trouble> {
 ///
 /// # Errors
 /// Says what is there instead.
-pub fn list<'v>(value: &'v Value, name: &str, count: usize) -> Result<&'v [Value], Trouble> {
+pub fn list<'v>(value: &'v Value, name: &str, count: usize) -> Result<&'v [Value], Stop> {
     let found = value.as_array().filter(|list| list.len() == count);
-    let problem = || Trouble::Refused(format!("{name} is no list of {count} values"));
+    let problem = || Stop::Refused(format!("{name} is no list of {count} values"));
     Ok(found.ok_or_else(problem)?.as_slice())
 }
 
@@ -117,8 +80,7 @@ pub fn color(value: &Value) -> Option<[f64; 3]> {
 ///
 /// # Errors
 /// Names the field and what stands there.
-pub fn needed<T>(found: Option<T>, key: &str, value: &Value) -> Result<T, Trouble> {
-    found.ok_or_else(|| {
-        Trouble::Refused(format!("`{key}` is {value}, which is no number of its form"))
-    })
+pub fn needed<T>(found: Option<T>, key: &str, value: &Value) -> Result<T, Stop> {
+    found
+        .ok_or_else(|| Stop::Refused(format!("`{key}` is {value}, which is no number of its form")))
 }

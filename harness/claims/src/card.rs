@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Write as _};
 
-use conform::Invocation;
+use conform::{Invocation, Stop};
 use groundtruth::printable;
 use pictures::digits::shortened;
 use pictures::html::{self, escaped};
@@ -12,7 +12,6 @@ use pictures::xml::held;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use serde_json::{Value, json};
 
-use crate::asked::Trouble;
 use crate::description::Kind;
 use crate::laws::{Breach, Law};
 use crate::run::{Broken, CASES, ClaimsCard, LawStatus, MOST_CASES, SubjectRow};
@@ -98,7 +97,7 @@ impl ClaimsCard {
         let row = |row: &SubjectRow| {
             let laws = Law::of(row.kind).iter().zip(&row.laws);
             let laws: Vec<Value> = laws.map(|(it, status)| law(row.kind, it, status)).collect();
-            let (kind, trouble) = (row.kind.word(), row.trouble.as_ref().map(Trouble::text));
+            let (kind, trouble) = (row.kind.word(), row.trouble.as_ref().map(Stop::text));
             json!({
                 "name": row.name, "kind": kind, "laws": laws, "trouble": trouble,
                 "failed": row.is_failed(),
@@ -116,7 +115,7 @@ fn verdict(card: &ClaimsCard) -> String {
     let broken: Vec<&SubjectRow> = card.rows.iter().filter(|row| row.is_failed()).collect();
     let seed = card.seed;
     let rest = format!("seed {seed}, {} tests of chance", card.tests);
-    let asked = card.rows.iter().filter(|row| row.trouble != Some(Trouble::Interrupted)).count();
+    let asked = card.rows.iter().filter(|row| row.trouble != Some(Stop::NotAsked)).count();
     let interrupted = match card.is_whole {
         true => String::new(),
         false => format!("interrupted after {asked} of {}; until then ", counted(&card.rows)),
@@ -166,7 +165,7 @@ fn counted(rows: &[SubjectRow]) -> String {
 /// What is wrong with a subject: each broken law, the one to begin with first.
 fn details(row: &SubjectRow) -> String {
     let mut text = String::new();
-    if let Some(trouble) = row.trouble.as_ref().filter(|it| **it != Trouble::Interrupted) {
+    if let Some(trouble) = row.trouble.as_ref().filter(|it| **it != Stop::NotAsked) {
         let what =
             if row.is_unsupported() { "not supported" } else { "no answer that can be judged" };
         let why = printable::text(trouble.text());
@@ -257,8 +256,8 @@ pub fn junit(card: &ClaimsCard, command: &str) -> String {
                     status
                 }
                 (LawStatus::NotClaimed, _) => TestCaseStatus::skipped(),
-                (LawStatus::Undecided(_), Some(it @ (Trouble::Refused(_) | Trouble::Fault(_))))
-                | (_, Some(it @ Trouble::Interrupted)) => {
+                (LawStatus::Undecided(_), Some(it @ (Stop::Refused(_) | Stop::Fault(_))))
+                | (_, Some(it @ Stop::NotAsked)) => {
                     let mut status = TestCaseStatus::non_success(NonSuccessKind::Error);
                     status.set_message(held(it.text()));
                     status

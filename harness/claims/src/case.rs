@@ -1,9 +1,10 @@
 //! A case of a lobe: parameters, a viewer, and what may be expected of its numbers.
 
+use conform::Stop;
 use exact::Draw;
 use groundtruth::math::Vector;
 
-use crate::asked::{Numbers, Trouble};
+use crate::asked::Numbers;
 use crate::description::{Claims, Sides};
 use crate::laws::Integrated;
 use crate::lobe::{Lobe, Sampled};
@@ -57,7 +58,7 @@ impl LobeCase<'_> {
     ///
     /// # Errors
     /// Says why there are none.
-    pub fn samples(&mut self, count: usize) -> Result<Vec<Option<Sampled>>, Trouble> {
+    pub fn samples(&mut self, count: usize) -> Result<Vec<Option<Sampled>>, Stop> {
         let u = self.numbers(count);
         self.lobe.sample(self.wo, &u)
     }
@@ -75,7 +76,7 @@ impl LobeCase<'_> {
     ///
     /// # Errors
     /// Says why there are none.
-    pub fn measured(&mut self, wo: Vector, wi: &[Vector]) -> Result<Vec<Measured>, Trouble> {
+    pub fn measured(&mut self, wo: Vector, wi: &[Vector]) -> Result<Vec<Measured>, Stop> {
         let lobe = &mut self.lobe;
         measured(wi, self.rounding, |wi| lobe.eval(wo, wi))
     }

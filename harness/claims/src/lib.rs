@@ -21,7 +21,6 @@ mod run;
 mod setting;
 mod smaller;
 
-pub use asked::Trouble;
 pub use card::{junit, page, told};
 pub use description::{Claims, Description, Index, Kind, Sampling, Sides, Values};
 pub use domain::Domain;

@@ -1,11 +1,11 @@
 //! A light under questions: what it sends to a point, its density and samples, for given parameters.
 
-use conform::{number, triple};
+use conform::{Stop, number, triple};
 use exact::Draw;
 use groundtruth::math::{Normal, Point, Vector};
 use serde_json::{Value, json};
 
-use crate::asked::{Asked, BATCH, Numbers, Trouble, color, list, needed};
+use crate::asked::{Asked, BATCH, Numbers, color, list, needed};
 use crate::description::Claims;
 use crate::laws::Integrated;
 use crate::lobe::Evaluated;
@@ -85,7 +85,7 @@ impl LightCase<'_> {
     ///
     /// # Errors
     /// Says why there is no answer.
-    pub fn eval(&mut self, from: Point, wi: &[Vector]) -> Result<Vec<Seen>, Trouble> {
+    pub fn eval(&mut self, from: Point, wi: &[Vector]) -> Result<Vec<Seen>, Stop> {
         let questions: Vec<Value> =
             wi.chunks(BATCH).map(|wi| self.eval_question(from, wi)).collect();
         let mut all = Vec::with_capacity(wi.len());
@@ -113,7 +113,7 @@ impl LightCase<'_> {
     ///
     /// # Errors
     /// Says why there are none.
-    pub fn samples(&mut self, count: usize) -> Result<Vec<Option<LightSample>>, Trouble> {
+    pub fn samples(&mut self, count: usize) -> Result<Vec<Option<LightSample>>, Stop> {
         let u: Vec<Numbers> =
             (0..count).map(|_| std::array::from_fn(|_| self.draw.between(0.0, 1.0))).collect();
         let questions: Vec<Value> = u.chunks(BATCH).map(|u| self.sample_question(u)).collect();
@@ -130,7 +130,7 @@ impl LightCase<'_> {
     ///
     /// # Errors
     /// Says why there are none.
-    pub fn measured(&mut self, from: Point, wi: &[Vector]) -> Result<Vec<Measured>, Trouble> {
+    pub fn measured(&mut self, from: Point, wi: &[Vector]) -> Result<Vec<Measured>, Stop> {
         let rounding = self.rounding;
         measured(wi, rounding, |wi| {
             Ok(self.eval(from, wi)?.into_iter().map(|it| it.value).collect())
@@ -149,7 +149,7 @@ fn cosine(normal: &Value, wi: Vector) -> f64 {
     normal.map_or(f64::NAN, |n| n.dot(wi).abs())
 }
 
-fn sampled(sample: &Value, u: Numbers) -> Result<LightSample, Trouble> {
+fn sampled(sample: &Value, u: Numbers) -> Result<LightSample, Stop> {
     let wi = Vector::from(needed(triple(&sample["wi"]), "wi", &sample["wi"])?);
     let radiance = needed(color(&sample["radiance"]), "radiance", &sample["radiance"])?;
     let real = |key: &str| match &sample[key] {

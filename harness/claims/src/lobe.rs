@@ -1,10 +1,10 @@
 //! A lobe under questions: its value, density and samples, for given parameters.
 
-use conform::{number, triple};
+use conform::{Stop, number, triple};
 use groundtruth::math::Vector;
 use serde_json::{Value, json};
 
-use crate::asked::{Asked, BATCH, Numbers, Trouble, color, list, needed};
+use crate::asked::{Asked, BATCH, Numbers, color, list, needed};
 
 /// A lobe of the program, with parameters.
 pub struct Lobe<'a> {
@@ -48,7 +48,7 @@ impl Lobe<'_> {
     ///
     /// # Errors
     /// Says why there are none.
-    pub fn eval(&mut self, wo: Vector, wi: &[Vector]) -> Result<Vec<Evaluated>, Trouble> {
+    pub fn eval(&mut self, wo: Vector, wi: &[Vector]) -> Result<Vec<Evaluated>, Stop> {
         let questions: Vec<Value> = wi.chunks(BATCH).map(|wi| self.eval_question(wo, wi)).collect();
         let mut all = Vec::with_capacity(wi.len());
         for (answer, wi) in self.asked.answers(&questions)?.iter().zip(wi.chunks(BATCH)) {
@@ -65,7 +65,7 @@ impl Lobe<'_> {
     ///
     /// # Errors
     /// Says why there are none.
-    pub fn sample(&mut self, wo: Vector, u: &[Numbers]) -> Result<Vec<Option<Sampled>>, Trouble> {
+    pub fn sample(&mut self, wo: Vector, u: &[Numbers]) -> Result<Vec<Option<Sampled>>, Stop> {
         let questions: Vec<Value> = u.chunks(BATCH).map(|u| self.sample_question(wo, u)).collect();
         let mut all = Vec::with_capacity(u.len());
         for (answer, u) in self.asked.answers(&questions)?.iter().zip(u.chunks(BATCH)) {
@@ -77,7 +77,7 @@ impl Lobe<'_> {
     }
 }
 
-fn sampled(sample: &Value) -> Result<Sampled, Trouble> {
+fn sampled(sample: &Value) -> Result<Sampled, Stop> {
     let wi = needed(triple(&sample["wi"]), "wi", &sample["wi"])?;
     let weight = needed(color(&sample["weight"]), "weight", &sample["weight"])?;
     let pdf = match &sample["pdf"] {

@@ -1,11 +1,11 @@
 //! A map from the unit square under questions: its points, their density, and the way back.
 
-use conform::{number, numbers};
+use conform::{Stop, number, numbers};
 use exact::Draw;
 use groundtruth::math::Vector;
 use serde_json::{Value, json};
 
-use crate::asked::{Asked, BATCH, Trouble, list, needed};
+use crate::asked::{Asked, BATCH, list, needed};
 use crate::description::Claims;
 use crate::domain::Domain;
 use crate::laws::Integrated;
@@ -42,7 +42,7 @@ impl MapCase<'_> {
     ///
     /// # Errors
     /// Says why there are none.
-    pub fn map(&mut self, u: &[[f64; 2]]) -> Result<Vec<Vector>, Trouble> {
+    pub fn map(&mut self, u: &[[f64; 2]]) -> Result<Vec<Vector>, Stop> {
         let questions: Vec<Value> = u.chunks(BATCH).map(|u| self.map_question(u)).collect();
         let count = self.domain.coordinates();
         let answers = self.asked.answers(&questions)?;
@@ -61,7 +61,7 @@ impl MapCase<'_> {
     ///
     /// # Errors
     /// Says why there are none.
-    pub fn pdf(&mut self, x: &[Vector]) -> Result<Vec<f64>, Trouble> {
+    pub fn pdf(&mut self, x: &[Vector]) -> Result<Vec<f64>, Stop> {
         self.at("pdf", x, number)
     }
 
@@ -69,7 +69,7 @@ impl MapCase<'_> {
     ///
     /// # Errors
     /// Says why there are none.
-    pub fn inverse(&mut self, x: &[Vector]) -> Result<Vec<[f64; 2]>, Trouble> {
+    pub fn inverse(&mut self, x: &[Vector]) -> Result<Vec<[f64; 2]>, Stop> {
         self.at("inverse", x, |u| numbers(u)?.try_into().ok())
     }
 
@@ -78,7 +78,7 @@ impl MapCase<'_> {
         name: &str,
         x: &[Vector],
         read: impl Fn(&Value) -> Option<T>,
-    ) -> Result<Vec<T>, Trouble> {
+    ) -> Result<Vec<T>, Stop> {
         let questions: Vec<Value> = x.chunks(BATCH).map(|x| self.question_at(name, x)).collect();
         let answers = self.asked.answers(&questions)?;
         let mut all = Vec::with_capacity(x.len());

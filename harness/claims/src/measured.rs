@@ -1,8 +1,8 @@
 //! Values in directions, and what rounding may do to them.
 
+use conform::Stop;
 use groundtruth::math::{Frame, Normal, Vector};
 
-use crate::asked::Trouble;
 use crate::lobe::Evaluated;
 
 /// A rounding of so many units is always granted.
@@ -33,8 +33,8 @@ pub struct Measured {
 pub fn measured(
     wi: &[Vector],
     rounding: f64,
-    eval: impl FnOnce(&[Vector]) -> Result<Vec<Evaluated>, Trouble>,
-) -> Result<Vec<Measured>, Trouble> {
+    eval: impl FnOnce(&[Vector]) -> Result<Vec<Evaluated>, Stop>,
+) -> Result<Vec<Measured>, Stop> {
     let step = 2.0 * rounding.sqrt();
     let around = |wi: &Vector| {
         let frame = Frame::around(Normal::new(*wi).unwrap_or(Normal::Z));

@@ -2,13 +2,13 @@
 
 use std::collections::BTreeSet;
 
-use conform::Subject;
+use conform::{Stop, Subject};
 use exact::Draw;
 use groundtruth::math::hash;
 use groundtruth::printable;
 use serde_json::json;
 
-use crate::asked::{Counted, Trouble, answer};
+use crate::asked::Counted;
 use crate::description::{Description, Kind};
 use crate::laws::{Breach, Finding, Law};
 use crate::setting::{Case, Setting};
@@ -70,7 +70,7 @@ pub struct SubjectRow {
     /// Of each law of the kind.
     pub laws: Vec<LawStatus>,
     /// Why it could not be judged further, if so.
-    pub trouble: Option<Trouble>,
+    pub trouble: Option<Stop>,
 }
 
 impl SubjectRow {
@@ -84,12 +84,12 @@ impl SubjectRow {
 
     /// Whether the program does not have it.
     pub fn is_unsupported(&self) -> bool {
-        matches!(self.trouble, Some(Trouble::Unsupported(_)))
+        matches!(self.trouble, Some(Stop::Unsupported(_)))
     }
 
     /// Whether it breaks a law, or does not answer.
     pub fn is_failed(&self) -> bool {
-        let is_silent = matches!(self.trouble, Some(Trouble::Refused(_) | Trouble::Fault(_)));
+        let is_silent = matches!(self.trouble, Some(Stop::Refused(_) | Stop::Fault(_)));
         is_silent || self.broken().next().is_some()
     }
 }
@@ -125,10 +125,10 @@ impl ClaimsCard {
 ///
 /// # Errors
 /// Says why there are none.
-pub fn listed(subject: &mut dyn Subject) -> Result<Vec<Description>, Trouble> {
+pub fn listed(subject: &mut dyn Subject) -> Result<Vec<Description>, Stop> {
     let reply = subject.ask(&[json!({"list": {}})]).pop();
-    let list = answer(reply.ok_or(Trouble::Interrupted)?)?;
-    let refused = |problem: String| Trouble::Refused(format!("the answer to `list`: {problem}"));
+    let list = reply.ok_or(Stop::NotAsked)??;
+    let refused = |problem: String| Stop::Refused(format!("the answer to `list`: {problem}"));
     let entries = list.as_array().filter(|list| !list.is_empty());
     let entries =
         entries.ok_or_else(|| refused("it is no list of at least one entry".to_owned()))?;
@@ -164,9 +164,9 @@ pub fn run(
         let mut judge = Judge::new(subject, lobe, options, index, &mut tests);
         let mut row = judge.row();
         if !is_whole {
-            row.trouble = Some(Trouble::Interrupted);
+            row.trouble = Some(Stop::NotAsked);
         }
-        is_whole &= row.trouble != Some(Trouble::Interrupted);
+        is_whole &= row.trouble != Some(Stop::NotAsked);
         rows.push(row);
         if is_whole {
             finished(&lobe.name);
@@ -180,7 +180,7 @@ pub fn run(
         let found = match judge.again(test.law, test.case, planned) {
             Ok(found) => found,
             Err(trouble) => {
-                is_whole &= trouble != Trouble::Interrupted;
+                is_whole &= trouble != Stop::NotAsked;
                 rows[test.row].trouble = Some(trouble);
                 Some(LawStatus::Undecided("it seemed broken, and was not asked again".to_owned()))
             }
@@ -252,7 +252,7 @@ impl<'a> Judge<'a> {
 
     /// Holds one case to all laws that are not broken yet, until it has values that are none: nothing can be held to those,
     /// and integrals of them never settle.
-    fn case(&mut self, index: usize, laws: &mut [LawStatus]) -> Result<(), Trouble> {
+    fn case(&mut self, index: usize, laws: &mut [LawStatus]) -> Result<(), Stop> {
         let (lobe, options, row) = (self.lobe, self.options, self.row);
         let (setting, draw) = Setting::drawn(lobe, options.seed, index);
         let mut case = Case::new(&mut self.subject, lobe, &setting, draw);
@@ -303,12 +303,7 @@ impl<'a> Judge<'a> {
     }
 
     /// What became of a law of chance that seemed broken, with more samples; `None` if it holds.
-    fn again(
-        &mut self,
-        law: usize,
-        index: usize,
-        tests: usize,
-    ) -> Result<Option<LawStatus>, Trouble> {
+    fn again(&mut self, law: usize, index: usize, tests: usize) -> Result<Option<LawStatus>, Stop> {
         let seed = self.options.seed;
         let (setting, _) = Setting::drawn(self.lobe, seed, index);
         let draw = Draw::new(hash(&[seed, index as u64, law as u64]));

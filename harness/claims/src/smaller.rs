@@ -5,12 +5,12 @@
 //! the same law is broken, by at least a quarter of the first error and, where a mistake was recognised, by the same one:
 //! else a gross mistake turns into something that looks like rounding.
 
-use conform::{Subject, simpler, weight};
+use conform::{Stop, Subject, simpler, weight};
 use exact::Draw;
 use groundtruth::math::hash;
 use serde_json::Value;
 
-use crate::asked::{Counted, Trouble};
+use crate::asked::Counted;
 use crate::description::{Description, Kind, Values};
 use crate::laws::{Breach, Finding, Law};
 use crate::run::{Broken, LawStatus, SubjectRow};
@@ -36,7 +36,7 @@ pub fn row(
     description: &Description,
     seed: u64,
     row: &mut SubjectRow,
-) -> Result<(), Trouble> {
+) -> Result<(), Stop> {
     let mut found: Vec<Setting> = Vec::new();
     for (law, status) in Law::of(row.kind).iter().zip(&mut row.laws) {
         let LawStatus::Broken(broken) = status else { continue };
@@ -67,7 +67,7 @@ struct Search<'a, 'b> {
 }
 
 impl Search<'_, '_> {
-    fn run(&mut self, best: &mut Broken, known: &[Setting]) -> Result<(), Trouble> {
+    fn run(&mut self, best: &mut Broken, known: &[Setting]) -> Result<(), Stop> {
         // all parts at once: if that is kept, nothing is left to be asked
         let parts = 0..parts(self.description);
         let simplest = parts.clone().fold(best.setting.clone(), |setting, part| {
@@ -95,7 +95,7 @@ impl Search<'_, '_> {
     }
 
     /// Takes this setting if the law is broken in it, too.
-    fn keeps(&mut self, best: &mut Broken, setting: Setting) -> Result<bool, Trouble> {
+    fn keeps(&mut self, best: &mut Broken, setting: Setting) -> Result<bool, Stop> {
         let is_spent = self.tried.len() >= MOST_CASES || self.subject.asked >= MOST_QUESTIONS;
         if is_spent || self.tried.contains(&setting) {
             return Ok(false);
@@ -107,9 +107,9 @@ impl Search<'_, '_> {
         let breach = match self.law.check(&mut case, 1) {
             Ok(Finding::Broken(breach)) => breach,
             Ok(Finding::Chance(p, breach)) if p <= CHANCE => breach,
-            Err(Trouble::Interrupted) => return Err(Trouble::Interrupted),
+            Err(Stop::NotAsked) => return Err(Stop::NotAsked),
             // a program that hangs or dies is not asked on
-            Err(Trouble::Fault(_)) => {
+            Err(Stop::Fault(_)) => {
                 self.subject.asked = MOST_QUESTIONS;
                 return Ok(false);
             }

@@ -75,7 +75,7 @@ impl Mirrors {
 
 impl Subject for Mirrors {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        questions.iter().map(|question| Reply::Answer(self.answer(question))).collect()
+        questions.iter().map(|question| Ok(self.answer(question))).collect()
     }
 }
 

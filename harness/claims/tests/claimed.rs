@@ -51,7 +51,7 @@ impl Subject for Lambert {
             let u = data["u"].as_array().expect("a list").iter();
             u.map(|u| self.sample(&data["wo"], u)).collect()
         };
-        questions.iter().map(|question| Reply::Answer(answer(question))).collect()
+        questions.iter().map(|question| Ok(answer(question))).collect()
     }
 }
 

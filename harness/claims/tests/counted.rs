@@ -4,10 +4,8 @@
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-use claims::{
-    ClaimsCard, ClaimsOptions, Kind, Law, LawStatus, Trouble, junit, listed, page, run, told,
-};
-use conform::{Reply, Subject, numbers};
+use claims::{ClaimsCard, ClaimsOptions, Kind, Law, LawStatus, junit, listed, page, run, told};
+use conform::{Reply, Stop, Subject, numbers};
 use serde_json::{Value, json};
 
 /// Lambert's lobe, whose answers may be changed, and what it was asked.
@@ -62,7 +60,7 @@ impl<F: FnMut(&Value, Value) -> Value> Lambert<F> {
 
 impl<F: FnMut(&Value, Value) -> Value> Subject for Lambert<F> {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        questions.iter().map(|question| Reply::Answer(self.answer(question))).collect()
+        questions.iter().map(|question| Ok(self.answer(question))).collect()
     }
 }
 
@@ -193,7 +191,7 @@ fn says_the_same(card: &ClaimsCard) {
             let found = line.expect("a row").matches(word).count();
             assert_eq!(found, expected, "cells {word} of {} on the page", row.name);
         }
-        let is_error = matches!(row.trouble, Some(Trouble::Refused(_) | Trouble::Fault(_)));
+        let is_error = matches!(row.trouble, Some(Stop::Refused(_) | Stop::Fault(_)));
         let errors = if is_error { open } else { 0 };
         let suite = format!(
             "<testsuite name=\"{}\" tests=\"{}\" skipped=\"{}\" errors=\"{errors}\" failures=\"{broken}\"",

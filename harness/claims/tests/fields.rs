@@ -220,7 +220,7 @@ fn lists_are_taken_at_their_borders() {
         struct Lists<'a>(&'a Value);
         impl Subject for Lists<'_> {
             fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-                questions.iter().map(|_| Reply::Answer(self.0.clone())).collect()
+                questions.iter().map(|_| Ok(self.0.clone())).collect()
             }
         }
         let found = listed(&mut Lists(&list)).map(|all| all.len());
@@ -235,11 +235,11 @@ impl Subject for Wider {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let replies = self.0.ask(questions);
         let moved = |(question, reply): (&Value, Reply)| match (question.get("map"), reply) {
-            (Some(_), Reply::Answer(Value::Array(points))) => {
+            (Some(_), Ok(Value::Array(points))) => {
                 let point = |x: &Value| {
                     numbers(x).expect("a point").iter().map(|x| x * self.1).collect::<Value>()
                 };
-                Reply::Answer(points.iter().map(point).collect())
+                Ok(points.iter().map(point).collect())
             }
             (_, reply) => reply,
         };

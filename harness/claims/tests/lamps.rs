@@ -275,6 +275,6 @@ impl Lamps {
 
 impl Subject for Lamps {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        questions.iter().map(|question| Reply::Answer(self.answer(question))).collect()
+        questions.iter().map(|question| Ok(self.answer(question))).collect()
     }
 }

@@ -38,7 +38,7 @@ impl<S: Subject, F: FnMut(&Value, &mut Value)> Subject for Changed<S, F> {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let mut replies = self.right.ask(questions);
         for (question, reply) in questions.iter().zip(&mut replies) {
-            if let Reply::Answer(answer) = reply {
+            if let Ok(answer) = reply {
                 (self.change)(question, answer);
             }
         }

@@ -63,7 +63,7 @@ impl Subject for Own {
             });
             drawn.map(|it| it.map_or(Value::Null, shown)).collect()
         };
-        questions.iter().map(|question| Reply::Answer(answer(question))).collect()
+        questions.iter().map(|question| Ok(answer(question))).collect()
     }
 }
 

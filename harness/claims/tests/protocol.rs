@@ -2,8 +2,8 @@
 
 use std::f64::consts::TAU;
 
-use claims::{ClaimsOptions, Trouble, junit, listed, page, run, told};
-use conform::{Fault, Reply, Subject, numbers};
+use claims::{ClaimsOptions, junit, listed, page, run, told};
+use conform::{Fault, Reply, Stop, Subject, numbers};
 use groundtruth::math::{Frame, Normal, Vector, cos, sin};
 use libm::{exp, log};
 use serde_json::{Value, json};
@@ -18,8 +18,8 @@ impl<F: FnMut(&Value) -> Reply> Subject for Answers<F> {
 }
 
 fn refused(list: &Value) -> String {
-    match listed(&mut Answers(|_: &Value| Reply::Answer(list.clone()))) {
-        Err(Trouble::Refused(why)) => why,
+    match listed(&mut Answers(|_: &Value| Ok(list.clone()))) {
+        Err(Stop::Refused(why)) => why,
         other => panic!("{other:?}"),
     }
 }
@@ -60,7 +60,7 @@ fn bad_lists_are_refused() {
 /// The card of one lobe whose `eval` and `sample` are answered by a function.
 fn card(answer: impl Fn(&Value) -> Reply) -> claims::ClaimsCard {
     let mut subject = Answers(|question: &Value| match question.get("list") {
-        Some(_) => Reply::Answer(json!([{"name": "<x> & y"}])),
+        Some(_) => Ok(json!([{"name": "<x> & y"}])),
         None => answer(question),
     });
     let lobes = listed(&mut subject).expect("it lists one");
@@ -71,18 +71,18 @@ fn card(answer: impl Fn(&Value) -> Reply) -> claims::ClaimsCard {
 /// Oracle: the reason.
 #[test]
 fn troubles_are_told() {
-    let fault = || Reply::Fault(Fault::Died("the program ended".to_owned()));
+    let fault = || Err(Stop::Fault(Fault::Died("the program ended".to_owned())));
     for (reply, is_failed, words) in [
-        (Reply::Refused("no & such".to_owned()), true, "no & such"),
-        (Reply::Unsupported("later".to_owned()), false, "later"),
+        (Err(Stop::Refused("no & such".to_owned())), true, "no & such"),
+        (Err(Stop::Unsupported("later".to_owned())), false, "later"),
         (fault(), true, "the program ended"),
-        (Reply::Answer(json!([1])), true, "no list of"),
-        (Reply::Answer(json!({"f": [], "pdf": []})), true, "no list of"),
+        (Ok(json!([1])), true, "no list of"),
+        (Ok(json!({"f": [], "pdf": []})), true, "no list of"),
     ] {
         let card = card(|_| reply.clone());
         assert_eq!(card.is_failed(), is_failed, "{reply:?}");
         assert!(!card.is_judged() && card.is_whole, "{reply:?}");
-        let is_unsupported = matches!(reply, Reply::Unsupported(_));
+        let is_unsupported = matches!(reply, Err(Stop::Unsupported(_)));
         assert_eq!(card.rows[0].is_unsupported(), is_unsupported, "{reply:?}");
         assert!(card.to_string().contains(words), "{card}");
         let html = page(&card, &told(&card, &Default::default()), "./<b>");
@@ -99,11 +99,11 @@ fn troubles_are_told() {
 fn an_interrupted_run_says_so_on_each_form() {
     for (first, known) in [(0.0, "no law is known to be broken"), (-1.0, "a breaks \"positive\"")] {
         let mut subject = Answers(|question: &Value| match question.get("list") {
-            Some(_) => Reply::Answer(json!([{"name": "a"}, {"name": "b"}, {"name": "c"}])),
+            Some(_) => Ok(json!([{"name": "a"}, {"name": "b"}, {"name": "c"}])),
             None if ["eval", "sample"].iter().any(|it| question[it]["lobe"] == "a") => {
                 constant(first, 0.0, &Value::Null, question)
             }
-            None => Reply::NotAsked,
+            None => Err(Stop::NotAsked),
         });
         let lobes = listed(&mut subject).expect("a list");
         let options = ClaimsOptions { cases: 2, seed: 1 };
@@ -132,7 +132,7 @@ fn an_interrupted_run_says_so_on_each_form() {
 fn values_that_are_not_finite_are_told() {
     let card = card(|question| {
         let count = |key: &str, list: &str| question[key][list].as_array().map_or(0, Vec::len);
-        Reply::Answer(match question.get("eval") {
+        Ok(match question.get("eval") {
             Some(_) => {
                 let n = count("eval", "wi");
                 json!({"f": vec!["nan"; n], "pdf": vec![0.1; n]})
@@ -147,7 +147,7 @@ fn values_that_are_not_finite_are_told() {
 /// The answers of a lobe with these values in every direction, and this sample for every list of numbers.
 fn constant(f: f64, pdf: f64, sample: &Value, question: &Value) -> Reply {
     let count = |key: &str, list: &str| question[key][list].as_array().map_or(0, Vec::len);
-    Reply::Answer(match question.get("eval") {
+    Ok(match question.get("eval") {
         Some(_) => {
             let n = count("eval", "wi");
             json!({"f": vec![f; n], "pdf": vec![pdf; n]})
@@ -199,7 +199,7 @@ fn a_small_loss_is_given_no_name() {
             let all: Vec<Vector> = list("wi").map(vector).collect();
             let f = |w: &Vector| if w.z() > 0.0 { 0.5 * pdf(*w) / w.z() } else { 0.0 };
             let (f, pdf): (Vec<f64>, Vec<f64>) = all.iter().map(|w| (f(w), pdf(*w))).unzip();
-            return Reply::Answer(json!({"f": f, "pdf": pdf}));
+            return Ok(json!({"f": f, "pdf": pdf}));
         }
         let frame = Frame::around(Normal::new(mirrored).expect("it is unit"));
         let drawn = |u: &Value| {
@@ -212,7 +212,7 @@ fn a_small_loss_is_given_no_name() {
                 false => json!({"wi": w.to_array(), "weight": 0.5, "pdf": pdf(w)}),
             }
         };
-        Reply::Answer(list("u").map(drawn).collect())
+        Ok(list("u").map(drawn).collect())
     });
     let broken: Vec<_> = card.rows[0].broken().collect();
     let (law, first) = broken.first().expect("samples are thrown away");

@@ -90,7 +90,7 @@ impl<F: Fn(&At) -> f64> Planted<F> {
 impl<F: Fn(&At) -> f64> Subject for Planted<F> {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         self.asked += questions.len();
-        questions.iter().map(|question| Reply::Answer(self.answer(question))).collect()
+        questions.iter().map(|question| Ok(self.answer(question))).collect()
     }
 }
 

@@ -173,6 +173,6 @@ impl Squares {
 
 impl Subject for Squares {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        questions.iter().map(|question| Reply::Answer(self.answer(question))).collect()
+        questions.iter().map(|question| Ok(self.answer(question))).collect()
     }
 }

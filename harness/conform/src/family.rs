@@ -5,7 +5,7 @@ use serde_json::Value;
 use super::judgement::{Judgement, Profile};
 use super::mistakes::Mistake;
 use super::program::WINDOW;
-use super::subject::{Fault, Reply, Subject};
+use super::subject::{Stop, Subject};
 
 /// Questions of one kind about one thing, of one difficulty.
 pub struct Family {
@@ -65,21 +65,6 @@ impl Family {
     }
 }
 
-/// Why a law ended early: a reply that is no answer.
-#[derive(Debug)]
-pub enum Stop {
-    /// An error where there is an answer.
-    Refused(String),
-    /// The subject does not have what is asked for.
-    Unsupported(String),
-    /// Nothing that can be read.
-    Fault(Fault),
-    /// Nothing came, because it was not asked any more.
-    NotAsked,
-    /// The judge itself failed: a fault of ours.
-    Ours(String),
-}
-
 /// Values in an answer to a law; those of a lattice are the most.
 const MOST_ITEMS: usize = 1 << 14;
 
@@ -121,18 +106,11 @@ impl<'a> Asking<'a> {
         let mut answers = Vec::with_capacity(questions.len());
         for questions in questions.chunks(WINDOW) {
             for (question, reply) in questions.iter().zip(self.subject.ask(questions)) {
-                match reply {
-                    Reply::Answer(answer) => {
-                        // no right answer is so long, and a law may ask a thousand questions
-                        let answer = if items(&answer) > MOST_ITEMS { Value::Null } else { answer };
-                        self.asked.push((question.clone(), answer.clone()));
-                        answers.push(answer);
-                    }
-                    Reply::Refused(text) => return Err(Stop::Refused(text)),
-                    Reply::Unsupported(text) => return Err(Stop::Unsupported(text)),
-                    Reply::Fault(fault) => return Err(Stop::Fault(fault)),
-                    Reply::NotAsked => return Err(Stop::NotAsked),
-                }
+                let answer = reply?;
+                // no right answer is so long, and a law may ask a thousand questions
+                let answer = if items(&answer) > MOST_ITEMS { Value::Null } else { answer };
+                self.asked.push((question.clone(), answer.clone()));
+                answers.push(answer);
             }
         }
         Ok(answers)

@@ -37,4 +37,4 @@ pub use program::{Limits, Program};
 pub use run::{CASES, MOST_CASES, NoAnswer, Options, run};
 pub use scenes::first_difference;
 pub use shrink::{simpler, weight};
-pub use subject::{Fault, Ours, Reply, Subject, ours};
+pub use subject::{Fault, Ours, Reply, Stop, Subject, ours};

@@ -8,7 +8,7 @@ use std::collections::BTreeMap;
 use serde_json::Value;
 
 use super::judgement::not_finite;
-use super::subject::{Fault, Reply};
+use super::subject::{Fault, Reply, Stop};
 use groundtruth::printable;
 
 /// How much of a bad line is shown, in bytes.
@@ -45,9 +45,9 @@ pub fn read(line: &[u8]) -> Result<(u64, Reply), Fault> {
     let kinds = ["answer", "error", "unsupported"];
     let found: Vec<&str> = kinds.into_iter().filter(|kind| reply.contains_key(*kind)).collect();
     match found[..] {
-        ["answer"] => Ok((id, Reply::Answer(reply.remove("answer").unwrap_or_default()))),
-        ["error"] => Ok((id, Reply::Refused(text(&reply["error"])))),
-        ["unsupported"] => Ok((id, Reply::Unsupported(text(&reply["unsupported"])))),
+        ["answer"] => Ok((id, Ok(reply.remove("answer").unwrap_or_default()))),
+        ["error"] => Ok((id, Err(Stop::Refused(text(&reply["error"]))))),
+        ["unsupported"] => Ok((id, Err(Stop::Unsupported(text(&reply["unsupported"]))))),
         _ => garbled("needs one of `answer`, `error`, `unsupported`"),
     }
 }

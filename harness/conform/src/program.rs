@@ -15,7 +15,7 @@ use std::time::{Duration, Instant};
 use serde_json::Value;
 
 use super::lines::{line, read};
-use super::subject::{Fault, Reply, Subject};
+use super::subject::{Fault, Reply, Stop, Subject};
 
 /// How many questions are under way at once.
 pub const WINDOW: usize = 64;
@@ -168,7 +168,7 @@ impl Program {
                     };
                     let fault = Fault::Garbled(format!("the question with id {id} {what}"));
                     if let Some(guilty) = slot {
-                        *guilty = Some(Reply::Fault(fault.clone()));
+                        *guilty = Some(Err(Stop::Fault(fault.clone())));
                     }
                     return Err((fault, replies));
                 }
@@ -184,11 +184,11 @@ impl Program {
 type Failed = (Fault, Vec<Option<Reply>>);
 
 fn or_not_asked(reply: Option<Reply>) -> Reply {
-    reply.unwrap_or(Reply::NotAsked)
+    reply.unwrap_or(Err(Stop::NotAsked))
 }
 
 fn faults(replies: &[Reply]) -> usize {
-    replies.iter().filter(|reply| matches!(reply, Reply::Fault(_))).count()
+    replies.iter().filter(|reply| matches!(reply, Err(Stop::Fault(_)))).count()
 }
 
 impl Subject for Program {
@@ -196,7 +196,7 @@ impl Subject for Program {
         let mut all = Vec::with_capacity(questions.len());
         for window in questions.chunks(WINDOW) {
             if faults(&all) >= MOST_FAULTS {
-                all.extend(window.iter().map(|_| Reply::NotAsked));
+                all.extend(window.iter().map(|_| Err(Stop::NotAsked)));
                 continue;
             }
             match self.window(window) {
@@ -220,7 +220,7 @@ impl Program {
         fault: Fault,
         replies: Vec<Option<Reply>>,
     ) -> Vec<Reply> {
-        let is_known = replies.iter().any(|reply| matches!(reply, Some(Reply::Fault(_))));
+        let is_known = replies.iter().any(|reply| matches!(reply, Some(Err(Stop::Fault(_)))));
         let mut fault = if is_known { None } else { Some(fault) };
         let first_open = replies.iter().position(Option::is_none).unwrap_or(0);
         let alone = window.len() == 1;
@@ -228,23 +228,25 @@ impl Program {
         for (question, reply) in window.iter().zip(replies) {
             let reply = match reply {
                 Some(reply) => reply,
-                None if faults(&again) >= MOST_FAULTS => Reply::NotAsked,
-                None if alone => fault.take().map_or(Reply::NotAsked, Reply::Fault),
+                None if faults(&again) >= MOST_FAULTS => Err(Stop::NotAsked),
+                None if alone => {
+                    fault.take().map_or(Err(Stop::NotAsked), |fault| Err(Stop::Fault(fault)))
+                }
                 None => match self.window(std::slice::from_ref(question)) {
                     Ok(mut replies) => replies.remove(0),
                     Err((guilty, _)) => {
                         self.stop();
                         fault = None;
-                        Reply::Fault(guilty)
+                        Err(Stop::Fault(guilty))
                     }
                 },
             };
             again.push(reply);
         }
         if let Some(fault) = fault
-            && !again.contains(&Reply::NotAsked)
+            && !again.contains(&Err(Stop::NotAsked))
         {
-            again[first_open] = Reply::Fault(fault);
+            again[first_open] = Err(Stop::Fault(fault));
         }
         again
     }

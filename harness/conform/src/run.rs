@@ -9,13 +9,13 @@ use rayon::prelude::*;
 use serde_json::Value;
 
 use super::card::{Card, Failure, Row, Status};
-use super::family::{Asking, Family, Judge, Stop};
+use super::family::{Asking, Family, Judge};
 use super::guarded::guarded;
 use super::judgement::{Judgement, Profile, Wrong};
 use super::mistakes::{LEFT_HANDED, Mistake, agree, always, names, suspects};
 use super::program::{MOST_FAULTS, WINDOW};
 use super::shrink;
-use super::subject::{Fault, Reply, Subject};
+use super::subject::{Fault, Reply, Stop, Subject};
 
 /// Cases in each family, if it is not said how many.
 pub const CASES: usize = 48;
@@ -123,7 +123,7 @@ fn easy_questions(
         }
         let Some(question) = (family.cases)(options.seed, 1).pop() else { continue };
         match subject.ask(std::slice::from_ref(&question)).pop() {
-            Some(Reply::Fault(fault)) => {
+            Some(Err(Stop::Fault(fault))) => {
                 received.push(format!("{}: {}", family.question(), fault.text()))
             }
             _ => return Ok(()),
@@ -192,12 +192,12 @@ impl<'a> Running<'a> {
                     .map(|(question, reply)| CaseResult::of(question, reply, judge, profile))
                     .collect();
                 for ((question, reply), mut judged) in cases.iter().zip(&replies).zip(judged) {
-                    if let Reply::Answer(answer) = reply {
+                    if let Ok(answer) = reply {
                         self.name(&mut judged, &[(question.clone(), answer.clone())]);
                         self.common.and(answer);
                     }
                     let got = || match reply {
-                        Reply::Answer(answer) => answer.to_string(),
+                        Ok(answer) => answer.to_string(),
                         _ => String::new(),
                     };
                     self.count(question, judged, || vec![(question.clone(), got())]);
@@ -366,16 +366,9 @@ impl CaseResult {
         judge: fn(&Value, &Value, Profile) -> Judgement,
         profile: Profile,
     ) -> Self {
-        let mut judged = match reply {
-            Reply::Answer(answer) => {
-                Self::from(guarded(|| judge(question, answer, profile)).map_err(Stop::Ours))
-            }
-            Reply::Refused(text) => Self::from(Err(Stop::Refused(text.clone()))),
-            Reply::Unsupported(text) => Self::from(Err(Stop::Unsupported(text.clone()))),
-            Reply::Fault(fault) => Self::from(Err(Stop::Fault(fault.clone()))),
-            Reply::NotAsked => Self::from(Err(Stop::NotAsked)),
-        };
-        if let Reply::Answer(answer) = reply
+        let judgement = |answer| guarded(|| judge(question, answer, profile)).map_err(Stop::Ours);
+        let mut judged = Self::from(reply.as_ref().map_err(Stop::clone).and_then(judgement));
+        if let Ok(answer) = reply
             && judged.is_wrong_with_care(profile)
         {
             let again = guarded(|| judge(question, answer, Profile::Book));

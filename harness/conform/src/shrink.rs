@@ -16,7 +16,7 @@ use serde_json::{Value, json};
 use super::card::Failure;
 use super::family::{Asking, Judge};
 use super::judgement::{Judgement, Profile, Wrong, triple};
-use super::subject::{Ours, Reply, Subject, ours};
+use super::subject::{Ours, Subject, ours};
 
 /// Questions for one failure.
 const MOST_QUESTIONS: usize = 500;
@@ -161,8 +161,7 @@ fn fails(
         |wrong: Box<Wrong>, asked| Failure { question: question.clone(), wrong: *wrong, asked };
     match judge {
         Judge::Answer(judge) => {
-            let Some(Reply::Answer(answer)) = subject.ask(std::slice::from_ref(question)).pop()
-            else {
+            let Some(Ok(answer)) = subject.ask(std::slice::from_ref(question)).pop() else {
                 return None;
             };
             let Judgement::Wrong(wrong) = judge(question, &answer, profile) else { return None };

@@ -4,11 +4,12 @@ use serde_json::Value;
 
 use crate::probe;
 
-/// What came back for a question.
+/// What came back for a question: the value of `"answer"`, or why there is none.
+pub type Reply = Result<Value, Stop>;
+
+/// Why a question has no answer.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Reply {
-    /// The value of `"answer"`.
-    Answer(Value),
+pub enum Stop {
     /// The text of `"error"`.
     Refused(String),
     /// The text of `"unsupported"`.
@@ -17,6 +18,19 @@ pub enum Reply {
     Fault(Fault),
     /// The run was interrupted before the question was answered, or too many before it had no reply.
     NotAsked,
+    /// The judge of the answer failed: a fault of ours.
+    Ours(String),
+}
+
+impl Stop {
+    /// The program's words, or what happened.
+    pub fn text(&self) -> &str {
+        match self {
+            Self::Unsupported(text) | Self::Refused(text) | Self::Ours(text) => text,
+            Self::Fault(fault) => fault.text(),
+            Self::NotAsked => "interrupted",
+        }
+    }
 }
 
 /// Why there is no reply that can be read.
@@ -50,10 +64,7 @@ pub struct Ours;
 
 impl Subject for Ours {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        let reply = |question: &Value| match ours(question) {
-            Ok(answer) => Reply::Answer(answer),
-            Err(error) => Reply::Refused(error),
-        };
+        let reply = |question: &Value| ours(question).map_err(Stop::Refused);
         questions.iter().map(reply).collect()
     }
 }

@@ -2,9 +2,10 @@
 
 use serde_json::{Value, json};
 
-use super::family::{Asking, Family, Judge, Stop};
+use super::family::{Asking, Family, Judge};
 use super::judgement::{Judgement, Profile};
 use super::questions::{self, kinds, outside, ray_question, square, vector};
+use super::subject::Stop;
 use super::{intersections, laws, radiance, scenes};
 use exact::Draw;
 use groundtruth::lobes::{Claims, Lobe};

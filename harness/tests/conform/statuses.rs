@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::{Command, Output};
 
-use conform::{Profile, Reply, Status, Subject, ours};
+use conform::{Profile, Reply, Status, Stop, Subject, ours};
 use serde_json::Value;
 
 use super::altered::{card_with, each};
@@ -166,11 +166,11 @@ impl Subject for MiddlesOnly {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let reply = |question: &Value| {
             if !question["camera_ray"]["place"].is_null() {
-                return Reply::Unsupported("place".to_owned());
+                return Err(Stop::Unsupported("place".to_owned()));
             }
             let mut answer = ours(question).expect("an answer");
             each(&mut answer["direction"], |x| -x);
-            Reply::Answer(answer)
+            Ok(answer)
         };
         questions.iter().map(reply).collect()
     }

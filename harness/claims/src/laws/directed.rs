@@ -1,10 +1,10 @@
 //! Cases whose samples are directions with a density: what the laws of integrals need of each kind.
 
+use conform::Stop;
 use groundtruth::math::Vector;
 use serde_json::Value;
 
 use super::Integrated;
-use crate::asked::Trouble;
 use crate::case::LobeCase;
 use crate::light::LightCase;
 use crate::map::MapCase;
@@ -43,13 +43,13 @@ pub trait Directed {
     ///
     /// # Errors
     /// Says why there are none.
-    fn drawn(&mut self, count: usize) -> Result<Vec<Option<Drawn>>, Trouble>;
+    fn drawn(&mut self, count: usize) -> Result<Vec<Option<Drawn>>, Stop>;
 
     /// Values in directions.
     ///
     /// # Errors
     /// Says why there are none.
-    fn values(&mut self, w: &[Vector]) -> Result<Vec<Valued>, Trouble>;
+    fn values(&mut self, w: &[Vector]) -> Result<Vec<Valued>, Stop>;
 
     /// The size of f, to which its integral is known relatively.
     fn size(&self, _weights: &Vec<[f64; 3]>) -> f64 {
@@ -75,7 +75,7 @@ impl LobeCase<'_> {
 impl Directed for LobeCase<'_> {
     const FACTORS: &'static [Factor] = &LOBES;
 
-    fn drawn(&mut self, count: usize) -> Result<Vec<Option<Drawn>>, Trouble> {
+    fn drawn(&mut self, count: usize) -> Result<Vec<Option<Drawn>>, Stop> {
         let samples = self.samples(count)?;
         let drawn = |it: crate::lobe::Sampled| {
             // a direction in the surface is on the side that is served
@@ -89,7 +89,7 @@ impl Directed for LobeCase<'_> {
         Ok(samples.into_iter().map(|it| it.map(drawn)).collect())
     }
 
-    fn values(&mut self, w: &[Vector]) -> Result<Vec<Valued>, Trouble> {
+    fn values(&mut self, w: &[Vector]) -> Result<Vec<Valued>, Stop> {
         let values = self.lobe.eval(self.wo, w)?.into_iter().zip(w);
         let valued = |(it, wi): (crate::lobe::Evaluated, &Vector)| Valued {
             pdf: it.pdf,
@@ -114,7 +114,7 @@ impl Directed for LightCase<'_> {
     // the edge of a lamp that is within 1/28 of a piece's side of its border lies between the nodes of both rules
     const GRANTED: f64 = 1e-2;
 
-    fn drawn(&mut self, count: usize) -> Result<Vec<Option<Drawn>>, Trouble> {
+    fn drawn(&mut self, count: usize) -> Result<Vec<Option<Drawn>>, Stop> {
         let drawn = |it: crate::light::LightSample| Drawn {
             w: it.wi,
             weight: it.radiance.map(|l| l / it.pdf.unwrap_or(1.0)),
@@ -124,7 +124,7 @@ impl Directed for LightCase<'_> {
         Ok(samples.map(|it| it.filter(|it| it.is_lit()).map(drawn)).collect())
     }
 
-    fn values(&mut self, w: &[Vector]) -> Result<Vec<Valued>, Trouble> {
+    fn values(&mut self, w: &[Vector]) -> Result<Vec<Valued>, Stop> {
         let valued = |it: crate::light::Seen| {
             let is_lit = it.value.f != [0.0; 3];
             let pdf = if is_lit { it.value.pdf } else { 0.0 };
@@ -150,7 +150,7 @@ impl Directed for LightCase<'_> {
 impl Directed for MapCase<'_> {
     const FACTORS: &'static [Factor] = &MAPS;
 
-    fn drawn(&mut self, count: usize) -> Result<Vec<Option<Drawn>>, Trouble> {
+    fn drawn(&mut self, count: usize) -> Result<Vec<Option<Drawn>>, Stop> {
         let u = self.pairs(count, 0.0);
         let domain = self.domain;
         let drawn =
@@ -158,7 +158,7 @@ impl Directed for MapCase<'_> {
         Ok(self.map(&u)?.into_iter().map(drawn).collect())
     }
 
-    fn values(&mut self, w: &[Vector]) -> Result<Vec<Valued>, Trouble> {
+    fn values(&mut self, w: &[Vector]) -> Result<Vec<Valued>, Stop> {
         let domain = self.domain;
         // of all but the sphere nothing is below
         let is_there = |w: &Vector| domain == crate::domain::Domain::Sphere || w.z() >= 0.0;

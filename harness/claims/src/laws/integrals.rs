@@ -1,12 +1,12 @@
 //! Laws of integrals: of the density, and of the light that is scattered or arrives.
 
+use conform::Stop;
 use groundtruth::math::Vector;
 use statistics::chi_square::goodness_of_fit;
 use statistics::means;
 
 use super::directed::{Directed, Drawn};
 use super::{Breach, Finding, apart};
-use crate::asked::Trouble;
 use crate::case::LobeCase;
 use crate::cells::{Cells, DensitySamples, Integral, Integrals, integrals};
 use crate::light::LightCase;
@@ -48,14 +48,14 @@ pub struct Integrated {
 }
 
 /// What is counted and integrated once for all laws that need it.
-fn integrated(case: &mut impl Directed, scale: usize) -> Result<&Integrated, Trouble> {
+fn integrated(case: &mut impl Directed, scale: usize) -> Result<&Integrated, Stop> {
     if case.integrated().as_ref().is_none_or(|it| it.scale != scale) {
         *case.integrated() = Some(integrate(case, scale)?);
     }
     Ok(case.integrated().as_ref().expect("just set"))
 }
 
-fn integrate<C: Directed>(case: &mut C, scale: usize) -> Result<Integrated, Trouble> {
+fn integrate<C: Directed>(case: &mut C, scale: usize) -> Result<Integrated, Stop> {
     let placing = case.drawn(PLACING)?;
     let placing: Vec<Vector> = placing.iter().filter_map(with_density).map(|it| it.w).collect();
     let cells = Cells::around(&placing, DEPTH);
@@ -103,7 +103,7 @@ fn integrate<C: Directed>(case: &mut C, scale: usize) -> Result<Integrated, Trou
                 }
             })
         });
-        Ok::<_, Trouble>(integrands.collect())
+        Ok::<_, Stop>(integrands.collect())
     };
     let guide = DensitySamples { drawn: samples.len().min(GUIDING), directions: &directions };
     let integrals = integrals(&cells, guide, tolerances, BUDGET, &mut values)?;
@@ -179,7 +179,7 @@ fn unsettled() -> Finding {
     Finding::Undecided(why)
 }
 
-pub fn whole<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Trouble> {
+pub fn whole<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Stop> {
     let questions = vec![case.example()];
     let it = integrated(case, scale)?;
     if !it.integrals.is_known {
@@ -209,7 +209,7 @@ pub fn whole<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Trouble
     Ok(Finding::Chance(p, breach))
 }
 
-pub fn density<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Trouble> {
+pub fn density<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Stop> {
     let questions = vec![case.example()];
     let it = integrated(case, scale)?;
     if !it.integrals.is_known {
@@ -245,7 +245,7 @@ pub fn density<C: Directed>(case: &mut C, scale: usize) -> Result<Finding, Troub
     ))
 }
 
-pub fn albedo(case: &mut LobeCase<'_>, scale: usize) -> Result<Finding, Trouble> {
+pub fn albedo(case: &mut LobeCase<'_>, scale: usize) -> Result<Finding, Stop> {
     let questions = vec![case.example()];
     let is_lossless = case.claims.lossless;
     if case.claims.delta {
@@ -327,7 +327,7 @@ fn conserved(
 }
 
 /// The light that arrives at a point: its mean by samples, and its integral.
-pub fn arriving(case: &mut LightCase<'_>, scale: usize) -> Result<Finding, Trouble> {
+pub fn arriving(case: &mut LightCase<'_>, scale: usize) -> Result<Finding, Stop> {
     let questions = vec![case.example()];
     let it = integrated(case, scale)?;
     if !it.integrals.is_known {

@@ -1,11 +1,11 @@
 //! Laws of lights: what arrives at a point, from where, and how that is sampled.
 
+use conform::Stop;
 use groundtruth::math::{Point, Vector};
 use serde_json::Value;
 
 use super::pairs::{self, Equality};
 use super::{Breach, Finding, apart, negative};
-use crate::asked::Trouble;
 use crate::description::Sampling;
 use crate::light::{LightCase, LightSample};
 use crate::measured::UNITS;
@@ -26,7 +26,7 @@ fn broken(found: String, expected: &str, error: f64, questions: Vec<Value>) -> F
 }
 
 /// Samples that bring light.
-fn lit(case: &mut LightCase<'_>, count: usize) -> Result<Vec<LightSample>, Trouble> {
+fn lit(case: &mut LightCase<'_>, count: usize) -> Result<Vec<LightSample>, Stop> {
     let samples = case.samples(count)?.into_iter().flatten();
     Ok(samples.filter(|it| it.is_lit() && it.pdf.is_some()).collect())
 }
@@ -44,7 +44,7 @@ fn equal(case: &LightCase<'_>, pairs: &[Equality], words: [&str; 2]) -> Finding 
     })
 }
 
-pub fn repeated(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn repeated(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Stop> {
     let u: Vec<[f64; 4]> =
         (0..4).map(|_| std::array::from_fn(|_| case.draw.between(0.0, 1.0))).collect();
     let mut wi = case.directions(4);
@@ -62,7 +62,7 @@ pub fn repeated(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> 
     pairs::repeated(&mut case.asked, &questions, &between)
 }
 
-pub fn positive(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn positive(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Stop> {
     let is_bad = |x: f64| !x.is_finite() || x < 0.0;
     let samples: Vec<_> = case.samples(8 * COMPARED)?.into_iter().flatten().collect();
     for it in &samples {
@@ -89,7 +89,7 @@ pub fn positive(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> 
     Ok(Finding::Holds)
 }
 
-pub fn directions(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn directions(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Stop> {
     for it in case.samples(8 * COMPARED)?.into_iter().flatten() {
         let length = it.wi.length();
         let questions = vec![case.sample_question(&[it.u])];
@@ -110,7 +110,7 @@ pub fn directions(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble
     Ok(Finding::Holds)
 }
 
-pub fn same_pdf(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn same_pdf(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Stop> {
     let samples = lit(case, COMPARED)?;
     let directions: Vec<Vector> = samples.iter().map(|it| it.wi).collect();
     let values = case.measured(case.from, &directions)?;
@@ -128,7 +128,7 @@ pub fn same_pdf(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> 
     Ok(equal(case, &pairs, ["the pdf of the sample", "the pdf of `eval`"]))
 }
 
-pub fn same_radiance(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn same_radiance(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Stop> {
     let samples = lit(case, COMPARED)?;
     let directions: Vec<Vector> = samples.iter().map(|it| it.wi).collect();
     let values = case.measured(case.from, &directions)?;
@@ -149,7 +149,7 @@ pub fn same_radiance(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trou
 }
 
 /// Looks back at points of the light from a little beyond them.
-pub fn sides(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn sides(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Stop> {
     let samples = lit(case, MOVED)?;
     let is_lit = case.claims.two_sided;
     let mut wrong = Vec::new();
@@ -183,7 +183,7 @@ fn nearer(case: &mut LightCase<'_>, it: &LightSample) -> (Point, f64) {
     (case.from + (1.0 - left) * it.distance * it.wi, left)
 }
 
-pub fn along(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn along(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Stop> {
     let samples = lit(case, MOVED)?;
     let directions: Vec<Vector> = samples.iter().map(|it| it.wi).collect();
     let here = case.measured(case.from, &directions)?;
@@ -207,7 +207,7 @@ pub fn along(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> {
     Ok(equal(case, &pairs, ["the radiance nearer to the light", "the radiance"]))
 }
 
-pub fn distance(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn distance(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Stop> {
     let samples = lit(case, MOVED)?;
     let directions: Vec<Vector> = samples.iter().map(|it| it.wi).collect();
     let here = case.measured(case.from, &directions)?;

@@ -1,11 +1,11 @@
 //! Laws of maps from the unit square: where points fall, how dense, and whether neighbours stay neighbours.
 
+use conform::Stop;
 use groundtruth::math::Vector;
 use libm::cbrt;
 
 use super::pairs::{self, Equality};
 use super::{Breach, Finding, negative};
-use crate::asked::Trouble;
 use crate::cells::Cells;
 use crate::map::MapCase;
 use crate::measured::UNITS;
@@ -26,7 +26,7 @@ fn pair(x: Vector, [a, b]: [f64; 2], [found, expected, slack]: [f64; 3]) -> Equa
     Equality { given: Given::of(Vector::Z, x, 1.0), u: [a, b, 0.0, 0.0], found, expected, slack }
 }
 
-pub fn repeated(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn repeated(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Stop> {
     let (u, other) = (case.pairs(8, 0.0), case.pairs(8, 0.0));
     // answers that cannot be read are not judged
     let x = case.map(&u)?;
@@ -39,7 +39,7 @@ pub fn repeated(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
     pairs::repeated(&mut case.asked, &questions, &between)
 }
 
-pub fn inside(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn inside(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Stop> {
     let mut u = case.pairs(6 * COMPARED, 0.0);
     for a in [0.0, 0.5, LAST] {
         u.extend([0.0, 0.5, LAST].map(|b| [a, b]));
@@ -55,7 +55,7 @@ pub fn inside(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
     Ok(Finding::Holds)
 }
 
-pub fn positive(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn positive(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Stop> {
     let u = case.pairs(COMPARED, 0.0);
     let mut x = case.map(&u)?;
     for [a, b] in case.pairs(COMPARED, 0.0) {
@@ -90,7 +90,7 @@ struct Stretched {
 }
 
 /// Differences are taken over the cube root of the rounding: their own error and that of rounding are alike there.
-fn stretched(case: &mut MapCase<'_>) -> Result<Vec<Stretched>, Trouble> {
+fn stretched(case: &mut MapCase<'_>) -> Result<Vec<Stretched>, Stop> {
     let h = cbrt(case.rounding);
     let u = case.pairs(COMPARED, 4.0 * h);
     let around = |[a, b]: &[f64; 2]| [[*a, *b], [a - h, *b], [a + h, *b], [*a, b - h], [*a, b + h]];
@@ -116,7 +116,7 @@ fn stretched(case: &mut MapCase<'_>) -> Result<Vec<Stretched>, Trouble> {
     Ok(u.iter().zip(points.chunks(5)).map(one).collect())
 }
 
-pub fn jacobian(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn jacobian(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Stop> {
     let all = stretched(case)?;
     let x: Vec<Vector> = all.iter().map(|it| it.x).collect();
     let densities = case.pdf(&x)?;
@@ -139,7 +139,7 @@ pub fn jacobian(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
     }))
 }
 
-pub fn inverse(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn inverse(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Stop> {
     let all = stretched(case)?;
     let x: Vec<Vector> = all.iter().map(|it| it.x).collect();
     let back = case.inverse(&x)?;
@@ -165,7 +165,7 @@ const DEPTH: u32 = 4;
 const MOST: f64 = 0.5;
 
 /// Of stratified points, the counts in large parts of the domain hardly vary: only strata at their borders are shared.
-pub fn stratified(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn stratified(case: &mut MapCase<'_>, _: usize) -> Result<Finding, Stop> {
     let placing = case.pairs(2048, 0.0);
     let domain = case.domain;
     let placing: Vec<Vector> =

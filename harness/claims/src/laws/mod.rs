@@ -8,9 +8,9 @@ mod maps;
 mod pairs;
 mod values;
 
+use conform::Stop;
 use serde_json::Value;
 
-use crate::asked::Trouble;
 use crate::case::LobeCase;
 use crate::description::{Claims, Kind};
 use crate::light::LightCase;
@@ -35,9 +35,9 @@ pub struct Law {
 
 /// Whether a law holds in a case of a kind; for laws of chance, with so many times the usual samples.
 enum Check {
-    Lobe(fn(&mut LobeCase<'_>, usize) -> Result<Finding, Trouble>),
-    Light(fn(&mut LightCase<'_>, usize) -> Result<Finding, Trouble>),
-    Map(fn(&mut MapCase<'_>, usize) -> Result<Finding, Trouble>),
+    Lobe(fn(&mut LobeCase<'_>, usize) -> Result<Finding, Stop>),
+    Light(fn(&mut LightCase<'_>, usize) -> Result<Finding, Stop>),
+    Map(fn(&mut MapCase<'_>, usize) -> Result<Finding, Stop>),
 }
 
 impl Law {
@@ -59,7 +59,7 @@ impl Law {
     ///
     /// # Errors
     /// Says why the program's answers cannot be judged.
-    pub fn check(&self, case: &mut Case<'_>, scale: usize) -> Result<Finding, Trouble> {
+    pub fn check(&self, case: &mut Case<'_>, scale: usize) -> Result<Finding, Stop> {
         match (&self.check, case) {
             (Check::Lobe(check), Case::Lobe(case)) => check(case, scale),
             (Check::Light(check), Case::Light(case)) => check(case, scale),

@@ -1,9 +1,10 @@
 //! Numbers that should be equal, to rounding; and answers that should be the same.
 
+use conform::Stop;
 use serde_json::Value;
 
 use super::{Breach, Finding, apart};
-use crate::asked::{Asked, Numbers, Trouble};
+use crate::asked::{Asked, Numbers};
 use crate::naming::{Factor, Given, factor};
 
 /// How two numbers that should be equal were found.
@@ -56,7 +57,7 @@ pub fn repeated(
     asked: &mut Asked<'_>,
     questions: &[Value],
     between: &[Value],
-) -> Result<Finding, Trouble> {
+) -> Result<Finding, Stop> {
     let first = asked.answers(questions)?;
     for (question, expected) in questions.iter().zip(&first) {
         asked.answers(between)?;

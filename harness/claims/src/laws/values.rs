@@ -1,11 +1,11 @@
 //! Laws of lobes that hold value by value, to rounding.
 
+use conform::Stop;
 use groundtruth::math::{Vector, cos, sin};
 use serde_json::Value;
 
 use super::pairs::{self, Equality};
 use super::{Breach, Finding, apart, negative};
-use crate::asked::Trouble;
 use crate::case::LobeCase;
 use crate::lobe::{Evaluated, Sampled};
 use crate::measured::Measured;
@@ -28,7 +28,7 @@ fn pair(case: &LobeCase<'_>, wi: Vector, [found, expected, slack]: [f64; 3]) -> 
 }
 
 /// Samples with a density, and the values in their directions.
-fn valued(case: &mut LobeCase<'_>) -> Result<Vec<(Sampled, f64, Measured)>, Trouble> {
+fn valued(case: &mut LobeCase<'_>) -> Result<Vec<(Sampled, f64, Measured)>, Stop> {
     let samples = case.samples(COMPARED)?.into_iter().flatten();
     let samples: Vec<_> = samples.filter_map(|it| Some((it, it.pdf?))).collect();
     let directions: Vec<Vector> = samples.iter().map(|(it, _)| it.wi).collect();
@@ -38,7 +38,7 @@ fn valued(case: &mut LobeCase<'_>) -> Result<Vec<(Sampled, f64, Measured)>, Trou
     Ok(all.filter(is_above).collect())
 }
 
-pub fn same_pdf(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn same_pdf(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Stop> {
     let values = valued(case)?.into_iter();
     let pair = |(it, pdf, value): (Sampled, f64, Measured)| {
         pair(case, it.wi, [pdf, value.value.pdf, value.pdf_slack])
@@ -47,7 +47,7 @@ pub fn same_pdf(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
     Ok(equal(case, &pairs, "the pdf of the sample", "the pdf of `eval`"))
 }
 
-pub fn weight(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn weight(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Stop> {
     let rounding = 64.0 * case.rounding;
     let values = valued(case)?;
     let mut pairs = Vec::new();
@@ -64,7 +64,7 @@ pub fn weight(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
     Ok(equal(case, &pairs, "weight × pdf", "f |cos θi|"))
 }
 
-pub fn reciprocal(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn reciprocal(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Stop> {
     let mut directions: Vec<Vector> =
         case.samples(COMPARED)?.into_iter().flatten().map(|it| it.wi).collect();
     for side in [1.0, -1.0] {
@@ -91,7 +91,7 @@ pub fn reciprocal(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble>
     Ok(equal(case, &pairs, &found, &expected))
 }
 
-pub fn turned(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn turned(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Stop> {
     let mut directions: Vec<Vector> =
         case.samples(COMPARED)?.into_iter().flatten().map(|it| it.wi).collect();
     directions.retain(|wi| !case.is_level(*wi));
@@ -120,7 +120,7 @@ pub fn turned(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
 /// Cosines of directions that nearly lie in the surface.
 const LIMB: [f64; 2] = [1e-3, 1e-5];
 
-pub fn positive(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn positive(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Stop> {
     let is_bad = |x: f64| !x.is_finite() || x < 0.0;
     let broken = |found: String, numbers: [f64; 4], question: Value| {
         Finding::Broken(Breach {
@@ -172,7 +172,7 @@ fn lowered(w: Vector, z: f64) -> Vector {
     (1.0 - z * z).sqrt() * level + z * Vector::Z
 }
 
-pub fn sides(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn sides(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Stop> {
     let u = case.numbers(8 * COMPARED);
     let samples = case.lobe.sample(case.wo, &u)?;
     for (sample, u) in samples.iter().zip(&u).filter_map(|(it, u)| Some((it.as_ref()?, u))) {
@@ -213,7 +213,7 @@ pub fn sides(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
     }))
 }
 
-pub fn repeated(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Trouble> {
+pub fn repeated(case: &mut LobeCase<'_>, _: usize) -> Result<Finding, Stop> {
     let u = case.numbers(4);
     let wi = case.directions(4, case.wo.z().signum());
     // another viewer, so that what is kept of the last call is another's; on the other side if that is served

@@ -3,9 +3,10 @@
 
 use serde_json::{Value, json};
 
-use super::super::family::{Asking, Stop};
+use super::super::family::Asking;
 use super::super::judgement::{Judgement, Profile, number, triple};
 use super::super::mistakes::{self as m, Mistake};
+use super::super::subject::Stop;
 use super::{Found, missing, within};
 use groundtruth::math::floor;
 

@@ -14,8 +14,8 @@ mod spaces;
 
 use serde_json::Value;
 
-use super::family::Stop;
 use super::judgement::{Judgement, Profile, number, numbers, triple};
+use super::subject::Stop;
 use groundtruth::math::UNIT_ROUNDOFF;
 
 pub use lattice::{interpolates, knots_differ};

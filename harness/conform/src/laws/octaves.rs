@@ -3,10 +3,10 @@
 
 use serde_json::{Value, json};
 
-use super::super::family::{Asking, Stop};
+use super::super::family::Asking;
 use super::super::judgement::{Judgement, Profile, number, triple};
 use super::super::mistakes::{self as m, Mistake};
-use super::super::subject::ours;
+use super::super::subject::{Stop, ours};
 use super::lattice::{TERMS, farthest};
 use super::{Found, color, missing, relative, within};
 use groundtruth::math::{Normal, Vector, floor, sin};

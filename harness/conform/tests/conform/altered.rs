@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use conform::{self, Card, Options, Profile, Reply, Subject, family::Family, ours};
+use conform::{self, Card, Options, Profile, Reply, Stop, Subject, family::Family, ours};
 use serde_json::{Value, json};
 
 /// Answers as we do, then changes the answer.
@@ -11,8 +11,8 @@ pub struct Altered(pub fn(&Value, Value) -> Value);
 impl Subject for Altered {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let reply = |question: &Value| match ours(question) {
-            Ok(answer) => Reply::Answer((self.0)(question, answer)),
-            Err(error) => Reply::Refused(error),
+            Ok(answer) => Ok((self.0)(question, answer)),
+            Err(error) => Err(Stop::Refused(error)),
         };
         questions.iter().map(reply).collect()
     }

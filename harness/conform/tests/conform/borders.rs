@@ -1,6 +1,7 @@
 //! Judges at their borders: answers by hand that just keep a law or just break it, in each channel, entry and stratum.
 
-use conform::family::{Asking, Judge, Stop};
+use conform::Stop;
+use conform::family::{Asking, Judge};
 use conform::{Judgement, Profile, Reply, Status, Subject, laws, ours, suite};
 use serde_json::{Value, json};
 
@@ -11,7 +12,7 @@ struct Says<F>(F);
 
 impl<F: FnMut(&Value) -> Value> Subject for Says<F> {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        questions.iter().map(|question| Reply::Answer((self.0)(question))).collect()
+        questions.iter().map(|question| Ok((self.0)(question))).collect()
     }
 }
 

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use conform::card::{junit, page, told, verdict};
 use conform::family::{Family, Judge};
 use conform::{
-    Card, Fault, Invocation, Judgement, Options, Profile, Reply, Row, Status, Subject, run,
+    Card, Fault, Invocation, Judgement, Options, Profile, Reply, Row, Status, Stop, Subject, run,
 };
 use exact::Draw;
 use serde_json::{Value, json};
@@ -72,13 +72,13 @@ struct Obedient;
 impl Subject for Obedient {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let reply = |question: &Value| match outcome(question) {
-            Outcome::Refused => Reply::Refused("no".to_owned()),
-            Outcome::Unsupported => Reply::Unsupported("no".to_owned()),
-            Outcome::Hung => Reply::Fault(Fault::Hung("no answer".to_owned())),
-            Outcome::Died => Reply::Fault(Fault::Died("a crash".to_owned())),
-            Outcome::Garbled => Reply::Fault(Fault::Garbled("a line".to_owned())),
+            Outcome::Refused => Err(Stop::Refused("no".to_owned())),
+            Outcome::Unsupported => Err(Stop::Unsupported("no".to_owned())),
+            Outcome::Hung => Err(Stop::Fault(Fault::Hung("no answer".to_owned()))),
+            Outcome::Died => Err(Stop::Fault(Fault::Died("a crash".to_owned()))),
+            Outcome::Garbled => Err(Stop::Fault(Fault::Garbled("a line".to_owned()))),
             // no two answers are the same
-            _ => Reply::Answer(question.clone()),
+            _ => Ok(question.clone()),
         };
         questions.iter().map(reply).collect()
     }

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use conform::family::{Asking, Family, Judge};
-use conform::{Judgement, Ours, Profile, Reply, Subject, ours, suite};
+use conform::{Judgement, Ours, Profile, Reply, Stop, Subject, ours, suite};
 use serde_json::{Value, json};
 
 use super::altered::{Altered, card};
@@ -12,7 +12,7 @@ struct Constant(Value);
 
 impl Subject for Constant {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        questions.iter().map(|_| Reply::Answer(self.0.clone())).collect()
+        questions.iter().map(|_| Ok(self.0.clone())).collect()
     }
 }
 
@@ -27,7 +27,7 @@ fn is_cheap(family: &Family) -> bool {
 fn judged(family: &Family, subject: &mut dyn Subject, case: &Value) -> Option<Judgement> {
     match family.judge {
         Judge::Answer(judge) => match subject.ask(std::slice::from_ref(case)).pop() {
-            Some(Reply::Answer(answer)) => Some(judge(case, &answer, Profile::Careful)),
+            Some(Ok(answer)) => Some(judge(case, &answer, Profile::Careful)),
             _ => None,
         },
         Judge::Law(law) => law(&mut Asking::new(subject), case, Profile::Careful).ok(),
@@ -334,9 +334,9 @@ impl Subject for Broken {
         let reply = |question: &Value| match ours(question) {
             Ok(mut answer) => {
                 self.spoil(&mut answer);
-                Reply::Answer(answer)
+                Ok(answer)
             }
-            Err(error) => Reply::Refused(error),
+            Err(error) => Err(Stop::Refused(error)),
         };
         questions.iter().map(reply).collect()
     }

@@ -3,7 +3,8 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use conform::family::{Asking, Family, Judge, Stop};
+use conform::Stop;
+use conform::family::{Asking, Family, Judge};
 use conform::{
     Card, Fault, Judgement, NoAnswer, Options, Profile, Reply, Status, Subject, run, suite,
 };
@@ -85,7 +86,7 @@ fn card(subject: &mut dyn Subject, families: &[Family], cases: usize) -> Card {
 }
 
 fn died() -> Reply {
-    Reply::Fault(Fault::Died("a crash".to_owned()))
+    Err(Stop::Fault(Fault::Died("a crash".to_owned())))
 }
 
 /// Law: a family has its share of the cases, rounded up, and at least one; each is asked once, in order, two of each family
@@ -99,7 +100,7 @@ fn each_case_is_asked_once_in_rounds_of_all_families() {
         family("few.c", 0.04, ANSWER),
     ];
     for n in [1, 2, 3, 7, 8, 9, 10, 24, 25, 26, 65, 66, 67, 130, 131] {
-        let mut subject = Heard::new(|_, _| Reply::Answer(json!(1)));
+        let mut subject = Heard::new(|_, _| Ok(json!(1)));
         let card = card(&mut subject, &families, n);
         let counts = [n, n.div_ceil(2), n.div_ceil(25)];
         let mut expected = vec![case("whole.a", 0)];
@@ -133,8 +134,8 @@ fn eight_unsupported_cases_are_the_most() {
             for lacking in [0, 1, 2, 7, 8, 9, 200] {
                 let mut subject = Heard::new(|question: &Value, _| {
                     match question.get("lacking").is_some() && number(question) < lacking {
-                        true => Reply::Unsupported("no".to_owned()),
-                        false => Reply::Answer(json!(1)),
+                        true => Err(Stop::Unsupported("no".to_owned())),
+                        false => Ok(json!(1)),
                     }
                 });
                 let card = card(&mut subject, &families, n);
@@ -161,7 +162,7 @@ fn three_faults_end_a_family_and_six_a_question() {
         families.extend(names[..of_question].iter().map(|name| family(name, 1.0, law())));
         let mut subject = Heard::new(|question: &Value, _| match question.get("bad") {
             Some(_) => died(),
-            None => Reply::Answer(json!(1)),
+            None => Ok(json!(1)),
         });
         let card = card(&mut subject, &families, 20);
         // two of each in the first round, while there were fewer than six; one more of each in the second
@@ -187,7 +188,7 @@ fn a_family_ends_at_its_third_fault() {
     for (faults, expected) in [(&[3, 7][..], 20), (&[3, 7, 11][..], 12), (&[0, 1, 2, 3][..], 3)] {
         let mut subject = Heard::new(|question: &Value, _| {
             let is_bad = question.get("bad").is_some() && faults.contains(&number(question));
-            if is_bad { died() } else { Reply::Answer(json!(1)) }
+            if is_bad { died() } else { Ok(json!(1)) }
         });
         let card = card(&mut subject, &families, 20);
         assert_eq!(card.rows[1].total(), expected, "cases asked, of which {faults:?} are faults");
@@ -207,7 +208,7 @@ fn one_question_of_each_name_is_tried() {
     assert_eq!(texts, ["a: a crash", "b: a crash", "c: a crash"], "what came back");
     let expected = ["a.x", "b.x", "c.x"].map(|name| case(name, 0));
     assert_eq!(silent.heard, expected, "the questions to a silent program");
-    for reply in [Reply::Refused("no".to_owned()), Reply::Unsupported("no".to_owned())] {
+    for reply in [Err(Stop::Refused("no".to_owned())), Err(Stop::Unsupported("no".to_owned()))] {
         let mut late = Heard::new(|question: &Value, _| match question.get("b") {
             Some(_) => reply.clone(),
             None => died(),
@@ -226,7 +227,7 @@ fn a_profile_asks_its_families() {
     let all = suite::all().len();
     for (profile, expected) in [(Profile::Book, ordinary), (Profile::Careful, all)] {
         let options = Options { profile, ..options(1) };
-        let mut lacking = Heard::new(|_: &Value, _| Reply::Unsupported("no".to_owned()));
+        let mut lacking = Heard::new(|_: &Value, _| Err(Stop::Unsupported("no".to_owned())));
         let card = run(&mut lacking, &suite::all(), &options, &mut |_| ()).expect("it replies");
         assert_eq!(card.rows.len(), expected, "families that {profile:?} asks");
     }
@@ -242,7 +243,7 @@ fn an_interrupted_run_asks_no_more() {
         let options = Options { interrupted: Arc::clone(&interrupted), ..options(20) };
         let mut subject = Heard::new(|_: &Value, before| {
             interrupted.store(before + 1 > after, Ordering::Relaxed);
-            Reply::Answer(json!(1))
+            Ok(json!(1))
         });
         let mut told = 0;
         let card = run(&mut subject, &families, &options, &mut |_| told += 1).expect("it answers");
@@ -266,7 +267,7 @@ fn a_smaller_question_keeps_a_quarter_of_its_error() {
                 let is_simple = ["eta", "cos_i"].iter().any(|key| data[key].to_string().len() < 6);
                 let by = 1e-3 * if is_simple { share } else { 1.0 };
                 answer["reflected"] = json!(answer["reflected"].as_f64().expect("a number") + by);
-                Reply::Answer(answer)
+                Ok(answer)
             });
             let options = Options { shrink: is_shrunk, ..options(4) };
             let card = run(&mut subject, &[family()], &options, &mut |_| ()).expect("it answers");
@@ -312,7 +313,7 @@ fn at_most_500_questions_make_one_smaller() {
             if *question == first {
                 answer["resolution"] = json!([77, 77, 77]);
             }
-            Reply::Answer(answer)
+            Ok(answer)
         });
         let options = Options { shrink: is_shrunk, ..options(1) };
         let card = run(&mut subject, &families(), &options, &mut |_| ()).expect("it answers");

@@ -1,6 +1,6 @@
 //! Extreme answers: whatever stands in the place of each number, it is judged, and no judge fails on it.
 
-use conform::{Invocation, Profile, Reply, Subject, card as cards, ours};
+use conform::{Invocation, Profile, Reply, Stop, Subject, card as cards, ours};
 use groundtruth::printable;
 use serde_json::{Value, json};
 
@@ -23,8 +23,8 @@ fn altered(answer: Value, value: &Value) -> Value {
 impl Subject for Extreme {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let reply = |question: &Value| match ours(question) {
-            Ok(answer) => Reply::Answer(altered(answer, &self.0)),
-            Err(error) => Reply::Refused(error),
+            Ok(answer) => Ok(altered(answer, &self.0)),
+            Err(error) => Err(Stop::Refused(error)),
         };
         questions.iter().map(reply).collect()
     }

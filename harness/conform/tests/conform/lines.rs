@@ -1,13 +1,13 @@
 //! Lines that a program answers.
 
 use conform::lines::*;
-use conform::{Fault, Reply};
+use conform::{Fault, Stop};
 use serde_json::Value;
 use serde_json::json;
 
 fn answer(text: &str) -> Value {
     match read(format!("{{\"id\": 3, \"answer\": {text}}}").as_bytes()) {
-        Ok((3, Reply::Answer(answer))) => answer,
+        Ok((3, Ok(answer))) => answer,
         other => panic!("{text}: {other:?}"),
     }
 }
@@ -72,9 +72,9 @@ fn a_line_has_an_id_and_one_reply() {
             some.map(|(_, (key, value))| format!(", \"{key}\": {value}")).collect();
         let line = format!("{{\"id\": 1{fields}}}");
         let expected = match set {
-            1 => Some(Reply::Answer(json!(1))),
-            2 => Some(Reply::Refused("e".to_owned())),
-            4 => Some(Reply::Unsupported("u".to_owned())),
+            1 => Some(Ok(json!(1))),
+            2 => Some(Err(Stop::Refused("e".to_owned()))),
+            4 => Some(Err(Stop::Unsupported("u".to_owned()))),
             _ => None,
         };
         let found = read(line.as_bytes()).ok().map(|it| it.1);

@@ -98,7 +98,7 @@ struct Planter(fn(&mut Value));
 impl Subject for Planter {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let reply = |question: &Value| {
-            Reply::Answer(instead(question, |data| {
+            Ok(instead(question, |data| {
                 (self.0)(data);
                 data["seed"] = json!(data["seed"].as_u64().unwrap_or(0) + 977);
             }))

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-use conform::{Fault, Limits, Program, Reply, Subject};
+use conform::{Fault, Limits, Program, Reply, Stop, Subject};
 use serde_json::{Value, json};
 
 /// A shell script that writes what it hears into a file, and `start` whenever it starts.
@@ -53,17 +53,17 @@ fn questions(numbers: impl IntoIterator<Item = u64>) -> Vec<Value> {
 }
 
 fn answered(n: u64) -> Reply {
-    Reply::Answer(json!(n))
+    Ok(json!(n))
 }
 
 /// The kinds of replies, as letters: answered, hung, died, garbled, not asked.
 fn kinds(replies: &[Reply]) -> String {
     let kind = |reply: &Reply| match reply {
-        Reply::Answer(_) => 'a',
-        Reply::Fault(Fault::Hung(_)) => 'h',
-        Reply::Fault(Fault::Died(_)) => 'd',
-        Reply::Fault(Fault::Garbled(_)) => 'g',
-        Reply::NotAsked => '-',
+        Ok(_) => 'a',
+        Err(Stop::Fault(Fault::Hung(_))) => 'h',
+        Err(Stop::Fault(Fault::Died(_))) => 'd',
+        Err(Stop::Fault(Fault::Garbled(_))) => 'g',
+        Err(Stop::NotAsked) => '-',
         _ => '?',
     };
     replies.iter().map(kind).collect()
@@ -169,7 +169,7 @@ fn ids_that_are_not_under_way_are_garbled() {
         let mut script = Script::new("", &one, 2000, 5000);
         assert_eq!(script.program.ask(&questions([5])), [answered(5)], "the first question");
         let replies = script.program.ask(&questions([6]));
-        let expected = Reply::Fault(Fault::Garbled(words.to_owned()));
+        let expected = Err(Stop::Fault(Fault::Garbled(words.to_owned())));
         assert_eq!(replies, [expected], "the reply with id {said}");
     }
     // in one window, the question that was answered twice is the guilty one, and the others are asked again

@@ -223,8 +223,7 @@ struct OneSeed;
 
 impl Subject for OneSeed {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        let reply =
-            |question: &Value| Reply::Answer(instead(question, |data| data["seed"] = json!(5)));
+        let reply = |question: &Value| Ok(instead(question, |data| data["seed"] = json!(5)));
         questions.iter().map(reply).collect()
     }
 }

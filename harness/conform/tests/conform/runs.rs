@@ -3,7 +3,9 @@
 use std::sync::Arc;
 
 use conform::family::{Family, Judge};
-use conform::{self, Card, Fault, Judgement, Ours, Profile, Reply, Row, Status, Subject, ours};
+use conform::{
+    self, Card, Fault, Judgement, Ours, Profile, Reply, Row, Status, Stop, Subject, ours,
+};
 use conform::{card as cards, suite};
 use serde_json::{Value, json};
 
@@ -61,7 +63,7 @@ struct Null;
 
 impl Subject for Null {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
-        questions.iter().map(|_| Reply::Answer(Value::Null)).collect()
+        questions.iter().map(|_| Ok(Value::Null)).collect()
     }
 }
 
@@ -116,11 +118,11 @@ struct Half;
 impl Subject for Half {
     fn ask(&mut self, questions: &[Value]) -> Vec<Reply> {
         let reply = |question: &Value| match question {
-            question if question.get("lobe").is_some() => Reply::Unsupported("no".to_owned()),
+            question if question.get("lobe").is_some() => Err(Stop::Unsupported("no".to_owned())),
             question if question.get("grid").is_some() => {
-                Reply::Fault(Fault::Died("a crash".to_owned()))
+                Err(Stop::Fault(Fault::Died("a crash".to_owned())))
             }
-            question => Reply::Answer(ours(question).expect("an answer")),
+            question => Ok(ours(question).expect("an answer")),
         };
         questions.iter().map(reply).collect()
     }

@@ -1,7 +1,7 @@
 //! Programs with mistakes, as tables.
 
 use conform::mistakes::Mistake;
-use conform::{Reply, Subject, ours};
+use conform::{Reply, Stop, Subject, ours};
 use serde_json::Value;
 
 use super::super::altered::{at, instead};
@@ -42,8 +42,8 @@ impl Subject for Way {
             Answer(alter) => alter(question, answer),
         };
         let reply = |question: &Value| match ours(question) {
-            Ok(answer) => Reply::Answer(altered(question, answer)),
-            Err(error) => Reply::Refused(error),
+            Ok(answer) => Ok(altered(question, answer)),
+            Err(error) => Err(Stop::Refused(error)),
         };
         questions.iter().map(reply).collect()
     }
