@@ -97,14 +97,18 @@ impl Stored {
         colors.iter().flat_map(|color| self.color(*color)).collect()
     }
 
-    /// Our picture, its colours above 1 as the rule for them makes them.
+    /// Our picture, its colours above 1 as the rule for them makes them, and without negative values, which no integers hold.
     pub fn mapped(self, film: &Film) -> Film {
-        let Self::Integers { bright: Bright::Mapped(out_of_gamut), .. } = self else {
-            return film.clone();
-        };
-        let (tone, mut mapped) = (Tone { exposure: 1.0, gamma: 1.0, out_of_gamut }, film.clone());
+        let Self::Integers { bright, .. } = self else { return film.clone() };
+        let mut mapped = film.clone();
         for at in (0..film.height()).flat_map(|y| (0..film.width()).map(move |x| [x, y])) {
-            mapped.set(at, tone.map(film.get(at)));
+            let color = match bright {
+                Bright::Mapped(rule) => toned(rule, film.get(at)),
+                Bright::Clamped => film.get(at),
+            };
+            // filters with negative lobes make negative radiance
+            let [r, g, b] = color.to_array().map(|value| value.max(0.0));
+            mapped.set(at, Rgb::new(r, g, b));
         }
         mapped
     }
@@ -137,9 +141,7 @@ impl Stored {
         let Self::Integers { step, transfer, quantiser, bright } = self else { return None };
         let color = match bright {
             Bright::Clamped => color,
-            Bright::Mapped(out_of_gamut) => {
-                Tone { exposure: 1.0, gamma: 1.0, out_of_gamut }.map(color)
-            }
+            Bright::Mapped(rule) => toned(rule, color),
         };
         let largest = 1.0 / step;
         let integer = |radiance: f64| {
@@ -296,4 +298,9 @@ fn significant_bits(picture: &Picture) -> u32 {
         .map(bits)
         .max()
         .unwrap_or(24)
+}
+
+/// The colour by a rule for those beyond 1.
+fn toned(out_of_gamut: OutOfGamut, color: Rgb) -> Rgb {
+    Tone { exposure: 1.0, gamma: 1.0, out_of_gamut }.map(color)
 }

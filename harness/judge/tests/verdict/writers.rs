@@ -1,9 +1,9 @@
 //! Ways in which programs store 8 bits, written as a student writes them.
 
-use groundtruth::film::Film;
+use groundtruth::film::{self, Film, Format};
 use groundtruth::math::power;
-use judge::verdict::Quantiser;
-use pictures::compare::Picture;
+use judge::verdict::{Quantiser, Stored, plausible};
+use pictures::compare::{Comparison, Picture};
 
 use super::pictures::{films, scene, world};
 use super::power::half_a_pixel_off;
@@ -192,4 +192,37 @@ fn defects_are_found_whoever_wrote_the_picture() {
             assert!(differs, "{what} is not found: {}", name(writer));
         }
     }
+}
+
+/// Law: the picture of each scene of the gallery, stored in each format that we write, has no difference from ours as its file
+/// stores it: colours beyond 1 and below 0 included. Oracle: the file.
+#[test]
+fn every_scene_has_the_values_of_its_own_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (mut beyond, mut negative) = (0, 0);
+    for entry in gallery::scenes() {
+        let scene = scene(entry.name, [12, 8], 4);
+        let film = films(&mut world(&scene, 1), std::iter::once(1)).remove(0);
+        beyond += usize::from(film.pixels().iter().any(|color| color.max() > 1.0));
+        negative += usize::from(
+            film.pixels().iter().any(|color| color.to_array().iter().any(|x| *x < 0.0)),
+        );
+        for (_, format) in Format::ALL {
+            let file = folder.path().join(format!("a.{format}"));
+            film::write(&film, &scene.image.tone(), &file).expect("written");
+            let theirs = Picture::read(&file, None).expect("a picture");
+            let tone = (scene.image.gamma, scene.image.out_of_gamut);
+            let candidates = Stored::candidates(&theirs, theirs.stated, tone);
+            let stored = plausible(&candidates, &theirs, std::slice::from_ref(&film))[0];
+            let ours = Picture::of_film(&stored.mapped(&film));
+            let transfer = stored.transfer().unwrap_or(theirs.transfer);
+            let theirs = Picture { transfer, ..theirs };
+            let found = Comparison::of(&ours, &theirs, 0.0).expect("one size");
+            assert!(found.is_same(), "{}, {format}: {} pixels differ", entry.name, found.differing);
+        }
+    }
+    assert!(
+        beyond > 20 && negative > 0,
+        "{beyond} scenes with bright colours, {negative} negative"
+    );
 }
