@@ -19,13 +19,13 @@ pub struct Negative {
     pub lowest: f32,
     /// The pixel that has it: x right and y down, from 0.
     pub at: [usize; 2],
-    /// Whether the lowest is more than rounding.
+    /// Whether the lowest says something: it is more than rounding, and ours have none, as filters with negative lobes make.
     pub counts: bool,
 }
 
 impl Negative {
-    /// Those of some pictures; `None` without any. `mean` is that of the values of ours.
-    pub fn of(theirs: &[Picture], mean: f64) -> Option<Self> {
+    /// Those of some pictures; `None` without any. Of ours, the lowest value and the mean.
+    pub fn of(theirs: &[Picture], (lowest_of_ours, mean): (f32, f64)) -> Option<Self> {
         let mut found: Option<Self> = None;
         for picture in theirs {
             let width = picture.size[0] as usize;
@@ -43,7 +43,7 @@ impl Negative {
             }
         }
         let counts = |lowest: f32| f64::from(-lowest) > ROUNDING * mean;
-        found.map(|found| Self { counts: counts(found.lowest), ..found })
+        found.map(|it| Self { counts: counts(it.lowest) && !counts(lowest_of_ours), ..it })
     }
 }
 
@@ -51,7 +51,7 @@ impl fmt::Display for Negative {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let Self { values, lowest, at: [x, y], counts } = self;
         let (values, lowest) = (count(*values as usize, "value"), brief(f64::from(*lowest)));
-        let rounding = if *counts { "" } else { "; so little is rounding" };
+        let rounding = if *counts { "" } else { "; they are rounding, or ours have such, too" };
         write!(f, "negative: {values}, the lowest {lowest} at {x},{y}{rounding}")
     }
 }

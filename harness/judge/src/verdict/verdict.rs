@@ -236,7 +236,9 @@ impl Verdict {
     /// With the negative values of theirs weighed: radiance is never negative.
     pub fn weigh_negative(&mut self, theirs: &[Picture], pool: &Pool, areas: &Areas) {
         let mean = self.means.first().map_or(0.0, |whole| whole.ours.iter().sum::<f64>() / 3.0);
-        self.negative = Negative::of(theirs, mean);
+        let ours = (0..pool.count() - 1).flat_map(|picture| pool.picture(picture));
+        let lowest = ours.fold(0.0, |lowest: f32, value| lowest.min(*value));
+        self.negative = Negative::of(theirs, (lowest, mean));
         let Some(Negative { counts: true, at: [x, y], .. }) = self.negative else { return };
         if self.decision != Decision::Differs {
             self.decide(DecidedBy::Negative);

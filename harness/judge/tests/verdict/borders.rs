@@ -48,7 +48,7 @@ fn negative_values_begin_below_rounding() {
         }
         picture
     };
-    let of = |pictures: &[Picture]| Negative::of(pictures, 2.0);
+    let of = |pictures: &[Picture]| Negative::of(pictures, (0.0, 2.0));
     assert!(of(&[with(&[(0, 0.0), (1, -0.0), (2, f32::NAN)])]).is_none(), "nothing is negative");
     for (lowest, counts) in [(-1.99e-5, false), (-2.01e-5, true), (-1e-30, false), (-7.0, true)] {
         let values = [(5, 0.5 * lowest), (3 * 6 + 2, lowest), (35, 0.9 * lowest)];

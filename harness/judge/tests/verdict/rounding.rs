@@ -112,7 +112,8 @@ fn without_noise() -> (Scene, Film) {
     (scene, film)
 }
 
-/// Law: a negative value is counted, located, and decides, if it is more than rounding. Oracle: the values that were planted.
+/// Law: a negative value is counted, located, and decides, if it is more than rounding, and ours have none. Oracle: the values
+/// that were planted; a filter with negative lobes, whose own pictures have some.
 #[test]
 fn negative_values_decide() {
     let (scene, film) = without_noise();
@@ -145,6 +146,14 @@ fn negative_values_decide() {
         let verdict = verdict(&noisy, &pictures, strictness);
         assert_eq!(verdict.decision, Decision::Differs, "{verdict}");
         assert_eq!(verdict.negative.map(|it| (it.lowest, it.at)), Some((-1.0, [1, 1])));
+    }
+    let lobes = super::pictures::scene("ch04/checker-mitchell", [32; 2], 4);
+    let theirs = films(&mut world(&lobes, 1), 900..905);
+    let theirs: Vec<Picture> = theirs.iter().map(Picture::of_film).collect();
+    for pictures in [&theirs[..1], &theirs] {
+        let verdict = verdict(&lobes, pictures, Strictness { level: 0.01, first: 8 });
+        assert_eq!(verdict.decision, Decision::Agrees, "{} pictures: {verdict}", pictures.len());
+        assert!(verdict.negative.is_some_and(|it| !it.counts), "{verdict}");
     }
 }
 
