@@ -8,7 +8,7 @@ use groundtruth::world::World;
 
 use super::attempt::{Attempt, Judge, better, read};
 use super::lossy;
-use super::verdict::{DifferingRegion, REGIONS, Verdict};
+use super::verdict::{DecidedBy, DifferingRegion, REGIONS, Verdict};
 use super::{
     Areas, Decision, Evaluation, Map, Progress, RayTolerance, Reference, Renders, Replicas, Stored,
     Strictness, plausible, several, smallest_gains,
@@ -98,6 +98,8 @@ impl<'a> Case<'a> {
             Decision::Differs if theirs.loss.is_some_and(is_loss) => {
                 (verdict.decision, verdict.loss) = (Decision::Agrees, theirs.loss);
             }
+            // beside that, nothing is to be explained
+            Decision::Differs if matches!(verdict.decided_by, Some(DecidedBy::Negative)) => {}
             Decision::Differs => {
                 (self.so_far)(Progress::Explaining);
                 let reason = judge.reason(theirs, &mut replicas, &judged);

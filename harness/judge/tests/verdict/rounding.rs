@@ -146,6 +146,11 @@ fn negative_values_decide() {
         let verdict = verdict(&noisy, &pictures, strictness);
         assert_eq!(verdict.decision, Decision::Differs, "{verdict}");
         assert_eq!(verdict.negative.map(|it| (it.lowest, it.at)), Some((-1.0, [1, 1])));
+        if pictures.len() == 1 {
+            // and no cause is named beside it
+            let line = "differs: radiance is never negative, and that of theirs is";
+            assert_eq!(verdict.sentence(), line);
+        }
     }
     let lobes = super::pictures::scene("ch04/checker-mitchell", [32; 2], 4);
     let theirs = films(&mut world(&lobes, 1), 900..905);
