@@ -4,7 +4,6 @@ use std::path::Path;
 
 use groundtruth::materials::{Dielectric, Kind, Phong, Transparent};
 use groundtruth::render;
-use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Tracer, TransparentShadows};
 use groundtruth::textures::Amount;
 use groundtruth::trace::RayBudget;
@@ -61,6 +60,13 @@ impl Writer<'_> {
     /// second where it is 1; `conserve_energy` lets 1 − R pass. These are our R and T.
     pub(super) fn dielectric(&mut self, path: &str, it: &Dielectric) -> Option<String> {
         self.is_clear(path, &it.phong);
+        for (side, medium) in [("inside", it.inside), ("outside", it.outside)] {
+            if !medium.absorption.is_black() {
+                let problem = "only clear glass can be said: POV-Ray adds up the absorption of all glass that a ray has \
+                               entered; --without absorption makes it clear on both sides";
+                self.refuse(format!("{path}.{side}.absorption"), problem);
+            }
+        }
         Some(texture(1.0, "reflection { rgb 0, rgb 1 fresnel } conserve_energy"))
     }
 
@@ -93,8 +99,7 @@ impl Writer<'_> {
         }
     }
 
-    /// Follows the rays of our picture through the bodies: finds their indices, and refuses what POV-Ray would see
-    /// otherwise.
+    /// Follows the rays of our picture through the bodies, and refuses what POV-Ray would see otherwise.
     pub(super) fn walk(&mut self, folder: &Path) {
         let world = match World::build_seeded(self.scene, folder, DEFAULT_SEED) {
             Ok(world) => world,
@@ -107,7 +112,8 @@ impl Writer<'_> {
             };
             boxes.extend(world.objects().iter().filter(is_of).map(|it| (body, it.bounds())));
         }
-        let mut walk = Walk::new(boxes, self.scene.transparency.scales_radiance);
+        let scales_radiance = self.scene.transparency.scales_radiance;
+        let mut walk = Walk::new(boxes, scales_radiance);
         let [width, height] = world.picture_size();
         for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
             walk.pixel = pixel;
@@ -115,31 +121,24 @@ impl Writer<'_> {
         }
         for ((body, difference), [x, y]) in walk.differences {
             let path = item("materials", body, &self.scene.materials[body].name);
-            self.refuse(path, format!("{} (pixel {x},{y})", difference.words()));
+            self.refuse(path, format!("{difference} (pixel {x},{y})"));
         }
-        self.indices = walk.indices;
     }
 
     /// The bodies, each with its interior.
     ///
-    /// An interior is of one object of POV-Ray, or of all in a union. Its medium absorbs exp(−absorption · distance) of all
-    /// light along a ray, as ours does; `fade_distance` would leave out reflected rays. Only a `hollow` body has a medium.
+    /// An interior is of one object of POV-Ray, or of all in a union.
     ///
     /// The shadow of a body is that of an opaque one, seen by no other ray: POV-Ray's own shadow of glass is bright.
     pub(super) fn bodies(&mut self) {
         for (body, parts) in std::mem::take(&mut self.bodies) {
-            let (eta, absorption) = self.medium(body);
-            // a body that is not seen stands in air
-            let index = self.indices.get(&body).copied().unwrap_or(eta);
-            let ior = if index == 1.0 { 1.0 + NOT_ONE } else { index };
-            let media = match absorption.is_black() {
-                true => String::new(),
-                false => format!(
-                    " media {{ method 2 intervals 1 samples 1, 1 absorption {} }}",
-                    rgb(absorption)
-                ),
+            let eta = match &self.scene.materials[body].recipe {
+                Kind::Dielectric(it) => it.inside.eta / it.outside.eta,
+                Kind::Transparent(it) => it.eta,
+                _ => 1.0,
             };
-            let interior = format!("interior {{ ior {}{media} }} hollow no_shadow", number(ior));
+            let ior = if eta == 1.0 { 1.0 + NOT_ONE } else { eta };
+            let interior = format!("interior {{ ior {} }} no_shadow", number(ior));
             let sides = format!(" texture {{ front_{body} }} interior_texture {{ back_{body} }}");
             let all: Vec<String> =
                 parts.iter().map(|part| format!("{}{sides}", part.words)).collect();
@@ -150,15 +149,6 @@ impl Writer<'_> {
                 let shade = "texture { pigment { rgb 0 } } no_image no_reflection";
                 self.line(&united(&dark, shade));
             }
-        }
-    }
-
-    /// The index of refraction inside a material over that outside, and the absorption inside.
-    fn medium(&self, material: usize) -> (f64, Rgb) {
-        match &self.scene.materials[material].recipe {
-            Kind::Dielectric(it) => (it.inside.eta / it.outside.eta, it.inside.absorption),
-            Kind::Transparent(it) => (it.eta, Rgb::BLACK),
-            _ => (1.0, Rgb::BLACK),
         }
     }
 }

@@ -110,7 +110,7 @@ impl Writer<'_> {
             }
             Kind::Dielectric(it) => {
                 let side = self.phong(&format!("{path}.phong"), &it.phong);
-                (How::Exact("with `phong` black, in air"), side)
+                (How::Exact("clear, with `phong` black, in air"), side)
             }
             _ => (self.no_counterpart(path, ""), None),
         }

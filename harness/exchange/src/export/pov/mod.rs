@@ -38,8 +38,6 @@ struct Writer<'a> {
     triangles: u64,
     /// The bodies of glass that are still to be written.
     bodies: BTreeMap<Body, Vec<glass::DielectricPart>>,
-    /// The index of refraction inside each of those that our picture shows.
-    indices: BTreeMap<Body, f64>,
     text: String,
     unsupported: Vec<Unsupported>,
 }
@@ -88,7 +86,6 @@ impl<'a> Writer<'a> {
             resources: Resources::new(folder),
             triangles: 0,
             bodies: BTreeMap::new(),
-            indices: BTreeMap::new(),
             text: String::new(),
             unsupported: Vec::new(),
         }

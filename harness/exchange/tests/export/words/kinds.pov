@@ -106,20 +106,16 @@ sphere { <0.670973833280273, 0.5393196372320801, 0.18879228839874362>, 0.05 text
 #declare back_6 = texture { pigment { rgb 0 transmit 0.9 } finish { ambient 0 diffuse 0 reflection { rgb <0.1, 0.1, 0.1> } } }
 #declare front_7 = texture { pigment { rgb 0 transmit 1 } finish { ambient 0 diffuse 0 reflection { rgb 0, rgb 1 fresnel } conserve_energy } }
 #declare back_7 = texture { pigment { rgb 0 transmit 1 } finish { ambient 0 diffuse 0 reflection { rgb 0, rgb 1 fresnel } conserve_energy } }
-#declare front_8 = texture { pigment { rgb 0 transmit 1 } finish { ambient 0 diffuse 0 reflection { rgb 0, rgb 1 fresnel } conserve_energy } }
-#declare back_8 = texture { pigment { rgb 0 transmit 1 } finish { ambient 0 diffuse 0 reflection { rgb 0, rgb 1 fresnel } conserve_energy } }
 sphere { <0, 5, 0>, 1 texture { front_1 } interior_texture { back_1 } }
 sphere { <3, 5, 0>, 1 texture { front_2 } interior_texture { back_2 } }
 sphere { <6, 5, 0>, 1 texture { front_3 } interior_texture { back_3 } }
 sphere { <9, 5, 0>, 1 texture { front_4 } interior_texture { back_4 } }
-sphere { <12, 5, 0>, 1 texture { front_5 } interior_texture { back_5 } interior { ior 1.5 } hollow no_shadow }
+sphere { <12, 5, 0>, 1 texture { front_5 } interior_texture { back_5 } interior { ior 1.5 } no_shadow }
 sphere { <12, 5, 0>, 1 texture { pigment { rgb 0 } } no_image no_reflection }
-sphere { <15, 5, 0>, 1 texture { front_6 } interior_texture { back_6 } interior { ior 0.75 } hollow no_shadow }
+sphere { <15, 5, 0>, 1 texture { front_6 } interior_texture { back_6 } interior { ior 0.75 } no_shadow }
 sphere { <15, 5, 0>, 1 texture { pigment { rgb 0 } } no_image no_reflection }
-sphere { <18, 5, 0>, 1 texture { front_7 } interior_texture { back_7 } interior { ior 1.5 } hollow no_shadow }
+sphere { <18, 5, 0>, 1 texture { front_7 } interior_texture { back_7 } interior { ior 1.5 } no_shadow }
 sphere { <18, 5, 0>, 1 texture { pigment { rgb 0 } } no_image no_reflection }
-sphere { <21, 5, 0>, 1 texture { front_8 } interior_texture { back_8 } interior { ior 1.1278195488721805 media { method 2 intervals 1 samples 1, 1 absorption <0.5, 0.125, 0.25> } } hollow no_shadow }
-sphere { <21, 5, 0>, 1 texture { pigment { rgb 0 } } no_image no_reflection }
 
 == light (25 lines stand above)
   ambient_light rgb exposure*<0.25, 0.125, 0.1875>
