@@ -65,7 +65,7 @@ sayable() {
     local term
     while ! "$PROGRAM" export "$1" --size "$3" --format "$2" -o "$work/scene.xml" --replace ${without:+--without "$without"} "${tracer[@]}" \
         > /dev/null 2> "$work/why"; do
-        for term in phong ambient unshadowed absorption scaling smooth; do
+        for term in phong ambient unshadowed absorption scaling smooth background; do
             if [[ ,$without, != *,$term,* ]] && grep -q -e "--without $term" "$work/why"; then
                 without=${without:+$without,}$term
                 continue 2

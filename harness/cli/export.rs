@@ -17,8 +17,7 @@ enum Format {
     Toml,
     /// The scene language of POV-Ray 3.7
     Pov,
-    /// The XML of Mitsuba 3. Meshes are files beside it, whose names begin as its own; so are further scenes
-    /// (NAME-2.xml), if their pictures are to be added
+    /// The XML of Mitsuba 3. Meshes are files beside it, whose names begin as its own
     Mitsuba,
 }
 
@@ -85,25 +84,19 @@ impl Export {
 
     /// Writes a scene in the language of another renderer, and the files beside it.
     fn write_all(&self, said: &Exported, inputs: &[PathBuf]) -> Outcome {
-        let [text, further @ ..] = &said.scenes[..] else { return Ok(Exit::Yes) };
-        if !(further.is_empty() && said.files.is_empty()) && self.file().is_none() {
+        if !said.files.is_empty() && self.file().is_none() {
             let problem = "this scene becomes several files; write it to one with -o, and the others go beside it";
             return Err(problem.into());
         }
-        let mut files: Vec<(String, &[u8])> = Vec::new();
-        for (index, text) in further.iter().enumerate() {
-            files.push((format!("{}-{}.xml", self.stem(), index + 2), text.as_bytes()));
-        }
-        files.extend(said.files.iter().map(|(name, bytes)| (name.clone(), &bytes[..])));
         let folder = film::folder_of(self.file().unwrap_or(Path::new("")));
-        let files = files.into_iter().map(|(name, bytes)| (folder.join(name), bytes));
+        let files = said.files.iter().map(|(name, bytes)| (folder.join(name), &bytes[..]));
         let files: Vec<(PathBuf, &[u8])> = files.collect();
         // all or none
         let outputs = || files.iter().map(|(output, _)| &**output).chain(self.file());
         output::check_distinct(outputs(), inputs.iter().map(PathBuf::as_path))?;
         outputs().try_for_each(|output| self.check(output))?;
         files.iter().try_for_each(|(output, bytes)| self.write_to(output, bytes))?;
-        self.write(text)
+        self.write(&said.text)
     }
 
     /// Writes the text to the output.

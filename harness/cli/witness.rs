@@ -106,7 +106,7 @@ impl Program {
         let folder = tempfile::tempdir()?;
         Ok(match self {
             Self::Pov(it) => Picture::read(
-                &it.render(&said.scenes.concat(), size, folder.path(), limit)?,
+                &it.render(&said.text, size, folder.path(), limit)?,
                 Some(Transfer::Linear),
             )?,
             Self::Mitsuba(it) => it.render(said, folder.path(), limit)?,

@@ -20,9 +20,9 @@ pub enum Target {
 /// A scene in the language of another renderer.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Exported {
-    /// One text, or several whose pictures are to be added.
-    pub scenes: Vec<String>,
-    /// The files that the texts name, with their contents.
+    /// Its text.
+    pub text: String,
+    /// The files that the text names, with their contents.
     pub files: Vec<(String, Vec<u8>)>,
 }
 
@@ -50,7 +50,7 @@ impl Target {
         scene: &Scene,
         folder: &Path,
     ) -> Result<Exported, Vec<Unsupported>> {
-        let of_text = |text| Exported { scenes: vec![text], files: Vec::new() };
+        let of_text = |text| Exported { text, files: Vec::new() };
         match self {
             Self::Pov => pov::write(name, scene, folder).map(of_text),
             Self::Mitsuba => mitsuba::write(name, stem, scene, folder),

@@ -3,7 +3,8 @@
 use std::fs;
 
 use exchange::export::{AnyKind, How, Row, Target, Term, kinds};
-use groundtruth::kinds::Entry;
+use groundtruth::cameras::ThinLens;
+use groundtruth::kinds::{Entry, Specification};
 use groundtruth::math::{Point, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::build::{add, directional, matte, pinhole, point, sphere};
@@ -58,6 +59,10 @@ pub fn combined(target: Target, specimens: &[AnyKind]) -> Scene {
         ([AnyKind::Material(_), ..], Target::Pov) => Tracer::Whitted(Whitted { max_depth: 2 }),
         _ => Tracer::RayCast,
     };
+    if let ([AnyKind::Light(_), ..], Target::Mitsuba) = (specimens, target) {
+        // a lens is drawn from: then several lights can be said
+        scene.camera.lens = ThinLens::specimens().remove(0).into();
+    }
     scene.lights.push(directional("sun", Vector::Y, 1.0));
     let floor = shapes::Rectangle { corner: Point::ORIGIN, a: Vector::X, b: Vector::Z };
     add(&mut scene, "grey", floor.clone(), matte(0.1, 0.5, Rgb::WHITE));

@@ -184,7 +184,7 @@ fn meshes_have_our_triangles() {
             let exported = Target::Mitsuba.write("scene", "scene", &scene, Path::new(""));
             let exported = exported.expect("it can be said");
             let [(name, bytes)] = &exported.files[..] else { panic!("one file") };
-            assert!(exported.scenes[0].contains(name));
+            assert!(exported.text.contains(name));
             let (corners, triangles) = mesh(bytes);
             let world = World::build(&scene).expect("it is valid");
             assert!(!triangles.is_empty());

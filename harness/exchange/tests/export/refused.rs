@@ -173,7 +173,7 @@ fn two_sided(camera: &str, head: &str, shape: &str) -> Result<bool, Vec<String>>
     let all = refused(Target::Mitsuba, &scene);
     if all.is_empty() {
         let text = Target::Mitsuba.write("scene", "scene", &scene, "".as_ref());
-        let text = text.expect("nothing is refused").scenes.concat();
+        let text = text.expect("nothing is refused").text;
         let flips = text.lines().find(|it| it.contains("flip_normals"));
         return Ok(flips.is_some_and(|it| it.contains("true")));
     }
@@ -285,7 +285,7 @@ fn too_many_parts_are_counted() {
     ] {
         let alone = seen(PINHOLE, "", MATTE, &format!("shape.{it}\n{SUN}"));
         let text = Target::Pov.write("scene", "scene", &alone, "".as_ref()).expect("said");
-        let written = text.scenes.concat().matches("interior_texture").count();
+        let written = text.text.matches("interior_texture").count();
         assert_eq!(written, parts, "parts that are written of {it}");
         let copies = 200_000 / parts + 1;
         let many = format!("lattice = {{ of.{it}, counts = [{copies}, 1, 1], spacing = [3, 3, 3] }}");

@@ -10,7 +10,7 @@ pub struct Parts(Vec<String>);
 impl Parts {
     pub fn of(target: Target, scene: &Scene) -> Self {
         let exported = target.write("scene", "scene", scene, "".as_ref());
-        let text = exported.unwrap_or_else(|all| panic!("{all:?}")).scenes.concat();
+        let text = exported.unwrap_or_else(|all| panic!("{all:?}")).text;
         let mut parts = vec![String::new()];
         for line in text.lines().filter(|line| !line.starts_with("//")) {
             let last = parts.last_mut().expect("one");

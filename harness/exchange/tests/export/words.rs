@@ -43,7 +43,7 @@ fn written(target: Target, scene: &Scene) -> Result<String, String> {
         .map_err(|all| all.iter().map(|it| format!("{REFUSED}: {it}\n")).collect::<String>())?;
     let file = |(name, bytes)| format!("{name}:\n{}", String::from_utf8(bytes).expect("text"));
     let files: String = exported.files.into_iter().map(file).collect();
-    Ok(exported.scenes.concat() + &files)
+    Ok(exported.text + &files)
 }
 
 /// A golden of several texts: of each the lines that none before it has, with their long runs shortened.
@@ -135,15 +135,15 @@ fn cases_read_as_before() {
 
 fn cases() -> Vec<(&'static str, Scene)> {
     let (dark, unshadowed) = (shadows(), without(Term::Unshadowed, shadows()));
-    let [lit, lit_by_paths] = [passes(), Scene { tracer: PATH, ..passes() }];
+    let [lit, lit_by_paths] = [two_suns(), Scene { tracer: PATH, ..two_suns() }];
     vec![
         ("sides", sides(WHITTED)),
         ("sides, path", sides(PATH)),
         ("shadows", dark),
         ("unshadowed", unshadowed),
         ("still texture", still_texture()),
-        ("passes", lit),
-        ("passes, path", lit_by_paths),
+        ("two suns", lit),
+        ("two suns, path", lit_by_paths),
         ("sky", sky(WHITTED)),
         ("sky, path", sky(PATH)),
         ("glass", glass(TransparentShadows::Opaque)),
@@ -263,7 +263,7 @@ fn still_texture() -> Scene {
 }
 
 /// Two lights, and a background that lights nothing.
-fn passes() -> Scene {
+fn two_suns() -> Scene {
     let mut scene = empty(Tracer::RayCast);
     scene.background = rgb(0.5, 0.25, 0.125).into();
     scene.camera.exposure_time = 2.0;

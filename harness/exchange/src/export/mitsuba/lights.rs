@@ -6,7 +6,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Tracer;
 
 use super::Writer;
-use super::passes::{Pass, is_direction, samples_sky};
+use super::paths::{is_direction, samples_sky};
 use super::text::{float, plugin, point, rgb, vector};
 use crate::export::{How, item, kinds};
 
@@ -20,29 +20,11 @@ impl Writer<'_> {
         })
     }
 
-    /// The lights of these passes that cannot be said, and those that nothing blocks.
-    pub(super) fn refuse_lights(&mut self, passes: &[Pass]) {
-        let is_path = !matches!(self.scene.tracer, Tracer::RayCast | Tracer::Whitted(_));
-        let used = |index: usize| passes.iter().any(|pass| pass.lights.contains(&index));
-        for (index, light) in self.scene.lights.iter().enumerate().filter(|(_, it)| it.enabled) {
-            let is_ambient = matches!(light.source, Kind::Ambient(_) | Kind::AmbientOccluder(_));
-            // no path meets ambient light
-            if used(index) || is_ambient && !is_path {
-                self.light(&self.path(index), &light.source);
-            }
-            if used(index) && !light.shadows && (is_direction(light) || !is_path) {
-                let problem = "everything blocks light there; --without unshadowed gives such lights shadows on both sides";
-                self.refuse(format!("{}: shadows", item("lights", index, &light.name)), problem);
-            }
-        }
-        self.refuse_unshadowed(passes);
-    }
-
     /// Objects and materials that cast no shadows.
-    fn refuse_unshadowed(&mut self, passes: &[Pass]) {
+    fn refuse_unshadowed(&mut self) {
         let is_path = !matches!(self.scene.tracer, Tracer::RayCast | Tracer::Whitted(_));
         let blocked = |index: &usize| !is_path || is_direction(&self.scene.lights[*index]);
-        if !passes.iter().any(|pass| pass.is_lit && pass.lights.iter().any(blocked)) {
+        if !self.paths.is_lit || !self.paths.lights.iter().any(blocked) {
             return;
         }
         let problem =
@@ -110,36 +92,44 @@ impl Writer<'_> {
         }
     }
 
-    /// The emitters that are no shapes.
+    /// The emitters that are no shapes. Lights that cannot be said and those that nothing blocks are refused.
     ///
     /// - `constant`: the radiance of rays that hit nothing, as ours. Where ours is drawn from by the cosine, its directions
     ///   are those of the material there too: `sampling_weight` is 0.
-    pub(super) fn emitters(&mut self, pass: &Pass) -> String {
+    pub(super) fn emitters(&mut self) -> String {
+        let (scene, lights) = (self.scene, self.paths.lights.clone());
+        let is_path = !matches!(scene.tracer, Tracer::RayCast | Tracer::Whitted(_));
         let mut emitters = Vec::new();
-        let scene = self.scene;
-        let is_sampled = samples_sky(scene);
-        for index in &pass.lights {
-            emitters.extend(self.light(&self.path(*index), &scene.lights[*index].source).1);
+        for (index, light) in scene.lights.iter().enumerate().filter(|(_, it)| it.enabled) {
+            let is_used = lights.contains(&index);
+            let is_ambient = matches!(light.source, Kind::Ambient(_) | Kind::AmbientOccluder(_));
+            // no path meets ambient light
+            if is_used || is_ambient && !is_path {
+                emitters.extend(self.light(&self.path(index), &light.source).1);
+            }
+            if is_used && !light.shadows && (is_direction(light) || !is_path) {
+                let problem = "everything blocks light there; --without unshadowed gives such lights shadows on both sides";
+                self.refuse(format!("{}: shadows", item("lights", index, &light.name)), problem);
+            }
         }
-        if pass.has_background {
-            match scene.background {
-                Background::Color(color) if color.is_black() => {}
-                Background::Color(color) => {
-                    let weight = float("sampling_weight", f64::from(is_sampled));
-                    let inner = [rgb("radiance", self.exposed(color)), weight];
-                    let is_lamp =
-                        |index: &usize| matches!(scene.lights[*index].source, Kind::Area(_));
-                    let is_alone = emitters.is_empty() && !pass.lights.iter().any(is_lamp);
-                    emitters.push(plugin("emitter", "constant", &inner));
-                    if is_alone && !is_sampled {
-                        // a black lamp takes the samples
-                        let inner = [rgb("intensity", Rgb::BLACK)];
-                        emitters.push(plugin("emitter", "point", &inner));
-                    }
+        self.refuse_unshadowed();
+        match scene.background {
+            Background::Color(color) if color.is_black() => {}
+            Background::Color(color) => {
+                let is_sampled = samples_sky(scene);
+                let weight = float("sampling_weight", f64::from(is_sampled));
+                let inner = [rgb("radiance", self.exposed(color)), weight];
+                let is_lamp = |index: &usize| matches!(scene.lights[*index].source, Kind::Area(_));
+                let is_alone = emitters.is_empty() && !lights.iter().any(is_lamp);
+                emitters.push(plugin("emitter", "constant", &inner));
+                if is_alone && !is_sampled {
+                    // a black lamp takes the samples
+                    let inner = [rgb("intensity", Rgb::BLACK)];
+                    emitters.push(plugin("emitter", "point", &inner));
                 }
-                Background::Pattern(_) => {
-                    self.refuse("background", "a pattern; only a colour can be said");
-                }
+            }
+            Background::Pattern(_) => {
+                self.refuse("background", "a pattern; only a colour can be said");
             }
         }
         emitters.join("\n")

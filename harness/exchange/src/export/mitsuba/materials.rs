@@ -6,7 +6,6 @@ use groundtruth::scene::{Tracer, TransparentShadows};
 use groundtruth::textures::{self, Amount, Paint};
 
 use super::Writer;
-use super::passes::Pass;
 use super::text::{float, plugin, rgb, word};
 use super::textures::Cells;
 use crate::export::leaves::Leaves;
@@ -206,17 +205,16 @@ impl Writer<'_> {
     }
 
     /// The materials of one colour, which shapes name.
-    pub(super) fn bsdfs(&mut self, pass: &Pass) -> String {
-        let mut all = Vec::new();
+    pub(super) fn bsdfs(&mut self) -> String {
+        let (mut all, is_lit) = (Vec::new(), self.paths.is_lit);
         for (index, look) in &self.looks {
-            if pass.is_lit && !look.mirror.is_black() && look.mirror.max() + look.brightest() > 1.0
-            {
+            if is_lit && !look.mirror.is_black() && look.mirror.max() + look.brightest() > 1.0 {
                 let path = item("materials", *index, &self.scene.materials[*index].name);
                 let problem = "a mirror and a matte base that reflect more than all light together";
                 self.unsupported.push(Unsupported { path, problem: problem.to_owned() });
             }
             if let Diffuse::Plain(color) = look.diffuse {
-                let bsdf = look.bsdf(&rgb("reflectance", look.factor(pass) * color), pass);
+                let bsdf = look.bsdf(&rgb("reflectance", look.factor(is_lit) * color), is_lit);
                 all.push(bsdf.replacen("<bsdf ", &format!("<bsdf id=\"m{index}\" "), 1));
             }
         }
@@ -234,8 +232,8 @@ impl Look {
     }
 
     /// The share of the mirror in what is reflected.
-    fn mirrored(&self, pass: &Pass) -> f64 {
-        let diffuse = if pass.is_lit { self.brightest() } else { 0.0 };
+    fn mirrored(&self, is_lit: bool) -> f64 {
+        let diffuse = if is_lit { self.brightest() } else { 0.0 };
         match self.mirror.max() {
             0.0 => 0.0,
             mirrored => mirrored / (mirrored + diffuse),
@@ -243,8 +241,8 @@ impl Look {
     }
 
     /// By what the diffuse reflectance is multiplied: see [`Look::bsdf`].
-    pub fn factor(&self, pass: &Pass) -> f64 {
-        match self.mirrored(pass) {
+    pub fn factor(&self, is_lit: bool) -> f64 {
+        match self.mirrored(is_lit) {
             1.0 => 1.0,
             share => 1.0 / (1.0 - share),
         }
@@ -254,14 +252,14 @@ impl Look {
     ///
     /// A mirror over a matte base is a blend of both, w · mirror + (1 − w) · diffuse: so each is divided by its share, and w
     /// is the mirror's part of what is reflected. Matte surfaces have a front only, mirrors both sides.
-    pub fn bsdf(&self, reflectance: &str, pass: &Pass) -> String {
+    pub fn bsdf(&self, reflectance: &str, is_lit: bool) -> String {
         if let Some([inside, outside]) = self.glass {
             let inner = [float("int_ior", inside), float("ext_ior", outside)];
             return plugin("bsdf", "dielectric", &inner);
         }
-        let share = self.mirrored(pass);
+        let share = self.mirrored(is_lit);
         let black = || plugin("bsdf", "diffuse", &[rgb("reflectance", Rgb::BLACK)]);
-        let base = match pass.is_lit && self.brightest() > 0.0 {
+        let base = match is_lit && self.brightest() > 0.0 {
             true => plugin("bsdf", "diffuse", &[reflectance.to_owned()]),
             false => black(),
         };

@@ -1,12 +1,12 @@
 //! The XML of Mitsuba 3.
 //!
 //! Its formulas are those of its documentation ("Plugin reference"); each factor is derived where it is written. A scene
-//! becomes one text, or several whose pictures are to be added: see `passes`.
+//! becomes one text, and files of its meshes.
 
 mod camera;
 mod lights;
 mod materials;
-mod passes;
+mod paths;
 mod planes;
 mod ply;
 mod render;
@@ -21,13 +21,13 @@ use groundtruth::kinds::Resources;
 use groundtruth::printable;
 use groundtruth::scene::{Intersect, Scene};
 
-pub use passes::is_noiseless;
+pub use paths::is_noiseless;
 pub use render::Mitsuba;
 
 use super::leaves::Leaves;
 use super::{AnyKind, Exported, How, Target, Unsupported};
 use materials::Look;
-use passes::Pass;
+use paths::Paths;
 use pictures::xml::comment;
 use shapes::Placed;
 use text::{boolean, integer, plugin};
@@ -39,6 +39,7 @@ struct Writer<'a> {
     /// The names of further files begin with this.
     stem: &'a str,
     resources: Resources,
+    paths: Paths,
     /// What the materials of the leaves do, by their indices.
     looks: BTreeMap<usize, Look>,
     files: Vec<(String, Vec<u8>)>,
@@ -58,35 +59,20 @@ pub fn write(
     let leaves = Leaves::of(scene, Target::Mitsuba);
     let mut writer = Writer::new(stem, scene, folder);
     writer.refuse_settings();
-    let passes = writer.passes(&leaves);
+    writer.paths = writer.paths(&leaves);
     let (_, sensor) = writer.sensor();
-    writer.refuse_lights(&passes);
+    let emitters = writer.emitters();
     writer.looks(&leaves);
-    let mut scenes = Vec::new();
-    for (index, pass) in passes.iter().enumerate() {
-        let head = writer.header(name, [index + 1, passes.len()]);
-        let parts = [
-            integrator(pass),
-            sensor.clone(),
-            writer.emitters(pass),
-            writer.bsdfs(pass),
-            writer.shapes(&leaves, pass),
-        ];
-        scenes.push(format!("{head}{}\n</scene>\n", parts.join("\n")));
-        if index == 0 {
-            writer.unsupported.extend(leaves.unsupported.iter().cloned());
-        }
-    }
-    let mut unsupported: Vec<Unsupported> = Vec::new();
-    for it in writer.unsupported {
-        // each pass says it again
-        if !unsupported.contains(&it) {
-            unsupported.push(it);
-        }
-    }
-    match unsupported.is_empty() {
-        true => Ok(Exported { scenes, files: writer.files }),
-        false => Err(unsupported),
+    let head = writer.header(name);
+    let parts =
+        [integrator(&writer.paths), sensor, emitters, writer.bsdfs(), writer.shapes(&leaves)];
+    writer.unsupported.extend(leaves.unsupported);
+    match writer.unsupported.is_empty() {
+        true => Ok(Exported {
+            text: format!("{head}{}\n</scene>\n", parts.join("\n")),
+            files: writer.files,
+        }),
+        false => Err(writer.unsupported),
     }
 }
 
@@ -96,8 +82,7 @@ pub(super) fn how(scene: &Scene, kind: &AnyKind) -> How {
     match kind {
         AnyKind::Shape(_) => {
             let leaf = &Leaves::of(scene, Target::Mitsuba).all[0];
-            let (look, pass) = (Look::default(), Pass::default());
-            writer.shape(&Placed { index: 0, leaf, look: &look, pass: &pass }).0
+            writer.shape(&Placed { index: 0, leaf, look: &Look::default() }).0
         }
         AnyKind::Material(it) => writer.look("", it).0,
         AnyKind::Light(it) => writer.light("", it).0,
@@ -107,10 +92,10 @@ pub(super) fn how(scene: &Scene, kind: &AnyKind) -> How {
 }
 
 /// Paths of at most so many edges.
-fn integrator(pass: &Pass) -> String {
-    let mut inner = vec![integer("max_depth", pass.edges)];
-    if !pass.has_roulette {
-        inner.push(integer("rr_depth", pass.edges + 1));
+fn integrator(paths: &Paths) -> String {
+    let mut inner = vec![integer("max_depth", paths.edges)];
+    if !paths.has_roulette {
+        inner.push(integer("rr_depth", paths.edges + 1));
     }
     inner.push(boolean("hide_emitters", false));
     plugin("integrator", "path", &inner)
@@ -122,6 +107,7 @@ impl<'a> Writer<'a> {
             scene,
             stem,
             resources: Resources::new(folder),
+            paths: Paths::default(),
             looks: BTreeMap::new(),
             files: Vec::new(),
             unsupported: Vec::new(),
@@ -149,14 +135,8 @@ impl<'a> Writer<'a> {
         }
     }
 
-    fn header(&self, name: &str, [index, count]: [usize; 2]) -> String {
+    fn header(&self, name: &str) -> String {
         let about = format!("{}: {}", printable::text(name), printable::text(&self.scene.about));
-        let mut lines = vec![comment(&about)];
-        if count > 1 {
-            lines
-                .push(comment(&format!("{index} of {count}: the pictures of all are to be added")));
-        }
-        lines.push("<scene version=\"3.0.0\">\n".to_owned());
-        lines.join("\n")
+        format!("{}\n<scene version=\"3.0.0\">\n", comment(&about))
     }
 }

@@ -8,7 +8,7 @@ use crate::export::{Exported, program};
 use pictures::compare::{Picture, Transfer};
 use pictures::running::{last_lines, run};
 
-/// What renders the scenes.
+/// What renders the scene.
 const SCRIPT: &str = include_str!("render.py");
 
 /// A Python that has the module.
@@ -40,7 +40,7 @@ impl Mitsuba {
         Ok(Self { file, version })
     }
 
-    /// Renders a scene in a folder, and adds its pictures.
+    /// Renders a scene in a folder.
     ///
     /// # Errors
     /// It cannot be started, takes longer than the limit, or fails.
@@ -57,35 +57,14 @@ impl Mitsuba {
         write("render.py", SCRIPT.as_bytes())?;
         said.files.iter().try_for_each(|(name, bytes)| write(name, bytes))?;
         let mut command = Command::new(&self.file);
-        command.current_dir(folder).arg("render.py");
-        for (index, text) in said.scenes.iter().enumerate() {
-            let name = format!("scene-{index}.xml");
-            write(&name, text.as_bytes())?;
-            command.args([name, format!("scene-{index}.exr")]);
-        }
+        command.current_dir(folder).args(["render.py", "scene.xml", "scene.exr"]);
+        write("scene.xml", said.text.as_bytes())?;
         let run = run(&mut command, limit).map_err(|e| problem(&e))?;
         if !run.status.success() {
             let last = last_lines(&run.messages);
             return Err(problem(&format!("no picture ({}):\n  {last}", run.status)));
         }
-        let mut sum: Option<Picture> = None;
-        for index in 0..said.scenes.len() {
-            let file = folder.join(format!("scene-{index}.exr"));
-            let picture = Picture::read(&file, Some(Transfer::Linear))
-                .map_err(|e| problem(&e.to_string()))?;
-            sum = Some(match sum {
-                Some(sum) => added(sum, &picture),
-                None => picture,
-            });
-        }
-        sum.ok_or_else(|| problem("there is no scene to be rendered"))
+        let picture = Picture::read(&folder.join("scene.exr"), Some(Transfer::Linear));
+        picture.map_err(|e| problem(&e.to_string()))
     }
-}
-
-/// The sum of two pictures of one size.
-fn added(mut sum: Picture, picture: &Picture) -> Picture {
-    for (sum, value) in sum.values.iter_mut().zip(&picture.values) {
-        *sum = std::array::from_fn(|channel| sum[channel] + value[channel]);
-    }
-    sum
 }

@@ -7,7 +7,6 @@ use groundtruth::shapes::{Cuboid, Disk, Kind, OpenCylinder, Sphere, TriangleMesh
 
 use super::Writer;
 use super::materials::Diffuse;
-use super::passes::Pass;
 use super::text::{boolean, float, matrix, plugin, point, rgb, rows, word};
 use super::textures::Face;
 use super::{Look, ply};
@@ -22,7 +21,7 @@ const IN_A_FILE: &str = "flat, in a file beside the scene";
 
 impl Writer<'_> {
     /// All objects, in leaves.
-    pub(super) fn shapes(&mut self, leaves: &Leaves<'_>, pass: &Pass) -> String {
+    pub(super) fn shapes(&mut self, leaves: &Leaves<'_>) -> String {
         let mut all = Vec::new();
         for (index, leaf) in leaves.all.iter().enumerate() {
             let middle = leaf.map.point(Point::ORIGIN).to_vector().max_abs();
@@ -36,7 +35,7 @@ impl Writer<'_> {
             }
             // without a look its material is refused already
             if let Some(look) = self.looks.get(&leaf.material).cloned() {
-                all.extend(self.shape(&Placed { index, leaf, look: &look, pass }).1);
+                all.extend(self.shape(&Placed { index, leaf, look: &look }).1);
             }
         }
         all.join("\n")
@@ -78,12 +77,10 @@ impl Writer<'_> {
         }
     }
 
-    /// The radiance that a leaf sends out in this pass. An object that is a lamp is dark where its light is off.
+    /// The radiance that a leaf sends out. An object that is a lamp is dark where its light is off.
     fn emission(&self, at: &Placed<'_>) -> Rgb {
-        let shines = match self.lamp_of(at.leaf.object) {
-            Some(light) => at.pass.lights.contains(&light),
-            None => at.pass.has_emission,
-        };
+        let lamp = self.lamp_of(at.leaf.object);
+        let shines = lamp.is_none_or(|light| self.paths.lights.contains(&light));
         if shines { self.exposed(at.look.emission) } else { Rgb::BLACK }
     }
 
@@ -106,8 +103,8 @@ impl Writer<'_> {
             Diffuse::Plain(_) => inner.push(format!("<ref id=\"m{}\"/>", at.leaf.material)),
             // the texture of a face is written with it
             Diffuse::Textured(..) if kind == "rectangle" => {}
-            Diffuse::Textured(..) if !at.pass.is_lit => {
-                inner.push(at.look.bsdf("", at.pass));
+            Diffuse::Textured(..) if !self.paths.is_lit => {
+                inner.push(at.look.bsdf("", self.paths.is_lit));
             }
             Diffuse::Textured(..) => {
                 self.refuse(&at.leaf.path, "a checker on a surface that is not flat, or a disk");
@@ -212,15 +209,16 @@ impl Writer<'_> {
         let flips = self.seen_from_behind(*corner, n, at).unwrap_or(false);
         let middle = *corner + 0.5 * (*a + *b);
         let mut inner = vec![matrix("to_world", rows([0.5 * *a, 0.5 * *b, n], middle))];
-        if let (Diffuse::Textured(kd, kind), true) = (&at.look.diffuse, at.pass.is_lit) {
+        if let (Diffuse::Textured(kd, kind), true) = (&at.look.diffuse, self.paths.is_lit) {
             let back = at.leaf.texture.inverse();
             let Flat { corner, a, b } = *painted;
             let face = Face { corner: back.point(corner), a: back.vector(a), b: back.vector(b) };
             let path = format!("{}: the texture of its material", at.leaf.path);
-            let texture = self.texture(&path, kind, kd * at.look.factor(at.pass), &face)?;
-            inner.push(at.look.bsdf(&texture, at.pass));
+            let texture =
+                self.texture(&path, kind, kd * at.look.factor(self.paths.is_lit), &face)?;
+            inner.push(at.look.bsdf(&texture, self.paths.is_lit));
         } else if at.is_textured() {
-            inner.push(at.look.bsdf("", at.pass));
+            inner.push(at.look.bsdf("", self.paths.is_lit));
         }
         Some(self.element("rectangle", inner, flips, at))
     }
@@ -239,9 +237,7 @@ impl Writer<'_> {
             self.refuse(&at.leaf.path, problem);
         }
         let name = format!("{}-{}.ply", self.stem, at.index);
-        if !self.files.iter().any(|(known, _)| *known == name) {
-            self.files.push((name.clone(), ply::of_triangles(corners, triangles, &at.leaf.map)));
-        }
+        self.files.push((name.clone(), ply::of_triangles(corners, triangles, &at.leaf.map)));
         let inner = vec![word("filename", &name), boolean("face_normals", true)];
         vec![self.element("ply", inner, false, at)]
     }
@@ -294,7 +290,7 @@ impl Writer<'_> {
             _ => camera.eye - camera.look_at,
         };
         let has_lens = matches!(camera.lens, cameras::Kind::ThinLens(_));
-        if has_lens || at.pass.edges > 1 {
+        if has_lens || self.paths.edges > 1 {
             self.refuse(
                 &at.leaf.path,
                 "a lamp that shines on both sides, of which rays may see both",
@@ -304,12 +300,11 @@ impl Writer<'_> {
     }
 }
 
-/// A leaf in a pass.
+/// A leaf with its look.
 pub(super) struct Placed<'a> {
     pub index: usize,
     pub leaf: &'a Leaf,
     pub look: &'a Look,
-    pub pass: &'a Pass,
 }
 
 impl Placed<'_> {

@@ -64,12 +64,12 @@ sphere { <0, 0, 0>, 3 texture { front_0 } interior_texture { back_0 } }
 sphere { <0, 0, 0>, 1 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 11, 0, 0> texture { front_0 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 10, 0, 0> } interior_texture { back_0 matrix <1, 0, 0, 0, 1, 0, 0, 0, 1, 10, 0, 0> } }
   texture { back_1 } interior_texture { front_1 } }
 
-== passes (21 lines stand above)
+== two suns (21 lines stand above)
 #declare exposure = 2;
 background { rgb exposure*<0.5, 0.25, 0.125> }
 light_source { <0, 1000000, 0> rgb exposure*<2, 2, 2> parallel point_at <0, 0, 0> }
 
-== passes, path (0 lines stand above)
+== two suns, path (0 lines stand above)
 refused: tracer: a path tracer; POV-Ray adds up direct light and mirror images, as ray_cast and whitted do
 
 == sky (0 lines stand above)
