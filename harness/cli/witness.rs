@@ -5,13 +5,13 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::ValueEnum;
-use exchange::export::{Exported, Target, Term, exposure, listed, mitsuba, pov};
+use exchange::export::{Exported, Renderer, Target, Term, exposure, listed, mitsuba};
 use groundtruth::filters;
 use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use judge::verdict::RayTolerance;
-use pictures::compare::{Picture, Transfer};
+use pictures::compare::Picture;
 
 use super::scene::SceneArguments;
 
@@ -48,12 +48,6 @@ pub struct Witnessed {
     pub explained_with: String,
 }
 
-/// The program that was found.
-enum Program {
-    Pov(pov::PovRay),
-    Mitsuba(mitsuba::Mitsuba),
-}
-
 /// Samples per pixel of both sides, if the user does not say.
 const SAMPLES: u32 = 64;
 
@@ -73,44 +67,12 @@ impl By {
         }
     }
 
-    fn find(self, program: Option<PathBuf>) -> Result<Program, String> {
-        match self {
-            Self::Pov => pov::PovRay::find(program).map(Program::Pov),
-            Self::Mitsuba => mitsuba::Mitsuba::find(program).map(Program::Mitsuba),
-        }
-    }
-
     /// Whether both sides have a picture without noise: POV-Ray always, Mitsuba if nothing in the scene is random.
     fn is_noiseless(self, scene: &Scene) -> bool {
         match self {
             Self::Pov => true,
             Self::Mitsuba => mitsuba::is_noiseless(scene),
         }
-    }
-}
-
-impl Program {
-    fn version(&self) -> String {
-        match self {
-            Self::Pov(it) => it.version().unwrap_or_else(|| Target::Pov.name().to_owned()),
-            Self::Mitsuba(it) => it.version.clone(),
-        }
-    }
-
-    fn render(
-        &self,
-        said: &Exported,
-        size: [u32; 2],
-        limit: Duration,
-    ) -> Result<Picture, Box<dyn Error>> {
-        let folder = tempfile::tempdir()?;
-        Ok(match self {
-            Self::Pov(it) => Picture::read(
-                &it.render(&said.text, size, folder.path(), limit)?,
-                Some(Transfer::Linear),
-            )?,
-            Self::Mitsuba(it) => it.render(said, folder.path(), limit)?,
-        })
     }
 }
 
@@ -137,13 +99,14 @@ impl Request<'_> {
         if said(&scene).is_none() {
             return Ok(None);
         }
-        let program = self.by.find(self.program)?;
+        let program = Renderer::find(target, self.program)?;
         let exposure = if is_noiseless { exposure(&render::render(&build(&scene)?)) } else { 1.0 };
         scene.camera.exposure_time *= exposure;
         let Some(text) = said(&scene) else { return Ok(None) };
         let (world, size) = (build(&scene)?, [scene.image.width, scene.image.height]);
         scene.image.samples = world.samples_per_pixel();
-        let mut picture = program.render(&text, size, self.limit)?;
+        let at = tempfile::tempdir()?;
+        let mut picture = program.render(&text, size, at.path(), self.limit)?;
         let [width, height] = size;
         let rays = if is_noiseless {
             picture = picture.in_16_bits();

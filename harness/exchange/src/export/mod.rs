@@ -3,23 +3,26 @@
 //! [`kinds()`] is the table of what each kind becomes. [`pov`] writes the scene language of POV-Ray, [`mitsuba`] the XML of
 //! Mitsuba 3.
 
+mod checkers;
 mod exposure;
 pub mod kinds;
 pub mod leaves;
 pub mod mitsuba;
 mod parts;
 pub mod pov;
+mod renderer;
 mod target;
 mod without;
+mod writer;
 
 use std::fmt;
-use std::path::PathBuf;
 
 use groundtruth::printable;
 
 pub use exposure::exposure;
 pub use kinds::{AnyKind, How, Row, kinds};
 pub use leaves::Leaf;
+pub use renderer::Renderer;
 pub use target::{Exported, Target};
 pub use without::Term;
 
@@ -57,27 +60,4 @@ pub(crate) fn item(list: &str, index: usize, name: &str) -> String {
 pub(crate) fn number(number: f64) -> String {
     let is_short = number == 0.0 || (1e-6..1e15).contains(&number.abs());
     if is_short { format!("{number}") } else { format!("{number:e}") }
-}
-
-/// A program of this name: `given`, or the first of the folders in `PATH` that has it.
-///
-/// # Errors
-/// There is none; the message says what to install or write.
-pub fn program(name: &str, given: Option<PathBuf>, package: &str) -> Result<PathBuf, String> {
-    // it is started in another folder
-    let absolute = |file: PathBuf| std::path::absolute(&file).unwrap_or(file);
-    if let Some(given) = given {
-        return match given.is_file() {
-            true => Ok(absolute(given)),
-            false => Err(format!("--program {}: there is no such file", given.display())),
-        };
-    }
-    let folders = std::env::var_os("PATH").unwrap_or_default();
-    let found = std::env::split_paths(&folders).map(|it| it.join(name)).find(|it| it.is_file());
-    found.map(absolute).ok_or_else(|| {
-        format!(
-            "there is no program `{name}` on the path; install it (Debian: `apt-get install {package}`), or give its \
-             file with --program"
-        )
-    })
 }

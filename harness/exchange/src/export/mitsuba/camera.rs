@@ -21,13 +21,8 @@ impl Writer<'_> {
     /// - `thinlens`: the same, with `aperture_radius` R and `focus_distance` f, which is measured along the axis too.
     /// - `orthographic`: the width is from −1 to 1 along its x; so x and y are scaled by width / (2 · zoom).
     pub(super) fn sensor(&mut self) -> (How, String) {
+        let view = self.view();
         let camera = &self.scene.camera;
-        if !camera.handedness.is_right() {
-            self.refuse("camera.handedness", "a mirrored picture; export the scene without it");
-        }
-        if camera.stereo.is_some() {
-            self.refuse("camera.stereo", "two images; export the scene without it");
-        }
         if !camera.medium.absorption.is_black() {
             self.refuse("camera.medium", "Mitsuba's camera is in a clear medium");
         }
@@ -53,13 +48,7 @@ impl Writer<'_> {
                 return (how, String::new());
             }
         };
-        let view = match camera.build(film) {
-            Ok(view) => view,
-            Err(problem) => {
-                self.refuse("camera", problem.to_string());
-                return (How::Exact(""), String::new());
-            }
-        };
+        let Some(view) = view else { return (How::Exact(""), String::new()) };
         let (frame, eye) = (view.frame(), view.eye(Side::Left).position());
         let axes = [-scale * frame.u, scale * frame.v, -frame.w];
         let size = (camera.eye - camera.look_at).length();

@@ -8,7 +8,7 @@ use groundtruth::scene::Tracer;
 use super::Writer;
 use super::paths::{is_direction, samples_sky};
 use super::text::{float, plugin, point, rgb, vector};
-use crate::export::{How, item, kinds};
+use crate::export::{How, item};
 
 impl Writer<'_> {
     /// The index of the light of an object.
@@ -24,7 +24,7 @@ impl Writer<'_> {
     fn refuse_unshadowed(&mut self) {
         let is_path = !matches!(self.scene.tracer, Tracer::RayCast | Tracer::Whitted(_));
         let blocked = |index: &usize| !is_path || is_direction(&self.scene.lights[*index]);
-        if !self.paths.is_lit || !self.paths.lights.iter().any(blocked) {
+        if !self.own.paths.is_lit || !self.own.paths.lights.iter().any(blocked) {
             return;
         }
         let problem =
@@ -46,12 +46,6 @@ impl Writer<'_> {
                 );
             }
         }
-    }
-
-    /// The place of a light's source.
-    fn path(&self, index: usize) -> String {
-        let light = &self.scene.lights[index];
-        format!("{}: source.{}", item("lights", index, &light.name), kinds::tag(&light.source))
     }
 
     /// How a light is exported, and its emitter, unless that is a shape or the sky.
@@ -97,7 +91,7 @@ impl Writer<'_> {
     /// - `constant`: the radiance of rays that hit nothing, as ours. Where ours is drawn from by the cosine, its directions
     ///   are those of the material there too: `sampling_weight` is 0.
     pub(super) fn emitters(&mut self) -> String {
-        let (scene, lights) = (self.scene, self.paths.lights.clone());
+        let (scene, lights) = (self.scene, self.own.paths.lights.clone());
         let is_path = !matches!(scene.tracer, Tracer::RayCast | Tracer::Whitted(_));
         let mut emitters = Vec::new();
         for (index, light) in scene.lights.iter().enumerate().filter(|(_, it)| it.enabled) {
@@ -105,7 +99,7 @@ impl Writer<'_> {
             let is_ambient = matches!(light.source, Kind::Ambient(_) | Kind::AmbientOccluder(_));
             // no path meets ambient light
             if is_used || is_ambient && !is_path {
-                emitters.extend(self.light(&self.path(index), &light.source).1);
+                emitters.extend(self.light(&self.light_path(index), &light.source).1);
             }
             if is_used && !light.shadows && (is_direction(light) || !is_path) {
                 let problem = "everything blocks light there; --without unshadowed gives such lights shadows on both sides";
@@ -128,9 +122,7 @@ impl Writer<'_> {
                     emitters.push(plugin("emitter", "point", &inner));
                 }
             }
-            Background::Pattern(_) => {
-                self.refuse("background", "a pattern; only a colour can be said");
-            }
+            Background::Pattern(_) => {} // refused
         }
         emitters.join("\n")
     }

@@ -1,15 +1,16 @@
 //! The materials.
 
-use groundtruth::materials::{Dielectric, Emissive, Kind, Matte, Phong, Reflective};
+use groundtruth::materials::{Dielectric, Kind};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Tracer, TransparentShadows};
 use groundtruth::textures::{self, Amount, Paint};
 
 use super::Writer;
 use super::text::{float, plugin, rgb, word};
-use super::textures::Cells;
+use crate::export::checkers::Cells;
 use crate::export::leaves::Leaves;
-use crate::export::{How, Unsupported, item, kinds};
+use crate::export::writer::{MattePart, matte_part};
+use crate::export::{How, item};
 
 /// What a surface does.
 #[derive(Clone, Debug, Default)]
@@ -41,119 +42,83 @@ impl Default for Diffuse {
     }
 }
 
+/// Why a highlight is refused: Mitsuba's `phong` is not the book's.
+const HIGHLIGHT: &str =
+    "Mitsuba has no such highlight; --without phong leaves it out on both sides";
+
 /// Whether a material scatters light in all directions.
 pub fn is_diffuse(recipe: &Kind) -> bool {
-    let is_some = |kd: &Amount| !matches!(kd, Amount::Plain(0.0));
-    match recipe {
-        Kind::Matte(it) => is_some(&it.kd),
-        Kind::Phong(it) => is_some(&it.kd),
-        Kind::Reflective(it) => is_some(&it.phong.kd),
-        Kind::GlossyReflector(it) => is_some(&it.phong.kd),
-        Kind::Transparent(it) => is_some(&it.phong.kd),
-        Kind::Dielectric(it) => is_some(&it.phong.kd),
-        Kind::Emissive(it) => it.matte.as_ref().is_some_and(|matte| is_some(&matte.kd)),
-        _ => true,
-    }
+    let is_some = |(kd, _): (&Amount, _)| !matches!(kd, Amount::Plain(0.0));
+    matte_part(recipe).map_or(!matches!(recipe, Kind::Emissive(_)), is_some)
 }
 
 impl Writer<'_> {
     /// Reads the materials of the leaves.
     pub(super) fn looks(&mut self, leaves: &Leaves<'_>) {
         for index in leaves.materials() {
+            let path = self.recipe_path(index);
             let material = &self.scene.materials[index];
-            let path = item("materials", index, &material.name);
-            if material.bump.is_some() {
-                self.refuse(format!("{path}: bump"), "no counterpart");
-            }
-            let path = format!("{path}: recipe.{}", kinds::tag(&material.recipe));
             if let Some(look) = self.look(&path, &material.recipe).1 {
-                self.looks.insert(index, Look { is_two_sided: material.two_sided, ..look });
+                self.own.looks.insert(index, Look { is_two_sided: material.two_sided, ..look });
             }
         }
     }
 
     /// How a material is exported, and what it does; `None` if that cannot be said.
     pub(super) fn look(&mut self, path: &str, recipe: &Kind) -> (How, Option<Look>) {
-        match recipe {
-            Kind::Matte(it) => (How::Exact("a texture of `cd` only"), self.matte(path, it)),
-            Kind::Phong(it) => (How::Exact("if `ks` is 0"), self.phong(path, it)),
-            Kind::Reflective(it) => {
-                let note = "as `phong`; `kr` and `kd` together at most 1";
-                (How::Exact(note), self.reflective(path, it))
-            }
-            Kind::Emissive(it) => {
-                let note = "of one colour; a lamp for all surfaces";
-                (How::Exact(note), self.emissive(path, it))
-            }
-            Kind::Dielectric(it) => {
-                (How::Exact("clear, with `phong` black"), self.dielectric(path, it))
-            }
+        let note = match recipe {
+            Kind::Matte(_) => "a texture of `cd` only",
+            Kind::Phong(_) => "if `ks` is 0",
+            Kind::Reflective(_) => "as `phong`; `kr` and `kd` together at most 1",
+            Kind::Emissive(_) => "of one colour; a lamp for all surfaces",
+            Kind::Dielectric(_) => "clear, with `phong` black",
             Kind::Transparent(_) => {
-                (self.no_counterpart(path, "its shares do not depend on the angle"), None)
+                return (self.no_counterpart(path, "its shares do not depend on the angle"), None);
             }
-            _ => (self.no_counterpart(path, ""), None),
-        }
+            _ => return (self.no_counterpart(path, ""), None),
+        };
+        (How::Exact(note), self.surface(path, recipe))
     }
 
-    /// `diffuse` is reflectance / π · E, ours kd · cd / π · E.
-    fn matte(&mut self, path: &str, Matte { kd, cd, .. }: &Matte) -> Option<Look> {
-        let kd = self.amount(&format!("{path}.kd"), kd)?;
+    /// - `diffuse` is reflectance / π · E, ours kd · cd / π · E.
+    /// - `conductor` without a material reflects its `specular_reflectance`, ours kr · cr.
+    /// - `area` has the radiance ls · ce on its front, as ours.
+    /// - `dielectric` multiplies refracted radiance by 1/η², as ours.
+    fn surface(&mut self, path: &str, recipe: &Kind) -> Option<Look> {
+        let read = self.read(path, recipe, HIGHLIGHT);
+        let mut look = Look::default();
+        if let Kind::Dielectric(it) = recipe {
+            self.refuse_glass(path, it);
+            look.glass = Some([it.inside.eta, it.outside.eta]);
+        }
+        let read = read?;
+        if let Some(matte) = read.matte {
+            look.diffuse = self.diffuse(&matte)?;
+        }
+        look.mirror = self.reflectance(&format!("{path}.kr"), read.mirror)?;
+        if let Some((ls, ce)) = read.emission {
+            look.emission = ls * self.color(&format!("{path}.ce"), ce)?;
+        }
+        Some(look)
+    }
+
+    fn diffuse(&mut self, MattePart { path, kd, cd, .. }: &MattePart<'_>) -> Option<Diffuse> {
         let path = format!("{path}.cd");
-        let diffuse = match cd {
-            Paint::Textured(kind) if Cells::of(kind).1.is_some() => {
-                Diffuse::Textured(kd, (**kind).clone())
-            }
-            cd => Diffuse::Plain(self.reflectance(&path, kd, cd)?),
-        };
-        Some(Look { diffuse, ..Look::default() })
-    }
-
-    /// Mitsuba's `phong` is not the book's: the highlight is refused.
-    fn phong(&mut self, path: &str, phong: &Phong) -> Option<Look> {
-        let Phong { ka, kd, cd, ks, .. } = phong;
-        let ks = self.amount(&format!("{path}.ks"), ks);
-        if ks.is_some_and(|ks| ks > 0.0) {
-            let problem =
-                "Mitsuba has no such highlight; --without phong leaves it out on both sides";
-            self.refuse(format!("{path}.ks"), problem);
+        if let Paint::Textured(kind) = cd
+            && Cells::of(kind).is_some()
+        {
+            return Some(Diffuse::Textured(*kd, (**kind).clone()));
         }
-        self.matte(path, &Matte { ka: ka.clone(), kd: kd.clone(), cd: cd.clone() })
+        let color = self.color(&path, cd)?;
+        self.reflectance(&path, *kd * color).map(Diffuse::Plain)
     }
 
-    /// `conductor` without a material reflects its `specular_reflectance`, ours kr · cr; ray_cast does not see it.
-    fn reflective(&mut self, path: &str, it: &Reflective) -> Option<Look> {
-        let look = self.phong(&format!("{path}.phong"), &it.phong);
-        let kr = self.amount(&format!("{path}.kr"), &it.kr);
-        let mirror = self.reflectance(&format!("{path}.kr"), kr?, &it.cr)?;
-        let is_seen = !matches!(self.scene.tracer, Tracer::RayCast);
-        Some(Look { mirror: if is_seen { mirror } else { Rgb::BLACK }, ..look? })
-    }
-
-    /// `area` has the radiance ls · ce on its front, as ours.
-    fn emissive(&mut self, path: &str, it: &Emissive) -> Option<Look> {
-        let look = match &it.matte {
-            Some(matte) => self.matte(&format!("{path}.matte"), matte)?,
-            None => Look::default(),
-        };
-        let ls = self.amount(&format!("{path}.ls"), &it.ls)?;
-        let ce = self.color(&format!("{path}.ce"), &it.ce)?;
-        Some(Look { emission: ls * ce, ..look })
-    }
-
-    /// `dielectric` multiplies refracted radiance by 1/η², as ours.
-    fn dielectric(&mut self, path: &str, it: &Dielectric) -> Option<Look> {
-        let phong = self.phong(&format!("{path}.phong"), &it.phong);
+    /// What Mitsuba's glass does otherwise.
+    fn refuse_glass(&mut self, path: &str, it: &Dielectric) {
         if is_diffuse(&Kind::Phong(it.phong.clone())) {
             self.refuse(format!("{path}.phong.kd"), "glass is not matte there");
         }
-        for (side, medium) in [("inside", it.inside), ("outside", it.outside)] {
-            if !medium.absorption.is_black() {
-                self.refuse(
-                    format!("{path}.{side}.absorption"),
-                    "Mitsuba's glass is clear; --without absorption makes it so on both sides",
-                );
-            }
-        }
+        self.refuse_absorption(path, it, "Mitsuba's glass is clear");
         let transparency = self.scene.transparency;
         if transparency.shadows != TransparentShadows::default() {
             self.refuse(
@@ -167,33 +132,10 @@ impl Writer<'_> {
         if matches!(self.scene.tracer, Tracer::RayCast) {
             self.refuse(path, "ray_cast does not see through it, Mitsuba does");
         }
-        let glass = Some([it.inside.eta, it.outside.eta]);
-        Some(Look { glass, ..phong? })
     }
 
-    fn amount(&mut self, path: &str, amount: &Amount) -> Option<f64> {
-        match amount {
-            Amount::Plain(value) => Some(*value),
-            Amount::Textured(kind) => {
-                self.refuse(format!("{path}.{}", kinds::tag(kind)), "a texture");
-                None
-            }
-        }
-    }
-
-    pub(super) fn color(&mut self, path: &str, paint: &Paint) -> Option<Rgb> {
-        match paint {
-            Paint::Plain(color) => Some(*color),
-            Paint::Textured(kind) => {
-                self.refuse(format!("{path}.{}", kinds::tag(kind)), "a texture");
-                None
-            }
-        }
-    }
-
-    /// The product of a share and a colour, which Mitsuba takes up to 1.
-    pub(super) fn reflectance(&mut self, path: &str, share: f64, paint: &Paint) -> Option<Rgb> {
-        let reflectance = share * self.color(path, paint)?;
+    /// A reflectance, which Mitsuba takes up to 1.
+    pub(super) fn reflectance(&mut self, path: &str, reflectance: Rgb) -> Option<Rgb> {
         if reflectance.max() > 1.0 {
             self.refuse(
                 path,
@@ -206,12 +148,12 @@ impl Writer<'_> {
 
     /// The materials of one colour, which shapes name.
     pub(super) fn bsdfs(&mut self) -> String {
-        let (mut all, is_lit) = (Vec::new(), self.paths.is_lit);
-        for (index, look) in &self.looks {
+        let (mut all, is_lit) = (Vec::new(), self.own.paths.is_lit);
+        for (index, look) in &self.own.looks.clone() {
             if is_lit && !look.mirror.is_black() && look.mirror.max() + look.brightest() > 1.0 {
                 let path = item("materials", *index, &self.scene.materials[*index].name);
                 let problem = "a mirror and a matte base that reflect more than all light together";
-                self.unsupported.push(Unsupported { path, problem: problem.to_owned() });
+                self.refuse(path, problem);
             }
             if let Diffuse::Plain(color) = look.diffuse {
                 let bsdf = look.bsdf(&rgb("reflectance", look.factor(is_lit) * color), is_lit);

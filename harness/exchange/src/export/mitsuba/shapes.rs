@@ -1,15 +1,16 @@
 //! The shapes of Mitsuba for the leaves of the objects.
 
+use formats::meshes::{Encoding, MeshData, write_ply};
 use groundtruth::cameras;
 use groundtruth::math::{Frame, Normal, Point, Transform, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::shapes::{Cuboid, Disk, Kind, OpenCylinder, Sphere, TriangleMesh};
 
+use super::Look;
 use super::Writer;
 use super::materials::Diffuse;
 use super::text::{boolean, float, matrix, plugin, point, rgb, rows, word};
 use super::textures::Face;
-use super::{Look, ply};
 use crate::export::leaves::Leaves;
 use crate::export::{How, Leaf};
 
@@ -34,7 +35,7 @@ impl Writer<'_> {
                 continue;
             }
             // without a look its material is refused already
-            if let Some(look) = self.looks.get(&leaf.material).cloned() {
+            if let Some(look) = self.own.looks.get(&leaf.material).cloned() {
                 all.extend(self.shape(&Placed { index, leaf, look: &look }).1);
             }
         }
@@ -80,7 +81,7 @@ impl Writer<'_> {
     /// The radiance that a leaf sends out. An object that is a lamp is dark where its light is off.
     fn emission(&self, at: &Placed<'_>) -> Rgb {
         let lamp = self.lamp_of(at.leaf.object);
-        let shines = lamp.is_none_or(|light| self.paths.lights.contains(&light));
+        let shines = lamp.is_none_or(|light| self.own.paths.lights.contains(&light));
         if shines { self.exposed(at.look.emission) } else { Rgb::BLACK }
     }
 
@@ -103,8 +104,8 @@ impl Writer<'_> {
             Diffuse::Plain(_) => inner.push(format!("<ref id=\"m{}\"/>", at.leaf.material)),
             // the texture of a face is written with it
             Diffuse::Textured(..) if kind == "rectangle" => {}
-            Diffuse::Textured(..) if !self.paths.is_lit => {
-                inner.push(at.look.bsdf("", self.paths.is_lit));
+            Diffuse::Textured(..) if !self.own.paths.is_lit => {
+                inner.push(at.look.bsdf("", self.own.paths.is_lit));
             }
             Diffuse::Textured(..) => {
                 self.refuse(&at.leaf.path, "a checker on a surface that is not flat, or a disk");
@@ -209,16 +210,16 @@ impl Writer<'_> {
         let flips = self.seen_from_behind(*corner, n, at).unwrap_or(false);
         let middle = *corner + 0.5 * (*a + *b);
         let mut inner = vec![matrix("to_world", rows([0.5 * *a, 0.5 * *b, n], middle))];
-        if let (Diffuse::Textured(kd, kind), true) = (&at.look.diffuse, self.paths.is_lit) {
+        if let (Diffuse::Textured(kd, kind), true) = (&at.look.diffuse, self.own.paths.is_lit) {
             let back = at.leaf.texture.inverse();
             let Flat { corner, a, b } = *painted;
             let face = Face { corner: back.point(corner), a: back.vector(a), b: back.vector(b) };
             let path = format!("{}: the texture of its material", at.leaf.path);
             let texture =
-                self.texture(&path, kind, kd * at.look.factor(self.paths.is_lit), &face)?;
-            inner.push(at.look.bsdf(&texture, self.paths.is_lit));
+                self.texture(&path, kind, kd * at.look.factor(self.own.paths.is_lit), &face)?;
+            inner.push(at.look.bsdf(&texture, self.own.paths.is_lit));
         } else if at.is_textured() {
-            inner.push(at.look.bsdf("", self.paths.is_lit));
+            inner.push(at.look.bsdf("", self.own.paths.is_lit));
         }
         Some(self.element("rectangle", inner, flips, at))
     }
@@ -236,8 +237,8 @@ impl Writer<'_> {
             let problem = "interpolated normals, which differ at silhouettes; --without smooth makes it flat on both sides";
             self.refuse(&at.leaf.path, problem);
         }
-        let name = format!("{}-{}.ply", self.stem, at.index);
-        self.files.push((name.clone(), ply::of_triangles(corners, triangles, &at.leaf.map)));
+        let name = format!("{}-{}.ply", self.own.stem, at.index);
+        self.own.files.push((name.clone(), ply(corners, triangles, &at.leaf.map)));
         let inner = vec![word("filename", &name), boolean("face_normals", true)];
         vec![self.element("ply", inner, false, at)]
     }
@@ -290,7 +291,7 @@ impl Writer<'_> {
             _ => camera.eye - camera.look_at,
         };
         let has_lens = matches!(camera.lens, cameras::Kind::ThinLens(_));
-        if has_lens || self.paths.edges > 1 {
+        if has_lens || self.own.paths.edges > 1 {
             self.refuse(
                 &at.leaf.path,
                 "a lamp that shines on both sides, of which rays may see both",
@@ -341,6 +342,19 @@ fn faces(it: &Cuboid) -> Vec<Flat> {
     let near = [[y, x], [z, y], [x, z]].map(|[a, b]| Flat { corner: min, a, b });
     let far = [[x, y], [y, z], [z, x]].map(|[a, b]| Flat { corner: max, a: -a, b: -b });
     near.into_iter().chain(far).collect()
+}
+
+/// The triangles after a map, as a file. The front is the side from which the corners run counter-clockwise, there and here;
+/// after a reflection they run the other way round.
+fn ply(corners: &[Point], triangles: &[[u32; 3]], map: &Transform) -> Vec<u8> {
+    let is_mirrored = map.determinant() < 0.0;
+    let turned = |&[a, b, c]: &[u32; 3]| if is_mirrored { [a, c, b] } else { [a, b, c] };
+    let mesh = MeshData {
+        vertices: corners.iter().map(|corner| map.point(*corner).to_array()).collect(),
+        triangles: triangles.iter().map(turned).collect(),
+        ..MeshData::default()
+    };
+    write_ply(&mesh, Encoding::Ascii)
 }
 
 /// The largest number of a shape; of planes, which are cut off, and of other kinds 0.

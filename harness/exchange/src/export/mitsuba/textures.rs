@@ -1,14 +1,13 @@
 //! The checkers, on flat surfaces.
 
 use groundtruth::math::{Point, Vector, floor};
-use groundtruth::textures::{Checker3d, Kind, Paint, PlaneChecker};
+use groundtruth::rgb::Rgb;
+use groundtruth::textures::{Kind, Paint};
 
 use super::Writer;
 use super::text::{matrix_of_uv, plugin, rgb};
 use crate::export::How;
-
-/// What our solid checker adds to `x / size`, so that no face lies on a border.
-const OFFSET: f64 = -0.000_187_453_738;
+use crate::export::checkers::Cells;
 
 /// A coordinate that changes by less than this part of a cell over a face is one number on it.
 const FLAT: f64 = 1e-9;
@@ -21,32 +20,12 @@ pub struct Face {
     pub b: Vector,
 }
 
-/// Checker cells of two colours along some axes.
-pub(super) struct Cells<'a> {
-    axes: &'a [usize],
-    size: f64,
-    offset: f64,
-    colors: [&'a Paint; 2],
-    has_lines: bool,
-}
-
-impl<'a> Cells<'a> {
-    /// How a texture of a colour is exported, and its cells; `None` if it is no checker.
-    pub fn of(kind: &'a Kind) -> (How, Option<Self>) {
-        match kind {
-            Kind::Checker3d(Checker3d { size, color1, color2 }) => {
-                let (axes, colors) = (&[0, 1, 2], [color1, color2]);
-                let cells = Self { axes, size: *size, offset: OFFSET, colors, has_lines: false };
-                (How::Exact("on flat surfaces along an axis; plain colours"), Some(cells))
-            }
-            Kind::PlaneChecker(PlaneChecker { size, color1, color2, outline_width, .. }) => {
-                let (axes, colors) = (&[0, 2], [color1, color2]);
-                let has_lines = *outline_width > 0.0;
-                let cells = Self { axes, size: *size, offset: 0.0, colors, has_lines };
-                (How::Exact("on flat surfaces; plain colours, no lines"), Some(cells))
-            }
-            _ => (How::None(""), None),
-        }
+/// How a texture of a colour is exported.
+pub(super) fn how(kind: &Kind) -> How {
+    match kind {
+        Kind::Checker3d(_) => How::Exact("on flat surfaces along an axis; plain colours"),
+        Kind::PlaneChecker(_) => How::Exact("on flat surfaces; plain colours, no lines"),
+        _ => How::None(""),
     }
 }
 
@@ -65,8 +44,8 @@ impl Writer<'_> {
         factor: f64,
         face: &Face,
     ) -> Option<String> {
-        let Cells { axes, size, offset, colors, has_lines } = Cells::of(kind).1?;
-        if has_lines {
+        let Cells { axes, size, offset, colors, lines } = Cells::of(kind)?;
+        if lines.is_some() {
             self.refuse(format!("{path}.outline_width"), "no lines can be said");
         }
         let along = |axis: usize| {
@@ -89,10 +68,7 @@ impl Writer<'_> {
             self.refuse(path, "a surface that no axis of the checker is perpendicular to");
             return None;
         };
-        let mut colors = [
-            self.reflectance(path, factor, colors[0])?,
-            self.reflectance(path, factor, colors[1])?,
-        ];
+        let mut colors = [self.cell(path, factor, colors[0])?, self.cell(path, factor, colors[1])?];
         if odd {
             colors.reverse();
         }
@@ -106,5 +82,9 @@ impl Writer<'_> {
             "<texture name=\"reflectance\" ",
             1,
         ))
+    }
+    fn cell(&mut self, path: &str, factor: f64, paint: &Paint) -> Option<Rgb> {
+        let color = self.color(path, paint)?;
+        self.reflectance(path, factor * color)
     }
 }

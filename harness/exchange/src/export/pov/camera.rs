@@ -31,13 +31,8 @@ impl Writer<'_> {
     /// - cylinder 1: sin(x · angle) right + y |up| up + cos(x · angle) direction, of unit axes. Ours has
     ///   2y tan(vertical_fov / 2) in place of y |up|.
     pub(super) fn camera(&mut self) -> How {
+        let view = self.view();
         let camera = &self.scene.camera;
-        if !camera.handedness.is_right() {
-            self.refuse("camera.handedness", "a mirrored picture; export the scene without it");
-        }
-        if camera.stereo.is_some() {
-            self.refuse("camera.stereo", "two images; export the scene without it");
-        }
         if camera.medium != Medium::default() {
             self.refuse("camera.medium", "POV-Ray's camera is in air");
         }
@@ -69,13 +64,10 @@ impl Writer<'_> {
                 return self.no_counterpart(format!("camera.lens.{}", kinds::tag(lens)), "");
             }
         };
-        match camera.build(film) {
-            Ok(view) => {
-                let Frame { u, v, w } = *view.frame();
-                let axes = [-direction * w, right * u, up * v];
-                self.line(&described(&word, view.eye(Side::Left).position(), axes));
-            }
-            Err(problem) => self.refuse("camera", problem.to_string()),
+        if let Some(view) = view {
+            let Frame { u, v, w } = *view.frame();
+            let axes = [-direction * w, right * u, up * v];
+            self.line(&described(&word, view.eye(Side::Left).position(), axes));
         }
         How::Exact("")
     }

@@ -44,7 +44,7 @@ impl Writer<'_> {
     pub(super) fn transparent(&mut self, path: &str, it: &Transparent) -> Option<String> {
         self.is_clear(path, &it.phong);
         let kr = self.amount(&format!("{path}.kr"), &it.kr);
-        let cr = self.paint(&format!("{path}.cr"), &it.cr);
+        let cr = self.color(&format!("{path}.cr"), &it.cr);
         let kt = self.amount(&format!("{path}.kt"), &it.kt)?;
         if kt <= 0.0 {
             let problem = "0: POV-Ray looks for total internal reflection only where light passes";
@@ -60,13 +60,8 @@ impl Writer<'_> {
     /// second where it is 1; `conserve_energy` lets 1 − R pass. These are our R and T.
     pub(super) fn dielectric(&mut self, path: &str, it: &Dielectric) -> Option<String> {
         self.is_clear(path, &it.phong);
-        for (side, medium) in [("inside", it.inside), ("outside", it.outside)] {
-            if !medium.absorption.is_black() {
-                let problem = "only clear glass can be said: POV-Ray adds up the absorption of all glass that a ray has \
-                               entered; --without absorption makes it clear on both sides";
-                self.refuse(format!("{path}.{side}.absorption"), problem);
-            }
-        }
+        let why = "only clear glass can be said: POV-Ray adds up the absorption of all glass that a ray has entered";
+        self.refuse_absorption(path, it, why);
         Some(texture(1.0, "reflection { rgb 0, rgb 1 fresnel } conserve_energy"))
     }
 
@@ -87,13 +82,13 @@ impl Writer<'_> {
     pub(super) fn add_to_body(&mut self, words: String, at: &Leaf) {
         let part =
             DielectricPart { words, object: at.object, casts_shadows: self.casts_shadows(at) };
-        self.bodies.entry(at.material).or_default().push(part);
+        self.own.bodies.entry(at.material).or_default().push(part);
     }
 
     /// Glass blocks all light of lamps, unless the scene says that it attenuates it, which has no counterpart.
     pub(super) fn refuse_attenuated_shadows(&mut self) {
         let is_attenuated = self.scene.transparency.shadows == TransparentShadows::Attenuated;
-        if is_attenuated && self.bodies.values().flatten().any(|part| part.casts_shadows) {
+        if is_attenuated && self.own.bodies.values().flatten().any(|part| part.casts_shadows) {
             let problem = "attenuated; POV-Ray's glass casts other shadows, or those of opaque bodies: write opaque";
             self.refuse("transparency.shadows", problem);
         }
@@ -106,7 +101,7 @@ impl Writer<'_> {
             Err(problem) => return self.refuse("the scene", problem.to_string()),
         };
         let mut boxes = Vec::new();
-        for (&body, parts) in &self.bodies {
+        for (&body, parts) in &self.own.bodies {
             let is_of = |object: &&PlacedObject| {
                 parts.iter().any(|part| part.object == object.index as usize)
             };
@@ -131,7 +126,7 @@ impl Writer<'_> {
     ///
     /// The shadow of a body is that of an opaque one, seen by no other ray: POV-Ray's own shadow of glass is bright.
     pub(super) fn bodies(&mut self) {
-        for (body, parts) in std::mem::take(&mut self.bodies) {
+        for (body, parts) in std::mem::take(&mut self.own.bodies) {
             let eta = match &self.scene.materials[body].recipe {
                 Kind::Dielectric(it) => it.inside.eta / it.outside.eta,
                 Kind::Transparent(it) => it.eta,

@@ -7,7 +7,7 @@ use groundtruth::scene::{Light, Scene};
 
 use super::Writer;
 use super::text::{number, rgb, vector};
-use crate::export::{How, item, kinds};
+use crate::export::How;
 
 /// What `fade_distance` to the power of `fade_power` is.
 const FADE: f64 = 1e-9;
@@ -30,8 +30,7 @@ impl Writer<'_> {
     pub(super) fn lights(&mut self) {
         let lights = self.scene.lights.iter().enumerate().filter(|(_, light)| light.enabled);
         for (index, light) in lights {
-            let path = item("lights", index, &light.name);
-            self.light(&format!("{path}: source.{}", kinds::tag(&light.source)), light);
+            self.light(&self.light_path(index), light);
         }
     }
 

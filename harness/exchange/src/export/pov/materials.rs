@@ -1,16 +1,17 @@
 //! The materials: a texture for each side of a surface.
 
-use groundtruth::materials::{Emissive, Kind, Matte, Phong, Reflective};
+use groundtruth::materials::Kind;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Material, Tracer};
-use groundtruth::textures::{self, Amount, Paint};
+use groundtruth::scene::Material;
+use groundtruth::textures::{self, Paint};
 
 use super::Writer;
 use super::text::{matrix, number, rgb};
 use crate::export::parts::random_color;
-use crate::export::{How, Leaf, item, kinds};
+use crate::export::writer::{MattePart, matte_part};
+use crate::export::{How, Leaf, kinds};
 
-/// Why a highlight is refused.
+/// Why a highlight is refused: POV-Ray's `phong` adds ks · (r·ωo)^e · colour, ours the same times cosθ.
 pub(super) const HIGHLIGHT: &str = "the highlight of POV-Ray is not multiplied by the cosine of the angle of incidence; --without phong leaves it out";
 
 /// What one side of a surface does.
@@ -52,30 +53,28 @@ impl Writer<'_> {
     /// Declares `front_N` and `back_N` of these materials.
     pub(super) fn materials(&mut self, used: &[usize]) {
         for &index in used {
+            let path = self.recipe_path(index);
             let material = &self.scene.materials[index];
-            let path = item("materials", index, &material.name);
-            if material.bump.is_some() {
-                self.refuse(format!("{path}: bump"), "no counterpart");
-            }
-            if self.is_glass(index) {
-                let Some(texture) = self.glass(&path, &material.recipe) else { continue };
-                self.line(&format!("#declare front_{index} = {texture}"));
-                self.line(&format!("#declare back_{index} = {texture}"));
-                continue;
-            }
-            let Some(front) = self.side(&path, &material.recipe).1 else { continue };
-            let back = if material.two_sided { front.clone() } else { front.back() };
-            self.line(&format!("#declare front_{index} = {}", front.texture()));
-            self.line(&format!("#declare back_{index} = {}", back.texture()));
+            let sides = match self.is_glass(index) {
+                true => {
+                    self.glass(&path, &material.recipe).map(|texture| [texture.clone(), texture])
+                }
+                false => self.side(&path, &material.recipe).1.map(|front| {
+                    let back = if material.two_sided { front.clone() } else { front.back() };
+                    [front.texture(), back.texture()]
+                }),
+            };
+            let Some([front, back]) = sides else { continue };
+            self.line(&format!("#declare front_{index} = {front}"));
+            self.line(&format!("#declare back_{index} = {back}"));
         }
     }
 
     /// The texture of glass, which is that of both sides.
     fn glass(&mut self, path: &str, recipe: &Kind) -> Option<String> {
-        let path = format!("{path}: recipe.{}", kinds::tag(recipe));
         match recipe {
-            Kind::Transparent(it) => self.transparent(&path, it),
-            Kind::Dielectric(it) => self.dielectric(&path, it),
+            Kind::Transparent(it) => self.transparent(path, it),
+            Kind::Dielectric(it) => self.dielectric(path, it),
             _ => None,
         }
     }
@@ -94,74 +93,33 @@ impl Writer<'_> {
 
     /// How a material is exported, and what its front does; `None` if that cannot be said.
     pub(super) fn side(&mut self, path: &str, recipe: &Kind) -> (How, Option<Side>) {
-        let path = format!("{path}: recipe.{}", kinds::tag(recipe));
-        match recipe {
-            Kind::Matte(it) => (How::Exact("a texture of `cd` only"), self.matte(&path, it)),
-            Kind::Phong(it) => {
-                let note = "if `ks` is 0: the highlight of POV-Ray has no cosine";
-                (How::Exact(note), self.phong(&path, it))
-            }
-            Kind::Reflective(it) => (How::Exact("as `phong`"), self.reflective(&path, it)),
-            Kind::Emissive(it) => (How::Exact("without `matte`"), self.emissive(&path, it)),
+        let note = match recipe {
+            Kind::Matte(_) => "a texture of `cd` only",
+            Kind::Phong(_) => "if `ks` is 0: the highlight of POV-Ray has no cosine",
+            Kind::Reflective(_) => "as `phong`",
+            Kind::Emissive(_) => "without `matte`",
             // ray_cast sees what is not glass of it
-            Kind::Transparent(it) => {
-                let side = self.phong(&format!("{path}.phong"), &it.phong);
-                (How::Exact("with `phong` black"), side)
-            }
-            Kind::Dielectric(it) => {
-                let side = self.phong(&format!("{path}.phong"), &it.phong);
-                (How::Exact("clear, with `phong` black, in air"), side)
-            }
-            _ => (self.no_counterpart(path, ""), None),
-        }
-    }
-
-    fn matte(&mut self, path: &str, Matte { ka, kd, cd }: &Matte) -> Option<Side> {
-        let ka = self.amount(&format!("{path}.ka"), ka);
-        let kd = self.amount(&format!("{path}.kd"), kd);
-        let pigment = self.pigment(&format!("{path}.cd"), cd);
-        Some(Side { pigment: pigment?, ka: ka?, kd: kd?, mirror: Rgb::BLACK, emission: 0.0 })
-    }
-
-    /// The highlight is refused: POV-Ray's `phong` adds ks · (r·ωo)^e · colour, ours the same times cosθ.
-    fn phong(&mut self, path: &str, phong: &Phong) -> Option<Side> {
-        let Phong { ka, kd, cd, ks, .. } = phong;
-        let ks = self.amount(&format!("{path}.ks"), ks);
-        if ks.is_some_and(|ks| ks > 0.0) {
-            self.refuse(format!("{path}.ks"), HIGHLIGHT);
-        }
-        self.matte(path, &Matte { ka: ka.clone(), kd: kd.clone(), cd: cd.clone() })
-    }
-
-    /// The mirror image is seen by `whitted` only.
-    fn reflective(&mut self, path: &str, it: &Reflective) -> Option<Side> {
-        let side = self.phong(&format!("{path}.phong"), &it.phong);
-        let kr = self.amount(&format!("{path}.kr"), &it.kr);
-        let cr = self.paint(&format!("{path}.cr"), &it.cr);
-        let mirror = match self.scene.tracer {
-            Tracer::RayCast => Rgb::BLACK,
-            _ => kr? * cr?,
+            Kind::Transparent(_) => "with `phong` black",
+            Kind::Dielectric(_) => "clear, with `phong` black, in air",
+            _ => return (self.no_counterpart(path, ""), None),
         };
-        Some(Side { mirror, ..side? })
+        (How::Exact(note), self.front(path, recipe))
     }
 
-    fn emissive(&mut self, path: &str, it: &Emissive) -> Option<Side> {
-        if it.matte.is_some() {
-            self.refuse(format!("{path}.matte"), "a surface that shines has one colour there");
-        }
-        let ls = self.amount(&format!("{path}.ls"), &it.ls);
-        let pigment = self.pigment(&format!("{path}.ce"), &it.ce);
-        Some(Side { pigment: pigment?, ka: 0.0, kd: 0.0, mirror: Rgb::BLACK, emission: ls? })
-    }
-
-    pub(super) fn amount(&mut self, path: &str, amount: &Amount) -> Option<f64> {
-        match amount {
-            Amount::Plain(value) => Some(*value),
-            Amount::Textured(kind) => {
-                self.refuse(format!("{path}.{}", kinds::tag(kind)), "a texture");
-                None
+    fn front(&mut self, path: &str, recipe: &Kind) -> Option<Side> {
+        let look = self.read(path, recipe, HIGHLIGHT)?;
+        let mirror = look.mirror;
+        if let Some((emission, ce)) = look.emission {
+            if look.matte.is_some() {
+                self.refuse(format!("{path}.matte"), "a surface that shines has one colour there");
             }
+            let pigment = self.pigment(&format!("{path}.ce"), ce)?;
+            return Some(Side { pigment, ka: 0.0, kd: 0.0, mirror, emission });
         }
+        let MattePart { path, ka, kd, cd } = look.matte?;
+        let ka = self.amount(&format!("{path}.ka"), ka);
+        let pigment = self.pigment(&format!("{path}.cd"), cd)?;
+        Some(Side { pigment, ka: ka?, kd, mirror, emission: 0.0 })
     }
 
     /// The words of a pigment.
@@ -169,16 +127,6 @@ impl Writer<'_> {
         match paint {
             Paint::Plain(color) => Some(plain(*color)),
             Paint::Textured(kind) => self.texture(&format!("{path}.{}", kinds::tag(kind)), kind).1,
-        }
-    }
-
-    pub(super) fn paint(&mut self, path: &str, paint: &Paint) -> Option<Rgb> {
-        match paint {
-            Paint::Plain(color) => Some(*color),
-            Paint::Textured(kind) => {
-                self.refuse(format!("{path}.{}", kinds::tag(kind)), "a texture");
-                None
-            }
         }
     }
 }
@@ -191,13 +139,8 @@ fn plain(color: Rgb) -> String {
 /// The texture of a material's colour.
 fn texture_of(material: &Material) -> Option<&textures::Kind> {
     let paint = match &material.recipe {
-        Kind::Matte(it) => &it.cd,
-        Kind::Phong(it) => &it.cd,
-        Kind::Reflective(it) => &it.phong.cd,
         Kind::Emissive(it) => &it.ce,
-        Kind::Transparent(it) => &it.phong.cd,
-        Kind::Dielectric(it) => &it.phong.cd,
-        _ => return None,
+        recipe => matte_part(recipe)?.1,
     };
     match paint {
         Paint::Textured(kind) => Some(kind),

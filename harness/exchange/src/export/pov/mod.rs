@@ -9,37 +9,34 @@ mod camera;
 mod glass;
 mod lights;
 mod materials;
-mod render;
 mod shapes;
 mod text;
 mod textures;
 mod walk;
 
-pub use render::PovRay;
-
 use std::collections::BTreeMap;
 use std::path::Path;
 
 use groundtruth::background::Background;
-use groundtruth::kinds::Resources;
 use groundtruth::printable;
-use groundtruth::scene::{Intersect, Light, Scene, Tracer};
+use groundtruth::scene::{Light, Scene, Tracer};
 
 use super::leaves::Leaves;
-use super::{AnyKind, How, Target, Unsupported};
+use super::{AnyKind, How, Target, Unsupported, writer};
 use text::rgb;
 use walk::Body;
 
 /// A scene being written.
-struct Writer<'a> {
-    scene: &'a Scene,
-    resources: Resources,
+type Writer<'a> = writer::Writer<'a, Pov>;
+
+/// What is written of it.
+#[derive(Default)]
+struct Pov {
     /// How many triangles are written.
     triangles: u64,
     /// The bodies of glass that are still to be written.
     bodies: BTreeMap<Body, Vec<glass::DielectricPart>>,
     text: String,
-    unsupported: Vec<Unsupported>,
 }
 
 /// The scene as the text of a `.pov` file; `name` goes into its first line, `folder` has the files that the scene names.
@@ -48,7 +45,8 @@ struct Writer<'a> {
 /// All that cannot be said.
 pub fn write(name: &str, scene: &Scene, folder: &Path) -> Result<String, Vec<Unsupported>> {
     let leaves = Leaves::of(scene, Target::Pov);
-    let mut head = Writer::new(scene, folder);
+    let mut head = Writer::new(Target::Pov, scene, folder, Pov::default());
+    head.refuse_tracer();
     head.refuse_settings();
     head.header(name);
     head.globals();
@@ -57,19 +55,19 @@ pub fn write(name: &str, scene: &Scene, folder: &Path) -> Result<String, Vec<Uns
     head.materials(&leaves.materials());
     head.objects(&leaves);
     head.refuse_attenuated_shadows();
-    if head.unsupported.is_empty() && !head.bodies.is_empty() {
+    if head.unsupported.is_empty() && !head.own.bodies.is_empty() {
         head.walk(folder);
     }
     head.bodies();
     match head.unsupported.is_empty() {
-        true => Ok(head.text),
+        true => Ok(head.own.text),
         false => Err(head.unsupported),
     }
 }
 
 /// How a kind is exported: what is written of it in this scene.
 pub(super) fn how(scene: &Scene, kind: &AnyKind) -> How {
-    let mut writer = Writer::new(scene, "".as_ref());
+    let mut writer = Writer::new(Target::Pov, scene, "".as_ref(), Pov::default());
     match kind {
         AnyKind::Shape(_) => writer.shape(&Leaves::of(scene, Target::Pov).all[0]),
         AnyKind::Material(it) => writer.side("", it).0,
@@ -79,48 +77,16 @@ pub(super) fn how(scene: &Scene, kind: &AnyKind) -> How {
     }
 }
 
-impl<'a> Writer<'a> {
-    fn new(scene: &'a Scene, folder: &Path) -> Self {
-        Self {
-            scene,
-            resources: Resources::new(folder),
-            triangles: 0,
-            bodies: BTreeMap::new(),
-            text: String::new(),
-            unsupported: Vec::new(),
-        }
-    }
-
-    /// Refuses a kind that has no counterpart.
-    fn no_counterpart(&mut self, path: impl Into<String>, note: &'static str) -> How {
-        self.refuse(path, "no counterpart");
-        How::None(note)
-    }
-
-    fn refuse(&mut self, path: impl Into<String>, problem: impl Into<String>) {
-        self.unsupported.push(Unsupported { path: path.into(), problem: problem.into() });
-    }
-
+impl Writer<'_> {
     fn line(&mut self, line: &str) {
-        self.text += line;
-        self.text.push('\n');
+        self.own.text += line;
+        self.own.text.push('\n');
     }
 
-    /// What holds for the whole scene and has no counterpart.
-    fn refuse_settings(&mut self) {
+    fn refuse_tracer(&mut self) {
         if !matches!(self.scene.tracer, Tracer::RayCast | Tracer::Whitted(_)) {
             let problem = "a path tracer; POV-Ray adds up direct light and mirror images, as ray_cast and whitted do";
             self.refuse("tracer", problem);
-        }
-        let objects = self.scene.objects.iter().filter(|object| object.enabled);
-        let intersect = |it: Option<Intersect>| it.unwrap_or(self.scene.intersect);
-        if objects.into_iter().any(|it| intersect(it.intersect) == Intersect::Textbook) {
-            let problem =
-                "the errors of the book's routines are not those of POV-Ray's; write robust";
-            self.refuse("intersect", problem);
-        }
-        if let Background::Pattern(_) = self.scene.background {
-            self.refuse("background", "a pattern; only a colour can be said");
         }
     }
 

@@ -166,9 +166,9 @@ impl Writer<'_> {
                            --without smooth leaves it out";
             return self.refuse(&at.path, problem);
         }
-        let before = self.triangles;
-        self.triangles += mesh.triangles().len() as u64;
-        if self.triangles > MOST_SHAPES {
+        let before = self.own.triangles;
+        self.own.triangles += mesh.triangles().len() as u64;
+        if self.own.triangles > MOST_SHAPES {
             if before <= MOST_SHAPES {
                 self.refuse(&at.path, format!("more than {MOST_SHAPES} triangles, the most"));
             }
