@@ -10,6 +10,7 @@ use formats::meshes::{self, MeshData};
 
 use super::page::Page;
 use super::tables::all_of;
+use super::texts;
 use super::values::row;
 
 /// More texels than any scene may have.
@@ -27,7 +28,7 @@ pub fn write(page: &mut Page, data: &Value, folder: &Path) -> Result<(), Box<dyn
         return Ok(());
     }
     page.heading("Files");
-    page.say("The scene needs these files. Their names are relative to the scene file.");
+    page.tell("files");
     for name in names {
         let path = folder.join(name);
         let bytes = std::fs::metadata(&path).map_err(|e| format!("{}: {e}", path.display()))?.len();
@@ -56,14 +57,13 @@ fn mesh(data: &MeshData) -> String {
         all.reduce(|a, b| [0, 1, 2].map(|axis| pick(a[axis], b[axis]))).unwrap_or_default()
     };
     let has = |list: bool| if list { "with" } else { "without" };
-    format!(
-        "a mesh of {} vertices and {} triangles, {} vertex normals, {} texture coordinates; before it is scaled, \
-         its coordinates are from {} to {}.",
-        data.vertices.len(),
-        data.triangles.len(),
-        has(data.normals.is_some()),
-        has(data.uvs.is_some()),
-        row(corner(f64::min)),
-        row(corner(f64::max)),
-    )
+    let values = [
+        ("vertices", data.vertices.len().to_string()),
+        ("triangles", data.triangles.len().to_string()),
+        ("normals", has(data.normals.is_some()).to_owned()),
+        ("uvs", has(data.uvs.is_some()).to_owned()),
+        ("min", row(corner(f64::min))),
+        ("max", row(corner(f64::max))),
+    ];
+    texts::filled("mesh file", &values)
 }

@@ -2,16 +2,16 @@
 //!
 //! The settings are read from the scene's data, walked along the [`schema`](groundtruth::scene::schema()), and their
 //! meaning from its doc comments, so that a new kind is described without a word here; the formulas of lights and
-//! materials are in their own files. Written by hand are the conventions, the rays of the cameras, and the tracers.
+//! materials are in their own files. Written by hand, in `texts.txt`, are the conventions, the rays of the cameras, the
+//! tracers, and what some kinds are exactly.
 
 mod camera;
-mod details;
-mod drawings;
 mod files;
 mod page;
 mod picture;
 mod random;
 mod tables;
+mod texts;
 mod tracer;
 mod values;
 mod words;
@@ -31,8 +31,7 @@ use groundtruth::{lights, materials};
 use tables::{field_of_scene, table};
 use values::Values;
 
-pub use details::DETAILS;
-pub use drawings::FORMULAS as DRAWING_FORMULAS;
+pub use texts::details;
 
 /// The description of a scene and its world. File names in the scene are relative to `folder`.
 ///
@@ -52,7 +51,7 @@ pub fn describe(
     camera::write(&mut to, scene, world, &data);
     tracer::write(&mut to, scene, &data);
     to.page.heading("Background");
-    to.page.say("What a ray has that hits nothing.");
+    to.page.tell("background");
     to.page.blank();
     to.value(0, "background", &data["background"], field_of_scene("background"));
     lights(&mut to, &data);
@@ -92,26 +91,15 @@ fn materials(to: &mut Values, data: &Value) {
     }
     formulas(to, "materials", "A surface of the kind", materials::Kind::ENTRIES);
     if to.words.uses_any_of("textures") || to.words.uses_any_of("bumps") {
-        to.page.say(LOCAL_POINT);
+        to.page.tell("local point");
     }
 }
 
-const LOCAL_POINT: &str = "\
-Textures and bumps are looked up at the local point: the point that is hit, in the coordinates in which the \
-numbers of its shape are given, before the steps of the `instance` shapes and the shifts of the lattices around it.";
-
-const TEXTBOOK: &str = "\
-Some objects are intersected as the book prints it (`textbook`), with its errors: a ray that leaves a surface starts \
-at the hit point itself, and hits at a distance below epsilon are ignored. epsilon is 0.001 where it is left out, and \
-the settings below hold for objects that have none of their own.";
-
 fn objects(to: &mut Values, scene: &Scene, data: &Value) {
     to.page.heading("Objects");
-    to.page.say(
-        "If a ray hits two objects at the same distance, the first of them in this list counts.",
-    );
+    to.page.tell("first object");
     if scene.intersections() != Some(Intersect::Robust) {
-        to.page.say(TEXTBOOK);
+        to.page.tell("textbook");
         to.page.blank();
         for name in ["intersect", "epsilon"] {
             if let Some(value) = data.get(name) {

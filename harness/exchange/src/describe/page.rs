@@ -1,5 +1,7 @@
 //! Plain text in sections, wrapped at word boundaries.
 
+use super::texts;
+
 /// The longest line, in characters; a longer word has a line of its own.
 const WIDTH: usize = 100;
 
@@ -23,6 +25,16 @@ impl Page {
     pub fn say(&mut self, sentences: &str) {
         self.blank();
         self.wrap(0, 0, sentences);
+    }
+
+    /// The paragraphs of a section of the texts.
+    pub fn tell(&mut self, section: &str) {
+        texts::text(section).lines().for_each(|paragraph| self.say(paragraph));
+    }
+
+    /// A section of the texts with these values.
+    pub fn fill(&mut self, section: &str, values: &[(impl AsRef<str>, String)]) {
+        self.say(&texts::filled(section, values));
     }
 
     /// An entry of a list, with its own spaces; its further lines are indented by four more columns.

@@ -46,3 +46,9 @@ pub fn absorbs(data: &Value) -> bool {
     };
     all_of(data, "absorption").into_iter().any(|color| !is_clear(color))
 }
+
+/// The tag of a kind: its one key, or the whole of a kind without fields.
+pub fn tag(kind: &Value) -> &str {
+    let key = || kind.as_object()?.keys().next().map(String::as_str);
+    kind.as_str().or_else(key).unwrap_or_default()
+}

@@ -2,8 +2,8 @@
 
 use groundtruth::scene::vocabulary::{Choice, Definition};
 
-use super::details;
 use super::page::Page;
+use super::texts;
 use super::values::is_described;
 
 /// The kinds and tables that a description uses.
@@ -74,7 +74,7 @@ impl Words {
             page.blank();
             for choice in choices {
                 entry(page, &name_of(&choice), choice.description(), choice.table());
-                if let Some(details) = details::of(&title, choice.tag) {
+                if let Some(details) = texts::find(&format!("{title}/{}", choice.tag)) {
                     page.line(6, &format!("Exactly: {details}"));
                 }
             }

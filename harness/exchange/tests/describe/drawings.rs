@@ -280,7 +280,8 @@ fn the_printed_formulas_draw_the_images() {
         (Picture::SkyDome, "sky_dome", sky_dome),
         (Picture::Courtyard, "courtyard", courtyard),
     ];
-    assert_eq!(all.len(), describe::DRAWING_FORMULAS.len());
+    let formulas = || describe::details().filter(|(list, ..)| *list == "pictures");
+    assert_eq!(all.len(), formulas().count());
     for (picture, name, formula) in all {
         let drawn = Drawn { picture, width: SIZE[0], height: SIZE[1] };
         let image = Image::of_drawn(drawn, Some(Mapping::Square));
@@ -296,14 +297,13 @@ fn the_printed_formulas_draw_the_images() {
             let error = largest_difference(found, expected) / (1.0 + expected[0]);
             assert!(error < 1e-6, "{name} at {u}, {v}: {found:?}, expected {expected:?}");
         }
-        let (_, text) = describe::DRAWING_FORMULAS
-            .iter()
-            .find(|(its, _)| *its == name)
+        let (_, _, text) = formulas()
+            .find(|(_, its, _)| *its == name)
             .unwrap_or_else(|| panic!("no formula of {name}"));
         let here = source.split_once(&format!("fn {name}(")).expect("it is above").1;
         let here = decimals(here.split_once("\n}\n").expect("it ends").0);
         assert_eq!(
-            decimals(text),
+            decimals(&text),
             here,
             "{name}: the decimal numbers of the text and of the formula here"
         );

@@ -174,9 +174,9 @@ fn the_printed_fresnel_equations_are_those_of_the_tracer() {
 fn the_printed_mappings_are_those_of_images() {
     use std::f64::consts::{PI, TAU};
     let says = |tag: &str, formula: &str| {
-        let of_tag = describe::DETAILS.iter().filter(|(_, its, _)| *its == tag);
+        let of_tag = describe::details().filter(|(_, its, _)| *its == tag);
         let of_mapping = of_tag.filter(|(list, ..)| list.starts_with("mappings"));
-        of_mapping.for_each(|(_, _, text)| assert_says(text, formula));
+        of_mapping.for_each(|(_, _, text)| assert_says(&text, formula));
     };
     says("square", "u = (z + 1)/2, v = (x + 1)/2");
     says("cylindrical", "u = φ/2π with φ = atan2(x, z) from 0 to 2π, v = (y + 1)/2");

@@ -222,7 +222,7 @@ fn every_light_and_material_has_its_formula() {
         assert_eq!(said.map(|(tag, _)| *tag).collect::<BTreeSet<_>>(), kinds);
     }
     let tags = tags();
-    let unknown = describe::DETAILS.iter().filter(|(_, tag, _)| !tags.contains(*tag));
+    let unknown = describe::details().filter(|(_, tag, _)| !tags.contains(*tag));
     assert_eq!(unknown.count(), 0);
 }
 
