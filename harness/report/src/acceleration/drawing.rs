@@ -42,18 +42,12 @@ fn section(stage: &StageData, side: u32) -> String {
 }
 
 fn explanation(data: &Data) -> String {
-    let side = data.side;
+    let (side, confidence) = (data.side, 100.0 * CONFIDENCE);
     format!(
-        "<p>The acceleration structures are compared: a <em>list</em> of all objects, a regular \
-         <em>grid</em>, grids within a grid, and a bounding volume hierarchy (<em>bvh</em>). All find \
-         the same first hit. The time for a picture is that of the first hits of {side} × {side} rays \
-         on one thread, without shading; tests, and nodes or cells, are counted per ray.</p>\n\
-         <p>On logarithmic axes a power of the number of objects is a straight line, and its slope is \
-         the exponent: 1 for a list, about 1/3 for a grid over evenly spread objects, near 0 for \
-         a structure whose time hardly depends on the number of objects. Slopes are fitted from \
-         {FITTED_FROM} objects on (from the first, if fewer than three sizes are as large), with an \
-         interval of {:.0} % confidence. Where not every ray is timed, the time is extrapolated.</p>\n",
-        100.0 * CONFIDENCE
+        include_str!("explanation.html"),
+        side = side,
+        from = FITTED_FROM,
+        confidence = confidence
     )
 }
 

@@ -26,27 +26,7 @@ const CAPTION: &str = "Speed against error. Each number is a shape of the table 
 
 fn explanation(data: &Data) -> String {
     let (kinds, cases) = (data.kinds.len(), data.cases);
-    format!(
-        "<p>For each of {kinds} shapes, this library's routine is compared with the textbook's: the \
-         formula as printed in the book, with its constant epsilon (for algebraic surfaces, which are \
-         not in the book, a sign change among samples along the ray). Solids and compounds have the \
-         same parts for both, and the textbook tests all of them; copies, random spheres and triangles \
-         have the same acceleration structure for both. Both get the same rays, {cases} for each shape \
-         (a quarter or a sixteenth for surfaces of high degree and shapes of many parts, whose exact \
-         answer takes long) in each of twelve families: ordinary rays, and those for which formulas \
-         fail (far origins, grazing and tangent rays, tiny, huge and thin shapes, …). The exact \
-         answer is computed with 512 bits.</p>\n\
-         <p>The unit of errors is u·cond: the change of the distance if the last bit of the input \
-         changes. An error of 1 is the best that any routine can guarantee, up to {ALLOWED} is good, \
-         and 10⁶ means that six digits are lost. (Inside an instance, the unit is multiplied by the \
-         condition number of its matrix.) A hit is <em>lost</em> if the nearest was not found, and \
-         <em>wrong</em> if there is none; rays whose answer depends on the rounding of their input (a \
-         relative change by 10⁻¹³ would change it) are not judged. For rays that start on the surface, \
-         only hits beyond a millionth of the shape's size are judged; the library's routine is called \
-         with this span, the textbook's with its epsilon. A constant epsilon loses every nearer \
-         hit. Times are medians for one call on one thread that finds the distance of the nearest hit, \
-         without its point and normal.</p>\n"
-    )
+    format!(include_str!("explanation.html"), kinds = kinds, cases = cases, allowed = ALLOWED)
 }
 
 /// A kind with both routines over all families: the largest errors, and the times on ordinary rays.

@@ -21,27 +21,7 @@ pub fn page(data: &Data) -> String {
 }
 
 fn explanation(data: &Data) -> String {
-    let depth = data.depth;
-    format!(
-        "<p>Small pictures of each scene are rendered by every tracer and every sampling of its area \
-         lights, with 1 to 1024 multi-jittered samples per pixel and max_depth {depth}, and compared \
-         with a reference picture. The <em>relative error</em> is the root mean square over pixels and \
-         channels of the differences, each relative to the brightness of its pixel (plus a tenth of the \
-         picture's mean, in squares, because black pixels have the brightness 0); it corresponds to the \
-         visible error. The absolute root mean square error is in the hidden table: the brightest pixels, \
-         such as the edge of a light, dominate it. The error of the reference is subtracted, in squares; \
-         a dash means that the rest is smaller than that. The noise is the <em>variance</em> between \
-         pictures of different seeds; <em>efficiency</em> is 1/(variance × time), so that a choice with \
-         twice the efficiency takes half the time for the same noise. A choice with bias may be efficient \
-         and wrong. If rare paths are very bright, as in caustics, a few of them dominate the variance: \
-         then ratios of efficiency below {AS_GOOD} are not significant, and an interval may be too \
-         short.</p>\n\
-         <p><em>Bias</em> is the difference of the mean radiances of whole pictures, with its interval \
-         of 95 % confidence. path_trace, global_trace and path include all light paths up to max_depth, \
-         if lights are surfaces; ray_cast and whitted include only direct light (and mirrors), which \
-         takes less time but gives another picture: on logarithmic axes their errors become constant, \
-         while those of the others fall with slope −1/2 or steeper.</p>\n"
-    )
+    format!(include_str!("explanation.html"), depth = data.depth, as_good = AS_GOOD)
 }
 
 /// The same choice in a scene, or that of its tracer if the tracer does not sample lights there.

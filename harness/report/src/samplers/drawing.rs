@@ -35,20 +35,14 @@ fn section(data: &IntegrandData) -> String {
 }
 
 fn explanation(data: &Data) -> String {
-    let Data { pixels, seeds, .. } = data;
+    let (from, confidence) = (FITTED_FROM, 100.0 * CONFIDENCE);
+    let (pixels, seeds) = (data.pixels, data.seeds);
     format!(
-        "<p>Each integrand is a family of functions whose means are known, one function for each of \
-         {pixels} pixels. A sampler's error is the root mean square difference of its mean from the \
-         exact one, over these pixels and {seeds} seeds; relative to white for functions that are black \
-         or white, relative to the mean for the others. Samples are drawn as in a renderer: one of 83 \
-         sets and a permutation for each pixel and use.</p>\n\
-         <p>On logarithmic axes a power of the number of samples is a straight line: the error of random \
-         samples falls with slope −1/2, whatever the function. Slopes are fitted from {FITTED_FROM} \
-         samples on, with an interval of {:.0} % confidence. Seconds are for one pixel on one thread, \
-         for samples and function; tracing a ray takes much longer, so that in a renderer the number \
-         of samples decides. <code>groundtruth render SCENE --sampler NAME</code> tries one, such as \
-         multi_jittered.</p>\n",
-        100.0 * CONFIDENCE
+        include_str!("explanation.html"),
+        pixels = pixels,
+        seeds = seeds,
+        from = from,
+        confidence = confidence
     )
 }
 

@@ -7,20 +7,11 @@ use crate::html::{
     Table, capital, film, heading, listed, pick, row, short, short_or_dash, with_minus,
 };
 
+const EXPLANATION: &str = include_str!("explanation.html");
+
 pub fn page(data: &Data) -> String {
     let sections: String = data.scenes.iter().map(section).collect();
-    explanation() + &pick("What to pick.", &advice(data)) + &sections
-}
-
-fn explanation() -> String {
-    "<p>The colour at a point of an image is that of the <em>nearest</em> texel, as in the book, or the \
-     <em>bilinear</em> interpolation of the four texels around it. Neither filters over the pixel: \
-     samples do this. Each picture is compared with a reference of the same look-up and very many \
-     samples, so that the error (root mean square over pixels and channels, of radiance from 0 to 1) is \
-     caused only by too few samples: jagged edges, and moiré patterns where a pixel has many texels. \
-     Samples are multi-jittered. The difference of the two references is the effect of the look-up \
-     itself: bilinear look-up blurs details smaller than two texels.</p>\n"
-        .to_owned()
+    EXPLANATION.to_owned() + &pick("What to pick.", &advice(data)) + &sections
 }
 
 /// The error of bilinear look-up with the largest number of samples, and its time, relative to
