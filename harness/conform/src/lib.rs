@@ -5,6 +5,7 @@
 //! condition, and laws that need neither ([`laws`]).
 
 pub mod card;
+pub mod cases;
 mod chapters;
 pub mod family;
 mod guarded;

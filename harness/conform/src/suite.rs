@@ -6,7 +6,7 @@ use super::family::{Asking, Family, Judge};
 use super::judgement::{Judgement, Profile};
 use super::questions::{self, kinds, outside, ray_question, square, vector};
 use super::subject::Stop;
-use super::{intersections, laws, radiance, scenes};
+use super::{cases, intersections, laws, radiance, scenes};
 use exact::Draw;
 use groundtruth::lobes::{Claims, Lobe};
 use groundtruth::similar::did_you_mean;
@@ -19,6 +19,7 @@ pub type Law = fn(&mut Asking<'_>, &Value, Profile) -> Result<Judgement, Stop>;
 /// Every family, by chapter.
 pub fn all() -> Vec<Family> {
     let mut all = intersections::families();
+    all.extend(cases::families());
     all.extend(questions::families());
     all.extend(scenes::families());
     all.extend(radiance::families());

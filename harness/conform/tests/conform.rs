@@ -14,6 +14,7 @@ mod harmless;
 mod known;
 mod lines;
 mod mistakes;
+mod notation;
 mod planted_scenes;
 mod programs;
 mod radiance;

@@ -1,0 +1,181 @@
+//! Families of questions that are data: entries of the files in `scenes` and `questions`. `scenes/notation.toml` explains
+//! how they are written.
+
+mod functions;
+mod judges;
+mod notation;
+
+use std::sync::LazyLock;
+
+use serde_json::{Value, json};
+use toml::Table;
+
+use super::family::Family;
+use exact::Draw;
+use judges::judge;
+use notation::Drawing;
+
+const FILES: &[&str] = &[
+    include_str!("../../scenes/notation.toml"),
+    include_str!("../../scenes/basics.toml"),
+    include_str!("../../scenes/lights.toml"),
+    include_str!("../../scenes/mirrors.toml"),
+    include_str!("../../scenes/glass.toml"),
+];
+
+static ENTRIES: LazyLock<Vec<Entry>> =
+    LazyLock::new(|| read(&FILES.concat()).expect("a test reads the files"));
+
+/// All families of the files.
+pub fn families() -> Vec<Family> {
+    ENTRIES.iter().map(Entry::family).collect()
+}
+
+/// A family: an entry whose name has dots, with all that it has from others.
+#[derive(Debug)]
+pub struct Entry {
+    /// As `radiance.mirror.ball.values`.
+    pub name: String,
+    fields: Table,
+}
+
+/// The families in a text.
+///
+/// # Errors
+/// Says which entry is wrong, and why.
+pub fn read(text: &str) -> Result<Vec<Entry>, String> {
+    let all: Table = text.parse().map_err(|error| format!("{error}"))?;
+    let mut entries = Vec::new();
+    for name in all.keys().filter(|name| name.contains('.')) {
+        let fields = inherited(&all, name)?;
+        let one = vec![toml::Value::Table(Table::new())];
+        let each = fields.get("each").and_then(toml::Value::as_array).unwrap_or(&one);
+        for words in each.iter().filter_map(toml::Value::as_table) {
+            entries.push(Entry::new(name, fields.clone(), words)?);
+        }
+    }
+    Ok(entries)
+}
+
+/// The fields of an entry, after those of the entry that it is in.
+fn inherited(all: &Table, name: &str) -> Result<Table, String> {
+    let own = all.get(name).and_then(toml::Value::as_table);
+    let own = own.ok_or_else(|| format!("no entry is called `{name}`"))?;
+    let mut fields = Table::new();
+    let of = match own.get("in") {
+        Some(toml::Value::Array(several)) => several.clone(),
+        Some(one) => vec![one.clone()],
+        None if name == "everything" => Vec::new(),
+        None => vec!["everything".into()],
+    };
+    for of in of.iter().filter_map(toml::Value::as_str) {
+        join(&mut fields, &inherited(all, of)?);
+    }
+    join(&mut fields, own);
+    let unused = own.keys().find(|key| name.contains('.') && !is_used(&fields, name, key));
+    unused.map_or(Ok(fields), |key| Err(format!("{name}: nothing uses `{key}`")))
+}
+
+/// Tables whose fields are joined with those of the same table; all else takes the place of what was there.
+const JOINED: [&str; 6] = ["scene", "image", "camera", "lights", "materials", "objects"];
+
+fn join(fields: &mut Table, own: &Table) {
+    for (key, value) in own {
+        match (fields.get_mut(key).and_then(toml::Value::as_table_mut), value.as_table()) {
+            (Some(table), Some(own)) if JOINED.contains(&&**key) => table.extend(own.clone()),
+            _ => drop(fields.insert(key.clone(), value.clone())),
+        }
+    }
+}
+
+/// Fields that say how a family is asked.
+const KEYS: [&str; 7] = ["in", "each", "about", "chapter", "judge", "cases", "shrunk"];
+
+/// Whether a field says what is asked, or has its name in one that does.
+fn is_used(fields: &Table, name: &str, key: &str) -> bool {
+    let text = fields.to_string();
+    KEYS.contains(&key)
+        || name.split('.').next() == Some(key)
+        || [format!("${key}"), format!("{key}?")].iter().any(|it| text.contains(it))
+}
+
+impl Entry {
+    fn new(name: &str, mut fields: Table, words: &Table) -> Result<Self, String> {
+        let mut name = name.to_owned();
+        fields.extend(words.clone());
+        for (word, value) in words.iter().filter_map(|(word, value)| Some((word, value.as_str()?)))
+        {
+            name = name.replace(&format!("{{{word}}}"), value);
+            if let Some(toml::Value::String(about)) = fields.get_mut("about") {
+                *about = about.replace(&format!("{{{word}}}"), value);
+            }
+        }
+        for list in ["lights", "materials", "objects"] {
+            let items = fields.get(list).and_then(toml::Value::as_table);
+            if let Some(items) = items.map(|items| items.iter().map(listed(list)).collect()) {
+                fields.insert(list.to_owned(), toml::Value::Array(items));
+            }
+        }
+        let entry = Self { name, fields };
+        let has = |key: &&&str| entry.fields.get(**key).is_none_or(|it| it.as_str().is_none());
+        match ["about", "chapter", "judge"].iter().find(has) {
+            Some(key) => Err(format!("{}: no `{key}`", entry.name)),
+            None if judge(entry.word("judge")).is_none() => {
+                Err(format!("{}: no judge is called `{}`", entry.name, entry.word("judge")))
+            }
+            None => Ok(entry),
+        }
+    }
+
+    fn word(&self, key: &str) -> &str {
+        self.fields[key].as_str().unwrap_or_default()
+    }
+
+    /// The case of this seed and number.
+    ///
+    /// # Errors
+    /// Says which field is wrong, and why.
+    pub fn case(&self, seed: u64, index: usize) -> Result<Value, String> {
+        let question = self.name.split('.').next().unwrap_or_default();
+        let data = Drawing::new(&self.fields, Draw::case(seed, index)).anew(question);
+        let data = data.map_err(|problem| format!("{}: {problem}", self.name))?;
+        Ok(json!({question: data}))
+    }
+
+    fn family(&'static self) -> Family {
+        let (judge, namer) = judge(self.word("judge")).expect("read with the entry");
+        let case = |seed, index| self.case(seed, index).expect("a test draws of each family");
+        Family {
+            name: self.name.clone(),
+            about: self.word("about").to_owned(),
+            chapter: self.word("chapter"),
+            ordinary: true,
+            share: self.fields.get("cases").and_then(toml::Value::as_float).unwrap_or(1.0),
+            cases: Box::new(move |seed, n| (0..n).map(|index| case(seed, index)).collect()),
+            judge,
+            namer,
+            is_shrunk: self.fields.get("shrunk").and_then(toml::Value::as_bool).unwrap_or(true),
+        }
+    }
+}
+
+/// An item of a list in scene files: its name, and what is written of it in short.
+fn listed(list: &str) -> impl Fn((&String, &toml::Value)) -> toml::Value {
+    let (key, other) = match list {
+        "lights" => ("source", ""),
+        "materials" => ("recipe", ""),
+        _ => ("shape", "material"),
+    };
+    move |(name, value)| {
+        let mut item = Table::new();
+        item.insert("name".to_owned(), name.as_str().into());
+        match value {
+            toml::Value::Table(fields) if fields.contains_key(key) => item.extend(fields.clone()),
+            toml::Value::Array(pair) => {
+                item.extend([other, key].map(str::to_owned).into_iter().zip(pair.clone()));
+            }
+            short => drop(item.insert(key.to_owned(), short.clone())),
+        }
+        toml::Value::Table(item)
+    }
+}
