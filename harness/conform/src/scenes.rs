@@ -1,71 +1,11 @@
 //! Whole scenes: the first hit, what is in the way, and every ray that is cast for a ray.
 
-use serde_json::{Value, json};
+use serde_json::Value;
 
-use super::family::{Family, Judge};
 use super::judgement::{Judgement, Profile, number, triple};
-use super::questions;
-use super::radiance;
 use super::subject::ours;
 use super::values::{self, Rules};
 use groundtruth::math::Vector;
-
-/// The families, in the scenes of the question `radiance`.
-pub fn families() -> Vec<Family> {
-    let mut all = Vec::new();
-    for pictures in questions::pictures() {
-        let material = pictures.about.trim_start_matches("materials/").to_owned();
-        let is_first = material == "matte";
-        let cases = std::sync::Arc::new(pictures.cases);
-        let mut add = |name: &str, about: &str, chapter, judge, change: fn(&mut Value) -> Value| {
-            let cases = std::sync::Arc::clone(&cases);
-            let changed = move |seed, n| cases(seed + 1, n).iter_mut().map(change).collect();
-            all.push(Family {
-                name: name.to_owned(),
-                about: about.to_owned(),
-                chapter,
-                ordinary: true,
-                share: 0.5,
-                cases: Box::new(changed),
-                judge,
-                namer: Some(radiance::NAMER),
-                is_shrunk: true,
-            });
-        };
-        let name = format!("trace.{material}.rays");
-        add(&name, &pictures.about, pictures.chapter, Judge::Answer(judge_rays), |question| {
-            let data = &mut question["radiance"];
-            json!({"trace": {"scene": data["scene"].take(), "ray": data["ray"].take()}})
-        });
-        if !is_first {
-            continue;
-        }
-        add(
-            "intersect.scene.first_hit",
-            "scenes/hits",
-            "ch03",
-            Judge::Answer(judge_hit),
-            |question| {
-                let data = &mut question["radiance"];
-                json!({"intersect": {"scene": data["scene"].take(), "ray": data["ray"].take()}})
-            },
-        );
-        add(
-            "occluded.scene.segment",
-            "scenes/hits",
-            "ch16",
-            Judge::Answer(judge_occluded),
-            |question| {
-                let data = &mut question["radiance"];
-                let [from, direction] =
-                    ["origin", "direction"].map(|it| triple(&data["ray"][it]).unwrap_or_default());
-                let to: [f64; 3] = std::array::from_fn(|i| from[i] + 0.8 * direction[i]);
-                json!({"occluded": {"scene": data["scene"].take(), "segment": {"from": from, "to": to}}})
-            },
-        );
-    }
-    all
-}
 
 const HITS: Rules = Rules {
     needed: &["object", "t"],
@@ -74,17 +14,19 @@ const HITS: Rules = Rules {
     answers: &[],
 };
 
-fn judge_hit(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+/// The first hit of a scene, by our own answer.
+pub fn judge_hit(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     values::judge(question, answer, profile, &HITS)
 }
 
-fn judge_occluded(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+/// Whether something is in the way, by our own answer.
+pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules { needed: &[], free: &[], questions: &[], answers: &[] };
     values::judge(question, answer, profile, &RULES)
 }
 
 /// What arrives is judged; where it is wrong, the rays tell why, if the program logs them.
-fn judge_rays(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+pub fn judge_rays(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules =
         Rules { needed: &["radiance"], free: &["rays"], questions: &[], answers: &[] };
     let mut judgement = values::judge(question, answer, profile, &RULES);

@@ -6,7 +6,7 @@ use super::family::{Asking, Family, Judge};
 use super::judgement::{Judgement, Profile};
 use super::questions::{self, kinds, outside, ray_question, square, vector};
 use super::subject::Stop;
-use super::{cases, intersections, laws, radiance, scenes};
+use super::{cases, intersections, laws};
 use exact::Draw;
 use groundtruth::lobes::{Claims, Lobe};
 use groundtruth::similar::did_you_mean;
@@ -21,8 +21,6 @@ pub fn all() -> Vec<Family> {
     let mut all = intersections::families();
     all.extend(cases::families());
     all.extend(questions::families());
-    all.extend(scenes::families());
-    all.extend(radiance::families());
     all.extend(of_laws());
     all.sort_by_key(|family| family.chapter);
     all

@@ -15,13 +15,16 @@ use exact::Draw;
 use judges::judge;
 use notation::Drawing;
 
-const FILES: &[&str] = &[
-    include_str!("../../scenes/notation.toml"),
-    include_str!("../../scenes/basics.toml"),
-    include_str!("../../scenes/lights.toml"),
-    include_str!("../../scenes/mirrors.toml"),
-    include_str!("../../scenes/glass.toml"),
-];
+/// The text of files of one of the folders.
+macro_rules! files {
+    ($($folder:literal: $($name:literal)*;)*) => {
+        &[$($(include_str!(concat!("../../", $folder, "/", $name, ".toml"))),*),*]
+    };
+}
+
+const FILES: &[&str] = files! {
+    "scenes": "notation" "basics" "lights" "surfaces" "textures" "images" "mirrors" "glass" "pixels" "lamps" "paths" "pictures";
+};
 
 static ENTRIES: LazyLock<Vec<Entry>> =
     LazyLock::new(|| read(&FILES.concat()).expect("a test reads the files"));

@@ -84,7 +84,7 @@ fn beyond(draw: &mut Draw) -> Value {
 }
 
 /// A few rows of colours that single precision holds.
-pub fn texels(draw: &mut Draw) -> Value {
+fn texels(draw: &mut Draw) -> Value {
     let (columns, rows) = (3 + draw.below(3), 2 + draw.below(3));
     let color = |draw: &mut Draw| [(); 3].map(|()| super::round(draw.between(0.0, 1.0)));
     let row = |draw: &mut Draw| (0..columns).map(|_| color(draw)).collect::<Vec<_>>();

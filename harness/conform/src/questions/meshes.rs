@@ -32,7 +32,7 @@ const FAMILIES: &[(&str, Extra)] = &[
 ];
 
 /// The corners of an octahedron.
-pub const CORNERS: [[f64; 3]; 6] = [
+const CORNERS: [[f64; 3]; 6] = [
     [1.0, 0.0, 0.0],
     [-1.0, 0.0, 0.0],
     [0.0, 1.0, 0.0],
@@ -42,7 +42,7 @@ pub const CORNERS: [[f64; 3]; 6] = [
 ];
 
 /// Its faces, counter-clockwise from outside.
-pub const FACES: [[u32; 3]; 8] =
+const FACES: [[u32; 3]; 8] =
     [[2, 4, 0], [2, 0, 5], [2, 5, 1], [2, 1, 4], [3, 0, 4], [3, 5, 0], [3, 1, 5], [3, 4, 1]];
 
 /// The families.

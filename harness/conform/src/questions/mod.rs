@@ -7,16 +7,12 @@ mod lamps;
 mod meshes;
 mod noise;
 mod optics;
-mod pictures;
 mod sampling;
 mod spaces;
 mod surfaces;
 
 pub use cameras::ray_question;
-pub use images::texels;
-pub use meshes::{CORNERS, FACES};
 pub use optics::outside;
-pub use pictures::families as pictures;
 
 use serde::Serialize;
 use serde_json::{Value, json};
@@ -38,7 +34,6 @@ pub fn families() -> Vec<Family> {
         cameras::families(),
         sampling::families(),
         spaces::families(),
-        pictures::families(),
     ];
     all.into_iter().flatten().collect()
 }
