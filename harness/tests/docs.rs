@@ -214,7 +214,8 @@ fn tests_below(folder: &Path) -> String {
 /// Law: each law that the table of promises names is there. Oracle: the functions and modules of all tests.
 #[test]
 fn the_laws_of_the_table_of_promises_are_there() {
-    let packages = ["benches", "explain", "harness"].map(|it| fs::read_dir(root().join(it)).expect("there"));
+    let packages =
+        ["benches", "explain", "harness"].map(|it| fs::read_dir(root().join(it)).expect("there"));
     let packages = packages.into_iter().flatten();
     let folders = packages.map(|entry| entry.expect("readable").path().join("tests"));
     let mut folders: Vec<PathBuf> = folders.filter(|folder| folder.is_dir()).collect();
