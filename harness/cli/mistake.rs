@@ -44,7 +44,7 @@ impl MistakeArgument {
         let folder = arguments.folder().unwrap_or(Path::new(""));
         let mistaken = Mistaken::new(mistake, scene, folder, arguments.seed())?;
         let refused = || {
-            let Mistake { known: KnownMistake { name, words, .. }, .. } = mistake;
+            let KnownMistake { name, words, .. } = mistake.known();
             format!(
                 "the scene has nothing that {name} changes ({words}); `groundtruth mistakes {name}` lists scenes \
                  that show it"
@@ -61,7 +61,7 @@ pub fn note_if_not_shown(
     scene: &Scene,
 ) -> Result<(), Box<dyn Error>> {
     let folder = arguments.folder().unwrap_or(Path::new(""));
-    let KnownMistake { name, .. } = mistaken.mistake().known;
+    let KnownMistake { name, .. } = mistaken.mistake().known();
     if table::shown(&[mistaken.mistake()], scene, folder)?.is_empty() {
         eprintln!(
             "note: this scene does not show {name}: it changes hardly a pixel; `groundtruth mistakes {name}` lists \
@@ -88,7 +88,7 @@ const NAMED: usize = 3;
 pub fn told(mistake: &'static Mistake, file: Option<&Path>) -> Outcome {
     let format = file.map(|file| output::format(file, None)).transpose()?;
     file.map_or(Ok(()), output::writable)?;
-    let KnownMistake { name, chapter, words, place, .. } = mistake.known;
+    let KnownMistake { name, chapter, words, place, .. } = mistake.known();
     let mut text = format!("{name} (ch. {chapter}): {words}\n  right        {place}\n");
     for form in mistakes::forms().into_iter().filter(|it| it.name == *name) {
         let _ = form.form.map(|form| writeln!(text, "  also         …, {form}"));

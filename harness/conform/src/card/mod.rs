@@ -241,7 +241,7 @@ impl Card {
                 "fair": row.fair, "missing": row.lacks, "worst": row.worst, "failure": failure,
                 "names": row.names.iter().map(ToString::to_string).collect::<Vec<_>>(),
                 "conventions": row.conventions.iter().map(|(it, count)| {
-                    json!({"name": it.name, "place": it.place, "count": count})
+                    json!({"name": it.words(), "place": it.known().place, "count": count})
                 }).collect::<Vec<_>>(),
                 "messages": messages.collect::<Vec<_>>(),
             })

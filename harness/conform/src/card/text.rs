@@ -111,7 +111,8 @@ pub(super) fn conventions(row: &Row) -> String {
         let (name, total) = (&row.name, row.total());
         format!(
             "{name}: {count} of {total} by a convention of the book: {} ({})\n",
-            mistake.name, mistake.place
+            mistake.words(),
+            mistake.known().place
         )
     };
     row.conventions.iter().map(shown).collect()
@@ -194,7 +195,7 @@ fn first(row: &Row) -> String {
         (Some(Name::Known { mistake, explains, .. }), ..) => {
             format!(
                 "; in {name}, {explains} of {total} answers look like this mistake: {}",
-                mistake.name
+                mistake.words()
             )
         }
         (Some(named), ..) => format!("; in {name}, {wrong} of {total} answers are wrong: {named}"),
@@ -247,12 +248,11 @@ fn next(card: &Card, invocation: &Invocation<'_>) -> String {
             invocation.of_one("conform", &row.name, card.seed)
         }
         Some(row) => match row.names.first() {
-            Some(Name::Known { mistake: Mistake { picture: Some(name), .. }, .. }) => {
-                format!("groundtruth mistakes {name}")
-            }
-            Some(Name::Known { mistake, .. }) if mistake.seen_in().is_some() => {
-                format!("groundtruth describe {}", mistake.seen_in().unwrap_or_default())
-            }
+            Some(Name::Known { mistake, .. }) => match (mistake.picture(), mistake.seen_in()) {
+                (Some(name), _) => format!("groundtruth mistakes {name}"),
+                (None, Some(scene)) => format!("groundtruth describe {scene}"),
+                (None, None) => format!("groundtruth mistakes {}", row.chapter),
+            },
             _ => format!("groundtruth mistakes {}", row.chapter),
         },
         None if count(card, &Row::is_unsupported) == asked => {

@@ -4,8 +4,8 @@ use serde_json::Value;
 
 use super::super::card::{Row, Status};
 use super::super::judgement::Wrong;
-use super::clues::FACTORS;
 use super::*;
+use judge::mistakes::known::Says;
 
 /// What explains wrong answers of a family.
 #[derive(Clone, Debug, PartialEq)]
@@ -43,7 +43,7 @@ pub fn suspects(wrong: &[Wrong]) -> Vec<(&'static Mistake, usize)> {
     }
     all.retain(|(_, explains)| *explains as f64 >= NEARLY_ALL * wrong.len() as f64);
     // stable: of equals, the order in which the judges found them
-    all.sort_by_key(|(mistake, explains)| (std::cmp::Reverse(*explains), tier(mistake)));
+    all.sort_by_key(|(mistake, explains)| (std::cmp::Reverse(*explains), says(mistake)));
     all
 }
 
@@ -52,8 +52,8 @@ pub fn suspects(wrong: &[Wrong]) -> Vec<(&'static Mistake, usize)> {
 pub fn names(wrong: &[Wrong]) -> Vec<Name> {
     let mut best = suspects(wrong);
     if let Some((first, most)) = best.first().copied() {
-        best.retain(|(mistake, explains)| *explains == most && tier(mistake) == tier(first));
-        let says_little = tier(first) == LEAST_SPECIFIC || [&BLACK, &ZERO].contains(&first);
+        best.retain(|(mistake, explains)| *explains == most && says(mistake) == says(first));
+        let says_little = says(first) == Says::Numbers || [&BLACK, &ZERO].contains(&first);
         let is_either = best.len() > 1;
         if is_either && wrong.len() < SOME || says_little && (is_either || wrong.len() < SOME) {
             best.clear();
@@ -61,7 +61,8 @@ pub fn names(wrong: &[Wrong]) -> Vec<Name> {
     }
     let name = |(mistake, explains)| Name::Known { mistake, explains, of: wrong.len() };
     let mut names: Vec<Name> = best.into_iter().map(name).collect();
-    let is_vague = |name: &Name| matches!(name, Name::Known { mistake, .. } if tier(mistake) == LEAST_SPECIFIC);
+    let is_vague =
+        |name: &Name| matches!(name, Name::Known { mistake, .. } if says(mistake) == Says::Numbers);
     if names.iter().all(is_vague) && has_one_value(wrong) {
         names = vec![Name::Known { mistake: &ALWAYS, explains: wrong.len(), of: wrong.len() }];
     }
@@ -118,7 +119,7 @@ pub fn agree(rows: &mut [Row]) {
 /// The name of a family whose answers are all this one, if its wrong answers have no better name.
 pub fn always(question: &str, answer: &Value, names: &[Name], wrong: &[Wrong]) -> Option<Name> {
     let is_vague = |name: &Name| match name {
-        Name::Known { mistake, .. } => tier(mistake) == LEAST_SPECIFIC,
+        Name::Known { mistake, .. } => says(mistake) == Says::Numbers,
         Name::Factor(_) => false,
     };
     let mistake = match (question, answer) {
@@ -141,42 +142,9 @@ fn has_one_value(wrong: &[Wrong]) -> bool {
     !is_zero && rights.len() >= 3 && [second, third].into_iter().chain(others).all(is_same)
 }
 
-/// The tier of what says least.
-const LEAST_SPECIFIC: u8 = 2;
-
-/// How specific a mistake is: 0 says what was done, 1 how components differ, 2 how numbers differ.
-fn tier(mistake: &Mistake) -> u8 {
-    let components = [
-        &SWAP_XY,
-        &SWAP_YZ,
-        &SWAP_XZ,
-        &FLIP_X,
-        &FLIP_Y,
-        &FLIP_Z,
-        &SWAP_RG,
-        &SWAP_GB,
-        &SWAP_RB,
-        &ONLY_RED,
-        &NO_RED,
-        &NO_GREEN,
-        &NO_BLUE,
-        &MIRROR_U,
-        &MIRROR_V,
-        &BLACK,
-        &ZERO,
-        &NEGATED,
-        &NOT_NORMALISED_LENGTH,
-        &CLAMPED,
-        &IN_BLACK_SHADOW,
-    ];
-    let numbers = [&SQUARED, &ROOT, &INVERSE, &COMPLEMENT, &MISSED];
-    if components.contains(&mistake) {
-        1
-    } else if numbers.contains(&mistake) || FACTORS.iter().any(|(factor, _)| *factor == mistake) {
-        LEAST_SPECIFIC
-    } else {
-        0
-    }
+/// How much a mistake says, the most first.
+fn says(mistake: &Mistake) -> Says {
+    mistake.known().says
 }
 
 /// The one factor by which all answers are off.
@@ -191,8 +159,8 @@ impl std::fmt::Display for Name {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::Known { mistake, explains, of } => {
-                let Mistake { name, place, picture, .. } = mistake;
-                write!(f, "{name} ({place}")?;
+                write!(f, "{} ({}", mistake.words(), mistake.known().place)?;
+                let picture = mistake.picture();
                 picture.iter().try_for_each(|name| write!(f, "; {name} in docs/mistakes.md"))?;
                 mistake.seen_in().iter().try_for_each(|scene| write!(f, "; seen in {scene}"))?;
                 write!(f, ")")?;

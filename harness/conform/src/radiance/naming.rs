@@ -1,16 +1,15 @@
 //! Which mistake gives their radiance: our tracer is asked the same question with each known mistake.
 //!
 //! Known are those of [`judge::mistakes`], whose pictures `verify` compares, too, and those that are another scene
-//! ([`changes`]).
+//! or pixel, by its edits ([`CHANGES`]).
 
 use std::sync::LazyLock;
 
 use serde_json::{Value, json};
 
 use super::super::family::Namer;
-use super::super::mistakes::{self as m, Mistake};
+use super::super::mistakes::{self as m, CHANGES, Mistake};
 use super::super::subject::ours;
-use super::changes;
 use super::estimate::Estimate;
 use crate::probe::mistaken::mistaken;
 use judge::mistakes;
@@ -22,12 +21,12 @@ const CLOSE: f64 = 1e-5;
 /// Samples of one seed for a first look at all mistakes; those that fit are asked in full.
 const FIRST_SAMPLES: u64 = 36;
 
-/// The catalogue, as pictures of whole scenes tell it.
-static CATALOGUE: LazyLock<Vec<(&'static mistakes::Mistake, Mistake)>> = LazyLock::new(|| {
-    let told = |mistake: &'static mistakes::Mistake| {
-        (mistake, Mistake { name: mistake.words, ..Mistake::of_pictures(mistake.known) })
-    };
-    mistakes::all().into_iter().map(told).collect()
+/// Those of which a picture can be made.
+static PICTURES: LazyLock<Vec<(&'static mistakes::Mistake, Mistake)>> = LazyLock::new(|| {
+    mistakes::all()
+        .into_iter()
+        .map(|mistake| (mistake, Mistake::of_scene(mistake.known())))
+        .collect()
 });
 
 /// Names answers to `radiance` and `trace`.
@@ -67,14 +66,14 @@ fn explain(asked: &[(Value, Value)]) -> Vec<&'static Mistake> {
 fn refutes((question, answer): &(Value, Value), mistake: &'static Mistake) -> bool {
     let (question, answer) = as_radiance(question, answer);
     let Some(theirs) = Estimate::answered(&answer) else { return false };
-    let catalogue = CATALOGUE.iter().filter(|(_, told)| told == mistake).map(|(known, _)| *known);
+    let catalogue = PICTURES.iter().filter(|(_, told)| told == mistake).map(|(known, _)| *known);
     let by_terms = mistaken(&question, &catalogue.collect::<Vec<_>>());
     let by_terms = by_terms.into_iter().map(|one| Estimate {
         mean: one.mean,
         error: one.standard_error,
         ..theirs
     });
-    let changes = changes::all().filter(|change| change.mistake == mistake);
+    let changes = CHANGES.iter().filter(|it| *it == mistake);
     let by_scene = changes.filter_map(|change| changed(&question, change));
     let by_color = m::other_colors(&theirs.mean).into_iter().filter(|(other, _)| *other == mistake);
     let by_color =
@@ -88,9 +87,9 @@ fn refutes((question, answer): &(Value, Value), mistake: &'static Mistake) -> bo
 }
 
 /// What our tracer answers to the changed question; `None` if the change does not apply.
-fn changed(question: &Value, change: &changes::SceneMistake) -> Option<Estimate> {
+fn changed(question: &Value, mistake: &Mistake) -> Option<Estimate> {
     let mut other = question.clone();
-    (change.apply)(&mut other["radiance"])?;
+    mistake.known().change(&mut other["radiance"])?;
     Estimate::answered(&ours(&other).ok()?)
 }
 
@@ -127,15 +126,15 @@ fn fitting(question: &Value, theirs: &Estimate, right: &Estimate) -> Vec<&'stati
         by_terms = fits(question, &by_terms);
     }
     let known = |mistake: &&'static mistakes::Mistake| {
-        CATALOGUE.iter().find(|(known, _)| known == mistake).map(|(_, told)| told)
+        PICTURES.iter().find(|(known, _)| known == mistake).map(|(_, told)| told)
     };
     let mut found: Vec<&'static Mistake> = by_terms.iter().filter_map(known).collect();
-    for change in changes::all() {
+    for mistake in CHANGES.iter() {
         let explains = |question: &Value| {
-            changed(question, change).is_some_and(|other| explains(&other, theirs, right))
+            changed(question, mistake).is_some_and(|other| explains(&other, theirs, right))
         };
         if explains(&first) && (!again || explains(question)) {
-            found.push(change.mistake);
+            found.push(mistake);
         }
     }
     found

@@ -64,19 +64,14 @@ pub fn only(kind: &mut Value) -> &mut Value {
 
 /// Applies a function to a number, or to each number of a list.
 pub fn each(value: &mut Value, of: impl Fn(f64) -> f64) {
+    let one = |value: &mut Value| {
+        if let Some(x) = value.as_f64() {
+            *value = json!(of(x));
+        }
+    };
     match value {
-        Value::Array(items) => {
-            for item in items {
-                if let Some(x) = item.as_f64() {
-                    *item = json!(of(x));
-                }
-            }
-        }
-        other => {
-            if let Some(x) = other.as_f64() {
-                *other = json!(of(x));
-            }
-        }
+        Value::Array(items) => items.iter_mut().for_each(one),
+        other => one(other),
     }
 }
 

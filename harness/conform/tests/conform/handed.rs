@@ -111,7 +111,7 @@ fn a_constant_of_a_mean_is_said_in_words() {
         a
     });
     let card = card_with(&mut square, &["radiance.lamp.disk"], Profile::Careful, 48, false);
-    assert!(card.to_string().contains(m::FOUR_OVER_PI.name), "{card}");
+    assert!(card.to_string().contains(m::FOUR_OVER_PI.words()), "{card}");
 }
 
 /// Law: misspelt words are answered with what they may mean. Oracle: words by hand.

@@ -6,34 +6,31 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayKind;
 
 use super::changes::NOT_INVERTED;
-use super::{How, Mistake, ObservedRay, ObservedTerm, known};
+use super::{How, Mistake, ObservedRay, ObservedTerm};
 
-const SCHLICK: Mistake = Mistake::term(&known::SCHLICK, |term| {
-    with_fresnel(term, |cos_i, eta| shares(schlick(cos_i, eta)))
-});
+const SCHLICK: Mistake =
+    Mistake::term("schlick", |term| with_fresnel(term, |cos_i, eta| shares(schlick(cos_i, eta))));
 
-const NO_ABSORPTION: Mistake = Mistake::ray(&known::NO_ABSORPTION, |ray| ray.sum);
+const NO_ABSORPTION: Mistake = Mistake::ray("no-absorption", |ray| ray.sum);
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::term(&known::NO_ETA_SQUARED, |term| {
+    Mistake::term("no-eta-squared", |term| {
         refracted(term).map_or(term.value(), |eta| term.times(eta * eta))
     }),
-    Mistake::term(&known::ETA_SQUARED_INVERTED, |term| {
+    Mistake::term("eta-squared-inverted", |term| {
         refracted(term).map_or(term.value(), |eta| term.times((eta * eta) * (eta * eta)))
     }),
-    Mistake::term(&known::TOTAL_REFLECTION_BLACK, |term| {
-        match is_mirrored(term) && is_total(term) {
-            true => Rgb::BLACK,
-            false => term.value(),
-        }
+    Mistake::term("total-reflection-black", |term| match is_mirrored(term) && is_total(term) {
+        true => Rgb::BLACK,
+        false => term.value(),
     }),
-    Mistake::term(&known::GLASS_WITHOUT_MIRROR, |term| {
+    Mistake::term("glass-without-mirror", |term| {
         match is_mirrored(term) && is_transparent(term) && !is_total(term) {
             true => Rgb::BLACK,
             false => term.value(),
         }
     }),
-    Mistake::term(&known::TRANSMISSION_WITHOUT_KT, |term| match term.traced() {
+    Mistake::term("transmission-without-kt", |term| match term.traced() {
         Some(Lobe::PerfectTransmitter(lobe)) => term.times(1.0 / lobe.transmittance),
         _ => term.value(),
     }),
@@ -46,25 +43,25 @@ pub(super) const ALL: &[Mistake] = &[
             with_fresnel(term, |cos_i, eta| shares(schlick(cosine_in_air(cos_i, eta), eta)))
         }),
     ),
-    Mistake::term(&known::FRESNEL_SWAPPED, |term| {
+    Mistake::term("fresnel-swapped", |term| {
         with_fresnel(term, |cos_i, eta| {
             let Fresnel { reflected, transmitted } = fresnel(cos_i, eta);
             Fresnel { reflected: transmitted, transmitted: reflected }
         })
     }),
-    Mistake::term(&known::FRESNEL_PERPENDICULAR_ONLY, |term| {
+    Mistake::term("fresnel-perpendicular-only", |term| {
         with_fresnel(term, |cos_i, eta| polarised(cos_i, eta).s)
     }),
-    Mistake::term(&known::FRESNEL_PARALLEL_ONLY, |term| {
+    Mistake::term("fresnel-parallel-only", |term| {
         with_fresnel(term, |cos_i, eta| polarised(cos_i, eta).p)
     }),
-    Mistake::term(&known::FRESNEL_WITHOUT_HALF, |term| {
+    Mistake::term("fresnel-without-half", |term| {
         with_fresnel(term, |cos_i, eta| shares((2.0 * fresnel(cos_i, eta).reflected).min(1.0)))
     }),
-    Mistake::term(&known::FRESNEL_TRANSMITS_ALL, |term| {
+    Mistake::term("fresnel-transmits-all", |term| {
         with_fresnel(term, |cos_i, eta| Fresnel { transmitted: 1.0, ..fresnel(cos_i, eta) })
     }),
-    Mistake::term(&known::FRESNEL_INDEX_INVERTED, |term| {
+    Mistake::term("fresnel-index-inverted", |term| {
         with_fresnel(term, |cos_i, eta| fresnel(cos_i, 1.0 / eta))
     }),
     NO_ABSORPTION,
@@ -74,8 +71,8 @@ pub(super) const ALL: &[Mistake] = &[
         .in_form("along transmitted rays", How::Ray(|ray| not_along(ray, RayKind::Transmitted))),
     NO_ABSORPTION
         .in_form("along the camera's rays", How::Ray(|ray| not_along(ray, RayKind::Camera))),
-    Mistake::ray(&known::ABSORPTION_WITHOUT_DISTANCE, |ray| absorption_over(ray, |t| 1.0 / t)),
-    Mistake::ray(&known::ABSORPTION_TWICE, |ray| absorption_over(ray, |_| 2.0)),
+    Mistake::ray("absorption-without-distance", |ray| absorption_over(ray, |t| 1.0 / t)),
+    Mistake::ray("absorption-twice", |ray| absorption_over(ray, |_| 2.0)),
 ];
 
 /// The index behind the surface over the one in front of it, of a term that was refracted and has the factor 1/η².

@@ -6,37 +6,35 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::{RayKind, TermSource};
 
 use super::observed::LampHeard;
-use super::{How, Mistake, ObservedRay, ObservedTerm, known};
+use super::{How, Mistake, ObservedRay, ObservedTerm};
 
-const NO_DISTANCE: Mistake = Mistake::term(&known::NO_LAMP_DISTANCE, |term| {
+const NO_DISTANCE: Mistake = Mistake::term("no-lamp-distance", |term| {
     term.lamp().map_or(term.value(), |lamp| term.times(lamp.distance_squared))
 });
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::ray(&known::LAST_SAMPLE_LEFT_OUT, |ray| {
+    Mistake::ray("last-sample-left-out", |ray| {
         if ray.is_last_sample { Rgb::BLACK } else { ray.arriving() }
     }),
-    Mistake::term(&known::NO_AMBIENT, |term| ambient(term, |_| 0.0)),
-    Mistake::term(&known::AMBIENT_FOR_EACH_LIGHT, |term| {
+    Mistake::term("no-ambient", |term| ambient(term, |_| 0.0)),
+    Mistake::term("ambient-for-each-light", |term| {
         ambient(term, |term| {
             let lights = term.world.lights.iter().filter(|light| !light.light.is_ambient());
             lights.count() as f64
         })
     }),
-    Mistake::term(&known::AMBIENT_OVER_PI, |term| ambient(term, |_| 1.0 / PI)),
-    Mistake::ray(&known::SAMPLE_MAX_TO_ONE, sample_max_to_one),
-    Mistake::term(&known::LAMPS_UNSEEN, |term| emission(term, |kind| kind == RayKind::Camera)),
-    Mistake::term(&known::LAMPS_UNSEEN_IN_MIRRORS, |term| {
-        emission(term, |kind| kind != RayKind::Camera)
-    }),
-    Mistake::term(&known::NO_BACKGROUND_IN_MIRRORS, |term| match term.term.source {
+    Mistake::term("ambient-over-pi", |term| ambient(term, |_| 1.0 / PI)),
+    Mistake::ray("sample-max-to-one", sample_max_to_one),
+    Mistake::term("lamps-unseen", |term| emission(term, |kind| kind == RayKind::Camera)),
+    Mistake::term("lamps-unseen-in-mirrors", |term| emission(term, |kind| kind != RayKind::Camera)),
+    Mistake::term("no-background-in-mirrors", |term| match term.term.source {
         TermSource::Background { .. } if term.ray.kind != RayKind::Camera => Rgb::BLACK,
         _ => term.value(),
     }),
-    Mistake::term(&known::NO_LAMP_COSINE, |term| {
+    Mistake::term("no-lamp-cosine", |term| {
         term.lamp().map_or(term.value(), |lamp| term.times(1.0 / lamp.cosine))
     }),
-    Mistake::term(&known::LAMP_COSINE_TWICE, |term| {
+    Mistake::term("lamp-cosine-twice", |term| {
         term.lamp().map_or(term.value(), |lamp| term.times(lamp.cosine))
     }),
     NO_DISTANCE,
@@ -53,8 +51,8 @@ pub(super) const ALL: &[Mistake] = &[
             term.lamp().map_or(term.value(), factor)
         }),
     ),
-    Mistake::term(&known::LAMP_OF_RECEIVER, lamp_of_receiver),
-    Mistake::term(&known::LAST_LIGHT_SAMPLE_LEFT_OUT, |term| match term.term.source {
+    Mistake::term("lamp-of-receiver", lamp_of_receiver),
+    Mistake::term("last-light-sample-left-out", |term| match term.term.source {
         TermSource::Direct { pdf: Some(_), .. } if term.is_last_sample => Rgb::BLACK,
         _ => term.value(),
     }),

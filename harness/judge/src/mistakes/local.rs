@@ -3,10 +3,9 @@
 use std::collections::BTreeSet;
 
 use groundtruth::scene::{Scene, Tracer};
-use serde_json::Value;
+use serde_json::{Value, json};
 
-use super::changes::edits::edit_each;
-pub use super::changes::textures::{CHANGES, TextureChange};
+use super::known::{self, KnownMistake};
 
 /// A scene with a change in one place.
 #[derive(Clone, Debug)]
@@ -19,21 +18,28 @@ pub struct Local {
     pub everywhere: Option<&'static str>,
 }
 
-/// The scene with each change of the textures of a material, where it has such a thing. None if the scene cannot be written to
+/// The mistakes that may be made in one material alone.
+pub fn of_one_material() -> impl Iterator<Item = &'static KnownMistake> {
+    known::pictures().iter().filter(|known| known.in_one_material)
+}
+
+/// The scene with each of these mistakes in a material alone, where it has such a thing. None if the scene cannot be written to
 /// a file.
 pub fn in_material(scene: &Scene, material: &str) -> Vec<Local> {
     let Ok(whole) = serde_json::to_value(scene) else { return Vec::new() };
     let Some(at) = scene.materials.iter().position(|it| it.name == material) else {
         return Vec::new();
     };
-    let changed = |change: &TextureChange| {
+    let changed = |known: &'static KnownMistake| {
+        let mut alone = json!({"scene": {"materials": [whole["materials"][at]]}});
+        known.change(&mut alone)?;
         let mut whole = whole.clone();
-        let is_changed = edit_each(&mut whole["materials"][at], &change.edit);
-        let scene = is_changed.then(|| serde_json::from_value(whole).ok())??;
-        let words = format!("in material {material} alone, {}", change.known.words);
-        Some(Local { words, scene, everywhere: Some(change.known.name) })
+        whole["materials"][at] = alone["scene"]["materials"][0].take();
+        let scene = serde_json::from_value(whole).ok()?;
+        let words = format!("in material {material} alone, {}", known.words);
+        Some(Local { words, scene, everywhere: Some(known.name) })
     };
-    CHANGES.iter().filter_map(changed).collect()
+    of_one_material().filter_map(changed).collect()
 }
 
 /// The scene without an object.

@@ -63,7 +63,7 @@ impl Renderer for Mistaken {
         budget: &mut B,
     ) -> Rgb {
         let world = &self.world;
-        if matches!(self.mistake[0].how, How::Scene(_)) {
+        if matches!(self.mistake[0].how, How::Edits(_) | How::Scene(_)) {
             return world.sample(pixel, index, recorder, budget);
         }
         let Some(camera) = render::camera_sample(world, pixel, index) else { return Rgb::BLACK };

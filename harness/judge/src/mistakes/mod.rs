@@ -1,15 +1,16 @@
-//! Known mistakes: the picture that a program with one mistake would render, for each of a catalogue ([`known`]).
+//! Known mistakes: the picture that a program with one mistake would render, for each entry of a file ([`known`]).
 //!
 //! A picture that disagrees with ours may agree with that of a mistake, which is then named. No mistake is a switch
-//! of the tracer. Most change the values of the terms that a recorder hears ([`How::Term`], [`How::Ray`]), so that one
-//! pass with the same random numbers renders the pictures of all of them. The others change the scene
-//! ([`How::Scene`]), where needed by kinds of the harness that wrap a light, camera or material.
+//! of the tracer. Many change the values of the terms that a recorder hears ([`How::Term`], [`How::Ray`]), so that one
+//! pass with the same random numbers renders the pictures of all of them. The others change the scene: by edits that the file
+//! says ([`How::Edits`]), or by code ([`How::Scene`]), with kinds of the harness that wrap a light, camera or material.
 //! People make one mistake in several forms ([`Mistake::form`]); and a mistake of a scene may be in one material alone
 //! ([`local`]).
 
 mod beside;
+mod called;
 mod changes;
-pub mod fields;
+mod edit;
 mod films;
 mod glass_terms;
 pub mod known;
@@ -19,6 +20,7 @@ mod mistaken;
 mod observed;
 mod page;
 mod path_terms;
+mod places;
 mod probed;
 mod recorder;
 mod replicas;
@@ -27,13 +29,16 @@ mod surface_terms;
 pub mod table;
 
 use std::path::Path;
+use std::sync::LazyLock;
 
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use known::KnownMistake;
 use pictures::shell::quoted;
+use serde_json::json;
 
 pub use beside::Beside;
+pub use edit::Edit;
 pub use films::{Films, films, pixel};
 pub use mistaken::Mistaken;
 pub use observed::{ObservedRay, ObservedSurface, ObservedTerm};
@@ -46,11 +51,11 @@ pub use shown::{
     others, pairs, scenes_that_show, shown_by,
 };
 
-/// A mistake of a ray tracer in the style of the book: its entry in the catalogue, and its picture.
+/// A mistake of a ray tracer in the style of the book: the name of its entry, and its picture.
 #[derive(Clone, Copy, Debug)]
 pub struct Mistake {
-    /// Its entry.
-    pub known: &'static KnownMistake,
+    /// The name of its entry in the file.
+    pub name: &'static str,
     /// How its picture is made.
     pub how: How,
     /// In which other form people make it: a half sentence that follows the words. Only forms without one are in the
@@ -65,6 +70,8 @@ pub enum How {
     Term(fn(&ObservedTerm<'_>) -> Rgb),
     /// The radiance that arrives along each ray is another.
     Ray(fn(&ObservedRay<'_>) -> Rgb),
+    /// The scene is another, by these edits.
+    Edits(&'static [Edit]),
     /// The scene is another; `None` if the mistake does not apply to it. The files that the scene names are in the
     /// folder.
     Scene(fn(&Scene, &Path) -> Option<Scene>),
@@ -73,24 +80,26 @@ pub enum How {
 }
 
 impl Mistake {
-    const fn term(known: &'static KnownMistake, value: fn(&ObservedTerm<'_>) -> Rgb) -> Self {
-        Self { known, how: How::Term(value), form: None }
+    const fn term(name: &'static str, value: fn(&ObservedTerm<'_>) -> Rgb) -> Self {
+        Self { name, how: How::Term(value), form: None }
     }
 
-    const fn ray(known: &'static KnownMistake, arriving: fn(&ObservedRay<'_>) -> Rgb) -> Self {
-        Self { known, how: How::Ray(arriving), form: None }
+    const fn ray(name: &'static str, arriving: fn(&ObservedRay<'_>) -> Rgb) -> Self {
+        Self { name, how: How::Ray(arriving), form: None }
     }
 
-    const fn scene(
-        known: &'static KnownMistake,
-        change: fn(&Scene, &Path) -> Option<Scene>,
-    ) -> Self {
-        Self { known, how: How::Scene(change), form: None }
+    const fn scene(name: &'static str, change: fn(&Scene, &Path) -> Option<Scene>) -> Self {
+        Self { name, how: How::Scene(change), form: None }
     }
 
     /// The same mistake in another form.
     const fn in_form(self, form: &'static str, how: How) -> Self {
         Self { form: Some(form), how, ..self }
+    }
+
+    /// Its entry in the file.
+    pub fn known(&self) -> &'static KnownMistake {
+        known::find(self.name).unwrap_or_else(|| panic!("{} is not in mistakes.toml", self.name))
     }
 
     /// Completes the sentence "the picture agrees with ours if …", with its form.
@@ -105,7 +114,7 @@ impl Mistake {
     fn value(&self, term: &ObservedTerm<'_>) -> Rgb {
         match self.how {
             How::Term(value) | How::Both(_, value) => value(term),
-            How::Ray(_) | How::Scene(_) => term.value(),
+            How::Ray(_) | How::Edits(_) | How::Scene(_) => term.value(),
         }
     }
 
@@ -113,7 +122,7 @@ impl Mistake {
     fn arriving(&self, ray: &ObservedRay<'_>) -> Rgb {
         match self.how {
             How::Ray(arriving) => arriving(ray),
-            How::Term(_) | How::Both(..) | How::Scene(_) => ray.arriving(),
+            _ => ray.arriving(),
         }
     }
 
@@ -123,12 +132,12 @@ impl Mistake {
     }
 }
 
-/// What the catalogue says of it: its name, chapter, words.
+/// What the file says of it: its chapter, words.
 impl std::ops::Deref for Mistake {
     type Target = KnownMistake;
 
     fn deref(&self) -> &KnownMistake {
-        self.known
+        self.known()
     }
 }
 
@@ -141,17 +150,36 @@ impl PartialEq for Mistake {
 
 impl Eq for Mistake {}
 
+/// All mistakes in all forms, in the order of the file.
+static FORMS: LazyLock<Vec<Mistake>> = LazyLock::new(|| {
+    let terms = [surface_terms::ALL, glass_terms::ALL, light_terms::ALL, path_terms::ALL];
+    let coded: Vec<Mistake> = terms.into_iter().chain(changes::ALL).flatten().copied().collect();
+    coded.iter().for_each(|it| assert!(known::find(it.name).is_some(), "{} has no entry", it.name));
+    let made = |known: &'static KnownMistake| {
+        let of_edits = |change: &'static [Edit], form| Mistake {
+            name: known.name,
+            how: How::Edits(change),
+            form,
+        };
+        let mut all: Vec<Mistake> =
+            coded.iter().filter(|it| it.name == known.name).copied().collect();
+        if all.is_empty() {
+            all.push(of_edits(&known.change, None));
+        }
+        all.extend(known.forms.iter().map(|form| of_edits(&form.change, Some(form.words))));
+        all
+    };
+    known::pictures().iter().flat_map(made).collect()
+});
+
 /// All mistakes, by chapter, each in the form of the table.
 pub fn all() -> Vec<&'static Mistake> {
-    forms().into_iter().filter(|mistake| mistake.form.is_none()).collect()
+    FORMS.iter().filter(|mistake| mistake.form.is_none()).collect()
 }
 
 /// All mistakes in all forms, by chapter.
 pub fn forms() -> Vec<&'static Mistake> {
-    let terms = [surface_terms::ALL, glass_terms::ALL, light_terms::ALL, path_terms::ALL];
-    let mut all: Vec<&Mistake> = terms.into_iter().chain(changes::ALL).flatten().collect();
-    all.sort_by_key(|mistake| mistake.chapter);
-    all
+    FORMS.iter().collect()
 }
 
 /// The mistake of this name, in the form of the table.
@@ -178,7 +206,15 @@ pub fn is_file(scene: &str) -> bool {
 /// is one of terms.
 pub fn scene(mistake: &Mistake, scene: &Scene, folder: &Path) -> Option<Scene> {
     match mistake.how {
+        How::Edits(edits) => edited(scene, edits),
         How::Scene(change) | How::Both(change, _) => change(scene, folder),
         How::Term(_) | How::Ray(_) => None,
     }
+}
+
+/// The scene with these edits; `None` if they change nothing, or if the scene cannot be written to a file.
+fn edited(scene: &Scene, edits: &[Edit]) -> Option<Scene> {
+    let mut data = json!({"scene": serde_json::to_value(scene).ok()?});
+    edit::apply(edits, &mut data)?;
+    serde_json::from_value(data["scene"].take()).ok()
 }

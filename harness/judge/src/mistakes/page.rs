@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use super::known::KnownMistake;
-use super::local::CHANGES;
+use super::local::of_one_material;
 use super::shown::{Cover, fewest_scenes, scenes_that_show};
 use super::table::{CHANGE, SAMPLES, SHARE, WIDTH};
 use super::{How, Mistake, all, forms};
@@ -40,8 +40,8 @@ pub fn page() -> String {
         }
     }
     page += LOCAL;
-    for change in CHANGES {
-        let _ = writeln!(page, "- {}", change.known.words);
+    for known in of_one_material() {
+        let _ = writeln!(page, "- {}", known.words);
     }
     page += "\n## Few scenes that show all mistakes of a chapter\n\n";
     page += "| chapter | scenes | mistakes that no scene shows |\n| --- | --- | --- |\n";
@@ -84,10 +84,10 @@ pass glass. A material whose diffuse part is black lacks the part of Blinn's hig
 }
 
 fn row(mistake: &Mistake) -> String {
-    let KnownMistake { name, words, place, .. } = mistake.known;
+    let KnownMistake { name, words, place, .. } = mistake.known();
     let how = match mistake.how {
         How::Term(_) | How::Ray(_) => "terms",
-        How::Scene(_) | How::Both(..) => "scene",
+        How::Edits(_) | How::Scene(_) | How::Both(..) => "scene",
     };
     let scenes = scenes_that_show(mistake);
     let best: Vec<String> = scenes

@@ -6,15 +6,14 @@ use groundtruth::lobes::Lobe;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::TermSource;
 
-use super::{How, Mistake, ObservedTerm, known};
+use super::{How, Mistake, ObservedTerm};
 
-const COSINE_TWICE: Mistake =
-    Mistake::term(&known::PATH_COSINE_TWICE, |term| match term.traced() {
-        Some(Lobe::Lambertian(_)) => term.times(cosine(term)),
-        _ => term.value(),
-    });
+const COSINE_TWICE: Mistake = Mistake::term("path-cosine-twice", |term| match term.traced() {
+    Some(Lobe::Lambertian(_)) => term.times(cosine(term)),
+    _ => term.value(),
+});
 
-const COUNTED_TWICE: Mistake = Mistake::term(&known::LIGHT_COUNTED_TWICE, light_counted_twice);
+const COUNTED_TWICE: Mistake = Mistake::term("light-counted-twice", light_counted_twice);
 
 pub(super) const ALL: &[Mistake] = &[
     COUNTED_TWICE,
@@ -40,25 +39,25 @@ pub(super) const ALL: &[Mistake] = &[
             _ => term.value(),
         }),
     ),
-    Mistake::term(&known::PATH_WITHOUT_REFLECTANCE, |term| match term.term.source {
+    Mistake::term("path-without-reflectance", |term| match term.term.source {
         TermSource::Traced { lobe: Lobe::Lambertian(_), lobe_probability, survival, .. } => {
             (1.0 / (lobe_probability * survival)) * term.arriving
         }
         _ => term.value(),
     }),
-    Mistake::term(&known::PATH_WITHOUT_DENSITY, |term| match term.term.source {
+    Mistake::term("path-without-density", |term| match term.term.source {
         TermSource::Traced { lobe: Lobe::Lambertian(_), pdf: Some(pdf), .. } => term.times(pdf),
         _ => term.value(),
     }),
-    Mistake::term(&known::PATH_PI_TWICE, |term| match term.traced() {
+    Mistake::term("path-pi-twice", |term| match term.traced() {
         Some(Lobe::Lambertian(_)) => term.times(1.0 / PI),
         _ => term.value(),
     }),
-    Mistake::term(&known::CHOICE_NOT_COMPENSATED, |term| match term.term.source {
+    Mistake::term("choice-not-compensated", |term| match term.term.source {
         TermSource::Traced { lobe_probability, .. } => term.times(lobe_probability),
         _ => term.value(),
     }),
-    Mistake::term(&known::ROULETTE_NOT_COMPENSATED, |term| match term.term.source {
+    Mistake::term("roulette-not-compensated", |term| match term.term.source {
         TermSource::Traced { survival, .. } => term.times(survival),
         _ => term.value(),
     }),

@@ -7,36 +7,36 @@ use groundtruth::math::{Normal, Vector, power};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::TermSource;
 
-use super::{How, Mistake, ObservedTerm, known};
+use super::{How, Mistake, ObservedTerm};
 
 const OF_HALF_VECTOR: Mistake =
-    Mistake::term(&known::HIGHLIGHT_OF_HALF_VECTOR, |term| with_highlight(term, half_vector));
+    Mistake::term("highlight-of-half-vector", |term| with_highlight(term, half_vector));
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::term(&known::LAMBERTIAN_WITHOUT_PI, |term| match term.direct() {
+    Mistake::term("lambertian-without-pi", |term| match term.direct() {
         Some((Lobe::Lambertian(_), _)) => term.times(PI),
         _ => term.value(),
     }),
-    Mistake::term(&known::LAMBERTIAN_PI_TWICE, |term| match term.direct() {
+    Mistake::term("lambertian-pi-twice", |term| match term.direct() {
         Some((Lobe::Lambertian(_), _)) => term.times(1.0 / PI),
         _ => term.value(),
     }),
-    Mistake::term(&known::NO_COSINE, |term| {
+    Mistake::term("no-cosine", |term| {
         term.direct().map_or(term.value(), |(_, cos_i)| term.times(1.0 / cos_i))
     }),
-    Mistake::term(&known::COSINE_OF_VIEWER, cosine_of_viewer),
-    Mistake::term(&known::COSINE_TWICE, |term| {
+    Mistake::term("cosine-of-viewer", cosine_of_viewer),
+    Mistake::term("cosine-twice", |term| {
         term.direct().map_or(term.value(), |(_, cos_i)| term.times(cos_i))
     }),
-    Mistake::term(&known::NO_HIGHLIGHT, |term| match term.direct() {
+    Mistake::term("no-highlight", |term| match term.direct() {
         Some((Lobe::GlossySpecular(_), _)) => Rgb::BLACK,
         _ => term.value(),
     }),
-    Mistake::term(&known::HIGHLIGHT_WITHOUT_COSINE, |term| match term.direct() {
+    Mistake::term("highlight-without-cosine", |term| match term.direct() {
         Some((Lobe::GlossySpecular(_), cos_i)) => term.times(1.0 / cos_i),
         _ => term.value(),
     }),
-    Mistake::term(&known::HIGHLIGHT_NORMALISED, |term| match term.direct() {
+    Mistake::term("highlight-normalised", |term| match term.direct() {
         Some((Lobe::GlossySpecular(lobe), _)) => term.times((lobe.exponent + 2.0) / (2.0 * PI)),
         _ => term.value(),
     }),
@@ -45,27 +45,27 @@ pub(super) const ALL: &[Mistake] = &[
         "with four times the exponent",
         How::Term(|term| with_highlight(term, |n, wo, wi| power(half_vector(n, wo, wi), 4.0))),
     ),
-    Mistake::term(&known::HIGHLIGHT_WITHOUT_TWO, |term| {
+    Mistake::term("highlight-without-two", |term| {
         with_highlight(term, |n, wo, wi| times_mirrored(1.0, n, wo, wi))
     }),
-    Mistake::term(&known::SPHERE_NORMAL_NOT_UNIT, sphere_normal_not_unit),
-    Mistake::term(&known::MIRROR_WITH_COSINE, |term| match term.traced() {
+    Mistake::term("sphere-normal-not-unit", sphere_normal_not_unit),
+    Mistake::term("mirror-with-cosine", |term| match term.traced() {
         Some(Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_)) => {
             term.times(cosine_of_ray(term))
         }
         _ => term.value(),
     }),
-    Mistake::term(&known::MIRROR_WITHOUT_KR, |term| match term.term.source {
+    Mistake::term("mirror-without-kr", |term| match term.term.source {
         TermSource::Traced {
             lobe: Lobe::PerfectSpecular(_), lobe_probability, survival, ..
         } => (1.0 / (lobe_probability * survival)) * term.arriving,
         _ => term.value(),
     }),
-    Mistake::term(&known::GLOSS_WITH_COSINE, |term| match term.traced() {
+    Mistake::term("gloss-with-cosine", |term| match term.traced() {
         Some(Lobe::GlossyReflection(_)) => term.times(cosine_of_ray(term)),
         _ => term.value(),
     }),
-    Mistake::term(&known::GLOSS_WITHOUT_DENSITY, |term| match term.term.source {
+    Mistake::term("gloss-without-density", |term| match term.term.source {
         TermSource::Traced { lobe: Lobe::GlossyReflection(_), pdf: Some(pdf), .. } => {
             term.times(pdf)
         }

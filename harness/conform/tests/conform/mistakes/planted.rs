@@ -52,7 +52,7 @@ impl Subject for Way {
 /// A table of programs: the name that the card has to say, or words for a mistake without a name; the families that fail;
 /// and what the program does.
 macro_rules! planted {
-    (@ $name:ident) => { (m::$name.name, Some(&m::$name)) };
+    (@ $name:ident) => { (m::$name.words(), Some(&m::$name)) };
     (@ $what:literal) => { ($what, None) };
     ($($mistake:tt in $wrong:expr => $way:expr;)*) => {
         /// All of them.

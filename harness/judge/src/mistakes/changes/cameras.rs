@@ -1,64 +1,20 @@
-//! Mistakes of cameras (Suffern, ch. 3, 9–12).
+//! Mistakes of the film (Suffern, ch. 3, 4).
 
 use std::path::Path;
 use std::sync::Arc;
 
-use groundtruth::cameras::{Camera, Kind, Viewing};
+use groundtruth::cameras::{Camera, Kind};
 use groundtruth::kinds::Custom;
 use groundtruth::math::{Point, Vector};
 use groundtruth::scene::Scene;
 
 use super::changed;
-use crate::mistakes::{Mistake, known};
+use crate::mistakes::Mistake;
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene(&known::PIXEL_CORNER, pixel_corner),
-    Mistake::scene(&known::SUB_CELL_CORNER, sub_cell_corner),
-    Mistake::scene(&known::NO_ASPECT, no_aspect),
-    Mistake::scene(&known::ROLL_REVERSED, |scene, _| {
-        changed(scene, |scene| {
-            scene.camera.roll = -scene.camera.roll;
-            scene.camera.roll != 0.0
-        })
-    }),
-    Mistake::scene(&known::NO_EXPOSURE_TIME, |scene, _| {
-        changed(scene, |scene| std::mem::replace(&mut scene.camera.exposure_time, 1.0) != 1.0)
-    }),
-    Mistake::scene(&known::NOT_FOCUSED, |scene, _| {
-        changed(scene, |scene| match &mut scene.camera.lens {
-            Kind::ThinLens(lens) => {
-                std::mem::replace(&mut lens.focal_distance, lens.distance) != lens.distance
-            }
-            _ => false,
-        })
-    }),
-    Mistake::scene(&known::LENS_RADIUS_DOUBLED, |scene, _| {
-        changed(scene, |scene| match &mut scene.camera.lens {
-            Kind::ThinLens(lens) => {
-                lens.lens_radius *= 2.0;
-                lens.lens_radius > 0.0
-            }
-            _ => false,
-        })
-    }),
-    Mistake::scene(&known::HALF_FIELD_OF_VIEW, |scene, _| with_field_of_view(scene, 0.5)),
-    Mistake::scene(&known::WHOLE_FIELD_OF_VIEW, |scene, _| with_field_of_view(scene, 2.0)),
-    Mistake::scene(&known::FISHEYE_WITHOUT_CIRCLE, |scene, _| {
-        changed(scene, |scene| match &mut scene.camera.lens {
-            Kind::Fisheye(lens) => !std::mem::replace(&mut lens.rectangular, true),
-            _ => false,
-        })
-    }),
-    Mistake::scene(&known::EYES_EXCHANGED, |scene, _| {
-        changed(scene, |scene| {
-            let Some(stereo) = &mut scene.camera.stereo else { return false };
-            stereo.viewing = match stereo.viewing {
-                Viewing::Parallel => Viewing::Transverse,
-                Viewing::Transverse => Viewing::Parallel,
-            };
-            true
-        })
-    }),
+    Mistake::scene("pixel-corner", pixel_corner),
+    Mistake::scene("sub-cell-corner", sub_cell_corner),
+    Mistake::scene("no-aspect", no_aspect),
 ];
 
 /// A camera whose film points are first scaled and then moved.
@@ -116,22 +72,4 @@ fn no_aspect(scene: &Scene, _: &Path) -> Option<Scene> {
         return None;
     }
     with_film(scene, [1.0, width / height], [0.0; 2])
-}
-
-fn with_field_of_view(scene: &Scene, factor: f64) -> Option<Scene> {
-    changed(scene, |scene| {
-        match &mut scene.camera.lens {
-            Kind::Fisheye(lens) => lens.fov *= factor,
-            Kind::SphericalPanorama(lens) => {
-                lens.horizontal_fov *= factor;
-                lens.vertical_fov *= factor;
-            }
-            Kind::CylindricalPanorama(lens) => {
-                lens.horizontal_fov *= factor;
-                lens.vertical_fov *= factor;
-            }
-            _ => return false,
-        }
-        true
-    })
 }

@@ -11,32 +11,15 @@ use groundtruth::shapes::{
 };
 
 use super::changed;
-use crate::mistakes::{Mistake, known};
+use crate::mistakes::Mistake;
 
-pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene(&known::NORMAL_BY_MATRIX, |scene, folder| {
-        changed_instances(scene, folder, Part::Normals)
-    }),
-    Mistake::scene(&known::TEXTURE_NOT_IN_INSTANCE, |scene, folder| {
-        changed_instances(scene, folder, Part::Textures)
-    }),
-];
+pub(super) const ALL: &[Mistake] = &[Mistake::scene("normal-by-matrix", changed_instances)];
 
-/// What of an instance is wrong.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Part {
-    /// The shading normal is `M n'` instead of `(M⁻¹)ᵀ n'`.
-    Normals,
-    /// The local point is that of the world.
-    Textures,
-}
-
-/// An instance with a mistake.
+/// An instance whose shading normal is `M n'` instead of `(M⁻¹)ᵀ n'`.
 #[derive(Debug)]
 struct Wrong {
     instance: Arc<dyn Shape>,
     transform: Transform,
-    part: Part,
 }
 
 impl Wrong {
@@ -61,10 +44,7 @@ impl Shape for Wrong {
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = self.instance.surface(ray, at);
-        match self.part {
-            Part::Normals => Surface { shading: self.normal(surface.shading), ..surface },
-            Part::Textures => Surface { local: surface.point, ..surface },
-        }
+        Surface { shading: self.normal(surface.shading), ..surface }
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
@@ -93,25 +73,25 @@ impl Shape for Wrong {
 }
 
 /// The shape with the mistake, if it is an instance; so are the normals of the instances in it.
-fn changed_shape(instance: &Instance, context: &mut Context, part: Part) -> Option<Kind> {
+fn changed_shape(instance: &Instance, context: &mut Context) -> Option<Kind> {
     let transform = Transform::from_steps(&instance.transform).ok()?;
     let of = match &*instance.of {
-        Kind::Instance(inner) if part == Part::Normals => changed_shape(inner, context, part)?,
+        Kind::Instance(inner) => changed_shape(inner, context)?,
         other => other.clone(),
     };
     let copy = Kind::from(Instance { of: Box::new(of), ..instance.clone() });
     let instance = copy.build(context).ok()?;
-    Some(Kind::Custom(Custom(Arc::new(Wrong { instance, transform, part }))))
+    Some(Kind::Custom(Custom(Arc::new(Wrong { instance, transform }))))
 }
 
 /// Instances whose parts name materials of their own, and those within compounds, stay as they are.
-fn changed_instances(scene: &Scene, folder: &Path, part: Part) -> Option<Scene> {
+fn changed_instances(scene: &Scene, folder: &Path) -> Option<Scene> {
     let mut context = Context::new(Resources::new(folder), scene.accel);
     changed(scene, |scene| {
         let mut any = false;
         for object in &mut scene.objects {
             let Kind::Instance(instance) = &object.shape else { continue };
-            if let Some(shape) = changed_shape(instance, &mut context, part) {
+            if let Some(shape) = changed_shape(instance, &mut context) {
                 object.shape = shape;
                 any = true;
             }

@@ -5,7 +5,6 @@ use std::sync::Arc;
 
 use groundtruth::kinds::{Resources, Specification};
 use groundtruth::lights::{Area, Context, Kind, LampObject, Light, LightContext, LightSample};
-use groundtruth::materials;
 use groundtruth::math::{Point, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
@@ -13,24 +12,9 @@ use groundtruth::shapes::{self, SampledSurface, Sampling};
 
 use super::changed;
 use super::lights::with_samples;
-use crate::mistakes::{Mistake, known};
+use crate::mistakes::Mistake;
 
-pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene(&known::NO_LAMP_AREA, no_lamp_area),
-    Mistake::scene(&known::LAMP_TWO_SIDED, lamp_two_sided),
-];
-
-fn lamp_two_sided(scene: &Scene, _: &Path) -> Option<Scene> {
-    changed(scene, |scene| {
-        let mut any = false;
-        for material in &mut scene.materials {
-            let is_lamp = matches!(material.recipe, materials::Kind::Emissive(_));
-            any |= is_lamp && !material.two_sided;
-            material.two_sided |= is_lamp;
-        }
-        any
-    })
-}
+pub(super) const ALL: &[Mistake] = &[Mistake::scene("no-lamp-area", no_lamp_area)];
 
 /// What an area light needs of its object.
 fn lamp_object(scene: &Scene, folder: &Path, name: &str) -> Option<LampObject> {

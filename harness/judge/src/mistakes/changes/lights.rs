@@ -8,33 +8,24 @@ use std::sync::Arc;
 use groundtruth::invalid::LENGTHS;
 use groundtruth::kinds::Custom;
 use groundtruth::lights::{
-    AmbientOccluder, Context, Directional, Kind, Light, LightContext, LightSample, Segment, Target,
-    Unlit,
+    AmbientOccluder, Context, Kind, Light, LightContext, LightSample, Segment, Target, Unlit,
 };
 use groundtruth::math::{Frame, maps};
 use groundtruth::scene::{Intersect, Scene};
 use groundtruth::shapes;
 
+use super::changed;
 use super::lamps::lamp_light;
 use super::materials::is_transparent;
-use super::{changed, has_tree_of_rays};
-use crate::mistakes::{How, Mistake, known};
+use crate::mistakes::{How, Mistake};
 
 const OFFSET_TOO_LARGE: Mistake =
-    Mistake::scene(&known::OFFSET_TOO_LARGE, |scene, _| with_least_distance(scene, 1.0));
+    Mistake::scene("offset-too-large", |scene, _| with_least_distance(scene, 1.0));
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene(&known::NO_FALL_OFF, |scene, _| with_exponent(scene, 0.0)),
-    Mistake::scene(&known::LINEAR_FALL_OFF, |scene, _| with_exponent(scene, 1.0)),
-    Mistake::scene(&known::LIT_FROM_BEHIND, lit_from_behind),
-    Mistake::scene(&known::SUN_REVERSED, |scene, _| {
-        with_sun(scene, |sun| sun.direction = -sun.direction)
-    }),
-    Mistake::scene(&known::SUN_NOT_NORMALISED, |scene, _| {
-        with_sun(scene, |sun| sun.ls *= sun.direction.length())
-    }),
+    Mistake::scene("lit-from-behind", lit_from_behind),
     Mistake {
-        known: &known::HIGHLIGHT_DIRECTION_NOT_UNIT,
+        name: "highlight-direction-not-unit",
         // the longer direction is in the cosine of all direct light, too: there it is taken off
         how: How::Both(longer_suns, |term| match term.single_direction() {
             Some(long) => term.times(1.0 / long.length()),
@@ -42,17 +33,13 @@ pub(super) const ALL: &[Mistake] = &[
         }),
         form: None,
     },
-    Mistake::scene(&known::SPOT_WHOLE_ANGLE, spot_whole_angle),
-    Mistake::scene(&known::SHADOW_SWITCHES_IGNORED, shadow_switches_ignored),
-    Mistake::scene(&known::NO_SHADOWS, no_shadows),
-    Mistake::scene(&known::SHADOW_RAYS_WITHOUT_END, shadow_rays_without_end),
-    Mistake::scene(&known::NO_OFFSET, |scene, _| with_least_distance(scene, *LENGTHS.start())),
+    Mistake::scene("shadow-rays-without-end", shadow_rays_without_end),
+    Mistake::scene("no-offset", |scene, _| with_least_distance(scene, *LENGTHS.start())),
     OFFSET_TOO_LARGE,
     OFFSET_TOO_LARGE.in_form("or than 0.1", How::Scene(|scene, _| with_least_distance(scene, 0.1))),
     OFFSET_TOO_LARGE
         .in_form("or than 0.01", How::Scene(|scene, _| with_least_distance(scene, 0.01))),
-    Mistake::scene(&known::OCCLUDER_UNIFORM, occluder_uniform),
-    Mistake::scene(&known::NO_MIN_AMOUNT, no_min_amount),
+    Mistake::scene("occluder-uniform", occluder_uniform),
 ];
 
 /// The scene as the book's program hits it, whose rays start on the surface and ignore all hits that are nearer. Where that is
@@ -88,36 +75,6 @@ fn is_plain(shape: &shapes::Kind) -> bool {
     )
 }
 
-fn with_exponent(scene: &Scene, exponent: f64) -> Option<Scene> {
-    changed(scene, |scene| {
-        let mut any = false;
-        for light in &mut scene.lights {
-            let attenuation = match &mut light.source {
-                Kind::PointLight(light) => &mut light.attenuation,
-                Kind::Spot(light) => &mut light.attenuation,
-                Kind::FakeSpherical(light) => &mut light.attenuation,
-                _ => continue,
-            };
-            any |= *attenuation > exponent;
-            *attenuation = attenuation.min(exponent);
-        }
-        any
-    })
-}
-
-fn with_sun(scene: &Scene, change: fn(&mut Directional)) -> Option<Scene> {
-    changed(scene, |scene| {
-        let mut any = false;
-        for light in scene.lights.iter_mut().filter(|light| light.enabled) {
-            if let Kind::Directional(sun) = &mut light.source {
-                change(sun);
-                any = true;
-            }
-        }
-        any
-    })
-}
-
 /// Suns whose samples have the direction that the scene says, not made unit.
 fn longer_suns(scene: &Scene, _: &Path) -> Option<Scene> {
     changed(scene, |scene| {
@@ -133,43 +90,6 @@ fn longer_suns(scene: &Scene, _: &Path) -> Option<Scene> {
             };
             light.source = with_samples(built, Arc::new(longer));
             any = true;
-        }
-        any
-    })
-}
-
-fn spot_whole_angle(scene: &Scene, _: &Path) -> Option<Scene> {
-    changed(scene, |scene| {
-        let mut any = false;
-        for light in &mut scene.lights {
-            if let Kind::Spot(spot) = &mut light.source {
-                (spot.inner, spot.outer) = (0.5 * spot.inner, 0.5 * spot.outer);
-                any = true;
-            }
-        }
-        any
-    })
-}
-
-fn shadow_switches_ignored(scene: &Scene, _: &Path) -> Option<Scene> {
-    changed(scene, |scene| {
-        let materials = scene.materials.iter_mut().map(|it| &mut it.casts_shadows);
-        let objects = scene.objects.iter_mut().map(|it| &mut it.casts_shadows);
-        let mut any = false;
-        materials.chain(objects).for_each(|casts| any |= !std::mem::replace(casts, true));
-        any
-    })
-}
-
-fn no_shadows(scene: &Scene, _: &Path) -> Option<Scene> {
-    if !has_tree_of_rays(scene) {
-        return None;
-    }
-    changed(scene, |scene| {
-        let mut any = false;
-        for light in &mut scene.lights {
-            any |= light.enabled && light.shadows;
-            light.shadows = false;
         }
         any
     })
@@ -315,19 +235,6 @@ impl Light for Uniform {
         let ours = self.light.sample(from, u)?;
         Some(LightSample { direction, segment: Some(segment), pdf: Some(0.5 / PI), ..ours })
     }
-}
-
-fn no_min_amount(scene: &Scene, _: &Path) -> Option<Scene> {
-    changed(scene, |scene| {
-        let mut any = false;
-        for light in &mut scene.lights {
-            if let Kind::AmbientOccluder(occluder) = &mut light.source {
-                any |= occluder.min_amount > 0.0;
-                (occluder.min_amount, occluder.occluded_color) = (0.0, None);
-            }
-        }
-        any
-    })
 }
 
 fn occluder_uniform(scene: &Scene, _: &Path) -> Option<Scene> {

@@ -14,17 +14,15 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::textures::{self, Paint, Texel, Texture, TexturePoint};
 
-use super::{changed, has_tree_of_rays};
+use super::changed;
 use crate::mistakes::glass_terms::{both_right, factor_right, fresnel_right, total_right};
-use crate::mistakes::{How, Mistake, known};
+use crate::mistakes::{How, Mistake};
 
 /// In refraction, in Fresnel's equations and in the factor 1/η².
 pub(in crate::mistakes) const NOT_INVERTED: Mistake =
-    Mistake::scene(&known::ETA_NOT_INVERTED, not_inverted);
+    Mistake::scene("eta-not-inverted", not_inverted);
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene(&known::BACK_SIDES_BLACK, back_sides_black),
-    Mistake::scene(&known::GLASS_CASTS_NO_SHADOW, glass_casts_no_shadow),
     NOT_INVERTED,
     NOT_INVERTED.in_form("in refraction alone", How::Both(not_inverted, both_right)),
     NOT_INVERTED
@@ -32,40 +30,16 @@ pub(super) const ALL: &[Mistake] = &[
     NOT_INVERTED.in_form("but right in the factor 1/η²", How::Both(not_inverted, factor_right)),
     NOT_INVERTED
         .in_form("but right where reflection is total", How::Both(not_inverted, total_right)),
-    Mistake::scene(&known::ETA_INVERTED, |scene, folder| {
-        with_response(scene, folder, eta_inverted)
-    }),
-    Mistake::scene(&known::TOTAL_REFLECTION_KR, |scene, folder| {
+    Mistake::scene("eta-inverted", |scene, folder| with_response(scene, folder, eta_inverted)),
+    Mistake::scene("total-reflection-kr", |scene, folder| {
         with_response(scene, folder, total_reflection_kr)
     }),
-    Mistake::scene(&known::BUMP_REVERSED, bump_reversed),
-    Mistake::scene(&known::CHECKER_TRUNCATED, checker_truncated),
+    Mistake::scene("bump-reversed", bump_reversed),
+    Mistake::scene("checker-truncated", checker_truncated),
 ];
-
-fn back_sides_black(scene: &Scene, _: &Path) -> Option<Scene> {
-    changed(scene, |scene| {
-        let any = scene.materials.iter().any(|material| material.two_sided);
-        scene.materials.iter_mut().for_each(|material| material.two_sided = false);
-        any
-    })
-}
 
 pub(super) fn is_transparent(recipe: &Kind) -> bool {
     matches!(recipe, Kind::Transparent(_) | Kind::Dielectric(_))
-}
-
-fn glass_casts_no_shadow(scene: &Scene, _: &Path) -> Option<Scene> {
-    if !has_tree_of_rays(scene) {
-        return None;
-    }
-    changed(scene, |scene| {
-        let mut any = false;
-        for material in scene.materials.iter_mut().filter(|it| is_transparent(&it.recipe)) {
-            any |= material.casts_shadows;
-            material.casts_shadows = false;
-        }
-        any
-    })
 }
 
 /// What a surface answers instead of the material, seen under `cos_o`.
