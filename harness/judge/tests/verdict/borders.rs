@@ -127,7 +127,7 @@ fn a_reference_is_of_the_scene() {
     film.set([0, 0], Rgb::new(1.0, 1.0, f64::NAN));
     bad.add(&film, 9).expect("it is listed");
     let said = Reference::new(&bad, &header).err().unwrap_or_default();
-    equal("error", &*said, "seed 9 has a value that is no number at pixel 0, 0");
+    equal("error", &*said, "a replica has a value that is no number at pixel 0, 0");
 }
 
 /// All ways to store integers.
