@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use super::family::{Asking, Family, Judge};
 use super::judgement::{Judgement, Profile};
-use super::questions::{self, kinds, outside, ray_question, square, vector};
+use super::questions::{self, kinds, outside, ray_question, square};
 use super::subject::Stop;
 use super::{cases, intersections, laws};
 use exact::Draw;
@@ -51,10 +51,6 @@ fn of_laws() -> Vec<Family> {
     all.extend(of_shapes());
     all.extend(of_cameras());
     all.extend(of_samples());
-    all.push(law("fresnel.shares", "optics/fresnel", "ch28", laws::shares_add_up, |draw| {
-        let eta = draw.between(0.4, 2.5);
-        json!({"fresnel": {"eta": eta, "cos_i": draw.between(0.0, 1.0)}})
-    }));
     all
 }
 
@@ -198,22 +194,5 @@ fn of_samples() -> Vec<Family> {
         let name = format!("samples.{tag}.strata");
         all.push(law(&name, &format!("samplers/{tag}"), chapter, laws::stratified, case));
     }
-    for (tag, chapter) in [("disk", "ch06"), ("hemisphere", "ch07"), ("sphere", "ch07")] {
-        let case = move |draw: &mut Draw| {
-            let to = match tag {
-                "hemisphere" => json!({"hemisphere": {"exponent": draw.pick(&[0.0, 1.0, 10.0])}}),
-                tag => json!({tag: {}}),
-            };
-            json!({"map": {"to": to, "u": [draw.between(0.05, 0.95), draw.between(0.05, 0.95)]}})
-        };
-        let name = format!("map.{tag}.there_and_back");
-        all.push(law(&name, &format!("maps/{tag}"), chapter, laws::map_and_back, case));
-    }
-    all.push(law("transform.composed.inverse", "transforms/composed", "ch20", laws::inverse_is_inverse, |draw| {
-        let turn = json!({draw.pick(&["rotate_x", "rotate_y", "rotate_z"]): draw.between(-180.0, 180.0)});
-        let scale = json!({"scale": [draw.between(0.25, 3.0), draw.between(0.25, 3.0), draw.between(0.25, 3.0)]});
-        let shear = json!({"shear": (0..6).map(|_| draw.between(-0.3, 0.3)).collect::<Vec<_>>()});
-        json!({"transform": {"steps": [scale, turn, {"translate": vector(draw, 4.0)}, shear]}})
-    }));
     all
 }

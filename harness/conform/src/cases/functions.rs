@@ -3,7 +3,10 @@
 use serde_json::{Value, json};
 
 use crate::judgement::triple;
+use crate::questions::{outside, round};
+use crate::subject::ours;
 use exact::Draw;
+use groundtruth::math::{Pcg32, Vector};
 
 /// From arguments to a value; `None` if they are no such arguments.
 pub type Function = fn(&mut Draw, &[Value]) -> Option<Value>;
@@ -11,16 +14,32 @@ pub type Function = fn(&mut Draw, &[Value]) -> Option<Value>;
 /// The function of this name.
 pub fn function(name: &str) -> Option<Function> {
     Some(match name {
+        // unit vectors: any, one that does not point down, one above the surface z = 0
         "direction" => |draw, _| Some(json!(draw.direction().to_array())),
         "up" => |draw, _| {
             let [x, y, z] = draw.direction().to_array();
             Some(json!([x, y.abs(), z]))
         },
+        "outside" => |draw, _| Some(json!(outside(draw))),
+        "unit" => |_, of| Some(json!(Vector::from(triple(of.first()?)?).unit()?.to_array())),
+        "on_cylinder" => |draw, _| {
+            let [x, _, z] = draw.direction().to_array();
+            let rho = (x * x + z * z).sqrt().max(1e-3);
+            Some(json!([x / rho, draw.between(-0.99, 0.99), z / rho]))
+        },
+        "shadow" => |_, of| Some(json!(shadow(triple(of.first()?)?, triple(of.get(1)?)?))),
+        "moved" => |_, of| moved(triple(of.first()?)?, of.get(1)?),
+        "answer" => |_, of| ours(of.first()?).ok(),
         "unequal" => |_, of| {
             let [a, b] = of else { return None };
             Some(json!(a.as_u64()? + u64::from(a == b)))
         },
-        "shadow" => |_, of| Some(json!(shadow(triple(of.first()?)?, triple(of.get(1)?)?))),
+        "permutation" => |draw, _| {
+            let mut all: [u8; 256] = std::array::from_fn(|i| i as u8);
+            Pcg32::new(draw.below(1 << 30) as u64, 0).shuffle(&mut all);
+            Some(json!(all.to_vec()))
+        },
+        "compact_boxes" => |draw, _| Some(boxes(draw)),
         _ => return None,
     })
 }
@@ -33,4 +52,46 @@ fn shadow(of: [f64; 3], lamp: [f64; 3]) -> [f64; 3] {
     }
     let along = (of[1] / height).min(4.0);
     std::array::from_fn(|i| of[i] + along * (of[i] - lamp[i]))
+}
+
+/// What the steps of a transformation do to a point, by our matrix.
+fn moved(point: [f64; 3], steps: &Value) -> Option<Value> {
+    let matrix = ours(&json!({"transform": {"steps": steps}})).ok()?["matrix"].take();
+    let row = |i: usize| {
+        let entry = |j: usize| matrix[i][j].as_f64();
+        let turned = (0..3).map(|j| Some(entry(j)? * point[j])).sum::<Option<f64>>()?;
+        Some(round(turned + entry(3)?))
+    };
+    Some(json!([row(0)?, row(1)?, row(2)?]))
+}
+
+/// Boxes that together are about as high as wide. To other sets our grids give other cells than the book's formula does
+/// (docs/probe.md), which is no mistake of the program that is asked.
+fn boxes(draw: &mut Draw) -> Value {
+    let one = |draw: &mut Draw| {
+        let min = draw.vector(4.0).to_array().map(round);
+        (min, min.map(|x| round(x + draw.between(0.25, 2.0))))
+    };
+    let count = 4 + draw.below(9);
+    loop {
+        let all: Vec<_> = (0..count).map(|_| one(draw)).collect();
+        if is_compact(&all) {
+            let boxes = all.iter().map(|(min, max)| json!({"min": min, "max": max}));
+            return boxes.collect::<Vec<_>>().into();
+        }
+    }
+}
+
+/// Whether the middle side of all boxes together is at least the longest over their number n, and the shortest at least
+/// √(longest · middle / n).
+fn is_compact(boxes: &[([f64; 3], [f64; 3])]) -> bool {
+    let n = boxes.len() as f64;
+    let mut sides: [f64; 3] = std::array::from_fn(|i| {
+        let low = boxes.iter().map(|(min, _)| min[i]).fold(f64::INFINITY, f64::min);
+        let high = boxes.iter().map(|(_, max)| max[i]).fold(f64::NEG_INFINITY, f64::max);
+        high - low
+    });
+    sides.sort_by(f64::total_cmp);
+    let [short, middle, long] = sides;
+    middle * n >= long && short * short * n >= long * middle
 }

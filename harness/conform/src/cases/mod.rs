@@ -24,6 +24,7 @@ macro_rules! files {
 
 const FILES: &[&str] = files! {
     "scenes": "notation" "basics" "lights" "surfaces" "textures" "images" "mirrors" "glass" "pixels" "lamps" "paths" "pictures";
+    "questions": "optics" "lamps" "instances" "images" "meshes" "noise" "sampling" "spaces";
 };
 
 static ENTRIES: LazyLock<Vec<Entry>> =
@@ -50,7 +51,11 @@ pub fn read(text: &str) -> Result<Vec<Entry>, String> {
     let all: Table = text.parse().map_err(|error| format!("{error}"))?;
     let mut entries = Vec::new();
     for name in all.keys().filter(|name| name.contains('.')) {
-        let fields = inherited(&all, name)?;
+        let fields = inherited(&all, name).map_err(|problem| format!("{name}: {problem}"))?;
+        let mut own = all[name].as_table().into_iter().flat_map(Table::keys);
+        if let Some(key) = own.find(|key| !is_used(&fields, name, key)) {
+            return Err(format!("{name}: nothing uses `{key}`"));
+        }
         let one = vec![toml::Value::Table(Table::new())];
         let each = fields.get("each").and_then(toml::Value::as_array).unwrap_or(&one);
         for words in each.iter().filter_map(toml::Value::as_table) {
@@ -75,8 +80,7 @@ fn inherited(all: &Table, name: &str) -> Result<Table, String> {
         join(&mut fields, &inherited(all, of)?);
     }
     join(&mut fields, own);
-    let unused = own.keys().find(|key| name.contains('.') && !is_used(&fields, name, key));
-    unused.map_or(Ok(fields), |key| Err(format!("{name}: nothing uses `{key}`")))
+    Ok(fields)
 }
 
 /// Tables whose fields are joined with those of the same table; all else takes the place of what was there.
@@ -153,7 +157,7 @@ impl Entry {
             about: self.word("about").to_owned(),
             chapter: self.word("chapter"),
             ordinary: true,
-            share: self.fields.get("cases").and_then(toml::Value::as_float).unwrap_or(1.0),
+            share: self.fields.get("cases").and_then(|share| json!(share).as_f64()).unwrap_or(1.0),
             cases: Box::new(move |seed, n| (0..n).map(|index| case(seed, index)).collect()),
             judge,
             namer,

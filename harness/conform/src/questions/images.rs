@@ -1,98 +1,14 @@
-//! Image textures, whose texels the question lists (Suffern, ch. 29): a family for each way to reach a texel.
+//! Answers about image textures, whose texels the question lists (Suffern, ch. 29).
 
 use serde_json::{Value, json};
 
-use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
-use super::surfaces::on;
-use super::{change, data, family, remove, swap};
-use exact::Draw;
-use groundtruth::textures::Mapping;
-
-/// A case: the fields of its image beside `texels`, and those of its question beside `texture`.
-type Case = fn(&mut Draw) -> (Value, Value);
-
-const CASES: &[(&str, Case)] = &[
-    ("uv", |draw| (json!({}), json!({"uv": super::square(draw)}))),
-    ("bilinear", |draw| (json!({"filtering": "bilinear"}), json!({"uv": super::square(draw)}))),
-    ("wraps", |draw| {
-        let [wrap_u, wrap_v] = [(); 2].map(|()| draw.pick(&["repeat", "clamp", "mirror"]));
-        (json!({"wrap_u": wrap_u, "wrap_v": wrap_v}), json!({"uv": beyond(draw)}))
-    }),
-    ("bilinear_wraps", |draw| {
-        let [wrap_u, wrap_v] = [(); 2].map(|()| draw.pick(&["repeat", "clamp", "mirror"]));
-        let image = json!({"filtering": "bilinear", "wrap_u": wrap_u, "wrap_v": wrap_v});
-        (image, json!({"uv": beyond(draw)}))
-    }),
-    ("rule_of_the_book", |draw| (json!({"rule": "book"}), json!({"uv": super::square(draw)}))),
-    ("unit", |draw| {
-        let unit = draw.pick(&[0.25, 0.5, 2.0, 3.0]);
-        let scaled = |point: Value| match point.as_array() {
-            Some(all) => {
-                json!(all.iter().filter_map(Value::as_f64).map(|x| unit * x).collect::<Vec<_>>())
-            }
-            None => point,
-        };
-        (
-            json!({"mapping": "square", "unit": unit}),
-            json!({"point": scaled(on(Mapping::Square, draw))}),
-        )
-    }),
-];
-
-/// The families, with one for each mapping.
-pub fn families() -> Vec<Family> {
-    let listed = CASES.iter().map(|(name, case)| {
-        named(name, move |draw| {
-            let (image, question) = case(draw);
-            asked(draw, image, question)
-        })
-    });
-    let mapped = [
-        (Mapping::Square, "square"),
-        (Mapping::Cylindrical, "cylindrical"),
-        (Mapping::Spherical, "spherical"),
-        (Mapping::LightProbe, "light_probe"),
-        (Mapping::Panoramic, "panoramic"),
-    ]
-    .into_iter()
-    .map(|(mapping, name)| {
-        named(name, move |draw| {
-            let point = json!({"point": on(mapping, draw)});
-            asked(draw, json!({"mapping": name}), point)
-        })
-    });
-    listed.chain(mapped).collect()
-}
-
-fn named(name: &str, case: impl Fn(&mut Draw) -> Value + Send + Sync + 'static) -> Family {
-    let name = format!("texture.image.{name}.values");
-    family(&name, "textures/image", "ch29", Judge::Answer(judge), case)
-}
-
-fn asked(draw: &mut Draw, mut image: Value, mut question: Value) -> Value {
-    image["texels"] = texels(draw);
-    question["texture"] = json!({"image": image});
-    json!({"texture": question})
-}
-
-/// Coordinates in the image and around it.
-fn beyond(draw: &mut Draw) -> Value {
-    json!([draw.between(-2.0, 3.0), draw.between(-2.0, 3.0)])
-}
-
-/// A few rows of colours that single precision holds.
-fn texels(draw: &mut Draw) -> Value {
-    let (columns, rows) = (3 + draw.below(3), 2 + draw.below(3));
-    let color = |draw: &mut Draw| [(); 3].map(|()| super::round(draw.between(0.0, 1.0)));
-    let row = |draw: &mut Draw| (0..columns).map(|_| color(draw)).collect::<Vec<_>>();
-    json!((0..rows).map(|_| row(draw)).collect::<Vec<_>>())
-}
+use super::{change, data, remove, swap};
 
 /// Judges by our own answer.
-fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+pub fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
         needed: &[],
         free: &[],

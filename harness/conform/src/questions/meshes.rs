@@ -1,107 +1,15 @@
-//! Meshes whose corners the question lists (Suffern, ch. 23, 29): where they are hit, and what is interpolated there.
+//! Answers about meshes whose corners the question lists (Suffern, ch. 23, 29).
 
 use serde_json::{Value, json};
 
-use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile, triple};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
-use super::{change, family, only, remove, round, vector};
-use exact::Draw;
+use super::{change, only, remove};
 use groundtruth::math::{Vector, atan2};
 
-/// What a family adds to a mesh of bare triangles.
-type Extra = fn(&mut Draw, &mut Value);
-
-const FAMILIES: &[(&str, Extra)] = &[
-    ("flat", |_, _| ()),
-    ("smooth", |_, mesh| mesh["smooth"] = json!(true)),
-    ("normals", |draw, mesh| {
-        mesh["smooth"] = json!(true);
-        mesh["normals"] = json!(CORNERS.map(|at| near(draw, at.map(|x| 2.0 * x), 0.4)));
-    }),
-    ("uv", |draw, mesh| {
-        let uv = |draw: &mut Draw| [round(draw.between(0.0, 1.0)), round(draw.between(0.0, 1.0))];
-        mesh["uvs"] = json!(CORNERS.map(|_| uv(draw)));
-    }),
-    ("reversed", |draw, mesh| {
-        mesh["reverse_normals"] = json!(true);
-        mesh["smooth"] = json!(draw.coin());
-    }),
-    ("scaled", |draw, mesh| mesh["scale"] = json!(draw.pick(&[0.5, 2.0, 3.0]))),
-];
-
-/// The corners of an octahedron.
-const CORNERS: [[f64; 3]; 6] = [
-    [1.0, 0.0, 0.0],
-    [-1.0, 0.0, 0.0],
-    [0.0, 1.0, 0.0],
-    [0.0, -1.0, 0.0],
-    [0.0, 0.0, 1.0],
-    [0.0, 0.0, -1.0],
-];
-
-/// Its faces, counter-clockwise from outside.
-const FACES: [[u32; 3]; 8] =
-    [[2, 4, 0], [2, 0, 5], [2, 5, 1], [2, 1, 4], [3, 0, 4], [3, 5, 0], [3, 1, 5], [3, 4, 1]];
-
-/// The families.
-pub fn families() -> Vec<Family> {
-    let one = |(name, extra): &(&str, Extra)| {
-        let extra = *extra;
-        let case = move |draw: &mut Draw| question(draw, extra);
-        let name = format!("intersect.mesh.{name}");
-        family(&name, "shapes/mesh", "ch23", Judge::Answer(judge), case)
-    };
-    let triangle = family(
-        "intersect.triangle.normals",
-        "shapes/triangle",
-        "ch23",
-        Judge::Answer(judge),
-        smooth_triangle,
-    );
-    FAMILIES.iter().map(one).chain([triangle]).collect()
-}
-
-/// A point near another.
-fn near(draw: &mut Draw, at: [f64; 3], by: f64) -> [f64; 3] {
-    let by = draw.vector(by).to_array();
-    std::array::from_fn(|i| round(at[i] + by[i]))
-}
-
-/// A ray at a triangle with a normal at each corner.
-fn smooth_triangle(draw: &mut Draw) -> Value {
-    let corners = [CORNERS[0], CORNERS[2], CORNERS[4]];
-    let vertices = corners.map(|at| near(draw, at, 0.25));
-    // all on the side of the triangle's own
-    let normals = corners.map(|at| near(draw, at.map(|x| x + 0.5), 0.3));
-    let [a, b] = [draw.between(0.1, 0.6), draw.between(0.1, 0.3)];
-    let aim: [f64; 3] = std::array::from_fn(|i| {
-        (1.0 - a - b) * vertices[0][i] + a * vertices[1][i] + b * vertices[2][i]
-    });
-    let origin = near(draw, [0.0; 3], 4.0);
-    let direction: [f64; 3] = std::array::from_fn(|i| round(aim[i] - origin[i]));
-    let shape = json!({"triangle": {"vertices": vertices, "normals": normals}});
-    json!({"intersect": {"shape": shape, "ray": {"origin": origin, "direction": direction}}})
-}
-
-/// A ray at a dented octahedron, whole or with some faces left out, so that it is also hit from inside.
-fn question(draw: &mut Draw, extra: Extra) -> Value {
-    let vertices = CORNERS.map(|at| near(draw, at, 0.25));
-    let left_out = draw.pick(&[0, 0, 3]);
-    let mut mesh = json!({"vertices": vertices, "triangles": FACES[left_out..]});
-    extra(draw, &mut mesh);
-    let scale = mesh["scale"].as_f64().unwrap_or(1.0);
-    let away = draw.direction().to_array();
-    let far = scale * draw.pick(&[0.25, 3.0, 6.0]);
-    let origin = away.map(|x| round(far * x));
-    let aim = triple(&vector(draw, 0.6)).unwrap_or_default();
-    let direction: [f64; 3] = std::array::from_fn(|i| round(scale * aim[i] - origin[i]));
-    json!({"intersect": {"shape": {"mesh": mesh}, "ray": {"origin": origin, "direction": direction}}})
-}
-
 /// Judges by our own answer: texture coordinates and the normal for shading where they are answered.
-fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+pub fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
         needed: &["t", "normal"],
         free: &["error", "path"],

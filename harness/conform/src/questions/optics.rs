@@ -6,25 +6,13 @@ use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile, number, triple};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
-use super::{any, data, family, kinds, only, round, square};
+use super::{any, data, family, kinds, only, square};
 use exact::Draw;
 use groundtruth::lobes::Lobe;
 use groundtruth::math::{Vector, cos, power, sin};
 
 pub fn families() -> Vec<Family> {
-    let mut all = vec![
-        family(
-            "fresnel.cosine",
-            "optics/fresnel",
-            "ch28",
-            Judge::Answer(fresnel),
-            |draw| json!({"fresnel": {"eta": eta(draw), "cos_i": round(draw.between(0.0, 1.0))}}),
-        ),
-        family("fresnel.directions", "optics/fresnel", "ch27", Judge::Answer(fresnel), |draw| {
-            let [wo, n] = [outside(draw), [0.0, 0.0, 1.0]];
-            json!({"fresnel": {"eta": eta(draw), "wo": wo, "n": n}})
-        }),
-    ];
+    let mut all = Vec::new();
     for (entry, (tag, chapter, specimens)) in Lobe::ENTRIES.iter().zip(kinds(Lobe::ENTRIES)) {
         let is_specular = (entry.specimens)().iter().all(Lobe::is_specular);
         let name = format!("lobe.{tag}.values");
@@ -39,11 +27,6 @@ pub fn families() -> Vec<Family> {
         all.push(family(&name, &format!("lobes/{tag}"), chapter, Judge::Answer(lobe), case));
     }
     all
-}
-
-/// An index ratio, above and below 1.
-fn eta(draw: &mut Draw) -> f64 {
-    round(if draw.coin() { draw.between(1.05, 2.5) } else { draw.between(0.4, 0.95) })
 }
 
 /// A unit direction above the surface, as three numbers whose squares add up to 1 within rounding.
@@ -99,7 +82,8 @@ const FRESNEL: Rules = Rules {
     ],
 };
 
-fn fresnel(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+/// Judges by our own answer.
+pub fn fresnel(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     values::judge(question, answer, profile, &FRESNEL)
 }
 

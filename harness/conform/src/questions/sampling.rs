@@ -1,49 +1,16 @@
-//! Sample sets without random numbers, and maps of samples (Suffern, ch. 5 to 7).
+//! Answers about sample sets without random numbers, and maps of samples (Suffern, ch. 5 to 7).
 
-use serde_json::{Value, json};
+use serde_json::Value;
 
-use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile, number};
 use super::super::mistakes as m;
 use super::super::subject::ours;
 use super::super::values::{self, Rules};
-use super::{change, data, family, round, swap};
-use exact::Draw;
+use super::{change, data, swap};
 use groundtruth::math::UNIT_ROUNDOFF;
 
-pub fn families() -> Vec<Family> {
-    let mut all = Vec::new();
-    for (tag, chapter) in [("regular", "ch04"), ("hammersley", "ch05")] {
-        let case = move |draw: &mut Draw| {
-            let side = 1 + draw.below(12);
-            json!({"samples": {"sampler": {tag: {}}, "n": side * side}})
-        };
-        let name = format!("samples.{tag}.values");
-        all.push(family(&name, &format!("samplers/{tag}"), chapter, Judge::Answer(samples), case));
-    }
-    for (tag, chapter) in [("disk", "ch06"), ("hemisphere", "ch07"), ("sphere", "ch07")] {
-        let to = move |draw: &mut Draw| match tag {
-            "hemisphere" => json!({"hemisphere": {"exponent": draw.pick(&[0.0, 1.0, 5.0, 40.0])}}),
-            tag => json!({tag: {}}),
-        };
-        let u =
-            |draw: &mut Draw| [round(draw.between(0.01, 0.99)), round(draw.between(0.01, 0.99))];
-        let map_of = move |draw: &mut Draw| json!({"map": {"to": to(draw), "u": u(draw)}});
-        let inverse_of = move |draw: &mut Draw| {
-            let (to, u) = (to(draw), u(draw));
-            let point = ours(&json!({"map": {"to": to, "u": u}})).unwrap_or_default();
-            json!({"map": {"to": to, "point": point}})
-        };
-        let about = format!("maps/{tag}");
-        let judge = Judge::Answer(map);
-        all.push(family(&format!("map.{tag}.values"), &about, chapter, judge, map_of));
-        all.push(family(&format!("map.{tag}.inverse"), &about, chapter, judge, inverse_of));
-    }
-    all
-}
-
 /// Sets are compared as sets: the order of points is a program's own.
-fn samples(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+pub fn samples(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     let Ok(right) = ours(question) else { return Judgement::Undecided };
     let Some(right) = sorted(&right) else { return Judgement::Undecided };
     let wrong =
@@ -98,7 +65,8 @@ fn sorted_points(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
     points
 }
 
-fn map(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+/// Judges by our own answer.
+pub fn map(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
         needed: &[],
         free: &[],

@@ -7,14 +7,13 @@ use super::super::judgement::{Judgement, Profile, number, numbers, triple};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
 use super::noise::OF_NOISE;
-use super::{any, change, data, direction, family, kinds, only, remove, swap, vector};
+use super::{any, change, data, family, kinds, only, remove, swap, vector};
 use exact::Draw;
-use groundtruth::math::{Vector, power};
-use groundtruth::textures::Mapping;
+use groundtruth::math::power;
 use groundtruth::{lights, textures};
 
 pub fn families() -> Vec<Family> {
-    [of_lights(), of_textures(), of_mappings()].into_iter().flatten().collect()
+    [of_lights(), of_textures()].into_iter().flatten().collect()
 }
 
 fn of_lights() -> Vec<Family> {
@@ -65,56 +64,6 @@ fn of_textures() -> Vec<Family> {
         all.push(family(&name, &format!("textures/{tag}"), chapter, Judge::Answer(texture), case));
     }
     all
-}
-
-fn of_mappings() -> Vec<Family> {
-    let mut all = Vec::new();
-    for of in [
-        Mapping::Square,
-        Mapping::Cylindrical,
-        Mapping::Spherical,
-        Mapping::Hemispherical,
-        Mapping::LightProbe,
-        Mapping::Panoramic,
-    ] {
-        let tag = serde_json::to_value(of).expect("a mapping is a word");
-        let tag = tag.as_str().unwrap_or_default().to_owned();
-        let (name, about) = (format!("mapping.{tag}.values"), format!("mappings/{tag}"));
-        let case =
-            move |draw: &mut Draw| json!({"mapping": {"mapping": of, "point": on(of, draw)}});
-        all.push(family(&name, &about, "ch29", Judge::Answer(mapping), case));
-    }
-    // where the direction has no azimuth; the opposite one is a whole circle of the picture
-    for (of, tag, z) in
-        [(Mapping::LightProbe, "light_probe", 1.0), (Mapping::Panoramic, "panoramic", -1.0)]
-    {
-        let case = move |draw: &mut Draw| {
-            let reach = draw.pick(&[0.0, 0.25]);
-            let aside = draw.vector(reach);
-            let point = Vector::new(aside.x(), aside.y(), z).unit().unwrap_or(Vector::Z);
-            json!({"mapping": {"mapping": of, "point": point.to_array()}})
-        };
-        let (name, about) = (format!("mapping.{tag}.axis"), format!("mappings/{tag}"));
-        all.push(family(&name, &about, "ch29", Judge::Answer(mapping), case));
-    }
-    all
-}
-
-/// A point of the generic object of a mapping.
-pub fn on(mapping: Mapping, draw: &mut Draw) -> Value {
-    match mapping {
-        Mapping::Square => json!([draw.between(-0.99, 0.99), 0.0, draw.between(-0.99, 0.99)]),
-        Mapping::Cylindrical => {
-            let n = draw.direction().to_array();
-            let rho = (n[0] * n[0] + n[2] * n[2]).sqrt().max(1e-3);
-            json!([n[0] / rho, draw.between(-0.99, 0.99), n[2] / rho])
-        }
-        Mapping::Hemispherical => {
-            let n = draw.direction().to_array();
-            json!([n[0], n[1].abs(), n[2]])
-        }
-        _ => direction(draw),
-    }
 }
 
 fn light(question: &Value, answer: &Value, profile: Profile) -> Judgement {
@@ -248,7 +197,8 @@ fn line(data: &Value, name: &str) -> f64 {
     data["lines"][name].as_f64().unwrap_or(0.0)
 }
 
-fn mapping(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+/// Judges by our own answer.
+pub fn mapping(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
         needed: &[],
         free: &[],

@@ -114,9 +114,13 @@ impl Subject for Planter {
 fn planted_mistakes_of_scenes_are_found_and_named() {
     let (mut problems, mut nameless, mut named) = (Vec::new(), Vec::new(), 0);
     for (family, words, change) in PLANTED {
-        let is_rare =
-            ["lamp.rect", "of_parts", "mesh", "thin_lens"].iter().any(|word| family.contains(word));
-        let cases = if is_rare { 64 } else { 24 };
+        // how many cases show it
+        let is_rare = ["lamp.rect", "of_parts", "mesh"].iter().any(|word| family.contains(word));
+        let cases = match *family {
+            "radiance.pixel.thin_lens" => 512,
+            _ if is_rare => 64,
+            _ => 24,
+        };
         let card = card_with(&mut Planter(*change), &[family], Profile::Careful, cases, false);
         let row = &card.rows[0];
         let names: Vec<String> = row.names.iter().map(ToString::to_string).collect();

@@ -56,7 +56,7 @@ planted! {
         // jumps from one thousandth of a cell to the next: almost all neighbours differ
         instead(q, |data| each(&mut data["point"], |x| 1e4 * x))
     });
-    NO_SHADOWS in ["radiance.matte.values"] => Question(|data| {
+    NO_SHADOWS in ["radiance.basics.shadows_of_point.values"] => Question(|data| {
         data["scene"]["lights"].as_array_mut().into_iter().flatten().for_each(|light| {
             light["shadows"] = json!(false);
         });
