@@ -51,7 +51,7 @@ pub fn read(text: &str) -> Result<Vec<Entry>, String> {
     let all: Table = text.parse().map_err(|error| format!("{error}"))?;
     let mut entries = Vec::new();
     for name in all.keys().filter(|name| name.contains('.')) {
-        let fields = inherited(&all, name).map_err(|problem| format!("{name}: {problem}"))?;
+        let fields = inherited(&all, name, 0).map_err(|problem| format!("{name}: {problem}"))?;
         let mut own = all[name].as_table().into_iter().flat_map(Table::keys);
         if let Some(key) = own.find(|key| !is_used(&fields, name, key)) {
             return Err(format!("{name}: nothing uses `{key}`"));
@@ -66,7 +66,10 @@ pub fn read(text: &str) -> Result<Vec<Entry>, String> {
 }
 
 /// The fields of an entry, after those of the entry that it is in.
-fn inherited(all: &Table, name: &str) -> Result<Table, String> {
+fn inherited(all: &Table, name: &str, depth: usize) -> Result<Table, String> {
+    if depth > all.len() {
+        return Err(format!("`{name}` is in itself"));
+    }
     let own = all.get(name).and_then(toml::Value::as_table);
     let own = own.ok_or_else(|| format!("no entry is called `{name}`"))?;
     let mut fields = Table::new();
@@ -77,7 +80,7 @@ fn inherited(all: &Table, name: &str) -> Result<Table, String> {
         None => vec!["everything".into()],
     };
     for of in of.iter().filter_map(toml::Value::as_str) {
-        join(&mut fields, &inherited(all, of)?);
+        join(&mut fields, &inherited(all, of, depth + 1)?);
     }
     join(&mut fields, own);
     Ok(fields)

@@ -67,10 +67,13 @@ roots!(single_roots, f32);
 
 /// Whether their `t` is the wrong one of a formula with `b² − 4ac`.
 pub fn is_cancellation(local: &Local<'_>, t: f64, root: &Root) -> bool {
-    by_formulas(local).into_iter().flatten().any(|other| {
-        let error = (other - root.t).abs();
-        error > 0.0 && (t - other).abs() <= NEAR * error
-    })
+    // the other root of a formula is no error of this one
+    let nearest = |roots: Vec<f64>| {
+        let errors = roots.into_iter().map(|other| (other, (other - root.t).abs()));
+        errors.min_by(|a, b| a.1.total_cmp(&b.1))
+    };
+    let mut all = by_formulas(local).into_iter().filter_map(nearest);
+    all.any(|(other, error)| error > 0.0 && (t - other).abs() <= NEAR * error)
 }
 
 /// Whether a formula with `b² − 4ac` finds as many roots in the span as they do, and not as many as there are.
@@ -84,7 +87,7 @@ pub fn is_count_of_cancellation(
         let inside: Vec<f64> = roots.into_iter().filter(|t| min < *t && *t < max).collect();
         match theirs {
             [] => inside.is_empty(),
-            [t] => inside.iter().any(|other| (t - other).abs() <= NEAR * t.abs()),
+            [t] => matches!(*inside, [other] if (t - other).abs() <= NEAR * t.abs()),
             _ => inside.len() == theirs.len(),
         }
     };

@@ -248,6 +248,22 @@ fn cancellation_is_named() {
     }
 }
 
+/// Law: where the farther of two roots is taken, or one is left out, nothing is said of lost digits. Oracle: the roots by the
+/// formula of a unit sphere, which has no such error near it.
+#[test]
+fn the_other_root_is_no_lost_digit() {
+    let second: fn(&Value, Value) -> Value = |_, mut answer| match answer.as_array_mut() {
+        Some(hits) if hits.len() > 1 => json!([hits.pop()]),
+        _ => answer,
+    };
+    let card = card(&mut Altered(second), &["intersect.sphere.all_roots"], Profile::Careful, 40);
+    let row = &card.rows[0];
+    assert!(row.count(Status::Wrong) > 10, "{card}");
+    let is_cancellation =
+        |name: &Name| matches!(name, Name::Known { mistake, .. } if *mistake == &m::CANCELLATION);
+    assert!(!row.names.iter().any(is_cancellation), "{:?}", row.names);
+}
+
 /// Law: the same wrong answer to every question of a kind is named as such, and only then. Oracle: shadow rays that
 /// never hit, as where a kind has no `shadow_hit`, and those that miss a half.
 #[test]

@@ -91,6 +91,7 @@ fn mistakes_in_entries_are_named() {
         ("samples = 1", "samples.it: no `judge`"),
         ("judge = 'mean'\nsampels = 1", "samples.it: nothing uses `sampels`"),
         ("judge = 'mean'\nin = 'rooms'", "samples.it: no entry is called `rooms`"),
+        ("judge = 'mean'\nin = 'samples.it'", "samples.it: `samples.it` is in itself"),
         (
             "judge = 'mean'\nsamples = { c = 'colr?' }",
             "samples.it: samples: `colr?`: nothing is called `colr`; did you mean `color`?",

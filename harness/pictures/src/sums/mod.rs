@@ -17,6 +17,7 @@ mod seeds;
 use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
 
+pub use file::FileError;
 pub use header::{Header, Made};
 pub use merge::{Contradiction, MergeError, Merged, merged};
 pub use number::{ChannelSums, U256, fixed};
