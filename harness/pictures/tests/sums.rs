@@ -172,3 +172,18 @@ fn sums_are_read_back() {
         assert_eq!(Sums::read(&file).expect("whole"), sums);
     }
 }
+
+/// Law: a file of no replica or of no pixel is refused with its name, though its digest is right. Oracle: its header.
+#[test]
+fn a_file_of_nothing_is_refused() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("a.sums");
+    let mut of_no_pixel = Sums::new(header([0, 2]));
+    of_no_pixel.add(&Film::new(0, 2), 1).expect("it fits");
+    for sums in [Sums::new(header([3, 2])), of_no_pixel] {
+        sums.write(&file).expect("written");
+        let problem = Sums::read(&file).expect_err("it is of nothing").to_string();
+        assert!(problem.ends_with("it is of no replica or of no pixel"), "{problem}");
+        assert!(problem.contains("a.sums"), "{problem}");
+    }
+}

@@ -153,7 +153,7 @@ const LOBE: Rules = Rules {
             let lobe = only(&mut data(question)?["lobe"])?;
             super::change(lobe, "/exponent", |e| e + 1.0)
         }),
-        (&m::NO_EXPONENT, |question| {
+        (&m::NO_HIGHLIGHT_EXPONENT, |question| {
             let lobe = only(&mut data(question)?["lobe"])?;
             super::change(lobe, "/exponent", |_| 1.0)
         }),

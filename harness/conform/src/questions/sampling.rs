@@ -77,7 +77,7 @@ pub fn map(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             (&m::EXPONENT_OFF, |question| {
                 change(data(question)?, "/to/hemisphere/exponent", |e| e + 1.0)
             }),
-            (&m::NO_EXPONENT, |question| {
+            (&m::NO_HIGHLIGHT_EXPONENT, |question| {
                 change(data(question)?, "/to/hemisphere/exponent", |_| 1.0)
             }),
             (&m::EXPONENT_LESS, |question| {

@@ -13,11 +13,11 @@ pub fn transform(question: &Value, answer: &Value, profile: Profile) -> Judgemen
         needed: &["matrix"],
         free: &["condition"],
         questions: &[
-            (&m::REVERSED_STEPS, |question| {
+            (&m::STEPS_REVERSED, |question| {
                 data(question)?["steps"].as_array_mut()?.reverse();
                 Some(())
             }),
-            (&m::TURNED_BACKWARDS, |question| {
+            (&m::ROTATIONS_REVERSED, |question| {
                 for step in data(question)?["steps"].as_array_mut()? {
                     for rotation in ["/rotate_x", "/rotate_y", "/rotate_z", "/rotate_about/degrees"]
                     {

@@ -38,7 +38,7 @@ pub fn plausible(candidates: &[Stored], theirs: &Picture, films: &[Film]) -> Vec
 }
 
 /// The ways to read a picture, one for each usual way to encode radiance if nothing says which it is: in each, the
-/// likeliest rounding. A background that is neither black nor white rules out the ways that give it another value.
+/// likeliest rounding. A grey or coloured background rules out the ways in which it would have another value.
 pub(super) fn readings(
     theirs: &Picture,
     (stated, tone): (Option<Transfer>, (f64, OutOfGamut)),

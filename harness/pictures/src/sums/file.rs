@@ -70,7 +70,11 @@ impl Part {
         let header: Header =
             serde_json::from_slice(&rest[..length]).map_err(|e| damaged(&e.to_string()))?;
         let start = FORMAT.len() + length + 1;
-        let whole = header.channels().checked_mul(CHANNEL).map(|body| start + body + DIGEST);
+        if header.seeds.is_empty() || header.size.contains(&0) {
+            return Err(damaged("it is of no replica or of no pixel"));
+        }
+        let body = header.channels().checked_mul(CHANNEL);
+        let whole = body.and_then(|body| body.checked_add(start + DIGEST));
         if whole != Some(bytes.len()) {
             return Err(damaged(&format!("its header does not fit its {} bytes", bytes.len())));
         }

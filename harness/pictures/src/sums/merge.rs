@@ -68,9 +68,12 @@ pub struct Merged {
 /// # Errors
 /// [`MergeError`].
 pub fn merged(files: &[PathBuf], mut progress: impl FnMut()) -> Result<Merged, MergeError> {
-    let first = Part::read(&files[0])?.header;
+    let part = Part::read(&files[0])?;
+    let first = part.header.clone();
     let mut merged = Merged { sums: Sums::new(first.clone()), used: Vec::new(), twice: Vec::new() };
-    for path in files {
+    merged.add(&files[0], part)?;
+    progress();
+    for path in &files[1..] {
         let part = Part::read(path)?;
         if let Some(difference) = part.header.difference(&first) {
             let [path, first] = [path, &files[0]].map(PathBuf::clone);

@@ -51,9 +51,9 @@ planted! {
         };
         a
     });
-    REVERSED_STEPS in ["transform.composed.values"] =>
+    STEPS_REVERSED in ["transform.composed.values"] =>
         Question(|data| { data["steps"].as_array_mut().into_iter().for_each(|steps| steps.reverse()); });
-    TURNED_BACKWARDS in ["transform.rotate.values"] => Question(|data| {
+    ROTATIONS_REVERSED in ["transform.rotate.values"] => Question(|data| {
         let steps = data["steps"].as_array_mut().into_iter().flatten();
         steps.for_each(|step| each(only(step), |degrees| -degrees));
     });
