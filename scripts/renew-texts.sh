@@ -1,12 +1,11 @@
 #!/usr/bin/env bash
-# Writes anew all texts that tests hold to what the program prints: the snapshots of ray trees, the answers in
+# Writes anew all texts that tests hold to what the program prints: ray trees, the answers in
 # docs/probe.md, the commands in docs/verify.md, exported scenes, a kept test, and the pages of kinds and of known mistakes.
 # They are goldens of words: look at `git diff` and commit what you looked at. The table of mistakes and scenes takes minutes, and is written
 # by `cargo run -- mistakes --table > harness/judge/src/mistakes/shown.csv`.
 set -euo pipefail
 cd "$(dirname "$0")/.."
-# INSTA_UPDATE is insta's own
-export RENEW_TEXTS=1 INSTA_UPDATE=always
+export RENEW_TEXTS=1
 cargo test --quiet --workspace --test chapters --test commands --test exchange --test keep -- reads_as_before read_as_before the_document
 page=$(mktemp)
 trap 'rm -f "$page"' EXIT

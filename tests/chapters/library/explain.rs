@@ -1,6 +1,6 @@
 //! What `explain` says about a pixel of the glass sphere, kept as text: kinds, order, and words.
 //!
-//! The numbers are checked elsewhere (`tests/chapters`); this snapshot shows changes of the text.
+//! The numbers are checked elsewhere (`tests/chapters`); this golden shows changes of the text.
 
 mod formulas;
 mod paths;
@@ -8,36 +8,18 @@ mod shares;
 mod sources;
 mod unlit;
 
+use std::path::Path;
+
 use groundtruth::explain::{Outline, RecordedRay, Row};
 
+use super::same_text::{Printed, hold};
 use crate::prelude::*;
 
-/// Compares snapshots up to the rounding of their numbers.
-#[derive(Clone)]
-struct UpToRounding;
-
-impl insta::Comparator for UpToRounding {
-    fn matches(&self, reference: &insta::Snapshot, test: &insta::Snapshot) -> bool {
-        let text = |snapshot: &insta::Snapshot| snapshot.as_text().map(ToString::to_string);
-        let [expected, found] = [reference, test].map(|it| text(it).expect("a text"));
-        super::same_text::difference(&found, &expected, super::same_text::Printed::Rounded)
-            .is_none()
-    }
-
-    fn dyn_clone(&self) -> Box<dyn insta::Comparator> {
-        Box::new(self.clone())
-    }
+/// Holds the golden of this name to a text, up to the rounding of numbers.
+fn reads_as_before(golden: &str, text: &str) {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("chapters/library/explain");
+    hold(&folder.join(golden), text, Printed::Rounded);
 }
-
-/// `insta::assert_snapshot`, up to the rounding of numbers; a macro, so that the caller names the file.
-macro_rules! reads_as_before {
-    ($text:expr) => {
-        insta::with_settings!({ comparator => Box::new(crate::library::explain::UpToRounding) }, {
-            insta::assert_snapshot!($text);
-        })
-    };
-}
-pub(crate) use reads_as_before;
 
 #[test]
 fn the_tree_of_a_pixel_of_the_glass_sphere_reads_as_before() {
@@ -47,7 +29,7 @@ fn the_tree_of_a_pixel_of_the_glass_sphere_reads_as_before() {
     scene.image.samples = 1;
     let world = World::build(&scene).expect("gallery scenes are valid");
     let explanation = explain::pixel(&scene, &world, [20, 15], None).expect("few rays");
-    reads_as_before!(explanation.text(0.01, false));
+    reads_as_before("glass_sphere.txt", &explanation.text(0.01, false));
 }
 
 /// Two nested glass spheres over a matte one, seen off their axis: a tree of many rays of which few

@@ -6,6 +6,5 @@ mod image_file;
 mod mesh_file;
 mod regressions;
 #[path = "../../../harness/tests/same_text.rs"]
-#[allow(dead_code)] // documents are held by others
 mod same_text;
 mod scene_files;

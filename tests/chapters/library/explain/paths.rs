@@ -264,7 +264,7 @@ fn what_the_camera_sees_has_no_mis_share() {
     assert_eq!((root.terms[0].weight, root.radiance), (Rgb::WHITE, Rgb::new(2.0, 1.0, 0.5)));
 }
 
-/// The text of each ray of a path and of its own light. The numbers are checked above; this snapshot shows
+/// The text of each ray of a path and of its own light. The numbers are checked above; this golden shows
 /// changes of the text.
 #[test]
 fn the_lines_of_a_path_read_as_before() {
@@ -281,7 +281,7 @@ fn the_lines_of_a_path_read_as_before() {
         Row::Local { term, indent } => format!("{}{}", "    ".repeat(*indent), term.line()),
         Row::Folded { .. } => panic!("nothing is small"),
     });
-    reads_as_before!(said.collect::<Vec<_>>().join("\n"));
+    reads_as_before("path.txt", &said.collect::<Vec<_>>().join("\n"));
 }
 
 /// The number, parent and depth of a ray, as its line in a text tells them.
