@@ -6,116 +6,13 @@ use std::path::{Path, PathBuf};
 use super::{code_by_module, read, root, sources, without_comments};
 
 /// The other modules that each module may name.
-const MAY_NAME: &[(&str, &[&str])] = &[
-    ("candidate", &[]),
-    ("math", &[]),
-    ("printable", &[]),
-    ("similar", &[]),
-    ("accel", &["candidate", "math"]),
-    ("invalid", &["math", "printable", "similar"]),
-    ("mesh_bvh", &["accel", "candidate", "math"]),
-    ("rgb", &["invalid", "math"]),
-    ("film", &["printable", "rgb"]),
-    ("images", &["invalid", "math", "rgb"]),
-    ("kinds", &["images", "invalid", "kinds", "rgb"]),
-    ("filters", &["invalid", "kinds", "math"]),
-    ("lobes", &["invalid", "kinds", "math", "rgb"]),
-    ("shapes", &["accel", "candidate", "invalid", "kinds", "math", "mesh_bvh", "printable"]),
-    ("samplers", &["invalid", "kinds", "lobes", "math"]),
-    ("noise", &["invalid", "math", "samplers"]),
-    ("textures", &["images", "invalid", "kinds", "math", "noise", "rgb", "shapes"]),
-    ("background", &["images", "invalid", "kinds", "math", "rgb", "textures"]),
-    ("bumps", &["invalid", "kinds", "math", "noise", "textures"]),
-    ("materials", &["invalid", "kinds", "lobes", "rgb", "textures"]),
-    ("cameras", &["invalid", "kinds", "materials", "math"]),
-    (
-        "lights",
-        &[
-            "background",
-            "invalid",
-            "kinds",
-            "materials",
-            "math",
-            "printable",
-            "rgb",
-            "shapes",
-            "textures",
-        ],
-    ),
-    (
-        "scene",
-        &[
-            "accel",
-            "background",
-            "bumps",
-            "cameras",
-            "film",
-            "filters",
-            "invalid",
-            "kinds",
-            "lights",
-            "materials",
-            "math",
-            "printable",
-            "rgb",
-            "samplers",
-            "shapes",
-            "similar",
-            "textures",
-        ],
-    ),
-    (
-        "world",
-        &[
-            "accel",
-            "background",
-            "bumps",
-            "cameras",
-            "filters",
-            "invalid",
-            "kinds",
-            "lights",
-            "materials",
-            "math",
-            "printable",
-            "samplers",
-            "scene",
-            "shapes",
-            "textures",
-        ],
-    ),
-    (
-        "trace",
-        &[
-            "lights",
-            "lobes",
-            "materials",
-            "math",
-            "rgb",
-            "samplers",
-            "scene",
-            "shapes",
-            "textures",
-            "world",
-        ],
-    ),
-    ("render", &["film", "math", "rgb", "samplers", "scene", "trace", "world"]),
-    (
-        "explain",
-        &[
-            "lights",
-            "lobes",
-            "math",
-            "printable",
-            "render",
-            "rgb",
-            "scene",
-            "textures",
-            "trace",
-            "world",
-        ],
-    ),
-];
+const MAY_NAME: &str = include_str!("arrows.csv");
+
+/// The rows of that list.
+fn may_name() -> Vec<(&'static str, Vec<&'static str>)> {
+    let rows = MAY_NAME.lines().skip(1).filter_map(|row| row.split_once(','));
+    rows.map(|(module, named)| (module, named.split_whitespace().collect())).collect()
+}
 
 /// The modules that a text names as `crate::…`, also inside braces: `crate::{accel, shapes::Plane}`.
 fn named_modules(code: &str) -> BTreeSet<String> {
@@ -164,8 +61,8 @@ fn named_by_module(sources: &Path) -> BTreeMap<String, BTreeSet<String>> {
 #[test]
 fn the_list_of_arrows_is_that_of_the_sources() {
     let sources = named_by_module(&sources());
-    let listed = MAY_NAME.iter().map(|(module, named)| {
-        let others = named.iter().filter(|name| *name != module);
+    let listed = may_name().into_iter().map(|(module, named)| {
+        let others = named.iter().filter(|name| **name != module);
         (module.to_string(), others.map(|name| name.to_string()).collect())
     });
     let listed: BTreeMap<String, BTreeSet<String>> = listed.collect();
@@ -181,10 +78,10 @@ fn the_list_of_arrows_is_that_of_the_sources() {
 /// module in a circle would never get a line).
 #[test]
 fn the_arrows_have_no_circle_and_the_library_shows_their_order() {
-    let mut rest: Vec<_> = MAY_NAME.to_vec();
+    let mut rest = may_name();
     let (mut placed, mut lines) = (BTreeSet::new(), Vec::new());
     while !rest.is_empty() {
-        let is_free = |(module, named): &(&str, &[&str])| {
+        let is_free = |(module, named): &(&str, Vec<&str>)| {
             named.iter().all(|name| name == module || placed.contains(name))
         };
         let (free, bound): (Vec<_>, Vec<_>) = rest.into_iter().partition(is_free);
