@@ -1,15 +1,14 @@
 //! The adapters of `examples/conform`: the right ones pass, of the wrong one each mistake is found, and the document
 //! shows what is printed. Where a language is missing, its tests say so and pass.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 use std::time::Duration;
-use std::{env, fs};
 
 use conform::{
     Card, Language, Limits, Options, Profile, Program, Reply, Status, Stop, Subject, run, suite,
 };
 use serde_json::Value;
+
+use crate::kit::{Folder, has, root, text_of};
 
 // a Rust adapter is compiled with this test, and asked without a process
 #[allow(dead_code, clippy::disallowed_methods)]
@@ -52,30 +51,12 @@ impl Subject for Called {
     }
 }
 
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
-}
-
 fn example(name: &str) -> String {
     root().join("examples/conform").join(name).to_string_lossy().into_owned()
 }
 
-fn text_of(path: impl AsRef<Path>) -> String {
-    fs::read_to_string(&path).unwrap_or_else(|e| panic!("{}: {e}", path.as_ref().display()))
-}
-
-/// Whether a language is there; says so if not.
-fn has(program: &str) -> bool {
-    let is_there = Command::new(program).arg("--version").output().is_ok();
-    if !is_there {
-        println!("skipped: there is no {program}");
-    }
-    is_there
-}
-
-fn groundtruth(folder: &Path, arguments: &[&str]) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_groundtruth"));
-    command.args(arguments).current_dir(folder).output().expect("the program runs")
+fn text_of_example(name: &str) -> String {
+    text_of(&format!("examples/conform/{name}"))
 }
 
 fn program(command: &[&str]) -> Program {
@@ -93,16 +74,14 @@ fn card(subject: &mut dyn Subject, words: &[&str], cases: usize) -> Card {
     run(subject, &families, &options, &mut |_| ()).expect("it answers")
 }
 
+const FLAGS: &str = "-std=c++17 -Wall -Wextra -Werror";
+
 /// An executable made of a C++ file; `None` without a compiler.
-fn compiled(file: &str, folder: &Path) -> Option<String> {
-    if !has("g++") {
-        return None;
-    }
-    let executable = folder.join("adapter").to_string_lossy().into_owned();
-    let flags = ["-std=c++17", "-Wall", "-Wextra", "-Wpedantic", "-Werror", "-o", &executable];
-    let output = Command::new("g++").args(flags).arg(example(file)).output().expect("it runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    Some(executable)
+fn compiled(file: &str, folder: &Folder) -> Option<String> {
+    has("g++").then(|| {
+        folder.good(&format!("g++ {FLAGS} -Wpedantic -o adapter $ROOT/examples/conform/{file}"));
+        folder.path().join("adapter").to_string_lossy().into_owned()
+    })
 }
 
 fn assert_all_right(subject: &mut dyn Subject) {
@@ -123,8 +102,8 @@ fn the_adapter_in_rust_is_right() {
 /// Law: all answers are right. Oracle: the judges.
 #[test]
 fn the_adapter_in_cpp_is_right() {
-    let folder = tempfile::tempdir().expect("a folder");
-    if let Some(executable) = compiled("adapter.cpp", folder.path()) {
+    let folder = Folder::new();
+    if let Some(executable) = compiled("adapter.cpp", &folder) {
         assert_all_right(&mut program(&[&executable]));
     }
 }
@@ -135,8 +114,7 @@ fn the_adapter_in_python_is_right() {
     if has("python3") {
         let adapter = example("adapter.py");
         assert_all_right(&mut program(&["python3", &adapter]));
-        let output = groundtruth(&root(), &["conform", "--cases", "1", "--", "python3", &adapter]);
-        assert_eq!(output.status.code(), Some(0), "{}", String::from_utf8_lossy(&output.stdout));
+        Folder::new().good(&format!("groundtruth conform --cases 1 -- python3 {adapter}"));
     }
 }
 
@@ -166,39 +144,26 @@ fn an_adapter_to_fill_in_runs_and_supports_nothing() {
         ("rust", Language::Rust, "init.rs"),
         ("java", Language::Java, "init.java"),
     ] {
-        let output = groundtruth(&root(), &["conform", "--init", name]);
-        assert_eq!(output.status.code(), Some(0));
-        assert_eq!(String::from_utf8_lossy(&output.stdout), text_of(example(file)));
-        assert_eq!(language.template(), text_of(example(file)));
+        let printed = Folder::new().good(&format!("groundtruth conform --init {name}"));
+        assert_eq!(printed, text_of_example(file));
+        assert_eq!(language.template(), text_of_example(file));
     }
     assert_all_unsupported(&mut Called(init::reply));
     if has("python3") {
         assert_all_unsupported(&mut program(&["python3", &example("init.py")]));
     }
-    let folder = tempfile::tempdir().expect("a folder");
-    if let Some(executable) = compiled("init.cpp", folder.path()) {
+    let folder = Folder::new();
+    if let Some(executable) = compiled("init.cpp", &folder) {
         assert_all_unsupported(&mut program(&[&executable]));
     }
-    if has_all(&["javac", "java"]) {
-        let classes = java_classes("init.java", "MyTracer", folder.path());
+    if has("javac") && has("java") {
+        let flags = "-encoding UTF-8 --release 11 -Xlint:all,-options -Werror";
+        folder.good(&format!(
+            "cp $ROOT/examples/conform/init.java MyTracer.java; javac {flags} MyTracer.java"
+        ));
+        let classes = folder.path().to_string_lossy();
         assert_all_unsupported(&mut program(&["java", "-cp", &classes, "MyTracer"]));
     }
-}
-
-/// Whether all of these programs are there.
-fn has_all(programs: &[&str]) -> bool {
-    programs.iter().all(|program| has(program))
-}
-
-/// The folder of the classes of a Java file, which is compiled under the name of its class.
-fn java_classes(file: &str, class: &str, folder: &Path) -> String {
-    let source = folder.join(class).with_extension("java");
-    fs::copy(example(file), &source).expect("it is copied");
-    let flags = ["-encoding", "UTF-8", "--release", "11", "-Xlint:all,-options", "-Werror", "-d"];
-    let output = Command::new("javac").args(flags).arg(folder).arg(&source).output();
-    let output = output.expect("it runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    folder.to_string_lossy().into_owned()
 }
 
 /// Law: the adapters in C++ compile behind a header that brings all names of the standard library, as the book's do.
@@ -210,13 +175,10 @@ fn adapters_in_cpp_compile_behind_a_header_of_the_book() {
     }
     let header = "#include <algorithm>\n#include <list>\n#include <map>\nusing namespace std;\n\
                   struct Json; struct Reader; int hits; double text, object; void reply();\n";
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = Folder::new();
     for file in ["init.cpp", "adapter.cpp"] {
-        let path = folder.path().join(file);
-        fs::write(&path, header.to_owned() + &text_of(example(file))).expect("it is written");
-        let flags = ["-std=c++17", "-Wall", "-Wextra", "-Werror", "-fsyntax-only"];
-        let output = Command::new("g++").args(flags).arg(&path).output().expect("it runs");
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        folder.write(file, header.to_owned() + &text_of_example(file));
+        folder.good(&format!("g++ {FLAGS} -fsyntax-only {file}"));
     }
 }
 
@@ -225,7 +187,7 @@ fn adapters_in_cpp_compile_behind_a_header_of_the_book() {
 #[test]
 fn adapters_of_a_language_share_their_protocol() {
     let between = |file: &str, from: &str, to: &str| {
-        let text = text_of(example(file));
+        let text = text_of_example(file);
         let begin = text.find(from).unwrap_or_else(|| panic!("{file} has no {from}"));
         let end = if to.is_empty() { text.len() } else { text.find(to).expect(to) };
         text[begin..end].to_owned()

@@ -6,13 +6,7 @@ use std::path::{Path, PathBuf};
 use groundtruth::{bumps, cameras, filters, lights, lobes, materials, samplers, shapes, textures};
 use report::PAGES;
 
-fn root() -> &'static Path {
-    Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
-}
-
-fn text_of(name: &str) -> String {
-    fs::read_to_string(root().join(name)).unwrap_or_else(|e| panic!("{name}: {e}"))
-}
+use crate::kit::{root, text_of};
 
 fn documents() -> Vec<PathBuf> {
     let names = ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"];
@@ -187,7 +181,7 @@ fn the_table_of_tests_is_whole() {
             let there =
                 code.lines().filter_map(|line| line.strip_prefix("mod ")?.strip_suffix(';'));
             // what the others share is no module of laws
-            const SHARED: [&str; 3] = ["asserts", "properties", "same_text"];
+            const SHARED: [&str; 4] = ["asserts", "kit", "properties", "same_text"];
             let there: Vec<&str> = there.filter(|name| !SHARED.contains(name)).collect();
             let is_listed = listed.is_empty() || listed == there;
             assert!(is_listed, "CONTRIBUTING.md, modules of {name}: {listed:?}, not {there:?}");
@@ -196,14 +190,14 @@ fn the_table_of_tests_is_whole() {
     assert!(count >= 10, "{count} test programs: the search for them is broken");
 }
 
-/// The text of all files of tests below a folder, and the names of these files as modules.
+/// The text of all files of tests and cases below a folder, and the names of these files as modules.
 fn tests_below(folder: &Path) -> String {
     let mut text = String::new();
     for entry in fs::read_dir(folder).expect("a folder of tests") {
         let path = entry.expect("readable").path();
         if path.is_dir() {
             text += &tests_below(&path);
-        } else if path.extension().is_some_and(|extension| extension == "rs") {
+        } else if path.extension().is_some_and(|it| it == "rs" || it == "toml") {
             let module = path.file_stem().unwrap_or_default().to_string_lossy();
             text += &format!("mod {module};\n{}", fs::read_to_string(&path).expect("text"));
         }

@@ -6,6 +6,7 @@ mod asserts;
 #[path = "../../tests/properties.rs"]
 mod properties;
 
+mod cases;
 mod cli;
 mod compare;
 mod conform;
@@ -13,10 +14,10 @@ mod conform_adapters;
 mod docs;
 mod fuzz;
 mod grade;
+mod kit;
 mod laws;
 mod merge;
 mod probe;
-mod report;
 mod same_text;
 mod scene_reference;
 mod sets;

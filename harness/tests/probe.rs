@@ -6,18 +6,15 @@ mod python;
 mod support;
 
 use std::io::{BufRead, BufReader, Write};
-use std::path::Path;
-use std::process::{Command, Stdio};
+use std::process::Stdio;
 
 use crate::properties::*;
 use conform::probe;
 use serde_json::{Value, json};
 
 use self::support::laws;
+use crate::kit::{Folder, root, text_of};
 use crate::same_text::{Printed, hold};
-
-const GROUNDTRUTH: &str = env!("CARGO_BIN_EXE_groundtruth");
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
 
 fn served(input: &[u8]) -> (String, bool) {
     let mut output = Vec::new();
@@ -25,25 +22,14 @@ fn served(input: &[u8]) -> (String, bool) {
     (String::from_utf8(output).expect("answers are UTF-8"), all_answered)
 }
 
-/// What the program answers to each of these lines, in the root of the repository.
-fn answers(questions: &[&str]) -> Vec<String> {
-    let folder = tempfile::tempdir().expect("a folder");
-    let asked = folder.path().join("asked");
-    std::fs::write(&asked, questions.join("\n")).expect("written");
-    let asked = std::fs::File::open(asked).expect("written");
-    let run = Command::new(GROUNDTRUTH).arg("probe").current_dir(ROOT).stdin(asked).output();
-    let answers = String::from_utf8(run.expect("it starts").stdout).expect("UTF-8");
-    answers.lines().map(str::to_owned).collect()
-}
-
 /// Law: every example of the document has the answer that the document shows, up to rounding.
 #[test]
 fn the_examples_of_the_document_are_true() {
     // the questions name files from the root of the repository
-    let document = std::fs::read_to_string(format!("{ROOT}/docs/probe.md")).expect("it is there");
-    let questions: Vec<&str> =
-        document.lines().filter_map(|line| line.strip_prefix("→ ")).collect();
-    let (mut lines, mut answers) = (document.lines(), answers(&questions).into_iter());
+    let document = text_of("docs/probe.md");
+    let asked = "cd $ROOT; sed -n 's/^→ //p' docs/probe.md | groundtruth probe";
+    let answers = Folder::new().run(asked).stdout;
+    let (mut lines, mut answers) = (document.lines(), answers.lines());
     let (mut true_lines, mut count) = (String::new(), 0);
     while let Some(line) = lines.next() {
         true_lines += &format!("{line}\n");
@@ -56,7 +42,7 @@ fn the_examples_of_the_document_are_true() {
         count += 1;
     }
     assert_eq!(count, 68, "examples in docs/probe.md");
-    hold(&Path::new(ROOT).join("docs/probe.md"), &true_lines, Printed::Exactly);
+    hold(&root().join("docs/probe.md"), &true_lines, Printed::Exactly);
 }
 
 /// Law: bytes that are no text get the number of their line, counted with blank ones, and the byte in it, from
@@ -171,37 +157,12 @@ fn a_long_line_is_refused_and_the_next_one_answered() {
     assert_eq!(served(padded.as_bytes()).0, format!("{answer}\n"), "just as long as fits");
 }
 
-fn probe_process(input: &[u8]) -> (Option<i32>, String) {
-    let mut child = Command::new(GROUNDTRUTH)
-        .arg("probe")
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("it starts");
-    child.stdin.take().expect("piped").write_all(input).expect("it reads");
-    let output = child.wait_with_output().expect("it ends");
-    (output.status.code(), String::from_utf8(output.stdout).expect("UTF-8"))
-}
-
-#[test]
-fn the_exit_status_is_0_unless_a_line_got_an_error() {
-    let good = "{\"fresnel\": {\"cos_i\": 1, \"eta\": 1}}\n";
-    assert_eq!(probe_process(b"").0, Some(0));
-    assert_eq!(probe_process(format!("{good}\n{good}").as_bytes()).0, Some(0));
-    let (status, output) = probe_process(format!("{good}{{}}\n{good}").as_bytes());
-    assert_eq!(status, Some(2));
-    assert_eq!(output.lines().count(), 3);
-}
-
 /// Law: an answer can be read before the next question is asked.
 #[test]
 fn each_answer_is_written_at_once() {
-    let mut child = Command::new(GROUNDTRUTH)
-        .arg("probe")
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .spawn()
-        .expect("it starts");
+    let mut command = Folder::new().command("groundtruth probe");
+    let command = command.current_dir(root()).stdin(Stdio::piped()).stdout(Stdio::piped());
+    let mut child = command.spawn().expect("it starts");
     let mut stdin = child.stdin.take().expect("piped");
     let mut stdout = BufReader::new(child.stdout.take().expect("piped"));
     for id in 0..3 {

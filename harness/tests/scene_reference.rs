@@ -1,9 +1,10 @@
 //! A scene file can be written from the documentation alone: docs/scene.md, `groundtruth kinds`, the
 //! schema for editors and the pointers in error messages agree with what the program reads.
 
+use std::collections::BTreeMap;
 use std::fmt::Debug;
 use std::path::Path;
-use std::process::Command;
+use std::sync::LazyLock;
 
 use exchange::reference;
 use groundtruth::kinds::Entry;
@@ -15,19 +16,7 @@ use serde::Serialize;
 use serde::de::DeserializeOwned;
 use serde_json::{Value, json};
 
-const ROOT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
-
-fn read(path: &str) -> String {
-    std::fs::read_to_string(Path::new(ROOT).join(path)).unwrap_or_else(|e| panic!("{path}: {e}"))
-}
-
-/// Whether the program's status is 0, and what it prints.
-fn groundtruth(arguments: &[&str]) -> (bool, String) {
-    let program = Command::new(env!("CARGO_BIN_EXE_groundtruth")).args(arguments).output();
-    let output = program.expect("it starts");
-    let text = [output.stdout, output.stderr].concat();
-    (output.status.success(), String::from_utf8(text).expect("UTF-8"))
-}
+use crate::kit::{Folder, root, text_of};
 
 /// Calls `check` for each specimen: with the name of its list of kinds in the schema, the specimen as JSON,
 /// and a function that reads such JSON and formats the result.
@@ -65,6 +54,12 @@ fn validator(definition: Option<&str>) -> jsonschema::Validator {
     jsonschema::validator_for(&schema).expect("the schema is a schema")
 }
 
+/// Those of the lists of kinds.
+static OF_LISTS: LazyLock<BTreeMap<&str, jsonschema::Validator>> = LazyLock::new(|| {
+    let lists = Definition::all().map(|it| it.name).filter(|name| name.ends_with("Kind"));
+    lists.map(|name| (name, validator(Some(name)))).collect()
+});
+
 /// The errors that a validator reports for a value.
 fn errors(validator: &jsonschema::Validator, value: &Value) -> Vec<String> {
     let describe = |e: jsonschema::ValidationError<'_>| format!("{}: {e}", e.instance_path());
@@ -75,7 +70,7 @@ fn errors(validator: &jsonschema::Validator, value: &Value) -> Vec<String> {
 #[test]
 fn the_page_of_scene_files_is_up_to_date() {
     assert!(
-        read("docs/scene.md") == reference::page(),
+        text_of("docs/scene.md") == reference::page(),
         "docs/scene.md is out of date; renew it by\n\n    \
          cargo run -- kinds --page > docs/scene.md\n"
     );
@@ -87,7 +82,7 @@ fn every_specimen_conforms_to_the_schema() {
     let mut count = 0;
     for_each_specimen(|list, specimen, _| {
         count += 1;
-        assert_eq!(errors(&validator(Some(list)), &specimen), [""; 0], "{list}: {specimen}");
+        assert_eq!(errors(&OF_LISTS[list], &specimen), [""; 0], "{list}: {specimen}");
     });
     assert!(count > 90, "only {count} specimens");
 }
@@ -98,7 +93,7 @@ fn every_specimen_conforms_to_the_schema() {
 fn no_specimen_with_a_misspelt_field_conforms_to_the_schema() {
     let mut count = 0;
     for_each_specimen(|list, specimen, _| {
-        let validator = validator(Some(list));
+        let validator = &OF_LISTS[list];
         let (tag, fields) = specimen.as_object().and_then(|it| it.iter().next()).expect("a kind");
         for (name, value) in fields.as_object().expect("a table") {
             let mut more = fields.clone();
@@ -117,7 +112,7 @@ fn every_gallery_scene_and_commented_scene_conforms_to_the_schema() {
     let mut scenes: Vec<(String, String)> = gallery::scenes()
         .map(|it| (it.name.to_owned(), scene::to_toml(&(it.build)()).expect("it is plain data")))
         .collect();
-    let files = std::fs::read_dir(Path::new(ROOT).join("scenes")).expect("there are scenes");
+    let files = std::fs::read_dir(root().join("scenes")).expect("there are scenes");
     for path in files.map(|file| file.expect("readable").path()) {
         if path.extension().is_some_and(|extension| extension == "toml") {
             let text = std::fs::read_to_string(&path).expect("scenes are text");
@@ -157,7 +152,7 @@ fn the_defaults_of_the_schema_are_those_of_the_reader() {
             }
         }
     });
-    let first: Value = toml::from_str(&read("scenes/first.toml")).expect("it is TOML");
+    let first: Value = toml::from_str(&text_of("scenes/first.toml")).expect("it is TOML");
     let as_scene = |value: Value| match serde_json::from_value::<Scene>(value) {
         Ok(scene) => format!("{scene:?}"),
         Err(error) => panic!("{error}"),
@@ -196,7 +191,7 @@ fn every_example_of_the_page_is_part_of_a_scene_that_is_read() {
     assert!(blocks.len() > 60, "only {} examples", blocks.len());
     for block in blocks {
         let example = block.split("```").next().unwrap_or_default();
-        let first = read("scenes/first.toml") + LAMP;
+        let first = text_of("scenes/first.toml") + LAMP;
         let mut whole: toml::Table = toml::from_str(&first).expect("it is TOML");
         for (key, value) in toml::from_str::<toml::Table>(example).expect("examples are TOML") {
             match (whole.get_mut(&key), value) {
@@ -208,7 +203,7 @@ fn every_example_of_the_page_is_part_of_a_scene_that_is_read() {
             }
         }
         let text = toml::to_string(&whole).expect("it can be written");
-        let read = world::from_toml(&text, &Path::new(ROOT).join("scenes/example.toml"));
+        let read = world::from_toml(&text, &root().join("scenes/example.toml"));
         if let Err(error) = read {
             panic!("{error}\n{example}");
         }
@@ -264,7 +259,7 @@ const POINTERS: &[(&str, &str, &str)] = &[
 /// Law: an error about a field or kind ends with a pointer to the documentation of an existing topic.
 #[test]
 fn an_error_about_a_field_or_kind_says_where_to_read_about_it() {
-    let first = read("scenes/first.toml");
+    let first = text_of("scenes/first.toml");
     for (part, replacement, end) in POINTERS {
         assert!(first.contains(part), "{part} is in the scene");
         let text = first.replacen(part, replacement, 1);
@@ -280,37 +275,19 @@ fn an_error_about_a_field_or_kind_says_where_to_read_about_it() {
     assert!(!not_toml.to_string().contains("kinds"), "{not_toml}");
 }
 
+/// Law: `kinds` has a line for each shape and a page for each, and the schema is that of the library. Oracle: the list of kinds.
 #[test]
-fn the_command_shows_kinds_tables_and_lists_and_suggests_names() {
-    let (good, overview) = groundtruth(&["kinds"]);
-    assert!(good);
-    for entry in shapes::Kind::ENTRIES {
-        let tag = match entry.module {
-            "cuboid" => "box",
-            module => module,
-        };
-        let line = format!("  {}  {tag} ", entry.chapter);
+fn the_command_shows_every_shape_and_the_schema() {
+    let folder = Folder::new();
+    let overview = folder.good("groundtruth kinds");
+    let tags = shapes::Kind::ENTRIES.iter().map(|entry| match entry.module {
+        "cuboid" => (entry.chapter, "box"),
+        module => (entry.chapter, module),
+    });
+    for (chapter, tag) in tags {
+        let line = format!("  {chapter}  {tag} ");
         assert!(overview.contains(&line), "{line:?} in\n{overview}");
-        assert!(groundtruth(&["kinds", tag]).0);
+        folder.good(&format!("groundtruth kinds {tag}"));
     }
-    let (good, torus) = groundtruth(&["kinds", "torus"]);
-    assert!(good);
-    for part in ["swept_radius", "tube_radius", "chapter 19", "shape.torus = { swept_radius = 2.0"]
-    {
-        assert!(torus.contains(part), "{part} in\n{torus}");
-    }
-    for name in ["scene", "image", "object", "light", "material", "camera", "shapes", "colour"] {
-        assert!(groundtruth(&["kinds", name]).0, "{name}");
-    }
-    for (name, end) in [
-        ("tours", "did you mean `torus`?\n"),
-        ("swept_radius", "it is a field of `torus`, `part_torus`\n"),
-        ("quux", "no kind or table `quux` (`groundtruth kinds` shows them)\n"),
-    ] {
-        let (good, error) = groundtruth(&["kinds", name]);
-        assert!(!good && error.ends_with(end), "{error}");
-    }
-    let (good, schema) = groundtruth(&["kinds", "--schema"]);
-    assert!(good);
-    assert_eq!(serde_json::from_str::<Value>(&schema).expect("it is JSON"), *scene::schema());
+    assert_eq!(folder.run("groundtruth kinds --schema").json(), *scene::schema());
 }

@@ -1,10 +1,8 @@
 //! The document shows what is printed.
 
-use std::fs;
-
 use conform::Language;
 
-use super::{groundtruth, has, root, text_of};
+use crate::kit::{Folder, has, text_of};
 
 /// The fenced blocks of a document, each with its language.
 pub fn blocks(text: &str) -> Vec<(&str, &str)> {
@@ -34,9 +32,8 @@ fn the_document_shows_what_is_printed() {
     if !has("python3") {
         return;
     }
-    let folder = tempfile::tempdir().expect("a folder");
-    let tracer = folder.path().join("my_tracer.py");
-    let document = text_of(root().join("docs/conform.md"));
+    let (folder, tracer) = (Folder::new(), "my_tracer.py");
+    let document = text_of("docs/conform.md");
     let mut count = 0;
     for (language, text) in blocks(&document) {
         match language {
@@ -45,25 +42,20 @@ fn the_document_shows_what_is_printed() {
                 let (before, rest) = init.split_once("def intersect").expect("a function");
                 let (_, after) = rest.split_once("\n\n\n").expect("the next function");
                 let before = before.replace("import json\n", "import json\nimport math\n");
-                fs::write(&tracer, format!("{before}{text}\n\n{after}")).expect("it is written");
+                folder.write(tracer, format!("{before}{text}\n\n{after}"));
             }
             "diff" => {
                 let line = |sign| text.lines().find_map(|line| line.strip_prefix(sign));
                 let (old, new) = (line('-').expect("a line"), line('+').expect("a line"));
-                let program = text_of(&tracer);
+                let program = folder.text(tracer);
                 assert!(program.contains(old));
-                let changed = program.replace(&format!("{old}\n"), &format!("{new}\n"));
-                fs::write(&tracer, changed).expect("it is written");
+                folder.write(tracer, program.replace(&format!("{old}\n"), &format!("{new}\n")));
             }
             "console" => {
                 let (command, shown) = text.split_once('\n').expect("a command and its output");
-                let words = command.strip_prefix("$ groundtruth ").expect("our program");
-                let words: Vec<&str> = words.split(' ').collect();
-                let root = root();
-                let is_tour = words.contains(&"my_tracer.py");
-                let place = if is_tour { folder.path() } else { &root };
-                let output = groundtruth(place, &words);
-                let printed = String::from_utf8_lossy(&output.stdout);
+                let command = command.strip_prefix("$ ").expect("a command");
+                let place = if command.contains(tracer) { "." } else { "$ROOT" };
+                let printed = folder.run(&format!("cd {place}; {command}")).stdout;
                 assert!(
                     shows(shown, &printed),
                     "{command}\nprints\n{printed}\ndocs/conform.md says\n{shown}"

@@ -1,28 +1,22 @@
 //! Adapters of programs that people use, and the document of their cards.
 
-use std::fs;
-use std::io::Write;
-use std::process::{Command, Stdio};
-
 use serde_json::Value;
 
 use super::document::blocks;
-use super::{example, has, root, text_of};
+use crate::kit::{Folder, has, names_in, root, text_of};
 
 /// The adapters of programs that people use.
 fn of_programs() -> Vec<String> {
-    let files = fs::read_dir(root().join("examples/conform/programs")).expect("the folder");
-    let names =
-        files.map(|file| file.expect("readable").file_name().to_string_lossy().into_owned());
-    names.filter(|name| name.starts_with("ask_")).collect()
+    let mut names = names_in(&root().join("examples/conform/programs"));
+    names.retain(|name| name.starts_with("ask_"));
+    names
 }
 
 /// Law: each adapter of a program is run by `scripts/cards.sh`, and named in the document of its card. Oracle: the
 /// folder.
 #[test]
 fn the_programs_have_cards() {
-    let (script, document) =
-        (text_of(root().join("scripts/cards.sh")), text_of(root().join("docs/cards.md")));
+    let [script, document] = ["scripts/cards.sh", "docs/cards.md"].map(text_of);
     let names = of_programs();
     assert_eq!(names.len(), 6, "{names:?}");
     for name in names {
@@ -39,12 +33,8 @@ fn the_adapters_of_programs_can_be_read() {
     if !has("python3") {
         return;
     }
-    for name in of_programs().iter().filter(|name| name.ends_with(".py")) {
-        let code = "import ast, sys; ast.parse(open(sys.argv[1]).read())";
-        let file = example(&format!("programs/{name}"));
-        let read = Command::new("python3").args(["-c", code, &file]).output().expect("it runs");
-        assert!(read.status.success(), "{name}: {}", String::from_utf8_lossy(&read.stderr));
-    }
+    let code = "import ast, sys; [ast.parse(open(name).read()) for name in sys.argv[1:]]";
+    Folder::new().good(&format!("python3 -c '{code}' $ROOT/examples/conform/programs/ask_*.py"));
 }
 
 /// Law: the adapter that reads a whole window gives each line one reply, under its id, and asks POV-Ray nothing
@@ -61,18 +51,11 @@ fn the_adapter_of_povray_answers_a_whole_window() {
         format!(r#"{{"id": 2, "intersect": {{"shape": {{"rosette": {{}}}}, {ray}}}}}"#),
         format!(r#"{{"id": 3, "intersect": {{{sphere}, {ray}, "all": true}}}}"#),
     ];
-    let mut command = Command::new("python3");
-    command.arg(example("programs/ask_povray.py"));
-    command.stdin(Stdio::piped()).stdout(Stdio::piped());
-    let mut child = command.spawn().expect("it runs");
-    let mut input = child.stdin.take().expect("it is piped");
-    writeln!(input, "{}", lines.join("\n")).expect("it reads");
-    drop(input);
-    let output = child.wait_with_output().expect("it ends");
-    let replies: Vec<Value> = String::from_utf8_lossy(&output.stdout)
-        .lines()
-        .map(|line| serde_json::from_str(line).expect("JSON"))
-        .collect();
+    let folder = Folder::new();
+    folder.write("lines", lines.join("\n") + "\n");
+    let told = folder.good("python3 $ROOT/examples/conform/programs/ask_povray.py < lines");
+    let replies: Vec<Value> =
+        told.lines().map(|line| serde_json::from_str(line).expect("JSON")).collect();
     let whys = ["noise", "rosette", "scenes, lists of shapes, all hits, or a part of a ray"];
     assert_eq!(replies.len(), whys.len(), "{replies:?}");
     for (reply, (why, id)) in replies.iter().zip(whys.into_iter().zip(1..)) {
@@ -83,7 +66,7 @@ fn the_adapter_of_povray_answers_a_whole_window() {
 /// Law: what docs/cards.md calls right is what we answer. Oracle: the probe, which the report's judges check.
 #[test]
 fn the_right_answers_in_the_document_of_cards_are_right() {
-    let document = text_of(root().join("docs/cards.md"));
+    let document = text_of("docs/cards.md");
     let mut count = 0;
     for (_, block) in blocks(&document).into_iter().filter(|(language, _)| *language == "text") {
         let line = |name: &str| block.lines().find_map(|line| line.trim().strip_prefix(name));

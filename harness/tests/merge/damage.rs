@@ -1,11 +1,9 @@
 //! Damaged files, and faulty machines.
 
-use std::fs;
-use std::path::Path;
-
 use xxhash_rust::xxh3::xxh3_128;
 
-use super::{SCENE, expect, parts, read};
+use super::{SCENE, expect, parts};
+use crate::kit::Folder;
 
 /// Where the sums begin: after two lines.
 fn body(bytes: &[u8]) -> usize {
@@ -17,10 +15,9 @@ fn body(bytes: &[u8]) -> usize {
 /// named; so is a file that is cut or continued. Oracle: the change.
 #[test]
 fn each_changed_byte_is_found() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = folder.path();
+    let at = &Folder::new();
     parts(at, "a", 2, 4);
-    let good = read(at, "a1.sums");
+    let good = at.bytes("a1.sums");
     let header = body(&good);
     let end = good.len() - 16;
     let mut places: Vec<usize> = (0..header).step_by(7).collect();
@@ -37,16 +34,15 @@ fn each_changed_byte_is_found() {
     check(at, b"groundtruth sums 1\n\n", "another format");
 }
 
-fn check(at: &Path, bad: &[u8], what: &str) {
-    fs::write(at.join("bad.sums"), bad).expect("written");
+fn check(at: &Folder, bad: &[u8], what: &str) {
+    at.write("bad.sums", bad);
     for others in ["a0.sums", "a0.sums a1.sums"] {
-        let run = super::run(at, &format!("merge {others} bad.sums -o mean.exr"));
-        assert_eq!(run.status, Some(2), "{what}: {}{}", run.stdout, run.stderr);
+        let run = expect(2, at, &format!("merge {others} bad.sums -o mean.exr"));
         assert!(run.stderr.starts_with("error: bad.sums: is damaged"), "{what}: {}", run.stderr);
-        assert!(!at.join("mean.exr").exists());
+        assert!(!at.path().join("mean.exr").exists());
     }
     expect(2, at, &format!("render {SCENE} --seed 1 --replicas 4 --part 1/2 -o bad.sums"));
-    assert_eq!(read(at, "bad.sums"), bad, "a damaged file is left as it is");
+    assert_eq!(at.bytes("bad.sums"), bad, "a damaged file is left as it is");
 }
 
 /// The bytes of a part with another sum at a pixel, as a faulty machine would write them.
@@ -60,14 +56,13 @@ fn faulty(good: &[u8], pixel: usize) -> Vec<u8> {
 /// Law: a part of a faulty machine is found if the same part comes from another machine too. Oracle: the planted difference.
 #[test]
 fn a_faulty_machine_is_found() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = folder.path();
+    let at = &Folder::new();
     parts(at, "a", 2, 4);
     // pixel 5, 3 of 12 columns
-    fs::write(at.join("bad.sums"), faulty(&read(at, "a1.sums"), 3 * 12 + 5)).expect("written");
+    at.write("bad.sums", faulty(&at.bytes("a1.sums"), 3 * 12 + 5));
     let run = expect(1, at, "merge a0.sums a1.sums bad.sums -o mean.exr");
     let text = "error: bad.sums and a1.sums have the same seeds 3 to 4 but differ at pixel 5, 3: one of the \
                 machines is faulty; render them a third time to see which\n";
     assert_eq!(run.stderr, text);
-    assert!(!at.join("mean.exr").exists());
+    assert!(!at.path().join("mean.exr").exists());
 }

@@ -1,17 +1,17 @@
 //! Replicas that are interrupted by signals.
 
 use std::fs;
-use std::path::Path;
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
-use super::{command, expect, read};
+use super::{command, expect};
+use crate::kit::Folder;
 
 /// Many replicas of a tenth of a second or less each.
 const SLOW: &str = "render ch18/rectangle --size 60x40 --samples 4 --seed 1 --replicas 60";
 
 /// Starts a rendering, and signals it after some time.
-fn interrupted(folder: &Path, signal: &str, after: Duration) -> Option<i32> {
+fn interrupted(folder: &Folder, signal: &str, after: Duration) -> Option<i32> {
     let mut child = started(folder, SLOW);
     std::thread::sleep(after);
     send(signal, &child);
@@ -19,7 +19,7 @@ fn interrupted(folder: &Path, signal: &str, after: Duration) -> Option<i32> {
 }
 
 /// Starts a rendering of `a.sums`.
-fn started(folder: &Path, line: &str) -> Child {
+fn started(folder: &Folder, line: &str) -> Child {
     let mut command = command(folder, &format!("{line} -o a.sums"));
     command.stderr(Stdio::null()).spawn().expect("it starts")
 }
@@ -33,8 +33,7 @@ fn send(signal: &str, child: &Child) {
 /// Oracle: the bytes of one run.
 #[test]
 fn an_interrupted_part_is_valid_and_is_continued() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = folder.path();
+    let at = &Folder::new();
     let start = Instant::now();
     expect(0, at, &format!("{SLOW} -o whole.sums"));
     let whole = start.elapsed();
@@ -42,9 +41,9 @@ fn an_interrupted_part_is_valid_and_is_continued() {
         let mut share = whole / 3;
         // on a busy machine it may have ended before, or not have begun
         let is_partial = (0..20).any(|_| {
-            let _ = fs::remove_file(at.join("a.sums"));
+            let _ = fs::remove_file(at.path().join("a.sums"));
             let status = interrupted(at, signal, share);
-            if status == Some(130) && at.join("a.sums").exists() {
+            if status == Some(130) && at.path().join("a.sums").exists() {
                 return true;
             }
             share = if status == Some(0) { share / 2 } else { share + share / 4 };
@@ -54,7 +53,7 @@ fn an_interrupted_part_is_valid_and_is_continued() {
         let run = expect(1, at, "merge a.sums -o mean.exr");
         assert!(run.stdout.starts_with("not whole: ") && run.stdout.contains(" of 60 replicas"));
         expect(0, at, &format!("{SLOW} -o a.sums"));
-        assert_eq!(read(at, "a.sums"), read(at, "whole.sums"), "{signal}");
+        assert_eq!(at.bytes("a.sums"), at.bytes("whole.sums"), "{signal}");
     }
 }
 
@@ -65,8 +64,7 @@ const SLOWER: &str = "render ch18/rectangle --size 120x80 --samples 64 --seed 1"
 /// replicas only, and the status is 130. Oracle: the mean of as many replicas, rendered by themselves.
 #[test]
 fn a_second_signal_drops_the_replica_under_way() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = folder.path();
+    let at = &Folder::new();
     let start = Instant::now();
     expect(0, at, &format!("{SLOWER} --replicas 1 -o one.sums"));
     let one = start.elapsed();
@@ -76,7 +74,7 @@ fn a_second_signal_drops_the_replica_under_way() {
     let mut share = one / 4;
     // on a busy machine the replica may have ended before the second signal, or not have begun at the first one
     let is_cancelled = (0..20).any(|_| {
-        fs::copy(at.join("one.sums"), at.join("a.sums")).expect("copied");
+        fs::copy(at.path().join("one.sums"), at.path().join("a.sums")).expect("copied");
         let mut child = started(at, &format!("{SLOWER} --replicas 3"));
         std::thread::sleep(share);
         let first = Instant::now();
@@ -91,8 +89,8 @@ fn a_second_signal_drops_the_replica_under_way() {
         }
         let run = expect(1, at, "merge a.sums -o a.pfm");
         let count = if run.stdout.starts_with("not whole: 1 of 3") { "one" } else { "two" };
-        let expected = read(at, &format!("{count}.pfm"));
-        assert!(read(at, "a.pfm") == expected, "it holds an unfinished replica: {}", run.stdout);
+        let expected = at.bytes(&format!("{count}.pfm"));
+        assert!(at.bytes("a.pfm") == expected, "it holds an unfinished replica: {}", run.stdout);
         // one that ended by itself may have had less time than the first: the machine was busier then
         share = if count == "two" { share / 2 } else { share };
         count == "one" && took < one * 3 / 4
@@ -100,20 +98,19 @@ fn a_second_signal_drops_the_replica_under_way() {
     assert!(is_cancelled, "no replica was ever cancelled");
     expect(0, at, &format!("{SLOWER} --replicas 3 -o a.sums"));
     expect(0, at, &format!("{SLOWER} --replicas 3 -o three.sums"));
-    assert_eq!(read(at, "a.sums"), read(at, "three.sums"));
+    assert_eq!(at.bytes("a.sums"), at.bytes("three.sums"));
 }
 
 /// Law: a signal during the last replica lets it finish: the part is whole and the status is 0. Oracle: the bytes of a run
 /// without a signal.
 #[test]
 fn a_signal_during_the_last_replica_changes_nothing() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = folder.path();
+    let at = &Folder::new();
     let start = Instant::now();
     expect(0, at, &format!("{SLOWER} --replicas 1 -o one.sums"));
     let mut share = start.elapsed() / 2;
     let is_signalled = (0..20).any(|_| {
-        let _ = fs::remove_file(at.join("a.sums"));
+        let _ = fs::remove_file(at.path().join("a.sums"));
         let mut child = started(at, &format!("{SLOWER} --replicas 1"));
         std::thread::sleep(share);
         let is_running = child.try_wait().expect("a child").is_none();
@@ -125,7 +122,7 @@ fn a_signal_during_the_last_replica_changes_nothing() {
         is_running && status == Some(0)
     });
     assert!(is_signalled, "the signal never came while the replica was rendered");
-    assert_eq!(read(at, "a.sums"), read(at, "one.sums"));
+    assert_eq!(at.bytes("a.sums"), at.bytes("one.sums"));
 }
 
 /// Law: a part under way is saved every minute, so that a machine that is killed without a signal loses no more.
@@ -133,10 +130,9 @@ fn a_signal_during_the_last_replica_changes_nothing() {
 #[test]
 #[ignore = "cost, 70 s: cargo test --test commands merge -- --ignored"]
 fn a_part_is_saved_every_minute() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = folder.path();
+    let at = &Folder::new();
     let mut child = started(at, &format!("{SLOWER} --replicas 1000"));
-    let saved = || at.join("a.sums").exists();
+    let saved = || at.path().join("a.sums").exists();
     let start = Instant::now();
     while !saved() && start.elapsed() < Duration::from_secs(90) {
         std::thread::sleep(Duration::from_millis(100));

@@ -5,8 +5,9 @@ use std::path::Path;
 use groundtruth::{render, world::World};
 use pictures::sums::Sums;
 
+use super::expect;
 use super::header::header;
-use super::{expect, probe};
+use crate::kit::Folder;
 
 /// A small picture with noise.
 fn noisy() -> World {
@@ -25,15 +26,16 @@ fn mean_and_standard_error_are_those_of_the_probe() {
         world.reseed(seed);
         sums.add(&render::render(&world), seed).expect("they fit");
     }
-    let folder = tempfile::tempdir().expect("a folder");
+    let at = &Folder::new();
     let export = "export ch18/rectangle --size 12x8 --samples 4 -o scene.toml";
-    expect(0, folder.path(), export);
+    expect(0, at, export);
     let mut has_noise = false;
     for pixel in [[6, 4], [2, 6], [9, 5], [0, 0]] {
         let question = serde_json::json!({"radiance": {
             "scene": "scene.toml", "replicas": 10, "seed": 5, "pixel": pixel,
         }});
-        let answer = probe(folder.path(), &question.to_string());
+        at.write("question", question.to_string());
+        let answer = at.run("groundtruth probe < question").json()["answer"].clone();
         let error = sums.standard_error().expect("ten replicas");
         for (name, film) in [("mean", sums.mean()), ("standard_error", error)] {
             for (channel, found) in film.get(pixel).to_array().into_iter().enumerate() {

@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use pictures::sums::Sums;
 
 use super::expect;
+use crate::kit::Folder;
 
 /// A picture of ten rows that costs nothing.
 const SMALL: &str = "render ch03/single-sphere --size 1x10 --samples 1";
@@ -13,15 +14,14 @@ const SMALL: &str = "render ch03/single-sphere --size 1x10 --samples 1";
 /// none of K = N, nor of more parts than replicas. Oracle: the seeds that the files have.
 #[test]
 fn parts_have_each_seed_once() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let at = folder.path();
+    let at = &Folder::new();
     for (replicas, counts) in [(1_u32, 1..2), (2, 1..3), (5, 1..6), (7, 3..6)] {
         let render = format!("{SMALL} --seed 9 --replicas {replicas}");
         for count in counts {
             let seeds = |k: u32| -> Vec<u64> {
                 let file = format!("{replicas}-{count}-{k}.sums");
                 expect(0, at, &format!("{render} --part {k}/{count} -o {file}"));
-                let part = Sums::read(&at.join(file)).expect("a part");
+                let part = Sums::read(&at.path().join(file)).expect("a part");
                 part.header().seeds.iter().collect()
             };
             let parts: Vec<Vec<u64>> = (0..count).map(seeds).collect();
@@ -36,5 +36,5 @@ fn parts_have_each_seed_once() {
         let more = replicas + 1;
         expect(2, at, &format!("{render} --part 0/{more} -o no.sums"));
     }
-    assert!(!at.join("no.sums").exists(), "a part that does not exist was written");
+    assert!(!at.path().join("no.sums").exists(), "a part that does not exist was written");
 }

@@ -1,12 +1,11 @@
-//! `explain --json` and its document.
+//! `explain`: its JSON and the document of that, formulas, shares, and a kept test.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::Path;
 
 use rayon::prelude::*;
 use serde_json::Value;
 
-use super::run_in;
+use crate::kit::{Folder, text_of};
 
 /// The fields of each kind of object.
 type Fields = BTreeMap<&'static str, BTreeSet<String>>;
@@ -49,9 +48,7 @@ fn collect(value: &Value, kind: &'static str, fields: &mut Fields) {
 
 /// The tables of the document: the fields of each heading.
 fn documented() -> BTreeMap<String, BTreeSet<String>> {
-    let text =
-        std::fs::read_to_string(concat!(env!("CARGO_MANIFEST_DIR"), "/../docs/explain-json.md"));
-    let text = text.expect("the document is there");
+    let text = text_of("docs/explain-json.md");
     let sections = text.split("\n## `").skip(1);
     let section = |section: &str| {
         let (kind, rest) = section.split_once('`').expect("a heading in backticks");
@@ -61,17 +58,21 @@ fn documented() -> BTreeMap<String, BTreeSet<String>> {
     sections.map(section).collect()
 }
 
+fn explained(arguments: &str) -> Value {
+    Folder::new().run(&format!("groundtruth explain --json {arguments}")).expect(0, &[]).json()
+}
+
 /// Scenes and pixels that together have almost every field.
-const ASKED: &[&[&str]] = &[
-    &["ch28/glass-sphere", "200,150"],
-    &["ch28/glass-sphere", "200,150", "--formulas"],
-    &["ch28/glass-sphere", "200,150", "--mistake", "fresnel-transmits-all"],
-    &["ch10/near-focus", "100,100", "--all"],
-    &["ch18/rectangle", "40,40"],
-    &["ch26/cornell-box", "100,100", "--samples", "4"],
-    &["ch29/earth", "200,150"],
-    &["ch24/hall-of-mirrors", "50,50", "--max-depth", "2"],
-    &["ch28/glass-sphere", "300,300", "--tracer", "path", "--samples", "4"],
+const ASKED: [&str; 9] = [
+    "ch28/glass-sphere 200,150",
+    "ch28/glass-sphere 200,150 --formulas",
+    "ch28/glass-sphere 200,150 --mistake fresnel-transmits-all",
+    "ch10/near-focus 100,100 --all",
+    "ch18/rectangle 40,40",
+    "ch26/cornell-box 100,100 --samples 4",
+    "ch29/earth 200,150",
+    "ch24/hall-of-mirrors 50,50 --max-depth 2",
+    "ch28/glass-sphere 300,300 --tracer path --samples 4",
 ];
 
 /// Fields that need a scene of their own; tests of the library ask for them.
@@ -96,12 +97,7 @@ const RARE: &[&str] = &[
 /// document is printed. Oracle: the keys of explanations of several scenes.
 #[test]
 fn the_document_of_the_json_has_every_field_and_no_other() {
-    let of = |arguments: &&[&str]| {
-        let run = run_in(Path::new("."), &[&["explain", "--json"], *arguments].concat());
-        assert_eq!(run.status, Some(0), "{arguments:?}: {}", run.stderr);
-        serde_json::from_str::<Value>(&run.stdout).expect("it is JSON")
-    };
-    let answers: Vec<Value> = ASKED.par_iter().map(of).collect();
+    let answers: Vec<Value> = ASKED.par_iter().map(|asked| explained(asked)).collect();
     let mut found = Fields::new();
     answers.iter().for_each(|answer| collect(answer, "explanation", &mut found));
     let documented = documented();
@@ -123,53 +119,22 @@ fn the_document_of_the_json_has_every_field_and_no_other() {
 /// Law: an explanation says how its pixel was made. Oracle: the arguments.
 #[test]
 fn an_explanation_says_how_its_pixel_was_made() {
-    let arguments = ["--size", "30x20", "--samples", "4", "--seed", "7", "--tracer", "path"];
-    let run = run_in(
-        Path::new("."),
-        &[
-            &["explain", "ch28/glass-sphere", "10", "12", "--json", "--max-depth", "3"],
-            &arguments[..],
-        ]
-        .concat(),
+    let answer = explained(
+        "ch28/glass-sphere 10 12 --max-depth 3 --size 30x20 --samples 4 --seed 7 --tracer path",
     );
-    assert_eq!(run.status, Some(0), "{}", run.stderr);
-    let answer: Value = serde_json::from_str(&run.stdout).expect("it is JSON");
     let expected = serde_json::json!({"scene": "ch28/glass-sphere", "size": [30, 20], "samples": 4, "seed": 7,
         "tracer": "path", "max_depth": 3, "version": env!("CARGO_PKG_VERSION")});
     assert_eq!(answer["made"], expected);
     assert_eq!(answer["pixel"], serde_json::json!([10, 12]));
 }
 
-/// Law: with --columns no line is longer, and the words are the same. Oracle: the text without it.
-#[test]
-fn an_explanation_fits_a_hundred_columns() {
-    let explain = |more: &[&str]| {
-        let run =
-            run_in(Path::new("."), &[&["explain", "ch28/glass-sphere", "200,150"], more].concat());
-        assert_eq!(run.status, Some(0), "{}", run.stderr);
-        run.stdout
-    };
-    let (whole, broken) = (explain(&[]), explain(&["--columns", "100"]));
-    assert!(whole.lines().any(|line| line.chars().count() > 120));
-    for line in broken.lines() {
-        assert!(line.chars().count() <= 100, "{line}");
-    }
-    assert!(whole.split_whitespace().eq(broken.split_whitespace()));
-}
-
 /// Law: `--formulas` changes nothing else in the JSON; each term has a formula, whose factors are its value, whose letters
 /// and numbers those of the text. Oracles: the JSON without it; the product by hand; the printed text.
 #[test]
 fn formulas_as_data_are_those_of_the_text_and_their_product_the_value() {
-    let explain = |more: &[&str]| {
-        let pixel = ["explain", "ch28/glass-sphere", "200,150", "--min-share", "0"];
-        let run = run_in(Path::new("."), &[&pixel, more].concat());
-        assert_eq!(run.status, Some(0), "{}", run.stderr);
-        run.stdout
-    };
-    let of = |text: &str| serde_json::from_str::<Value>(text).expect("it is JSON");
-    let (mut with, plain) = (of(&explain(&["--json", "--formulas"])), of(&explain(&["--json"])));
-    let text = explain(&["--formulas"]);
+    let pixel = "ch28/glass-sphere 200,150 --min-share 0";
+    let (mut with, plain) = (explained(&format!("{pixel} --formulas")), explained(pixel));
+    let text = Folder::new().good(&format!("groundtruth explain {pixel} --formulas"));
     let mut found = 0;
     take_formulas(&mut with, &mut |term, formula| {
         found += 1;
@@ -223,4 +188,74 @@ fn take_formulas(data: &mut Value, seen: &mut impl FnMut(&Value, &Value)) {
         }
         _ => {}
     }
+}
+
+/// The shares of all rays of a tree as JSON, by their numbers.
+fn shares(ray: &Value, all: &mut Vec<f64>) {
+    all.push(ray["share"].as_f64().expect("a share"));
+    ray["children"].as_array().into_iter().flatten().for_each(|child| shares(child, all));
+}
+
+/// Law: `explain --min-share P` shows each ray whose share is at least P percent, and counts the others, so that all
+/// rays are shown or counted; at 0 all are shown. Oracle: the shares as JSON.
+#[test]
+fn rays_of_a_share_are_shown_and_the_others_counted() {
+    let pixel = "ch28/glass-sphere 300,250";
+    let json = explained(pixel);
+    let mut all = Vec::new();
+    shares(&json["samples"][0]["ray"], &mut all);
+    assert!(all.len() > 10, "rays of the tree: {}", all.len());
+    for percent in ["0", "1", "5", "60", "99"] {
+        let text =
+            Folder::new().good(&format!("groundtruth explain {pixel} --min-share {percent}"));
+        let heads = text.lines().filter_map(|line| {
+            let (share, rest) = line.split_once(" %  ")?;
+            // `< 0.1 %`
+            let share = share.trim().trim_start_matches("< ");
+            share.parse::<f64>().ok().map(|share| (share, rest.trim_start()))
+        });
+        let (mut shown, mut counted) = (Vec::new(), 0);
+        for (share, rest) in heads {
+            let number = rest.split_whitespace().next().and_then(|word| word.parse::<usize>().ok());
+            let number = number.expect("a number of a ray, or of rays");
+            if rest.contains(" more ray") {
+                counted += number;
+            } else {
+                // two digits, but no more than one behind the point
+                let off = (share - 100.0 * all[number]).abs();
+                assert!(
+                    off <= 0.051 * share + 0.1,
+                    "ray {number}: {share} %, not {}",
+                    100.0 * all[number]
+                );
+                shown.push(number);
+            }
+        }
+        assert_eq!(
+            shown.len() + counted,
+            all.len(),
+            "rays shown and counted at {percent} %:\n{text}"
+        );
+        let least: f64 = percent.parse().expect("a number");
+        let expected = (0..all.len()).filter(|ray| 100.0 * all[*ray] >= least);
+        let missing: Vec<usize> = expected.filter(|ray| !shown.contains(ray)).collect();
+        assert_eq!(missing, [0_usize; 0], "rays of at least {percent} % that are not shown");
+        assert_eq!(counted == 0, percent == "0", "whether all are shown at {percent} %");
+    }
+}
+
+/// Law: `--test` prints a test with the file's path, whose bits are those of `--json`. Oracle: the JSON.
+#[test]
+fn a_test_is_printed_with_the_bits_of_the_pixel() {
+    let folder = Folder::new();
+    let printed = folder.good("groundtruth explain ch16/shadows 210,160 --test");
+    let radiance = explained("ch16/shadows 210,160")["radiance"].clone();
+    let bits = |channel: &Value| format!("{:#018x}", channel.as_f64().expect("a number").to_bits());
+    let expected: Vec<String> = radiance.as_array().expect("a colour").iter().map(bits).collect();
+    let expected = format!("let expected = [{}];", expected.join(", "));
+    for part in [&*expected, "fn pixel_210_160_of_ch16_shadows()"] {
+        assert!(printed.contains(part), "no {part} in {printed}");
+    }
+    folder.good("groundtruth explain ch16/shadows 210,160 --test -o a.rs");
+    assert_eq!(folder.text("a.rs"), printed);
 }
