@@ -9,7 +9,7 @@ use groundtruth::scene::Scene;
 use groundtruth::trace::RayKind;
 use groundtruth::world::{self, World};
 use keep::{PixelPage, SmallPicture};
-use pictures::digits::shortened;
+use text::digits::shortened;
 
 fn page(
     name: &str,
@@ -127,7 +127,7 @@ fn a_page_is_one_file_with_every_ray() {
 fn the_page_of_glass_says_snells_law() {
     let (explanation, html) = of_gallery("ch28/glass-sphere", [200, 150]);
     let hit = explanation.samples[0].ray.as_ref().unwrap().hit.as_ref().unwrap();
-    let angle = pictures::digits::short(hit.angle_of_incidence);
+    let angle = text::digits::short(hit.angle_of_incidence);
     assert!(
         html.contains("n₁ sin θ₁ = n₂ sin θ₂:<") && html.contains(&format!(">1 × sin {angle}° = "))
     );
@@ -198,11 +198,11 @@ fn a_page_of_one_sample_says_which_and_lists_the_values_of_all() {
     let said = format!("This page shows sample 2 of {}", all.samples.len());
     assert!(html.contains(&said), "no `{said}` on the page");
     for sample in &all.samples {
-        let value = pictures::digits::three(sample.radiance.to_array());
+        let value = text::digits::three(sample.radiance.to_array());
         let mark = if sample.index == 2 { "shown" } else { "" };
-        let start = format!("<tr><td>{}</td>", sample.index);
+        let start = format!("<tr><th>{}</th>", sample.index);
         let end = format!(" {value}</td><td>{mark}</td></tr>");
-        let row = html.lines().find(|line| line.starts_with(&start));
+        let row = html.lines().find(|line| line.contains(&start));
         let is_it = row.is_some_and(|row| row.ends_with(&end));
         assert!(is_it, "the row of sample {}: {row:?}, not …{end}", sample.index);
     }
@@ -222,14 +222,14 @@ fn a_page_of_all_samples_has_the_tree_of_each() {
         let is_first = sample.index == 0;
         let of = format!("sample {}", sample.index);
         assert_eq!(part.starts_with(" open"), is_first, "whether {of} is unfolded");
-        let value = pictures::digits::three(sample.radiance.to_array());
+        let value = text::digits::three(sample.radiance.to_array());
         assert!(part.contains(&format!("Sample {}: ", sample.index)), "the head of {of}");
         let head = format!(" radiance {value}</summary>");
         assert!(part.contains(&head), "no `{head}` at {of}");
         let root = sample.ray.as_ref().expect("it hits the glass");
         for ray in root.rays() {
             let line = shortened(&ray.line()).replace("  ", " · ");
-            assert!(part.contains(&pictures::html::escaped(&line)), "no `{line}` at {of}");
+            assert!(part.contains(&text::html::escaped(&line)), "no `{line}` at {of}");
         }
         let is_linked = part.contains("<summary data-ray=");
         assert_eq!(is_linked, is_first, "whether {of} is linked with the drawings");
@@ -247,8 +247,7 @@ fn parts_are_those_of_the_pixel_and_of_the_sample() {
         let mut listed = 0;
         for source in explanation.sources.lists().into_iter().flat_map(|(_, sources)| sources) {
             let name = source.source.name().replace('"', "&quot;");
-            let rows =
-                html.lines().filter(|line| line.starts_with(&format!("<tr><td>{name}</td>")));
+            let rows = html.lines().filter(|line| line.contains(&format!("<tr><th>{name}</th>")));
             let shares: Vec<f64> = rows
                 .filter_map(|row| {
                     let (_, share) = row.strip_suffix(" %</td></tr>")?.rsplit_once('>')?;

@@ -1,17 +1,16 @@
 //! Golden images on one HTML page: each pair is drawn as by `compare`.
 
-use std::fmt::Write;
 use std::path::Path;
 
 use crate::compare::DRIFT;
 use crate::{Finding, Golden, Status, View};
 use groundtruth::explain::count;
-use groundtruth::film::{Film, Tone, data_uri};
+use groundtruth::film::{Film, Tone};
 use pictures::compare::pair::{self, ComparedPictures};
 use pictures::compare::{Comparison, Picture};
-use pictures::html::escaped;
-use pictures::shell;
-use pictures::told::Told;
+use text::document::*;
+use text::shell;
+use text::told::Told;
 
 const STYLE: &str = "\
 section { border-top: 1px solid var(--edge); break-inside: avoid; }
@@ -41,34 +40,33 @@ pub fn told(findings: &[Finding], folder: &Path) -> Told {
 
 /// The page for these goldens, of which this is told.
 pub fn page(findings: &[Finding], told: &Told) -> String {
-    let mut body = String::new();
-    findings.iter().for_each(|finding| section(&mut body, finding));
-    told.page("goldens review", &[STYLE, pair::STYLE], &body)
+    let body = several().with_all(findings.iter().map(section));
+    told.page("goldens review", &[STYLE, pair::STYLE], &body.html())
 }
 
-fn section(html: &mut String, finding: &Finding) {
-    let name = escaped(&finding.name);
-    let _ = writeln!(html, "<section>\n<h2>{name}: {}</h2>", words(&finding.status));
-    if let Some(golden) = &finding.golden {
-        let [w, h] = golden.size;
-        let (shows, because) = (escaped(&golden.shows), escaped(&golden.because));
-        let samples = golden.samples;
-        let _ = writeln!(
-            html,
-            "<p>Shows: {shows}<br>Accepted because: {because}<br>{w} × {h} pixels, samples: {samples}</p>"
-        );
-    }
-    if let Some([was, is]) = finding.changed_file() {
-        let lines = escaped(&changes(&was, &is));
-        let _ = writeln!(html, "<p>Changed in the scene file since:</p>\n<pre>{lines}</pre>");
-    }
-    pictures(html, finding);
-    if finding.status != Status::Same {
-        let command = escaped(&accept_command(finding));
-        let to = if finding.status == Status::NoScene { "remove" } else { "accept" };
-        let _ = writeln!(html, "<p>To {to}: <code>{command}</code></p>");
-    }
-    html.push_str("</section>\n");
+fn section(finding: &Finding) -> Element {
+    let title = heading(2, format!("{}: {}", finding.name, words(&finding.status)));
+    let to = if finding.status == Status::NoScene { "To remove: " } else { "To accept: " };
+    let command = || paragraph(to).with(code(accept_command(finding)));
+    element("section")
+        .with(title)
+        .with_all(finding.golden.as_ref().map(about))
+        .with_all(finding.changed_file().map(|[was, is]| {
+            several()
+                .with(paragraph("Changed in the scene file since:"))
+                .with(lines(changes(&was, &is)))
+        }))
+        .with(pictures(finding))
+        .with_all((finding.status != Status::Same).then(command))
+}
+
+fn about(golden: &Golden) -> Element {
+    let ([w, h], samples) = (golden.size, golden.samples);
+    paragraph(format!("Shows: {}", golden.shows))
+        .with(element("br"))
+        .with(format!("Accepted because: {}", golden.because))
+        .with(element("br"))
+        .with(format!("{w} × {h} pixels, samples: {samples}"))
 }
 
 /// The lines from the first to the last change: those of the text as it was after a minus, the new ones after a plus.
@@ -123,45 +121,34 @@ pub fn folder_option(folder: &Path) -> String {
     }
 }
 
-fn pictures(html: &mut String, finding: &Finding) {
+/// Both pictures, and how they compare; side by side alone if one is missing or their sizes differ.
+fn pictures(finding: &Finding) -> Element {
     let view = finding.golden.as_ref().map(|golden| golden.view).unwrap_or_default();
     let tone = finding
         .golden
         .as_ref()
         .and_then(|golden| golden.small_scene(&finding.folder).ok())
         .map_or(Tone::PLAIN, |(scene, _)| view.tone(&scene));
-    if let (Some(expected), Some(got)) = (&finding.expected, &finding.got)
-        && pair(html, finding, [expected, got], (view, tone))
+    let films = [&finding.expected, &finding.got];
+    if let [Some(expected), Some(got)] = films
+        && let Some(pair) = pair(finding, [expected, got], (view, tone))
     {
-        return;
+        return pair;
     }
-    html.push_str("<div class=\"row\">\n");
-    for (title, film) in [("expected", &finding.expected), ("got", &finding.got)] {
-        if let Some(film) = film {
-            let data = data_uri(&view.for_eyes(film), &tone);
-            let _ = writeln!(
-                html,
-                "<figure><img alt=\"{title}\" src=\"{data}\"><figcaption>{title}</figcaption></figure>"
-            );
-        }
-    }
-    html.push_str("</div>\n");
+    let shown = ["expected", "got"].into_iter().zip(films).filter_map(|(title, film)| {
+        Some(figure(image(&view.for_eyes(film.as_ref()?), &tone, title), title))
+    });
+    group("row").with_all(shown)
 }
 
-/// Both pictures of a golden; `false` if their sizes differ.
-fn pair(
-    html: &mut String,
-    finding: &Finding,
-    films: [&Film; 2],
-    (view, tone): (View, Tone),
-) -> bool {
+/// Both pictures of a golden; nothing if their sizes differ.
+fn pair(finding: &Finding, films: [&Film; 2], (view, tone): (View, Tone)) -> Option<Element> {
     let pictures = films.map(Picture::of_film);
-    let Ok(comparison) = Comparison::of(&pictures[0], &pictures[1], 0.0) else { return false };
+    let comparison = Comparison::of(&pictures[0], &pictures[1], 0.0).ok()?;
     let (differing, pixels) = (comparison.differing, pictures[0].values.len());
-    let _ = writeln!(
-        html,
-        "<p>{differing} of {pixels} pixels differ. Drift is a relative difference of at most {DRIFT:e}.</p>"
-    );
+    let about = paragraph(format!(
+        "{differing} of {pixels} pixels differ. Drift is a relative difference of at most {DRIFT:e}."
+    ));
     let commands = |pixel| {
         let of_golden = |golden| {
             let scene = scene_arguments(finding, golden);
@@ -177,8 +164,7 @@ fn pair(
         comparison: &comparison,
         commands: &commands,
     };
-    html.push_str(&pair.html());
-    true
+    Some(several().with(about).with(pair.element()))
 }
 
 /// The command that opens a golden's scene in the inspector, a pixel selected.

@@ -5,16 +5,14 @@ mod samples;
 mod style;
 mod tree;
 
-use std::fmt::Write;
-
 use groundtruth::explain::{PixelExplanation, RecordedRay, SourceExplanation, count, percent};
-use groundtruth::film::data_uri;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use pictures::digits::three;
-use pictures::html::{LINES, escaped, page};
 use space::{Section, hiding, orbit_of, svg_of_rays};
+use text::digits::three;
+use text::document::*;
+use text::html::{LINES, escaped, page};
 
 pub use picture::SmallPicture;
 
@@ -41,32 +39,25 @@ impl PixelPage<'_> {
     /// The page.
     pub fn html(&self) -> String {
         let [x, y] = self.explanation.pixel;
-        let title = escaped(&format!("Why pixel ({x}, {y}) of {} has its colour", self.name));
-        let about = escaped(&self.scene.about);
-        let mut body = format!("<p class=\"about\">{about}</p>\n<h1>{title}</h1>\n");
+        let title = format!("Why pixel ({x}, {y}) of {} has its colour", self.name);
         let sample = self.explanation.samples.first();
         let root = sample.and_then(|sample| sample.ray.as_ref());
         let section = root.and_then(|root| self.section(root));
-        body += "<div class=\"two\">\n";
-        body += &self.picture();
-        if let Some((_, section)) = &section {
-            let (title, drawing) = (escaped(&section.drawing.title), section.drawing.svg());
-            let _ =
-                write!(body, "<figure>\n{drawing}<figcaption>{title}</figcaption>\n</figure>\n");
-        }
-        body += "</div>\n";
-        if let Some(root) = root {
-            body += &self.space(root);
-        }
-        body += &self.sum();
-        let mut rays = 0;
-        if let Some(sample) = sample {
-            body += &self.samples(section.map(|(ray, _)| ray));
-            rays = sample.ray.as_ref().map_or(0, RecordedRay::count);
-        }
-        let command = escaped(self.command);
-        let _ = write!(body, "<h2>The same in a terminal</h2>\n<p><code>{command}</code></p>\n");
-        page(&title, &[LINES, style::STYLE, &style::linked(rays)], &body)
+        let drawn = |(_, section): &(usize, Section)| {
+            figure(Node::Drawing(section.drawing.svg()), &section.drawing.title)
+        };
+        let two = group("two").with(self.picture()).with_all(section.as_ref().map(drawn));
+        let rays = root.map_or(0, RecordedRay::count);
+        let body = several()
+            .with(paragraph(&self.scene.about).class("about"))
+            .with(heading(1, &title))
+            .with(two)
+            .with_all(root.map(|root| self.space(root)))
+            .with(self.sum())
+            .with_all(sample.map(|_| self.samples(section.map(|(ray, _)| ray))))
+            .with(heading(2, "The same in a terminal"))
+            .with(paragraph(code(self.command)));
+        page(&escaped(&title), &[LINES, style::STYLE, &style::linked(rays)], &body.html())
     }
 
     /// The section that is shown, and the number of its ray.
@@ -76,84 +67,88 @@ impl PixelPage<'_> {
     }
 
     /// The picture with a ring around the pixel, and the pixel's colour.
-    fn picture(&self) -> String {
+    fn picture(&self) -> Element {
         let SmallPicture { film, samples, of_samples } = self.picture;
-        let data = data_uri(film, &self.scene.image.tone());
         let [width, height] = self.world.picture_size();
         let [x, y] = self.explanation.pixel;
         let [cx, cy] = [f64::from(x) + 0.5, f64::from(y) + 0.5];
         let r = 0.03 * f64::from(width.max(height)).max(30.0);
-        let ring = |color: &str, part: f64| {
-            format!(
-                "<circle cx=\"{cx}\" cy=\"{cy}\" r=\"{r:.2}\" fill=\"none\" stroke=\"{color}\" stroke-width=\"{:.2}\"/>",
-                part * r
-            )
+        let ring = |(color, part): (&str, f64)| {
+            element("circle")
+                .attribute("cx", cx)
+                .attribute("cy", cy)
+                .attribute("r", format!("{r:.2}"))
+                .attribute("fill", "none")
+                .attribute("stroke", color)
+                .attribute("stroke-width", format!("{:.2}", part * r))
         };
-        let rings = ring("#000000", 0.4) + &ring("#ffdd00", 0.2);
+        let rings = element("svg")
+            .attribute("viewBox", format!("0 0 {width} {height}"))
+            .attribute("preserveAspectRatio", "none")
+            .with_all([("#000000", 0.4), ("#ffdd00", 0.2)].map(ring));
         let fewer = match samples < of_samples {
             true => format!(" The picture is of {samples} of {of_samples} samples a pixel."),
             false => String::new(),
         };
         let radiance = self.explanation.radiance;
-        format!(
-            "<figure>\n<div class=\"picture\"><img alt=\"the picture\" src=\"{data}\"/><svg viewBox=\"0 0 {width} \
-             {height}\" preserveAspectRatio=\"none\">{rings}</svg></div>\n<figcaption>Pixel ({x}, {y}): {} radiance \
-             {}.{fewer}</figcaption>\n</figure>\n",
-            self.color(radiance),
-            three(radiance.to_array())
-        )
+        let caption = several()
+            .with(format!("Pixel ({x}, {y}): "))
+            .with(self.color(radiance))
+            .with(format!(" radiance {}.{fewer}", three(radiance.to_array())));
+        let image = image(film, &self.scene.image.tone(), "the picture");
+        figure(group("picture").with(image).with(rings), caption)
     }
 
     /// A square of this colour.
-    fn color(&self, radiance: Rgb) -> String {
+    fn color(&self, radiance: Rgb) -> Element {
         let [r, g, b] = self.scene.image.tone().to_bytes(radiance);
-        format!("<span class=\"color\" style=\"background:rgb({r},{g},{b})\"></span>")
+        element("span").class("color").attribute("style", format!("background:rgb({r},{g},{b})"))
     }
 
-    fn space(&self, root: &RecordedRay) -> String {
+    /// The square, and the numbers.
+    fn value(&self, radiance: Rgb) -> Element {
+        several().with(self.color(radiance)).with(format!(" {}", three(radiance.to_array())))
+    }
+
+    fn space(&self, root: &RecordedRay) -> Element {
         let orbit = orbit_of(self.world, root);
         let faded = hiding(self.world, root, &orbit);
         let svg = svg_of_rays(self.world, root, &orbit, &faded);
-        format!(
-            "<figure class=\"space\">\n<h2>The rays in space</h2>\n{svg}<figcaption>Faint: hidden behind a surface. The \
-             numbers are those of the rays in the tree.</figcaption>\n</figure>\n"
+        let title = heading(2, "The rays in space");
+        figure(
+            several().with(title).with(Node::Drawing(svg)),
+            "Faint: hidden behind a surface. The numbers are those of the rays in the tree.",
         )
+        .class("space")
     }
 
     /// What each light and each lobe adds to the pixel.
-    fn sum(&self) -> String {
+    fn sum(&self) -> Element {
         let count = count(self.explanation.samples_per_pixel as usize, "sample");
-        let mut html = format!("<h2>The sum</h2>\n<p>The pixel is the mean of {count}.");
-        if let Some(error) = self.explanation.statistics.standard_error {
-            let _ = write!(html, " Standard error: {}.", three(error.to_array()));
-        }
-        html += "</p>\n";
-        for note in &self.explanation.notes {
-            let _ = writeln!(html, "<p>{}</p>", escaped(note));
-        }
-        for (words, sources) in self.explanation.sources.lists() {
-            if sources.is_empty() {
-                continue;
-            }
-            let _ = write!(html, "<p>{}:</p>\n<table class=\"numbers\">\n", escaped(words));
-            sources.iter().for_each(|source| self.add_source(&mut html, source));
-            html += "</table>\n";
-        }
-        html
+        let error = self.explanation.statistics.standard_error;
+        let error = error.map(|error| format!(" Standard error: {}.", three(error.to_array())));
+        let mean = format!("The pixel is the mean of {count}.");
+        let lists = self.explanation.sources.lists().into_iter();
+        let lists = lists.filter(|(_, sources)| !sources.is_empty()).map(|(words, sources)| {
+            several().with(paragraph(format!("{words}:"))).with(self.table(sources))
+        });
+        several()
+            .with(heading(2, "The sum"))
+            .with(paragraph(mean).with_all(error))
+            .with_all(self.explanation.notes.iter().map(paragraph))
+            .with_all(lists)
     }
 
-    fn add_source(&self, html: &mut String, source: &SourceExplanation) {
+    fn table(&self, sources: &[SourceExplanation]) -> Element {
         let whole = self.explanation.radiance.average();
-        let share = match whole > 0.0 {
-            true => escaped(&percent(source.mean.average() / whole)),
+        let share = |source: &&SourceExplanation| match whole > 0.0 {
+            true => percent(source.mean.average() / whole),
             false => String::new(),
         };
-        let _ = writeln!(
-            html,
-            "<tr><td>{}</td><td>{} {}</td><td>{share}</td></tr>",
-            escaped(&source.source.name()),
-            self.color(source.mean),
-            three(source.mean.to_array())
-        );
+        let table = table(sources)
+            .column("", |source| source.source.name())
+            .column("", |source| self.value(source.mean))
+            .column("", share);
+        group("numbers").with(table.element())
     }
 }

@@ -1,13 +1,11 @@
 //! The tree of rays as HTML that folds.
 
-use std::fmt::Write;
-
 use groundtruth::explain::{RecordedRay, count, percent, short};
 use groundtruth::trace::{Outcome, RayKind};
 use groundtruth::world::World;
-use pictures::digits::shortened;
-use pictures::html::escaped;
 use space::{Role, Section, ink};
+use text::digits::shortened;
+use text::document::*;
 
 /// Smaller trees are shown whole.
 const SMALL_TREE: usize = 16;
@@ -46,83 +44,80 @@ impl<'a> Tree<'a> {
     }
 
     /// The whole tree.
-    pub fn html(mut self) -> String {
-        let mut html = String::from("<div class=\"tree\">\n");
-        self.add(&mut html, self.root);
-        html + "</div>\n"
+    pub fn element(mut self) -> Element {
+        group("tree").with(self.ray(self.root))
     }
 
-    /// Adds a ray with all after it. The bounces of a path stand below one another; branches are indented.
-    fn add(&mut self, html: &mut String, ray: &RecordedRay) {
+    /// A ray with all after it. The bounces of a path stand below one another; branches are indented.
+    fn ray(&mut self, ray: &RecordedRay) -> Element {
         if *self.left == 0 {
-            return;
+            return several();
         }
         *self.left -= 1;
-        self.open(html, ray);
         let is_shadow = |ray: &&RecordedRay| matches!(ray.kind, RayKind::Shadow { .. });
         let is_little = |ray: &&RecordedRay| !self.is_small && ray.share < MIN_SHARE;
         let (little, large): (Vec<_>, Vec<_>) = ray.children.iter().partition(is_little);
         let (shadows, onward): (Vec<_>, Vec<_>) = large.into_iter().partition(is_shadow);
-        shadows.into_iter().for_each(|child| self.add(html, child));
-        self.add_little(html, ray.number, &little);
+        let own = self.own(ray).with_all(self.rays(&shadows)).with(self.little(ray, &little));
         let is_path = onward.len() == 1;
-        if is_path {
-            html.push_str("</details>\n");
-        }
-        onward.into_iter().for_each(|child| self.add(html, child));
-        if !is_path {
-            html.push_str("</details>\n");
+        let onward = self.rays(&onward);
+        match is_path {
+            true => several().with(own).with_all(onward),
+            false => own.with_all(onward),
         }
     }
 
-    /// Adds the rays that bring little, folded.
-    fn add_little(&mut self, html: &mut String, parent: usize, little: &[&RecordedRay]) {
+    fn rays(&mut self, rays: &[&RecordedRay]) -> Vec<Element> {
+        rays.iter().map(|ray| self.ray(ray)).collect()
+    }
+
+    /// The rays that bring little, folded.
+    fn little(&mut self, parent: &RecordedRay, little: &[&RecordedRay]) -> Element {
         let rays: usize = little.iter().map(|ray| ray.count()).sum();
         if rays == 0 {
-            return;
+            return several();
         }
-        let share = escaped(&percent(little.iter().map(|ray| ray.share).sum()));
-        let words = count(rays, "more ray");
+        let share = percent(little.iter().map(|ray| ray.share).sum());
+        let (words, from) = (count(rays, "more ray"), parent.number);
         let cut = if rays > *self.left { ", too many for a page" } else { "" };
-        let _ = writeln!(
-            html,
-            "<details><summary class=\"little\"><span class=\"share\">{share}</span> {words} from {parent}{cut}\
-             </summary>"
-        );
-        little.iter().for_each(|ray| self.add(html, ray));
-        html.push_str("</details>\n");
+        let summary = element("summary")
+            .class("little")
+            .with(span("share", share))
+            .with(format!(" {words} from {from}{cut}"));
+        element("details").with(summary).with_all(self.rays(little))
     }
 
-    /// Opens a ray: its line, its numbers and terms, and its section.
-    fn open(&self, html: &mut String, ray: &RecordedRay) {
-        let (number, ink) = (ray.number, ink(role(ray)));
+    /// A ray without those after it: its line, its numbers and terms, and its section.
+    fn own(&self, ray: &RecordedRay) -> Element {
+        let number = ray.number;
         // the line has two spaces between its parts
         let line = shortened(&ray.line()).replace("  ", " · ");
-        let [share, line] = [&percent(ray.share), &line].map(|text| escaped(text));
-        let contribution = escaped(&short(ray.contribution));
-        let bar = (100.0 * ray.share).clamp(0.0, 100.0);
-        let link = if self.is_linked { format!(" data-ray=\"{number}\"") } else { String::new() };
-        let _ = writeln!(
-            html,
-            "<details open><summary{link}><span class=\"share\" style=\"--part:{bar:.1}%\">{share}\
-             </span> <b style=\"color:{ink}\">{line}</b> contributes {contribution}</summary>\n<ul>"
-        );
-        for line in ray.details(true) {
+        let bar = format!("--part:{:.1}%", (100.0 * ray.share).clamp(0.0, 100.0));
+        let color = format!("color:{}", ink(role(ray)));
+        let summary = element("summary")
+            .with(span("share", percent(ray.share)).attribute("style", bar))
+            .with(" ")
+            .with(element("b").attribute("style", color).with(line))
+            .with(format!(" contributes {}", short(ray.contribution)));
+        let summary = match self.is_linked {
+            true => summary.attribute("data-ray", number),
+            false => summary,
+        };
+        let item = |line: String| {
+            let item = element("li").with(shortened(line.trim_start()));
             // the formula of a term is indented below it
-            let class = if line.starts_with("    ") { " class=\"formula\"" } else { "" };
-            let line = escaped(&shortened(line.trim_start()));
-            let _ = writeln!(html, "<li{class}>{line}</li>");
-        }
-        html.push_str("</ul>\n");
+            if line.starts_with("    ") { item.class("formula") } else { item }
+        };
         let is_new = self.has_sections && self.shown != Some(number);
         let section = is_new.then(|| Section::of(self.world, self.root, number)).flatten();
-        if let Some(section) = section {
-            let _ = writeln!(
-                html,
-                "<details class=\"section\"><summary>Section</summary>\n{}</details>",
-                section.drawing.svg()
-            );
-        }
+        let section = section.map(|section| {
+            folded("Section", Node::Drawing(section.drawing.svg())).class("section")
+        });
+        element("details")
+            .attribute("open", "")
+            .with(summary)
+            .with(element("ul").with_all(ray.details(true).into_iter().map(item)))
+            .with_all(section)
     }
 }
 

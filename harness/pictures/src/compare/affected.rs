@@ -5,7 +5,7 @@ use std::sync::Arc;
 use groundtruth::printable;
 use serde::Serialize;
 
-use crate::percent;
+use text::percent;
 
 /// How the differing pixels of an object differ.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]

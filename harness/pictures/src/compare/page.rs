@@ -4,7 +4,7 @@ use groundtruth::film::Tone;
 
 use super::pair::{self, ComparedPictures};
 use super::{Comparison, Picture};
-use crate::told::Told;
+use text::told::Told;
 
 /// The page of a comparison of the pictures of these files or scenes, of which this is told; `commands` explain a pixel.
 pub fn page(
@@ -19,5 +19,5 @@ pub fn page(
     let (names, shown) = ([&**a, &**b], pictures.map(Picture::radiance));
     let pair =
         ComparedPictures { names, pictures, shown, tone: Tone::SCREEN, comparison, commands };
-    told.page(&about, &[pair::STYLE], &pair.html())
+    told.page(&about, &[pair::STYLE], &pair.element().html())
 }

@@ -1,16 +1,15 @@
 //! Two pictures of one size on an HTML page: side by side, flip, difference in three scales, swipe, and
 //! the worst pixel of each region.
 
-use std::fmt::Write;
-
 use groundtruth::explain::count;
-use groundtruth::film::{Film, Tone, data_uri};
+use groundtruth::film::{Film, Tone};
 use groundtruth::rgb::Rgb;
 
 use super::differences::{Differences, NOT_A_NUMBER};
 use super::{Comparison, Picture, Region};
-use crate::digits::{short, three};
-use crate::html::{FLIP, escaped};
+use text::digits::{short, three};
+use text::document::*;
+use text::html::FLIP;
 
 /// The rules for a pair and for a map with frames, for the style of their page.
 pub const STYLE: &str = "\
@@ -50,9 +49,15 @@ background: linear-gradient(to right, #000, #fff); }
 ";
 
 /// The legend of a grey picture: a ramp from black to white, and the values at its ends and in its middle.
+pub fn legend(values: [&str; 3]) -> Element {
+    group("scale")
+        .with(element("span").class("ramp"))
+        .with_all(values.map(|value| element("span").with(value)))
+}
+
+/// The same as markup.
 pub fn scale(values: [&str; 3]) -> String {
-    let values = values.map(|value| format!("<span>{}</span>", escaped(value))).concat();
-    format!("<div class=\"scale\"><span class=\"ramp\"></span>{values}</div>")
+    legend(values).html()
 }
 
 /// The shares of differing channels that the three scales of the difference show unclipped: one bright lamp must
@@ -96,101 +101,93 @@ pub fn views(names: [&str; 2], pictures: [&Picture; 2]) -> String {
         commands,
     }
     .views()
+    .html()
 }
 
 impl ComparedPictures<'_> {
     /// The part of the page.
-    pub fn html(&self) -> String {
-        let mut html = self.views();
-        if !self.comparison.is_same() {
-            html.push_str("<h2>Regions</h2>\n<p>Each with its worst pixel framed.</p>\n");
-            self.comparison.listed().for_each(|region| self.region(&mut html, region));
+    pub fn element(&self) -> Element {
+        let whole = several().with(self.views());
+        if self.comparison.is_same() {
+            return whole;
         }
-        html
+        whole
+            .with(heading(2, "Regions"))
+            .with(paragraph("Each with its worst pixel framed."))
+            .with_all(self.comparison.listed().map(|region| self.region(region)))
     }
 
     /// Both pictures side by side, the first of which flips to the second by pointer, by tap and by key; a swipe; and
     /// their differences.
-    pub fn views(&self) -> String {
-        let [a, b] = self.names.map(escaped);
-        let [shown_a, shown_b] = [0, 1].map(|i| self.image(i, &with_marked(&self.shown[i])));
-        let mut html = format!(
-            "<div class=\"row\">\n<figure><label class=\"{FLIP}\"><input type=\"checkbox\" \
-             aria-label=\"show {b} in place of {a}\">{shown_a}{shown_b}</label>\
-             <figcaption>{a}; {b} under the pointer, by a tap, or by F (or Tab and space); +\u{a0}and\u{a0}−\u{a0}zoom</figcaption></figure>\n\
-             <figure>{shown_b}<figcaption>{b}. Magenta is not a number.</figcaption></figure>\n</div>\n"
+    pub fn views(&self) -> Element {
+        let [a, b] = self.names;
+        let shown = |index: usize| self.image(index, &with_marked(&self.shown[index]));
+        let box_to_flip = element("input")
+            .attribute("type", "checkbox")
+            .attribute("aria-label", format!("show {b} in place of {a}"));
+        let flip = element("label").class(FLIP).with(box_to_flip).with_all([0, 1].map(shown));
+        let how = format!(
+            "{a}; {b} under the pointer, by a tap, or by F (or Tab and space); +\u{a0}and\u{a0}−\u{a0}zoom"
         );
-        if !self.comparison.is_same() {
-            self.differences(&mut html);
-            let _ = write!(
-                html,
-                "<h2 class=\"swiped\">Swipe</h2>\n<p class=\"swiped\">{a} at the left, {b} at the right; pull the \
-                 corner of the line.</p>\n<div class=\"swipe\">{shown_b}<div>{shown_a}</div></div>\n"
-            );
+        let row = group("row")
+            .with(figure(flip, how))
+            .with(figure(shown(1), format!("{b}. Magenta is not a number.")));
+        if self.comparison.is_same() {
+            return row;
         }
-        html
+        let how = format!("{a} at the left, {b} at the right; pull the corner of the line.");
+        several()
+            .with(row)
+            .with(self.differences())
+            .with(heading(2, "Swipe").class("swiped"))
+            .with(paragraph(how).class("swiped"))
+            .with(group("swipe").with(shown(1)).with(element("div").with(shown(0))))
     }
 
-    fn image(&self, index: usize, film: &Film) -> String {
-        let (name, data) = (escaped(self.names[index]), data_uri(film, &self.tone));
-        format!("<img alt=\"{name}\" src=\"{data}\">")
+    fn image(&self, index: usize, film: &Film) -> Element {
+        image(film, &self.tone, self.names[index])
     }
 
-    fn differences(&self, html: &mut String) {
-        let [a, b] = self.names.map(escaped);
-        let _ = writeln!(
-            html,
-            "<h2>{b} − {a}</h2>\n<p>Grey: equal; brighter: {b} is larger. Three scales, because one bright lamp must not \
-             hide the rest.</p>\n<div class=\"row\">"
-        );
+    fn differences(&self) -> Element {
+        let [a, b] = self.names;
         let differences =
             Differences::of(self.pictures[0], self.pictures[1], self.comparison.tolerance);
-        for share in SCALES {
+        let scaled = |share: f64| {
             let largest = differences.within(share);
-            let data = data_uri(&differences.film(largest), &Tone::PLAIN);
             let (percent, end) = (100.0 * share, short(largest));
-            let legend = scale([&format!("−{end}"), "0", &format!("+{end}")]);
-            let _ = writeln!(
-                html,
-                "<figure><img alt=\"difference\" src=\"{data}\"><figcaption>{legend}{percent} % of the differences are \
-                 within the scale</figcaption></figure>"
-            );
-        }
-        html.push_str("</div>\n");
+            let legend = legend([&format!("−{end}"), "0", &format!("+{end}")]);
+            let caption = format!("{percent} % of the differences are within the scale");
+            let image = image(&differences.film(largest), &Tone::PLAIN, "difference");
+            figure(image, several().with(legend).with(caption))
+        };
+        several()
+            .with(heading(2, format!("{b} − {a}")))
+            .with(paragraph(format!(
+                "Grey: equal; brighter: {b} is larger. Three scales, because one bright lamp must not hide the rest."
+            )))
+            .with(group("row").with_all(SCALES.map(scaled)))
     }
 
-    fn region(&self, html: &mut String, region: &Region) {
-        let Region { pixels, bounds: [x, y, w, h], worst, values: [a, b], difference } = region;
-        let [left, top, right, bottom] = self.window(region);
-        let percent = |part: u32, of: u32| 100.0 * f64::from(part) / f64::from(of);
-        let (across, down) = (right - left, bottom - top);
-        let mark = format!(
-            "<i style=\"left:{}%;top:{}%;width:{}%;height:{}%\"></i>",
-            percent(worst[0] - left, across),
-            percent(worst[1] - top, down),
-            percent(1, across),
-            percent(1, down)
-        );
-        html.push_str("<div class=\"row zoom\">");
-        for index in [0, 1] {
-            let part = part(&self.shown[index], [left, top, right, bottom]);
-            let _ = write!(html, "<figure>{}{mark}</figure>", self.image(index, &part));
-        }
-        let [wx, wy] = worst;
+    fn region(&self, region: &Region) -> Element {
+        let Region { pixels, bounds: [x, y, w, h], worst, values, difference } = region;
+        let window @ [left, top, right, bottom] = self.window(region);
+        let [wx, wy] = *worst;
+        let mark = frame("", [wx - left, wy - top, 1, 1], [right - left, bottom - top]);
+        let figures = [0, 1].map(|index| {
+            let image = self.image(index, &part(&self.shown[index], window));
+            element("figure").with(image).with(mark.clone())
+        });
         let pixels = count(*pixels as usize, "pixel");
-        let _ = write!(
-            html,
-            "<p>{pixels} in {x},{y},{w}x{h}<br>the worst at ({wx}, {wy}), by {}<br>{}: {}<br>{}: {}",
-            short(*difference),
-            escaped(self.names[0]),
-            three(*a),
-            escaped(self.names[1]),
-            three(*b)
-        );
-        for command in (self.commands)(*worst) {
-            let _ = write!(html, "<br><code>{}</code>", escaped(&command));
-        }
-        html.push_str("</p></div>\n");
+        let mut said = vec![
+            format!("{pixels} in {x},{y},{w}x{h}"),
+            format!("the worst at ({wx}, {wy}), by {}", short(*difference)),
+        ];
+        let values = self.names.iter().zip(values);
+        said.extend(values.map(|(name, value)| format!("{name}: {}", three(*value))));
+        let commands = (self.commands)(*worst).into_iter().map(code).map(Node::from);
+        let lines = said.into_iter().map(Node::from).chain(commands);
+        let lines = lines.map(|line| several().with(line).with(element("br")));
+        group("row zoom").with_all(figures).with(element("p").with_all(lines))
     }
 
     /// The pixels that are shown of a region: left, top, and the ends at right and bottom.
@@ -206,6 +203,20 @@ impl ComparedPictures<'_> {
         let [top, bottom] = side(y, height, region.worst[1], size_y);
         [left, top, right, bottom]
     }
+}
+
+/// A frame over a picture of this size, around the pixels from this left column and top row on, so many columns and rows.
+pub fn frame(name: &str, [x, y, w, h]: [u32; 4], [width, height]: [u32; 2]) -> Element {
+    let percent = |part: u32, of: u32| 100.0 * f64::from(part) / f64::from(of);
+    let style = format!(
+        "left:{}%;top:{}%;width:{}%;height:{}%",
+        percent(x, width),
+        percent(y, height),
+        percent(w, width),
+        percent(h, height)
+    );
+    let frame = element("i").attribute("style", style);
+    if name.is_empty() { frame } else { frame.attribute("title", name) }
 }
 
 /// The part of a picture with these first and last columns and rows.

@@ -4,9 +4,9 @@ use std::fmt;
 use std::sync::Arc;
 
 use super::{Affected, Comparison, Decoded, Picture, Region, Unusual, is_equal};
-use crate::digits::{short, three};
-use crate::percent;
 use groundtruth::explain::count;
+use text::digits::{short, three};
+use text::percent;
 
 impl Comparison {
     /// The verdict in one sentence.

@@ -4,7 +4,7 @@ use groundtruth::film::{Provenance, Replicas};
 use serde::{Deserialize, Serialize};
 
 use super::Seeds;
-use crate::shell;
+use text::shell;
 
 /// What the sums of a file are of.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]

@@ -2,6 +2,8 @@
 
 use groundtruth::printable;
 
+use super::document::{Element, Node};
+
 /// The rules that all pages have in common: light or dark as the reader's system is, light on paper; nothing is wider than
 /// a telephone but tables, which scroll by themselves.
 const STYLE: &str = "\
@@ -24,6 +26,7 @@ img { max-width: 100%; }
 pre { white-space: pre-wrap; overflow-wrap: anywhere; }
 code { font-size: 90%; user-select: all; overflow-wrap: anywhere; }
 table { border-collapse: collapse; overflow-wrap: normal; }
+tbody th { font-weight: normal; }
 .wide { overflow-x: auto; }
 tr, figure { break-inside: avoid; }
 @media print {
@@ -84,6 +87,64 @@ pub fn page(title: &str, rules: &[&str], body: &str) -> String {
          <title>{title}</title>\n<style>\n{STYLE}{rules}</style>\n</head>\n<body>\n\
          {body}{script}</body>\n</html>\n"
     )
+}
+
+/// Elements that have no content, and no end.
+const EMPTY: [&str; 3] = ["br", "img", "input"];
+/// Elements after which the next one begins a line.
+const LINE: [&str; 19] = [
+    "caption",
+    "details",
+    "div",
+    "figcaption",
+    "figure",
+    "h1",
+    "h2",
+    "h3",
+    "li",
+    "p",
+    "pre",
+    "section",
+    "summary",
+    "table",
+    "tbody",
+    "thead",
+    "tr",
+    "ul",
+    "br",
+];
+
+impl Element {
+    /// The element as markup, which is well-formed XML, too.
+    pub fn html(&self) -> String {
+        let mut html = String::new();
+        self.write(&mut html);
+        html
+    }
+
+    fn write(&self, html: &mut String) {
+        let Self { name, attributes, children } = self;
+        if !name.is_empty() {
+            *html += &format!("<{name}");
+            for (attribute, value) in attributes {
+                *html += &format!(" {attribute}=\"{}\"", escaped(value));
+            }
+            *html += if EMPTY.contains(name) { "/>" } else { ">" };
+        }
+        for child in children {
+            match child {
+                Node::Text(text) => *html += &escaped(text),
+                Node::Drawing(svg) => *html += svg,
+                Node::Element(element) => element.write(html),
+            }
+        }
+        if !name.is_empty() && !EMPTY.contains(name) {
+            *html += &format!("</{name}>");
+        }
+        if LINE.contains(name) {
+            html.push('\n');
+        }
+    }
 }
 
 /// The text as markup shows it, also between the double quotes of an attribute: characters of markup are escaped, and

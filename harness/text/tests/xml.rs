@@ -1,6 +1,6 @@
 //! Text in XML.
 
-use pictures::xml::*;
+use text::xml::*;
 
 /// Whether the specification lets a document hold the number of a character. Oracle of the laws: the table of
 /// section 2.2, as numbers.

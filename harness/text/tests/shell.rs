@@ -3,7 +3,7 @@
 use std::process::Command;
 
 use groundtruth::printable;
-use pictures::shell::*;
+use text::shell::*;
 
 /// 240 names of pieces that a shell may take for something else.
 fn names() -> Vec<String> {

@@ -1,7 +1,7 @@
 //! Numbers for people.
 
-use pictures::digits::{short, shortened};
-use pictures::percent::of_pixels;
+use text::digits::{short, shortened};
+use text::percent::of_pixels;
 
 /// Law: a number of any size is told with at most four digits, and at most half a unit of the fourth off. Oracle: the text
 /// read again.

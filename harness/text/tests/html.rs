@@ -1,7 +1,7 @@
 //! Text in pages.
 
 use groundtruth::printable;
-use pictures::html::*;
+use text::html::*;
 
 /// Law: of every character of the planes in which any is special, no markup is left, none that is obeyed, and what is shown is the character or
 /// its number. Oracle: the references that HTML defines, put back.

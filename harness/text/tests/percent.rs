@@ -2,9 +2,7 @@
 
 use groundtruth::math::power;
 
-use pictures::percent::{of_pixels, percent, short, signed};
-
-use crate::verbs::equal;
+use text::percent::{of_pixels, percent, short, signed};
 
 /// Law: a percentage has few characters whatever the number is, its sign, and its value to three digits. Oracle:
 /// numbers written by hand, and the number read back.
@@ -48,6 +46,6 @@ fn forms_of_percentages_have_borders() {
         (of_pixels(1.5), "150 %"),
     ];
     for (found, expected) in cases {
-        equal("percentage", found.as_str(), expected);
+        assert_eq!(found, expected);
     }
 }

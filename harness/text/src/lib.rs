@@ -1,0 +1,14 @@
+//! What people read, and where it is printed: a [`document`] is a tree of elements, printed for a terminal, as HTML or
+//! as Markdown; [`told`] is the form in which verdicts are said; [`digits`] and [`percent`] are numbers for people; and
+//! text is made safe for pages ([`html`]), the [`shell`] and [`xml`].
+
+pub mod digits;
+pub mod document;
+pub mod html;
+mod markdown;
+pub mod percent;
+mod plain;
+pub mod shell;
+mod table;
+pub mod told;
+pub mod xml;
