@@ -203,44 +203,62 @@ fn many_seeds_measure_how_often_a_proportion_is_outside_its_interval() {
     }
 }
 
+/// The probability that a checker says of samples of a seed with an error of so many times the edge of what its doc line
+/// says it finds.
+type Edge = Box<dyn Fn(u64, f64) -> f64>;
+
+/// The checkers with their names and so many seeds as their rates need.
+pub(super) fn edges() -> Vec<(String, u64, Edge)> {
+    let noise = |freedom: f64| 10.0 * freedom.sqrt() + 60.0;
+    let mut all: Vec<(String, u64, Edge)> = Vec::new();
+    for (cells, n, seeds) in [(2, 10_000, 2000), (99, 200_000, 500), (1000, 200_000, 500)] {
+        let edge = (noise(f64::from(cells)) / n as f64).sqrt();
+        let expected = vec![n as f64 / f64::from(cells); cells as usize];
+        let p = move |seed, times| {
+            let counts = uneven(cells as usize, n, times * edge, seed);
+            chi_square::goodness_of_fit(&counts, &expected)
+        };
+        all.push((format!("goodness of fit, {cells} cells"), seeds, Box::new(p)));
+    }
+    let edge = (noise(36.0) / 50_000.0).sqrt();
+    let p = move |seed, times| chi_square::independence(&paired(50_000, times * edge, seed), 7);
+    all.push(("independence, 7 × 7".to_owned(), 2000, Box::new(p)));
+    for n in [500, 20_000] {
+        let edge = (14.0 / n as f64).sqrt();
+        let p = move |seed, times| ks::uniform(&bent(n, times * edge, seed));
+        all.push((format!("Kolmogorov–Smirnov, {n}"), 2000, Box::new(p)));
+    }
+    for n in [500, 10_000] {
+        let edge = -7.2 / (n as f64).sqrt();
+        let p = move |seed, times| {
+            let [xs, ys] = correlated(n, times * edge, seed);
+            correlation::pearson(&xs, &ys).map_or(1.0, |found| found.p)
+        };
+        all.push((format!("correlation, {n}"), 2000, Box::new(p)));
+    }
+    for (n, edge) in [(16, 3.3), (500, 7.2 / 500.0_f64.sqrt())] {
+        let p = move |seed, times| {
+            means::one_sample(&normals(n, 0.0, 1.0, &mut Pcg32::new(seed, 19)), times * edge)
+        };
+        all.push((format!("mean, {n}"), 10_000, Box::new(p)));
+    }
+    let p = |seed, times| {
+        let random = &mut Pcg32::new(seed, 20);
+        let a = normals(500, times * 7.2 * (10.0_f64 / 500.0).sqrt(), 3.0, random);
+        means::two_samples(&a, &normals(500, 0.0, 1.0, random))
+    };
+    all.push(("two means, 500 and 500, variances 9 : 1".to_owned(), 10_000, Box::new(p)));
+    all
+}
+
 /// Each at the very edge of what its doc line says.
 #[test]
 #[ignore = "cost: cargo test --release many_seeds -- --ignored"]
 fn many_seeds_measure_the_power() {
     let mut run = Run::default();
-    let noise = |freedom: f64| 10.0 * freedom.sqrt() + 60.0;
-    for (cells, n, seeds) in [(2, 10_000, 2000), (99, 200_000, 500), (1000, 200_000, 500)] {
-        run.power(&format!("goodness of fit, {cells} cells"), seeds, |seed| {
-            let epsilon = (noise(f64::from(cells)) / n as f64).sqrt();
-            let expected = vec![n as f64 / f64::from(cells); cells as usize];
-            chi_square::goodness_of_fit(&uneven(cells as usize, n, epsilon, seed), &expected)
-        });
+    for (name, seeds, p) in edges() {
+        run.power(&name, seeds, |seed| p(seed, 1.0));
     }
-    run.power("independence, 7 × 7", 2000, |seed| {
-        let n = 50_000;
-        chi_square::independence(&paired(n, (noise(36.0) / n as f64).sqrt(), seed), 7)
-    });
-    for n in [500, 20_000] {
-        run.power(&format!("Kolmogorov–Smirnov, {n}"), 2000, |seed| {
-            ks::uniform(&bent(n, (14.0 / n as f64).sqrt(), seed))
-        });
-    }
-    for n in [500, 10_000] {
-        run.power(&format!("correlation, {n}"), 2000, |seed| {
-            let [xs, ys] = correlated(n, 7.2 / (n as f64).sqrt(), seed);
-            correlation::pearson(&xs, &ys).map_or(1.0, |found| found.p)
-        });
-    }
-    for (n, off) in [(16, 3.3), (500, 7.2 / 500.0_f64.sqrt())] {
-        run.power(&format!("mean, {n}"), 10_000, |seed| {
-            means::one_sample(&normals(n, 0.0, 1.0, &mut Pcg32::new(seed, 19)), off)
-        });
-    }
-    run.power("two means, 500 and 500, variances 9 : 1", 10_000, |seed| {
-        let random = &mut Pcg32::new(seed, 20);
-        let a = normals(500, 7.2 * (10.0_f64 / 500.0).sqrt(), 3.0, random);
-        means::two_samples(&a, &normals(500, 0.0, 1.0, random))
-    });
     run.power("slope, 12 points", 10_000, |seed| {
         let fit = slope::power_law(&power_of(-1.5, 0.1, seed), 0.99).expect("a fit");
         // twice the half-width: t of ten degrees is 3.169, the spread of ln x √143
