@@ -5,11 +5,12 @@
 
 use serde::Serialize;
 
-use crate::html::{Table, capital, flagged, row, short_or_dash, time};
 use crate::pictures::Pictures;
 use crate::plot::{Limit, Plot, Series};
 use crate::reference::Reference;
+use crate::words::{capital, flagged, rough_or_dash, time};
 use statistics::slope::power_law;
+use text::document::*;
 
 /// The confidence level of the intervals of slopes and biases.
 pub const CONFIDENCE: f64 = 0.95;
@@ -105,21 +106,21 @@ impl<K> Choice<K> {
     }
 
     /// The time for one sample as a cell of a table, marked if a measurement was disturbed.
-    pub fn sample_time(&self) -> String {
+    pub fn sample_time(&self) -> Element {
         flagged(time(self.sample_seconds()), self.levels.iter().any(|level| level.disturbed))
     }
 }
 
 /// The table with a column of errors for each of these numbers of samples.
 pub fn error_columns<'a, K: 'a>(
-    table: Table<'a, Choice<K>>,
+    table: Table<&'a Choice<K>>,
     samples: impl IntoIterator<Item = u32>,
     error: Error,
-) -> Table<'a, Choice<K>> {
+) -> Table<&'a Choice<K>> {
     samples.into_iter().fold(table, |table, samples| {
-        table.column(samples, move |choice| {
+        table.column(samples.to_string(), |choice| {
             let level = choice.levels.iter().find(|level| level.samples == samples);
-            short_or_dash(level.and_then(error))
+            rough_or_dash(level.and_then(error))
         })
     })
 }
@@ -129,7 +130,7 @@ pub fn diagrams<'a, K: 'a>(
     choices: impl IntoIterator<Item = &'a Choice<K>> + Clone,
     (name, error): (&str, Error),
     limit: Option<Limit<'_>>,
-) -> String {
+) -> Element {
     let plot = |x, along: fn(&ErrorAtSamples) -> f64| {
         let series = choices.clone().into_iter().map(|choice| {
             let points = choice.levels.iter().filter_map(|l| Some((along(l), error(l)?)));
@@ -139,11 +140,7 @@ pub fn diagrams<'a, K: 'a>(
     };
     let samples = plot("samples per pixel", |level| f64::from(level.samples));
     let seconds = plot("seconds for the picture, on one thread", |level| level.picture_seconds);
-    row(
-        "pictures",
-        &[
-            samples.figure(&format!("{} against samples.", capital(name))),
-            seconds.figure("The same against time."),
-        ],
-    )
+    group("pictures")
+        .with(samples.figure(format!("{} against samples.", capital(name))))
+        .with(seconds.figure("The same against time."))
 }

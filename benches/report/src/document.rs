@@ -5,46 +5,49 @@ use std::path::{Path, PathBuf};
 
 use super::{Findings, Page, Provenance, Report};
 use groundtruth::film::{TEMPORARY, folder_of, replace_all};
-use pictures::html::{escaped, page};
+use text::document::*;
+use text::html::page;
 
 const STYLE: &str = include_str!("style.css");
 
 /// The whole page.
 pub(super) fn html(report: &Report) -> String {
-    let mut html = "<h1>Choose by evidence</h1>\n".to_owned();
-    html += &measured(&report.provenance, report.settings.seed);
-    html.push_str("<ul>\n");
-    for (Page { name, title, question, .. }, _) in &report.chapters {
-        let question = escaped(question);
-        html += &format!("<li><a href=\"#{name}\">{title}</a>: {question}</li>\n");
-    }
-    html.push_str("</ul>\n");
-    for (Page { name, title, question, .. }, Findings { section, .. }) in &report.chapters {
-        let question = escaped(question);
-        html += &format!(
-            "<section id=\"{name}\">\n<h2>{title}</h2>\n<p class=\"question\">{question}</p>\n\
-             {section}</section>\n"
-        );
-    }
-    page("Groundtruth: report", &[STYLE], &html)
+    let pages = || report.chapters.iter();
+    let link = |(Page { name, title, question, .. }, _): &(Page, Findings)| {
+        let link = element("a").attribute("href", format!("#{name}")).with(*title);
+        several().with(link).with(format!(": {question}"))
+    };
+    let section = |(Page { name, title, question, .. }, findings): &(Page, Findings)| {
+        element("section")
+            .attribute("id", name)
+            .with(heading(2, *title))
+            .with(paragraph(*question).class("question"))
+            .with(findings.section.clone())
+    };
+    let body = several()
+        .with(heading(1, "Choose by evidence"))
+        .with(group("about").with(measured(&report.provenance, report.settings.seed)))
+        .with(list(pages().map(link)))
+        .with_all(pages().map(section));
+    page("Groundtruth: report", &[STYLE], &body.html())
 }
 
-fn measured(provenance: &Provenance, seed: u64) -> String {
+fn measured(provenance: &Provenance, seed: u64) -> Element {
     let Provenance { version, commit, debug, processor, platform, threads } = provenance;
     let warning = match debug {
         true => " It was built with debug assertions, so times are too long.",
         false => "",
     };
-    format!(
-        include_str!("measured.html"),
+    prose(&format!(
+        include_str!("measured.txt"),
         version = version,
-        commit = escaped(commit),
-        processor = escaped(processor),
+        commit = commit,
+        processor = processor,
         platform = platform,
         threads = threads,
         seed = seed,
         warning = warning
-    )
+    ))
 }
 
 /// Writes both files into the folder, which is created if it does not exist. An error leaves no

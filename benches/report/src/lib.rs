@@ -2,7 +2,7 @@
 //!
 //! A [`Page`] answers one question. It measures, and returns the data for JSON and the HTML made
 //! from these data alone. A new page is a folder here and an entry in [`PAGES`]. What pages share:
-//! [`html`] and `plot` draw, `pictures` renders, `reference` measures the error of pictures, and
+//! [`words`] and `plot` draw, `pictures` renders, `reference` measures the error of pictures, and
 //! `convergence` is error against samples and time. Everything except the times is determined by
 //! the seed.
 
@@ -10,7 +10,6 @@ pub mod acceleration;
 pub mod clock;
 mod convergence;
 mod document;
-pub mod html;
 mod intersections;
 pub mod light;
 mod pictures;
@@ -20,9 +19,11 @@ mod provenance;
 pub mod reference;
 pub mod samplers;
 mod textures;
+pub mod words;
 
 use serde::Serialize;
 use serde_json::{Value, json};
+use text::document::Element;
 
 pub use document::{check_folder, write};
 pub use progress::{Interrupted, Progress};
@@ -49,11 +50,11 @@ struct Findings {
     data: Value,
     /// For `index.html`: the content of a section below its heading and question. It describes what
     /// is compared, how to read the results, and what to choose.
-    section: String,
+    section: Element,
 }
 
 impl Findings {
-    fn new<T: Serialize>(data: &T, section: fn(&T) -> String) -> Self {
+    fn new<T: Serialize>(data: &T, section: fn(&T) -> Element) -> Self {
         let json = serde_json::to_value(data).expect("the keys of all data are texts");
         Self { data: json, section: section(data) }
     }

@@ -7,9 +7,9 @@ use plotters::coord::combinators::{BindKeyPoints, WithKeyPoints};
 use plotters::element::ComposedElement;
 use plotters::prelude::*;
 
-use super::html::{figure, superscript};
 use groundtruth::math::{exp, ln, power};
 use statistics::slope::PowerLaw;
+use text::document::{self, Node};
 
 /// A series of points.
 #[derive(Clone, Debug, Default)]
@@ -86,11 +86,11 @@ type Drawn = Result<(), Box<dyn Error + Send + Sync>>;
 
 impl Plot<'_> {
     /// The plot with a caption below it.
-    pub fn figure(&self, caption: &str) -> String {
+    pub fn figure(&self, caption: impl Into<Node>) -> document::Element {
         let mut svg = String::new();
         let drawn = self.draw(&SVGBackend::with_string(&mut svg, SIZE).into_drawing_area());
         drawn.expect("writing to a string does not fail");
-        figure(&svg, caption)
+        document::figure(Node::Drawing(svg), caption)
     }
 
     fn draw(&self, area: &Area<'_>) -> Drawn {
@@ -313,6 +313,13 @@ fn tick(x: f64) -> String {
         }
         _ => format!("{x}"),
     }
+}
+
+/// An integer in superscript, for powers of ten: `⁻⁷`.
+fn superscript(integer: &str) -> String {
+    const DIGITS: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
+    let raised = |c: char| c.to_digit(10).map_or('⁻', |digit| DIGITS[digit as usize]);
+    integer.chars().map(raised).collect()
 }
 
 fn visible(points: &[(f64, f64)]) -> impl Iterator<Item = (f64, f64)> + '_ {

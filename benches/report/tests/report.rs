@@ -6,7 +6,6 @@ mod integrands;
 mod labels;
 mod light;
 mod markup;
-mod numbers;
 mod pairs;
 mod plots;
 mod random_samples;

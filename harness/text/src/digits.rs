@@ -1,19 +1,33 @@
 //! Numbers for people: four digits. Files of JSON, and questions and commands that are copied, keep all digits.
 
+use std::ops::RangeInclusive;
+
 /// A number with four digits at most: `0.003922`, `1.813`, `2.15e-7`; 0 only if it is nought.
 pub fn short(x: f64) -> String {
+    with_digits(x, 4, -4..=4)
+}
+
+/// A number with two digits at most, as those of measurements: `0.031`, `350`, `1.2e7`.
+pub fn rough(x: f64) -> String {
+    with_digits(x, 2, -4..=3)
+}
+
+/// A number with so many digits, and with a power of ten unless its power is one of these.
+fn with_digits(x: f64, digits: usize, plain: RangeInclusive<i32>) -> String {
     if x == 0.0 || !x.is_finite() {
         return format!("{}", x + 0.0);
     }
-    let scientific = format!("{x:.3e}");
-    let (digits, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
+    let scientific = format!("{x:.*e}", digits - 1);
+    let (mantissa, exponent) = scientific.split_once('e').unwrap_or((&scientific, "0"));
     let trimmed = |number: &str| match number.contains('.') {
         true => number.trim_end_matches('0').trim_end_matches('.').to_owned(),
         false => number.to_owned(),
     };
     match exponent.parse::<i32>().unwrap_or(0) {
-        exponent @ -4..=4 => trimmed(&format!("{x:.*}", (3 - exponent).max(0) as usize)),
-        _ => format!("{}e{exponent}", trimmed(digits)),
+        exponent if plain.contains(&exponent) => {
+            trimmed(&format!("{x:.*}", (digits as i32 - 1 - exponent).max(0) as usize))
+        }
+        _ => format!("{}e{exponent}", trimmed(mantissa)),
     }
 }
 

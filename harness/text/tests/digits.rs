@@ -1,6 +1,6 @@
 //! Numbers for people.
 
-use text::digits::{short, shortened};
+use text::digits::{rough, short, shortened};
 use text::percent::of_pixels;
 
 /// Law: a number of any size is told with at most four digits, and at most half a unit of the fourth off. Oracle: the text
@@ -21,6 +21,8 @@ fn numbers_have_four_digits() {
     }
     let told = [0.0, -0.0, 0.5, 1.0, 0.003_921_57, 99_999.9, f64::INFINITY].map(short);
     assert_eq!(told, ["0", "0", "0.5", "1", "0.003922", "1e5", "inf"]);
+    let told = [0.0, 4.21, 35.4, 349.6, 0.0312, 1.23e7, 9.96, 99.6, 4.4e-9].map(rough);
+    assert_eq!(told, ["0", "4.2", "35", "350", "0.031", "1.2e7", "10", "100", "4.4e-9"]);
 }
 
 /// Law: long numbers of a text are shortened; words, names with digits, counts and short numbers stay. Oracle: texts by hand.

@@ -4,51 +4,48 @@ use std::collections::BTreeSet;
 
 use super::{Data, Run, StageData};
 use crate::convergence::CONFIDENCE;
-use crate::html::{
-    DASH, Table, bytes, capital, count, escaped, flagged, heading, listed, pick, row, short, time,
-    with_minus,
-};
 use crate::plot::{Fit, Plot, Series};
+use crate::words::*;
 use statistics::slope::power_law;
+use text::digits::rough;
+use text::document::*;
 
 /// Slopes are fitted from this number of objects on, if there are at least three sizes.
 const FITTED_FROM: usize = 1000;
 /// A structure is as good as the best if its time is at most this multiple of the best time.
 const AS_GOOD: f64 = 1.1;
 
-pub fn page(data: &Data) -> String {
-    let sections: String = data.stages.iter().map(|stage| section(stage, data.side)).collect();
-    explanation(data) + &pick("What to pick.", &advice(data)) + &sections
+pub fn page(data: &Data) -> Element {
+    several()
+        .with(explanation(data))
+        .with(pick("What to pick.", advice(data)))
+        .with_all(data.stages.iter().map(|stage| section(stage, data.side)))
 }
 
-fn section(stage: &StageData, side: u32) -> String {
-    let disagree = match stage.agree {
-        true => "",
-        false => {
-            "<p class=\"bad\">The structures disagree about some rays, which is a bug to be \
-             reported.</p>\n"
-        }
-    };
+fn section(stage: &StageData, side: u32) -> Element {
+    const DISAGREE: &str =
+        "The structures disagree about some rays, which is a bug to be reported.";
     let seconds = format!("seconds for {side} × {side} rays");
     let plots = [
         plot(stage, &seconds, |run| run.picture_seconds),
         plot(stage, "tests, nodes and cells per ray", work),
     ];
-    heading(stage.stage.name, stage.stage.about)
-        + disagree
-        + &row("pictures", &plots)
-        + &table(stage)
-        + &skipped(stage)
+    several()
+        .with(beginning(stage.stage.name, stage.stage.about))
+        .with_all((!stage.agree).then(|| paragraph(DISAGREE).class("bad")))
+        .with(group("pictures").with_all(plots))
+        .with(details(stage))
+        .with_all(skipped(stage))
 }
 
-fn explanation(data: &Data) -> String {
+fn explanation(data: &Data) -> Element {
     let (side, confidence) = (data.side, 100.0 * CONFIDENCE);
-    format!(
-        include_str!("explanation.html"),
+    prose(&format!(
+        include_str!("explanation.txt"),
         side = side,
         from = FITTED_FROM,
         confidence = confidence
-    )
+    ))
 }
 
 /// The names of the structures, in the order in which they first appear.
@@ -114,13 +111,13 @@ fn advice(data: &Data) -> String {
         "it is the fastest in every scene, or as fast as the fastest. ".to_owned()
     } else {
         let Regret { ratio, stage, objects, .. } = least;
-        let (ratio, objects) = (short(*ratio), count(*objects));
+        let (ratio, objects) = (rough(*ratio), count(*objects));
         format!(
             "it takes at most {ratio} times the time of the best (in {stage}, {objects} objects). "
         )
     };
     for Regret { structure, ratio, stage, objects } in others {
-        let (ratio, objects) = (short(*ratio), count(*objects));
+        let (ratio, objects) = (rough(*ratio), count(*objects));
         text +=
             &format!("The {structure} takes up to {ratio} times ({stage}, {objects} objects). ");
     }
@@ -183,7 +180,7 @@ fn signed(x: f64) -> String {
 }
 
 /// The diagram of a quantity of the runs, with the slopes below it.
-fn plot(stage: &StageData, y: &str, of: fn(&Run) -> f64) -> String {
+fn plot(stage: &StageData, y: &str, of: fn(&Run) -> f64) -> Element {
     let mut slopes = Vec::new();
     let series = |name: &str| {
         let points = runs(stage, name).map(|run| (run.objects as f64, of(run)));
@@ -199,39 +196,37 @@ fn plot(stage: &StageData, y: &str, of: fn(&Run) -> f64) -> String {
     };
     let series = structures([stage]).into_iter().map(series).collect();
     let plot = Plot { x: "objects", y, series, limit: None };
-    plot.figure(&format!("{}. Slopes: {}.", capital(stage.stage.name), listed(&slopes)))
+    plot.figure(format!("{}. Slopes: {}.", capital(stage.stage.name), listed(&slopes)))
 }
 
 /// The powers of ten only; all sizes are in `report.json`.
-fn table(stage: &StageData) -> String {
+fn details(stage: &StageData) -> Element {
     let objects: BTreeSet<usize> = stage.runs.iter().map(|run| run.objects).collect();
     let shown: BTreeSet<usize> = objects.into_iter().step_by(2).collect();
     let names = structures([stage]);
     let all = names.iter().flat_map(|name| runs(stage, name));
-    Table::new(format!("{}, by number of objects", capital(stage.stage.name)))
-        .column("structure", |run: &Run| run.structure.clone())
+    table(all.filter(|run| shown.contains(&run.objects)))
+        .caption(format!("{}, by number of objects", capital(stage.stage.name)))
+        .column("structure", |run| &run.structure)
         .column("objects", |run| count(run.objects))
         .column("build", |run| time(run.build_seconds))
         .column("memory", |run| run.memory_bytes.map_or(DASH.to_owned(), |n| bytes(n as f64)))
         .column("picture", |run| flagged(time(run.picture_seconds), run.disturbed))
-        .column("tests per ray", |run| short(run.tests_per_ray))
-        .column("nodes or cells per ray", |run| short(run.steps_per_ray))
+        .column("tests per ray", |run| rough(run.tests_per_ray))
+        .column("nodes or cells per ray", |run| rough(run.steps_per_ray))
         .column("rays timed", |run| count(run.timed_rays))
-        .html(all.filter(|run| shown.contains(&run.objects)))
+        .element()
 }
 
 /// One sentence for each structure that was skipped.
-fn skipped(stage: &StageData) -> String {
+fn skipped(stage: &StageData) -> Vec<Element> {
     let names: BTreeSet<&str> = stage.skipped.iter().map(|s| &*s.structure).collect();
     let sentence = |name: &str| {
         let skipped = || stage.skipped.iter().filter(|s| s.structure == name);
         let sizes: Vec<String> = skipped().map(|s| count(s.objects)).collect();
         let why = skipped().next().map_or("", |s| &*s.why);
-        format!(
-            "<p class=\"about\">Skipped: {name}, for {} objects ({}).</p>\n",
-            listed(&sizes),
-            escaped(why)
-        )
+        let words = format!("Skipped: {name}, for {} objects ({why}).", listed(&sizes));
+        paragraph(words).class("about")
     };
     names.into_iter().map(sentence).collect()
 }

@@ -1,22 +1,25 @@
 //! Page 1 as tables and a plot, from its data alone.
 
 use super::{Data, FamilyData, KindData, Routine};
-use crate::html::{Table, count, flagged, folded, listed, pick, short, short_or_dash};
 use crate::plot::{Limit, Plot, Series};
+use crate::words::{bad, beginning, count, flagged, listed, pick, rough_or_dash};
 use exact::backward_error::ALLOWED;
 use statistics::quantile;
+use text::digits::rough;
+use text::document::*;
 
 /// Smaller errors are drawn at this value: a logarithmic axis has no 0.
 const MIN_DRAWN: f64 = 0.01;
 
-pub fn page(data: &Data) -> String {
+pub fn page(data: &Data) -> Element {
     let all = summaries(data);
-    explanation(data)
-        + &pick("What to pick.", &advice(&all))
-        + &overview(&all)
-        + &plot(&all).figure(CAPTION)
-        + "<h3>Each shape and family</h3>\n<p>Click on a shape to see its table.</p>\n"
-        + &all.iter().map(details).collect::<String>()
+    several()
+        .with(explanation(data))
+        .with(pick("What to pick.", advice(&all)))
+        .with(overview(&all))
+        .with(plot(&all).figure(CAPTION))
+        .with(beginning("Each shape and family", "Click on a shape to see its table."))
+        .with_all(all.iter().map(details))
 }
 
 const CAPTION: &str = "Speed against error. Each number is a shape of the table above. The x axis is \
@@ -24,9 +27,14 @@ const CAPTION: &str = "Speed against error. Each number is a shape of the table 
     where it is largest; lower left is better. Errors of 0.01 or less are drawn at 0.01. Lost and \
     wrong hits are not shown.";
 
-fn explanation(data: &Data) -> String {
+fn explanation(data: &Data) -> Element {
     let (kinds, cases) = (data.kinds.len(), data.cases);
-    format!(include_str!("explanation.html"), kinds = kinds, cases = cases, allowed = ALLOWED)
+    prose(&format!(
+        include_str!("explanation.txt"),
+        kinds = kinds,
+        cases = cases,
+        allowed = ALLOWED
+    ))
 }
 
 /// A kind with both routines over all families: the largest errors, and the times on ordinary rays.
@@ -77,7 +85,7 @@ fn advice(all: &[Summary<'_>]) -> String {
     let judged = count(all.iter().map(|s| s.kind.judged()).sum());
     let failed: usize = all.iter().map(|s| s.ours.failures()).sum();
     let worst = all.iter().filter_map(|s| s.ours.worst).reduce(f64::max);
-    let error = short_or_dash(worst);
+    let error = rough_or_dash(worst);
     let ours = match failed == 0 && worst.is_some_and(|worst| worst <= ALLOWED) {
         true => format!(
             "The library's routine, except for ordinary rays: of {judged} rays it had no lost and no \
@@ -91,7 +99,7 @@ fn advice(all: &[Summary<'_>]) -> String {
     let failed = count(all.iter().map(|s| s.textbook.failures()).sum());
     let costs: Vec<f64> =
         all.iter().filter_map(|s| Some(s.ours.hit_ns? / s.textbook.hit_ns?)).collect();
-    let [least, middle, most] = [0.0, 0.5, 1.0].map(|share| short_or_dash(quantile(&costs, share)));
+    let [least, middle, most] = [0.0, 0.5, 1.0].map(|share| rough_or_dash(quantile(&costs, share)));
     let is_safe = |s: &&Summary<'_>| {
         s.textbook.failures() == 0 && s.textbook.worst.is_some_and(|worst| worst <= ALLOWED)
     };
@@ -107,21 +115,22 @@ fn advice(all: &[Summary<'_>]) -> String {
 }
 
 /// The table with the columns of a routine.
-fn with_routine<'a, R: 'a>(table: Table<'a, R>, of: fn(&R) -> &Routine) -> Table<'a, R> {
+fn with_routine<R>(table: Table<R>, of: fn(&R) -> &Routine) -> Table<R> {
     table
-        .column("99.9 %", move |row| error(of(row).p999))
-        .column("worst", move |row| error(of(row).worst))
-        .column("lost", move |row| failures(of(row).lost))
-        .column("wrong", move |row| failures(of(row).wrong))
-        .column("hit, ns", move |row| short_or_dash(of(row).hit_ns))
-        .column("miss, ns", move |row| short_or_dash(of(row).miss_ns))
+        .column("99.9 %", |row| error(of(row).p999))
+        .column("worst", |row| error(of(row).worst))
+        .column("lost", |row| failures(of(row).lost))
+        .column("wrong", |row| failures(of(row).wrong))
+        .column("hit, ns", |row| rough_or_dash(of(row).hit_ns))
+        .column("miss, ns", |row| rough_or_dash(of(row).miss_ns))
 }
 
 /// All kinds.
-fn overview(all: &[Summary<'_>]) -> String {
+fn overview(all: &[Summary<'_>]) -> Element {
     let caption = "All families: errors in u·cond of the family where they are largest; times on \
                    ordinary rays";
-    let table = Table::new(caption)
+    let table = table(all)
+        .caption(caption)
         .group("")
         .column("shape", |Summary { number, kind, .. }| {
             // the times of this table are of the first family
@@ -129,26 +138,32 @@ fn overview(all: &[Summary<'_>]) -> String {
         })
         .column("rays judged", |summary| count(summary.kind.judged()));
     let table = with_routine(table.group("ours"), |summary| &summary.ours);
-    with_routine(table.group("textbook"), |summary| &summary.textbook).html(all)
+    with_routine(table.group("textbook"), |summary| &summary.textbook).element()
 }
 
 /// One kind: a line with the worst error, the failures and the time of each routine, and its table.
-fn details(Summary { kind, ours, textbook, .. }: &Summary<'_>) -> String {
+fn details(Summary { kind, ours, textbook, .. }: &Summary<'_>) -> Element {
     let one = |routine: &Routine| {
-        format!(
-            "worst error {}, {} lost or wrong, {} ns per hit",
-            error(routine.worst),
-            failures(routine.failures()),
-            short_or_dash(routine.hit_ns)
-        )
+        several()
+            .with("worst error ")
+            .with(error(routine.worst))
+            .with(", ")
+            .with(failures(routine.failures()))
+            .with(format!(" lost or wrong, {} ns per hit", rough_or_dash(routine.hit_ns)))
     };
     let mark = flagged(String::new(), kind.families.iter().any(|family| family.disturbed));
     let name = words(&kind.kind);
-    let line =
-        format!("<strong>{name}</strong>; ours: {}; textbook: {}{mark}", one(ours), one(textbook));
-    let table = Table::new(name)
+    let line = several()
+        .with(element("strong").with(&name))
+        .with("; ours: ")
+        .with(one(ours))
+        .with("; textbook: ")
+        .with(one(textbook))
+        .with(mark);
+    let table = table(&kind.families)
+        .caption(name)
         .group("")
-        .column("family", |family: &FamilyData| flagged(words(&family.family), family.disturbed))
+        .column("family", |family| flagged(words(&family.family), family.disturbed))
         .column("hits", |family| family.hits.to_string())
         .column("misses", |family| (family.judged - family.hits).to_string())
         .group("ours")
@@ -157,20 +172,20 @@ fn details(Summary { kind, ours, textbook, .. }: &Summary<'_>) -> String {
         .group("textbook")
         .column("median", |family| error(family.textbook.median));
     let table = with_routine(table, |family| &family.textbook);
-    folded(&line, &table.html(&kind.families))
+    folded(line, table.element())
 }
 
 /// An error; bold if it is larger than [`ALLOWED`].
-fn error(x: Option<f64>) -> String {
+fn error(x: Option<f64>) -> Node {
     match x {
-        Some(x) if x > ALLOWED => format!("<span class=\"bad\">{}</span>", short(x)),
-        x => short_or_dash(x),
+        Some(x) if x > ALLOWED => bad(rough(x)).into(),
+        x => rough_or_dash(x).into(),
     }
 }
 
 /// A count of failures; bold unless it is 0.
-fn failures(n: usize) -> String {
-    if n == 0 { "0".to_owned() } else { format!("<span class=\"bad\">{n}</span>") }
+fn failures(n: usize) -> Node {
+    if n == 0 { "0".into() } else { bad(n).into() }
 }
 
 fn plot(all: &[Summary<'_>]) -> Plot<'static> {

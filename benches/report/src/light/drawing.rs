@@ -2,26 +2,26 @@
 
 use super::scenes::LightScene;
 use super::{BiasData, Choice, Data, SceneData};
-use crate::convergence::{ErrorAtSamples, diagrams, error_columns};
-use crate::html::{
-    DASH, Table, capital, film, flagged, folded, heading, listed, or_as_good, pick, row, short,
-    short_or_dash, time, with_minus,
-};
+use crate::convergence::{diagrams, error_columns};
 use crate::plot::Limit;
+use crate::words::*;
 use groundtruth::math::{exp, ln};
 use groundtruth::shapes::Sampling;
 use statistics::quantile;
+use text::digits::rough;
+use text::document::*;
 
 /// A choice is as good as the best if its time is at most this multiple of the best time.
 const AS_GOOD: f64 = 1.5;
 
-pub fn page(data: &Data) -> String {
-    let sections: String = data.scenes.iter().map(section).collect();
-    explanation(data) + &pick("What to pick.", &advice(data)) + &summary(data) + &sections
-}
-
-fn explanation(data: &Data) -> String {
-    format!(include_str!("explanation.html"), depth = data.depth, as_good = AS_GOOD)
+pub fn page(data: &Data) -> Element {
+    let explanation =
+        format!(include_str!("explanation.txt"), depth = data.depth, as_good = AS_GOOD);
+    several()
+        .with(prose(&explanation))
+        .with(pick("What to pick.", advice(data)))
+        .with(summary(data))
+        .with_all(data.scenes.iter().map(section))
 }
 
 /// The same choice in a scene, or that of its tracer if the tracer does not sample lights there.
@@ -103,14 +103,14 @@ fn advice(data: &Data) -> String {
         let of_tracer =
             |r: &&Record<'_>| r.choice.kind.tracer == tracer && r.choice.name != best.choice.name;
         let other = records.iter().filter(of_tracer).min_by(by_mean)?;
-        Some(format!("{} {} times", words(other.choice), short(other.mean())))
+        Some(format!("{} {} times", words(other.choice), rough(other.mean())))
     });
     let others = listed(&others.collect::<Vec<String>>());
     let missed = ["ray_cast", "whitted"].into_iter().filter_map(|tracer| {
         let all = data.scenes.iter().flat_map(|scene| &scene.choices);
         let biases = all.filter(|c| c.kind.tracer == tracer).filter_map(|c| c.kind.bias.difference);
         let largest = biases.map(|[bias, ..]| bias.abs()).reduce(f64::max)?;
-        Some(format!("{} % with {tracer}", short(100.0 * largest)))
+        Some(format!("{} % with {tracer}", rough(100.0 * largest)))
     });
     let missed = listed(&missed.collect::<Vec<String>>());
     format!(
@@ -121,8 +121,8 @@ fn advice(data: &Data) -> String {
         words(best.choice),
         best.wins(),
         data.scenes.len(),
-        short(best.mean()),
-        short(best.worst()),
+        rough(best.mean()),
+        rough(best.worst()),
     )
 }
 
@@ -137,36 +137,38 @@ fn words(choice: &Choice) -> String {
 }
 
 /// The table of the times for the same noise.
-fn summary(data: &Data) -> String {
-    let mut table = Table::new("Time for the same noise, as a multiple of the shortest")
-        .column("choice", |choice: &Choice| choice.name.clone());
+fn summary(data: &Data) -> Element {
+    let mut table = table(all_choices(data))
+        .caption("Time for the same noise, as a multiple of the shortest")
+        .column("choice", |choice| &choice.name);
     for scene in &data.scenes {
-        table = table.column(scene.subject.name, move |choice| match named(scene, choice) {
+        table = table.column(scene.subject.name, |choice| match named(scene, choice) {
             None => DASH.to_owned(),
             Some(here) => ratio_or_biased(scene, here),
         });
     }
-    table.html(all_choices(data))
+    table.element()
 }
 
 fn ratio_or_biased(scene: &SceneData, choice: &Choice) -> String {
     match choice.kind.unbiased {
-        true => short_or_dash(time_ratio(scene, choice)),
+        true => rough_or_dash(time_ratio(scene, choice)),
         false => "biased".to_owned(),
     }
 }
 
-fn section(scene: &SceneData) -> String {
+fn section(scene: &SceneData) -> Element {
     let own = scene.reference.relative_standard_error;
     let limit = (own > 0.0).then_some(Limit { y: own, label: "error of the reference" });
     let LightScene { name, about, .. } = scene.subject;
-    heading(name, &format!("{about} {}", reference(scene)))
-        + &pick("Here:", &advice_here(scene))
-        + &diagrams(drawn(scene), ("relative error", |level| level.relative_rmse), limit)
-        + &equal_time(scene)
-        + &table(scene)
-        + &biases(scene)
-        + &folded("Errors, noise and time for every number of samples", &levels(scene))
+    several()
+        .with(beginning(name, format!("{about} {}", reference(scene))))
+        .with(pick("Here:", advice_here(scene)))
+        .with(diagrams(drawn(scene), ("relative error", |level| level.relative_rmse), limit))
+        .with(equal_time(scene))
+        .with(details(scene))
+        .with(biases(scene))
+        .with(folded("Errors, noise and time for every number of samples", levels(scene)))
 }
 
 fn reference(scene: &SceneData) -> String {
@@ -178,9 +180,9 @@ fn reference(scene: &SceneData) -> String {
         scene.height,
         r.choice,
         r.samples,
-        short(100.0 * r.relative_standard_error),
-        short(r.standard_error),
-        short(r.mean),
+        rough(100.0 * r.relative_standard_error),
+        rough(r.standard_error),
+        rough(r.mean),
     )
 }
 
@@ -195,7 +197,7 @@ fn advice_here(scene: &SceneData) -> String {
         others.iter().partition(|choice| ratio(choice) <= AS_GOOD);
     let as_good: Vec<String> = as_good.iter().map(|choice| choice.name.clone()).collect();
     let slower: Vec<String> =
-        slower.iter().map(|c| format!("{} takes {} times", c.name, short(ratio(c)))).collect();
+        slower.iter().map(|c| format!("{} takes {} times", c.name, rough(ratio(c)))).collect();
     let slower = match slower.len() {
         0 => String::new(),
         _ => format!("; for the same noise {} its time", listed(&slower)),
@@ -203,7 +205,7 @@ fn advice_here(scene: &SceneData) -> String {
     let darker = |choice: &Choice| {
         let [bias, ..] = choice.kind.bias.difference?;
         let word = if bias < 0.0 { "too dark" } else { "too bright" };
-        Some(format!("{} {} % {word}", choice.name, short(100.0 * bias.abs())))
+        Some(format!("{} {} % {word}", choice.name, rough(100.0 * bias.abs())))
     };
     // both samplings of area lights have the same mean
     let biased: Vec<String> =
@@ -220,19 +222,17 @@ fn drawn(scene: &SceneData) -> impl Iterator<Item = &Choice> + Clone {
     scene.choices.iter().filter(|choice| choice.kind.sampling != Some(Sampling::Area))
 }
 
-fn equal_time(scene: &SceneData) -> String {
-    let Some(truth) = scene.equal_time.crops.last() else { return String::new() };
+fn equal_time(scene: &SceneData) -> Element {
+    let Some(truth) = scene.equal_time.crops.last() else { return several() };
     let brightnesses: Vec<f64> = truth.film.pixels().iter().map(|pixel| pixel.average()).collect();
     let bright = quantile(&brightnesses, 0.9).filter(|b| *b > 0.0).unwrap_or(1.0);
     let crops = scene.equal_time.crops.iter().map(|crop| {
         let words = format!("{}: {} samples, {}", crop.choice, crop.samples, time(crop.seconds));
-        film(&crop.film, 0.7 / bright, &crop.choice, &words)
+        film(&crop.film, 0.7 / bright, &crop.choice, words)
     });
-    format!(
-        "<p>About {} each, on one thread; the last one is the reference:</p>\n{}",
-        time(scene.equal_time.seconds),
-        row("crops", &crops.collect::<Vec<_>>())
-    )
+    let seconds = time(scene.equal_time.seconds);
+    let about = format!("About {seconds} each, on one thread; the last one is the reference:");
+    several().with(paragraph(about)).with(group("crops").with_all(crops))
 }
 
 /// In percent: `−12.3 (−12.9 … −11.7)`.
@@ -249,45 +249,48 @@ fn shown(most: u32) -> Vec<u32> {
     [1, 16, 256].into_iter().filter(|samples| *samples < most).chain([most]).collect()
 }
 
-fn table(scene: &SceneData) -> String {
+fn details(scene: &SceneData) -> Element {
     let most = scene.choices.iter().flat_map(|c| &c.levels).map(|l| l.samples).max().unwrap_or(1);
-    let table = Table::new(format!("{}: error, time and bias", capital(scene.subject.name)))
+    let table = table(&scene.choices)
+        .caption(format!("{}: error, time and bias", capital(scene.subject.name)))
         .group("")
-        .column("choice", |choice: &Choice| choice.name.clone())
+        .column("choice", |choice| &choice.name)
         .group("relative error in %, by samples");
     error_columns(table, shown(most), |level| level.relative_rmse.map(|e| 100.0 * e))
-        .group(format!("with {most} samples"))
-        .column("time per sample of all pixels", Choice::sample_time)
-        .column("efficiency, 1/s", |choice| short_or_dash(choice.efficiency()))
+        .group(&format!("with {most} samples"))
+        .column("time per sample of all pixels", |choice| choice.sample_time())
+        .column("efficiency, 1/s", |choice| rough_or_dash(choice.efficiency()))
         .column("time for the same noise", |choice| ratio_or_biased(scene, choice))
         .group("in the mean")
         .column("bias, %", |choice| percent(&choice.kind.bias))
-        .html(&scene.choices)
+        .element()
 }
 
-fn biases(scene: &SceneData) -> String {
+fn biases(scene: &SceneData) -> Element {
     let deepest = format!("max_depth {}", scene.deepest);
     let depths = scene.depths.iter().map(|bias| (bias, &*deepest));
     let rules = scene.rules.iter().map(|bias| (bias, "the book's rule"));
-    Table::<(&BiasData, &str)>::new("Bias of depth limits and rules: difference of the mean, %")
-        .column("choice", |(bias, _)| bias.name.clone())
-        .column("compared with", |(_, other)| (*other).to_owned())
+    table(depths.chain(rules))
+        .caption("Bias of depth limits and rules: difference of the mean, %")
+        .column("choice", |(bias, _)| &bias.name)
+        .column("compared with", |(_, other)| *other)
         .column("bias, %", |(bias, _)| percent(bias))
-        .html(&Vec::from_iter(depths.chain(rules)))
+        .element()
 }
 
-fn levels(scene: &SceneData) -> String {
+fn levels(scene: &SceneData) -> Element {
     let all = scene.choices.iter().flat_map(|c| c.levels.iter().map(|level| (&*c.name, level)));
-    Table::<(&str, &ErrorAtSamples)>::new("Errors, noise and time")
-        .column("choice", |(choice, _)| (*choice).to_owned())
+    table(all)
+        .caption("Errors, noise and time")
+        .column("choice", |(choice, _)| *choice)
         .column("samples", |(_, level)| level.samples.to_string())
         .column("pictures", |(_, level)| level.pictures.to_string())
-        .column("RMSE", |(_, level)| short_or_dash(level.rmse))
-        .column("relative RMSE", |(_, level)| short_or_dash(level.relative_rmse))
-        .column("relative variance", |(_, level)| short_or_dash(level.relative_variance))
+        .column("RMSE", |(_, level)| rough_or_dash(level.rmse))
+        .column("relative RMSE", |(_, level)| rough_or_dash(level.relative_rmse))
+        .column("relative variance", |(_, level)| rough_or_dash(level.relative_variance))
         .column("time of a picture", |(_, l)| flagged(time(l.picture_seconds), l.disturbed))
-        .column("efficiency, 1/s", |(_, level)| short_or_dash(level.efficiency))
-        .html(&Vec::from_iter(all))
+        .column("efficiency, 1/s", |(_, level)| rough_or_dash(level.efficiency))
+        .element()
 }
 
 #[cfg(test)]

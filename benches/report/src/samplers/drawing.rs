@@ -2,11 +2,10 @@
 
 use super::{Data, FITTED_FROM, IntegrandData, SamplerData};
 use crate::convergence::CONFIDENCE;
-use crate::html::{
-    DASH, Table, capital, count, flagged, heading, or_as_good, pick, row, short, short_or_dash,
-    time, with_minus,
-};
 use crate::plot::{Limit, Plot, Series};
+use crate::words::*;
+use text::digits::rough;
+use text::document::*;
 
 /// A sampler is as good as the best if it needs at most this multiple of its samples.
 const AS_GOOD: f64 = 1.2;
@@ -14,12 +13,14 @@ const AS_GOOD: f64 = 1.2;
 /// random.
 const BOOKS: [&str; 5] = ["random", "regular", "jittered", "n rooks", "multi jittered"];
 
-pub fn page(data: &Data) -> String {
-    let sections: String = data.integrands.iter().map(section).collect();
-    explanation(data) + &summary(data) + &sections
+pub fn page(data: &Data) -> Element {
+    several()
+        .with(explanation(data))
+        .with(summary(data))
+        .with_all(data.integrands.iter().map(section))
 }
 
-fn section(data: &IntegrandData) -> String {
+fn section(data: &IntegrandData) -> Element {
     let of_book = |s: &&SamplerData| BOOKS.contains(&&*s.sampler);
     let (book, others): (Vec<_>, Vec<_>) = data.samplers.iter().partition(of_book);
     let first = book.iter().filter(|s| s.sampler == BOOKS[0]).copied();
@@ -28,38 +29,40 @@ fn section(data: &IntegrandData) -> String {
         plot(&book).figure("Five of the book's samplers."),
         plot(&others).figure("Random samples again, and the other samplers."),
     ];
-    heading(data.integrand.name, data.integrand.about)
-        + &pick("What to pick.", &(advice(data) + &smallest(data)))
-        + &row("pictures", &plots)
-        + &table(data)
+    several()
+        .with(beginning(data.integrand.name, data.integrand.about))
+        .with(pick("What to pick.", advice(data) + &smallest(data)))
+        .with(group("pictures").with_all(plots))
+        .with(details(data))
 }
 
-fn explanation(data: &Data) -> String {
+fn explanation(data: &Data) -> Element {
     let (from, confidence) = (FITTED_FROM, 100.0 * CONFIDENCE);
     let (pixels, seeds) = (data.pixels, data.seeds);
-    format!(
-        include_str!("explanation.html"),
+    prose(&format!(
+        include_str!("explanation.txt"),
         pixels = pixels,
         seeds = seeds,
         from = from,
         confidence = confidence
-    )
+    ))
 }
 
 /// The table of the samples for an error of 1 %.
-fn summary(data: &Data) -> String {
-    let samplers = &data.integrands[0].samplers;
-    let mut table = Table::new("Samples per pixel for an error of 1 %")
-        .column("sampler", |index: &usize| samplers[*index].sampler.clone());
+fn summary(data: &Data) -> Element {
+    let samplers = data.integrands[0].samplers.iter().enumerate();
+    let mut table = table(samplers)
+        .caption("Samples per pixel for an error of 1 %")
+        .column("sampler", |(_, it)| &it.sampler);
     for IntegrandData { integrand, samplers } in &data.integrands {
-        table = table.column(integrand.name, move |index| samples_needed(&samplers[*index]));
+        table = table.column(integrand.name, |(index, _)| samples_needed(&samplers[*index]));
     }
-    table.html(&Vec::from_iter(0..samplers.len()))
+    table.element()
 }
 
 fn samples_needed(s: &SamplerData) -> String {
     let most = s.errors.last().map_or(0, |e| e.samples);
-    s.samples_for_one_percent.map_or(format!("&gt; {}", count(most as usize)), short)
+    s.samples_for_one_percent.map_or(format!("> {}", count(most as usize)), rough)
 }
 
 fn plot(samplers: &[&SamplerData]) -> Plot<'static> {
@@ -92,14 +95,14 @@ fn advice(data: &IntegrandData) -> String {
     let as_good = known[1..].iter().filter(|(_, samples)| *samples <= AS_GOOD * fewest);
     let as_good: Vec<String> = as_good.map(|(s, _)| s.sampler.clone()).collect();
     let random = match known.iter().find(|(s, _)| s.sampler == "random") {
-        Some((_, samples)) => format!("random samples need {}", short(*samples)),
+        Some((_, samples)) => format!("random samples need {}", rough(*samples)),
         None => "random samples do not reach it".to_owned(),
     };
     let fixed = match by_need(data, true).first() {
         Some((fixed, samples)) if *samples < fewest => format!(
             "; {} needs only {}, but has the same error in all pixels, which is visible as patterns",
             fixed.sampler,
-            short(*samples),
+            rough(*samples),
         ),
         _ => String::new(),
     };
@@ -107,7 +110,7 @@ fn advice(data: &IntegrandData) -> String {
         "{}{}: {} samples make the error 1 %; {random}{fixed}.",
         capital(&best.sampler),
         or_as_good(&as_good),
-        short(fewest)
+        rough(fewest)
     )
 }
 
@@ -119,7 +122,7 @@ fn smallest(data: &IntegrandData) -> String {
         let known = of_kind.filter_map(|s| Some((s, error(s, n)?)));
         let (best, least) = known.min_by(|a, b| a.1.total_cmp(&b.1))?;
         let random = error(data.samplers.iter().find(|s| s.sampler == BOOKS[0])?, n)?;
-        let (least, random) = (short(least), short(random));
+        let (least, random) = (rough(least), rough(random));
         Some(format!("with {n} samples {} ({least}, random {random})", best.sampler))
     };
     let found: Vec<String> = [4, 16, 64].into_iter().filter_map(of_number).collect();
@@ -139,24 +142,25 @@ fn by_need(data: &IntegrandData, fixed: bool) -> Vec<(&SamplerData, f64)> {
     known
 }
 
-fn table(data: &IntegrandData) -> String {
+fn details(data: &IntegrandData) -> Element {
     let error = |samples: u32| {
-        move |s: &SamplerData| {
+        move |s: &&SamplerData| {
             let found = s.errors.iter().find(|e| e.samples == samples);
-            short_or_dash(found.map(|e| e.rms))
+            rough_or_dash(found.map(|e| e.rms))
         }
     };
     let slope =
         |[slope, low, high]: [f64; 3]| with_minus(&format!("{slope:.2} ({low:.2} … {high:.2})"));
-    Table::new(format!("{}: error and cost", capital(data.integrand.name)))
-        .column("sampler", |s: &SamplerData| s.sampler.clone())
+    table(&data.samplers)
+        .caption(format!("{}: error and cost", capital(data.integrand.name)))
+        .column("sampler", |s| &s.sampler)
         .column("error, 16 samples", error(16))
         .column("256", error(256))
         .column("4096", error(4096))
         .column("slope", |s| s.slope.map_or(DASH.to_owned(), slope))
-        .column("samples for 1 %", samples_needed)
+        .column("samples for 1 %", |s| samples_needed(s))
         .column("seconds for 1 %", |s| {
             flagged(s.seconds_for_one_percent().map_or(DASH.to_owned(), time), s.disturbed)
         })
-        .html(&data.samplers)
+        .element()
 }

@@ -3,15 +3,15 @@
 use super::scenes::TextureScene;
 use super::{Choice, Data, SceneData};
 use crate::convergence::{diagrams, error_columns};
-use crate::html::{
-    Table, capital, film, heading, listed, pick, row, short, short_or_dash, with_minus,
-};
+use crate::words::{beginning, capital, film, listed, pick, rough_or_dash, with_minus};
+use text::digits::rough;
+use text::document::*;
 
-const EXPLANATION: &str = include_str!("explanation.html");
-
-pub fn page(data: &Data) -> String {
-    let sections: String = data.scenes.iter().map(section).collect();
-    EXPLANATION.to_owned() + &pick("What to pick.", &advice(data)) + &sections
+pub fn page(data: &Data) -> Element {
+    several()
+        .with(prose(include_str!("explanation.txt")))
+        .with(pick("What to pick.", advice(data)))
+        .with_all(data.scenes.iter().map(section))
 }
 
 /// The error of bilinear look-up with the largest number of samples, and its time, relative to
@@ -27,8 +27,8 @@ fn advice(data: &Data) -> String {
     let words = found.map(|(scene, [error, time])| {
         format!(
             "{} times the error of the nearest texel in {} times its time ({})",
-            short(error),
-            short(time),
+            rough(error),
+            rough(time),
             scene.subject.name
         )
     });
@@ -40,12 +40,12 @@ fn advice(data: &Data) -> String {
         "Choose the look-up by the appearance of texels in close-up, squares or a blur, and reduce moiré \
          patterns by more samples. With the same number of samples, bilinear look-up has {words}; the \
          errors of both fall with N to the power of {} to {}.",
-        with_minus(&short(flattest)),
-        with_minus(&short(steepest)),
+        with_minus(&rough(flattest)),
+        with_minus(&rough(steepest)),
     )
 }
 
-fn section(scene: &SceneData) -> String {
+fn section(scene: &SceneData) -> Element {
     let TextureScene { name, about, moments, .. } = scene.subject;
     let about = format!(
         "{about} {} × {} pixels{}; references of {} samples, which differ by {} between the look-ups.",
@@ -53,36 +53,38 @@ fn section(scene: &SceneData) -> String {
         scene.height,
         if *moments == 1 { String::new() } else { format!(", {moments} frames") },
         scene.reference_samples,
-        short(scene.difference),
+        rough(scene.difference),
     );
-    heading(name, &about)
-        + &diagrams(&scene.choices, ("error", |level| level.rmse), None)
-        + &pictures(scene)
-        + &table(scene)
+    several()
+        .with(beginning(name, about))
+        .with(diagrams(&scene.choices, ("error", |level| level.rmse), None))
+        .with(pictures(scene))
+        .with(details(scene))
 }
 
-fn pictures(scene: &SceneData) -> String {
+fn pictures(scene: &SceneData) -> Element {
     let of_choice = |choice: &Choice| {
         let [one, reference] = &choice.kind.pictures;
         let image = |picture, count: &str| {
             let words = format!("{}, {count}", choice.name);
-            film(picture, 1.0, &words, &words)
+            film(picture, 1.0, &words, words.clone())
         };
         let many = format!("{} samples", scene.reference_samples);
         [image(one, "1 sample"), image(reference, &many)]
     };
-    row("crops", &scene.choices.each_ref().map(of_choice).concat())
+    group("crops").with_all(scene.choices.iter().flat_map(of_choice))
 }
 
-fn table(scene: &SceneData) -> String {
-    let table = Table::new(format!("{}: error and time", capital(scene.subject.name)))
+fn details(scene: &SceneData) -> Element {
+    let table = table(&scene.choices)
+        .caption(format!("{}: error and time", capital(scene.subject.name)))
         .group("")
-        .column("look-up", |choice: &Choice| choice.name.clone())
+        .column("look-up", |choice| &choice.name)
         .group("error, by samples");
     let samples = scene.choices[0].levels.iter().map(|level| level.samples);
     error_columns(table, samples, |level| level.rmse)
         .group("")
-        .column("time per sample of all pixels", Choice::sample_time)
-        .column("slope", |choice| with_minus(&short_or_dash(choice.slope.map(|[slope, ..]| slope))))
-        .html(&scene.choices)
+        .column("time per sample of all pixels", |choice| choice.sample_time())
+        .column("slope", |choice| with_minus(&rough_or_dash(choice.slope.map(|[slope, ..]| slope))))
+        .element()
 }

@@ -54,7 +54,7 @@ pub struct Drawn {
 
 impl Drawn {
     pub fn of(plot: &Plot<'_>) -> Self {
-        let svg = plot.figure("words below");
+        let svg = plot.figure("words below").html();
         let lines: Vec<&str> = svg.lines().collect();
         let words = lines
             .windows(2)

@@ -1,7 +1,8 @@
 //! The numbers of the tables, recomputed from the data beside them.
 
-use report::html::{DASH, bytes, capital, count, short, time};
+use report::words::{DASH, bytes, capital, count, time};
 use serde_json::Value;
+use text::digits::rough;
 
 use super::{REPORT, list, number, text};
 
@@ -35,7 +36,7 @@ pub fn table(caption: &str) -> (Vec<String>, Vec<Vec<String>>) {
     (rows(head).pop().expect("headings"), rows(body))
 }
 
-/// A number as tables show it: `0.031`, `1.2·10⁷`, `−0.51`; with a unit of time or memory in its unit.
+/// A number as tables show it: `0.031`, `1.2e7`, `−0.51`; with a unit of time or memory in its unit.
 fn read(text: &str) -> Option<f64> {
     let text = text.replace('−', "-").replace('\u{202f}', "");
     let (text, unit) = text.split_once(' ').unwrap_or((&text, ""));
@@ -48,16 +49,7 @@ fn read(text: &str) -> Option<f64> {
         "GB" => 1e9,
         _ => 1.0,
     };
-    let (digits, power) = text.split_once("·10").unwrap_or((text, "⁰"));
-    let exponent: String = power
-        .chars()
-        .map(|c| match "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|digit| digit == c) {
-            Some(digit) => char::from_digit(digit as u32, 10).expect("a digit"),
-            None => '-',
-        })
-        .collect();
-    let scale = format!("1e{exponent}").parse::<f64>().ok()?;
-    Some(digits.parse::<f64>().ok()? * scale * unit)
+    Some(text.parse::<f64>().ok()? * unit)
 }
 
 /// Whether a cell shows a number to two digits, or a dash for none.
@@ -79,8 +71,8 @@ fn numbers_are_printed_to_two_digits() {
     for exponent in -12..13 {
         for digits in [1.0, 1.04, 1.06, 2.5, 4.44, 9.4, 9.6, 9.949, 9.96, 9.9999] {
             let x = digits * format!("1e{exponent}").parse::<f64>().expect("a number");
-            shows(&short(x), Some(x), &format!("{x}"));
-            shows(&short(-x), Some(-x), &format!("{}", -x));
+            shows(&rough(x), Some(x), &format!("{x}"));
+            shows(&rough(-x), Some(-x), &format!("{}", -x));
             let printed = time(x);
             shows(&printed, Some(x), &format!("{x} seconds"));
             let unit = printed.split(' ').nth(1).expect("a unit");
