@@ -16,7 +16,7 @@ use super::list::is_in;
 use super::part::PartOf;
 use super::scene::{Size, samples};
 use super::{Exit, Outcome, print};
-use super::{controls, interrupt, output};
+use super::{interrupt, output};
 
 #[derive(Args)]
 pub struct Goldens {
@@ -48,10 +48,6 @@ struct Check {
     /// N − 1
     #[arg(long, value_name = "K/N")]
     part: Option<PartOf>,
-    /// Change the fields of their scenes a little, one at a time, and list those that no pixel of them shows; docs/power.md
-    /// says more
-    #[arg(long)]
-    controls: bool,
 }
 
 #[derive(Args)]
@@ -146,11 +142,6 @@ fn wanted(goldens: &Folder, names: &[String], part: PartOf) -> Result<Vec<String
 impl Check {
     fn run(&self, folder: &Path) -> Outcome {
         let (goldens, part) = (open(folder)?, self.part.unwrap_or_default());
-        if self.controls {
-            let names = wanted(&goldens, &self.names, part)?;
-            let is_whole = self.names.is_empty() && self.part.is_none();
-            return controls::run(&goldens, &names, is_whole);
-        }
         let findings = findings(&goldens, &self.names, part)?;
         let text: String = findings.iter().map(line).collect();
         print(&text)?;

@@ -8,7 +8,6 @@ mod bounds;
 mod columns;
 mod compare;
 mod conform;
-mod controls;
 mod describe;
 mod exercise;
 mod explain;

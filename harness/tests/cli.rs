@@ -4,8 +4,6 @@ mod explain;
 mod pictures;
 mod words;
 
-use std::collections::BTreeSet;
-
 use groundtruth::render;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
@@ -53,31 +51,4 @@ fn a_class_gets_pictures_and_its_teacher_the_key() {
     }
     let judged = folder.run("cd ex/class; groundtruth verify scenes/1.toml 1.png");
     judged.expect(1, &[words]);
-}
-
-/// Law: the parts of the controls cover each golden once, together see what the whole sees, and have status 0. Oracle: the
-/// controls of the chapter.
-#[test]
-fn controls_of_parts_are_those_of_the_whole() {
-    let controls = |more: &str| {
-        let check = "groundtruth goldens check ch03 --controls --folder $ROOT/goldens";
-        let told = Folder::new().good(&format!("{check} {more}"));
-        let goldens = told.split(' ').next().and_then(|count| count.parse::<usize>().ok());
-        let of = |word: &str| -> BTreeSet<String> {
-            let lines = told.lines().filter_map(|line| line.strip_prefix(word));
-            lines.map(|line| line.trim().split(':').next().expect("a field").to_owned()).collect()
-        };
-        (goldens.expect("a count"), of("seen "), of("unseen "))
-    };
-    let whole = controls("");
-    let parts = ["0/3", "1/3", "2/3"].map(|part| controls(&format!("--part {part}")));
-    assert_eq!(parts.iter().map(|part| part.0).sum::<usize>(), whole.0, "goldens of all parts");
-    let seen: BTreeSet<String> = parts.iter().flat_map(|part| part.1.clone()).collect();
-    let unseen: BTreeSet<String> = parts.iter().flat_map(|part| part.2.clone()).collect();
-    assert_eq!(seen, whole.1, "fields that some part sees");
-    assert_eq!(&unseen - &seen, whole.2, "fields that no part sees");
-    for field in ["shape sphere.radius", "shape plane.normal", "camera.eye"] {
-        assert!(whole.1.contains(field), "{field} is not among {:?}", whole.1);
-    }
-    assert!(whole.2.contains("scene.about"), "scene.about is not among {:?}", whole.2);
 }

@@ -4,7 +4,6 @@
 //! truth; the PNG is for viewing. The digest in the manifest detects an image that does not belong to it.
 
 pub mod compare;
-pub mod controls;
 mod entry;
 mod error;
 pub mod journal;

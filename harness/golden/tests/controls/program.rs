@@ -1,13 +1,9 @@
-//! Controls: which fields of scenes the goldens see.
+//! Changes the fields of scenes, and says which of them pictures show.
 //!
 //! A golden sees a field if a small change of the field, in the golden's own scene, changes a pixel. The picture of the
 //! changed scene is held against the one that the code renders of the unchanged scene, not against the stored one: where
 //! these two differ, every change would seem to be seen. A field with its default value is not counted, because a program
 //! that ignores the field would draw the same picture.
-
-mod changes;
-mod fields;
-mod reasons;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -20,12 +16,10 @@ use groundtruth::world::{DEFAULT_SEED, World};
 use rayon::prelude::*;
 use toml::Table;
 
-use crate::{Golden, GoldenError, View};
-use changes::{changed, changes};
-use fields::{Leaf, leaves};
+use golden::{Golden, GoldenError, View};
 
-pub use fields::vocabulary;
-pub use reasons::{REASONS, reason};
+use super::changes::{changed, changes};
+use super::fields::{Leaf, leaves};
 
 /// A field is changed in at most so many places of a scene, evenly spread.
 const PLACES: usize = 12;
@@ -46,42 +40,29 @@ pub struct Controls {
     pub seen: BTreeSet<String>,
     /// The fields that were changed without any pixel that differs, and the goldens that say them.
     pub unseen: BTreeMap<String, Vec<String>>,
-    /// The number of pictures that were rendered, some in part.
-    pub pictures: u64,
 }
 
 impl Program<'_> {
     /// The program as it is.
     pub const OURS: Program<'static> = Program { reads: &|scene| scene };
 
-    /// Changes the fields of these goldens until each is seen; a field that one golden sees is not tried on others. Tells
-    /// `done` when a golden is finished, and stops if `is_interrupted`.
-    ///
-    /// # Errors
-    /// As [`Golden::render`]: of scenes as they are.
-    pub fn controls(
-        &self,
-        goldens: &[Golden],
-        folder: &Path,
-        (done, is_interrupted): (&(dyn Fn() + Sync), &(dyn Fn() -> bool + Sync)),
-    ) -> Result<Controls, GoldenError> {
+    /// Changes the fields of these goldens until each is seen; a field that one golden sees is not tried on others.
+    pub fn controls(&self, goldens: &[Golden], folder: &Path) -> Result<Controls, GoldenError> {
         let found = Mutex::new(Controls::default());
         goldens.par_iter().try_for_each(|golden| -> Result<(), GoldenError> {
             let case = Case::of(golden, folder, self)?;
             for (field, places) in &case.fields {
                 let is_known = found.lock().expect("no panic").seen.contains(field);
-                if is_known || is_interrupted() {
+                if is_known {
                     continue;
                 }
-                let (is_seen, pictures) = case.sees(places);
+                let is_seen = case.sees(places);
                 let mut found = found.lock().expect("no panic");
-                found.pictures += pictures;
                 match is_seen {
                     true => drop(found.seen.insert(field.clone())),
                     false => found.unseen.entry(field.clone()).or_default().push(golden.name()),
                 }
             }
-            done();
             Ok(())
         })?;
         let mut found = found.into_inner().expect("no panic");
@@ -131,9 +112,8 @@ impl<'a> Case<'a> {
         Ok(Self { program, view, folder, scene: table, fields, size, pixels })
     }
 
-    /// Whether some change of a field, in some of its places, changes a pixel; and how many pictures that took.
-    fn sees(&self, places: &[Leaf]) -> (bool, u64) {
-        let mut pictures = 0;
+    /// Whether some change of a field, in some of its places, changes a pixel.
+    fn sees(&self, places: &[Leaf]) -> bool {
         for leaf in spread(places) {
             for change in changes(leaf, &self.scene) {
                 let changed = changed(&self.scene, &leaf.path, &change);
@@ -142,13 +122,12 @@ impl<'a> Case<'a> {
                 let scene = (self.program.reads)(scene);
                 let built = World::build_seeded(&scene, &self.folder, DEFAULT_SEED);
                 let Ok(world) = built else { continue };
-                pictures += 1;
                 if self.differs(&world) {
-                    return (true, pictures);
+                    return true;
                 }
             }
         }
-        (false, pictures)
+        false
     }
 
     /// Whether some pixel differs from the picture's; ends at the first.
@@ -167,7 +146,7 @@ impl<'a> Case<'a> {
 }
 
 /// Whether this is a field of this kind.
-fn is_field_of(field: &str, kind: &str) -> bool {
+pub fn is_field_of(field: &str, kind: &str) -> bool {
     field.strip_prefix(kind).is_some_and(|rest| rest.starts_with('.'))
 }
 
@@ -189,21 +168,4 @@ fn stored(color: Rgb) -> [u32; 3] {
     let mut film = Film::new(1, 1);
     film.set([0, 0], color);
     film.to_f32().next().expect("one pixel").map(f32::to_bits)
-}
-
-#[cfg(test)]
-mod tests {
-    /// Law: a kind has its own fields, not those of a kind whose name begins with its name. Oracle: names of scene files.
-    #[test]
-    fn fields_belong_to_the_kind_of_their_whole_name() {
-        for (field, expected) in [
-            ("light ambient.ls", true),
-            ("light ambient_occluder.ls", false),
-            ("light ambient_occluder", false),
-            ("light ambient", false),
-        ] {
-            let found = super::is_field_of(field, "light ambient");
-            assert_eq!(found, expected, "whether `{field}` is a field of `light ambient`");
-        }
-    }
 }
