@@ -3,5 +3,7 @@
 #[macro_use]
 #[path = "../../../tests/asserts.rs"]
 mod asserts;
+#[path = "../../../tests/markup.rs"]
+mod markup;
 
 mod report;

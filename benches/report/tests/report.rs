@@ -3,7 +3,6 @@
 mod clock;
 mod html;
 mod integrands;
-mod labels;
 mod light;
 mod markup;
 mod pairs;

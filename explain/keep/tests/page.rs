@@ -11,6 +11,8 @@ use groundtruth::world::{self, World};
 use keep::{PixelPage, SmallPicture};
 use text::digits::shortened;
 
+use crate::markup::fault;
+
 fn page(
     name: &str,
     (scene, world): (&Scene, &World),
@@ -46,43 +48,6 @@ fn of_gallery(name: &str, pixel: [u32; 2]) -> (PixelExplanation, String) {
     page(name, (&scene, &world), pixel)
 }
 
-/// Each tag: its name, and what it is: +1 opens, −1 closes, 0 both.
-fn tags(html: &str) -> Vec<(&str, i32)> {
-    let mut found = Vec::new();
-    let mut rest = html;
-    while let Some(start) = rest.find('<') {
-        rest = &rest[start + 1..];
-        let mut quoted = false;
-        let end = rest.find(|c| {
-            quoted ^= c == '"';
-            c == '>' && !quoted
-        });
-        let end = end.unwrap_or_else(|| panic!("no end: {}", &rest[..rest.len().min(80)]));
-        let tag = &rest[..end];
-        let name = tag.trim_start_matches('/').split([' ', '/', '\n']).next().unwrap();
-        match tag.chars().next() {
-            Some('!') => {}
-            Some('/') => found.push((name, -1)),
-            _ => found.push((name, i32::from(!tag.ends_with('/')))),
-        }
-        rest = &rest[end..];
-    }
-    found
-}
-
-/// Checks that each tag that opens closes, in order; void elements close themselves.
-fn assert_well_formed(html: &str) {
-    let mut open = Vec::new();
-    for (name, what) in tags(html) {
-        match what {
-            1 => open.push(name),
-            -1 => assert_eq!(open.pop(), Some(name), "closes what is not open; open: {open:?}"),
-            _ => {}
-        }
-    }
-    assert!(open.is_empty(), "never closed: {open:?}");
-}
-
 /// Law: tags close, there is no script and nothing from elsewhere, every ray has its line, and numbers have four digits at
 /// most. Oracle: the file's text, and the explanation.
 #[test]
@@ -93,7 +58,7 @@ fn a_page_is_one_file_with_every_ray() {
         ("ch16/shadows", [200, 150]),
     ] {
         let (explanation, html) = of_gallery(name, pixel);
-        assert_well_formed(&html);
+        assert_eq!(fault(&html), None);
         for part in ["src=\"", "href=\""] {
             let from_elsewhere =
                 html.split(part).skip(1).find(|rest| !rest.starts_with("data:image/png;base64,"));
@@ -153,7 +118,7 @@ fn names_of_a_scene_are_escaped() {
     "#;
     let (scene, world) = world::from_toml(text, Path::new("here.toml")).unwrap();
     let (_, html) = page("</title><script>", (&scene, &world), [2, 2]);
-    assert_well_formed(&html);
+    assert_eq!(fault(&html), None);
     assert!(!html.contains("<script") && !html.contains("<b>\""));
     assert!(html.contains("&lt;script&gt;ball&lt;/script&gt;&amp;"));
 }
@@ -176,7 +141,7 @@ fn a_small_picture_has_each_nth_pixel() {
 #[test]
 fn a_pixel_without_a_hit_has_a_page() {
     let (_, html) = of_gallery("ch03/single-sphere", [0, 0]);
-    assert_well_formed(&html);
+    assert_eq!(fault(&html), None);
     assert!(html.contains("hits nothing"));
 }
 
@@ -194,7 +159,7 @@ fn a_page_of_one_sample_says_which_and_lists_the_values_of_all() {
     let (all, _) = of_samples(None);
     assert!(all.samples.len() >= 4, "samples: found {}, expected 4 or more", all.samples.len());
     let (_, html) = of_samples(Some(2));
-    assert_well_formed(&html);
+    assert_eq!(fault(&html), None);
     let said = format!("This page shows sample 2 of {}", all.samples.len());
     assert!(html.contains(&said), "no `{said}` on the page");
     for sample in &all.samples {
@@ -214,7 +179,7 @@ fn a_page_of_one_sample_says_which_and_lists_the_values_of_all() {
 #[test]
 fn a_page_of_all_samples_has_the_tree_of_each() {
     let (all, html) = of_samples(None);
-    assert_well_formed(&html);
+    assert_eq!(fault(&html), None);
     assert!(html.contains("Section and space show sample 0."), "which sample is drawn");
     let parts: Vec<&str> = html.split("<details class=\"sample\"").skip(1).collect();
     assert_eq!(parts.len(), all.samples.len(), "samples on the page");

@@ -2,6 +2,8 @@
 
 use text::document::*;
 
+use crate::markup::fault;
+
 /// A document with every block that packages build, and words that each print has to escape or leave.
 fn document() -> Element {
     let rows = [("sphere", 12.5, true), ("a < b", 3.0, false)];
@@ -35,6 +37,7 @@ fn a_page_has_all_blocks_escaped() {
         </table>\n</div>\n<details><summary>more</summary>\n<pre>a\n  b\n</pre>\n</details>\n\
         <figure><svg/><figcaption>a drawing</figcaption>\n</figure>\n<a href=\"#&quot;x&quot;\">there</a>";
     assert_eq!(document().html(), expected);
+    assert_eq!(fault(&format!("<!DOCTYPE html>{expected}")), None);
 }
 
 /// Law: a terminal has a line for each block, and columns of numbers end below one another. Oracle: by hand.

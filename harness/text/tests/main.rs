@@ -3,6 +3,8 @@
 #[macro_use]
 #[path = "../../../tests/asserts.rs"]
 mod asserts;
+#[path = "../../../tests/markup.rs"]
+mod markup;
 
 mod digits;
 mod document;

@@ -75,24 +75,3 @@ fn stratified_samples_are_better() {
         }
     }
 }
-
-/// Law: the number of samples for 1 % lies between two measured numbers whose errors enclose 1 %, or before
-/// the first; it is absent if the last error is above 1 %.
-#[test]
-fn one_percent_is_reached_where_the_errors_say() {
-    for sampler in integrands().iter().flat_map(|integrand| list(&integrand["samplers"])) {
-        let errors = errors(sampler);
-        match sampler["samples_for_one_percent"].as_f64() {
-            None => assert!(errors.last().is_some_and(|e| e.1 > 0.01), "{sampler}"),
-            Some(n) => {
-                let after = errors.iter().filter(|e| e.0 >= n);
-                assert!(
-                    after.clone().count() > 0 && after.clone().all(|e| e.1 <= 0.01),
-                    "{sampler}"
-                );
-                let before = errors.iter().rev().find(|e| e.0 < n);
-                assert!(before.is_none_or(|e| e.1 > 0.01), "{sampler}");
-            }
-        }
-    }
-}

@@ -1,5 +1,7 @@
 //! The numbers of the tables, recomputed from the data beside them.
 
+use std::collections::BTreeSet;
+
 use report::words::{DASH, bytes, capital, count, time};
 use serde_json::Value;
 use text::digits::rough;
@@ -110,169 +112,214 @@ fn log(x: f64) -> f64 {
     groundtruth::math::ln(x)
 }
 
-/// Law: of each sampler the table has the errors at 16, 256 and 4096 samples, the slope from 16 samples on, the samples
-/// for 1 %, by a straight line between the logarithms around it, and this number of samples times the time of one.
-/// Oracle: the errors beside it, by least squares and interpolation here.
+/// What a column shows of the value that a row is drawn from.
+type Shown<'a> = &'a dyn Fn(&Value) -> Option<f64>;
+
+/// The field at the end of this path, `levels/-1` for the last of a list.
+fn field(value: &Value, path: &str) -> Option<f64> {
+    let step = |value: &'_ Value, name: &str| match (value, name) {
+        (Value::Array(items), "-1") => items.last().cloned(),
+        (Value::Array(items), index) => items.get(index.parse::<usize>().ok()?).cloned(),
+        (value, name) => value.get(name).cloned(),
+    };
+    path.split('/').try_fold(value.clone(), |value, name| step(&value, name))?.as_f64()
+}
+
+/// Holds the table with this caption to the values of its rows: the first cell is their name, and the columns that begin
+/// with these headings (of several, the n-th) show these numbers. How many cells were held.
+fn held(
+    caption: &str,
+    values: &[&Value],
+    name: &dyn Fn(&Value) -> String,
+    columns: &[(&str, usize, Shown<'_>)],
+) -> usize {
+    let (heads, rows) = table(caption);
+    let found: Vec<&String> = rows.iter().map(|row| &row[0]).collect();
+    let expected: Vec<String> = values.iter().map(|value| name(value)).collect();
+    assert_eq!(found, expected.iter().collect::<Vec<_>>(), "rows of {caption}");
+    for (head, nth, shown) in columns {
+        let mut places = (0..heads.len()).filter(|at| heads[*at].starts_with(head));
+        let at = places.nth(*nth).unwrap_or_else(|| panic!("no column {head} in {caption}"));
+        for (row, value) in rows.iter().zip(values) {
+            shows(&row[at], shown(value), &format!("{head} of {} in {caption}", row[0]));
+        }
+    }
+    columns.len() * rows.len()
+}
+
+/// Law: each cell of a number of each table shows that of the data: errors, slopes, times, efficiencies, counts. Oracle: the data
+/// beside it.
 #[test]
-fn samplers_have_the_numbers_of_their_errors() {
-    let mut reached = 0;
-    for data in list(&REPORT.json["pages"]["samplers"]["integrands"]) {
-        let name = text(&data["name"]);
-        let (_, rows) = table(&format!("{}: error and cost", capital(name)));
-        for (row, sampler) in rows.iter().zip(list(&data["samplers"])) {
-            assert_eq!(row[0], text(&sampler["sampler"]), "the sampler of a row of {name}");
-            let what = |column: &str| format!("{column} of {} for {name}", row[0]);
-            let errors: Vec<(f64, f64)> = list(&sampler["errors"])
-                .iter()
-                .map(|it| (number(&it["samples"]), number(&it["rms"])))
-                .collect();
-            for (column, samples) in [(1, 16.0), (2, 256.0), (3, 4096.0)] {
-                let error = errors.iter().find(|it| it.0 == samples).map(|it| it.1);
-                shows(&row[column], error, &what(&format!("the error at {samples}")));
+fn tables_show_the_numbers_of_the_data() {
+    let pages = &REPORT.json["pages"];
+    let by = |path: &'static str| move |value: &Value| field(value, path);
+    let mut cells = 0;
+    for data in list(&pages["samplers"]["integrands"]) {
+        let error = |samples: f64| {
+            move |sampler: &Value| {
+                let errors = list(&sampler["errors"]).iter();
+                errors.clone().find(|it| number(&it["samples"]) == samples)?["rms"].as_f64()
             }
-            let far: Vec<(f64, f64)> =
-                errors.iter().filter(|it| it.0 >= 16.0).map(|it| (log(it.0), log(it.1))).collect();
-            if far.iter().all(|it| it.1.is_finite()) {
-                let expected = slope(&far);
-                let found = read(&row[4]).expect("a slope");
-                // two decimals are shown; the data has every digit, but for the order of sums
-                assert!(
-                    (found - expected).abs() < 0.006,
-                    "{}: {found}, not {expected}",
-                    what("the slope")
-                );
-                let [of_json, low, high] = [0, 1, 2].map(|i| number(&sampler["slope"][i]));
-                assert!(
-                    (of_json - expected).abs() < 1e-9,
-                    "{}: {of_json}, not {expected}",
-                    what("the slope")
-                );
-                assert!(
-                    low <= expected && expected <= high,
-                    "{}: {low} … {high}",
-                    what("the interval")
-                );
-            }
-            // the last crossing of 1 %
-            let last = errors.iter().rposition(|it| it.1 > 0.01);
-            let expected = match last {
-                None => Some(errors[0].0),
-                Some(at) if at + 1 == errors.len() => None,
-                Some(at) if errors[at + 1].1 == 0.0 => Some(errors[at + 1].0),
-                Some(at) => {
-                    let [(a, x), (b, y)] =
-                        [errors[at], errors[at + 1]].map(|it| (log(it.0), log(it.1)));
-                    Some(groundtruth::math::exp(a + (b - a) * (x - log(0.01)) / (x - y)))
+        };
+        let seconds = |it: &Value| {
+            Some(it["samples_for_one_percent"].as_f64()? * number(&it["sample_seconds"]))
+        };
+        let caption = format!("{}: error and cost", capital(text(&data["name"])));
+        cells += held(
+            &caption,
+            &list(&data["samplers"]).iter().collect::<Vec<_>>(),
+            &|it| text(&it["sampler"]).to_owned(),
+            &[
+                ("error, 16", 0, &error(16.0)),
+                ("256", 0, &error(256.0)),
+                ("4096", 0, &error(4096.0)),
+                ("seconds for 1 %", 0, &seconds),
+            ],
+        );
+    }
+    for (page, ending, path, by_samples) in [
+        ("light", "error, time and bias", "relative_rmse", 100.0),
+        ("textures", "error and time", "rmse", 1.0),
+    ] {
+        for scene in list(&pages[page]["scenes"]) {
+            let per_sample = |it: &Value| {
+                Some(field(it, "levels/-1/picture_seconds")? / field(it, "levels/-1/samples")?)
+            };
+            let error = |samples: f64| {
+                move |choice: &Value| {
+                    let mut levels = list(&choice["levels"]).iter();
+                    let level = levels.find(|it| number(&it["samples"]) == samples)?;
+                    Some(by_samples * field(level, path)?)
                 }
             };
-            let found = sampler["samples_for_one_percent"].as_f64();
-            let is_near = match (found, expected) {
-                (Some(a), Some(b)) => (a / b - 1.0).abs() < 1e-9,
-                (a, b) => a == b,
+            let efficiency = by("levels/-1/efficiency");
+            let (one, many) = (error(1.0), error(256.0));
+            let mut columns: Vec<(&str, usize, Shown<'_>)> =
+                vec![("1", 0, &one), ("256", 0, &many), ("time per sample", 0, &per_sample)];
+            if page == "light" {
+                columns.push(("efficiency", 0, &efficiency));
+            }
+            let caption = format!("{}: {ending}", capital(text(&scene["scene"])));
+            // the page of textures has two choices without names in its data
+            let name = |it: &Value| {
+                text(&it[if page == "light" { "choice" } else { "filtering" }]).to_owned()
             };
-            assert!(is_near, "{}: {found:?}, not {expected:?}", what("samples for 1 %"));
-            let seconds = expected.map(|n| n * number(&sampler["sample_seconds"]));
-            shows(&row[6], seconds, &what("seconds for 1 %"));
-            reached += usize::from(expected.is_some());
+            let choices: Vec<&Value> = list(&scene["choices"]).iter().collect();
+            cells += held(&caption, &choices, &name, &columns);
+        }
+    }
+    for kind in list(&pages["intersections"]["kinds"]) {
+        let misses = |it: &Value| Some(number(&it["judged"]) - number(&it["hits"]));
+        cells += held(
+            &words(text(&kind["kind"])),
+            &list(&kind["families"]).iter().collect::<Vec<_>>(),
+            &|it| words(text(&it["family"])),
+            &[
+                ("hits", 0, &by("hits")),
+                ("misses", 0, &misses),
+                ("median", 0, &by("ours/median")),
+                ("99.9", 0, &by("ours/p999")),
+                ("worst", 0, &by("ours/worst")),
+                ("lost", 0, &by("ours/lost")),
+                ("wrong", 0, &by("ours/wrong")),
+                ("median", 1, &by("textbook/median")),
+                ("99.9", 1, &by("textbook/p999")),
+                ("worst", 1, &by("textbook/worst")),
+                ("lost", 1, &by("textbook/lost")),
+                ("wrong", 1, &by("textbook/wrong")),
+            ],
+        );
+    }
+    for stage in list(&pages["acceleration"]["stages"]) {
+        let runs = list(&stage["runs"]);
+        // of the two sizes for each factor of ten, the table has the first
+        let sizes: BTreeSet<u64> = runs.iter().filter_map(|run| run["objects"].as_u64()).collect();
+        let sizes: BTreeSet<u64> = sizes.into_iter().step_by(2).collect();
+        let is_shown = |run: &&Value| run["objects"].as_u64().is_some_and(|n| sizes.contains(&n));
+        let mut names: Vec<&str> = Vec::new();
+        for name in runs.iter().map(|run| text(&run["structure"])) {
+            if !names.contains(&name) {
+                names.push(name);
+            }
+        }
+        let of = |name: &&str| {
+            runs.iter().filter(is_shown).filter(|run| run["structure"] == *name).collect::<Vec<_>>()
+        };
+        cells += held(
+            &format!("{}, by number of objects", capital(text(&stage["stage"]))),
+            &names.iter().flat_map(of).collect::<Vec<_>>(),
+            &|it| text(&it["structure"]).to_owned(),
+            &[
+                ("objects", 0, &by("objects")),
+                ("build", 0, &by("build_seconds")),
+                ("memory", 0, &by("memory_bytes")),
+                ("picture", 0, &by("picture_seconds")),
+                ("tests per ray", 0, &by("tests_per_ray")),
+                ("nodes or cells", 0, &by("steps_per_ray")),
+                ("rays timed", 0, &by("timed_rays")),
+            ],
+        );
+    }
+    assert!(cells > 1000, "cells: {cells}");
+}
+
+/// Law: slopes are those of straight lines through the logarithms of the errors, for samplers from 16 samples on, inside
+/// their intervals. Oracle: least squares here.
+#[test]
+fn slopes_are_those_of_the_errors() {
+    let pages = &REPORT.json["pages"];
+    let samplers = list(&pages["samplers"]["integrands"]).iter();
+    let samplers =
+        samplers.flat_map(|it| list(&it["samplers"])).map(|it| (it, "errors", "rms", 16.0));
+    let scenes = list(&pages["textures"]["scenes"]).iter();
+    let choices = scenes.flat_map(|it| list(&it["choices"])).map(|it| (it, "levels", "rmse", 1.0));
+    let mut seen = 0;
+    for (choice, levels, error, from) in samplers.chain(choices) {
+        let points: Option<Vec<(f64, f64)>> = list(&choice[levels])
+            .iter()
+            .filter(|it| number(&it["samples"]) >= from)
+            .map(|it| Some((log(number(&it["samples"])), log(it[error].as_f64()?))))
+            .collect();
+        let Some(points) = points.filter(|points| points.iter().all(|it| it.1.is_finite())) else {
+            continue;
+        };
+        let expected = slope(&points);
+        let [found, low, high] = [0, 1, 2].map(|i| number(&choice["slope"][i]));
+        assert!((found - expected).abs() < 1e-9, "{choice}: {found}, not {expected}");
+        assert!(low <= expected && expected <= high, "{choice}: {low} … {high}");
+        seen += 1;
+    }
+    assert!(seen > 50, "slopes: {seen}");
+}
+
+/// Law: the samples for 1 % are where a straight line between the logarithms around it crosses it for the last time. Oracle:
+/// interpolation here.
+#[test]
+fn samples_for_one_percent_are_interpolated() {
+    let integrands = list(&REPORT.json["pages"]["samplers"]["integrands"]).iter();
+    let mut reached = 0;
+    for sampler in integrands.flat_map(|it| list(&it["samplers"])) {
+        let pair = |it: &Value| (number(&it["samples"]), number(&it["rms"]));
+        let errors: Vec<(f64, f64)> = list(&sampler["errors"]).iter().map(pair).collect();
+        let expected = match errors.iter().rposition(|it| it.1 > 0.01) {
+            None => Some(errors[0].0),
+            Some(at) if at + 1 == errors.len() => None,
+            Some(at) if errors[at + 1].1 == 0.0 => Some(errors[at + 1].0),
+            Some(at) => {
+                let [(a, x), (b, y)] =
+                    [errors[at], errors[at + 1]].map(|it| (log(it.0), log(it.1)));
+                Some(groundtruth::math::exp(a + (b - a) * (x - log(0.01)) / (x - y)))
+            }
+        };
+        match (sampler["samples_for_one_percent"].as_f64(), expected) {
+            (Some(found), Some(expected)) => {
+                assert!((found / expected - 1.0).abs() < 1e-9, "{sampler}: not {expected}");
+                reached += 1;
+            }
+            (found, expected) => assert_eq!(found, expected, "{sampler}"),
         }
     }
     assert!(reached > 10, "samplers that reach 1 %: {reached}");
-}
-
-/// Law: for each choice the tables of light and textures have the errors, the time of a sample (that of a picture with the most
-/// samples, over their number) and the efficiency with the most samples; the data has the slopes by least squares. Oracle: the
-/// levels beside it.
-#[test]
-fn choices_have_the_numbers_of_their_levels() {
-    let mut cells = 0;
-    for (page, ending) in [("light", "error, time and bias"), ("textures", "error and time")] {
-        for scene in list(&REPORT.json["pages"][page]["scenes"]) {
-            let name = text(&scene["scene"]);
-            let (heads, rows) = table(&format!("{}: {ending}", capital(name)));
-            for (row, choice) in rows.iter().zip(list(&scene["choices"])) {
-                // the page of textures has two choices without names in its data
-                let is_it = choice["choice"].as_str().is_none_or(|it| it == row[0]);
-                assert!(
-                    is_it,
-                    "the choice of a row of {name}: {}, not {}",
-                    row[0], choice["choice"]
-                );
-                let levels = list(&choice["levels"]);
-                let last = levels.last().expect("a level");
-                for (head, cell) in heads.iter().zip(row).skip(1) {
-                    let what = format!("{head} of {} in {name}", row[0]);
-                    if let Ok(samples) = head.parse::<u64>() {
-                        let level = levels.iter().find(|it| it["samples"] == samples);
-                        // the page of textures has errors, that of light relative ones in percent
-                        let (field, by) =
-                            if page == "light" { ("relative_rmse", 100.0) } else { ("rmse", 1.0) };
-                        let error = level.and_then(|it| it[field].as_f64());
-                        shows(cell, error.map(|error| by * error), &what);
-                    } else if head.starts_with("time per sample") {
-                        let seconds = number(&last["picture_seconds"]) / number(&last["samples"]);
-                        shows(cell, Some(seconds), &what);
-                    } else if head.starts_with("efficiency") {
-                        shows(cell, last["efficiency"].as_f64(), &what);
-                    } else {
-                        continue;
-                    }
-                    cells += 1;
-                }
-                let errors: Option<Vec<(f64, f64)>> = levels
-                    .iter()
-                    .map(|it| Some((log(number(&it["samples"])), log(it["rmse"].as_f64()?))))
-                    .collect();
-                if let (Some(errors), Some(found)) = (errors, choice["slope"][0].as_f64()) {
-                    let expected = slope(&errors);
-                    let what = format!("the slope of {} in {name}", row[0]);
-                    assert!((found - expected).abs() < 1e-9, "{what}: {found}, not {expected}");
-                }
-            }
-        }
-    }
-    assert!(cells > 60, "cells that were recomputed: {cells}");
-}
-
-/// Law: of each family of a shape the table has hits, misses (what was judged and no hit), the medians and worst errors of both
-/// routines, and their failures. Oracle: the data beside it; shapes whose families are of one kind.
-#[test]
-fn shapes_have_the_numbers_of_their_families() {
-    let mut rows_seen = 0;
-    for kind in list(&REPORT.json["pages"]["intersections"]["kinds"]) {
-        let families = list(&kind["families"]);
-        let names: Vec<String> = families.iter().map(|it| words(text(&it["family"]))).collect();
-        let caption = words(text(&kind["kind"]));
-        let (heads, rows) = table(&caption);
-        let found: Vec<&String> = rows.iter().map(|row| &row[0]).collect();
-        assert_eq!(found, names.iter().collect::<Vec<_>>(), "families of {caption}");
-        let ours = heads.iter().position(|head| head == "median").expect("a median");
-        let book = heads.iter().rposition(|head| head == "median").expect("a median");
-        for (row, family) in rows.iter().zip(families) {
-            let what = |column: &str| format!("{column} of {} for {caption}", row[0]);
-            let (hits, judged) = (number(&family["hits"]), number(&family["judged"]));
-            shows_whole(&row[1], hits, &what("hits"));
-            shows_whole(&row[2], judged - hits, &what("misses"));
-            for (at, routine) in [(ours, &family["ours"]), (book, &family["textbook"])] {
-                for (offset, field) in ["median", "p999", "worst"].into_iter().enumerate() {
-                    let error = routine[field].as_f64();
-                    let cell = &row[at + offset];
-                    if error.is_some() || cell == DASH {
-                        shows(cell, error, &what(field));
-                    }
-                }
-                for (offset, field) in [(3, "lost"), (4, "wrong")] {
-                    let expected = number(&routine[field]);
-                    let found = read(&row[at + offset]).unwrap_or(0.0);
-                    assert_eq!(found, expected, "{}", what(field));
-                }
-                let quantiles = ["median", "p999", "worst"].map(|field| routine[field].as_f64());
-                let is_sorted = quantiles.windows(2).all(|it| it[0] <= it[1]);
-                assert!(is_sorted, "{}: {quantiles:?}", what("median, 99.9 % and worst"));
-            }
-            rows_seen += 1;
-        }
-    }
-    assert!(rows_seen > 60, "families seen: {rows_seen}");
 }
 
 /// `FarOrigin` as `far origin`; boxes have another name in code.
@@ -288,49 +335,4 @@ fn words(name: &str) -> String {
         words.extend(letter.to_lowercase());
     }
     words
-}
-
-fn shows_whole(cell: &str, expected: f64, what: &str) {
-    assert_eq!(read(cell), Some(expected), "{what}");
-}
-
-/// Law: each row of acceleration has the numbers of its run. Oracle: the data beside it.
-#[test]
-fn structures_have_the_numbers_of_their_runs() {
-    let mut seen = 0;
-    for stage in list(&REPORT.json["pages"]["acceleration"]["stages"]) {
-        let caption = format!("{}, by number of objects", capital(text(&stage["stage"])));
-        let (heads, rows) = table(&caption);
-        // of the two sizes for each factor of ten, the table has the first
-        let mut sizes: Vec<u64> =
-            list(&stage["runs"]).iter().filter_map(|run| run["objects"].as_u64()).collect();
-        sizes.sort_unstable();
-        sizes.dedup();
-        let sizes: Vec<u64> = sizes.into_iter().step_by(2).collect();
-        let is_shown = |run: &&Value| run["objects"].as_u64().is_some_and(|n| sizes.contains(&n));
-        let runs: Vec<&Value> = list(&stage["runs"]).iter().filter(is_shown).collect();
-        assert_eq!(rows.len(), runs.len(), "rows of {caption}");
-        for row in &rows {
-            let objects =
-                row[1].replace('\u{202f}', "").parse::<u64>().expect("a number of objects");
-            let is_it =
-                |run: &&&Value| run["structure"] == row[0].as_str() && run["objects"] == objects;
-            let run = runs.iter().find(is_it).unwrap_or_else(|| panic!("no run of {row:?}"));
-            for (head, field) in [
-                ("objects", "objects"),
-                ("build", "build_seconds"),
-                ("memory", "memory_bytes"),
-                ("picture", "picture_seconds"),
-                ("tests per ray", "tests_per_ray"),
-                ("nodes or cells per ray", "steps_per_ray"),
-                ("rays timed", "timed_rays"),
-            ] {
-                let at = heads.iter().position(|it| it == head).expect("a column");
-                let what = format!("{head} of {} in {caption}", row[0]);
-                shows(&row[at], run[field].as_f64(), &what);
-                seen += 1;
-            }
-        }
-    }
-    assert!(seen > 60, "cells seen: {seen}");
 }

@@ -46,47 +46,54 @@ fn odd_columns_count_as_even_ones() {
     }
 }
 
-/// Law: each orientation, shift by a pixel and order of channels is named by what was done to B. Oracle: the words, from
-/// how B was made.
+/// Law: each orientation, shift by a pixel, order of channels and factor is named by what was done to B, in a picture made of
+/// numbers and in that of a scene. Oracle: the words, from how B was made.
 #[test]
-fn every_change_of_pixels_is_named() {
-    const SIDE: i64 = 40;
-    let ours = ramp(SIDE as u32);
-    let last = SIDE - 1;
-    let mut cases: Vec<(Picture, String)> = Vec::new();
-    let moved = |from: &dyn Fn(i64, i64) -> [i64; 2]| super::moved(&ours, from);
-    cases.push((moved(&|x, y| [x, last - y]), "the rows of B are upside down".to_owned()));
-    cases.push((
-        moved(&|x, y| [last - x, y]),
-        "left and right of B are exchanged (if its axes are left-handed: negate z in the scene)"
-            .to_owned(),
-    ));
-    cases.push((moved(&|x, y| [last - x, last - y]), "B is turned by 180°".to_owned()));
-    cases.push((moved(&|x, y| [y, x]), "rows and columns of B are exchanged".to_owned()));
-    let steps = [-1, 0, 1].into_iter().flat_map(|x| [-1, 0, 1].map(|y| [x, y]));
-    for [dx, dy] in steps.filter(|step| *step != [0, 0]) {
-        let along = |step: i64, [less, more]: [&str; 2]| match step {
-            0 => None,
-            step => Some(format!("one pixel too far {}", if step < 0 { less } else { more })),
-        };
-        let words = [along(dx, ["left", "right"]), along(dy, ["up", "down"])];
-        let words: Vec<String> = words.into_iter().flatten().collect();
-        // what B shows lies so far from where A shows it
-        cases.push((moved(&|x, y| [x - dx, y - dy]), format!("B is {}", words.join(" and "))));
-    }
-    let names = ["red", "green", "blue"];
-    for order in [[2, 1, 0], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1]] {
-        // the first channel of B is that of this name, and so on
-        let theirs = mapped(&ours, |color| order.map(|channel| color[channel]));
-        let words = order.map(|channel| names[channel]).join(", ");
-        cases.push((theirs, format!("the channels of B are in the order {words}")));
-    }
-    equal("changes that are tried", cases.len(), Change::of_pixels([SIDE as u32; 2]).len());
-    for (theirs, words) in cases {
-        let found = compared(&ours, &theirs).explained_by;
-        equal("explanation", found.first().map(|it| it.what.clone()), Some(words));
-        // nothing is left but for what a shift repeats at the border
-        between("what is left", found[0].left, [0.0, 0.02]);
+fn every_change_is_named() {
+    for ours in [ramp(40), super::picture()] {
+        let [width, height] = ours.size.map(i64::from);
+        let mut cases: Vec<(Picture, String)> = Vec::new();
+        let mut case = |theirs: Picture, words: &str| cases.push((theirs, words.to_owned()));
+        let moved = |from: &dyn Fn(i64, i64) -> [i64; 2]| super::moved(&ours, from);
+        case(moved(&|x, y| [x, height - 1 - y]), "the rows of B are upside down");
+        case(
+            moved(&|x, y| [width - 1 - x, y]),
+            "left and right of B are exchanged (if its axes are left-handed: negate z in the scene)",
+        );
+        case(moved(&|x, y| [width - 1 - x, height - 1 - y]), "B is turned by 180°");
+        if width == height {
+            case(moved(&|x, y| [y, x]), "rows and columns of B are exchanged");
+        }
+        let steps = [-1, 0, 1].into_iter().flat_map(|x| [-1, 0, 1].map(|y| [x, y]));
+        for [dx, dy] in steps.filter(|step| *step != [0, 0]) {
+            let along = |step: i64, [less, more]: [&str; 2]| match step {
+                0 => None,
+                step => Some(format!("one pixel too far {}", if step < 0 { less } else { more })),
+            };
+            let words = [along(dx, ["left", "right"]), along(dy, ["up", "down"])];
+            let words: Vec<String> = words.into_iter().flatten().collect();
+            // what B shows lies so far from where A shows it
+            case(moved(&|x, y| [x - dx, y - dy]), &format!("B is {}", words.join(" and ")));
+        }
+        let names = ["red", "green", "blue"];
+        for order in [[2, 1, 0], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1]] {
+            // the first channel of B is that of this name, and so on
+            let theirs = mapped(&ours, |color| order.map(|channel| color[channel]));
+            let words = order.map(|channel| names[channel]).join(", ");
+            case(theirs, &format!("the channels of B are in the order {words}"));
+        }
+        let pixels = Change::of_pixels(ours.size).len();
+        for (factor, name) in [(std::f32::consts::PI, "1/π"), (0.5, "2"), (1.25, "0.8000")] {
+            let theirs = mapped(&ours, |color| color.map(|value| factor * value));
+            case(theirs, &format!("B is A divided by {name}"));
+        }
+        equal("changes that are tried", cases.len() - 3, pixels);
+        for (theirs, words) in cases {
+            let found = compared(&ours, &theirs).explained_by;
+            equal("explanation", found.first().map(|it| it.what.clone()), Some(words));
+            // nothing is left but for what a shift repeats at the border
+            between("what is left", found[0].left, [0.0, 0.02]);
+        }
     }
 }
 
