@@ -12,8 +12,8 @@ use groundtruth::scene::{self, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
 use judge::verdict::{self, Areas, Case, Cause, Stored, Strictness};
 use pictures::compare::{self, Comparison, Hypothesis, Picture, Transfer};
-use pictures::shell::quoted;
-use pictures::told::Told;
+use text::shell::quoted;
+use text::told::Told;
 
 use super::numbers::number;
 use super::watch::Watch;

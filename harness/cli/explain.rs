@@ -214,6 +214,6 @@ impl Explain {
             option("--mistake", self.mistake.name().map(str::to_owned)),
         ];
         words.extend(options.into_iter().flatten().flatten());
-        pictures::shell::line(words.iter().map(String::as_str))
+        text::shell::line(words.iter().map(String::as_str))
     }
 }

@@ -7,7 +7,7 @@ use groundtruth::explain::{PixelExplanation, RecordedRay};
 use groundtruth::render::Renderer;
 use groundtruth::scene::{self, Scene};
 use keep::{Kept, PixelPage, ReducedScene, SmallPicture};
-use pictures::shell;
+use text::shell;
 
 use super::scene::SceneArguments;
 use super::{Exit, Outcome, output, print};

@@ -2,6 +2,7 @@
 
 use clap::Args;
 use serde::Serialize;
+use text::document::table;
 
 use super::{Outcome, print};
 
@@ -33,10 +34,8 @@ impl List {
         if self.json {
             return print(&(serde_json::to_string_pretty(&lines)? + "\n"));
         }
-        let widest = lines.iter().map(|line| line.name.len()).max().unwrap_or(0);
-        let text: String =
-            lines.iter().map(|line| format!("{:widest$}  {}\n", line.name, line.about)).collect();
-        print(&text)
+        let table = table(&lines).column("", |line| line.name).column("", |line| &line.about);
+        print(&table.element().plain())
     }
 }
 

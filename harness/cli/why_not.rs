@@ -7,9 +7,9 @@ use groundtruth::explain::PixelExplanation;
 use groundtruth::film::Provenance;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
-use pictures::shell;
 use serde::Serialize;
 use space::why_not::{Question, WhyNot, object_named};
+use text::shell;
 
 use super::{Outcome, print};
 

@@ -139,7 +139,7 @@ fn no_row_has_only_noughts() {
         let html = page.as_deref().unwrap_or_default();
         for row in html.split("<tr").skip(1).filter(|row| row.contains("<td")) {
             let row = row.split("</tr>").next().unwrap_or_default();
-            let cells = row.split("<td").skip(2).map(|cell| {
+            let cells = row.split("<td").skip(1).map(|cell| {
                 let cell = cell.split_once('>').map_or("", |(_, text)| text);
                 cell.split('<').next().unwrap_or_default()
             });

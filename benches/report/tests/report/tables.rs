@@ -125,6 +125,9 @@ fn field(value: &Value, path: &str) -> Option<f64> {
     path.split('/').try_fold(value.clone(), |value, name| step(&value, name))?.as_f64()
 }
 
+/// Columns of counts, which have all digits.
+const COUNTS: [&str; 6] = ["hits", "misses", "lost", "wrong", "objects", "rays timed"];
+
 /// Holds the table with this caption to the values of its rows: the first cell is their name, and the columns that begin
 /// with these headings (of several, the n-th) show these numbers. How many cells were held.
 fn held(
@@ -141,7 +144,11 @@ fn held(
         let mut places = (0..heads.len()).filter(|at| heads[*at].starts_with(head));
         let at = places.nth(*nth).unwrap_or_else(|| panic!("no column {head} in {caption}"));
         for (row, value) in rows.iter().zip(values) {
-            shows(&row[at], shown(value), &format!("{head} of {} in {caption}", row[0]));
+            let what = format!("{head} of {} in {caption}", row[0]);
+            match COUNTS.contains(head) {
+                true => assert_eq!(read(&row[at]), shown(value), "{what}"),
+                false => shows(&row[at], shown(value), &what),
+            }
         }
     }
     columns.len() * rows.len()
@@ -193,9 +200,13 @@ fn tables_show_the_numbers_of_the_data() {
                 }
             };
             let efficiency = by("levels/-1/efficiency");
-            let (one, many) = (error(1.0), error(256.0));
-            let mut columns: Vec<(&str, usize, Shown<'_>)> =
-                vec![("1", 0, &one), ("256", 0, &many), ("time per sample", 0, &per_sample)];
+            let (one, some, many) = (error(1.0), error(16.0), error(256.0));
+            let mut columns: Vec<(&str, usize, Shown<'_>)> = vec![
+                ("1", 0, &one),
+                ("16", 0, &some),
+                ("256", 0, &many),
+                ("time per sample", 0, &per_sample),
+            ];
             if page == "light" {
                 columns.push(("efficiency", 0, &efficiency));
             }
@@ -209,6 +220,11 @@ fn tables_show_the_numbers_of_the_data() {
         }
     }
     for kind in list(&pages["intersections"]["kinds"]) {
+        for routine in list(&kind["families"]).iter().flat_map(|it| [&it["ours"], &it["textbook"]])
+        {
+            let quantiles = ["median", "p999", "worst"].map(|field| routine[field].as_f64());
+            assert!(quantiles.windows(2).all(|it| it[0] <= it[1]), "{kind}: {quantiles:?}");
+        }
         let misses = |it: &Value| Some(number(&it["judged"]) - number(&it["hits"]));
         cells += held(
             &words(text(&kind["kind"])),

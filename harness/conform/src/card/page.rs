@@ -1,12 +1,11 @@
 //! The card as one HTML page.
 
-use std::fmt::Write;
-
 use super::text::{conventions, failed, failures, order, rest};
 use super::{Card, Row, Status};
-use pictures::digits::short;
-use pictures::html::{self, escaped};
-use pictures::told::Told;
+use text::digits::short;
+use text::document::*;
+use text::html;
+use text::told::Told;
 
 /// The titles of the kinds of failures, in their order.
 const TITLES: [&str; 4] = [
@@ -19,90 +18,82 @@ const TITLES: [&str; 4] = [
 /// The page for a program with this command line, of which this is told.
 pub fn page(card: &Card, told: &Told, command: &str) -> String {
     let (about, failures) = (format!("conform -- {command}"), failures(card));
-    let mut html = format!(
-        "<p>Profile {}, seed {}{}.</p>\n",
-        card.profile.name(),
-        card.seed,
-        if card.is_whole { "" } else { "; interrupted" },
-    );
-    for (kind, title) in TITLES.into_iter().enumerate() {
-        let rows: Vec<&&Row> = failures.iter().filter(|row| order(row) == kind).collect();
-        if !rows.is_empty() {
-            let _ = writeln!(html, "<h2>{title}</h2>");
-        }
-        rows.into_iter().for_each(|row| failure(&mut html, row));
-    }
+    let interrupted = if card.is_whole { "" } else { "; interrupted" };
+    let profile = format!("Profile {}, seed {}{interrupted}.", card.profile.name(), card.seed);
+    let of_kind = |(kind, title): (usize, &str)| {
+        let rows = || failures.iter().filter(|row| order(row) == kind);
+        let title = rows().next().map(|_| heading(2, title));
+        several().with_all(title).with_all(rows().map(|row| failure(row)))
+    };
     let by_the_book: String = card.rows.iter().map(conventions).collect();
-    if !by_the_book.is_empty() {
-        let lines = escaped(&by_the_book);
-        let _ = writeln!(html, "<h2>Conventions of the book</h2>\n<pre>{lines}</pre>");
-    }
-    html += &tables(card);
-    for line in rest(card).lines() {
-        let _ = writeln!(html, "<p>{}</p>", escaped(line));
-    }
+    let by_the_book = (!by_the_book.is_empty())
+        .then(|| several().with(heading(2, "Conventions of the book")).with(lines(by_the_book)));
+    let body = several()
+        .with(paragraph(profile))
+        .with_all(TITLES.into_iter().enumerate().map(of_kind))
+        .with_all(by_the_book)
+        .with(tables(card))
+        .with_all(rest(card).lines().map(paragraph));
     // the page has the details in its own order
     let told = Told { details: String::new(), ..told.clone() };
-    told.page(&about, &[html::LINES, html::NUMBERS, html::CARD], &html)
+    told.page(&about, &[html::LINES, html::NUMBERS, html::CARD], &body.html())
 }
 
 /// What failed in a family, and its questions for a program of ours.
-fn failure(html: &mut String, row: &Row) {
-    let name = escaped(&row.name);
-    let _ = writeln!(html, "<h3 id=\"{name}\">{name}</h3>\n<pre>{}</pre>", escaped(&failed(row)));
-    if let Some(failure) = &row.failure {
+fn failure(row: &Row) -> Element {
+    let title = heading(3, &row.name).attribute("id", &row.name);
+    let asked = row.failure.iter().map(|failure| {
         let asked: Vec<String> =
             failure.asked.iter().map(|(question, _)| question.to_string()).collect();
-        let lines = escaped(&asked.join("\n"));
-        let _ = writeln!(html, "<p>For <code>groundtruth probe</code>:</p>\n<pre>{lines}</pre>");
-    }
+        several()
+            .with(paragraph("For ").with(code("groundtruth probe")).with(":"))
+            .with(lines(asked.join("\n")))
+    });
+    several().with(title).with(lines(failed(row))).with_all(asked)
 }
 
 /// The families of each chapter that answered something, failures first; only statuses that there are.
-fn tables(card: &Card) -> String {
+fn tables(card: &Card) -> Element {
+    const WORDS: &str = "The error of the worst right answer is in u·cond: the rounding error that double precision cannot \
+         avoid in this question. · is nothing, or nothing measured.";
     let is_there = |status: &Status| *status != Status::Unsupported && card.count(*status) > 0;
     let columns: Vec<Status> = Status::ALL.into_iter().filter(is_there).collect();
     if columns.is_empty() {
-        return String::new();
+        return several();
     }
-    let mut html = "<h2>Families</h2>\n<p>The error of the worst right answer is in u·cond: the rounding error that \
-                    double precision cannot avoid in this question. · is nothing, or nothing measured.</p>\n"
-        .to_owned();
-    for (chapter, rows) in card.chapters() {
-        let has_counts = |row: &&&Row| columns.iter().any(|status| row.count(*status) > 0);
-        let mut rows: Vec<&&Row> = rows.iter().filter(has_counts).collect();
+    let chapter = |(chapter, rows): (&str, Vec<&Row>)| {
+        let has_counts = |row: &&Row| columns.iter().any(|status| row.count(*status) > 0);
+        let mut rows: Vec<&Row> = rows.into_iter().filter(has_counts).collect();
         rows.sort_by_key(|row| if row.is_failed() { order(row) } else { TITLES.len() });
-        if !rows.is_empty() {
-            let _ = writeln!(html, "<h3>{chapter}</h3>");
-            table(&mut html, &rows, &columns);
+        match rows.is_empty() {
+            true => several(),
+            false => several().with(heading(3, chapter)).with(families(rows, &columns)),
         }
-    }
-    html
+    };
+    several()
+        .with(heading(2, "Families"))
+        .with(paragraph(WORDS))
+        .with_all(card.chapters().into_iter().map(|(name, rows)| chapter((name, rows))))
 }
 
-fn table(html: &mut String, rows: &[&&Row], columns: &[Status]) {
-    html.push_str("<div class=\"wide\"><table>\n<tr><th>family</th>");
+fn families(rows: Vec<&Row>, columns: &[Status]) -> Element {
+    let or_nothing = |text: Option<String>| match text {
+        None => Node::from(span("quiet", "·")),
+        Some(text) => text.into(),
+    };
+    let mut table = table(rows).column("family", |row| match row.is_failed() {
+        true => element("a").attribute("href", format!("#{}", row.name)).with(&row.name),
+        false => several().with(&row.name),
+    });
     for status in columns {
-        let _ = write!(html, "<th>{}</th>", status.name());
+        table = table.column(status.name(), |row| {
+            or_nothing(Some(row.count(*status)).filter(|it| *it > 0).map(|it| it.to_string()))
+        });
     }
-    html.push_str("<th>worst right answer, u·cond</th></tr>\n");
-    for row in rows {
-        let (name, class) = (escaped(&row.name), if row.is_failed() { "failed" } else { "" });
-        let shown = match row.is_failed() {
-            true => format!("<a href=\"#{name}\">{name}</a>"),
-            false => name,
-        };
-        let _ = write!(html, "<tr class=\"{class}\"><td>{shown}</td>");
-        for status in columns {
-            let _ = match row.count(*status) {
-                0 => write!(html, "<td class=\"quiet\">·</td>"),
-                count => write!(html, "<td>{count}</td>"),
-            };
-        }
-        let _ = match row.worst {
-            0.0 => writeln!(html, "<td class=\"quiet\">·</td></tr>"),
-            worst => writeln!(html, "<td>{}</td></tr>", short(worst)),
-        };
-    }
-    html.push_str("</table></div>\n");
+    table
+        .column("worst right answer, u·cond", |row| {
+            or_nothing(Some(row.worst).filter(|it| *it != 0.0).map(short))
+        })
+        .classes(|row| if row.is_failed() { "failed" } else { "" })
+        .element()
 }

@@ -291,7 +291,7 @@ fn files_hold(plans: &[Plan], card: &Card) {
         let row = row.unwrap_or_else(|| panic!("{} has no row on the page", plan.name));
         let cells: Vec<u64> = row
             .split("<td")
-            .skip(2)
+            .skip(1)
             .map(|cell| {
                 let text = cell.split(['>', '<']).nth(1).unwrap_or_default();
                 text.parse().unwrap_or(0)

@@ -2,12 +2,12 @@
 
 use std::collections::BTreeSet;
 use std::error::Error;
-use std::fmt::Write;
 use std::path::Path;
 
 use groundtruth::explain::{self, PixelExplanation};
 use groundtruth::world::{DEFAULT_SEED, World};
-use pictures::html::{CARD, escaped, page};
+use text::document::*;
+use text::html::{CARD, page};
 
 use super::Task;
 use super::sheet::{STYLE, pair};
@@ -19,33 +19,37 @@ use crate::mistakes::Mistaken;
 /// A scene has no world, or its pixel too many rays.
 pub fn key(chapter: u32, command: &str, tasks: &[Task]) -> Result<String, Box<dyn Error>> {
     let title = format!("Chapter {chapter}: the teacher's key");
-    let made = escaped(command);
-    let mut body = format!("<h1>{title}</h1>\n<p>Made by <code>{made}</code></p>\n");
+    let mut body =
+        several().with(heading(1, &title)).with(paragraph("Made by ").with(code(command)));
     for (number, task) in (1..).zip(tasks) {
         let mistake = task.mistake;
-        let (words, place) = (escaped(mistake.words), escaped(mistake.place));
-        let _ = writeln!(body, "<section>\n<h2>{number}: {}</h2>\n<p>{words}</p>", mistake.name);
-        let _ = writeln!(body, "<p>Right: {place}</p>");
-        body += &pair(task, ["right", "wrong"]);
-        let [x, y] = task.pictures.most_changed();
-        let changed = 100.0 * task.effect.share;
-        let _ = writeln!(
-            body,
-            "<p>{changed:.0} % of the pixels change, most of all that at {x},{y}. The sample of it that changes most, \
-             along the path of most light; what is other is marked:</p>"
+        let (name, [x, y]) = (mistake.name, task.pictures.most_changed());
+        let changed = format!(
+            "{:.0} % of the pixels change, most of all that at {x},{y}. The sample of it that changes most, along the path \
+             of most light; what is other is marked:",
+            100.0 * task.effect.share
         );
         let [right, wrong] = explained(task, [x, y])?;
-        let _ = writeln!(body, "<h3>Right</h3>\n<pre>{}</pre>", marked(&right, &wrong));
-        let _ = writeln!(body, "<h3>Wrong</h3>\n<pre>{}</pre>", marked(&wrong, &right));
         let (file, picture) = (format!("scenes/{number}.toml"), format!("{number}.png"));
-        let _ = writeln!(
-            body,
-            "<p>In the folder of the class, this finds it, and shows more:</p>\n<pre>groundtruth verify {file} {picture}\n\
-             groundtruth explain {file} {x},{y} --mistake {name}\ngroundtruth mistakes {name}</pre>\n</section>",
-            name = mistake.name
+        let commands = format!(
+            "groundtruth verify {file} {picture}\ngroundtruth explain {file} {x},{y} --mistake {name}\n\
+             groundtruth mistakes {name}"
         );
+        let section = element("section")
+            .with(heading(2, format!("{number}: {name}")))
+            .with(paragraph(mistake.words))
+            .with(paragraph(format!("Right: {}", mistake.place)))
+            .with(pair(task, ["right", "wrong"]))
+            .with(paragraph(changed))
+            .with(heading(3, "Right"))
+            .with(marked(&right, &wrong))
+            .with(heading(3, "Wrong"))
+            .with(marked(&wrong, &right))
+            .with(paragraph("In the folder of the class, this finds it, and shows more:"))
+            .with(lines(commands));
+        body = body.with(section);
     }
-    Ok(page(&title, &[CARD, STYLE], &body))
+    Ok(page(&title, &[CARD, STYLE], &body.html()))
 }
 
 /// The explanations of the sample of a pixel that changes most, right and wrong.
@@ -69,11 +73,11 @@ fn explained(task: &Task, pixel: [u32; 2]) -> Result<[String; 2], Box<dyn Error>
 }
 
 /// A text, with its lines that another one lacks marked.
-fn marked(text: &str, other: &str) -> String {
+fn marked(text: &str, other: &str) -> Element {
     let known: BTreeSet<&str> = other.lines().collect();
     let line = |line: &str| match known.contains(line) {
-        true => escaped(line) + "\n",
-        false => format!("<mark>{}</mark>\n", escaped(line)),
+        true => several().with(line).with("\n"),
+        false => several().with(element("mark").with(line)).with("\n"),
     };
-    text.lines().map(line).collect()
+    element("pre").with_all(text.lines().map(line))
 }

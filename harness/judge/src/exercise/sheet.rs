@@ -1,9 +1,7 @@
 //! The sheet that a class fills in.
 
-use std::fmt::Write;
-
-use groundtruth::film::data_uri;
-use pictures::html::{escaped, page};
+use text::document::*;
+use text::html::page;
 
 use super::{Difficulty, Task, of_chapter};
 
@@ -19,12 +17,12 @@ section { break-inside: avoid; margin-bottom: 2em; }
 ";
 
 const INTRODUCTION: &str = "\
-<p>Name: ____________________________ &nbsp; Date: ______________</p>
-<p>Of each pair the picture on the left is right. The one on the right was rendered by a program with one mistake. Find it.
-The right picture is rendered by <code>groundtruth render scenes/1.toml -o right.png</code>;
-<code>inspector scenes/1.toml --compare 1.png</code> shows where the wrong one differs, and which rays make the colour of a
-pixel.</p>
-";
+Name: ____________________________ \u{a0} Date: ______________
+
+Of each pair the picture on the left is right. The one on the right was rendered by a program with one mistake. Find it.
+The right picture is rendered by `groundtruth render scenes/1.toml -o right.png`;
+`inspector scenes/1.toml --compare 1.png` shows where the wrong one differs, and which rays make the colour of a
+pixel.";
 
 const QUESTIONS: [&str; 3] = [
     "What does the program do wrong?",
@@ -35,35 +33,31 @@ const QUESTIONS: [&str; 3] = [
 /// The sheet: a page of HTML that needs nothing beside it.
 pub fn sheet(chapter: u32, level: Difficulty, tasks: &[Task]) -> String {
     let title = format!("Chapter {chapter}: what is wrong?");
-    let mut body = format!("<h1>{title}</h1>\n{INTRODUCTION}");
-    for (number, task) in (1..).zip(tasks) {
-        let about = escaped(&task.scene.about);
-        let _ = writeln!(body, "<section>\n<h2>{number}</h2>\n<p>{about}</p>");
-        body += &pair(task, ["right", "wrong"]);
-        for question in QUESTIONS {
-            let _ = writeln!(body, "<p>{question}</p>\n<div class=\"line\"></div>");
-        }
-        body += "</section>\n";
-    }
+    let line = || group("line");
+    let section = |(number, task): (usize, &Task)| {
+        element("section")
+            .with(heading(2, number.to_string()))
+            .with(paragraph(&task.scene.about))
+            .with(pair(task, ["right", "wrong"]))
+            .with_all(QUESTIONS.into_iter().flat_map(|question| [paragraph(question), line()]))
+    };
+    let mut body = several()
+        .with(heading(1, &title))
+        .with(prose(INTRODUCTION))
+        .with_all((1..).zip(tasks).map(section));
     if level != Difficulty::Hard {
         let mut words: Vec<&str> = of_chapter(chapter).iter().map(|it| it.words).collect();
         words.sort_unstable();
-        body += "<section>\n<h2>The mistakes are among these</h2>\n<ul>\n";
-        for words in words {
-            let _ = writeln!(body, "<li>{}</li>", escaped(words));
-        }
-        body += "</ul>\n</section>\n";
+        let title = heading(2, "The mistakes are among these");
+        body = body.with(element("section").with(title).with(list(words)));
     }
-    page(&title, &[STYLE], &body)
+    page(&title, &[STYLE], &body.html())
 }
 
 /// The two pictures of a task with their captions.
-pub(super) fn pair(task: &Task, captions: [&str; 2]) -> String {
+pub(super) fn pair(task: &Task, captions: [&str; 2]) -> Element {
     let tone = task.scene.image.tone();
     let films = [&task.pictures.right, &task.pictures.wrong];
-    let figures = films.into_iter().zip(captions).map(|(film, caption)| {
-        let data = data_uri(film, &tone);
-        format!("<figure><img src=\"{data}\" alt=\"{caption}\"/><figcaption>{caption}</figcaption></figure>\n")
-    });
-    format!("<div class=\"pair\">\n{}</div>\n", figures.collect::<String>())
+    let figures = films.into_iter().zip(captions);
+    group("pair").with_all(figures.map(|(film, words)| figure(image(film, &tone, words), words)))
 }

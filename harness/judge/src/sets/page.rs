@@ -1,29 +1,25 @@
 //! A verdict on two sets of pictures as one HTML page.
 
-use groundtruth::film::{Tone, data_uri};
-
 use super::{AreaDifference, SetsVerdict};
-use crate::verdict::{STYLE, frame, map_film, map_scale};
+use crate::verdict::{STYLE, frame, map_film, map_with_legend};
 use pictures::compare::pair;
-use pictures::told::Told;
+use text::document::several;
+use text::told::Told;
 
-/// The page of a verdict of which this is told.
+/// The page of a verdict of which this is told: the pictures, and the differences of pixels in standard deviations, with
+/// the areas that differ framed.
 pub fn page(verdict: &SetsVerdict, told: &Told) -> String {
-    let body = pair::views(["the mean before", "the mean after"], verdict.shown.each_ref())
-        + &map(verdict);
-    told.page("verify --before … --after …", &[pair::STYLE, STYLE], &body)
-}
-
-/// The differences of pixels in standard deviations, with the areas that differ framed.
-fn map(verdict: &SetsVerdict) -> String {
+    const WORDS: &str = "Of each pixel (of tiles, if the picture is large); brighter where it is larger after. Areas that \
+         differ are framed.";
     let size = verdict.shown[0].size;
     let framed = |area: &AreaDifference| frame(&area.name, area.bounds, size);
-    let frames: String = verdict.areas.iter().map(framed).collect();
-    format!(
-        "<h2>Difference in standard deviations of the noise</h2>\n<p>Of each pixel (of tiles, if the picture is large); \
-         brighter where it is larger after. Areas that differ are framed.</p>\n\
-         <div class=\"map\"><img alt=\"map of the difference\" src=\"{}\">{frames}</div>\n{}",
-        data_uri(&map_film(&verdict.z, size), &Tone::PLAIN),
-        map_scale()
-    )
+    let map = map_with_legend(
+        ("Difference in standard deviations of the noise", WORDS),
+        (&map_film(&verdict.z, size), "map of the difference"),
+        verdict.areas.iter().map(framed),
+    );
+    let body = several()
+        .with(pair::views(["the mean before", "the mean after"], verdict.shown.each_ref()))
+        .with(map);
+    told.page("verify --before … --after …", &[pair::STYLE, STYLE], &body.html())
 }

@@ -55,11 +55,6 @@ pub fn legend(values: [&str; 3]) -> Element {
         .with_all(values.map(|value| element("span").with(value)))
 }
 
-/// The same as markup.
-pub fn scale(values: [&str; 3]) -> String {
-    legend(values).html()
-}
-
 /// The shares of differing channels that the three scales of the difference show unclipped: one bright lamp must
 /// not hide the rest.
 const SCALES: [f64; 3] = [0.5, 0.9, 1.0];
@@ -87,9 +82,9 @@ pub struct ComparedPictures<'a> {
 }
 
 /// Two pictures of radiance, one over the other, and their differences; nothing if their sizes differ.
-pub fn views(names: [&str; 2], pictures: [&Picture; 2]) -> String {
+pub fn views(names: [&str; 2], pictures: [&Picture; 2]) -> Element {
     let Ok(comparison) = Comparison::of(pictures[0], pictures[1], 0.0) else {
-        return String::new();
+        return several();
     };
     let (shown, commands) = (pictures.map(Picture::radiance), &|_| Vec::new());
     ComparedPictures {
@@ -101,7 +96,6 @@ pub fn views(names: [&str; 2], pictures: [&Picture; 2]) -> String {
         commands,
     }
     .views()
-    .html()
 }
 
 impl ComparedPictures<'_> {
@@ -215,8 +209,9 @@ pub fn frame(name: &str, [x, y, w, h]: [u32; 4], [width, height]: [u32; 2]) -> E
         percent(w, width),
         percent(h, height)
     );
-    let frame = element("i").attribute("style", style);
-    if name.is_empty() { frame } else { frame.attribute("title", name) }
+    let frame = element("i");
+    let frame = if name.is_empty() { frame } else { frame.attribute("title", name) };
+    frame.attribute("style", style)
 }
 
 /// The part of a picture with these first and last columns and rows.
