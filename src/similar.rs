@@ -40,19 +40,22 @@ fn similar_names<'a>(name: &str, known: &[&'a str]) -> Vec<&'a str> {
     ways.into_iter().map(found).find(|found| !found.is_empty()).unwrap_or_default()
 }
 
-/// The number of bytes that must be inserted, deleted or changed to turn `a` into `b` (Levenshtein
-/// 1965).
+/// The number of bytes that must be inserted, deleted, changed or exchanged with the next one to turn `a` into `b` (the
+/// restricted distance of Damerau 1964).
 fn edit_distance(a: &str, b: &str) -> usize {
-    let mut row: Vec<usize> = (0..=b.len()).collect();
-    for (i, byte) in a.bytes().take(100).enumerate() {
-        let mut diagonal = std::mem::replace(&mut row[0], i + 1);
-        for (j, other) in b.bytes().enumerate() {
-            let change = diagonal + usize::from(byte != other);
-            diagonal = row[j + 1];
-            row[j + 1] = change.min(row[j] + 1).min(diagonal + 1);
+    let (a, b) = (&a.as_bytes()[..a.len().min(100)], b.as_bytes());
+    let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
+    for i in 1..=a.len() {
+        let mut row = vec![i];
+        for j in 1..=b.len() {
+            let change = rows[i - 1][j - 1] + usize::from(a[i - 1] != b[j - 1]);
+            let least = change.min(rows[i - 1][j] + 1).min(row[j - 1] + 1);
+            let is_exchange = i > 1 && j > 1 && a[i - 2..i] == [b[j - 1], b[j - 2]];
+            row.push(if is_exchange { least.min(rows[i - 2][j - 2] + 1) } else { least });
         }
+        rows.push(row);
     }
-    row[b.len()]
+    rows[a.len()][b.len()]
 }
 
 #[cfg(test)]
@@ -68,6 +71,7 @@ mod tests {
         for (name, hint) in [
             ("mate", "; did you mean `matte`?"),
             ("MATTE", "; did you mean `matte`?"),
+            ("bhv", "; did you mean `bvh`?"),
             ("materials", "; did you mean `sphere_materials`?"),
             ("near", "; did you mean `ch10/near-focus`?"),
             ("ch10/near", "; did you mean `ch10/near-focus`?"),

@@ -1,8 +1,7 @@
 //! `groundtruth kinds`.
 
 use clap::Args;
-use exchange::reference;
-use groundtruth::scene;
+use groundtruth::scene::{self, reference};
 
 use super::{Outcome, print};
 

@@ -8,6 +8,7 @@ mod files;
 mod intersect;
 mod locations;
 mod mismatch;
+pub mod reference;
 mod schema;
 mod syntax;
 mod tracer;

@@ -1,7 +1,6 @@
 //! Scenes in other words: [`mod@describe`] puts a scene into words and numbers, [`export`] writes it for other renderers,
-//! [`mod@reference`] says what a scene file can say, [`framing`] finds a camera that sees everything.
+//! [`framing`] finds a camera that sees everything.
 
 pub mod describe;
 pub mod export;
 pub mod framing;
-pub mod reference;

@@ -7,10 +7,10 @@ use std::sync::LazyLock;
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use groundtruth::scene::vocabulary::{Choice, Definition};
+use super::super::vocabulary::{Choice, Definition};
 
 /// The text of scenes/first.toml.
-pub const FIRST_SCENE: &str = include_str!("../../../../scenes/first.toml");
+pub(super) const FIRST_SCENE: &str = include_str!("../../../scenes/first.toml");
 
 /// Longer lines become a table of their own.
 const LONGEST_LINE: usize = 100;

@@ -1,76 +1,62 @@
 //! The topics, and the text of each.
 
-use groundtruth::scene::vocabulary::{Choice, Definition, Field};
-
+use super::super::vocabulary::{Choice, Definition, Field};
 use super::example::{example_of_kind, example_of_table, home_of, toml};
 
-/// Something that can be looked up.
+/// Something that can be looked up: a plain value, a table, a list of kinds, or a kind in its list.
 #[derive(Clone, Copy, Debug)]
-pub enum Topic {
-    /// How a colour or a point is written.
-    Value(Definition),
-    /// A table that is no kind, such as `[camera]`.
-    Table(Definition),
-    /// A list of kinds.
-    List(Definition),
-    /// A kind, and the list it is in.
-    Kind(Choice, Definition),
+pub struct Topic {
+    /// Of a kind its list.
+    definition: Definition,
+    kind: Option<Choice>,
 }
 
 /// All of them: values, tables, and each list before its kinds.
 pub fn topics() -> impl Iterator<Item = Topic> {
-    let all: Vec<_> = Definition::all().collect();
-    let lists: Vec<_> = all.iter().copied().filter(Definition::is_list).collect();
-    let kinds: Vec<_> = lists
-        .iter()
-        .flat_map(|list| list.choices().into_iter().map(|kind| (kind, *list)))
-        .collect();
-    // the table of a kind is shown with the kind
-    let is_kind = |table: &Definition| {
-        kinds.iter().any(|(kind, _)| kind.table().is_some_and(|it| it.is(table)))
+    let all = || Definition::all().map(|definition| Topic { definition, kind: None });
+    let with_kinds = |list: Topic| {
+        let kinds = list.definition.choices().into_iter();
+        std::iter::once(list).chain(kinds.map(move |kind| Topic { kind: Some(kind), ..list }))
     };
-    let mut topics = Vec::new();
-    topics.extend(all.iter().filter(|it| it.is_value()).copied().map(Topic::Value));
-    topics.extend(all.iter().filter(|it| it.is_table() && !is_kind(it)).copied().map(Topic::Table));
-    for list in lists {
-        topics.push(Topic::List(list));
-        topics.extend(list.choices().into_iter().map(|kind| Topic::Kind(kind, list)));
-    }
-    topics.into_iter()
+    let lists: Vec<Topic> = all().filter(Topic::is_list).flat_map(with_kinds).collect();
+    // the table of a kind is shown with the kind
+    let is_kind =
+        |it: &Topic| lists.iter().filter_map(Topic::table).any(|table| table.is(&it.definition));
+    let values = all().filter(|it| it.definition.is_value());
+    let tables = all().filter(|it| it.definition.is_table() && !is_kind(it));
+    values.chain(tables).collect::<Vec<_>>().into_iter().chain(lists)
 }
 
 impl Topic {
     /// As typed after `groundtruth kinds`.
     pub fn name(&self) -> String {
-        match self {
-            Self::Value(it) | Self::Table(it) | Self::List(it) => {
-                it.title().replace([' ', '-'], "_")
-            }
-            Self::Kind(kind, _) => kind.tag.to_owned(),
-        }
+        let title = || self.definition.title().replace([' ', '-'], "_");
+        self.kind.map_or_else(title, |kind| kind.tag.to_owned())
+    }
+
+    /// Whether it is a list of kinds.
+    pub fn is_list(&self) -> bool {
+        self.kind.is_none() && self.definition.is_list()
     }
 
     /// The chapter that brings it, as `ch19`.
     pub fn chapter(&self) -> Option<&'static str> {
-        match self {
-            Self::Kind(kind, _) => kind.chapter(),
-            _ => None,
-        }
+        self.kind?.chapter()
     }
 
     /// The heading it stands under on the page of all topics.
     pub fn section(&self) -> String {
-        let title = match self {
-            Self::Value(_) => "values".to_owned(),
-            Self::Table(_) => "tables".to_owned(),
-            Self::List(list) | Self::Kind(_, list) => list.title(),
+        let title = match self.definition {
+            it if it.is_value() => "values".to_owned(),
+            it if it.is_table() => "tables".to_owned(),
+            list => list.title(),
         };
         title[..1].to_uppercase() + &title[1..]
     }
 
     /// Whether the list of its kinds does not say it all.
     pub fn has_more_than_a_line(&self) -> bool {
-        !matches!(self, Self::Kind(kind, _) if kind.table().is_none())
+        self.kind.is_none_or(|kind| kind.table().is_some())
     }
 
     /// The first sentence of its description.
@@ -78,12 +64,9 @@ impl Topic {
         first_sentence(self.description())
     }
 
-    /// Where scene files have it, as "as `sampler` in `[image]`"; nothing for a kind, whose list says it.
+    /// Where scene files have it, or the list that it is in: as "as `sampler` in `[image]`".
     pub fn home(&self) -> String {
-        match self {
-            Self::Value(it) | Self::Table(it) | Self::List(it) => home_of(it).unwrap_or_default(),
-            Self::Kind(..) => String::new(),
-        }
+        home_of(&self.definition).unwrap_or_default()
     }
 
     /// Whether it is a table or kind with a field of this name.
@@ -91,45 +74,39 @@ impl Topic {
         self.table().is_some_and(|table| table.fields().any(|field| field.name == name))
     }
 
-    fn description(&self) -> &'static str {
-        match self {
-            Self::Value(it) | Self::Table(it) | Self::List(it) => it.description(),
-            Self::Kind(kind, _) => kind.description(),
-        }
+    /// Its doc comment.
+    pub fn description(&self) -> &'static str {
+        self.kind.map_or_else(|| self.definition.description(), |kind| kind.description())
     }
 
-    fn table(&self) -> Option<Definition> {
-        match self {
-            Self::Table(table) => Some(*table),
-            Self::Kind(kind, _) => kind.table(),
-            Self::Value(_) | Self::List(_) => None,
+    /// The fields, if it has some.
+    pub fn table(&self) -> Option<Definition> {
+        match self.kind {
+            Some(kind) => kind.table(),
+            None => Some(self.definition).filter(Definition::is_table),
         }
     }
 
     fn example(&self) -> Option<String> {
-        match self {
-            Self::Table(table) => example_of_table(table),
-            Self::Kind(kind, list) => example_of_kind(kind, list),
-            Self::Value(_) | Self::List(_) => None,
+        match self.kind {
+            Some(kind) => example_of_kind(&kind, &self.definition),
+            None => example_of_table(&self.table()?),
         }
     }
 
     /// What it means, how it is written, its fields and an example, as Markdown without a heading.
     pub fn text(&self) -> String {
         let mut parts = Vec::new();
-        if let Self::Kind(_, list) = self {
+        if self.kind.is_some() {
             let chapter = self.chapter().map(chapter_in_words).unwrap_or_default();
-            parts.push(format!("One of the {}{chapter}.\n", list.title()));
-        }
-        if let Self::List(list) = self {
-            let home = home_of(list).unwrap_or_default();
-            parts.push(format!("One of these is written {home}.\n"));
+            parts.push(format!("One of the {}{chapter}.\n", self.definition.title()));
+        } else if self.is_list() {
+            parts.push(format!("One of these is written {}.\n", self.home()));
         }
         parts.push(format!("{}\n", self.description()));
-        match self {
-            Self::List(list) => parts.push(list.choices().iter().map(line_of_kind).collect()),
-            Self::Kind(kind, _) => parts.push(form(kind)),
-            Self::Value(_) | Self::Table(_) => {}
+        parts.extend(self.kind.as_ref().map(form));
+        if self.is_list() {
+            parts.push(self.definition.choices().iter().map(line_of_kind).collect());
         }
         if let Some(table) = self.table() {
             parts.push(table.fields().map(line_of_field).collect());
