@@ -1,7 +1,7 @@
 //! What the laws of both languages share: scenes, and numbers that are the same.
 
 use groundtruth::cameras::{Kind, Pinhole, Viewpoint};
-use groundtruth::math::{Point, Step, Vector};
+use groundtruth::math::{Point, Ray, Span, Step, Vector};
 use groundtruth::render;
 use groundtruth::scene::build::{add, directional, ground, matte, pinhole, point, rgb, vector};
 use groundtruth::scene::{Image, Light, Scene};
@@ -58,4 +58,19 @@ pub fn ours(scene: &Scene) -> [f64; 3] {
 /// A reflection that turns: the side of a triangle's normal changes with its corners.
 pub fn mirrored() -> Vec<Step> {
     vec![Step::Scale(vector(-1.0, 1.0, 2.0)), Step::RotateZ(40.0)]
+}
+
+/// Each triangle is where ours is; whether its normal, `(b − a) × (c − a)`, is ours. Oracle: our hit of a ray through its centre.
+pub fn are_fronts(scene: &Scene, triangles: &[[Vector; 3]]) -> Vec<bool> {
+    let world = World::build(scene).expect("it is valid");
+    let is_front = |[a, b, c]: &[Vector; 3]| {
+        let normal = (*b - *a).cross(*c - *a).unit().expect("an area");
+        let middle = Point::ORIGIN + (*a + *b + *c) / 3.0;
+        let ray = Ray::new(middle + 1e-3 * normal, -normal);
+        let hit = world.hit(&ray, Span::AHEAD).expect("it is there");
+        near_all(&hit.surface.point.to_array(), middle.to_array());
+        near(hit.surface.normal.dot(normal).abs(), 1.0);
+        hit.surface.normal.dot(normal) > 0.0
+    };
+    triangles.iter().map(is_front).collect()
 }

@@ -6,7 +6,7 @@ use groundtruth::lights::{Area, Directional, PointLight};
 use groundtruth::materials::{Emissive, Phong, Reflective};
 use groundtruth::math::{Normal, Point, Ray, Span, Step, Transform, Vector};
 use groundtruth::scene::build::{add, phong, point, rgb, sphere, vector};
-use groundtruth::scene::{Depth, Light, Scene, Tracer, Whitted};
+use groundtruth::scene::{Depth, Light, Scene, Tracer};
 use groundtruth::shapes::{Cuboid, Disk, Instance, Kind, OpenCylinder, Rectangle};
 use groundtruth::world::World;
 
@@ -163,27 +163,4 @@ fn instances_are_where_ours_are() {
     }
     let front = general.covector(Normal::new(normal).expect("not zero"));
     near_all(&unit(image(&map, [0.0, 0.0, 1.0, 0.0])), unit(front.to_array()));
-}
-
-/// Law: Mitsuba counts the camera's ray as an edge of a path, ours count what follows it: what is seen after d reflections has
-/// d + 1 edges. Oracle: both definitions.
-#[test]
-fn paths_have_one_edge_more_than_reflections() {
-    for max_depth in 1..5 {
-        let mut scene = askew(narrow(), sphere(Point::ORIGIN, 1.0));
-        let mirror =
-            Reflective { phong: Phong::default(), kr: 1.0.into(), cr: rgb(1.0, 1.0, 1.0).into() };
-        scene.materials[0].recipe = mirror.into();
-        scene.background = rgb(0.5, 0.5, 0.5).into();
-        scene.lights.clear();
-        let depth = Depth { max_depth };
-        for tracer in
-            [Tracer::Whitted(Whitted { max_depth }), Tracer::PathTrace(depth), Tracer::Path(depth)]
-        {
-            scene.tracer = tracer;
-            let parts = Parts::mitsuba(&scene);
-            let edges = values(parts.one("<integrator"), "max_depth");
-            assert_eq!(edges, [f64::from(max_depth + 1)], "{tracer:?}");
-        }
-    }
 }

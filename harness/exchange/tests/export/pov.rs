@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 use std::path::Path;
 
+use exchange::export::Target;
 use groundtruth::kinds::Resources;
 use groundtruth::lights::{Ambient, Directional, PointLight};
 use groundtruth::math::{self, Normal, Point, Step, Transform};
@@ -143,7 +144,8 @@ fn function_of(kind: &textures::Kind) -> String {
     let mut scene = askew(narrow(), sphere(Point::ORIGIN, 1.0));
     let cd = textures::Paint::Textured(Box::new(kind.clone()));
     scene.materials[0].recipe = matte(0.0, 0.5, cd).into();
-    let text = exchange::export::pov::write("scene", &scene, "".as_ref()).expect("it can be said");
+    let exported = Target::Pov.write("scene", "scene", &scene, "".as_ref());
+    let text = exported.expect("it can be said").text;
     let (_, function) = text.split_once("function { ").expect("a function");
     function.split(" }").next().expect("its end").to_owned()
 }

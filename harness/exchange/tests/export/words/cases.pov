@@ -121,11 +121,11 @@ sphere { <0, 0, 0>, 0.25 texture { front_1 } interior_texture { back_1 } }
 
 == bubble in tint (0 lines stand above)
 refused: materials[0] "it": recipe.dielectric.inside.absorption: only clear glass can be said: POV-Ray adds up the absorption of all glass that a ray has entered; --without absorption makes it clear on both sides
-refused: materials[1] "bubble": recipe.dielectric.outside.absorption: only clear glass can be said: POV-Ray adds up the absorption of all glass that a ray has entered; --without absorption makes it clear on both sides
+refused: materials[1] "inner": recipe.dielectric.outside.absorption: only clear glass can be said: POV-Ray adds up the absorption of all glass that a ray has entered; --without absorption makes it clear on both sides
 
 == bubble, no absorption (0 lines stand above)
-refused: materials[1] "bubble": in or against other glass, or seen from inside: only closed bodies apart from each other in air can be said, because POV-Ray takes the index on the other side from the body around it (pixel 0,0)
-refused: materials[1] "bubble": seen inside glass, where only ours multiplies radiance by 1/η²; --without scaling leaves that out (pixel 0,0)
+refused: materials[1] "inner": in or against other glass, or seen from inside: only closed bodies apart from each other in air can be said, because POV-Ray takes the index on the other side from the body around it (pixel 0,0)
+refused: materials[1] "inner": seen inside glass, where only ours multiplies radiance by 1/η²; --without scaling leaves that out (pixel 0,0)
 
 == glass that is matte (0 lines stand above)
 refused: materials[0] "it": recipe.transparent.phong.kd: glass is not matte as well there
