@@ -8,7 +8,8 @@ use exchange::export::{Exported, Target, Term};
 use groundtruth::{film, scene};
 
 use super::scene::SceneArguments;
-use super::{Exit, Outcome, output, print, witness};
+use super::witness::{self, By};
+use super::{Exit, Outcome, output, print};
 
 /// What is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -26,8 +27,8 @@ impl Format {
     fn target(self) -> Option<Target> {
         match self {
             Self::Toml => None,
-            Self::Pov => Some(Target::Pov),
-            Self::Mitsuba => Some(Target::Mitsuba),
+            Self::Pov => Some(By::Pov.target()),
+            Self::Mitsuba => Some(By::Mitsuba.target()),
         }
     }
 }

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use clap::ValueEnum;
-use exchange::export::{Exported, Renderer, Target, Term, exposure, listed, mitsuba};
+use exchange::export::{Exported, Renderer, Target, Term, exposure, listed};
 use groundtruth::filters;
 use groundtruth::render;
 use groundtruth::scene::Scene;
@@ -54,24 +54,13 @@ const SAMPLES: u32 = 64;
 impl By {
     /// How far its rays may be from ours.
     pub fn edge(self) -> RayTolerance {
-        match self {
-            Self::Pov => RayTolerance::DOUBLE,
-            Self::Mitsuba => RayTolerance::SINGLE,
-        }
+        if self.target().language().is_single { RayTolerance::SINGLE } else { RayTolerance::DOUBLE }
     }
 
-    fn target(self) -> Target {
+    pub fn target(self) -> Target {
         match self {
             Self::Pov => Target::Pov,
             Self::Mitsuba => Target::Mitsuba,
-        }
-    }
-
-    /// Whether both sides have a picture without noise: POV-Ray always, Mitsuba if nothing in the scene is random.
-    fn is_noiseless(self, scene: &Scene) -> bool {
-        match self {
-            Self::Pov => true,
-            Self::Mitsuba => mitsuba::is_noiseless(scene),
         }
     }
 }
@@ -85,7 +74,7 @@ impl Request<'_> {
         let (scene, _) = arguments.load()?;
         let mut scene = scene;
         self.without.iter().for_each(|term| term.remove(&mut scene));
-        let is_noiseless = self.by.is_noiseless(&scene);
+        let is_noiseless = (self.by.target().language().is_noiseless)(&scene);
         if is_noiseless && self.samples.is_some() {
             return Err("--their-samples: this scene has no random numbers; leave it out".into());
         }

@@ -4,7 +4,7 @@ use groundtruth::math::Transform;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{Instance, Kind, transform_of};
 
-use super::parts::{self, SolidPart, apart, parts};
+use super::parts::{self, SolidPart, parts};
 use super::{Target, Unsupported, item, kinds};
 
 /// More shapes are refused: their text would be of many megabytes.
@@ -109,7 +109,7 @@ impl<'a> Leaves<'a> {
     fn shape(&mut self, kind: &Kind, at: &Setting) {
         let at = &Setting { path: format!("{}.{}", at.path, kinds::tag(kind)), ..at.clone() };
         match kind {
-            _ if apart(kind, self.target).is_none() => self.leaf(kind, at),
+            _ if (self.target.language().apart)(kind).is_none() => self.leaf(kind, at),
             Kind::Instance(instance) => self.instance(instance, at),
             _ if parts::leaves(kind) > MOST_SHAPES => {
                 let count = parts::leaves(kind);

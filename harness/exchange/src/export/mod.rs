@@ -1,15 +1,15 @@
 //! Scenes of ours as input of other renderers: what can be said there is written, and all that cannot is listed.
 //!
-//! [`kinds()`] is the table of what each kind becomes. [`pov`] writes the scene language of POV-Ray, [`mitsuba`] the XML of
-//! Mitsuba 3.
+//! [`kinds()`] is the table of what each kind becomes. [`Target`] lists the other renderers; each has a folder, which writes
+//! its language.
 
 mod checkers;
 mod exposure;
 pub mod kinds;
 pub mod leaves;
-pub mod mitsuba;
+mod mitsuba;
 mod parts;
-pub mod pov;
+mod pov;
 mod renderer;
 mod target;
 mod without;

@@ -7,8 +7,6 @@ use groundtruth::shapes::{
     SolidCylinder, ThickRing,
 };
 
-use super::{How, Target};
-
 /// A part of a shape.
 pub struct SolidPart {
     /// Its place in the whole, as `parts[2]` or `wall`.
@@ -17,22 +15,6 @@ pub struct SolidPart {
     pub material: Option<String>,
     /// Its shape.
     pub shape: Kind,
-}
-
-/// How a target exports a shape that is taken apart; `None` if the shape is written as a whole, or not at all.
-pub fn apart(kind: &Kind, target: Target) -> Option<How> {
-    Some(match (kind, target) {
-        (Kind::Instance(_), Target::Pov) => {
-            How::Instance("triangles have their corners transformed")
-        }
-        (Kind::Instance(_), Target::Mitsuba) => How::Instance("of what it can say"),
-        (Kind::Lattice(_), Target::Pov) => How::Instance("each copy"),
-        (Kind::Compound(_) | Kind::SolidCylinder(_), _)
-        | (Kind::SolidCone(_) | Kind::ThickRing(_) | Kind::RandomSpheres(_), Target::Pov) => {
-            How::Mesh("its parts")
-        }
-        _ => return None,
-    })
 }
 
 /// The parts of a shape, in order, of a lattice its copies; `None` if it has none.

@@ -9,9 +9,6 @@ use pictures::running::{last_lines, run};
 
 use super::{Exported, Target};
 
-/// What renders a scene of Mitsuba.
-const SCRIPT: &str = include_str!("mitsuba/render.py");
-
 /// A program that renders scenes of a target.
 #[derive(Clone, Debug)]
 pub struct Renderer {
@@ -25,19 +22,13 @@ impl Renderer {
     /// # Errors
     /// There is none; the message says what to install or write.
     pub fn find(target: Target, given: Option<PathBuf>) -> Result<Self, String> {
-        let name = match target {
-            Target::Pov => "povray",
-            Target::Mitsuba => "python3",
-        };
-        let it = Self { target, file: file(name, given)? };
-        if target == Target::Mitsuba && it.said_version()?.is_none() {
-            return Err(format!(
-                "{}: it has no module `mitsuba`: `pip install mitsuba`, or run scripts/witnesses.sh, which installs it in \
-                 target/mitsuba; then give that Python with --program",
-                it.file.display()
-            ));
+        let it = Self { target, file: file(target.language().program, given)? };
+        match target.language().missing {
+            Some(missing) if it.said_version()?.is_none() => {
+                Err(format!("{}: {missing}", it.file.display()))
+            }
+            _ => Ok(it),
         }
-        Ok(it)
     }
 
     /// Name and version, in words.
@@ -48,29 +39,21 @@ impl Renderer {
     fn said_version(&self) -> Result<Option<String>, String> {
         const LIMIT: Duration = Duration::from_secs(60);
         let mut command = Command::new(&self.file);
-        match self.target {
-            Target::Pov => command.arg("--version"),
-            Target::Mitsuba => {
-                command.args(["-c", "import mitsuba; print('Mitsuba', mitsuba.__version__)"])
-            }
-        };
+        command.args(self.target.language().version);
         let said = run(&mut command, LIMIT).map_err(|e| format!("{}: {e}", self.file.display()))?;
         let text = String::from_utf8_lossy(&said.messages).into_owned();
         let line = text.lines().find(|line| line.starts_with(self.target.name()));
         Ok(line.map(|line| line.trim().to_owned()))
     }
 
-    /// Renders a scene of this size in a folder: POV-Ray writes in its working folder only.
-    ///
-    /// POV-Ray sends one ray through the centre of each pixel (`-A`: no more where neighbours differ) and writes linear values
-    /// (`File_Gamma=1`) of 16 bits (`+FN16`).
+    /// Renders a scene of this size in a folder, which is its working folder: POV-Ray writes only there.
     ///
     /// # Errors
     /// It cannot be started, takes longer than the limit, or fails.
     pub fn render(
         &self,
         said: &Exported,
-        [width, height]: [u32; 2],
+        size: [u32; 2],
         folder: &Path,
         limit: Duration,
     ) -> Result<Picture, String> {
@@ -78,23 +61,15 @@ impl Renderer {
         let write = |name: &str, bytes: &[u8]| {
             std::fs::write(folder.join(name), bytes).map_err(|e| problem(&e.to_string()))
         };
-        let [scene, picture] = match self.target {
-            Target::Pov => ["scene.pov", "scene.png"],
-            Target::Mitsuba => ["scene.xml", "scene.exr"],
-        };
+        let language = self.target.language();
+        let [scene, picture] = language.files;
         write(scene, said.text.as_bytes())?;
-        write("render.py", SCRIPT.as_bytes())?;
+        language.script.iter().try_for_each(|[name, text]| write(name, text.as_bytes()))?;
         said.files.iter().try_for_each(|(name, bytes)| write(name, bytes))?;
+        let [width, height] = size.map(|side| side.to_string());
+        let arguments = language.arguments.replace("{width}", &width).replace("{height}", &height);
         let mut command = Command::new(&self.file);
-        command.current_dir(folder);
-        match self.target {
-            Target::Pov => {
-                command.args([format!("+I{scene}"), format!("+O{picture}")]);
-                command.args(["-A", "-D", "+FN16", "File_Gamma=1.0"]);
-                command.args([format!("+W{width}"), format!("+H{height}")])
-            }
-            Target::Mitsuba => command.args(["render.py", scene, picture]),
-        };
+        command.current_dir(folder).args(arguments.split(' '));
         let picture = folder.join(picture);
         let run = run(&mut command, limit).map_err(|e| problem(&e))?;
         if !(run.status.success() && picture.is_file()) {

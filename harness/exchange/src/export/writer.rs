@@ -8,6 +8,7 @@ use groundtruth::kinds::Resources;
 use groundtruth::materials::{Dielectric, Kind, Matte, Phong};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Intersect, Scene, Tracer};
+use groundtruth::shapes::{Mesh, TriangleMesh};
 use groundtruth::textures::{Amount, Paint};
 
 use super::{How, Target, Unsupported, item, kinds};
@@ -156,6 +157,12 @@ impl<'a, Own> Writer<'a, Own> {
                 self.refuse(format!("{path}.{side}.absorption"), problem);
             }
         }
+    }
+
+    /// The triangles of a mesh.
+    pub fn read_mesh(&mut self, path: &str, mesh: &Mesh) -> Option<TriangleMesh> {
+        let read = mesh.triangle_mesh(&mut self.resources);
+        read.map_err(|problem| self.refuse(path, problem.to_string())).ok()
     }
 
     /// A number that is one for the whole surface.

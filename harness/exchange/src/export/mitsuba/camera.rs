@@ -5,6 +5,7 @@ use groundtruth::math::{atan2, to_degrees};
 use groundtruth::rgb::Rgb;
 
 use super::Writer;
+use super::paths::is_noiseless;
 use super::text::{boolean, float, integer, matrix, plugin, rows, word};
 use crate::export::{How, kinds};
 
@@ -77,7 +78,7 @@ impl Writer<'_> {
         let samples = self.scene.image.samples;
         let count = integer("sample_count", samples);
         match samples {
-            1 if super::is_noiseless(self.scene) => {
+            1 if is_noiseless(self.scene) => {
                 plugin("sampler", "stratified", &[count, boolean("jitter", false)])
             }
             1 => plugin("sampler", "independent", &[count]),

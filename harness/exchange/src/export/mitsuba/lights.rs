@@ -29,22 +29,13 @@ impl Writer<'_> {
         }
         let problem =
             "everything casts shadows there; --without unshadowed gives it shadows on both sides";
-        let scene = self.scene;
-        for (index, object) in scene.objects.iter().enumerate().filter(|(_, it)| it.enabled) {
-            if !object.casts_shadows {
-                self.refuse(
-                    format!("{}: casts_shadows", item("objects", index, &object.name)),
-                    problem,
-                );
-            }
-        }
-        for (index, material) in scene.materials.iter().enumerate() {
-            if !material.casts_shadows {
-                self.refuse(
-                    format!("{}: casts_shadows", item("materials", index, &material.name)),
-                    problem,
-                );
-            }
+        let (objects, materials) = (&self.scene.objects, &self.scene.materials);
+        let objects = objects.iter().enumerate().filter(|(_, it)| it.enabled && !it.casts_shadows);
+        let objects = objects.map(|(index, it)| item("objects", index, &it.name));
+        let materials = materials.iter().enumerate().filter(|(_, it)| !it.casts_shadows);
+        let materials = materials.map(|(index, it)| item("materials", index, &it.name));
+        for path in objects.chain(materials) {
+            self.refuse(format!("{path}: casts_shadows"), problem);
         }
     }
 

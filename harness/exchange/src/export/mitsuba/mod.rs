@@ -17,11 +17,11 @@ use std::path::Path;
 
 use groundtruth::printable;
 use groundtruth::scene::Scene;
-
-pub use paths::is_noiseless;
+use groundtruth::shapes::Kind;
 
 use super::leaves::Leaves;
-use super::{AnyKind, Exported, How, Target, Unsupported, writer};
+use super::target::{Language, Written};
+use super::{AnyKind, Exported, How, Target, writer};
 use materials::Look;
 use paths::Paths;
 use pictures::xml::comment;
@@ -42,27 +42,39 @@ struct Xml<'a> {
     files: Vec<(String, Vec<u8>)>,
 }
 
-/// The scene as XML; `name` goes into its first line.
-///
-/// # Errors
-/// All that cannot be said.
-pub fn write(
-    name: &str,
-    stem: &str,
-    scene: &Scene,
-    folder: &Path,
-) -> Result<Exported, Vec<Unsupported>> {
-    let leaves = Leaves::of(scene, Target::Mitsuba);
+pub(super) const LANGUAGE: Language = Language {
+    name: "Mitsuba",
+    program: "python3",
+    version: &["-c", "import mitsuba; print('Mitsuba', mitsuba.__version__)"],
+    missing: Some(
+        "it has no module `mitsuba`: `pip install mitsuba`, or run scripts/witnesses.sh, which installs it in \
+         target/mitsuba; then give that Python with --program",
+    ),
+    files: ["scene.xml", "scene.exr"],
+    arguments: "render.py scene.xml scene.exr",
+    script: Some(["render.py", include_str!("render.py")]),
+    write,
+    how,
+    apart: |kind| match kind {
+        Kind::Instance(_) => Some(How::Instance("of what it can say")),
+        Kind::Compound(_) | Kind::SolidCylinder(_) => Some(How::Mesh("its parts")),
+        _ => None,
+    },
+    is_noiseless: paths::is_noiseless,
+    is_single: true,
+};
+
+fn write([name, stem]: [&str; 2], leaves: &Leaves<'_>, scene: &Scene, folder: &Path) -> Written {
     let mut writer = Writer::new(Target::Mitsuba, scene, folder, Xml { stem, ..Xml::default() });
     writer.refuse_settings();
-    writer.own.paths = writer.paths(&leaves);
+    writer.own.paths = writer.paths(leaves);
     let (_, sensor) = writer.sensor();
     let emitters = writer.emitters();
-    writer.looks(&leaves);
+    writer.looks(leaves);
     let head = writer.header(name);
     let parts =
-        [integrator(&writer.own.paths), sensor, emitters, writer.bsdfs(), writer.shapes(&leaves)];
-    writer.unsupported.extend(leaves.unsupported);
+        [integrator(&writer.own.paths), sensor, emitters, writer.bsdfs(), writer.shapes(leaves)];
+    writer.unsupported.extend_from_slice(&leaves.unsupported);
     match writer.unsupported.is_empty() {
         true => Ok(Exported {
             text: format!("{head}{}\n</scene>\n", parts.join("\n")),
@@ -73,7 +85,7 @@ pub fn write(
 }
 
 /// How a kind is exported: what is written of it in this scene.
-pub(super) fn how(scene: &Scene, kind: &AnyKind) -> How {
+fn how(scene: &Scene, kind: &AnyKind) -> How {
     let mut writer = Writer::new(Target::Mitsuba, scene, "".as_ref(), Xml::default());
     match kind {
         AnyKind::Shape(_) => {

@@ -10,7 +10,6 @@ use super::Look;
 use super::Writer;
 use super::materials::Diffuse;
 use super::text::{boolean, float, matrix, plugin, point, rgb, rows, word};
-use super::textures::Face;
 use crate::export::leaves::Leaves;
 use crate::export::{How, Leaf};
 
@@ -65,14 +64,8 @@ impl Writer<'_> {
                 (How::Mesh("its triangles, flat"), self.mesh(&it.mesh(), at))
             }
             Kind::Mesh(it) => {
-                let elements = match it.triangle_mesh(&mut self.resources) {
-                    Ok(mesh) => self.mesh(&mesh, at),
-                    Err(problem) => {
-                        self.refuse(&at.leaf.path, problem.to_string());
-                        Vec::new()
-                    }
-                };
-                (How::Exact(IN_A_FILE), elements)
+                let mesh = self.read_mesh(&at.leaf.path, it);
+                (How::Exact(IN_A_FILE), mesh.map_or(Vec::new(), |mesh| self.mesh(&mesh, at)))
             }
             _ => (self.no_counterpart(&at.leaf.path, ""), Vec::new()),
         }
@@ -211,9 +204,7 @@ impl Writer<'_> {
         let middle = *corner + 0.5 * (*a + *b);
         let mut inner = vec![matrix("to_world", rows([0.5 * *a, 0.5 * *b, n], middle))];
         if let (Diffuse::Textured(kd, kind), true) = (&at.look.diffuse, self.own.paths.is_lit) {
-            let back = at.leaf.texture.inverse();
-            let Flat { corner, a, b } = *painted;
-            let face = Face { corner: back.point(corner), a: back.vector(a), b: back.vector(b) };
+            let face = painted.mapped(&at.leaf.texture.inverse());
             let path = format!("{}: the texture of its material", at.leaf.path);
             let texture =
                 self.texture(&path, kind, kd * at.look.factor(self.own.paths.is_lit), &face)?;
@@ -318,7 +309,7 @@ impl Placed<'_> {
     }
 }
 
-/// A parallelogram in the world; its normal is along `a × b`.
+/// A parallelogram of the points `corner + u a + v b` for u and v from 0 to 1; its normal is along `a × b`.
 pub(super) struct Flat {
     pub corner: Point,
     pub a: Vector,
@@ -326,9 +317,13 @@ pub(super) struct Flat {
 }
 
 impl Flat {
+    fn mapped(&self, map: &Transform) -> Self {
+        Self { corner: map.point(self.corner), a: map.vector(self.a), b: map.vector(self.b) }
+    }
+
     /// After a map; of a reflection the sides are exchanged, which keeps the front.
     fn after(&self, map: &Transform) -> Self {
-        let (corner, a, b) = (map.point(self.corner), map.vector(self.a), map.vector(self.b));
+        let Self { corner, a, b } = self.mapped(map);
         let [a, b] = if map.determinant() < 0.0 { [b, a] } else { [a, b] };
         Self { corner, a, b }
     }

@@ -1,24 +1,17 @@
 //! The checkers, on flat surfaces.
 
-use groundtruth::math::{Point, Vector, floor};
+use groundtruth::math::floor;
 use groundtruth::rgb::Rgb;
 use groundtruth::textures::{Kind, Paint};
 
 use super::Writer;
+use super::shapes::Flat;
 use super::text::{matrix_of_uv, plugin, rgb};
 use crate::export::How;
 use crate::export::checkers::Cells;
 
 /// A coordinate that changes by less than this part of a cell over a face is one number on it.
 const FLAT: f64 = 1e-9;
-
-/// A flat face in the coordinates of a texture: its points are `corner + u a + v b` for u and v from 0 to 1.
-#[derive(Clone, Copy, Debug)]
-pub struct Face {
-    pub corner: Point,
-    pub a: Vector,
-    pub b: Vector,
-}
 
 /// How a texture of a colour is exported.
 pub(super) fn how(kind: &Kind) -> How {
@@ -30,7 +23,7 @@ pub(super) fn how(kind: &Kind) -> How {
 }
 
 impl Writer<'_> {
-    /// A checker on a face, as a `reflectance` with the factor of its colours; `None` if it cannot be said.
+    /// A checker on a face in the coordinates of the texture, as a `reflectance` with the factor of its colours; `None` if it cannot be said.
     ///
     /// Our cell on an axis is floor(q) with q = x / size + offset, and the first colour is where the sum of all is even.
     ///
@@ -42,7 +35,7 @@ impl Writer<'_> {
         path: &str,
         kind: &Kind,
         factor: f64,
-        face: &Face,
+        face: &Flat,
     ) -> Option<String> {
         let Cells { axes, size, offset, colors, lines } = Cells::of(kind)?;
         if lines.is_some() {

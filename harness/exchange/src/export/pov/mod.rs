@@ -20,9 +20,11 @@ use std::path::Path;
 use groundtruth::background::Background;
 use groundtruth::printable;
 use groundtruth::scene::{Light, Scene, Tracer};
+use groundtruth::shapes::Kind;
 
 use super::leaves::Leaves;
-use super::{AnyKind, How, Target, Unsupported, writer};
+use super::target::{Language, Written};
+use super::{AnyKind, Exported, How, Target, writer};
 use text::rgb;
 use walk::Body;
 
@@ -39,12 +41,33 @@ struct Pov {
     text: String,
 }
 
-/// The scene as the text of a `.pov` file; `name` goes into its first line, `folder` has the files that the scene names.
-///
-/// # Errors
-/// All that cannot be said.
-pub fn write(name: &str, scene: &Scene, folder: &Path) -> Result<String, Vec<Unsupported>> {
-    let leaves = Leaves::of(scene, Target::Pov);
+/// POV-Ray sends one ray through the centre of each pixel (`-A`: no more where neighbours differ) and writes linear values
+/// (`File_Gamma=1`) of 16 bits (`+FN16`).
+pub(super) const LANGUAGE: Language = Language {
+    name: "POV-Ray",
+    program: "povray",
+    version: &["--version"],
+    missing: None,
+    files: ["scene.pov", "scene.png"],
+    arguments: "+Iscene.pov +Oscene.png -A -D +FN16 File_Gamma=1.0 +W{width} +H{height}",
+    script: None,
+    write,
+    how,
+    apart: |kind| match kind {
+        Kind::Instance(_) => Some(How::Instance("triangles have their corners transformed")),
+        Kind::Lattice(_) => Some(How::Instance("each copy")),
+        Kind::Compound(_)
+        | Kind::SolidCylinder(_)
+        | Kind::SolidCone(_)
+        | Kind::ThickRing(_)
+        | Kind::RandomSpheres(_) => Some(How::Mesh("its parts")),
+        _ => None,
+    },
+    is_noiseless: |_| true,
+    is_single: false,
+};
+
+fn write([name, _]: [&str; 2], leaves: &Leaves<'_>, scene: &Scene, folder: &Path) -> Written {
     let mut head = Writer::new(Target::Pov, scene, folder, Pov::default());
     head.refuse_tracer();
     head.refuse_settings();
@@ -53,20 +76,20 @@ pub fn write(name: &str, scene: &Scene, folder: &Path) -> Result<String, Vec<Uns
     head.camera();
     head.lights();
     head.materials(&leaves.materials());
-    head.objects(&leaves);
+    head.objects(leaves);
     head.refuse_attenuated_shadows();
     if head.unsupported.is_empty() && !head.own.bodies.is_empty() {
         head.walk(folder);
     }
     head.bodies();
     match head.unsupported.is_empty() {
-        true => Ok(head.own.text),
+        true => Ok(Exported { text: head.own.text, files: Vec::new() }),
         false => Err(head.unsupported),
     }
 }
 
 /// How a kind is exported: what is written of it in this scene.
-pub(super) fn how(scene: &Scene, kind: &AnyKind) -> How {
+fn how(scene: &Scene, kind: &AnyKind) -> How {
     let mut writer = Writer::new(Target::Pov, scene, "".as_ref(), Pov::default());
     match kind {
         AnyKind::Shape(_) => writer.shape(&Leaves::of(scene, Target::Pov).all[0]),

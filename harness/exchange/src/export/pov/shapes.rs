@@ -9,46 +9,31 @@ use super::text::{matrix, number, vector};
 use crate::export::leaves::{Leaves, MOST_SHAPES};
 use crate::export::{How, Leaf};
 
-/// Which way the normal of a shape in POV-Ray points.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Sense {
-    /// As ours.
-    Same,
-    /// The other way.
-    Opposite,
-}
-
-impl Sense {
-    fn of(is_opposite: bool) -> Self {
-        if is_opposite { Self::Opposite } else { Self::Same }
-    }
-}
-
-/// The shape of POV-Ray that is the same solid or surface: its word, its numbers, and where its normal points.
-fn words(shape: &Kind) -> Option<(&'static str, String, Sense)> {
+/// The shape of POV-Ray that is the same solid or surface: its word, its numbers, and whether its normal is opposite to ours.
+fn words(shape: &Kind) -> Option<(&'static str, String, bool)> {
     Some(match shape {
         Kind::Sphere(it) => {
             let words = format!("{}, {}", vector(it.center.to_array()), number(it.radius));
-            ("sphere", words, Sense::of(it.inward))
+            ("sphere", words, it.inward)
         }
         Kind::Cuboid(it) => {
             let [min, max] = [it.min, it.max].map(|corner| vector(corner.to_array()));
-            ("box", format!("{min}, {max}"), Sense::Same)
+            ("box", format!("{min}, {max}"), false)
         }
         Kind::OpenCylinder(it) => {
             let [y0, y1, radius] = [it.y0, it.y1, it.radius].map(number);
             let words = format!("<0, {y0}, 0>, <0, {y1}, 0>, {radius} open");
-            ("cylinder", words, Sense::of(it.inward))
+            ("cylinder", words, it.inward)
         }
         Kind::Cone(it) => {
             let [radius, height] = [it.radius, it.height].map(number);
             let words = format!("<0, 0, 0>, {radius}, <0, {height}, 0>, 0 open");
-            ("cone", words, Sense::of(it.inward))
+            ("cone", words, it.inward)
         }
         // Sturm sequences find the roots of the quartic more accurately than its solution by radicals
         Kind::Torus(it) => {
             let words = format!("{}, {} sturm", number(it.swept_radius), number(it.tube_radius));
-            ("torus", words, Sense::of(it.inward))
+            ("torus", words, it.inward)
         }
         // x² + z² − (r²/h) y = 0 up to y = h; the gradient points outward, as our normal
         Kind::Paraboloid(it) => {
@@ -57,7 +42,7 @@ fn words(shape: &Kind) -> Option<(&'static str, String, Sense)> {
             let words = format!(
                 "<1, 0, 1>, <0, 0, 0>, <0, {slope}, 0>, 0 clipped_by {{ plane {{ <0, 1, 0>, {height} }} }}"
             );
-            ("quadric", words, Sense::of(it.inward))
+            ("quadric", words, it.inward)
         }
         _ => return None,
     })
@@ -74,8 +59,8 @@ impl Writer<'_> {
 
     /// One shape that is not taken apart.
     pub(super) fn shape(&mut self, at: &Leaf) -> How {
-        if let Some((word, words, sense)) = words(&at.shape) {
-            self.leaf(word, &words, sense, at);
+        if let Some((word, words, is_opposite)) = words(&at.shape) {
+            self.leaf(word, &words, is_opposite, at);
             return How::Exact("");
         }
         match &at.shape {
@@ -97,9 +82,8 @@ impl Writer<'_> {
                 return How::Mesh("its triangles, flat");
             }
             Kind::Mesh(it) => {
-                match it.triangle_mesh(&mut self.resources) {
-                    Ok(mesh) => self.mesh(&mesh, at),
-                    Err(problem) => self.refuse(&at.path, problem.to_string()),
+                if let Some(mesh) = self.read_mesh(&at.path, it) {
+                    self.mesh(&mesh, at);
                 }
                 return How::Mesh("its triangles, flat");
             }
@@ -110,7 +94,7 @@ impl Writer<'_> {
 
     /// One shape of POV-Ray, with the texture of each side: `interior_texture` is that of the side which the normal
     /// points away from.
-    fn leaf(&mut self, word: &str, words: &str, sense: Sense, at: &Leaf) {
+    fn leaf(&mut self, word: &str, words: &str, is_opposite: bool, at: &Leaf) {
         if let Some(far) = farthest(words, &at.map) {
             let problem = format!(
                 "found a coordinate or length of {far}; POV-Ray sees up to 10⁷, so 10⁶ is the most"
@@ -118,10 +102,7 @@ impl Writer<'_> {
             return self.refuse(&at.path, problem);
         }
         let material = at.material;
-        let (out, inside) = match sense {
-            Sense::Same => ("front", "back"),
-            Sense::Opposite => ("back", "front"),
-        };
+        let (out, inside) = if is_opposite { ("back", "front") } else { ("front", "back") };
         let shape = format!("{word} {{ {words}{}", matrix(&at.map));
         if self.is_glass(material) {
             return self.add_to_body(shape, at);
@@ -143,13 +124,13 @@ impl Writer<'_> {
         let Some(normal) = Normal::new(plane.normal) else { return };
         let distance = normal.dot(plane.point.to_vector());
         let words = format!("{}, {}", vector(normal.to_array()), number(distance));
-        self.leaf("plane", &words, Sense::Same, at);
+        self.leaf("plane", &words, false, at);
     }
 
     fn disc(&mut self, center: Point, normal: Vector, [inner, outer]: [f64; 2], at: &Leaf) {
         let [center, normal] = [center.to_array(), normal.to_array()].map(vector);
         let words = format!("{center}, {normal}, {}, {}", number(outer), number(inner));
-        self.leaf("disc", &words, Sense::Same, at);
+        self.leaf("disc", &words, false, at);
     }
 
     /// The triangles of a mesh, as a union: the coordinates of POV-Ray's own `mesh` are in single precision.
@@ -182,12 +163,12 @@ impl Writer<'_> {
             .map(|triangle| triangle.map(|i| corners[i as usize].as_str()).join(", "))
             .collect();
         let in_world = Leaf { map: Transform::IDENTITY, ..at.clone() };
-        let sense = Sense::of(at.map.determinant() > 0.0);
+        let is_opposite = at.map.determinant() > 0.0;
         match triangles.as_slice() {
-            [one] => self.leaf("triangle", one, sense, &in_world),
+            [one] => self.leaf("triangle", one, is_opposite, &in_world),
             all => {
                 let all: String = all.iter().map(|it| format!("\n  triangle {{ {it} }}")).collect();
-                self.leaf("union", &format!("{all}\n "), sense, &in_world);
+                self.leaf("union", &format!("{all}\n "), is_opposite, &in_world);
             }
         }
     }
