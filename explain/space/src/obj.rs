@@ -4,13 +4,8 @@ use std::fmt::Write;
 
 use groundtruth::explain::RecordedRay;
 use groundtruth::printable;
-use groundtruth::trace::RayKind;
 
-use super::{End, Segment};
-
-/// The groups of an OBJ file, in their order.
-const GROUPS: [&str; 6] =
-    ["camera", "reflected", "transmitted", "shadow_unblocked", "shadow_blocked", "shadow_dark"];
+use super::{Role, Segment};
 
 /// The pieces of the rays of a tree as an OBJ file: two vertices and a line for each, in one group for each kind of ray.
 /// All digits are kept; `about` stands in the first line as a comment.
@@ -18,11 +13,11 @@ pub fn obj(root: &RecordedRay, segments: &[Segment], about: &str) -> String {
     let rays = root.rays();
     let mut text = format!("# {}\n", printable::name(about));
     let mut vertices = 0;
-    for group in GROUPS {
+    for (role, group, _) in Role::RAYS {
         let is_of = |segment: &&Segment| {
             // numbers are places in the list
             let ray = rays.get(segment.ray - root.number);
-            ray.is_some_and(|ray| group_of(ray.kind, segment.end) == group)
+            ray.is_some_and(|ray| Role::of(ray.kind, segment.end) == role)
         };
         let mut pieces = segments.iter().filter(is_of).peekable();
         if pieces.peek().is_some() {
@@ -38,15 +33,4 @@ pub fn obj(root: &RecordedRay, segments: &[Segment], about: &str) -> String {
         }
     }
     text
-}
-
-fn group_of(kind: RayKind, end: End) -> &'static str {
-    match (kind, end) {
-        (RayKind::Camera, _) => "camera",
-        (RayKind::Reflected, _) => "reflected",
-        (RayKind::Transmitted, _) => "transmitted",
-        (RayKind::Shadow { .. }, End::Occluder) => "shadow_blocked",
-        (RayKind::Shadow { .. }, End::Dark) => "shadow_dark",
-        (RayKind::Shadow { .. }, End::Hit | End::Leaves | End::Light) => "shadow_unblocked",
-    }
 }

@@ -7,7 +7,6 @@ use groundtruth::explain::RecordedRay;
 use groundtruth::film::{Film, Tone, data_uri};
 use groundtruth::math::{Ray, Span, Vector};
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::RayKind;
 use groundtruth::world::World;
 use rayon::prelude::*;
 
@@ -151,23 +150,16 @@ fn backdrop_film(backdrop: &Backdrop<'_>, sight: &Sight) -> Film {
     film
 }
 
-fn role(kind: RayKind, end: End) -> Role {
-    match (kind, end) {
-        (RayKind::Camera, _) => Role::Incoming,
-        (RayKind::Reflected, _) => Role::Reflected,
-        (RayKind::Transmitted, _) => Role::Transmitted,
-        (RayKind::Shadow { .. }, End::Dark) => Role::Dark,
-        (RayKind::Shadow { .. }, End::Occluder) => Role::Blocked,
-        (RayKind::Shadow { .. }, End::Hit | End::Leaves | End::Light) => Role::Shadow,
-    }
-}
-
 impl View<'_> {
+    fn role(&self, piece: &Segment) -> Role {
+        Role::of(self.rays[&piece.ray].kind, piece.end)
+    }
+
     fn write_piece(&self, svg: &mut String, piece: &Segment) {
         let Some([(start, first), (end, last)]) = self.sight.clip(piece.from, piece.to) else {
             return;
         };
-        let role = role(self.rays[&piece.ray].kind, piece.end);
+        let role = self.role(piece);
         let ink = ink(role);
         let way = piece.to - piece.from;
         let [from, to] = [first, last].map(|part| piece.from + part * way);
@@ -207,7 +199,7 @@ impl View<'_> {
         let mut places = [0.65, 0.4, 0.8, 0.25, 0.52].map(at).into_iter();
         let [x, y] = places.find(is_free).unwrap_or(at(0.65));
         numbers.push([x, y]);
-        let ink = ink(role(self.rays[&piece.ray].kind, piece.end));
+        let ink = ink(self.role(piece));
         let _ = writeln!(
             svg,
             "<text x=\"{:.1}\" y=\"{:.1}\" fill=\"{ink}\" stroke=\"#ffffff\" stroke-width=\"4\" \
@@ -222,16 +214,8 @@ impl View<'_> {
     fn write_legend(&self, svg: &mut String, pieces: &[Segment], all: usize) {
         let y = SIZE[1] + 0.7 * LEGEND;
         let _ = write!(svg, "<text x=\"8\" y=\"{y:.1}\">");
-        let roles: Vec<Role> =
-            pieces.iter().map(|piece| role(self.rays[&piece.ray].kind, piece.end)).collect();
-        for (role, words) in [
-            (Role::Incoming, "camera"),
-            (Role::Reflected, "reflected"),
-            (Role::Transmitted, "refracted"),
-            (Role::Shadow, "shadow ray"),
-            (Role::Blocked, "blocked"),
-            (Role::Dark, "dark"),
-        ] {
+        let roles: Vec<Role> = pieces.iter().map(|piece| self.role(piece)).collect();
+        for (role, _, words) in Role::RAYS {
             if roles.contains(&role) {
                 let _ = write!(svg, "<tspan fill=\"{}\">— {words}  </tspan>", ink(role));
             }

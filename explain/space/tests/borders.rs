@@ -7,9 +7,7 @@ use groundtruth::math::{Pcg32, Point, Ray, Span, Vector, cos_degrees, sin_degree
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::{Outcome, RayKind};
 use groundtruth::world::{self, World};
-use space::{
-    Backdrop, End, Orbit, Section, Visibility, hiding, of_scene, of_segments, segments, svg_of_rays,
-};
+use space::{Backdrop, End, Orbit, Section, hiding, of_scene, of_segments, segments, svg_of_rays};
 
 pub fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
     let off = (found - expected).abs();
@@ -212,32 +210,6 @@ fn balls_are_around_boxes() {
     assert_eq!(of_segments(&[]), None, "the ball around nothing");
     let point = of_segments(&[piece([1.0; 3], [5.0; 3], End::Leaves)]);
     assert_eq!(point, Some((Point::from([1.0; 3]), 1.0)), "the ball around a point");
-}
-
-/// Law: a run of hidden pieces begins and ends at borders of pieces, runs follow each other, and a piece is hidden if
-/// its middle is. Oracle: each middle by itself, for several numbers of pieces.
-#[test]
-fn runs_are_those_of_the_middles() {
-    let (world, _) = lamps(1, "");
-    let visibility = Visibility::of(&world, Point::new(0.0, 8.0, 0.0));
-    let (from, to) = (Point::new(-5.0, -1.0, 0.3), Point::new(6.0, -2.0, 0.1));
-    for pieces in [1, 2, 3, 7, 48] {
-        let is_hidden: Vec<bool> = (0..pieces)
-            .map(|i| {
-                visibility
-                    .is_hidden(from + ((f64::from(i) + 0.5) / f64::from(pieces)) * (to - from))
-            })
-            .collect();
-        let mut expected: Vec<([f64; 2], bool)> = Vec::new();
-        for (i, hidden) in is_hidden.iter().enumerate() {
-            let ends = [i as f64 / f64::from(pieces), (i + 1) as f64 / f64::from(pieces)];
-            match expected.last_mut() {
-                Some((run, before)) if before == hidden => run[1] = ends[1],
-                _ => expected.push((ends, *hidden)),
-            }
-        }
-        assert_eq!(visibility.runs(from, to, pieces), expected, "runs of {pieces} pieces");
-    }
 }
 
 /// Law: a ray that was not cast has no piece; a blocked shadow ray has two, any other has one. Oracle: the recorded outcomes of

@@ -11,7 +11,7 @@ const PRINTED: f64 = 0.051;
 const LETTER: f64 = 25.0;
 const LINE: f64 = 1.15 * LETTER;
 
-const ROLES: [Role; 10] = [
+pub const ROLES: [Role; 10] = [
     Role::Incoming,
     Role::Reflected,
     Role::Transmitted,
@@ -129,86 +129,6 @@ fn colours_of_roles_differ_and_stand_out() {
         assert_eq!(same, expected, "a role before {role:?} with the same colour");
         seen.push((color, role));
     }
-}
-
-/// Law: rays are drawn widest, then the outline that a drawing is about, then the normal and the dark way, then arcs and
-/// surroundings; widths are positive. Oracle: this order.
-#[test]
-fn what_matters_is_drawn_wider() {
-    let rank = |role: Role| match role {
-        Role::Arc | Role::Surroundings => 0,
-        Role::Normal | Role::Dark => 1,
-        Role::Outline => 2,
-        _ => 3,
-    };
-    let widths = ROLES.map(|role| {
-        let mut drawing = Drawing::default();
-        drawing.strokes.push(Stroke::new(role, vec![[0.0; 2], [1.0; 2]]));
-        let svg = drawing.svg();
-        let line = elements(&svg, "polyline")[0];
-        assert_eq!(value(line, "stroke"), Some(ink(role)), "the colour of {role:?}");
-        number(line, "stroke-width")
-    });
-    for (a, first) in ROLES.iter().zip(widths) {
-        assert!(first > 0.0, "the width {first} of {a:?}");
-        for (b, second) in ROLES.iter().zip(widths) {
-            let (found, expected) = (first.total_cmp(&second), rank(*a).cmp(&rank(*b)));
-            assert_eq!(found, expected, "the width of {a:?} beside that of {b:?}");
-        }
-    }
-}
-
-/// Law: each stroke has its line in the order of the drawing: of its colour, with the number of its ray if it has one, in dashes
-/// if it is dashed, dotted if it is dark, with a head in its middle if it has an arrow and room for it; a single point is a dot.
-/// Oracle: the strokes.
-#[test]
-fn strokes_are_drawn_as_they_say() {
-    let (mut drawing, mut expected) = (Drawing::default(), Vec::new());
-    for (index, role) in ROLES.into_iter().enumerate() {
-        for kind in 0..8 {
-            let (arrow, dashed, is_short) = (kind & 1 > 0, kind & 2 > 0, kind & 4 > 0);
-            let y = 0.1 * expected.len() as f64;
-            // the drawing is 752 wide, a head 18 long: a part of 0.02 has no room for it
-            let line = vec![[0.0, y], [if is_short { 0.02 } else { 1.0 }, y]];
-            let ray = (kind % 3 > 0).then_some(100 * index + kind);
-            drawing.strokes.push(Stroke { arrow, dashed, ray, ..Stroke::new(role, line) });
-            expected.push((role, arrow && !is_short, dashed, ray));
-        }
-    }
-    drawing.strokes.push(Stroke::new(Role::Arc, vec![[0.0, -0.3]]));
-    // as wide as high, so that the scale is that of the width
-    let least = 0.1 * expected.len() as f64 / (592.0 / 752.0);
-    for stroke in &mut drawing.strokes {
-        let points = stroke.points.iter_mut();
-        points.for_each(|point| point[0] *= least);
-    }
-    let svg = drawing.svg();
-    let lines: Vec<&str> = svg.lines().collect();
-    let drawn: Vec<usize> =
-        (0..lines.len()).filter(|k| lines[*k].starts_with("<polyline")).collect();
-    assert_eq!(drawn.len(), expected.len(), "lines");
-    for (at, (role, has_head, dashed, ray)) in drawn.into_iter().zip(expected) {
-        let (line, what) = (lines[at], format!("the line of {role:?}, ray {ray:?}"));
-        assert_eq!(value(line, "stroke"), Some(ink(role)), "the colour of {what}");
-        let number = ray.map(|ray| ray.to_string());
-        assert_eq!(value(line, "data-ray"), number.as_deref(), "the ray of {what}");
-        let dashes = value(line, "stroke-dasharray").map(|it| it.split(' ').next() != Some("2"));
-        let expected = if dashed { Some(true) } else { (role == Role::Dark).then_some(false) };
-        assert_eq!(dashes, expected, "long dashes of {what}");
-        let next = lines.get(at + 1).filter(|next| next.starts_with("<polygon"));
-        assert_eq!(next.is_some(), has_head, "whether {what} has a head");
-        let Some(head) = next else { continue };
-        assert_eq!(value(head, "fill"), Some(ink(role)), "the colour of the head of {what}");
-        let (ends, corners) = (points(line), points(head));
-        assert_eq!(corners.len(), 3, "corners of the head of {what}");
-        let middle = 0.5 * (ends[0][0] + ends[1][0]);
-        near(corners[0][0], middle + 9.0, 2.0 * PRINTED, "the tip of a head of 18");
-        near(corners[0][1], ends[0][1], 2.0 * PRINTED, "the tip of a head");
-        near(corners[1][0], middle - 9.0, 2.0 * PRINTED, "the end of a head of 18");
-    }
-    let dots = elements(&svg, "circle");
-    assert_eq!(dots.len(), 1, "dots");
-    assert_eq!(value(dots[0], "fill"), Some(ink(Role::Arc)), "the colour of the dot");
 }
 
 /// The box of the words of a label from its lines: left, right, top, bottom.
@@ -338,47 +258,4 @@ fn lines_are_seen_where_words_have_no_room() {
         let ends = points(elements(&svg, "polyline")[0]);
         near((ends[1][axis] - ends[0][axis]).abs(), LETTER, 2.0 * PRINTED, "the longer side");
     }
-}
-
-/// Law: a note is broken into lines between words; each has at most 60 letters or a single word, and the first word of the next
-/// line would not have fitted; a line that is broken in the note stays so. Oracle: its words.
-#[test]
-fn notes_are_broken_where_the_next_word_has_no_room() {
-    let mut random = Pcg32::new(3, 5);
-    let (mut longest, mut alone) = (0, 0);
-    for case in 0..120 {
-        // letters of two bytes count once
-        let mut word = || "é".repeat(1 + random.below([9, 30, 80][case % 3]) as usize);
-        let paragraphs = [0, 1].map(|_| [0; 12].map(|_| word()).to_vec());
-        let text = paragraphs.each_ref().map(|words| words.join(" ")).join("\n");
-        let drawing = Drawing { notes: vec![text], ..Drawing::default() };
-        let svg = drawing.svg();
-        let lines: Vec<Vec<&str>> = elements(&svg, "text")
-            .iter()
-            .map(|line| line.split(['>', '<']).nth(2).expect("words").split(' ').collect())
-            .collect();
-        let letters = |words: &[&str]| words.join(" ").chars().count();
-        let mut rest = &lines[..];
-        for paragraph in &paragraphs {
-            let mut said: Vec<&str> = Vec::new();
-            let mut count = 0;
-            while said.len() < paragraph.len() {
-                said.extend(&rest[count]);
-                count += 1;
-            }
-            assert_eq!(said, *paragraph, "the words of the lines");
-            for (k, line) in rest[..count].iter().enumerate() {
-                assert!(letters(line) <= 60 || line.len() == 1, "a line of {}", letters(line));
-                longest += usize::from(letters(line) == 60);
-                alone += usize::from(letters(line) > 60);
-                if let Some(next) = rest[..count].get(k + 1) {
-                    let longer = letters(line) + 1 + letters(&next[..1]);
-                    assert!(longer > 60, "{longer} letters have room");
-                }
-            }
-            rest = &rest[count..];
-        }
-        assert_eq!(rest.len(), 0, "lines beyond the words");
-    }
-    assert!(longest > 3 && alone > 3, "{longest} full lines, {alone} long words");
 }

@@ -6,9 +6,9 @@ mod asserts;
 
 mod borders;
 mod drawing;
+mod goldens;
 mod incidence;
 mod orbit;
-mod places;
 mod reasons;
 mod section;
 mod seen;

@@ -29,6 +29,10 @@ fn of_two_blockers_one_is_told_and_the_other_is_before_or_beyond() {
                 let at = it.ended.as_ref().expect("it is blocked");
                 near(at.at.t, if at.object == "ball" { first } else { last });
                 near(at.at.distance, at.at.t * 80.0_f64.sqrt());
+                near(
+                    it.meets.expect("it is met").t,
+                    if it.object == "ball" { first } else { last },
+                );
                 assert_eq!(it.approach, None, "the approach of what is met");
             }
             if ball.answer == Answer::Blocks {

@@ -4,9 +4,8 @@ use std::path::Path;
 
 use groundtruth::explain::{self, RecordedRay};
 use groundtruth::math::{Pcg32, Point, Vector, sin_degrees};
-use groundtruth::trace::RayKind;
 use groundtruth::world::{self, World};
-use space::{Drawing, Label, Role, Section, SectionPlane, Stroke, Window, outlines};
+use space::{Role, Section, Stroke, Window, outlines};
 
 /// Of an angle whose cosine is rounded to a few u: its error is that over the sine, and no angle is below 1° here.
 const ANGLE: f64 = 1e-9;
@@ -23,33 +22,20 @@ pub fn trees() -> Vec<(&'static str, World, RecordedRay)> {
         "ch24/floor-mirror",
         "ch24/mirror-meshes",
     ];
-    let mut found = Vec::new();
-    for name in names {
-        let scene = (gallery::find(name).expect("a scene of the gallery").build)();
-        let world = World::build(&scene).unwrap();
-        let [width, height] = world.picture_size();
-        for pixel in [[width / 2, height / 2], [width / 3, height / 2]] {
-            let root = explain::sample(&scene, &world, pixel, 0).ray.unwrap();
-            found.push((name, world_of(name), root));
-        }
-    }
-    found
+    let parts = [[2, 2], [3, 2]];
+    names.into_iter().flat_map(|name| parts.map(|part| tree(name, part))).collect()
 }
 
-fn world_of(name: &str) -> World {
-    World::build(&(gallery::find(name).unwrap().build)()).unwrap()
+/// The tree of a pixel of a scene of the gallery, at these parts of its width and height.
+pub fn tree(name: &'static str, [x, y]: [u32; 2]) -> (&'static str, World, RecordedRay) {
+    let scene = (gallery::find(name).expect("a scene of the gallery").build)();
+    let world = World::build(&scene).expect("valid");
+    let [width, height] = world.picture_size();
+    let root = explain::sample(&scene, &world, [width / x, height / y], 0).ray.expect("a ray");
+    (name, world, root)
 }
 
-fn direction(plane: &SectionPlane, stroke: &Stroke) -> Vector {
-    let [from, to] = [stroke.points[0], stroke.points[1]].map(|point| plane.to_space(point));
-    (to - from).unit().unwrap()
-}
-
-fn lines(drawing: &Drawing) -> impl Iterator<Item = &Stroke> {
-    drawing.strokes.iter().filter(|stroke| stroke.ray.is_some())
-}
-
-/// Law: the drawn lines of rays have the recorded directions, and their angles are those. Oracle: the recorded directions
+/// Law: the angles of rays are those of the recorded directions. Oracle: the recorded directions
 /// and normal, by the arc sine's inverse: sin of the angle is the length of the cross product.
 #[test]
 fn the_angles_of_a_section_are_those_of_the_recorded_directions() {
@@ -68,11 +54,6 @@ fn the_angles_of_a_section_are_those_of_the_recorded_directions() {
                 assert!(off < ANGLE, "{name}, ray {}: {angle:?}", ray.number);
                 assert!((0.0..=90.0 + ANGLE).contains(&angle.degrees));
                 angles += 1;
-            }
-            for stroke in lines(&section.drawing).filter(|stroke| !stroke.dashed) {
-                let off =
-                    (direction(&section.plane, stroke) - recorded(stroke.ray.unwrap())).length();
-                assert!(off < 3e-6, "{name}, ray {}: {stroke:?} is {off} off", ray.number);
             }
         }
     }
@@ -241,54 +222,6 @@ fn a_ray_along_the_normal_has_the_plane_of_the_x_axis() {
     assert!(section.drawing.notes.iter().any(|note| note.contains("x axis")));
 }
 
-/// Law: the section of a shadow ray contains hit, normal and light, and says what blocks it and where. Closed form: from
-/// (0.4, 0, 0) on the floor to the lamp (0, 8, 0), the way x = 0.4 − 0.4 s, y = 8 s meets the ball of radius 1 around
-/// (0, 4, 0) first at the smaller root of (0.4 − 0.4 s)² + (8 s − 4)² = 1.
-#[test]
-fn the_section_of_a_shadow_ray_shows_its_occluder() {
-    let text = r#"
-        image = { width = 5, height = 5, pixel_size = 0.2 }
-        camera = { eye = [0, 2, 10], look_at = [0, 0, 0], lens.orthographic = {} }
-        [[lights]]
-        name = "lamp"
-        source.point = { location = [0, 8, 0], ls = 1 }
-        [[materials]]
-        name = "white"
-        recipe.matte = { kd = 1, cd = [1, 1, 1] }
-        [[objects]]
-        name = "floor"
-        material = "white"
-        shape.plane = { point = [0, 0, 0], normal = [0, 1, 0] }
-        [[objects]]
-        name = "ball"
-        material = "white"
-        shape.sphere = { center = [0, 4, 0], radius = 1 }
-    "#;
-    let (scene, world) = world::from_toml(text, Path::new("here.toml")).unwrap();
-    let root = explain::sample(&scene, &world, [4, 2], 0).ray.unwrap();
-    let shadow = root.rays().into_iter().find(|it| matches!(it.kind, RayKind::Shadow { .. }));
-    let section = Section::of(&world, &root, shadow.unwrap().number).unwrap();
-    assert_eq!(Section::first(&root), Some(shadow.unwrap().number));
-    let hit = root.hit.as_ref().unwrap().point;
-    assert!(hit.distance(Point::new(0.4, 0.0, 0.0)) < 1e-12, "{hit:?}");
-    let lamp = Point::new(0.0, 8.0, 0.0);
-    assert!((lamp - section.plane.origin).dot(section.plane.normal()).abs() < 1e-12);
-    let blocked = section.drawing.strokes.iter().find(|it| it.role == Role::Blocked).unwrap();
-    let met = section.plane.to_space(blocked.points[1]);
-    // 64.16 s² − 64.32 s + 15.16 = 0
-    let s = (64.32 - (64.32_f64 * 64.32 - 4.0 * 64.16 * 15.16).sqrt()) / (2.0 * 64.16);
-    assert!(met.distance(Point::new(0.4 - 0.4 * s, 8.0 * s, 0.0)) < 1e-9, "{met:?}");
-    let dark = section.drawing.strokes.iter().find(|it| it.role == Role::Dark).unwrap();
-    assert!(section.plane.to_space(dark.points[1]).distance(lamp) < 1e-9);
-    let normal = section.drawing.labels.iter().find(|it| it.text == "normal").unwrap();
-    let away_from_light = -dark.points[1][0].signum();
-    assert_eq!(f64::from(normal.side[0]), away_from_light, "the side of the word `normal`");
-    let about = section.drawing.strokes.iter().filter(|it| it.role == Role::Outline);
-    let mut objects: Vec<u32> = about.filter_map(|it| it.object).collect();
-    objects.dedup();
-    assert_eq!(objects, [0, 1]);
-}
-
 /// Law: in each scene of the gallery, each point of an outline is a point of a surface. Oracle: rays through the point from
 /// outside of the plane meet a surface there.
 #[test]
@@ -315,63 +248,4 @@ fn points_of_outlines_are_on_surfaces_in_each_scene() {
         }
     }
     assert!(points > 100, "{points}");
-}
-
-/// Law: words of a scene cannot be markup. Oracle: the text of the SVG.
-#[test]
-fn names_are_escaped_in_svg() {
-    let mut drawing = Drawing { title: "<&>".to_owned(), ..Drawing::default() };
-    drawing.notes.push("a < b".to_owned());
-    drawing.strokes.push(Stroke::new(Role::Arc, vec![[0.0, 0.0], [1.0, 1.0]]));
-    let svg = drawing.svg();
-    assert!(svg.contains("<title>&lt;&amp;&gt;</title>") && svg.contains("a &lt; b"), "{svg}");
-    assert!(!svg.contains("NaN") && !svg.contains("inf"));
-}
-
-/// The numbers of an attribute in each element of this name.
-fn attributes(svg: &str, element: &str, name: &str) -> Vec<f64> {
-    let of = |it: &str| it.split_once(&format!("{name}=\""))?.1.split('"').next()?.parse().ok();
-    svg.lines().filter(|it| it.starts_with(element)).filter_map(of).collect()
-}
-
-/// Law: the words of a drawing are inside of it, on the side of their point that they ask for, and 8 away from it. Oracle: the
-/// box of each text from its printed place and anchor, with letters of 25, 0.56 of that wide, in lines of 1.15 of it.
-#[test]
-fn words_stand_beside_their_points_inside_of_the_drawing() {
-    let random = &mut Pcg32::new(1, 61);
-    for case in 0..60_u32 {
-        let mut drawing = Drawing::default();
-        let scale = [0.01, 1.0, 300.0][case as usize % 3];
-        let mut point = || [scale * random.uniform(), 0.7 * scale * random.uniform()];
-        for index in 0..1 + case as usize % 5 {
-            let (at, mut text) = (point(), "word ".repeat(1 + index % 4));
-            text += &index.to_string();
-            let side = [index as i8 % 3 - 1, (index as i8 + case as i8) % 3 - 1];
-            drawing.strokes.push(Stroke::new(Role::Arc, vec![at]));
-            drawing.labels.push(Label { at, text, role: Role::Arc, side });
-        }
-        drawing.strokes.push(Stroke::new(Role::Arc, vec![point(), point()]));
-        let svg = drawing.svg();
-        let box_of_all = svg.split_once("viewBox=\"0 0 800 ").unwrap().1;
-        let height: f64 = box_of_all.split('"').next().unwrap().parse().unwrap();
-        let [cx, cy] = ["cx", "cy"].map(|name| attributes(&svg, "<circle", name));
-        let [x, y] = [" x", " y"].map(|name| attributes(&svg, "<text", name));
-        for (index, label) in drawing.labels.iter().enumerate() {
-            let (width, line) = (0.56 * 25.0 * label.text.chars().count() as f64, 1.15 * 25.0);
-            let left = x[index] - [width, 0.5 * width, 0.0][(label.side[0] + 1) as usize];
-            let bottom = y[index] + 0.3 * 25.0;
-            let sides = [[left, left + width, cx[index]], [bottom - line, bottom, cy[index]]];
-            for (axis, [low, high, at]) in sides.into_iter().enumerate() {
-                let most = [800.0, height][axis];
-                assert!(low >= -0.6 && high <= most + 0.6, "{label:?}: {low} to {high} of {most}");
-                // y goes down here
-                let away = match label.side[axis] * [1, -1][axis] {
-                    0 => (0.5 * (low + high) - at).abs() + 8.0,
-                    side if side < 0 => at - high,
-                    _ => low - at,
-                };
-                assert!((away - 8.0).abs() < 0.15, "{label:?}: {away} away, expected 8");
-            }
-        }
-    }
 }

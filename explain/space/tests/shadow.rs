@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use groundtruth::explain::{self, RecordedRay};
-use groundtruth::math::{Point, Vector, atan2, sin_degrees, to_degrees};
+use groundtruth::math::{Point, Vector, atan2, to_degrees};
 use groundtruth::world::{self, World};
 use space::{Role, Section, Stroke};
 
@@ -11,12 +11,10 @@ use super::borders::{near, numbers};
 
 /// Of a length: products of a few rounded numbers.
 const ROUNDING: f64 = 1e-9;
-/// A grid of this many cells finds outlines, so that their ends are this exact.
-const CELL: f64 = 1.0 / 96.0;
 
 /// What is above a floor at y = 0, which the middle pixel sees at (0, 0, 0) from the height 9.
-struct Case {
-    name: &'static str,
+pub struct Case {
+    pub name: &'static str,
     floor: &'static str,
     light: String,
     objects: &'static str,
@@ -25,8 +23,6 @@ struct Case {
     is_sun: bool,
     /// Where a ball around this point of the way, of this radius, blocks it.
     blocked: Option<(f64, &'static str)>,
-    /// The objects that the drawing is about.
-    about: &'static [u32],
 }
 
 const BALL: &str = "[[objects]]\nname = \"ball\"\nmaterial = \"white\"\n\
@@ -41,7 +37,7 @@ fn lamp([x, y, z]: [f64; 3]) -> String {
     format!("point = {{ location = [{x}, {y}, {z}], ls = 1 }}")
 }
 
-fn cases() -> Vec<Case> {
+pub fn cases() -> Vec<Case> {
     // a disk of radius r has the diagonal 2 √2 r
     let small = "disk = { center = [0, 0, 0], normal = [0, 1, 0], radius = 0.5 }";
     let large = "disk = { center = [0, 0, 0], normal = [0, 1, 0], radius = 20 }";
@@ -57,7 +53,6 @@ fn cases() -> Vec<Case> {
         way,
         is_sun: false,
         blocked: None,
-        about: &[0],
     };
     let sun = "directional = { direction = [-3, 4, 0], ls = 1 }".to_owned();
     let sun_behind = "directional = { direction = [3, 4, 0], ls = 1 }".to_owned();
@@ -70,33 +65,26 @@ fn cases() -> Vec<Case> {
         Case { is_sun: true, ..case("sun and floor", endless, sun, BALL, [-0.6, 0.8, 0.0]) },
         Case {
             blocked: Some((2.0, "ball")),
-            about: &[0, 1],
             ..case("near lamp behind a ball", large, lamp(near), BALL, near)
         },
         Case {
             blocked: Some((2.0, "ball")),
-            about: &[0, 1],
             ..case("far lamp behind a ball", small, lamp(through), BALL, through)
         },
         Case {
             blocked: Some((2.0, "ball")),
-            about: &[0, 1],
             ..case("far lamp behind a ball, endless floor", endless, lamp(through), BALL, through)
         },
         Case {
             blocked: Some((2.0, "ball")),
-            about: &[0, 1],
             is_sun: true,
             ..case("sun behind a ball", large, sun_behind, BALL, [0.6, 0.8, 0.0])
         },
-        Case {
-            about: &[0, 1],
-            ..case("shining ball", large, "area = { object = \"tube\" }".to_owned(), LAMP, near)
-        },
+        case("shining ball", large, "area = { object = \"tube\" }".to_owned(), LAMP, near),
     ]
 }
 
-fn tree(case: &Case) -> (World, RecordedRay) {
+pub fn tree(case: &Case) -> (World, RecordedRay) {
     let text = format!(
         "image = {{ width = 5, height = 5 }}\n\
          camera = {{ eye = [0, 9, 0], look_at = [0, 0, 0], up = [0, 0, -1], lens.orthographic = {{}} }}\n\
@@ -121,8 +109,7 @@ fn room(case: &Case) -> f64 {
 
 /// Law: the way is drawn to the light if that is at most as far away as three diagonals of what is lit (as the camera, if it is
 /// endless), or three times as far as what blocks it; else so much of it, which is said with the light's distance; to a sun, three
-/// diagonals. It is light, or blocked up to a dot and dark from there, without a head. The angle to the normal has an arc, of 0.3
-/// of the way. Oracle: closed forms of each scene.
+/// diagonals. It is light, or blocked up to a dot and dark from there. Oracle: closed forms of each scene.
 #[test]
 fn the_way_to_a_light_is_drawn_as_far_as_there_is_room() {
     let mut cuts = [0; 2];
@@ -154,117 +141,34 @@ fn the_way_to_a_light_is_drawn_as_far_as_there_is_room() {
             );
         };
         let [shadow, dark, blocked] = [Role::Shadow, Role::Dark, Role::Blocked].map(of);
-        let light = drawing.labels.iter().find(|it| it.text == "light \"it\"").expect("a word");
-        is_at(plane.to_space(light.at), end, "the word of the light");
-        assert_eq!(light.side, [1, 0], "the side of the light's word, {name}");
         match case.blocked {
             None => {
                 let counts = [shadow.len(), dark.len(), blocked.len()];
                 assert_eq!(counts, [1, 0, 0], "light, dark, blocked strokes, {name}");
                 is_at(at(shadow[0], 0), Point::ORIGIN, "the begin of the way");
                 is_at(at(shadow[0], 1), end, "the end of the way");
-                assert!(shadow[0].arrow, "a head on the way, {name}");
-                assert_eq!(shadow[0].ray, Some(1), "the ray of the way, {name}");
-                assert_eq!(light.role, Role::Shadow, "the role of the light's word, {name}");
             }
             Some((t, by)) => {
                 let counts = [shadow.len(), dark.len(), blocked.len()];
                 assert_eq!(counts, [0, 1, 2], "light, dark, blocked strokes, {name}");
                 let met = Point::ORIGIN + t * unit;
-                for (stroke, from, to, has_head) in
-                    [(dark[0], met, end, false), (blocked[0], Point::ORIGIN, met, true)]
-                {
-                    is_at(at(stroke, 0), from, "the begin of a part of the way");
-                    is_at(at(stroke, 1), to, "the end of a part of the way");
-                    assert_eq!(stroke.arrow, has_head, "a head of {:?}, {name}", stroke.role);
-                    assert_eq!(stroke.ray, Some(1), "the ray of the way, {name}");
-                }
-                assert_eq!(blocked[1].points.len(), 1, "points of the dot, {name}");
+                is_at(at(blocked[0], 0), Point::ORIGIN, "the begin of the way");
+                is_at(at(blocked[0], 1), met, "the end of the light part of the way");
+                is_at(at(dark[0], 0), met, "the begin of the dark part of the way");
+                is_at(at(dark[0], 1), end, "the end of the way");
                 is_at(at(blocked[1], 0), met, "the dot");
-                assert_eq!(light.role, Role::Dark, "the role of the light's word, {name}");
                 let text = format!("blocked by \"{by}\"");
-                let label = drawing.labels.iter().find(|it| it.text == text).expect("a word");
-                is_at(plane.to_space(label.at), met, "the word of what blocks");
-                let found = (label.role, label.side);
-                assert_eq!(found, (Role::Blocked, [1, 0]), "the word of what blocks, {name}");
+                assert!(drawing.labels.iter().any(|it| it.text == text), "{text}, {name}");
             }
         }
-        let normals = of(Role::Normal);
-        assert_eq!(normals.len(), 2, "normal and dot, {name}");
-        is_at(at(normals[0], 0), Point::ORIGIN, "the foot of the normal");
-        is_at(at(normals[0], 1), Point::ORIGIN + 0.5 * shown * Vector::Y, "the normal's end");
-        assert_eq!(normals[1].points, [[0.0; 2]], "the dot at the hit, {name}");
-        let label = drawing.labels.iter().find(|it| it.text == "normal").expect("a word");
-        near(label.at[1], 0.5 * shown, off * shown.max(1.0), "the word of the normal");
-        // x goes towards the light
-        assert_eq!(label.side, [-1, 1], "the side of the normal's word, {name}");
         let degrees = to_degrees(atan2(unit.cross(Vector::Y).length(), unit.y()));
         near(section.angles[0].degrees, degrees, 1e4 * off, "the angle");
-        assert_eq!((section.angles.len(), section.angles[0].ray), (1, 1), "angles, {name}");
-        let arcs = of(Role::Arc);
-        assert_eq!(arcs.len(), 1, "arcs, {name}");
-        let last = arcs[0].points[arcs[0].points.len() - 1];
-        near(
-            last[0],
-            0.3 * shown * sin_degrees(degrees),
-            10.0 * off * shown.max(1.0),
-            "the arc's end",
-        );
-        for [x, y] in &arcs[0].points {
-            near((x * x + y * y).sqrt(), 0.3 * shown, off * shown.max(1.0), "the arc's radius");
-        }
-        assert!(drawing.labels.iter().any(|it| it.text == "θ"), "the letter, {name}");
         let note = drawing.notes.iter().find(|it| it.contains(" away: "));
         assert_eq!(note.is_some(), is_cut, "whether {name} is said to be cut");
         if let Some(note) = note {
             near(numbers(note)[0], way.length(), 5e-4 * way.length(), note);
         }
         cuts[usize::from(is_cut)] += 1;
-        let is_straight = drawing.notes.iter().any(|it| it.contains("along the normal"));
-        assert_eq!(is_straight, case.name == "lamp above", "a note of the plane of {name}");
     }
     assert!(cuts.iter().all(|n| *n > 2), "whole ways, and cut ones: {cuts:?}");
-}
-
-/// Law: the window is around the way with a quarter of its length on each side, so that an endless floor is drawn across so much;
-/// and it has the outlines of what is lit, of what blocks and of the lamp as its subject, all others as surroundings. Oracle: the
-/// middle of the way; the scenes.
-#[test]
-fn the_window_of_a_shadow_ray_is_around_its_way() {
-    let (mut floors, mut others) = (0, 0);
-    for case in cases() {
-        let (world, root) = tree(&case);
-        let section = Section::of(&world, &root, 1).expect("a shadow ray");
-        let name = case.name;
-        for stroke in &section.drawing.strokes {
-            let Some(object) = stroke.object else { continue };
-            let is_about = case.about.contains(&object);
-            let expected = if is_about { Role::Outline } else { Role::Surroundings };
-            assert_eq!(stroke.role, expected, "the outline of object {object}, {name}");
-            others += usize::from(!is_about);
-        }
-        let drawn = section
-            .drawing
-            .strokes
-            .iter()
-            .filter(|it| matches!(it.role, Role::Shadow | Role::Dark | Role::Blocked));
-        let end = drawn.flat_map(|it| &it.points).fold([0.0; 2], |far: [f64; 2], at| {
-            if at[0] * at[0] + at[1] * at[1] > far[0] * far[0] + far[1] * far[1] {
-                *at
-            } else {
-                far
-            }
-        });
-        let shown = (end[0] * end[0] + end[1] * end[1]).sqrt();
-        let floor = section.drawing.strokes.iter().find(|it| it.object == Some(0));
-        let Some(floor) = floor.filter(|_| case.floor.starts_with("plane")) else { continue };
-        let mut ends = [floor.points[0][0], floor.points[floor.points.len() - 1][0]];
-        ends.sort_by(f64::total_cmp);
-        for (found, sign) in ends.into_iter().zip([-1.0, 1.0]) {
-            let expected = 0.5 * end[0] + sign * 0.75 * shown;
-            near(found, expected, 1.5 * shown * CELL, &format!("an end of the floor, {name}"));
-        }
-        floors += 1;
-    }
-    assert!(floors > 2 && others > 0, "{floors} endless floors, {others} surroundings");
 }

@@ -3,11 +3,15 @@
 use std::path::Path;
 
 use groundtruth::explain::{self, RecordedRay};
-use groundtruth::math::Point;
+use groundtruth::math::{Point, Vector};
 use groundtruth::world::{self, World};
-use space::{End, Orbit, Segment, hiding, obj, of_hits, orbit_of, segments, svg_of_rays};
+use space::{
+    End, Orbit, Section, Segment, Visibility, hiding, obj, of_hits, orbit_of, segments, svg_of_rays,
+};
 
-fn tree(name: &str, pixel: [u32; 2]) -> (World, RecordedRay) {
+use super::section;
+
+fn tree_of(name: &str, pixel: [u32; 2]) -> (World, RecordedRay) {
     let scene = (gallery::find(name).expect("a scene of the gallery").build)();
     let world = World::build(&scene).unwrap();
     let root = explain::sample(&scene, &world, pixel, 0).ray.expect("the camera sees something");
@@ -41,7 +45,7 @@ fn drawn(svg: &str) -> Vec<(usize, Vec<[[f64; 2]; 2]>)> {
 fn drawn_rays_end_at_the_images_of_the_recorded_points() {
     let mut whole = 0;
     for (name, pixel) in [("ch28/glass-sphere", [200, 150]), ("ch27/torus", [150, 150])] {
-        let (world, root) = tree(name, pixel);
+        let (world, root) = tree_of(name, pixel);
         let orbit = orbit_of(&world, &root);
         let sight = orbit.sight([800.0, 520.0]);
         let svg = svg_of_rays(&world, &root, &orbit, &[]);
@@ -75,7 +79,7 @@ fn the_camera_of_a_page_sees_each_hit() {
         ("ch24/floor-mirror", [100, 150]),
         ("ch16/shadows", [200, 150]),
     ] {
-        let (world, root) = tree(name, pixel);
+        let (world, root) = tree_of(name, pixel);
         let sight = orbit_of(&world, &root).sight([800.0, 520.0]);
         for hit in root.rays().iter().filter_map(|ray| ray.hit.as_ref()) {
             let [x, y] = sight.project(hit.point).expect("before the eye");
@@ -153,7 +157,7 @@ fn what_rays_meet_is_around_hits_and_small_objects() {
 /// rules of the format: vertices count from 1.
 #[test]
 fn an_obj_file_has_each_piece_in_its_group() {
-    let (world, root) = tree("ch28/glass-sphere", [200, 150]);
+    let (world, root) = tree_of("ch28/glass-sphere", [200, 150]);
     let pieces = segments(&world, &root, 10.0);
     let text = obj(&root, &pieces, "glass\nsphere");
     assert!(text.starts_with("# glass"), "the second line of a name is no line of the file");
@@ -186,4 +190,40 @@ fn an_obj_file_has_each_piece_in_its_group() {
     for (group, from, to) in pieces.iter().map(expected) {
         assert!(found.contains(&(&group, from, to)), "{group} {from:?} {to:?}");
     }
+}
+
+/// Law: of the two sides of the plane of incidence, the camera stands on the one from which fewer middles of pieces are hidden.
+/// Oracle: both sides, counted.
+#[test]
+fn the_camera_stands_where_less_is_hidden() {
+    let (mut seen, mut differ) = (0, 0);
+    let names = ["ch28/glass-sphere", "ch24/floor-mirror", "ch16/shadows", "ch27/torus"];
+    let parts = [[2, 2], [3, 2], [2, 3], [3, 3], [4, 2]];
+    let trees = names.into_iter().flat_map(|name| parts.map(|part| section::tree(name, part)));
+    for (name, world, root) in trees {
+        let pieces = segments(&world, &root, 1.0);
+        let Some(section) = Section::first(&root).and_then(|ray| Section::of(&world, &root, ray))
+        else {
+            continue;
+        };
+        let Some(ball) = space::of_hits(&world, &pieces) else { continue };
+        let across = section.plane.normal();
+        let sides = [across, -across].map(|side| Orbit::from_side(ball, side + 0.35 * Vector::Y));
+        let hidden = sides.map(|orbit| {
+            let visibility = Visibility::of(&world, orbit.sight([800.0, 520.0]).eye);
+            let middles = pieces.iter().take(64).map(|it| it.from + 0.5 * (it.to - it.from));
+            middles.filter(|at| visibility.is_hidden(*at)).count()
+        });
+        let found = orbit_of(&world, &root);
+        let at = sides.iter().position(|side| *side == found);
+        let at = at.unwrap_or_else(|| panic!("{name}: {found:?} is none of {sides:?}"));
+        let least = hidden[0].min(hidden[1]);
+        assert_eq!(
+            hidden[at], least,
+            "middles that are hidden from the camera of {name}: {hidden:?}"
+        );
+        seen += 1;
+        differ += usize::from(hidden[0] != hidden[1]);
+    }
+    assert!(seen > 10 && differ > 2, "{seen} trees seen, of which {differ} have a better side");
 }

@@ -5,11 +5,27 @@ use space::why_not::Answer;
 use super::why_not::{BALL, ask, near, object, scene};
 
 /// Law: a ray that passes a part meets its whole elsewhere. Closed forms: along the line (x, y) to −z, the plane z = 0 is met
-/// after 10, the paraboloid y = 2 (x² + z²) where z = √(y/2 − x²), the cylinder of radius 2 where z = √(4 − x²), the torus
+/// after 10, the sphere and cylinder of radius 1 after 9, the paraboloid y = 2 (x² + z²) where z = √(y/2 − x²), the cylinder of radius 2 where z = √(4 − x²), the torus
 /// where z = 2.5.
 #[test]
 fn the_whole_of_each_part_is_where_it_goes_on() {
     for (shape, pixel, whole, t) in [
+        ("disk = { center = [5, 0, 0], normal = [0, 0, 1], radius = 1 }", [2, 2], "plane", 10.0),
+        ("rectangle = { corner = [1, 0, 0], a = [1, 0, 0], b = [0, 1, 0] }", [2, 2], "plane", 10.0),
+        (
+            "part_sphere = { center = [0, 0, 0], radius = 1, theta = [0, 30] }",
+            [2, 2],
+            "whole sphere",
+            9.0,
+        ),
+        ("open_cylinder = { y0 = 1, y1 = 2, radius = 1 }", [2, 2], "cylinder without ends", 9.0),
+        (
+            "instance = { of.disk = { center = [5, 0, 0], normal = [0, 0, 1], radius = 1 }, transform = \
+             [{ translate = [0, 0, 1] }] }",
+            [2, 2],
+            "plane",
+            9.0,
+        ),
         (
             "paraboloid = { height = 0.5, radius = 0.5 }",
             [2, 1],

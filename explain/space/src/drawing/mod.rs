@@ -2,6 +2,10 @@
 
 mod svg;
 
+use groundtruth::trace::RayKind;
+
+use super::End;
+
 pub use svg::ink;
 
 /// What a line or a word of a drawing stands for.
@@ -27,6 +31,30 @@ pub enum Role {
     Surroundings,
     /// The arc of an angle.
     Arc,
+}
+
+impl Role {
+    /// Those of rays, in the order in which they are listed: each with its name in files and in legends.
+    pub(crate) const RAYS: [(Self, &str, &str); 6] = [
+        (Self::Incoming, "camera", "camera"),
+        (Self::Reflected, "reflected", "reflected"),
+        (Self::Transmitted, "transmitted", "refracted"),
+        (Self::Shadow, "shadow_unblocked", "shadow ray"),
+        (Self::Blocked, "shadow_blocked", "blocked"),
+        (Self::Dark, "shadow_dark", "dark"),
+    ];
+
+    /// That of a piece of a ray.
+    pub(crate) fn of(kind: RayKind, end: End) -> Self {
+        match (kind, end) {
+            (RayKind::Camera, _) => Self::Incoming,
+            (RayKind::Reflected, _) => Self::Reflected,
+            (RayKind::Transmitted, _) => Self::Transmitted,
+            (RayKind::Shadow { .. }, End::Dark) => Self::Dark,
+            (RayKind::Shadow { .. }, End::Occluder) => Self::Blocked,
+            (RayKind::Shadow { .. }, End::Hit | End::Leaves | End::Light) => Self::Shadow,
+        }
+    }
 }
 
 /// A line of straight pieces. One of a single point is a dot.
