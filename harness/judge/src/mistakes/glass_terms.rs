@@ -6,62 +6,62 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayKind;
 
 use super::changes::NOT_INVERTED;
-use super::{How, Mistake, ObservedRay, ObservedTerm};
+use super::{How, Mistake, ObservedRay, ObservedSurface, ObservedTerm};
 
 const SCHLICK: Mistake =
-    Mistake::term("schlick", |term| with_fresnel(term, |cos_i, eta| shares(schlick(cos_i, eta))));
+    Mistake::factor("schlick", |term| with_fresnel(term, |cos_i, eta| shares(schlick(cos_i, eta))));
 
 const NO_ABSORPTION: Mistake = Mistake::ray("no-absorption", |ray| ray.sum);
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::term("no-eta-squared", |term| {
-        refracted(term).map_or(term.value(), |eta| term.times(eta * eta))
+    Mistake::factor("no-eta-squared", |term| refracted(term).map(|eta| eta * eta)),
+    Mistake::factor("eta-squared-inverted", |term| refracted(term).map(fourth)),
+    Mistake::factor("total-reflection-black", |term| {
+        (is_mirrored(term) && surface(term)?.reflects_totally()).then_some(0.0)
     }),
-    Mistake::term("eta-squared-inverted", |term| {
-        refracted(term).map_or(term.value(), |eta| term.times((eta * eta) * (eta * eta)))
+    Mistake::factor("glass-without-mirror", |term| {
+        let surface = surface(term)?;
+        let _ = surface.eta()?;
+        (is_mirrored(term) && !surface.reflects_totally()).then_some(0.0)
     }),
-    Mistake::term("total-reflection-black", |term| match is_mirrored(term) && is_total(term) {
-        true => Rgb::BLACK,
-        false => term.value(),
+    Mistake::factor("transmission-without-kt", |term| match term.traced()? {
+        Lobe::PerfectTransmitter(lobe) => Some(1.0 / lobe.transmittance),
+        _ => None,
     }),
-    Mistake::term("glass-without-mirror", |term| {
-        match is_mirrored(term) && is_transparent(term) && !is_total(term) {
-            true => Rgb::BLACK,
-            false => term.value(),
-        }
-    }),
-    Mistake::term("transmission-without-kt", |term| match term.traced() {
-        Some(Lobe::PerfectTransmitter(lobe)) => term.times(1.0 / lobe.transmittance),
-        _ => term.value(),
-    }),
-    NOT_INVERTED.in_form("in Fresnel's equations alone", How::Term(fresnel_not_inverted)),
-    NOT_INVERTED.in_form("in the factor 1/η² alone", How::Term(factor_not_inverted)),
+    NOT_INVERTED.in_form(
+        "in Fresnel's equations alone",
+        How::Factor(|term| {
+            inside(term)?;
+            with_fresnel(term, |cos_i, eta| fresnel(cos_i, 1.0 / eta))
+        }),
+    ),
+    NOT_INVERTED.in_form("in the factor 1/η² alone", How::Factor(factor_inside)),
     SCHLICK,
     SCHLICK.in_form(
         "with the larger of both angles",
-        How::Term(|term| {
+        How::Factor(|term| {
             with_fresnel(term, |cos_i, eta| shares(schlick(cosine_in_air(cos_i, eta), eta)))
         }),
     ),
-    Mistake::term("fresnel-swapped", |term| {
+    Mistake::factor("fresnel-swapped", |term| {
         with_fresnel(term, |cos_i, eta| {
             let Fresnel { reflected, transmitted } = fresnel(cos_i, eta);
             Fresnel { reflected: transmitted, transmitted: reflected }
         })
     }),
-    Mistake::term("fresnel-perpendicular-only", |term| {
+    Mistake::factor("fresnel-perpendicular-only", |term| {
         with_fresnel(term, |cos_i, eta| polarised(cos_i, eta).s)
     }),
-    Mistake::term("fresnel-parallel-only", |term| {
+    Mistake::factor("fresnel-parallel-only", |term| {
         with_fresnel(term, |cos_i, eta| polarised(cos_i, eta).p)
     }),
-    Mistake::term("fresnel-without-half", |term| {
+    Mistake::factor("fresnel-without-half", |term| {
         with_fresnel(term, |cos_i, eta| shares((2.0 * fresnel(cos_i, eta).reflected).min(1.0)))
     }),
-    Mistake::term("fresnel-transmits-all", |term| {
+    Mistake::factor("fresnel-transmits-all", |term| {
         with_fresnel(term, |cos_i, eta| Fresnel { transmitted: 1.0, ..fresnel(cos_i, eta) })
     }),
-    Mistake::term("fresnel-index-inverted", |term| {
+    Mistake::factor("fresnel-index-inverted", |term| {
         with_fresnel(term, |cos_i, eta| fresnel(cos_i, 1.0 / eta))
     }),
     NO_ABSORPTION,
@@ -75,12 +75,23 @@ pub(super) const ALL: &[Mistake] = &[
     Mistake::ray("absorption-twice", |ray| absorption_over(ray, |_| 2.0)),
 ];
 
+fn fourth(x: f64) -> f64 {
+    (x * x) * (x * x)
+}
+
+fn surface<'a>(term: &ObservedTerm<'a>) -> Option<&'a ObservedSurface> {
+    term.ray.surface.as_ref()
+}
+
+/// The surface, if the viewer is inside.
+fn inside<'a>(term: &ObservedTerm<'a>) -> Option<&'a ObservedSurface> {
+    surface(term).filter(|surface| surface.cos_o() < 0.0)
+}
+
 /// The index behind the surface over the one in front of it, of a term that was refracted and has the factor 1/η².
 fn refracted(term: &ObservedTerm<'_>) -> Option<f64> {
     match term.traced().filter(|_| term.world.transparency.scales_radiance)? {
-        Lobe::PerfectTransmitter(_) | Lobe::FresnelTransmitter(_) => {
-            term.ray.surface.as_ref()?.eta()
-        }
+        Lobe::PerfectTransmitter(_) | Lobe::FresnelTransmitter(_) => surface(term)?.eta(),
         _ => None,
     }
 }
@@ -89,34 +100,19 @@ fn is_mirrored(term: &ObservedTerm<'_>) -> bool {
     matches!(term.traced(), Some(Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_)))
 }
 
-fn is_transparent(term: &ObservedTerm<'_>) -> bool {
-    term.ray.surface.as_ref().is_some_and(|surface| surface.eta().is_some())
+/// The factor of a term with other shares than Fresnel's. Total internal reflection stays as it is.
+fn with_fresnel(term: &ObservedTerm<'_>, shares: impl Fn(f64, f64) -> Fresnel) -> Option<f64> {
+    let surface = surface(term).filter(|surface| !surface.reflects_totally())?;
+    let (cos_i, eta) = (surface.cos_o().abs(), surface.eta()?);
+    share_over(term, [shares(cos_i, eta), fresnel(cos_i, eta)])
 }
 
-/// Whether the term leaves a surface on which the viewer sees total internal reflection.
-fn is_total(term: &ObservedTerm<'_>) -> bool {
-    term.ray.surface.as_ref().is_some_and(|surface| surface.reflects_totally())
-}
-
-/// Whether the viewer is inside.
-fn is_inside(term: &ObservedTerm<'_>) -> bool {
-    term.ray.surface.as_ref().is_some_and(|surface| surface.cos_o() < 0.0)
-}
-
-/// The value of a term with other shares than Fresnel's. Total internal reflection stays as it is.
-fn with_fresnel(term: &ObservedTerm<'_>, shares: impl Fn(f64, f64) -> Fresnel) -> Rgb {
-    let (Some(lobe), Some(surface)) = (term.traced(), &term.ray.surface) else {
-        return term.value();
-    };
-    let Some(eta) = surface.eta().filter(|_| !surface.reflects_totally()) else {
-        return term.value();
-    };
-    let cos_i = surface.cos_o().abs();
-    let (right, wrong) = (fresnel(cos_i, eta), shares(cos_i, eta));
-    match lobe {
-        Lobe::FresnelReflector(_) => term.times(wrong.reflected / right.reflected),
-        Lobe::FresnelTransmitter(_) => term.times(wrong.transmitted / right.transmitted),
-        _ => term.value(),
+/// The share of the term's lobe over that of ours.
+fn share_over(term: &ObservedTerm<'_>, [other, ours]: [Fresnel; 2]) -> Option<f64> {
+    match term.traced()? {
+        Lobe::FresnelReflector(_) => Some(other.reflected / ours.reflected),
+        Lobe::FresnelTransmitter(_) => Some(other.transmitted / ours.transmitted),
+        _ => None,
     }
 }
 
@@ -139,65 +135,43 @@ fn cosine_in_air(cos_i: f64, eta: f64) -> f64 {
     }
 }
 
-fn fresnel_not_inverted(term: &ObservedTerm<'_>) -> Rgb {
-    match is_inside(term) {
-        true => with_fresnel(term, |cos_i, eta| fresnel(cos_i, 1.0 / eta)),
-        false => term.value(),
-    }
-}
-
-fn factor_not_inverted(term: &ObservedTerm<'_>) -> Rgb {
-    match refracted(term).filter(|_| is_inside(term)) {
-        Some(eta) => term.times((eta * eta) * (eta * eta)),
-        None => term.value(),
-    }
+/// The index that is not inverted inside, in the factor 1/η² alone.
+fn factor_inside(term: &ObservedTerm<'_>) -> Option<f64> {
+    refracted(term).filter(|_| inside(term).is_some()).map(fourth)
 }
 
 /// In a scene whose indices are not inverted inside, that have it right again in Fresnel's equations. Where reflection is
 /// total by these, nothing passes.
-pub(super) fn fresnel_right(term: &ObservedTerm<'_>) -> Rgb {
-    let Some(surface) = term.ray.surface.as_ref().filter(|_| is_inside(term)) else {
-        return term.value();
-    };
-    let Some(wrong) = surface.eta() else { return term.value() };
-    let cos_i = surface.cos_o().abs();
-    let (ours, right) = (fresnel(cos_i, wrong), fresnel(cos_i, 1.0 / wrong));
-    match term.traced() {
-        Some(Lobe::FresnelReflector(_)) => term.times(right.reflected / ours.reflected),
-        Some(Lobe::FresnelTransmitter(_)) => term.times(right.transmitted / ours.transmitted),
-        _ => term.value(),
-    }
+pub(super) fn fresnel_right(term: &ObservedTerm<'_>) -> Option<Rgb> {
+    let surface = inside(term)?;
+    let (cos_i, wrong) = (surface.cos_o().abs(), surface.eta()?);
+    let factor = share_over(term, [fresnel(cos_i, 1.0 / wrong), fresnel(cos_i, wrong)])?;
+    Some(term.times(factor))
 }
 
 /// The same, in the factor 1/η².
-pub(super) fn factor_right(term: &ObservedTerm<'_>) -> Rgb {
-    factor_not_inverted(term)
+pub(super) fn factor_right(term: &ObservedTerm<'_>) -> Option<Rgb> {
+    factor_inside(term).map(|factor| term.times(factor))
 }
 
 /// The same, in both.
-pub(super) fn both_right(term: &ObservedTerm<'_>) -> Rgb {
-    let arriving = fresnel_right(term);
-    match refracted(term).filter(|_| is_inside(term)) {
-        Some(eta) => ((eta * eta) * (eta * eta)) * arriving,
-        None => arriving,
-    }
+pub(super) fn both_right(term: &ObservedTerm<'_>) -> Option<Rgb> {
+    let arriving = fresnel_right(term).unwrap_or_else(|| term.value());
+    Some(factor_inside(term).map_or(arriving, |factor| factor * arriving))
 }
 
 /// The same, in the test for total internal reflection alone.
-pub(super) fn total_right(term: &ObservedTerm<'_>) -> Rgb {
-    let surface = term.ray.surface.as_ref().filter(|_| is_inside(term));
-    let Some((surface, wrong)) = surface.and_then(|it| Some((it, it.eta()?))) else {
-        return term.value();
-    };
-    let cos_i = surface.cos_o().abs();
+pub(super) fn total_right(term: &ObservedTerm<'_>) -> Option<Rgb> {
+    let surface = inside(term)?;
+    let (cos_i, wrong) = (surface.cos_o().abs(), surface.eta()?);
     if fresnel(cos_i, 1.0 / wrong).transmitted > 0.0 {
-        return term.value();
+        return None;
     }
-    match term.traced() {
-        Some(Lobe::FresnelReflector(_)) => term.times(1.0 / fresnel(cos_i, wrong).reflected),
-        Some(Lobe::PerfectSpecular(_)) => term.arriving,
-        Some(Lobe::FresnelTransmitter(_) | Lobe::PerfectTransmitter(_)) => Rgb::BLACK,
-        _ => term.value(),
+    match term.traced()? {
+        Lobe::FresnelReflector(_) => Some(term.times(1.0 / fresnel(cos_i, wrong).reflected)),
+        Lobe::PerfectSpecular(_) => Some(term.arriving),
+        Lobe::FresnelTransmitter(_) | Lobe::PerfectTransmitter(_) => Some(Rgb::BLACK),
+        _ => None,
     }
 }
 

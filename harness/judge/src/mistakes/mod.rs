@@ -1,7 +1,7 @@
 //! Known mistakes: the picture that a program with one mistake would render, for each entry of a file ([`known`]).
 //!
 //! A picture that disagrees with ours may agree with that of a mistake, which is then named. No mistake is a switch
-//! of the tracer. Many change the values of the terms that a recorder hears ([`How::Term`], [`How::Ray`]), so that one
+//! of the tracer. Many change the values of the terms that a recorder hears ([`How::Term`], [`How::Factor`], [`How::Ray`]), so that one
 //! pass with the same random numbers renders the pictures of all of them. The others change the scene: by edits that the file
 //! says ([`How::Edits`]), or by code ([`How::Scene`]), with kinds of the harness that wrap a light, camera or material.
 //! People make one mistake in several forms ([`Mistake::form`]); and a mistake of a scene may be in one material alone
@@ -66,8 +66,10 @@ pub struct Mistake {
 /// How the picture of a mistake is made.
 #[derive(Clone, Copy, Debug)]
 pub enum How {
-    /// Each term has another value.
-    Term(fn(&ObservedTerm<'_>) -> Rgb),
+    /// Each term has another value; `None` if it is that of ours.
+    Term(Value),
+    /// Each term is this many times as large; `None` if it is as ours.
+    Factor(fn(&ObservedTerm<'_>) -> Option<f64>),
     /// The radiance that arrives along each ray is another.
     Ray(fn(&ObservedRay<'_>) -> Rgb),
     /// The scene is another, by these edits.
@@ -75,21 +77,32 @@ pub enum How {
     /// The scene is another; `None` if the mistake does not apply to it. The files that the scene names are in the
     /// folder.
     Scene(fn(&Scene, &Path) -> Option<Scene>),
-    /// The scene is another, and in its picture each term has another value.
-    Both(fn(&Scene, &Path) -> Option<Scene>, fn(&ObservedTerm<'_>) -> Rgb),
+    /// The scene is another, and in its picture terms have another value, as in [`How::Term`].
+    Both(fn(&Scene, &Path) -> Option<Scene>, Value),
 }
 
+/// The value of a term, if it is not that of ours.
+type Value = fn(&ObservedTerm<'_>) -> Option<Rgb>;
+
 impl Mistake {
-    const fn term(name: &'static str, value: fn(&ObservedTerm<'_>) -> Rgb) -> Self {
-        Self { name, how: How::Term(value), form: None }
+    const fn new(name: &'static str, how: How) -> Self {
+        Self { name, how, form: None }
+    }
+
+    const fn term(name: &'static str, value: Value) -> Self {
+        Self::new(name, How::Term(value))
+    }
+
+    const fn factor(name: &'static str, factor: fn(&ObservedTerm<'_>) -> Option<f64>) -> Self {
+        Self::new(name, How::Factor(factor))
     }
 
     const fn ray(name: &'static str, arriving: fn(&ObservedRay<'_>) -> Rgb) -> Self {
-        Self { name, how: How::Ray(arriving), form: None }
+        Self::new(name, How::Ray(arriving))
     }
 
     const fn scene(name: &'static str, change: fn(&Scene, &Path) -> Option<Scene>) -> Self {
-        Self { name, how: How::Scene(change), form: None }
+        Self::new(name, How::Scene(change))
     }
 
     /// The same mistake in another form.
@@ -112,10 +125,12 @@ impl Mistake {
 
     /// The value of a term in the program with the mistake.
     fn value(&self, term: &ObservedTerm<'_>) -> Rgb {
-        match self.how {
+        let other = match self.how {
             How::Term(value) | How::Both(_, value) => value(term),
-            How::Ray(_) | How::Edits(_) | How::Scene(_) => term.value(),
-        }
+            How::Factor(factor) => factor(term).map(|factor| term.times(factor)),
+            How::Ray(_) | How::Edits(_) | How::Scene(_) => None,
+        };
+        other.unwrap_or_else(|| term.value())
     }
 
     /// What arrives along a ray in the program with the mistake.
@@ -128,7 +143,7 @@ impl Mistake {
 
     /// Whether its picture is made of the terms of ours.
     pub fn is_reweighed(&self) -> bool {
-        matches!(self.how, How::Term(_) | How::Ray(_))
+        matches!(self.how, How::Term(_) | How::Factor(_) | How::Ray(_))
     }
 }
 
@@ -208,7 +223,7 @@ pub fn scene(mistake: &Mistake, scene: &Scene, folder: &Path) -> Option<Scene> {
     match mistake.how {
         How::Edits(edits) => edited(scene, edits),
         How::Scene(change) | How::Both(change, _) => change(scene, folder),
-        How::Term(_) | How::Ray(_) => None,
+        How::Term(_) | How::Factor(_) | How::Ray(_) => None,
     }
 }
 

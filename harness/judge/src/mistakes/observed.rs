@@ -130,6 +130,24 @@ impl ObservedTerm<'_> {
         factor * self.value()
     }
 
+    /// Light that arrives at a lobe and leaves it without its weight, but for the probabilities by which it is divided.
+    pub fn unweighed(&self) -> Option<Rgb> {
+        match self.term.source {
+            TermSource::Traced { lobe_probability, survival, .. } => {
+                Some((1.0 / (lobe_probability * survival)) * self.arriving)
+            }
+            _ => None,
+        }
+    }
+
+    /// The density of the ray along which the light arrives, if its lobe drew it by one.
+    pub fn density(&self) -> Option<f64> {
+        match self.term.source {
+            TermSource::Traced { pdf, .. } => pdf,
+            _ => None,
+        }
+    }
+
     /// The lobe that scatters light straight from a source, and the cosine of the light's angle.
     pub fn direct(&self) -> Option<(Lobe, f64)> {
         match self.term.source {
@@ -146,10 +164,10 @@ impl ObservedTerm<'_> {
         }
     }
 
-    /// The cosine between the shading normal and the direction of the ray along which the light arrives.
+    /// The cosine between the shading normal and the direction of the ray along which the light arrives, without its sign.
     pub fn cosine_of_ray(&self) -> Option<f64> {
         let normal = self.ray.surface.as_ref()?.normals.shading;
-        Some(normal.dot(self.from?.direction.unit()?))
+        Some(normal.dot(self.from?.direction.unit()?).abs())
     }
 
     /// The direction of the light of a term of direct light. `None` if no ray was cast and the light has more than

@@ -86,7 +86,7 @@ pass glass. A material whose diffuse part is black lacks the part of Blinn's hig
 fn row(mistake: &Mistake) -> String {
     let KnownMistake { name, words, place, .. } = mistake.known();
     let how = match mistake.how {
-        How::Term(_) | How::Ray(_) => "terms",
+        How::Term(_) | How::Factor(_) | How::Ray(_) => "terms",
         How::Edits(_) | How::Scene(_) | How::Both(..) => "scene",
     };
     let scenes = scenes_that_show(mistake);

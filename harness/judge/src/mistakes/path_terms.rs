@@ -8,10 +8,7 @@ use groundtruth::trace::TermSource;
 
 use super::{How, Mistake, ObservedTerm};
 
-const COSINE_TWICE: Mistake = Mistake::term("path-cosine-twice", |term| match term.traced() {
-    Some(Lobe::Lambertian(_)) => term.times(cosine(term)),
-    _ => term.value(),
-});
+const COSINE_TWICE: Mistake = Mistake::factor("path-cosine-twice", cosine);
 
 const COUNTED_TWICE: Mistake = Mistake::term("light-counted-twice", light_counted_twice);
 
@@ -19,64 +16,56 @@ pub(super) const ALL: &[Mistake] = &[
     COUNTED_TWICE,
     COUNTED_TWICE.in_form(
         "in full where they are sampled alone",
-        How::Term(|term| match term.term.source {
-            TermSource::Direct { .. } => light_counted_twice(term),
-            _ => term.value(),
-        }),
+        How::Term(|term| term.direct().and_then(|_| light_counted_twice(term))),
     ),
     COUNTED_TWICE.in_form(
         "in full where a path hits them alone",
-        How::Term(|term| match term.term.source {
-            TermSource::Direct { .. } => term.value(),
-            _ => light_counted_twice(term),
+        How::Term(|term| match term.direct() {
+            Some(_) => None,
+            None => light_counted_twice(term),
         }),
     ),
     COSINE_TWICE,
     COSINE_TWICE.in_form(
         "with the density 1/2π of even directions",
-        How::Term(|term| match term.traced() {
-            Some(Lobe::Lambertian(_)) => term.times(2.0 * cosine(term)),
-            _ => term.value(),
-        }),
+        How::Factor(|term| Some(2.0 * cosine(term)?)),
     ),
-    Mistake::term("path-without-reflectance", |term| match term.term.source {
-        TermSource::Traced { lobe: Lobe::Lambertian(_), lobe_probability, survival, .. } => {
-            (1.0 / (lobe_probability * survival)) * term.arriving
-        }
-        _ => term.value(),
+    Mistake::term("path-without-reflectance", |term| {
+        is_diffuse(term).then(|| term.unweighed()).flatten()
     }),
-    Mistake::term("path-without-density", |term| match term.term.source {
-        TermSource::Traced { lobe: Lobe::Lambertian(_), pdf: Some(pdf), .. } => term.times(pdf),
-        _ => term.value(),
+    Mistake::factor("path-without-density", |term| {
+        is_diffuse(term).then(|| term.density()).flatten()
     }),
-    Mistake::term("path-pi-twice", |term| match term.traced() {
-        Some(Lobe::Lambertian(_)) => term.times(1.0 / PI),
-        _ => term.value(),
+    Mistake::factor("path-pi-twice", |term| is_diffuse(term).then_some(1.0 / PI)),
+    Mistake::factor("choice-not-compensated", |term| match term.term.source {
+        TermSource::Traced { lobe_probability, .. } => Some(lobe_probability),
+        _ => None,
     }),
-    Mistake::term("choice-not-compensated", |term| match term.term.source {
-        TermSource::Traced { lobe_probability, .. } => term.times(lobe_probability),
-        _ => term.value(),
-    }),
-    Mistake::term("roulette-not-compensated", |term| match term.term.source {
-        TermSource::Traced { survival, .. } => term.times(survival),
-        _ => term.value(),
+    Mistake::factor("roulette-not-compensated", |term| match term.term.source {
+        TermSource::Traced { survival, .. } => Some(survival),
+        _ => None,
     }),
 ];
 
-/// Of the angle of the ray along which the light arrives.
-fn cosine(term: &ObservedTerm<'_>) -> f64 {
-    term.cosine_of_ray().map_or(1.0, f64::abs)
+/// Whether a Lambertian lobe sent the ray along which the light arrives.
+fn is_diffuse(term: &ObservedTerm<'_>) -> bool {
+    matches!(term.traced(), Some(Lobe::Lambertian(_)))
+}
+
+/// Of the angle of such a ray.
+fn cosine(term: &ObservedTerm<'_>) -> Option<f64> {
+    is_diffuse(term).then(|| term.cosine_of_ray()).flatten()
 }
 
 /// Takes off the weights by which sampled lights and paths that hit them share the same light.
-fn light_counted_twice(term: &ObservedTerm<'_>) -> Rgb {
+fn light_counted_twice(term: &ObservedTerm<'_>) -> Option<Rgb> {
     match term.term.source {
         TermSource::Emission { mis: Some(_) } | TermSource::Background { mis: Some(_) } => {
-            term.arriving
+            Some(term.arriving)
         }
         TermSource::Direct { f, cos_i, pdf, mis: Some(_), .. } => {
-            ((cos_i / pdf.unwrap_or(1.0)) * f) * term.arriving
+            Some(((cos_i / pdf.unwrap_or(1.0)) * f) * term.arriving)
         }
-        _ => term.value(),
+        _ => None,
     }
 }

@@ -5,7 +5,6 @@ use std::f64::consts::PI;
 use groundtruth::lobes::Lobe;
 use groundtruth::math::{Normal, Vector, power};
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::TermSource;
 
 use super::{How, Mistake, ObservedTerm};
 
@@ -13,33 +12,17 @@ const OF_HALF_VECTOR: Mistake =
     Mistake::term("highlight-of-half-vector", |term| with_highlight(term, half_vector));
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::term("lambertian-without-pi", |term| match term.direct() {
-        Some((Lobe::Lambertian(_), _)) => term.times(PI),
-        _ => term.value(),
+    Mistake::factor("lambertian-without-pi", |term| diffuse(term).map(|_| PI)),
+    Mistake::factor("lambertian-pi-twice", |term| diffuse(term).map(|_| 1.0 / PI)),
+    Mistake::factor("no-cosine", |term| Some(1.0 / term.direct()?.1)),
+    Mistake::factor("cosine-of-viewer", |term| {
+        let ((_, cos_i), surface) = (term.direct()?, term.ray.surface.as_ref()?);
+        Some(surface.normals.shading.dot(surface.wo).max(0.0) / cos_i)
     }),
-    Mistake::term("lambertian-pi-twice", |term| match term.direct() {
-        Some((Lobe::Lambertian(_), _)) => term.times(1.0 / PI),
-        _ => term.value(),
-    }),
-    Mistake::term("no-cosine", |term| {
-        term.direct().map_or(term.value(), |(_, cos_i)| term.times(1.0 / cos_i))
-    }),
-    Mistake::term("cosine-of-viewer", cosine_of_viewer),
-    Mistake::term("cosine-twice", |term| {
-        term.direct().map_or(term.value(), |(_, cos_i)| term.times(cos_i))
-    }),
-    Mistake::term("no-highlight", |term| match term.direct() {
-        Some((Lobe::GlossySpecular(_), _)) => Rgb::BLACK,
-        _ => term.value(),
-    }),
-    Mistake::term("highlight-without-cosine", |term| match term.direct() {
-        Some((Lobe::GlossySpecular(_), cos_i)) => term.times(1.0 / cos_i),
-        _ => term.value(),
-    }),
-    Mistake::term("highlight-normalised", |term| match term.direct() {
-        Some((Lobe::GlossySpecular(lobe), _)) => term.times((lobe.exponent + 2.0) / (2.0 * PI)),
-        _ => term.value(),
-    }),
+    Mistake::factor("cosine-twice", |term| Some(term.direct()?.1)),
+    Mistake::factor("no-highlight", |term| highlight(term).map(|_| 0.0)),
+    Mistake::factor("highlight-without-cosine", |term| Some(1.0 / highlight(term)?.1)),
+    Mistake::factor("highlight-normalised", |term| Some((highlight(term)?.0 + 2.0) / (2.0 * PI))),
     OF_HALF_VECTOR,
     OF_HALF_VECTOR.in_form(
         "with four times the exponent",
@@ -49,52 +32,46 @@ pub(super) const ALL: &[Mistake] = &[
         with_highlight(term, |n, wo, wi| times_mirrored(1.0, n, wo, wi))
     }),
     Mistake::term("sphere-normal-not-unit", sphere_normal_not_unit),
-    Mistake::term("mirror-with-cosine", |term| match term.traced() {
-        Some(Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_)) => {
-            term.times(cosine_of_ray(term))
-        }
-        _ => term.value(),
+    Mistake::factor("mirror-with-cosine", |term| match term.traced()? {
+        Lobe::PerfectSpecular(_) | Lobe::FresnelReflector(_) => term.cosine_of_ray(),
+        _ => None,
     }),
-    Mistake::term("mirror-without-kr", |term| match term.term.source {
-        TermSource::Traced {
-            lobe: Lobe::PerfectSpecular(_), lobe_probability, survival, ..
-        } => (1.0 / (lobe_probability * survival)) * term.arriving,
-        _ => term.value(),
+    Mistake::term("mirror-without-kr", |term| match term.traced()? {
+        Lobe::PerfectSpecular(_) => term.unweighed(),
+        _ => None,
     }),
-    Mistake::term("gloss-with-cosine", |term| match term.traced() {
-        Some(Lobe::GlossyReflection(_)) => term.times(cosine_of_ray(term)),
-        _ => term.value(),
+    Mistake::factor("gloss-with-cosine", |term| match term.traced()? {
+        Lobe::GlossyReflection(_) => term.cosine_of_ray(),
+        _ => None,
     }),
-    Mistake::term("gloss-without-density", |term| match term.term.source {
-        TermSource::Traced { lobe: Lobe::GlossyReflection(_), pdf: Some(pdf), .. } => {
-            term.times(pdf)
-        }
-        _ => term.value(),
+    Mistake::factor("gloss-without-density", |term| match term.traced()? {
+        Lobe::GlossyReflection(_) => term.density(),
+        _ => None,
     }),
 ];
 
-fn cosine_of_viewer(term: &ObservedTerm<'_>) -> Rgb {
-    match (term.direct(), &term.ray.surface) {
-        (Some((_, cos_i)), Some(surface)) => {
-            term.times(surface.normals.shading.dot(surface.wo).max(0.0) / cos_i)
-        }
-        _ => term.value(),
-    }
+/// The cosine of direct light that a Lambertian lobe scatters.
+fn diffuse(term: &ObservedTerm<'_>) -> Option<f64> {
+    let (lobe, cos_i) = term.direct()?;
+    matches!(lobe, Lobe::Lambertian(_)).then_some(cos_i)
 }
 
-fn cosine_of_ray(term: &ObservedTerm<'_>) -> f64 {
-    term.cosine_of_ray().map_or(1.0, f64::abs)
+/// The exponent of the highlight of direct light, and the cosine of that light.
+fn highlight(term: &ObservedTerm<'_>) -> Option<(f64, f64)> {
+    let (Lobe::GlossySpecular(lobe), cos_i) = term.direct()? else { return None };
+    Some((lobe.exponent, cos_i))
 }
 
 /// The value of a term of direct light, with another cosine in the place of `r·ω_o`, of `n`, `ω_o` and `ω_i`.
 ///
 /// Where `r·ω_o` is negative, our highlight is black and no term of it is heard, but the other may not be. So it is added
 /// to the Lambertian term, which comes first; materials without one lack that part of the highlight.
-fn with_highlight(term: &ObservedTerm<'_>, other: impl Fn(Normal, Vector, Vector) -> f64) -> Rgb {
-    let (Some((lobe, _)), Some(surface)) = (term.direct(), &term.ray.surface) else {
-        return term.value();
-    };
-    let Some(wi) = term.to_light() else { return term.value() };
+fn with_highlight(
+    term: &ObservedTerm<'_>,
+    other: impl Fn(Normal, Vector, Vector) -> f64,
+) -> Option<Rgb> {
+    let ((lobe, _), surface) = (term.direct()?, term.ray.surface.as_ref()?);
+    let wi = term.to_light()?;
     let (n, wo) = (surface.normals.shading, surface.wo);
     let (right, wrong) = (times_mirrored(2.0, n, wo, wi), other(n, wo, wi).max(0.0));
     let highlights = surface.lobes.iter().find_map(|(lobe, _)| match lobe {
@@ -103,7 +80,7 @@ fn with_highlight(term: &ObservedTerm<'_>, other: impl Fn(Normal, Vector, Vector
     });
     match (lobe, highlights) {
         (Lobe::GlossySpecular(highlight), _) if right > 0.0 => {
-            term.times(power(wrong / right, highlight.exponent))
+            Some(term.times(power(wrong / right, highlight.exponent)))
         }
         (Lobe::Lambertian(matte), Some(highlight)) if right <= 0.0 => {
             let f = PI * power(wrong, highlight.exponent);
@@ -114,9 +91,9 @@ fn with_highlight(term: &ObservedTerm<'_>, other: impl Fn(Normal, Vector, Vector
                 true => value[i] * (1.0 + ratio(specular[i], diffuse[i])),
                 false => value[i],
             };
-            Rgb::new(with_highlight(0), with_highlight(1), with_highlight(2))
+            Some(Rgb::new(with_highlight(0), with_highlight(1), with_highlight(2)))
         }
-        _ => term.value(),
+        _ => None,
     }
 }
 
@@ -130,13 +107,9 @@ fn half_vector(n: Normal, wo: Vector, wi: Vector) -> f64 {
 }
 
 /// A normal `r n` has `r` times the cosine, and is twice in the mirror direction.
-fn sphere_normal_not_unit(term: &ObservedTerm<'_>) -> Rgb {
-    let radius = term.ray.surface.as_ref().and_then(|surface| surface.radius);
-    match radius.filter(|_| term.direct().is_some()) {
-        Some(r) => {
-            let k = 2.0 * r * r;
-            r * with_highlight(term, |n, wo, wi| times_mirrored(k, n, wo, wi))
-        }
-        None => term.value(),
-    }
+fn sphere_normal_not_unit(term: &ObservedTerm<'_>) -> Option<Rgb> {
+    let _ = term.direct()?;
+    let r = term.ray.surface.as_ref()?.radius?;
+    let other = with_highlight(term, |n, wo, wi| times_mirrored(2.0 * r * r, n, wo, wi));
+    Some(r * other.unwrap_or_else(|| term.value()))
 }

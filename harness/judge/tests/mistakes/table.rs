@@ -174,7 +174,7 @@ fn a_replica_is_that_of_all_replicas() {
         let other = replica(DEFAULT_SEED).expect("the scene is valid").expect("it applies");
         assert_ne!(super::stage::bits(film), super::stage::bits(&other), "{}", mistake.name);
         kinds.insert(match mistake.how {
-            How::Term(_) => "term",
+            How::Term(_) | How::Factor(_) => "term",
             How::Ray(_) => "ray",
             How::Edits(_) | How::Scene(_) | How::Both(..) => "scene",
         });

@@ -8,7 +8,6 @@ use groundtruth::kinds::Custom;
 use groundtruth::math::{Point, Vector};
 use groundtruth::scene::Scene;
 
-use super::changed;
 use crate::mistakes::Mistake;
 
 pub(super) const ALL: &[Mistake] = &[
@@ -31,28 +30,24 @@ impl Camera for OtherFilm {
         self.camera.ray([at(0), at(1)], lens)
     }
 
-    fn has_lens(&self) -> bool {
-        self.camera.has_lens()
-    }
-
     fn project(&self, point: Point) -> Option<[f64; 2]> {
         let film = self.camera.project(point)?;
         let back = |i: usize| (film[i] - self.shift[i]) / self.scale[i];
         Some([back(0), back(1)])
     }
 
-    fn window_shift(&self, eye_shift: f64) -> f64 {
-        self.camera.window_shift(eye_shift)
+    as_in! { camera,
+        fn has_lens(&self) -> bool;
+        fn window_shift(&self, eye_shift: f64) -> f64;
     }
 }
 
 /// The scene seen by its camera with another film.
 fn with_film(scene: &Scene, scale: [f64; 2], shift: [f64; 2]) -> Option<Scene> {
     let camera = scene.camera.lens.build(&mut scene.image.plane()).ok()?;
-    changed(scene, |scene| {
-        scene.camera.lens = Kind::Custom(Custom(Arc::new(OtherFilm { camera, scale, shift })));
-        true
-    })
+    let mut scene = scene.clone();
+    scene.camera.lens = Kind::Custom(Custom(Arc::new(OtherFilm { camera, scale, shift })));
+    Some(scene)
 }
 
 fn pixel_corner(scene: &Scene, _: &Path) -> Option<Scene> {

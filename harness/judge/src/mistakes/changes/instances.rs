@@ -10,7 +10,7 @@ use groundtruth::shapes::{
     Candidate, Context, Instance, Kind, Role, SampledSurface, Sampling, Shape, Surface, Within,
 };
 
-use super::changed;
+use super::each;
 use crate::mistakes::Mistake;
 
 pub(super) const ALL: &[Mistake] = &[Mistake::scene("normal-by-matrix", changed_instances)];
@@ -34,41 +34,23 @@ impl Wrong {
 }
 
 impl Shape for Wrong {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.instance.hit(ray, span)
-    }
-
-    fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
-        self.instance.shadow_hit(ray, span)
-    }
-
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let surface = self.instance.surface(ray, at);
         Surface { shading: self.normal(surface.shading), ..surface }
-    }
-
-    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.instance.roots(ray, span)
     }
 
     fn within(&self, at: &Candidate) -> Within<'_> {
         Within::Nested(&*self.instance, *at, Role::Same)
     }
 
-    fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
-        self.instance.material_without_uv(own, needs_uv)
-    }
-
-    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
-        self.instance.sampled(sampling)
-    }
-
-    fn bounds(&self) -> Aabb {
-        self.instance.bounds()
-    }
-
-    fn leaves(&self) -> u64 {
-        self.instance.leaves()
+    as_in! { instance,
+        fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate>;
+        fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64>;
+        fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate>;
+        fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32>;
+        fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>>;
+        fn bounds(&self) -> Aabb;
+        fn leaves(&self) -> u64;
     }
 }
 
@@ -87,15 +69,9 @@ fn changed_shape(instance: &Instance, context: &mut Context) -> Option<Kind> {
 /// Instances whose parts name materials of their own, and those within compounds, stay as they are.
 fn changed_instances(scene: &Scene, folder: &Path) -> Option<Scene> {
     let mut context = Context::new(Resources::new(folder), scene.accel);
-    changed(scene, |scene| {
-        let mut any = false;
-        for object in &mut scene.objects {
-            let Kind::Instance(instance) = &object.shape else { continue };
-            if let Some(shape) = changed_shape(instance, &mut context) {
-                object.shape = shape;
-                any = true;
-            }
-        }
-        any
+    each(scene, super::objects, |object| {
+        let Kind::Instance(instance) = &object.shape else { return None };
+        object.shape = changed_shape(instance, &mut context)?;
+        Some(())
     })
 }

@@ -4,14 +4,13 @@ use std::path::Path;
 use std::sync::Arc;
 
 use groundtruth::kinds::{Resources, Specification};
-use groundtruth::lights::{Area, Context, Kind, LampObject, Light, LightContext, LightSample};
+use groundtruth::lights::{Area, Context, Kind, LampObject, Light, LightSample};
 use groundtruth::math::{Point, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::shapes::{self, SampledSurface, Sampling};
 
-use super::changed;
-use super::lights::with_samples;
+use super::lights::{with_lights, with_samples};
 use crate::mistakes::Mistake;
 
 pub(super) const ALL: &[Mistake] = &[Mistake::scene("no-lamp-area", no_lamp_area)];
@@ -51,22 +50,13 @@ fn area(surface: &dyn SampledSurface) -> Option<f64> {
 }
 
 fn no_lamp_area(scene: &Scene, folder: &Path) -> Option<Scene> {
-    changed(scene, |copy| {
-        let mut any = false;
-        for light in copy.lights.iter_mut().filter(|light| light.enabled) {
-            let Kind::Area(source) = &light.source else { continue };
-            let Some(lamp) = lamp_object(scene, folder, &source.object) else { continue };
-            let Some(area) = lamp.shape.sampled(Sampling::Area).and_then(|it| area(&*it)) else {
-                continue;
-            };
-            let Some(built) = lamp_light(scene, folder, source) else { continue };
-            let weaker = move |_: &LightContext, sample: LightSample| {
-                let radiance: Rgb = sample.radiance / area;
-                LightSample { radiance, ..sample }
-            };
-            light.source = with_samples(built, Arc::new(weaker));
-            any = true;
-        }
-        any
+    with_lights(scene, |light| {
+        let Kind::Area(source) = &light.source else { return None };
+        let lamp = lamp_object(scene, folder, &source.object)?;
+        let area = area(&*lamp.shape.sampled(Sampling::Area)?)?;
+        Some(with_samples(lamp_light(scene, folder, source)?, move |_, sample| {
+            let radiance: Rgb = sample.radiance / area;
+            LightSample { radiance, ..sample }
+        }))
     })
 }

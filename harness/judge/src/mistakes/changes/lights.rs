@@ -11,10 +11,10 @@ use groundtruth::lights::{
     AmbientOccluder, Context, Kind, Light, LightContext, LightSample, Segment, Target, Unlit,
 };
 use groundtruth::math::{Frame, maps};
-use groundtruth::scene::{Intersect, Scene};
+use groundtruth::scene::{Intersect, Light as Lamp, Scene};
 use groundtruth::shapes;
 
-use super::changed;
+use super::each;
 use super::lamps::lamp_light;
 use super::materials::is_transparent;
 use crate::mistakes::{How, Mistake};
@@ -24,15 +24,14 @@ const OFFSET_TOO_LARGE: Mistake =
 
 pub(super) const ALL: &[Mistake] = &[
     Mistake::scene("lit-from-behind", lit_from_behind),
-    Mistake {
-        name: "highlight-direction-not-unit",
+    Mistake::new(
+        "highlight-direction-not-unit",
         // the longer direction is in the cosine of all direct light, too: there it is taken off
-        how: How::Both(longer_suns, |term| match term.single_direction() {
-            Some(long) => term.times(1.0 / long.length()),
-            None => term.value(),
+        How::Both(longer_suns, |term| {
+            let long = term.single_direction()?;
+            Some(term.times(1.0 / long.length()))
         }),
-        form: None,
-    },
+    ),
     Mistake::scene("shadow-rays-without-end", shadow_rays_without_end),
     Mistake::scene("no-offset", |scene, _| with_least_distance(scene, *LENGTHS.start())),
     OFFSET_TOO_LARGE,
@@ -50,13 +49,10 @@ fn with_least_distance(scene: &Scene, epsilon: f64) -> Option<Scene> {
         return None;
     }
     let is_near = epsilon == *LENGTHS.start();
-    changed(scene, |scene| {
-        let mut any = false;
-        for object in scene.objects.iter_mut().filter(|it| is_near || is_plain(&it.shape)) {
+    each(scene, super::objects, |object| {
+        (is_near || is_plain(&object.shape)).then(|| {
             (object.intersect, object.epsilon) = (Some(Intersect::Textbook), Some(epsilon));
-            any = true;
-        }
-        any
+        })
     })
 }
 
@@ -75,73 +71,58 @@ fn is_plain(shape: &shapes::Kind) -> bool {
     )
 }
 
-/// Suns whose samples have the direction that the scene says, not made unit.
-fn longer_suns(scene: &Scene, _: &Path) -> Option<Scene> {
-    changed(scene, |scene| {
-        let mut any = false;
-        for light in scene.lights.iter_mut().filter(|light| light.enabled) {
-            let Kind::Directional(sun) = &light.source else { continue };
-            let (length, Some(built)) = (sun.direction.length(), single(&light.source)) else {
-                continue;
-            };
-            let longer = move |_: &LightContext, sample: LightSample| {
-                let direction = length * sample.direction;
-                LightSample { direction, ..sample }
-            };
-            light.source = with_samples(built, Arc::new(longer));
-            any = true;
-        }
-        any
+/// The scene in which lamps that are on have other sources.
+pub(super) fn with_lights(scene: &Scene, other: impl Fn(&Lamp) -> Option<Kind>) -> Option<Scene> {
+    each(scene, super::lights, |light| {
+        light.source = other(light).filter(|_| light.enabled)?;
+        Some(())
     })
 }
 
-/// What becomes of a sample of a light.
-pub(super) type Change = Arc<dyn Fn(&LightContext, LightSample) -> LightSample + Send + Sync>;
-
-/// A light with changed samples.
-struct Changed {
-    light: Arc<dyn Light>,
-    change: Change,
+/// Suns whose samples have the direction that the scene says, not made unit.
+fn longer_suns(scene: &Scene, _: &Path) -> Option<Scene> {
+    with_lights(scene, |light| {
+        let Kind::Directional(sun) = &light.source else { return None };
+        let length = sun.direction.length();
+        Some(with_samples(single(&light.source)?, move |_, sample| {
+            let direction = length * sample.direction;
+            LightSample { direction, ..sample }
+        }))
+    })
 }
 
-impl fmt::Debug for Changed {
+/// A light with changed samples.
+struct Changed<F> {
+    light: Arc<dyn Light>,
+    change: F,
+}
+
+impl<F> fmt::Debug for Changed<F> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.light.fmt(f)
     }
 }
 
-impl Light for Changed {
-    fn draws(&self) -> usize {
-        self.light.draws()
-    }
-
-    fn is_ambient(&self) -> bool {
-        self.light.is_ambient()
-    }
-
-    fn object(&self) -> Option<&str> {
-        self.light.object()
-    }
-
-    fn is_sky(&self) -> bool {
-        self.light.is_sky()
-    }
-
+impl<F: Fn(&LightContext, LightSample) -> LightSample + Send + Sync> Light for Changed<F> {
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample> {
         self.light.sample(from, u).map(|sample| (self.change)(from, sample))
     }
 
-    fn unlit(&self, from: &LightContext, u: &[[f64; 2]]) -> Unlit {
-        self.light.unlit(from, u)
-    }
-
-    fn pdf(&self, from: &LightContext, to: &Target<'_>) -> f64 {
-        self.light.pdf(from, to)
+    as_in! { light,
+        fn draws(&self) -> usize;
+        fn is_ambient(&self) -> bool;
+        fn object(&self) -> Option<&str>;
+        fn is_sky(&self) -> bool;
+        fn unlit(&self, from: &LightContext, u: &[[f64; 2]]) -> Unlit;
+        fn pdf(&self, from: &LightContext, to: &Target<'_>) -> f64;
     }
 }
 
 /// The light with changed samples, as a kind.
-pub(super) fn with_samples(light: Arc<dyn Light>, change: Change) -> Kind {
+pub(super) fn with_samples(
+    light: Arc<dyn Light>,
+    change: impl Fn(&LightContext, LightSample) -> LightSample + Send + Sync + 'static,
+) -> Kind {
     Kind::Custom(Custom(Arc::new(Changed { light, change })))
 }
 
@@ -157,20 +138,13 @@ fn single(source: &Kind) -> Option<Arc<dyn Light>> {
 
 /// Light from behind is mirrored at the plane of the surface: it has the same cosine, without its sign.
 fn lit_from_behind(scene: &Scene, _: &Path) -> Option<Scene> {
-    let mirrored = |from: &LightContext, sample: LightSample| {
-        let cos_i = from.normal.dot(sample.direction);
-        let across = (2.0 * cos_i.min(0.0)) * from.normal;
-        LightSample { direction: sample.direction - across, ..sample }
-    };
-    changed(scene, |scene| {
-        let mut any = false;
-        for light in scene.lights.iter_mut().filter(|light| light.enabled && !light.shadows) {
-            if let Some(built) = single(&light.source) {
-                light.source = with_samples(built, Arc::new(mirrored));
-                any = true;
-            }
-        }
-        any
+    with_lights(scene, |light| {
+        let built = single(&light.source).filter(|_| !light.shadows)?;
+        Some(with_samples(built, |from, sample| {
+            let cos_i = from.normal.dot(sample.direction);
+            let across = (2.0 * cos_i.min(0.0)) * from.normal;
+            LightSample { direction: sample.direction - across, ..sample }
+        }))
     })
 }
 
@@ -185,27 +159,19 @@ fn shadow_rays_without_end(scene: &Scene, folder: &Path) -> Option<Scene> {
     if scene.materials.iter().any(absorbs) || !scene.camera.medium.absorption.is_black() {
         return None;
     }
-    let original = scene;
-    let endless = |_: &LightContext, sample: LightSample| {
-        let segment = sample.segment.map(|_| Segment::Infinity);
-        LightSample { segment, ..sample }
-    };
-    changed(scene, |scene| {
-        let mut any = false;
-        for light in scene.lights.iter_mut().filter(|light| light.enabled && light.shadows) {
-            let built = match &light.source {
-                Kind::PointLight(_) | Kind::Spot(_) | Kind::FakeSpherical(_) => {
-                    light.source.build(&mut Context::default()).ok()
-                }
-                Kind::Area(area) => lamp_light(original, folder, area),
-                _ => None,
-            };
-            if let Some(built) = built {
-                light.source = with_samples(built, Arc::new(endless));
-                any = true;
+    with_lights(scene, |light| {
+        let built = match &light.source {
+            _ if !light.shadows => None,
+            Kind::PointLight(_) | Kind::Spot(_) | Kind::FakeSpherical(_) => {
+                light.source.build(&mut Context::default()).ok()
             }
-        }
-        any
+            Kind::Area(area) => lamp_light(scene, folder, area),
+            _ => None,
+        };
+        Some(with_samples(built?, |_, sample| {
+            let segment = sample.segment.map(|_| Segment::Infinity);
+            LightSample { segment, ..sample }
+        }))
     })
 }
 
@@ -238,17 +204,11 @@ impl Light for Uniform {
 }
 
 fn occluder_uniform(scene: &Scene, _: &Path) -> Option<Scene> {
-    changed(scene, |scene| {
-        let mut any = false;
-        for light in &mut scene.lights {
-            if let Kind::AmbientOccluder(AmbientOccluder { max_distance, .. }) = light.source
-                && let Ok(built) = light.source.build(&mut Context::default())
-            {
-                let uniform = Uniform { light: built, max_distance };
-                light.source = Kind::Custom(Custom(Arc::new(uniform)));
-                any = true;
-            }
-        }
-        any
+    with_lights(scene, |light| {
+        let Kind::AmbientOccluder(AmbientOccluder { max_distance, .. }) = light.source else {
+            return None;
+        };
+        let light = light.source.build(&mut Context::default()).ok()?;
+        Some(Kind::Custom(Custom(Arc::new(Uniform { light, max_distance }))))
     })
 }

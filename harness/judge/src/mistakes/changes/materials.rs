@@ -14,7 +14,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::textures::{self, Paint, Texel, Texture, TexturePoint};
 
-use super::changed;
+use super::each;
 use crate::mistakes::glass_terms::{both_right, factor_right, fresnel_right, total_right};
 use crate::mistakes::{How, Mistake};
 
@@ -57,44 +57,26 @@ impl Material for Changed {
         (self.respond)(&*self.material, at, cos_o, response);
     }
 
-    fn emission(&self) -> Option<&Emission> {
-        self.material.emission()
-    }
-
-    fn boundary(&self) -> Option<Boundary> {
-        self.material.boundary()
-    }
-
-    fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
-        self.material.textures(at)
-    }
-
-    fn reflectances(&self) -> Vec<Reflectance> {
-        self.material.reflectances()
-    }
-
-    fn transmits(&self) -> bool {
-        self.material.transmits()
-    }
-
-    fn needs_rays(&self) -> bool {
-        self.material.needs_rays()
+    as_in! { material,
+        fn emission(&self) -> Option<&Emission>;
+        fn boundary(&self) -> Option<Boundary>;
+        fn textures(&self, at: &TexturePoint<'_>) -> Vec<TexturedField<'_>>;
+        fn reflectances(&self) -> Vec<Reflectance>;
+        fn transmits(&self) -> bool;
+        fn needs_rays(&self) -> bool;
     }
 }
 
 /// The scene with another response of its transparent materials.
 fn with_response(scene: &Scene, folder: &Path, respond: Respond) -> Option<Scene> {
     let mut resources = Resources::new(folder);
-    changed(scene, |scene| {
-        let mut any = false;
-        for material in scene.materials.iter_mut().filter(|it| is_transparent(&it.recipe)) {
-            if let Ok(built) = material.recipe.build(&mut resources) {
-                let changed = Changed { material: built, respond };
-                material.recipe = Kind::Custom(Custom(Arc::new(changed)));
-                any = true;
-            }
+    each(scene, super::materials, |material| {
+        if !is_transparent(&material.recipe) {
+            return None;
         }
-        any
+        let changed = Changed { material: material.recipe.build(&mut resources).ok()?, respond };
+        material.recipe = Kind::Custom(Custom(Arc::new(changed)));
+        Some(())
     })
 }
 
@@ -161,14 +143,10 @@ impl Bump for Reversed {
 
 fn bump_reversed(scene: &Scene, folder: &Path) -> Option<Scene> {
     let mut resources = Resources::new(folder);
-    changed(scene, |scene| {
-        let mut any = false;
-        for bump in scene.materials.iter_mut().filter_map(|material| material.bump.as_mut()) {
-            let Ok(built) = bump.build(&mut resources) else { continue };
-            *bump = bumps::Kind::Custom(Custom(Arc::new(Reversed(built))));
-            any = true;
-        }
-        any
+    each(scene, super::materials, |material| {
+        let built = material.bump.as_ref()?.build(&mut resources).ok()?;
+        material.bump = Some(bumps::Kind::Custom(Custom(Arc::new(Reversed(built)))));
+        Some(())
     })
 }
 
@@ -216,17 +194,13 @@ fn diffuse_color(recipe: &mut Kind) -> Option<&mut Paint> {
 
 fn checker_truncated(scene: &Scene, folder: &Path) -> Option<Scene> {
     let mut resources = Resources::new(folder);
-    changed(scene, |scene| {
-        let mut any = false;
-        for material in &mut scene.materials {
-            let Some(paint) = diffuse_color(&mut material.recipe) else { continue };
-            let Paint::Textured(texture) = paint else { continue };
-            let textures::Kind::Checker3d(data) = &**texture else { continue };
-            let Ok(checker) = texture.build(&mut resources) else { continue };
-            let truncated = Truncated { checker, size: data.size };
-            **texture = textures::Kind::Custom(Custom(Arc::new(truncated)));
-            any = true;
-        }
-        any
+    each(scene, super::materials, |material| {
+        let paint = diffuse_color(&mut material.recipe)?;
+        let Paint::Textured(texture) = paint else { return None };
+        let textures::Kind::Checker3d(data) = &**texture else { return None };
+        let checker = texture.build(&mut resources).ok()?;
+        let truncated = Truncated { checker, size: data.size };
+        **texture = textures::Kind::Custom(Custom(Arc::new(truncated)));
+        Some(())
     })
 }

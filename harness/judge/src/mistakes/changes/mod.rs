@@ -1,23 +1,48 @@
 //! Mistakes that are a change of the scene which the file of mistakes cannot say: kinds of lights, cameras and materials that
 //! are wrong, around ours.
 
+/// Methods that are those of the kind in a field.
+macro_rules! as_in {
+    ($field:ident, $(fn $name:ident(&self $(, $arg:ident: $type:ty)*) $(-> $out:ty)?;)*) => {
+        $(fn $name(&self $(, $arg: $type)*) $(-> $out)? { self.$field.$name($($arg),*) })*
+    };
+}
+
 mod cameras;
 mod instances;
 mod lamps;
 mod lights;
 mod materials;
 
-use groundtruth::scene::Scene;
+use groundtruth::scene::{Light, Material, Object, Scene};
 
 use super::Mistake;
+use super::places::any;
 
 pub(super) use materials::NOT_INVERTED;
 
 pub(super) const ALL: [&[Mistake]; 5] =
     [cameras::ALL, instances::ALL, lamps::ALL, lights::ALL, materials::ALL];
 
-/// A copy with this change, which returns whether it changed something.
-fn changed(scene: &Scene, change: impl FnOnce(&mut Scene) -> bool) -> Option<Scene> {
+/// A copy of which one of these items, or more, are changed.
+fn each<T>(
+    scene: &Scene,
+    items: fn(&mut Scene) -> &mut Vec<T>,
+    change: impl FnMut(&mut T) -> Option<()>,
+) -> Option<Scene> {
     let mut copy = scene.clone();
-    change(&mut copy).then_some(copy)
+    any(items(&mut copy).iter_mut().filter_map(change))?;
+    Some(copy)
+}
+
+fn lights(scene: &mut Scene) -> &mut Vec<Light> {
+    &mut scene.lights
+}
+
+fn materials(scene: &mut Scene) -> &mut Vec<Material> {
+    &mut scene.materials
+}
+
+fn objects(scene: &mut Scene) -> &mut Vec<Object> {
+    &mut scene.objects
 }
