@@ -10,7 +10,7 @@ mod synthetic;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 
 use groundtruth::math::Pcg32;
-use judge::sets::{Divisions, Method, Pairs, Reason, Sets, SetsDecision, SetsVerdict, Watch};
+use judge::sets::{Method, Pairs, Reason, Sets, SetsDecision, SetsVerdict, Watch};
 use judge::verdict::Answer;
 use pictures::compare::Picture;
 use rayon::prelude::*;
@@ -18,34 +18,6 @@ use rayon::prelude::*;
 use synthetic::{Noise, SIZE, brighter, pictures, verdict, verdict_of_regions, without_a_lamp};
 
 const LEVEL: f64 = 0.01;
-
-/// Law: chance divides pictures in each way once. Oracle: the binomial coefficients, and that the weights of a way are
-/// −1/n and 1/m, so often; of two sets of one size, a way and its opposite are one.
-#[test]
-fn each_division_is_there_once() {
-    for (sizes, count) in [([5, 5], 126), ([4, 6], 210), ([1, 9], 10), ([2, 3], 10), ([3, 3], 10)] {
-        let divisions = Divisions::sets(sizes, 400);
-        assert!(divisions.is_all && divisions.weights.len() == count, "{sizes:?}");
-        assert_eq!(Divisions::of_sets(sizes), count as f64);
-        let [n, m] = sizes.map(|count| count as f64);
-        let mut seen = Vec::new();
-        for weights in &divisions.weights {
-            let before = weights.iter().filter(|weight| **weight == -1.0 / n).count();
-            let after = weights.iter().filter(|weight| **weight == 1.0 / m).count();
-            assert_eq!([before, after], sizes);
-            let opposite: Vec<f64> = weights.iter().map(|weight| -weight).collect();
-            assert!(!seen.contains(weights) && !seen.contains(&opposite), "{weights:?} twice");
-            seen.push(weights.clone());
-        }
-        assert!(divisions.weights[0][..sizes[0]].iter().all(|weight| *weight < 0.0));
-    }
-    let signs = Divisions::signs(8, 400);
-    assert!(signs.is_all && signs.weights.len() == 128);
-    assert!(signs.weights[0].iter().all(|weight| *weight == 0.125));
-    assert!(
-        !Divisions::sets([8, 8], 400).is_all && Divisions::sets([8, 8], 400).weights.len() == 400
-    );
-}
 
 /// Law: the probability of pictures of one pixel is that of Fisher's exact test of their means. Oracle: all subsets of five
 /// of ten values, by their bits.

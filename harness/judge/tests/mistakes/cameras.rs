@@ -24,33 +24,22 @@ fn changed_world(name: &str, scene: &Scene) -> World {
     World::build(&changed).expect("it is valid")
 }
 
-/// Law: a camera that looks through the corners of pixels is one that stands half a pixel to the left and lower. Oracle:
-/// that camera, orthographic; edges may fall on a pixel's centre.
+/// Law: a camera that looks through the corners of pixels is one that stands half a pixel to the left and lower; of 16 samples in
+/// cells of a quarter of the pixel, those at the corners are samples of one that stands an eighth of a pixel so. Oracle: that
+/// camera, orthographic; edges may fall on a pixel's centre.
 #[test]
-fn corners_of_pixels() {
-    let mut scene = small("ch03/three-objects", WIDTH, 1);
-    let film = with("pixel-corner", &scene);
-    let world = World::build(&scene).expect("it is valid");
-    let frame = world.view.frame();
-    let shift = -0.5 * scene.image.pixel_size * (frame.u + frame.v);
-    scene.camera.eye = scene.camera.eye + shift;
-    scene.camera.look_at = scene.camera.look_at + shift;
-    assert!(share_of_differences(&film, &ours(&scene)) < 0.01);
-}
-
-/// Law: of 16 samples in cells of a quarter of the pixel, those at the corners are samples of a camera that stands an
-/// eighth of a pixel to the left and lower. Oracle: that camera, orthographic.
-#[test]
-fn corners_of_cells() {
-    let mut scene = small("ch03/three-objects", WIDTH, 1);
-    scene.image.samples = 16;
-    let film = with("sub-cell-corner", &scene);
-    let world = World::build(&scene).expect("it is valid");
-    let frame = world.view.frame();
-    let shift = -0.125 * scene.image.pixel_size * (frame.u + frame.v);
-    scene.camera.eye = scene.camera.eye + shift;
-    scene.camera.look_at = scene.camera.look_at + shift;
-    assert!(share_of_differences(&film, &ours(&scene)) < 0.01);
+fn corners_of_pixels_and_of_cells() {
+    for (name, samples, part) in [("pixel-corner", 1, 0.5), ("sub-cell-corner", 16, 0.125)] {
+        let mut scene = small("ch03/three-objects", WIDTH, 1);
+        scene.image.samples = samples;
+        let film = with(name, &scene);
+        let world = World::build(&scene).expect("it is valid");
+        let frame = world.view.frame();
+        let shift = -part * scene.image.pixel_size * (frame.u + frame.v);
+        scene.camera.eye = scene.camera.eye + shift;
+        scene.camera.look_at = scene.camera.look_at + shift;
+        assert!(share_of_differences(&film, &ours(&scene)) < 0.01, "{name}");
+    }
 }
 
 /// Law: with both sides of the same field of view, a picture three times as wide as high shows a square, each column of

@@ -3,8 +3,8 @@
 use std::f64::consts::PI;
 
 use groundtruth::bumps::Height;
-use groundtruth::lights::{Ambient, AmbientOccluder, PointLight};
-use groundtruth::materials::{Emissive, GlossyReflector, Matte, Phong, Reflective};
+use groundtruth::lights::{AmbientOccluder, PointLight};
+use groundtruth::materials::{Emissive, GlossyReflector, Matte, Phong};
 use groundtruth::math::{Step, Vector, cos_degrees, power};
 use groundtruth::noise::Noise;
 use groundtruth::rgb::Rgb;
@@ -41,19 +41,13 @@ fn cosines_of_direct_light() {
 #[test]
 fn highlights() {
     let (ks, exponent) = (0.25, 10.0);
-    let shiny = |kd: f64| Phong {
-        kd: kd.into(),
-        cd: Rgb::WHITE.into(),
-        ks: ks.into(),
-        exponent: exponent.into(),
-        ..Phong::default()
-    };
+    let shiny = |kd: f64| phong(0.0, kd, Rgb::WHITE, ks, exponent);
     let (viewer, sun) = (-20.0, 40.0);
     let cos_i = cos_degrees(sun);
-    let phong = ks * power(cos_degrees(20.0), exponent);
+    let mirrored = ks * power(cos_degrees(20.0), exponent);
     let scene = lit_plane(shiny(0.0), viewer, sun);
-    expect("highlight-without-cosine", &scene, phong, ROUNDING);
-    expect("highlight-normalised", &scene, phong * cos_i * 12.0 / (2.0 * PI), ROUNDING);
+    expect("highlight-without-cosine", &scene, mirrored, ROUNDING);
+    expect("highlight-normalised", &scene, mirrored * cos_i * 12.0 / (2.0 * PI), ROUNDING);
     expect("no-highlight", &scene, 0.0, 0.0);
     let half = |degrees: f64| ks * power(cos_degrees(degrees), exponent);
     expect("highlight-of-half-vector", &scene, half(10.0) * cos_i, ROUNDING);
@@ -62,8 +56,8 @@ fn highlights() {
     expect_form("highlight-of-half-vector", four_times, &scene, narrow, ROUNDING);
     let short = cos_i * cos_degrees(viewer) - cos_degrees(sun - viewer);
     expect("highlight-without-two", &scene, ks * power(short, exponent) * cos_i, ROUNDING);
-    let grey = Phong { cd: Rgb::grey(0.5).into(), ..shiny(KD) };
-    let both = (KD * 0.5 / PI + 0.5 * phong) * cos_i;
+    let grey = phong(0.0, KD, Rgb::grey(0.5), ks, exponent);
+    let both = (KD * 0.5 / PI + 0.5 * mirrored) * cos_i;
     expect("highlight-of-surface-colour", &lit_plane(grey, viewer, sun), both, ROUNDING);
     let scene = lit_plane(shiny(KD), 70.0, 70.0);
     let expected = (KD / PI + half(70.0)) * cos_degrees(70.0);
@@ -75,7 +69,7 @@ fn highlights() {
 fn ambient_light() {
     let ka = 0.375;
     let mut scene = plane(matte(ka, 0.0, Rgb::WHITE), 0.0);
-    light(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+    scene.lights.push(ambient(1.0));
     for name in ["a", "b", "c"] {
         scene.lights.push(directional(name, Vector::Y, 1.0));
     }
@@ -83,7 +77,7 @@ fn ambient_light() {
     expect("ambient-for-each-light", &scene, 3.0 * ka, ROUNDING);
     expect("ambient-over-pi", &scene, ka / PI, ROUNDING);
     let mut scene = plane(matte(ka, KD, Rgb::WHITE), 0.0);
-    light(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+    scene.lights.push(ambient(1.0));
     expect("ambient-without-ka", &scene, 1.0, ROUNDING);
     expect("ambient-of-kd", &scene, KD, ROUNDING);
     expect_form("ambient-of-kd", "times k_a", &scene, ka * KD, ROUNDING);
@@ -103,13 +97,7 @@ fn directions_of_the_sun() {
 /// with and without shadow rays. Oracle: `(k_d/π + k_s (3/2 cos α)^e) cosθ_i`.
 #[test]
 fn a_long_direction_in_highlights_alone() {
-    let phong = Phong {
-        kd: KD.into(),
-        cd: Rgb::WHITE.into(),
-        ks: 0.25.into(),
-        exponent: 4.0.into(),
-        ..Phong::default()
-    };
+    let phong = phong(0.0, KD, Rgb::WHITE, 0.25, 4.0);
     let mut scene = plane(phong, -20.0);
     light(&mut scene, PointLight { location: point(0.0, 9.0, 0.0), ..point_source(0.0) });
     scene.lights.push(directional("sun", 1.5 * at_angle(40.0), 1.0));
@@ -128,13 +116,7 @@ fn point_source(ls: f64) -> PointLight {
 /// `n' = r n` in the formulas of Lambert and Phong; a plane, and a sphere of radius 1, have the right ones.
 #[test]
 fn a_sphere_with_normals_as_long_as_its_radius() {
-    let phong = Phong {
-        kd: KD.into(),
-        cd: Rgb::WHITE.into(),
-        ks: 0.25.into(),
-        exponent: 4.0.into(),
-        ..Phong::default()
-    };
+    let phong = phong(0.0, KD, Rgb::WHITE, 0.25, 4.0);
     let (viewer, sun) = (-20.0, 40.0);
     let of_radius = |radius: f64| {
         let mut scene = lit_plane(phong.clone(), viewer, sun);
@@ -206,7 +188,7 @@ fn a_switch_of_shadows_that_is_ignored() {
 fn lamps_that_are_not_seen() {
     let lamp = || Emissive::new(4.0, Rgb::WHITE);
     expect("lamps-unseen", &plane(lamp(), 20.0), 0.0, 0.0);
-    let mirror = Reflective { phong: Phong::default(), kr: 0.75.into(), cr: Rgb::WHITE.into() };
+    let mirror = mirror(Phong::default(), 0.75, Rgb::WHITE);
     let mut scene = plane(mirror, 60.0);
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 1 });
     let ceiling = Plane { point: point(0.0, 100.0, 0.0), normal: -Vector::Y };
@@ -282,7 +264,7 @@ fn least_amount_of_ambient_light() {
 #[test]
 fn mirrors_and_gloss() {
     let kr = 0.75;
-    let mirror = Reflective { phong: Phong::default(), kr: kr.into(), cr: Rgb::WHITE.into() };
+    let mirror = mirror(Phong::default(), kr, Rgb::WHITE);
     let mut scene = plane(mirror, 60.0);
     scene.background = Rgb::WHITE.into();
     scene.tracer = Tracer::Whitted(Whitted { max_depth: 1 });
@@ -338,7 +320,7 @@ fn checker_by_truncation() {
     let colors = [Rgb::WHITE, Rgb::grey(0.25)];
     let checker = Checker3d { size, color1: colors[0].into(), color2: colors[1].into() };
     let mut scene = plane(matte(1.0, 0.0, checker), 0.0);
-    light(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+    scene.lights.push(ambient(1.0));
     scene.image.resize(40, 40);
     scene.image.pixel_size = 0.1;
     let film = with("checker-truncated", &scene);

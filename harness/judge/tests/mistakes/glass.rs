@@ -25,6 +25,11 @@ fn glass(angle: f64) -> Scene {
     white_around(plane(glass, angle))
 }
 
+fn thin(kr: f64, kt: f64) -> Transparent {
+    let (phong, cr) = (Phong::default(), Rgb::WHITE.into());
+    Transparent { phong, kr: kr.into(), cr, kt: kt.into(), eta: ETA }
+}
+
 /// The angle of refraction, by Snell's law.
 fn refracted(i: f64) -> f64 {
     let sin_t = sin(i) / ETA;
@@ -48,6 +53,12 @@ fn unpolarised(degrees: f64) -> f64 {
     0.5 * (perpendicular(degrees) + amplitude * amplitude)
 }
 
+/// Schlick's formula.
+fn schlick(angle: f64) -> f64 {
+    let r0 = 0.5 / 2.5 * (0.5 / 2.5);
+    r0 + (1.0 - r0) * power(1.0 - cos_degrees(angle), 5.0)
+}
+
 /// Law: a glass plane in white surroundings shows `R + T/η²`, and each mistake changes R, T or the factor. Oracle:
 /// Fresnel's sine and tangent laws, Schlick's formula.
 #[test]
@@ -66,9 +77,7 @@ fn shares_of_a_glass_plane() {
             sum(perpendicular(angle), 1.0 / squared),
             ROUNDING,
         );
-        let r0 = 0.5 / 2.5 * (0.5 / 2.5);
-        let schlick = r0 + (1.0 - r0) * power(1.0 - cos_degrees(angle), 5.0);
-        expect("schlick", &scene, sum(schlick, 1.0 / squared), ROUNDING);
+        expect("schlick", &scene, sum(schlick(angle), 1.0 / squared), ROUNDING);
         let parallel = 2.0 * r - perpendicular(angle);
         expect("fresnel-parallel-only", &scene, sum(parallel, 1.0 / squared), ROUNDING);
         expect("fresnel-without-half", &scene, sum(2.0 * r, 1.0 / squared), ROUNDING);
@@ -84,14 +93,7 @@ fn shares_of_a_glass_plane() {
 #[test]
 fn total_internal_reflection() {
     let (kr, kt) = (0.25, 0.75);
-    let thin = Transparent {
-        phong: Phong::default(),
-        kr: kr.into(),
-        cr: Rgb::WHITE.into(),
-        kt: kt.into(),
-        eta: ETA,
-    };
-    let scene = white_around(plane(thin, 120.0));
+    let scene = white_around(plane(thin(kr, kt), 120.0));
     assert_eq!(value(&ours(&scene)), 1.0);
     expect("total-reflection-black", &scene, 0.0, 0.0);
     expect("total-reflection-kr", &scene, kr, ROUNDING);
@@ -104,14 +106,7 @@ fn total_internal_reflection() {
 #[test]
 fn shares_of_a_transparent_plane() {
     let (kr, kt, squared) = (0.25, 0.75, ETA * ETA);
-    let thin = Transparent {
-        phong: Phong::default(),
-        kr: kr.into(),
-        cr: Rgb::WHITE.into(),
-        kt: kt.into(),
-        eta: ETA,
-    };
-    let scene = white_around(plane(thin, 20.0));
+    let scene = white_around(plane(thin(kr, kt), 20.0));
     expect("kr-kt-exchanged", &scene, kt + kr / squared, ROUNDING);
     expect("mirror-without-kr", &scene, 1.0 + kt / squared, ROUNDING);
     expect("transmission-without-kt", &scene, kr + 1.0 / squared, ROUNDING);
@@ -148,8 +143,6 @@ fn forms_of_an_index_that_is_not_inverted() {
     form("in the factor 1/η² alone", sum(right, 1.0 / squared));
     form("but right where reflection is total", sum(wrong, 1.0 / squared));
     // Schlick's formula for either side of the surface
-    let r0 = 0.5 / 2.5 * (0.5 / 2.5);
-    let schlick = |angle: f64| r0 + (1.0 - r0) * power(1.0 - cos_degrees(angle), 5.0);
     expect("schlick", &scene, sum(schlick(30.0), squared), ROUNDING);
     let (form, of_larger) = ("with the larger of both angles", sum(schlick(outside), squared));
     expect_form("schlick", form, &scene, of_larger, ROUNDING);

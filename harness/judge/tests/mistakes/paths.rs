@@ -3,7 +3,6 @@
 use std::f64::consts::PI;
 
 use groundtruth::lights::Environment;
-use groundtruth::materials::Phong;
 use groundtruth::math::power;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::build::*;
@@ -64,13 +63,7 @@ fn weights_of_diffuse_paths() {
 fn a_choice_that_is_not_compensated() {
     let mut scene = under_a_sky(Tracer::PathTrace(Depth { max_depth: 1 }), 4096);
     let ks = 0.1;
-    let two = Phong {
-        kd: KD.into(),
-        cd: Rgb::WHITE.into(),
-        ks: ks.into(),
-        exponent: 0.0.into(),
-        ..Phong::default()
-    };
+    let two = phong(0.0, KD, Rgb::WHITE, ks, 0.0);
     scene.materials[0].recipe = two.into();
     // the selection weight of a highlight is k_s · min(1, 2π/(e + 2))
     let (highlight, q) = (PI * ks, ks / (ks + KD));

@@ -1,5 +1,6 @@
 //! Sets by their definition: divisions and signs counted one by one, intervals, noise, and sums of areas.
 
+use std::collections::BTreeSet;
 use std::sync::atomic::AtomicBool;
 
 use groundtruth::math::Pcg32;
@@ -132,7 +133,8 @@ fn the_needed_t_has_its_score() {
 }
 
 /// Law: there are as many divisions as subsets, and half as many for sets of equal size; there are 2^(n − 1) signs of n
-/// differences, all distinct. Oracle: Pascal's triangle.
+/// differences. Chance divides pictures in each way once, and the first way is the one that was. Oracle: Pascal's triangle, and
+/// that the weights of a way are −1/n and 1/m, so often; of two sets of one size, a way and its opposite are one.
 #[test]
 fn divisions_are_subsets() {
     let mut triangle = vec![vec![1.0_f64]];
@@ -152,7 +154,9 @@ fn divisions_are_subsets() {
             // all of them if `most` is their number, and random ones if it is one less
             if expected < 1000.0 && expected > 1.0 {
                 let most = expected as usize;
-                assert!(Divisions::sets([n, m], most).is_all, "{n} and {m}: {most} are all");
+                let divisions = Divisions::sets([n, m], most);
+                assert!(divisions.is_all && divisions.weights.len() == most, "{n} and {m}");
+                are_distinct(&divisions.weights, [n, m]);
                 assert!(
                     !Divisions::sets([n, m], most - 1).is_all,
                     "{n} and {m}: {most} − 1 are not all"
@@ -160,11 +164,27 @@ fn divisions_are_subsets() {
             }
         }
         near(format!("{n} signs"), Divisions::of_signs(n), f64::from(1_u32 << (n - 1)), 0.0);
-        let signs = Divisions::signs(n, 1 << (n - 1)).weights;
-        let distinct: std::collections::BTreeSet<String> =
-            signs.iter().map(|it| format!("{it:?}")).collect();
+        let signs = Divisions::signs(n, 1 << (n - 1));
+        assert!(signs.is_all && signs.weights[0].iter().all(|it| *it == 1.0 / n as f64));
+        let distinct: BTreeSet<String> = signs.weights.iter().map(|it| format!("{it:?}")).collect();
         equal(format!("{n} signs: distinct ways"), distinct.len(), 1 << (n - 1));
     }
+    let random = Divisions::sets([8, 8], 400);
+    assert!(!random.is_all && random.weights.len() == 400);
+}
+
+/// Fails unless these are all ways to divide pictures into sets of these sizes, each once.
+fn are_distinct(ways: &[Vec<f64>], sizes @ [n, m]: [usize; 2]) {
+    let mut seen = BTreeSet::new();
+    for weights in ways {
+        let count = |weight: f64| weights.iter().filter(|it| **it == weight).count();
+        assert_eq!([count(-1.0 / n as f64), count(1.0 / m as f64)], sizes);
+        let signs: Vec<bool> = weights.iter().map(|weight| *weight < 0.0).collect();
+        let opposite: Vec<bool> = signs.iter().map(|it| !it).collect();
+        assert!(n != m || !seen.contains(&opposite), "{weights:?} and its opposite");
+        assert!(seen.insert(signs), "{weights:?} twice");
+    }
+    assert!(ways[0][..n].iter().all(|weight| *weight < 0.0));
 }
 
 const SIZE: [u32; 2] = [16, 16];
@@ -314,7 +334,7 @@ fn a_margin_of_sets_has_borders() {
 #[test]
 fn sums_of_sets_are_sums() {
     let random = &mut Pcg32::new(4, 51);
-    for size in [[1, 1], [5, 1], [1, 6], [3, 2], [8, 8], [7, 9]] {
+    for size in [[1, 1], [5, 1], [1, 6], [3, 2], [8, 8], [7, 9], [16, 16], [33, 2]] {
         let (areas, pixels) = (Areas::tiles(size), size[0] * size[1]);
         let mut of = || (0..3 * pixels).map(|_| 1.0 + random.uniform()).collect::<Vec<f64>>();
         let (values, mean, variance) = (of(), of(), of());

@@ -7,7 +7,7 @@ use groundtruth::lights::{self, FakeSpherical};
 use groundtruth::math::{Pcg32, Point};
 use groundtruth::scene::{Light, Scene};
 use judge::mistakes;
-use judge::sets::SetsDecision;
+use judge::sets::{Power, SetsDecision};
 use pictures::compare::{self, Picture};
 use rayon::prelude::*;
 
@@ -91,6 +91,23 @@ fn half_a_pixel_off(
     seeds.map(film).collect()
 }
 
+/// Of 100 sets of five before and after a change: for how many an honest pair's power promises that it is seen, and how many of
+/// these are.
+fn promised_and_seen(
+    honest: &[Picture],
+    changed: &[Picture],
+    promises: impl Fn(Power) -> bool + Sync,
+) -> [usize; 2] {
+    let result = |seed| {
+        let [before, other] = chosen(honest, [5, 5], seed);
+        let [after, _] = chosen(changed, [5, 0], 1000 + seed);
+        let promised = verdict(&before, &other).power.is_some_and(&promises);
+        [promised, promised && verdict(&before, &after).decision == SetsDecision::Differ]
+    };
+    let results: Vec<[bool; 2]> = (0..100).into_par_iter().map(result).collect();
+    [0, 1].map(|which| results.iter().filter(|result| result[which]).count())
+}
+
 /// The names of the shifts.
 const SHIFTS: [&str; 2] = ["half a pixel along rows", "half a pixel down columns"];
 
@@ -116,24 +133,13 @@ fn planted_changes_of_rendered_sets_are_seen() {
             ("depth off by one", with_mistake(name, side, "one-bounce-less", 500..560)),
         ];
         for (what, changed) in changes.iter().filter(|(_, changed)| changed.len() > 10) {
-            let results: Vec<[bool; 2]> = (0..100)
-                .into_par_iter()
-                .map(|seed| {
-                    let [before, other] = chosen(&honest, [5, 5], seed);
-                    let [after, _] = chosen(changed, [5, 0], 1000 + seed);
-                    let power = verdict(&before, &other).power;
-                    let promised = power.is_some_and(|power| match *what {
-                        "1 % everywhere" => power.gain.is_some_and(|gain| gain <= 0.01),
-                        "a patch × 1.3" => power.gain_of_patch.is_some_and(|gain| gain <= 0.3),
-                        what if what == SHIFTS[0] => power.shift[0],
-                        what if what == SHIFTS[1] => power.shift[1],
-                        _ => true,
-                    });
-                    [promised, verdict(&before, &after).decision == SetsDecision::Differ]
-                })
-                .collect();
-            let promised = results.iter().filter(|[promised, _]| *promised).count();
-            let seen = results.iter().filter(|[promised, seen]| *promised && *seen).count();
+            let [promised, seen] = promised_and_seen(&honest, changed, |power| match *what {
+                "1 % everywhere" => power.gain.is_some_and(|gain| gain <= 0.01),
+                "a patch × 1.3" => power.gain_of_patch.is_some_and(|gain| gain <= 0.3),
+                what if what == SHIFTS[0] => power.shift[0],
+                what if what == SHIFTS[1] => power.shift[1],
+                _ => true,
+            });
             println!("{name}, {what}: {seen} of {promised} promised");
             if *what != "depth off by one" && 100 * seen < 95 * promised {
                 missed.push(format!("{name}, {what}: {seen} of {promised}"));
@@ -170,17 +176,7 @@ fn a_missing_lamp_is_seen() {
     let honest = of(&lamps(|_| true), 0..60);
     for missing in [0, 5, 10] {
         let dark = of(&lamps(|lamp| lamp != missing), 500..560);
-        let results: Vec<[bool; 2]> = (0..100)
-            .into_par_iter()
-            .map(|seed| {
-                let [before, other] = chosen(&honest, [5, 5], seed);
-                let [after, _] = chosen(&dark, [5, 0], 1000 + seed);
-                let promised = verdict(&before, &other).power.is_some_and(|power| power.lamp);
-                [promised, verdict(&before, &after).decision == SetsDecision::Differ]
-            })
-            .collect();
-        let promised = results.iter().filter(|[promised, _]| *promised).count();
-        let seen = results.iter().filter(|[promised, seen]| *promised && *seen).count();
+        let [promised, seen] = promised_and_seen(&honest, &dark, |power| power.lamp);
         println!("lamp {missing}: {seen} of {promised} promised");
         assert!(promised > 50 && 100 * seen >= 95 * promised, "{missing}: {seen} of {promised}");
     }

@@ -68,19 +68,23 @@ pub fn mean(all: &[Picture]) -> Picture {
     Picture::of_radiance(&values, all[0].size)
 }
 
-/// The pictures with some pixels this many times as bright.
-pub fn brighter(all: &[Picture], factor: f64, wanted: impl Fn([u32; 2]) -> bool) -> Vec<Picture> {
+/// The pictures with each pixel this many times as bright.
+fn times(all: &[Picture], factor: impl Fn([u32; 2]) -> f64) -> Vec<Picture> {
     let changed = |picture: &Picture| {
         let mut picture = picture.clone();
         let width = picture.size[0];
         for (index, color) in (0..).zip(&mut picture.values) {
-            if wanted([index % width, index / width]) {
-                *color = color.map(|value| value * factor as f32);
-            }
+            let factor = factor([index % width, index / width]) as f32;
+            *color = color.map(|value| value * factor);
         }
         picture
     };
     all.iter().map(changed).collect()
+}
+
+/// The pictures with some pixels this many times as bright.
+pub fn brighter(all: &[Picture], factor: f64, wanted: impl Fn([u32; 2]) -> bool) -> Vec<Picture> {
+    times(all, |at| if wanted(at) { factor } else { 1.0 })
 }
 
 /// The pictures without the light of one lamp of twelve that hang in a ring: each lights the picture by the fourth power of
@@ -94,17 +98,7 @@ pub fn without_a_lamp(all: &[Picture]) -> Vec<Picture> {
         let distance = away[0] * away[0] + away[1] * away[1];
         1.0 / ((1.0 + 4.0 * distance) * (1.0 + 4.0 * distance))
     };
-    let left = |at| 1.0 - light(7, at) / (0..12).map(|lamp| light(lamp, at)).sum::<f64>();
-    let dimmed = |picture: &Picture| {
-        let mut picture = picture.clone();
-        let width = picture.size[0];
-        for (index, color) in (0..).zip(&mut picture.values) {
-            let factor = left([index % width, index / width]) as f32;
-            *color = color.map(|value| value * factor);
-        }
-        picture
-    };
-    all.iter().map(dimmed).collect()
+    times(all, |at| 1.0 - light(7, at) / (0..12).map(|lamp| light(lamp, at)).sum::<f64>())
 }
 
 /// The picture, each pixel taken from another place.

@@ -13,7 +13,7 @@ use judge::verdict::{
 use pictures::compare::{Picture, Transfer};
 
 use super::pictures::{films, scene, world};
-use super::shared::FLOATS;
+use super::shared::{FLOATS, mapped};
 
 const SIZE: [u32; 2] = [48, 48];
 
@@ -78,15 +78,11 @@ fn judged_correct(theirs: &Picture) -> Verdict {
 
 /// The picture with the value at each position taken from another; at the edge it is repeated.
 fn moved(film: &Film, from: impl Fn(i64, i64) -> [i64; 2]) -> Picture {
-    let [width, height] = [film.width(), film.height()].map(i64::from);
-    let mut changed = film.clone();
-    for y in 0..height {
-        for x in 0..width {
-            let [from_x, from_y] = from(x, y);
-            let source = [from_x.clamp(0, width - 1), from_y.clamp(0, height - 1)];
-            changed.set([x as u32, y as u32], film.get(source.map(|along| along as u32)));
-        }
-    }
+    let last = [film.width(), film.height()].map(|side| i64::from(side) - 1);
+    let changed = mapped(film, |[x, y], _| {
+        let [x, y] = from(i64::from(x), i64::from(y));
+        film.get([x.clamp(0, last[0]) as u32, y.clamp(0, last[1]) as u32])
+    });
     Picture::of_film(&changed)
 }
 
@@ -131,12 +127,7 @@ fn corners_for_centres_are_named() {
     let mut larger = noisy();
     [larger.image.width, larger.image.height] = SIZE.map(|side| side + 1);
     let film = theirs(&larger, 500);
-    let mut theirs = Film::new(SIZE[0], SIZE[1]);
-    for y in 0..SIZE[1] {
-        for x in 0..SIZE[0] {
-            theirs.set([x, y], film.get([x + 1, y + 1]));
-        }
-    }
+    let theirs = mapped(&Film::new(SIZE[0], SIZE[1]), |[x, y], _| film.get([x + 1, y + 1]));
     let verdict = judged(&Picture::of_film(&theirs));
     let explained = verdict.explained.expect("the shift");
     assert!(
@@ -363,13 +354,10 @@ fn the_noise_factor_is_that_of_the_noise() {
     let random = &mut Pcg32::new(3, 3);
     for factor in [0.5, 1.0, 2.0] {
         let film = &all[16 + random.below(48) as usize];
-        let mut theirs = film.clone();
-        for y in 0..SIZE[1] {
-            for x in 0..SIZE[0] {
-                let mean = groundtruth::render::mean(all.iter().map(|it| it.get([x, y])));
-                theirs.set([x, y], mean + factor * (film.get([x, y]) - mean));
-            }
-        }
+        let theirs = mapped(film, |at, color| {
+            let mean = groundtruth::render::mean(all.iter().map(|it| it.get(at)));
+            mean + factor * (color - mean)
+        });
         let known: Vec<Vec<f32>> = all[..16].iter().map(|film| FLOATS.values(film)).collect();
         let subject = PoolContext { areas: &areas, stored: FLOATS, reference: None };
         let noise = noise(&FLOATS.values(&theirs), subject, &known);

@@ -2,29 +2,21 @@
 
 use std::f64::consts::PI;
 
-use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::film::Film;
-use groundtruth::lights::Directional;
-use groundtruth::materials::Matte;
-use groundtruth::math::{Point, Vector};
+use groundtruth::math::Point;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::{Image, Light, Material, Object, Scene};
-use groundtruth::shapes::Sphere;
+use groundtruth::scene::build::*;
 use groundtruth::world::World;
 use judge::verdict::{RayTolerance, Stored, exclude};
 
 /// A matte ball of this radius before a black background, 16 × 16 pixels without noise.
 fn ball(radius: f64, ls: f64) -> World {
-    let lens = Pinhole { distance: 16.0, zoom: 1.0 };
-    let eye = Viewpoint::new(Point::new(0.0, 0.0, 10.0), Point::ORIGIN, lens);
-    let mut scene = Scene::new("a ball", Image::new(16, 16), eye);
-    let matte = Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::WHITE.into() };
-    scene.materials.push(Material::new("matte", matte));
-    let sphere = Sphere { center: Point::ORIGIN, radius, inward: false };
-    scene.objects.push(Object::new("ball", "matte", sphere));
-    let direction = Vector::new(1.0, 1.0, 2.0);
-    scene.lights.push(Light::new("sun", Directional { ls, color: Rgb::WHITE, direction }));
+    let view = [point(0.0, 0.0, 10.0), Point::ORIGIN];
+    let mut scene = pinhole("a ball", [16; 2], view, 16.0);
+    scene.image.samples = 1;
+    add(&mut scene, "ball", sphere(Point::ORIGIN, radius), matte(0.0, 0.5, Rgb::WHITE));
+    scene.lights.push(directional("sun", vector(1.0, 1.0, 2.0), ls));
     World::build(&scene).expect("it is valid")
 }
 

@@ -11,12 +11,10 @@ use pictures::compare::{Picture, Transfer};
 
 use super::cases::{verdict, watched};
 use super::student::{self, MISTAKES, Stage, Student};
-
-/// A step of a storage, with its name.
-type Step = (&'static str, fn(f64) -> f64);
+use super::writers::{CURVES, QUANTISERS, Step};
 
 /// The ways to store a picture: floats, and bytes.
-const STORAGES: [Step; 3] = [
+const STORAGES: [Step<f64, f64>; 3] = [
     ("PFM", |v| v),
     ("PPM by truncation", |v| (255.999 * v.clamp(0.0, 1.0)).floor() / 255.0),
     ("PNG", |v| (255.0 * power(v.clamp(0.0, 1.0), 1.0 / 2.2)).round() / 255.0),
@@ -128,28 +126,14 @@ type Honest = (String, Box<dyn Fn(&[[f64; 3]]) -> Picture>);
 
 /// Forty honest ways to store a picture.
 fn honest() -> Vec<Honest> {
-    const CURVES: [Step; 5] = [
-        ("linear", |v| v),
-        ("1.8", |v| power(v, 1.0 / 1.8)),
-        ("2", f64::sqrt),
-        ("2.2", |v| power(v, 1.0 / 2.2)),
-        ("sRGB", |v| if v < 0.0031308 { 12.92 * v } else { 1.055 * power(v, 1.0 / 2.4) - 0.055 }),
-    ];
-    const QUANTISERS: [Step; 5] = [
-        ("round", |v| (255.0 * v).round()),
-        ("int(255 v)", |v| (255.0 * v).floor()),
-        ("int(255.99 v)", |v| (255.99 * v).floor()),
-        ("int(255.999 v)", |v| (255.999 * v).floor()),
-        ("int(256 v)", |v| (256.0 * v).floor().min(255.0)),
-    ];
     let mut all: Vec<Honest> = Vec::new();
-    for (curve, of) in CURVES {
+    for (curve, of) in [0, 1, 2, 3, 5].map(|it| CURVES[it]) {
         for (name, to) in QUANTISERS {
             let byte = move |v: f64| to(of(v.clamp(0.0, 1.0))) / 255.0;
             all.push((format!("{curve}, {name}"), Box::new(move |it| integers(it, 255.0, byte))));
         }
     }
-    for (curve, of) in [CURVES[0], CURVES[4]] {
+    for (curve, of) in [CURVES[0], CURVES[5]] {
         let word = move |v: f64| (65535.0 * of(v.clamp(0.0, 1.0))).round() / 65535.0;
         all.push((format!("{curve}, 16 bits"), Box::new(move |it| integers(it, 65535.0, word))));
     }

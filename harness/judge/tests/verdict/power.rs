@@ -11,22 +11,14 @@ use judge::verdict::{Areas, Decision};
 use pictures::compare;
 
 use super::pictures::{films, scene, world};
-use super::shared::{FLOATS, Shared};
+use super::shared::{FLOATS, Shared, mapped};
 
 /// The picture of a program with a defect, from one of our films and its seed.
 type Defect<'a> = (&'static str, Box<dyn Fn(&Film, u64) -> Film + 'a>);
 
 /// The film with the pixels that are wanted this many times as bright.
 fn brighter(film: &Film, factor: f64, wanted: impl Fn([u32; 2]) -> bool) -> Film {
-    let mut changed = film.clone();
-    for y in 0..film.height() {
-        for x in 0..film.width() {
-            if wanted([x, y]) {
-                changed.set([x, y], factor * film.get([x, y]));
-            }
-        }
-    }
-    changed
+    mapped(film, |at, color| if wanted(at) { factor * color } else { color })
 }
 
 fn brighter_patch(film: &Film, seed: u64) -> Film {

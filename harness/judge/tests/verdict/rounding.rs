@@ -1,13 +1,11 @@
 //! Correct pictures that rounding or chance sets apart from all of ours.
 
-use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::film::Film;
-use groundtruth::lights::Directional;
-use groundtruth::materials::Matte;
 use groundtruth::math::{Pcg32, Point, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers;
-use groundtruth::scene::{Image, Light, Material, Object, Scene};
+use groundtruth::scene::Scene;
+use groundtruth::scene::build::*;
 use groundtruth::shapes::Rectangle;
 use judge::verdict::{
     Areas, Bright, Decision, Evaluation, PoolContext, Quantiser, RayTolerance, Stored, Strictness,
@@ -16,6 +14,7 @@ use judge::verdict::{
 use pictures::compare::{Picture, Transfer};
 
 use super::cases::verdict;
+use super::noise::normal;
 use super::pictures::{films, scene, with_sampler, world};
 use super::shared::FLOATS;
 
@@ -24,13 +23,9 @@ const SIDE: u32 = 16;
 /// A bright rectangle before black, without shading: its left edge crosses column 4 at four fifths of a pixel, its right
 /// one column 8 in the middle.
 fn strip(sampler: samplers::Kind) -> Scene {
-    let lens = Pinhole { distance: 16.0, zoom: 1.0 };
-    let eye = Viewpoint::new(Point::new(0.0, 0.0, 10.0), Point::ORIGIN, lens);
-    let mut image = Image::new(SIDE, SIDE);
-    image.samples = 4;
-    let mut scene = Scene::new("a strip", image, eye);
-    let matte = Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::WHITE.into() };
-    scene.materials.push(Material::new("matte", matte));
+    let view = [point(0.0, 0.0, 10.0), Point::ORIGIN];
+    let mut scene = pinhole("a strip", [SIDE; 2], view, 16.0);
+    scene.image.samples = 4;
     // a pixel is 10/16 units wide there
     let [left, right] = [-3.2, 0.5].map(|film| film * 10.0 / 16.0);
     let strip = Rectangle {
@@ -38,9 +33,8 @@ fn strip(sampler: samplers::Kind) -> Scene {
         a: Vector::new(right - left, 0.0, 0.0),
         b: Vector::new(0.0, 40.0, 0.0),
     };
-    scene.objects.push(Object::new("strip", "matte", strip));
-    let direction = Vector::new(0.0, 0.0, 1.0);
-    scene.lights.push(Light::new("sun", Directional { ls: 3.0, color: Rgb::WHITE, direction }));
+    add(&mut scene, "strip", strip, matte(0.0, 0.5, Rgb::WHITE));
+    scene.lights.push(directional("sun", Vector::Z, 3.0));
     with_sampler(scene, sampler)
 }
 
@@ -86,7 +80,7 @@ fn noise_below_a_step_is_no_difference() {
         };
         let mut picture = || -> Vec<f32> {
             let of = |at: usize| {
-                let unit = (0..12).map(|_| random.uniform()).sum::<f64>() - 6.0;
+                let unit = normal(random);
                 let slope = brightest * (at / 3) as f64 / (SIZE * SIZE) as f64;
                 ((slope + noise * unit).round().max(0.0) / 255.0) as f32
             };

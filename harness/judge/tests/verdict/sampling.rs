@@ -1,19 +1,17 @@
 //! Pictures whose samples are alike in all pixels, and what is shown of pixels that are set apart.
 
-use groundtruth::cameras::{Pinhole, Viewpoint};
 use groundtruth::film::Film;
-use groundtruth::lights::Directional;
-use groundtruth::materials::Matte;
-use groundtruth::math::{Point, Vector};
+use groundtruth::math::Point;
 use groundtruth::rgb::Rgb;
 use groundtruth::samplers::{self, Regular};
-use groundtruth::scene::{Image, Light, Material, Object, Scene};
-use groundtruth::shapes::{Plane, Sphere};
+use groundtruth::scene::Scene;
+use groundtruth::scene::build::*;
 use judge::verdict::{self, Decision};
 use pictures::compare::Picture;
 
 use super::cases::{STRICTNESS, verdict};
 use super::pictures::{films, scene, with_sampler, world};
+use super::shared::mapped;
 
 const SIDE: u32 = 15;
 
@@ -27,18 +25,12 @@ fn horizon(samples: u32) -> Scene {
 
 /// The same, of so many pixels; the camera looks so far down at the ball, by which the horizon rises.
 fn seen(samples: u32, side: u32, down: f64) -> Scene {
-    let lens = Pinhole { distance: 15.0, zoom: 1.0 };
-    let eye = Viewpoint::new(Point::new(0.0, 0.0, 10.0), Point::new(0.0, -down, 0.0), lens);
-    let mut scene = Scene::new("a horizon", Image::new(side, side), eye);
+    let view = [point(0.0, 0.0, 10.0), point(0.0, -down, 0.0)];
+    let mut scene = pinhole("a horizon", [side; 2], view, 15.0);
     scene.image.samples = samples;
-    let matte = Matte { ka: 0.0.into(), kd: 0.5.into(), cd: Rgb::WHITE.into() };
-    scene.materials.push(Material::new("matte", matte));
-    let ball = Sphere { center: Point::ORIGIN, radius: 1.5, inward: false };
-    let ground = Plane { point: Point::new(0.0, -1.5, 0.0), normal: Vector::new(0.0, 1.0, 0.0) };
-    scene.objects.push(Object::new("ball", "matte", ball));
-    scene.objects.push(Object::new("ground", "matte", ground));
-    let direction = Vector::new(1.0, 1.0, 2.0);
-    scene.lights.push(Light::new("sun", Directional { ls: 3.0, color: Rgb::WHITE, direction }));
+    add(&mut scene, "ball", sphere(Point::ORIGIN, 1.5), matte(0.0, 0.5, Rgb::WHITE));
+    add(&mut scene, "ground", ground(-1.5), matte(0.0, 0.5, Rgb::WHITE));
+    scene.lights.push(directional("sun", vector(1.0, 1.0, 2.0), 3.0));
     scene
 }
 
@@ -103,10 +95,7 @@ fn samples_alike_in_all_pixels_are_recognised() {
         }
         assert_eq!(judged(&alike, &film).decision, Decision::Agrees);
     }
-    let mut brighter = Film::new(31, 31);
-    for (index, color) in (0..).zip(theirs(&off(4)).pixels()) {
-        brighter.set([index % 31, index / 31], 1.05 * *color);
-    }
+    let brighter = mapped(&theirs(&off(4)), |_, color| 1.05 * color);
     let wrong = judged(&off(4), &brighter).explained;
     assert!(!wrong.is_some_and(|it| it.what.contains("--their-sampler")));
     assert!(differ >= 3, "only {differ} of 4 are unlike ours");
@@ -117,13 +106,8 @@ fn samples_alike_in_all_pixels_are_recognised() {
 fn each_channel_has_its_percentage() {
     let scene = horizon(4);
     let with = |factors: [f64; 3]| {
-        let mut film = theirs(&scene);
-        for index in 0..SIDE * SIDE {
-            let at = [index % SIDE, index / SIDE];
-            let [r, g, b] = film.get(at).to_array();
-            film.set(at, Rgb::new(factors[0] * r, factors[1] * g, factors[2] * b));
-        }
-        judged(&scene, &film)
+        let factors = Rgb::from(factors);
+        judged(&scene, &mapped(&theirs(&scene), |_, color| factors * color))
     };
     let coloured = with([0.6, 1.3, 1.3]);
     for ((means, factor), name) in

@@ -3,6 +3,7 @@
 use super::pictures::{films, scene, with_sampler, world};
 use groundtruth::film::{Film, OutOfGamut};
 use groundtruth::math::Pcg32;
+use groundtruth::rgb::Rgb;
 use groundtruth::samplers;
 use groundtruth::world::World;
 use judge::verdict::{
@@ -109,4 +110,13 @@ impl Shared {
         let judged = Evaluation::of(&theirs, subject, STRICTNESS, &mut known, |_| next.next());
         (judged.expect("enough"), apart)
     }
+}
+
+/// The film with the colour at each place made of the place and the colour there.
+pub fn mapped(film: &Film, of: impl Fn([u32; 2], Rgb) -> Rgb) -> Film {
+    let mut mapped = film.clone();
+    for at in (0..film.height()).flat_map(|y| (0..film.width()).map(move |x| [x, y])) {
+        mapped.set(at, of(at, film.get(at)));
+    }
+    mapped
 }

@@ -3,22 +3,22 @@
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::Pcg32;
 use judge::verdict::{
-    Area, Areas, Bright, DifferenceKind, Evaluation, Evidence, Map, Mean, Pool, PoolContext,
-    Quantiser, Ranking, Stored, Strictness,
+    Areas, Bright, DifferenceKind, Evaluation, Evidence, Map, Mean, Pool, PoolContext, Quantiser,
+    Ranking, Stored, Strictness,
 };
 use pictures::compare::{Picture, Transfer};
 use statistics::chi_square;
 
+use super::noise::normal as unit;
 use super::pictures::{films, scene, world};
 use super::shared::FLOATS;
 
 /// Pictures of 9 × 7 pixels whose values are cubes of normal numbers of other sizes: skewed nowhere, heavy-tailed.
 fn noise(random: &mut Pcg32) -> Vec<f32> {
-    let normal = |random: &mut Pcg32| (0..12).map(|_| random.uniform()).sum::<f64>() - 6.0;
     (0..9 * 7 * 3)
         .map(|at| {
             let size = 1.0 + f64::from(at % 5);
-            let x = normal(random);
+            let x = unit(random);
             (10.0 + size * x * x * x) as f32
         })
         .collect()
@@ -67,8 +67,7 @@ fn the_mean_of_many_shows_more() {
     let areas = Areas::tiles([32, 32]);
     let random = &mut Pcg32::new(12, 5);
     let mut normal = |mean: f64, deviation: f64| -> Vec<f64> {
-        let unit = |_| (0..12).map(|_| random.uniform()).sum::<f64>() - 6.0;
-        (0..3 * 32 * 32).map(unit).map(|x| mean + deviation * x).collect()
+        (0..3 * 32 * 32).map(|_| mean + deviation * unit(random)).collect()
     };
     let single = |values: Vec<f64>| values.into_iter().map(|x| x as f32).collect::<Vec<f32>>();
     let mut pictures: Vec<Vec<f32>> = (0..8).map(|_| single(normal(10.0, 1.0))).collect();
@@ -83,35 +82,6 @@ fn the_mean_of_many_shows_more() {
     let own = NOISE * NOISE;
     let expected = ((own + 1.0 / REPLICAS) / (own + 1.0 / OUTSIDE)).sqrt();
     assert!((many / few / expected - 1.0).abs() < 0.2, "{many} and {few}, not {expected} times");
-}
-
-/// Law: tiles have the sums of their pixels, and objects of theirs. Oracle: brute force.
-#[test]
-fn sums_over_areas_are_sums() {
-    for size @ [width, height] in [[9, 7], [16, 16], [1, 5], [33, 2]] {
-        let areas = Areas::tiles(size);
-        let random = &mut Pcg32::new(2, 5);
-        let values: Vec<f64> = (0..width * height).map(|_| random.uniform()).collect();
-        let mut sums = values.clone();
-        for level in 0..areas.levels() {
-            if level > 0 {
-                sums = areas.coarser(&sums, level);
-            }
-            for (index, sum) in sums.iter().enumerate() {
-                let area = areas.tile(level, index);
-                let Area::Tile { corner: [x, y], side } = area else { panic!("a tile") };
-                let is_inside = |at: &usize| {
-                    let (column, row) = (at % width, at / width);
-                    (x..x + side).contains(&column) && (y..y + side).contains(&row)
-                };
-                let pixels: Vec<usize> = (0..width * height).filter(is_inside).collect();
-                assert_eq!(areas.pixels(area), pixels);
-                let expected: f64 = pixels.iter().map(|pixel| values[*pixel]).sum();
-                assert!((sum - expected).abs() < 1e-12, "{area:?}: {sum}, not {expected}");
-            }
-        }
-        assert_eq!(sums.len(), 1, "the last tile is the whole picture");
-    }
 }
 
 /// Law: our values are stored as a file stores them. Oracle: the bytes of the file that `film::write` writes.

@@ -7,14 +7,14 @@ use pictures::compare::{Comparison, Picture};
 
 use super::pictures::{films, scene, world};
 use super::power::half_a_pixel_off;
-use super::shared::Shared;
+use super::shared::{Shared, mapped};
 use crate::verbs::equal;
 
 /// A step of a writer, with its name.
-type Step<A, B> = (&'static str, fn(A) -> B);
+pub type Step<A, B> = (&'static str, fn(A) -> B);
 
 /// From a display value to a byte; the last ones cap what is beyond 255.
-const QUANTISERS: [Step<f64, f64>; 5] = [
+pub const QUANTISERS: [Step<f64, f64>; 5] = [
     ("round(255 v)", |v| (255.0 * v + 0.5).floor()),
     ("int(255 v)", |v| (255.0 * v).floor()),
     ("int(255.99 v)", |v| (255.99 * v).floor()),
@@ -26,7 +26,7 @@ fn srgb(v: f64) -> f64 {
     if v < 0.0031308 { 12.92 * v } else { 1.055 * power(v, 1.0 / 2.4) - 0.055 }
 }
 
-const CURVES: [Step<f64, f64>; 7] = [
+pub const CURVES: [Step<f64, f64>; 7] = [
     ("v", |v| v),
     ("v^(1/1.8)", |v| power(v, 1.0 / 1.8)),
     ("v^(1/2)", f64::sqrt),
@@ -179,12 +179,7 @@ fn defects_are_found_whoever_wrote_the_picture() {
     let mut ours = world(&scene(name_of_scene, [side; 2], 1), 1);
     let shared = Shared::usual(name_of_scene, [side, 1, 8]);
     let film = films(&mut ours, std::iter::once(50_000)).remove(0);
-    let mut brighter = film.clone();
-    for y in 0..side {
-        for x in 0..side {
-            brighter.set([x, y], 1.01 * film.get([x, y]));
-        }
-    }
+    let brighter = mapped(&film, |_, color| 1.01 * color);
     let shifted = half_a_pixel_off(name_of_scene, [side, 1], 50_000);
     for writer in writers() {
         for (what, theirs) in [("1 %", &brighter), ("half a pixel", &shifted)] {
