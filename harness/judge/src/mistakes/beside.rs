@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use groundtruth::film::Film;
+use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, SceneError};
+use groundtruth::world::World;
 
 use super::Mistake;
-use super::films::Films;
-use super::replicas::replicas;
+use super::probed::replica;
 use super::table::{Effect, changes};
 
 /// The columns between the two pictures.
@@ -34,18 +35,20 @@ impl Beside {
         folder: &Path,
         seed: u64,
     ) -> Result<Option<Self>, SceneError> {
-        let Films { ours: right, mut altered, .. } = replicas(&[mistake], scene, folder, seed)?;
-        Ok(altered.pop().map(|(_, wrong)| Self { right, wrong }))
+        let right = render::render(&World::build_seeded(scene, folder, seed)?);
+        // a change that gives no valid scene does not apply
+        let wrong = replica(mistake, scene, folder, seed).ok().flatten();
+        Ok(wrong.filter(|wrong| *wrong != right).map(|wrong| Self { right, wrong }))
     }
 
     /// How much the mistake changes.
     pub fn effect(&self) -> Effect {
-        Effect::of(&self.right, &self.wrong)
+        Effect::of(self.right.pixels(), self.wrong.pixels())
     }
 
     /// The pixel that changes most.
     pub fn most_changed(&self) -> [u32; 2] {
-        let changes = changes(&self.right, &self.wrong);
+        let changes = changes(self.right.pixels(), self.wrong.pixels());
         let (index, _) = (0_u32..)
             .zip(changes)
             .max_by(|a, b| a.1.total_cmp(&b.1))

@@ -11,7 +11,6 @@ mod beside;
 mod called;
 mod changes;
 mod edit;
-mod films;
 mod glass_terms;
 pub mod known;
 mod light_terms;
@@ -23,7 +22,6 @@ mod path_terms;
 mod places;
 mod probed;
 mod recorder;
-mod replicas;
 mod shown;
 mod surface_terms;
 pub mod table;
@@ -39,13 +37,11 @@ use serde_json::json;
 
 pub use beside::Beside;
 pub use edit::Edit;
-pub use films::{Films, films, pixel};
 pub use mistaken::Mistaken;
 pub use observed::{ObservedRay, ObservedSurface, ObservedTerm};
 pub use page::page;
-pub use probed::{IsOver, Probed, probed};
+pub use probed::{IsOver, Probed, pixel, probed, replica, replicas};
 pub use recorder::Reweighing;
-pub use replicas::{replica, replicas};
 pub use shown::{
     Cover, HEADING, MistakeInScene, TABLE, fewest_scenes, is_wrong_on_purpose, not_shown_by,
     others, pairs, scenes_that_show, shown_by,

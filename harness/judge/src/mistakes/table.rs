@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use gallery::Entry;
-use groundtruth::film::Film;
+use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Scene, SceneError};
 use groundtruth::world::DEFAULT_SEED;
 
-use super::replicas::replicas;
+use super::probed::{Probed, replicas};
 use super::{Mistake, all};
 
 /// The width of the measured pictures, in pixels.
@@ -31,7 +31,7 @@ pub struct Effect {
 
 impl Effect {
     /// The effect of replacing a picture by another of its size.
-    pub fn of(ours: &Film, theirs: &Film) -> Self {
+    pub fn of(ours: &[Rgb], theirs: &[Rgb]) -> Self {
         let changes = changes(ours, theirs);
         let count = changes.iter().filter(|change| **change > CHANGE).count();
         let largest = changes.iter().copied().fold(0.0, f64::max);
@@ -45,11 +45,9 @@ impl Effect {
 }
 
 /// The largest relative change of a channel of each pixel of a picture that is replaced by another of its size.
-pub(super) fn changes(ours: &Film, theirs: &Film) -> Vec<f64> {
-    let channels = |film: &Film| -> Vec<[f64; 3]> {
-        film.pixels().iter().map(|pixel| pixel.to_array()).collect()
-    };
-    let (ours, theirs) = (channels(ours), channels(theirs));
+pub(super) fn changes(ours: &[Rgb], theirs: &[Rgb]) -> Vec<f64> {
+    let [ours, theirs] = [ours, theirs].map(|all| all.iter().map(|it| it.to_array()));
+    let (ours, theirs): (Vec<[f64; 3]>, Vec<[f64; 3]>) = (ours.collect(), theirs.collect());
     let mean = ours.iter().flatten().sum::<f64>() / (3 * ours.len()) as f64;
     let change = |(a, b): (&[f64; 3], &[f64; 3])| {
         let relative = |i: usize| match (b[i] - a[i]).abs() {
@@ -81,8 +79,8 @@ pub fn shown(
     folder: &Path,
 ) -> Result<Vec<(&'static Mistake, Effect)>, SceneError> {
     let small = sized(scene.clone(), WIDTH, SAMPLES);
-    let films = replicas(mistakes, &small, folder, DEFAULT_SEED)?;
-    let effects = films.altered.iter().map(|(it, film)| (*it, Effect::of(&films.ours, film)));
+    let Probed { ours, altered } = replicas(mistakes, (&small, folder, DEFAULT_SEED))?;
+    let effects = altered.iter().map(|(it, theirs)| (*it, Effect::of(&ours, theirs)));
     Ok(effects.filter(|(_, effect)| effect.is_shown()).collect())
 }
 
