@@ -7,7 +7,7 @@ use super::Sets;
 use super::evidence::SetEvidence;
 use super::noise::Pairs;
 use super::sums::SumKind;
-use crate::verdict::Answer;
+use crate::verdict::{Answer, Areas};
 use statistics::means::{difference, interval};
 
 /// The mean of an area before and after, over all channels.
@@ -36,12 +36,7 @@ impl AreaMeans {
         let of = |(level, number, name): &(SumKind, usize, String)| {
             let pixels =
                 sets.areas.pixels(evidence.sums.area(evidence.sums.places(*level, *number)[0]));
-            let mean = |picture: &Vec<f32>| {
-                let values = pixels.iter().flat_map(|pixel| &picture[3 * pixel..][..3]);
-                values.map(|value| f64::from(*value)).sum::<f64>() / (3 * pixels.len()) as f64
-            };
-            let [before, after] =
-                [&sets.before, &sets.after].map(|set| set.iter().map(mean).collect::<Vec<f64>>());
+            let [before, after] = [&sets.before, &sets.after].map(|set| Areas::means(set, &pixels));
             let apart = match &*pairs.0 {
                 [] | [_] => difference(&after, &before, confidence),
                 pairs => {
@@ -66,20 +61,11 @@ impl AreaMeans {
 
     /// Whether all means are within this part of those before.
     pub fn within(all: &[Self], margin: f64) -> Answer {
-        let is_within = |means: &Self| match means.relative {
-            Some([_, low, high]) => low >= -margin && high <= margin,
-            None => means.after == means.before,
+        let apart = |means: &Self| match means.relative {
+            Some([_, low, high]) => [low.max(-high), high.max(-low)],
+            None if means.after == means.before => [0.0; 2],
+            None => [f64::INFINITY; 2],
         };
-        let is_beyond = |means: &Self| match means.relative {
-            Some([_, low, high]) => low > margin || high < -margin,
-            None => means.after != means.before,
-        };
-        if all.iter().all(is_within) {
-            Answer::Agrees
-        } else if all.iter().any(is_beyond) {
-            Answer::DiffersByMore
-        } else {
-            Answer::CannotTell
-        }
+        Answer::of(all.iter().map(apart), margin)
     }
 }

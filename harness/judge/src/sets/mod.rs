@@ -360,46 +360,28 @@ impl SetsVerdict {
 
 /// The areas that differ, those of the largest difference first, without those that overlap one before them.
 fn areas(sets: &Sets, evidence: &SetEvidence<'_>, mut found: Found) -> Vec<AreaDifference> {
-    let (mut taken, mut areas) = (vec![false; sets.areas.object_of.len()], Vec::new());
     let [before, after] = [&sets.before, &sets.after].map(|set| sets.mean(set));
     found.sums.sort_by(|a, b| b.1.total_cmp(&a.1));
-    for (index, _) in found.sums {
-        if areas.len() == LISTED {
-            break;
-        }
-        let pixels = sets.areas.pixels(evidence.sums.area(index));
-        if pixels.iter().any(|pixel| taken[*pixel]) {
-            continue;
-        }
-        pixels.iter().for_each(|pixel| taken[*pixel] = true);
-        let channels = match evidence.sums.place(index) {
-            (SumKind::Tiles(_), channel, _) => channel..channel + 1,
+    let all = found.sums.iter().map(|(index, _)| (evidence.sums.area(*index), *index));
+    let of = |(index, pixels): (usize, Vec<usize>)| {
+        let (kind, channel, _) = evidence.sums.place(index);
+        let channels = match kind {
+            SumKind::Tiles(_) => channel..channel + 1,
             _ => 0..3,
         };
         let mean = |values: &[f64]| {
             let value = |pixel: &usize| values[3 * pixel..][channels.clone()].iter().sum::<f64>();
             pixels.iter().map(value).sum::<f64>() / (channels.len() * pixels.len()) as f64
         };
-        areas.push(AreaDifference {
+        AreaDifference {
             name: evidence.sums.name(index),
-            bounds: bounds(&pixels, sets.areas.size[0]),
+            bounds: sets.areas.bounds(&pixels),
             before: mean(&before),
             after: mean(&after),
-            is_mean: evidence.sums.place(index).0 != SumKind::Patterns,
-        });
-    }
-    areas
-}
-
-/// Left column, top row, columns and rows of the smallest rectangle that holds these pixels.
-fn bounds(pixels: &[usize], width: usize) -> [usize; 4] {
-    let of = |along: &dyn Fn(usize) -> usize| {
-        let all = || pixels.iter().map(|pixel| along(*pixel));
-        let least = all().min().unwrap_or_default();
-        [least, all().max().unwrap_or_default() + 1 - least]
+            is_mean: kind != SumKind::Patterns,
+        }
     };
-    let ([x, width], [y, height]) = (of(&|pixel| pixel % width), of(&|pixel| pixel / width));
-    [x, y, width, height]
+    sets.areas.apart(all, LISTED).into_iter().map(of).collect()
 }
 
 /// The simple change of the mean after that explains most of its difference from the mean before.

@@ -121,6 +121,52 @@ impl Areas {
     }
 }
 
+impl Areas {
+    /// Of areas, each with what it is of, the first that have no pixel in common with one before them, at most so many; with their
+    /// pixels.
+    pub(crate) fn apart<T>(
+        &self,
+        all: impl Iterator<Item = (Area, T)>,
+        most: usize,
+    ) -> Vec<(T, Vec<usize>)> {
+        let mut taken = vec![false; self.object_of.len()];
+        let mut apart = Vec::new();
+        for (area, it) in all {
+            if apart.len() == most {
+                break;
+            }
+            let pixels = self.pixels(area);
+            if !pixels.iter().any(|pixel| taken[*pixel]) {
+                pixels.iter().for_each(|pixel| taken[*pixel] = true);
+                apart.push((it, pixels));
+            }
+        }
+        apart
+    }
+
+    /// The left column, top row, columns and rows of the box around these pixels.
+    pub(crate) fn bounds(&self, pixels: &[usize]) -> [usize; 4] {
+        let along = |of: &dyn Fn(usize) -> usize| {
+            let all = || pixels.iter().map(|pixel| of(*pixel));
+            let [least, most] =
+                [all().min(), all().max()].map(|end| end.expect("there are pixels"));
+            [least, most - least + 1]
+        };
+        let width = self.size[0];
+        let [[x, w], [y, h]] = [along(&|at| at % width), along(&|at| at / width)];
+        [x, y, w, h]
+    }
+
+    /// For each of these pictures, the mean over some pixels and their channels.
+    pub(crate) fn means(pictures: &[Vec<f32>], pixels: &[usize]) -> Vec<f64> {
+        let mean = |picture: &Vec<f32>| {
+            let values = pixels.iter().flat_map(|pixel| &picture[3 * pixel..][..3]);
+            values.map(|value| f64::from(*value)).sum::<f64>() / (3 * pixels.len()) as f64
+        };
+        pictures.iter().map(mean).collect()
+    }
+}
+
 /// The name of the object that the centre of a pixel shows.
 fn shown(world: &World, pixel: [u32; 2]) -> Arc<str> {
     let Some((eye, column)) = world.view.eye_of_column(pixel[0], world.image.width) else {

@@ -8,13 +8,12 @@ use groundtruth::world::World;
 
 use super::case::Case;
 use super::hopeless::{is_hopeless, steps};
-use super::pictures_shown::Shown;
 use super::planted::brighter;
 use super::sampling::Sampling;
-use super::verdict::{Explanation, Verdict};
+use super::verdict::Explanation;
 use super::{
-    Area, Areas, Decision, Evaluation, PlantedDefect, PoolContext, Progress, Replicas, Stored,
-    exclude, is_alike, is_nearer, noise, planted, plausible,
+    Area, Areas, Decision, Evaluation, Finding, PlantedDefect, PoolContext, Progress, Replicas,
+    Stored, exclude, is_alike, is_nearer, noise, planted,
 };
 use pictures::compare::Picture;
 
@@ -36,8 +35,7 @@ const ALIKE: f64 = 0.9;
 
 /// A picture judged, its values stored in one of the ways that are possible.
 pub(super) struct Attempt {
-    pub judged: Evaluation,
-    pub verdict: Verdict,
+    pub finding: Finding,
     /// Our replicas, stored alike.
     pub known: Vec<Vec<f32>>,
 }
@@ -110,9 +108,8 @@ impl Judge<'_> {
         films: &[Film],
         find: impl Fn(&[f32], PoolContext<'_>, &[Vec<f32>]) -> T,
     ) -> T {
-        let candidates = Stored::candidates(theirs, self.transfer, self.tone);
-        let stored = plausible(&candidates, theirs, films)[0];
-        let known: Vec<Vec<f32>> = films.iter().map(|film| stored.values(film)).collect();
+        let stored = self.ways(theirs, films)[0];
+        let known = stored.all(films);
         let subject = PoolContext { areas: self.areas, stored, reference: None };
         find(&read(theirs, stored), subject, &known)
     }
@@ -122,8 +119,7 @@ impl Judge<'_> {
         if replicas.films.len() < 3 {
             return None;
         }
-        let candidates = Stored::candidates(theirs, self.transfer, self.tone);
-        let mut ways = plausible(&candidates, theirs, &replicas.films);
+        let mut ways = self.ways(theirs, &replicas.films);
         let films = &replicas.films[..replicas.films.len().min(FEW)];
         let is_hopeless = |way: &Stored| {
             (self.is_over)() || self.is_hopeless_as(*way, theirs, replicas.world, films)
@@ -137,7 +133,7 @@ impl Judge<'_> {
             .iter()
             .enumerate()
             .map_while(|(way, stored)| self.judged_as(theirs, *stored, replicas, !is_last(way)));
-        better(attempts, |attempt| attempt.verdict.decision)
+        better(attempts, |attempt| attempt.finding.decision)
     }
 
     /// The picture judged, stored in one way; `keeps` our films for the next.
@@ -148,8 +144,7 @@ impl Judge<'_> {
         replicas: &mut Replicas<'_, '_>,
         keeps: bool,
     ) -> Option<Attempt> {
-        let mut known: Vec<Vec<f32>> =
-            replicas.films.iter().map(|film| stored.values(film)).collect();
+        let mut known = stored.all(&replicas.films);
         let slack = stored.slack(&replicas.films[0]);
         let mut values = read(theirs, stored);
         // it is no mean of pictures whose film points are off
@@ -166,11 +161,9 @@ impl Judge<'_> {
         };
         let subject = PoolContext { areas: self.areas, stored, reference };
         let judged = Evaluation::of(&values, subject, self.strictness, &mut known, next)?;
-        let as_read = read(theirs, stored);
-        let shown = Shown { values: &as_read, excluded: &apart };
-        let mut verdict = Verdict::of(&judged, self.areas, self.strictness, shown, &slack);
-        verdict.weigh_negative(std::slice::from_ref(theirs), &judged.pool, self.areas);
-        Some(Attempt { judged, verdict, known })
+        let shown = (read(theirs, stored), apart);
+        let context = (self.areas, self.strictness);
+        Some(Attempt { finding: Finding::of(judged, context, shown, &slack, theirs), known })
     }
 
     /// The samples that are alike in all pixels with which ours are nearest to the picture, if it agrees with these.
@@ -185,28 +178,26 @@ impl Judge<'_> {
             let pairs = stored.values(film).into_iter().zip(&values);
             pairs.map(|(x, y)| f64::from((x - y).abs())).filter(|apart| apart.is_finite()).sum()
         };
-        let (image, films, next) =
-            (replicas.world.image.clone(), replicas.films.clone(), replicas.next);
-        let own = replicas.world.samples_per_pixel();
-        let farthest = ALIKE * apart(films.first()?);
-        let mut nearest: Option<(f64, Sampling, Film)> = None;
-        for candidate in Sampling::candidates(own) {
-            if candidate.is_that_of(replicas) {
-                continue;
+        let (own, next) = (replicas.world.samples_per_pixel(), replicas.next);
+        let farthest = ALIKE * apart(replicas.films.first()?);
+        let found = replicas.aside(|replicas| {
+            let mut nearest: Option<(f64, Sampling, Film)> = None;
+            for candidate in Sampling::candidates(own) {
+                if candidate.is_that_of(replicas) {
+                    continue;
+                }
+                let film = candidate.film(replicas).filter(|_| !(self.is_over)());
+                let Some(film) = film else { break };
+                let distance = apart(&film);
+                if distance < nearest.as_ref().map_or(farthest, |nearest| nearest.0) {
+                    nearest = Some((distance, candidate, film));
+                }
             }
-            let Some(film) = candidate.film(replicas).filter(|_| !(self.is_over)()) else { break };
-            let distance = apart(&film);
-            if distance < nearest.as_ref().map_or(farthest, |nearest| nearest.0) {
-                nearest = Some((distance, candidate, film));
-            }
-        }
-        let mut agrees = |candidate: Sampling, film: Film| {
+            let (_, candidate, film) = nearest?;
             candidate.resume(replicas, film);
             self.agrees(theirs, replicas)?.then_some(candidate)
-        };
-        let found = nearest.and_then(|(_, candidate, film)| agrees(candidate, film));
-        replicas.world.image = image;
-        (replicas.films, replicas.next) = (films, next);
+        });
+        replicas.next = next;
         replicas.world.reseed(next - 1);
         let what = found?.words(own);
         Some(Explanation { what, agrees: true, is_gain: false })
@@ -225,19 +216,19 @@ impl Judge<'_> {
         // what is known of an explanation is not what is known of the picture
         let silent = Self { case: Case { so_far: &|_| {}, ..self.case }, ..*self };
         let attempt = silent.judged(theirs, replicas)?;
-        Some(attempt.verdict.decision == Decision::Agrees)
+        Some(attempt.finding.decision == Decision::Agrees)
     }
 
     /// Whether the picture is too far out to agree with more replicas, however its values are stored.
     fn is_hopeless(&self, theirs: &Picture, world: &World, films: &[Film]) -> bool {
-        let candidates = Stored::candidates(theirs, self.transfer, self.tone);
-        let ways = plausible(&candidates, theirs, films);
-        ways.into_iter().all(|way| self.is_hopeless_as(way, theirs, world, films))
+        self.ways(theirs, films)
+            .into_iter()
+            .all(|way| self.is_hopeless_as(way, theirs, world, films))
     }
 
     /// The same, if its values are stored in one way.
     fn is_hopeless_as(&self, way: Stored, theirs: &Picture, world: &World, films: &[Film]) -> bool {
-        let known: Vec<Vec<f32>> = films.iter().map(|film| way.values(film)).collect();
+        let known = way.all(films);
         let subject = PoolContext { areas: self.areas, stored: way, reference: None };
         is_hopeless(&read(theirs, way), world, subject, &known, self.tolerance)
     }
@@ -272,14 +263,12 @@ impl Judge<'_> {
             }
         }
         if replicas.world.view.stereo().is_none() {
-            (replicas.direction, replicas.next) = ([1, 1], replicas.next + 1);
-            if let Some(shifted) = replicas.render() {
-                plants.push(PlantedDefect {
-                    what: "half a pixel off".to_owned(),
-                    found: found(&shifted),
-                });
-            }
-            replicas.direction = [0, 0];
+            let shifted = replicas.aside(|replicas| {
+                (replicas.direction, replicas.next) = ([1, 1], replicas.next + 1);
+                replicas.render()
+            });
+            let what = "half a pixel off".to_owned();
+            plants.extend(shifted.map(|film| PlantedDefect { what, found: found(&film) }));
         }
         plants
     }

@@ -7,11 +7,11 @@ use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
 use super::attempt::{Attempt, Judge, better, read};
+use super::finding::{Finding, More};
 use super::lossy;
-use super::verdict::{DecidedBy, DifferingRegion, REGIONS, Verdict};
 use super::{
-    Areas, Decision, Evaluation, Map, Progress, RayTolerance, Reference, Renders, Replicas, Stored,
-    Strictness, plausible, several, smallest_gains,
+    Areas, DecidedBy, Decision, Progress, RayTolerance, Reference, Renders, Replicas, Stored,
+    Strictness, Verdict, plausible, several, smallest_gains,
 };
 use crate::mistakes::IsOver;
 use pictures::compare::{Picture, Transfer};
@@ -89,41 +89,37 @@ impl<'a> Case<'a> {
         let independent = judge
             .preliminary(theirs, &replicas)
             .is_some_and(|noise| judge.match_noise(theirs, &mut replicas, noise));
-        let Attempt { mut judged, mut verdict, known } = judge.judged(theirs, &mut replicas)?;
-        if let Some(equal) = equal_to(&replicas.films, theirs, judged.pool.stored) {
-            return Some(verdict.equal(self.seed + equal as u64));
+        let Attempt { mut finding, known } = judge.judged(theirs, &mut replicas)?;
+        let stored = finding.judged.pool.stored;
+        let mut more = More::default();
+        if let Some(equal) = equal_to(&replicas.films, theirs, stored) {
+            more.equal_to_seed = Some(self.seed + equal as u64);
+            return Some(finding.with(more, &areas, self.strictness));
         }
-        let is_loss = |loss: f64| lossy::agrees(theirs, loss, judged.pool.stored, &replicas.films);
-        match verdict.decision {
-            Decision::Differs if theirs.loss.is_some_and(is_loss) => {
-                (verdict.decision, verdict.loss) = (Decision::Agrees, theirs.loss);
-            }
+        more.independent = independent;
+        let is_loss = |loss: f64| lossy::agrees(theirs, loss, stored, &replicas.films);
+        match finding.decision {
+            Decision::Differs if theirs.loss.is_some_and(is_loss) => more.loss = theirs.loss,
             // beside that, nothing is to be explained
-            Decision::Differs if matches!(verdict.decided_by, Some(DecidedBy::Negative)) => {}
+            Decision::Differs if finding.decided_by == Some(DecidedBy::Negative) => {}
             Decision::Differs => {
                 (self.so_far)(Progress::Explaining);
-                let reason = judge.reason(theirs, &mut replicas, &judged);
-                let stored = judged.pool.stored;
-                if let Some(way) = reason.way.filter(|way| *way != stored)
+                more.reason = judge.reason(theirs, &mut replicas, &finding.judged);
+                if let Some(way) = more.reason.way.filter(|way| *way != stored)
                     && let Some(attempt) = judge.judged_as(theirs, way, &mut replicas, true)
-                    && attempt.verdict.decision == Decision::Differs
+                    && attempt.finding.decision == Decision::Differs
                 {
-                    (judged, verdict) = (attempt.judged, attempt.verdict);
+                    finding = attempt.finding;
                 }
-                if verdict.decided_by.is_none() {
-                    let shown = verdict.shown.theirs.values.as_flattened();
-                    verdict.regions = regions(&judged, &areas, shown);
-                }
-                verdict.explain(reason);
             }
-            Decision::Agrees if !judged.is_fixed => {
-                verdict.plants = judge.planted_defects(&mut replicas, &known, &judged);
-                verdict.gains = smallest_gains(&judged.pool, &areas, &judged.ranking);
+            Decision::Agrees if !finding.judged.is_fixed => {
+                let judged = &finding.judged;
+                more.plants = judge.planted_defects(&mut replicas, &known, judged);
+                more.gains = smallest_gains(&judged.pool, &areas, &judged.ranking);
             }
             _ => {}
         }
-        verdict.independent = independent;
-        Some(verdict)
+        Some(finding.with(more, &areas, self.strictness))
     }
 
     /// Nothing is assumed of the noise of several pictures. Of a scene without random numbers each is judged by itself, and
@@ -152,19 +148,22 @@ impl<'a> Case<'a> {
             }
             return last;
         }
-        let candidates = Stored::candidates(&theirs[0], self.transfer, self.tone);
         let films = &replicas.films;
-        let verdict = |stored: Stored| {
-            let mut pictures: Vec<Vec<f32>> =
-                films.iter().map(|film| stored.values(film)).collect();
-            let ours = pictures.len();
-            pictures.extend(theirs.iter().map(|picture| read(picture, stored)));
-            let tests = several(&pictures[ours..], &pictures[..ours], &areas);
-            let (subject, slack) = ((stored, &areas, self.strictness), stored.slack(&films[0]));
-            Verdict::of_several(subject, (&pictures, ours), theirs, &tests, &slack)
+        let found = |stored: Stored| {
+            let ours = stored.all(films);
+            let values: Vec<Vec<f32>> = theirs.iter().map(|it| read(it, stored)).collect();
+            let tests = several(&values, &ours, &areas);
+            let subject = (stored, &areas, self.strictness);
+            let slack = stored.slack(&films[0]);
+            Finding::of_several(subject, [&values, &ours], &tests, &slack, theirs)
         };
-        let ways = plausible(&candidates, &theirs[0], films);
-        better(ways.into_iter().map(verdict), |verdict| verdict.decision)
+        let found = self.ways(&theirs[0], films).into_iter().map(found);
+        better(found, |it| it.decision).map(|it| it.verdict(&areas, self.strictness))
+    }
+
+    /// The ways of storing that the values of a picture leave open, the likeliest first; `films` are some of ours.
+    pub(super) fn ways(&self, theirs: &Picture, films: &[Film]) -> Vec<Stored> {
+        plausible(&Stored::candidates(theirs, self.transfer, self.tone), theirs, films)
     }
 }
 
@@ -172,28 +171,4 @@ impl<'a> Case<'a> {
 fn equal_to(films: &[Film], theirs: &Picture, stored: Stored) -> Option<usize> {
     let theirs = read(theirs, stored);
     films.iter().position(|film| stored.values(film) == theirs)
-}
-
-/// Where the picture differs, the farthest out first; no two regions share a pixel.
-fn regions(judged: &Evaluation, areas: &Areas, shown: &[f32]) -> Vec<DifferingRegion> {
-    let theirs = judged.pool.count() - 1;
-    let map = Map::of(&judged.pool, areas, theirs, judged.ranking.noise[theirs]);
-    let mut taken = vec![false; areas.object_of.len()];
-    let mut regions = Vec::new();
-    let outliers: Vec<usize> = map.outliers().collect();
-    if judged.is_fixed && !outliers.is_empty() {
-        regions.push(DifferingRegion::of_pixels(&judged.pool, areas, &outliers, shown));
-    }
-    for difference in judged.ranking.differences(&judged.pool, areas, theirs) {
-        let pixels = areas.pixels(difference.area);
-        if regions.len() == REGIONS || pixels.iter().any(|pixel| taken[*pixel]) {
-            continue;
-        }
-        pixels.iter().for_each(|pixel| taken[*pixel] = true);
-        regions.push(DifferingRegion::of_area(&judged.pool, areas, &map, (difference, shown)));
-    }
-    if regions.is_empty() && !outliers.is_empty() {
-        regions.push(DifferingRegion::of_pixels(&judged.pool, areas, &outliers, shown));
-    }
-    regions
 }

@@ -65,11 +65,10 @@ impl Judge<'_> {
         };
         let all: Vec<(f64, [i32; 2], Stored)> = ways.iter().filter_map(half).collect();
         let (_, direction, way) = all.into_iter().min_by(|a, b| a.0.total_cmp(&b.0))?;
-        let films = std::mem::take(&mut replicas.films);
-        replicas.direction = direction;
-        let judge = self.reading(way);
-        let agrees = judge.agrees(theirs, replicas);
-        (replicas.direction, replicas.films) = ([0, 0], films);
+        let agrees = replicas.aside(|replicas| {
+            replicas.direction = direction;
+            self.reading(way).agrees(theirs, replicas)
+        });
         let what = half_pixel_words(direction, "theirs");
         Some((Explanation { what, agrees: agrees?, is_gain: false }, way))
     }
@@ -81,12 +80,10 @@ impl Judge<'_> {
         replicas: &mut Replicas<'_, '_>,
         factor: f64,
     ) -> Option<bool> {
-        let (films, time) =
-            (std::mem::take(&mut replicas.films), replicas.world.view.exposure_time);
-        replicas.world.view.exposure_time = time / factor;
-        let agrees = self.agrees(theirs, replicas);
-        (replicas.films, replicas.world.view.exposure_time) = (films, time);
-        agrees
+        replicas.aside(|replicas| {
+            replicas.world.view.exposure_time /= factor;
+            self.agrees(theirs, replicas)
+        })
     }
 
     /// The harmless changes that leave little of the difference of a picture read in one way, with the part that each
@@ -97,7 +94,7 @@ impl Judge<'_> {
         films: &[Film],
         way: Stored,
     ) -> Vec<(f64, Change, Stored)> {
-        let known: Vec<Vec<f32>> = films.iter().map(|film| way.values(film)).collect();
+        let known = way.all(films);
         let mean: Vec<f32> = mean_of(&known).into_iter().map(|value| value as f32).collect();
         let [mean, alike] =
             [&mean, &known[0]].map(|values| Picture::of_radiance(values, theirs.size));

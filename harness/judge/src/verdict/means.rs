@@ -51,6 +51,20 @@ pub enum Answer {
 }
 
 impl Answer {
+    /// Of a margin and how far means are apart, at least and at most.
+    pub(crate) fn of(all: impl Iterator<Item = [f64; 2]>, margin: f64) -> Self {
+        let (mut are_within, mut is_beyond) = (true, false);
+        for [least, most] in all {
+            are_within &= most <= margin;
+            is_beyond |= least > margin;
+        }
+        match (are_within, is_beyond) {
+            (_, true) => Self::DiffersByMore,
+            (true, _) => Self::Agrees,
+            _ => Self::CannotTell,
+        }
+    }
+
     /// What is said of the margin.
     pub fn words(self) -> &'static str {
         match self {
@@ -66,9 +80,11 @@ impl Answer {
 impl Means {
     /// Of the whole picture and of each object, `shown`, which is the last picture of a pool as it is in its file, against
     /// the others. All intervals together hold with this confidence, if its noise is `noise` times that of the others, and
-    /// each value may be so far off by rounding ([`super::Stored::slack`]).
+    /// each value may be so far off by rounding ([`super::Stored::slack`]). Of several pictures of theirs and ours, of whose
+    /// noise nothing is assumed, the picture is their mean, and the intervals are Welch's.
     pub fn of(
         (pool, shown): (&Pool, &[f32]),
+        several: Option<[&[Vec<f32>]; 2]>,
         areas: &Areas,
         (noise, slack): (f64, &[f64]),
         confidence: f64,
@@ -77,37 +93,16 @@ impl Means {
         let each = 1.0 - (1.0 - confidence) / all.len() as f64;
         let of = |(area, name)| {
             let pixels = areas.pixels(area);
-            let means = mean((pool, shown), &pixels, name, noise, each);
+            let mut means = mean((pool, shown), &pixels, name, noise, each);
+            if let Some(both) = several {
+                let [theirs, ours] = both.map(|all| Areas::means(all, &pixels));
+                let level = means.ours.iter().sum::<f64>() / 3.0;
+                means.half = match difference(&theirs, &ours, each) {
+                    Some([_, low, high]) if level != 0.0 => 0.5 * (high - low) / level.abs(),
+                    _ => 0.0,
+                };
+            }
             means.with_rounding((pool, shown), &pixels, slack)
-        };
-        all.into_iter().map(of).collect()
-    }
-
-    /// The same, of several pictures of each side by Welch's interval: nothing is assumed of their noise. The pool has so
-    /// many of ours, and the mean of theirs.
-    pub fn of_several(
-        [theirs, ours]: [&[Vec<f32>]; 2],
-        (pool, slack): (&Pool, &[f64]),
-        areas: &Areas,
-        confidence: f64,
-    ) -> Vec<Self> {
-        let all = Self::areas(areas);
-        let each = 1.0 - (1.0 - confidence) / all.len() as f64;
-        let of = |(area, name)| {
-            let pixels = areas.pixels(area);
-            let total = |picture: &Vec<f32>| {
-                let values = pixels.iter().flat_map(|pixel| &picture[3 * pixel..3 * pixel + 3]);
-                values.map(|value| f64::from(*value)).sum::<f64>() / (3 * pixels.len()) as f64
-            };
-            let [a, b] = [theirs, ours].map(|all| all.iter().map(total).collect::<Vec<f64>>());
-            let shown = pool.picture(pool.count() - 1);
-            let means = mean((pool, shown), &pixels, name, 1.0, each);
-            let level = means.level();
-            let half = match difference(&a, &b, each) {
-                Some([_, low, high]) if level != 0.0 => 0.5 * (high - low) / level.abs(),
-                _ => 0.0,
-            };
-            Self { half, ..means }.with_rounding((pool, shown), &pixels, slack)
         };
         all.into_iter().map(of).collect()
     }
@@ -128,11 +123,6 @@ impl Means {
     /// Whether it may be beyond a relative margin.
     pub fn is_beyond(&self, margin: f64) -> bool {
         self.relative.is_some_and(|relative| relative.abs() + self.half > margin)
-    }
-
-    /// The mean of ours over all channels.
-    fn level(&self) -> f64 {
-        self.ours.iter().sum::<f64>() / 3.0
     }
 
     /// With intervals that contain what rounding may do, to all values alike and to each by itself, and what the pixels that
@@ -169,18 +159,10 @@ impl Means {
 
     /// Whether the intervals lie within a relative margin.
     pub fn within(means: &[Self], margin: f64) -> Answer {
-        let [mut all_within, mut one_beyond] = [true, false];
-        for Self { relative, half, .. } in means {
-            // what is black in both is within
-            let apart = relative.map_or(0.0, f64::abs);
-            all_within &= apart + half <= margin;
-            one_beyond |= apart - half > margin;
-        }
-        match (all_within, one_beyond) {
-            (_, true) => Answer::DiffersByMore,
-            (true, _) => Answer::Agrees,
-            _ => Answer::CannotTell,
-        }
+        // what is black in both is within
+        let apart =
+            |it: &Self| [-it.half, it.half].map(|by| it.relative.map_or(0.0, f64::abs) + by);
+        Answer::of(means.iter().map(apart), margin)
     }
 }
 

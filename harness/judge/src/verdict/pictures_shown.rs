@@ -4,15 +4,6 @@ use pictures::compare::{Affected, Picture};
 
 use super::{Areas, Map, Pool};
 
-/// A picture as it is in its file, and the pixels that do not count.
-#[derive(Clone, Copy, Debug)]
-pub struct Shown<'a> {
-    /// Three values a pixel.
-    pub values: &'a [f32],
-    /// The pixels that are set apart: in the pool they have our values.
-    pub excluded: &'a [usize],
-}
-
 /// What a verdict is about, for the eye.
 #[derive(Clone, Debug)]
 pub struct ShownPictures {
@@ -32,15 +23,14 @@ pub struct ShownPictures {
 const FAR: f64 = 3.0;
 
 impl ShownPictures {
-    pub(super) fn of(pool: &Pool, areas: &Areas, noise: f64, shown: Shown<'_>) -> Self {
+    pub(super) fn of(pool: &Pool, areas: &Areas, noise: f64, shown: (&[f32], &[usize])) -> Self {
         let (theirs, size) = (pool.count() - 1, areas.size.map(|side| side as u32));
         let mean: Vec<f32> = (0..pool.picture(theirs).len())
             .map(|at| pool.mean_of_others(theirs, at) as f32)
             .collect();
         let map = Map::of(pool, areas, theirs, noise);
-        let (z, outliers, excluded) =
-            (map.pixels(), map.outliers().collect(), shown.excluded.to_vec());
-        let [ours, theirs] = [&*mean, shown.values].map(|it| Picture::of_radiance(it, size));
+        let (z, outliers, excluded) = (map.pixels(), map.outliers().collect(), shown.1.to_vec());
+        let [ours, theirs] = [&*mean, shown.0].map(|it| Picture::of_radiance(it, size));
         Self { ours, theirs, excluded, z, outliers }
     }
 

@@ -23,6 +23,20 @@ pub(super) struct Reason {
     pub is_guessed: bool,
 }
 
+impl Reason {
+    /// A complete explanation replaces a partial one.
+    fn settled(mut self) -> Self {
+        let agrees = self.explained.as_ref().is_some_and(|it| it.agrees);
+        if agrees {
+            (self.causes.nearest, self.causes.place) = (None, None);
+        } else if !self.causes.explained_by.is_empty() {
+            self.explained = None;
+        }
+        self.is_guessed &= !agrees && self.causes.explained_by.is_empty();
+        self
+    }
+}
+
 impl Judge<'_> {
     /// Why a picture differs from our replicas, as it was judged.
     pub fn reason(
@@ -50,7 +64,7 @@ impl Judge<'_> {
             reason.way = explanation.agrees.then_some(way);
             reason.explained = Some(explanation);
             if is_harmless {
-                return reason;
+                return reason.settled();
             }
         }
         let mut scene = self.scene.clone();
@@ -60,6 +74,6 @@ impl Judge<'_> {
         let (causes, way) = inquiry.causes(&ways);
         reason.way = if causes.explained_by.is_empty() { reason.way.or(way) } else { way };
         reason.causes = causes;
-        reason
+        reason.settled()
     }
 }

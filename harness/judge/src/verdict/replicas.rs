@@ -51,6 +51,17 @@ impl<'a, 'b> Replicas<'a, 'b> {
         Replicas { source: Some(source), ..Replicas::new(self.world, seed, renders) }
     }
 
+    /// Does something with other replicas, of which there are none yet, and then goes on with these. Seeds that were taken stay
+    /// taken.
+    pub fn aside<T>(&mut self, work: impl FnOnce(&mut Self) -> T) -> T {
+        let films = std::mem::take(&mut self.films);
+        let (image, time) = (self.world.image.clone(), self.world.view.exposure_time);
+        let found = work(self);
+        (self.world.image, self.world.view.exposure_time) = (image, time);
+        (self.films, self.direction) = (films, [0, 0]);
+        found
+    }
+
     /// The next replica; `None` if the user interrupts.
     pub fn render(&mut self) -> Option<Film> {
         if let Some(source) = self.source {

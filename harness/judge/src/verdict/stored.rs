@@ -92,6 +92,11 @@ impl Stored {
         self.of_colors(film.pixels())
     }
 
+    /// The same of each of several.
+    pub(super) fn all(self, films: &[Film]) -> Vec<Vec<f32>> {
+        films.iter().map(|film| self.values(film)).collect()
+    }
+
     /// The same of some colours.
     pub fn of_colors(self, colors: &[Rgb]) -> Vec<f32> {
         colors.iter().flat_map(|color| self.color(*color)).collect()

@@ -1,7 +1,7 @@
 //! Intervals of means, Welch's tests of several pictures and the noise factor, by their definition.
 
 use groundtruth::math::Pcg32;
-use judge::verdict::{Area, Areas, Mean, Means, Pool, Ranking, Strictness, Verdict, several};
+use judge::verdict::{Area, Areas, Finding, Mean, Means, Pool, Ranking, Strictness, several};
 use pictures::compare::Picture;
 use statistics::means::{difference, two_samples};
 
@@ -53,7 +53,7 @@ fn intervals_of_means_have_their_level() {
             }
             let mean = (others > 0).then_some(Mean { values: sum, pictures: 40.0 });
             let pool = Pool::new(SIZE, FLOATS, pictures).against_mean(mean);
-            Means::of((&pool, pool.picture(5)), &areas, (times, &slack), 0.8).swap_remove(0)
+            Means::of((&pool, pool.picture(5)), None, &areas, (times, &slack), 0.8).swap_remove(0)
         };
         for (name, counts) in ["all", "green"].iter().zip(outside(2_000, &mut means)) {
             for (side, count) in ["below", "above"].iter().zip(counts) {
@@ -80,8 +80,8 @@ fn intervals_of_several_pictures_have_their_level() {
         let sum = |at: usize| theirs.iter().map(|it| f64::from(it[at])).sum::<f64>();
         let mean: Vec<f32> = (0..3 * PIXELS).map(|at| (sum(at) / 4.0) as f32).collect();
         let pool = Pool::new(SIZE, FLOATS, ours.iter().cloned().chain([mean]).collect());
-        let means =
-            Means::of_several([&theirs, &ours], (&pool, &slack), &areas, 0.8).swap_remove(0);
+        let (both, held) = ([&*theirs, &*ours], (&pool, pool.picture(8)));
+        let means = Means::of(held, Some(both), &areas, (1.0, &slack), 0.8).swap_remove(0);
         let relative = means.relative.expect("ours is not black");
         outside[0] += f64::from(u8::from(relative < -means.half));
         outside[1] += f64::from(u8::from(relative > means.half));
@@ -105,7 +105,7 @@ fn means_are_means() {
     areas.objects = vec![("a".into(), 2), ("b".into(), 3), ("c".into(), 1)];
     let pictures: Vec<Vec<f32>> = (0..4).map(|_| noisy(random, PIXELS, 0.2)).collect();
     let pool = Pool::new(SIZE, FLOATS, pictures.clone());
-    let all = Means::of((&pool, pool.picture(3)), &areas, (1.0, &[0.0; 3 * PIXELS]), 0.99);
+    let all = Means::of((&pool, pool.picture(3)), None, &areas, (1.0, &[0.0; 3 * PIXELS]), 0.99);
     let expected = [
         ("the picture", vec![0, 1, 2, 3, 4, 5]),
         ("a", vec![0, 3]),
@@ -265,20 +265,16 @@ fn the_level_is_a_border() {
     let tests = several(&theirs, &ours, &areas);
     let least = tests[0].probability;
     between("least probability", least, [1e-9, 0.5]);
-    let all: Vec<Vec<f32>> = [ours.clone(), theirs.clone()].concat();
     let read: Vec<Picture> = theirs
         .iter()
         .map(|it| Picture::of_radiance(it, [SIZE[0] as u32, SIZE[1] as u32]))
         .collect();
     for (level, differs) in [(least, true), (least * 0.999, false)] {
         let strictness = Strictness { level, first: 8 };
-        let verdict = Verdict::of_several(
-            (FLOATS, &areas, strictness),
-            (&all, 8),
-            &read,
-            &tests,
-            &[0.0; 3 * PIXELS],
-        );
+        let subject = (FLOATS, &areas, strictness);
+        let slack = [0.0; 3 * PIXELS];
+        let found = Finding::of_several(subject, [&theirs, &ours], &tests, &slack, &read);
+        let verdict = found.verdict(&areas, strictness);
         equal(format!("regions at level {level}"), !verdict.regions.is_empty(), differs);
     }
 }

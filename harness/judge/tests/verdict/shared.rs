@@ -7,8 +7,8 @@ use groundtruth::rgb::Rgb;
 use groundtruth::samplers;
 use groundtruth::world::World;
 use judge::verdict::{
-    Areas, Bright, Decision, Evaluation, PoolContext, Quantiser, RayTolerance, Shown, Stored,
-    Strictness, Verdict, exclude, is_alike, is_nearer, noise, plausible,
+    Areas, Bright, Decision, Evaluation, Finding, PoolContext, Quantiser, RayTolerance, Stored,
+    Strictness, exclude, is_alike, is_nearer, noise, plausible,
 };
 use pictures::compare::{Picture, Transfer};
 
@@ -71,10 +71,10 @@ impl Shared {
             let values: Vec<f32> =
                 theirs.values.iter().flatten().map(|it| stored.read(*it)).collect();
             let (judged, apart) = self.held(world, values.clone(), stored, seed);
-            let (slack, shown) =
-                (stored.slack(&first[0]), Shown { values: &values, excluded: &apart });
-            let verdict = Verdict::of(&judged, &self.areas, STRICTNESS, shown, &slack);
-            verdict.decision == Decision::Differs
+            let context = (&self.areas, STRICTNESS);
+            let slack = stored.slack(&first[0]);
+            let found = Finding::of(judged, context, (values, apart), &slack, theirs);
+            found.decision == Decision::Differs
         })
     }
 

@@ -2,9 +2,10 @@
 
 use groundtruth::math::Pcg32;
 use judge::verdict::{
-    Area, Areas, DifferenceKind, DifferingArea, DifferingRegion, Evaluation, Map, Pool,
-    PoolContext, Ranking, Shown, Strictness, Verdict, smallest_gains,
+    Area, Areas, DifferenceKind, DifferingArea, DifferingRegion, Evaluation, Finding, Map, Pool,
+    PoolContext, Ranking, Strictness, Verdict, smallest_gains,
 };
+use pictures::compare::Picture;
 use pictures::digits::three;
 use pictures::percent::{of_pixels, percent, signed};
 
@@ -105,9 +106,11 @@ fn verdict(pool: &Pool, areas: &Areas, level: f64) -> Verdict {
     let strictness = Strictness { level, first: 4 };
     let subject = PoolContext { areas, stored: FLOATS, reference: None };
     let judged = Evaluation::of(pool.picture(4), subject, strictness, &mut known, |_| None);
-    let shown = Shown { values: pool.picture(4), excluded: &[] };
-    let slack = vec![0.0; pool.picture(4).len()];
-    Verdict::of(&judged.expect("enough"), areas, strictness, shown, &slack)
+    let size = areas.size.map(|side| side as u32);
+    let (theirs, slack) = (pool.picture(4), vec![0.0; pool.picture(4).len()]);
+    let (judged, shown) = (judged.expect("enough"), (theirs.to_vec(), Vec::new()));
+    let picture = Picture::of_radiance(theirs, size);
+    Finding::of(judged, (areas, strictness), shown, &slack, &picture).verdict(areas, strictness)
 }
 
 /// Law: the line of means has theirs, ours, and the relative difference in percent, with half of its interval: of all channels,
