@@ -1,12 +1,12 @@
 //! `conform`.
 
+use ask::Invocation;
 use std::error::Error;
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use clap::{Args, ValueEnum};
-use conform::family::Family;
-use conform::{self, Card, Invocation, KnownFailures, Options, Profile, Row, card};
+use conform::{self, Card, KnownFailures, Options, Profile, Row, card, family::Family};
 
 use super::numbers::whole;
 use super::program::{CardArguments, Written, unanswered};
@@ -35,7 +35,7 @@ pub struct Conform {
     write_known: Option<PathBuf>,
     /// Print an adapter to fill in, whose every question is a function that returns "unsupported"
     #[arg(long, value_name = "LANGUAGE", value_enum, exclusive = true)]
-    init: Option<conform::Language>,
+    init: Option<ask::Language>,
     #[command(flatten)]
     card: CardArguments,
 }
@@ -52,7 +52,7 @@ enum Exact {
 impl Conform {
     pub fn run(self) -> Outcome {
         if let Some(language) = self.init {
-            return print(language.template());
+            return print(language.adapter());
         }
         let families = self.families()?;
         self.card.check_files(self.write_known.as_deref())?;

@@ -1,10 +1,10 @@
 //! `laws`.
 
+use ask::Stop;
 use std::error::Error;
 
 use claims::{ClaimsCard, ClaimsOptions, Description, SubjectRow};
 use clap::Args;
-use conform::Stop;
 use groundtruth::printable;
 
 use super::numbers::whole;
@@ -20,7 +20,7 @@ pub struct Laws {
     cases: usize,
     /// Print a program to start from: name your lobes, and fill in two functions
     #[arg(long, value_name = "LANGUAGE", value_enum, exclusive = true)]
-    init: Option<claims::Language>,
+    init: Option<ask::Language>,
     #[command(flatten)]
     card: CardArguments,
 }
@@ -28,7 +28,7 @@ pub struct Laws {
 impl Laws {
     pub fn run(self) -> Outcome {
         if let Some(language) = self.init {
-            return print(&language.template());
+            return print(&language.with_lobe());
         }
         self.card.check_files(None)?;
         let mut program = self.card.program.program(interrupt::flag()?);

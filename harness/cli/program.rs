@@ -1,5 +1,6 @@
 //! Programs that are asked questions, and cards of what is found: what `conform` and `laws` have in common.
 
+use ask::{Invocation, Limits, Program};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -7,7 +8,6 @@ use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
 use clap::Args;
-use conform::{Invocation, Limits, Program};
 use groundtruth::math::hash;
 use groundtruth::printable;
 use pictures::told::Told;

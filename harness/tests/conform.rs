@@ -7,7 +7,8 @@ mod altered;
 use std::sync::Arc;
 use std::time::Duration;
 
-use conform::{Limits, Options, Profile, Program, Reply, Status, Stop, Subject, ours, suite};
+use ask::{Limits, Program, Reply, Stop, Subject};
+use conform::{Options, Profile, Status, ours, suite};
 use serde_json::Value;
 
 use self::altered::{card_with, each, families};

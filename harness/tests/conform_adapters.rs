@@ -1,11 +1,10 @@
 //! The adapters of `examples/conform`: the right ones pass, of the wrong one each mistake is found, and the document
 //! shows what is printed. Where a language is missing, its tests say so and pass.
 
+use ask::{Language, Limits, Program, Reply, Stop, Subject};
 use std::time::Duration;
 
-use conform::{
-    Card, Language, Limits, Options, Profile, Program, Reply, Status, Stop, Subject, run, suite,
-};
+use conform::{Card, Options, Profile, Status, run, suite};
 use serde_json::Value;
 
 use crate::kit::{Folder, has, root, text_of};
@@ -146,7 +145,7 @@ fn an_adapter_to_fill_in_runs_and_supports_nothing() {
     ] {
         let printed = Folder::new().good(&format!("groundtruth conform --init {name}"));
         assert_eq!(printed, text_of_example(file));
-        assert_eq!(language.template(), text_of_example(file));
+        assert_eq!(language.adapter(), text_of_example(file));
     }
     assert_all_unsupported(&mut Called(init::reply));
     if has("python3") {

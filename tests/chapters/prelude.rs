@@ -4,7 +4,7 @@ pub use std::f64::consts::{FRAC_1_PI, PI, TAU};
 pub use std::path::Path;
 pub use std::sync::Arc;
 
-pub use exact::Draw;
+pub use ask::Draw;
 pub use formats::meshes::{Encoding, MeshData};
 pub use groundtruth::accel::Method;
 pub use groundtruth::cameras::{Orthographic, Pinhole, Viewpoint};

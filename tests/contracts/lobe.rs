@@ -5,7 +5,7 @@
 
 use std::f64::consts::PI;
 
-use conform::family::Asking;
+use ask::Asking;
 use conform::{Judgement, Ours, Profile, laws};
 use groundtruth::lobes::Lobe;
 use groundtruth::math::{ONE_MINUS, Pcg32, Vector, cos, sin};

@@ -1,6 +1,6 @@
 //! A subject under questions: its name and parameters, as they stand in each question, and why there is no answer.
 
-use conform::{Reply, Stop, Subject, number, numbers};
+use ask::{Reply, Stop, Subject, number, numbers};
 use serde_json::{Map, Value, json};
 
 use crate::description::Kind;

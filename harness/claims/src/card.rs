@@ -1,15 +1,13 @@
 //! The card: in a terminal, as a page, and for continuous integration.
 
+use ask::{Invocation, JunitResult, Stop};
 use std::fmt::{self, Write as _};
 
-use conform::{Invocation, Stop};
 use groundtruth::printable;
 use pictures::digits::shortened;
 use pictures::html::{self, escaped};
 use pictures::shell::quoted;
 use pictures::told::Told;
-use pictures::xml::held;
-use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
 use serde_json::{Value, json};
 
 use crate::description::Kind;
@@ -241,33 +239,22 @@ fn table(card: &ClaimsCard, kind: Kind) -> String {
 
 /// JUnit's XML: a suite for each subject, a case for each law.
 pub fn junit(card: &ClaimsCard, command: &str) -> String {
-    let mut report = Report::new(held(&format!("groundtruth laws -- {command}")));
-    for row in &card.rows {
-        let mut suite = TestSuite::new(held(&shown(row)));
-        for (law, status) in Law::of(row.kind).iter().zip(&row.laws) {
-            let status = match (status, &row.trouble) {
-                (LawStatus::Broken(broken), _) => {
-                    let mut status = TestCaseStatus::non_success(NonSuccessKind::Failure);
-                    let Broken { breach, .. } = broken;
-                    status.set_message(held(&format!(
-                        "{}; expected {}",
-                        breach.found, breach.expected
-                    )));
-                    status
-                }
-                (LawStatus::NotClaimed, _) => TestCaseStatus::skipped(),
-                (LawStatus::Undecided(_), Some(it @ (Stop::Refused(_) | Stop::Fault(_))))
-                | (_, Some(it @ Stop::NotAsked)) => {
-                    let mut status = TestCaseStatus::non_success(NonSuccessKind::Error);
-                    status.set_message(held(it.text()));
-                    status
-                }
-                (LawStatus::Undecided(_), _) => TestCaseStatus::skipped(),
-                (LawStatus::Holds(_), _) => TestCaseStatus::success(),
-            };
-            suite.add_test_case(TestCase::new(law.name, status));
-        }
-        report.add_test_suite(suite);
-    }
-    report.to_string().expect("a report of strings can be written")
+    let case = |(law, status): (&Law, &LawStatus), trouble: Option<&Stop>| {
+        let (result, text) = match (status, trouble) {
+            (LawStatus::Broken(Broken { breach, .. }), _) => {
+                (JunitResult::Failure, format!("{}; expected {}", breach.found, breach.expected))
+            }
+            (LawStatus::NotClaimed, _) => (JunitResult::Skipped, String::new()),
+            (LawStatus::Undecided(_), Some(it @ (Stop::Refused(_) | Stop::Fault(_))))
+            | (_, Some(it @ Stop::NotAsked)) => (JunitResult::Error, it.text().to_owned()),
+            (LawStatus::Undecided(_), _) => (JunitResult::Skipped, String::new()),
+            (LawStatus::Holds(_), _) => (JunitResult::Success, String::new()),
+        };
+        (law.name.to_owned(), result, text)
+    };
+    let suite = |row: &SubjectRow| {
+        let laws = Law::of(row.kind).iter().zip(&row.laws);
+        (shown(row), laws.map(|law| case(law, row.trouble.as_ref())).collect())
+    };
+    ask::junit(&format!("laws -- {command}"), card.rows.iter().map(suite))
 }

@@ -1,7 +1,6 @@
 //! A case of a lobe: parameters, a viewer, and what may be expected of its numbers.
 
-use conform::Stop;
-use exact::Draw;
+use ask::{Draw, Stop};
 use groundtruth::math::Vector;
 
 use crate::asked::Numbers;

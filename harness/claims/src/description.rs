@@ -1,8 +1,8 @@
 //! What a program says of a subject: its kind, its parameters, and what it claims.
 
+use ask::Draw;
 use std::collections::BTreeMap;
 
-use exact::Draw;
 use groundtruth::printable;
 use libm::{exp, log};
 use serde::Deserialize;

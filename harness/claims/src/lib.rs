@@ -10,7 +10,6 @@ mod case;
 pub mod cells;
 mod description;
 mod domain;
-mod language;
 mod laws;
 mod light;
 mod lobe;
@@ -24,7 +23,6 @@ mod smaller;
 pub use card::{junit, page, told};
 pub use description::{Claims, Description, Index, Kind, Sampling, Sides, Values};
 pub use domain::Domain;
-pub use language::Language;
 pub use laws::{Breach, Law};
 pub use run::{
     Broken, CASES, ClaimsCard, ClaimsOptions, LawStatus, MOST_CASES, SubjectRow, listed, run,

@@ -1,7 +1,6 @@
 //! A light under questions: what it sends to a point, its density and samples, for given parameters.
 
-use conform::{Stop, number, triple};
-use exact::Draw;
+use ask::{Draw, Stop, number, triple};
 use groundtruth::math::{Normal, Point, Vector};
 use serde_json::{Value, json};
 

@@ -1,6 +1,6 @@
 //! A lobe under questions: its value, density and samples, for given parameters.
 
-use conform::{Stop, number, triple};
+use ask::{Stop, number, triple};
 use groundtruth::math::Vector;
 use serde_json::{Value, json};
 

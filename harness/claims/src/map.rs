@@ -1,7 +1,6 @@
 //! A map from the unit square under questions: its points, their density, and the way back.
 
-use conform::{Stop, number, numbers};
-use exact::Draw;
+use ask::{Draw, Stop, number, numbers};
 use groundtruth::math::Vector;
 use serde_json::{Value, json};
 

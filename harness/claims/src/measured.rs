@@ -1,6 +1,6 @@
 //! Values in directions, and what rounding may do to them.
 
-use conform::Stop;
+use ask::Stop;
 use groundtruth::math::{Frame, Normal, Vector};
 
 use crate::lobe::Evaluated;

@@ -1,9 +1,8 @@
 //! A run: every subject in several cases, each case held to every law; and what chance may have done.
 
+use ask::{Draw, Stop, Subject};
 use std::collections::BTreeSet;
 
-use conform::{Stop, Subject};
-use exact::Draw;
 use groundtruth::math::hash;
 use groundtruth::printable;
 use serde_json::json;

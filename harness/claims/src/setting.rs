@@ -1,9 +1,8 @@
 //! The setting of a case: parameters, and from where a subject is seen.
 
+use ask::{Draw, Subject};
 use std::f64::consts::PI;
 
-use conform::Subject;
-use exact::Draw;
 use groundtruth::math::{Vector, cos, hash, sin};
 use serde_json::{Map, Value};
 

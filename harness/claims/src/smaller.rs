@@ -5,8 +5,7 @@
 //! the same law is broken, by at least a quarter of the first error and, where a mistake was recognised, by the same one:
 //! else a gross mistake turns into something that looks like rounding.
 
-use conform::{Stop, Subject, simpler, weight};
-use exact::Draw;
+use ask::{Draw, Stop, Subject, simpler, smallest, weight};
 use groundtruth::math::hash;
 use serde_json::Value;
 
@@ -48,7 +47,7 @@ pub fn row(
             first: broken.breach.clone(),
             tried: Vec::new(),
         };
-        search.run(broken, &found)?;
+        *broken = search.run(broken.clone(), &found)?;
         found.push(broken.setting.clone());
     }
     Ok(())
@@ -67,38 +66,33 @@ struct Search<'a, 'b> {
 }
 
 impl Search<'_, '_> {
-    fn run(&mut self, best: &mut Broken, known: &[Setting]) -> Result<(), Stop> {
+    fn run(&mut self, mut best: Broken, known: &[Setting]) -> Result<Broken, Stop> {
+        let description = self.description;
+        let parts = 0..parts(description);
         // all parts at once: if that is kept, nothing is left to be asked
-        let parts = 0..parts(self.description);
         let simplest = parts.clone().fold(best.setting.clone(), |setting, part| {
-            let first = changed(self.description, &setting, part).into_iter().next();
+            let first = changed(description, &setting, part).into_iter().next();
             first.unwrap_or(setting)
         });
         for setting in known.iter().chain([&simplest]) {
-            if cost(self.description, setting) < cost(self.description, &best.setting) {
-                self.keeps(best, setting.clone())?;
+            if cost(description, setting) < cost(description, &best.setting) {
+                best = self.kept(setting.clone())?.unwrap_or(best);
             }
         }
-        loop {
-            let before = best.setting.clone();
-            for part in parts.clone() {
-                for setting in changed(self.description, &best.setting, part) {
-                    if self.keeps(best, setting)? {
-                        break;
-                    }
-                }
-            }
-            if best.setting == before {
-                return Ok(());
-            }
-        }
+        let mut stopped = None;
+        let simpler = |best: &Broken| {
+            parts.clone().flat_map(|part| changed(description, &best.setting, part)).collect()
+        };
+        let kept = |_: &Broken, setting| self.kept(setting).map_err(|it| stopped = Some(it)).ok();
+        let best = smallest(best, simpler, kept);
+        stopped.map_or(Ok(best), Err)
     }
 
-    /// Takes this setting if the law is broken in it, too.
-    fn keeps(&mut self, best: &mut Broken, setting: Setting) -> Result<bool, Stop> {
+    /// This setting if the law is broken in it, too.
+    fn kept(&mut self, setting: Setting) -> Result<Option<Broken>, Stop> {
         let is_spent = self.tried.len() >= MOST_CASES || self.subject.asked >= MOST_QUESTIONS;
         if is_spent || self.tried.contains(&setting) {
-            return Ok(false);
+            return Ok(None);
         }
         self.tried.push(setting.clone());
         // the same numbers for each setting
@@ -111,16 +105,13 @@ impl Search<'_, '_> {
             // a program that hangs or dies is not asked on
             Err(Stop::Fault(_)) => {
                 self.subject.asked = MOST_QUESTIONS;
-                return Ok(false);
+                return Ok(None);
             }
-            _ => return Ok(false),
+            _ => return Ok(None),
         };
         let is_alike = self.first.mistake.is_none() || breach.mistake == self.first.mistake;
-        if !is_alike || breach.error < SHARE * self.first.error {
-            return Ok(false);
-        }
-        *best = Broken { setting, breach };
-        Ok(true)
+        let is_kept = is_alike && breach.error >= SHARE * self.first.error;
+        Ok(is_kept.then_some(Broken { setting, breach }))
     }
 }
 

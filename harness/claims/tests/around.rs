@@ -1,6 +1,6 @@
 //! Which directions and points a program is asked for, and where numbers stop to be possible.
 
-use conform::{Subject, numbers};
+use ask::{Subject, numbers};
 use serde_json::{Value, json};
 
 use super::counted::{Lambert, card, data};

@@ -1,9 +1,9 @@
 //! Cells and integrals: whether narrow densities are seen, and their error is known.
 
+use ask::Draw;
 use std::convert::Infallible;
 
 use claims::cells::{Cells, DensitySamples, integrals};
-use exact::Draw;
 use groundtruth::math::{Frame, Normal, Vector, cos, exp, sin};
 use libm::log;
 

@@ -1,10 +1,10 @@
 //! Tests of chance are judged for the whole card: by Holm's rule, and again with ten times the samples. The subjects
 //! are mirrors whose weights have a chosen probability.
 
+use ask::{Reply, Subject, numbers};
 use std::collections::BTreeMap;
 
 use claims::{ClaimsCard, ClaimsOptions, listed, run};
-use conform::{Reply, Subject, numbers};
 use serde_json::{Value, json};
 use statistics::means::one_sample;
 

@@ -1,7 +1,6 @@
 //! Claims of lobes that have a density: of random numbers of their own, and of losing no light; and factors by name.
 
-use conform::{Reply, Subject, numbers};
-use exact::Draw;
+use ask::{Draw, Reply, Subject, numbers};
 use serde_json::{Value, json};
 
 use super::right::card;

@@ -1,11 +1,11 @@
 //! Questions to a program, and counts of its answers: parameters, viewers, random numbers, and the numbers on each form of the
 //! card.
 
+use ask::{Reply, Stop, Subject, numbers};
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
 use claims::{ClaimsCard, ClaimsOptions, Kind, Law, LawStatus, junit, listed, page, run, told};
-use conform::{Reply, Stop, Subject, numbers};
 use serde_json::{Value, json};
 
 /// Lambert's lobe, whose answers may be changed, and what it was asked.

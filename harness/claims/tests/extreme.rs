@@ -1,9 +1,9 @@
 //! Extreme values and names: nothing panics on them, no work is without an end, and no name commands a terminal.
 
+use ask::{Invocation, Reply, Subject};
 use std::f64::consts::PI;
 
 use claims::{ClaimsCard, ClaimsOptions, junit, listed, page, run, told};
-use conform::{Invocation, Reply, Subject};
 use groundtruth::math::{cos, sin};
 use groundtruth::printable;
 use serde_json::{Value, json};

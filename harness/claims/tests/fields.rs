@@ -1,7 +1,7 @@
 //! Answers of other types, and answers that are off by a little.
 
+use ask::{Reply, Subject, numbers};
 use claims::listed;
-use conform::{Reply, Subject, numbers};
 use serde_json::{Value, json};
 
 use super::counted::{Lambert, card, data, first};

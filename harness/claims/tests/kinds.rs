@@ -1,7 +1,7 @@
 //! Laws of lights and maps: right ones keep them, and mistakes break the law that names them.
 
+use ask::Subject;
 use claims::{ClaimsCard, Kind, Law, LawStatus};
-use conform::Subject;
 
 use super::lamps::{self, Lamps};
 use super::right::card;

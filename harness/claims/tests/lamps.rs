@@ -5,9 +5,9 @@
 
 #![allow(clippy::disallowed_methods)] // as people write it: the standard library's functions
 
+use ask::{Reply, Subject, numbers};
 use std::f64::consts::PI;
 
-use conform::{Reply, Subject, numbers};
 use serde_json::{Value, json};
 
 pub type V = [f64; 3];

@@ -1,9 +1,9 @@
 //! Factors that people leave out or put in: each is named if numbers are off by it in nearly all cases, and nothing else is.
 
+use ask::{Reply, Subject, numbers};
 use std::f64::consts::PI;
 
 use claims::{ClaimsCard, ClaimsOptions, listed, run};
-use conform::{Reply, Subject, numbers};
 use serde_json::{Value, json};
 
 use super::counted::{Lambert, data};

@@ -1,7 +1,7 @@
 //! The tracer's own lobes as subjects: what they promise, they keep.
 
+use ask::{Reply, Subject, numbers};
 use claims::ClaimsCard;
-use conform::{Reply, Subject, numbers};
 use groundtruth::lobes::{Lobe, LobeSample};
 use groundtruth::math::Vector;
 use serde_json::{Value, json};

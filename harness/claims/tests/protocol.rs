@@ -1,9 +1,9 @@
 //! What a program may answer that is no lobe, and what is said of it.
 
+use ask::{Fault, Reply, Stop, Subject, numbers};
 use std::f64::consts::TAU;
 
 use claims::{ClaimsOptions, junit, listed, page, run, told};
-use conform::{Fault, Reply, Stop, Subject, numbers};
 use groundtruth::math::{Frame, Normal, Vector, cos, sin};
 use libm::{exp, log};
 use serde_json::{Value, json};
@@ -110,7 +110,7 @@ fn an_interrupted_run_says_so_on_each_form() {
         let card = run(&mut subject, &lobes, options, &mut |_| {});
         assert!(!card.is_whole && card.rows.len() == 3);
         let program = ["./mine".to_owned()];
-        let invocation = conform::Invocation { program: &program, ..Default::default() };
+        let invocation = ask::Invocation { program: &program, ..Default::default() };
         let told = told(&card, &invocation);
         let begins = format!("interrupted after 1 of 3 lobes; until then {known}");
         assert!(told.verdict.starts_with(&begins), "{}", told.verdict);

@@ -1,7 +1,7 @@
 //! Right lobes keep all laws, at every roughness, in single and in double precision.
 
+use ask::Subject;
 use claims::{ClaimsCard, ClaimsOptions, LawStatus, listed, run};
-use conform::Subject;
 use statistics::significance::proportion;
 
 use super::subject::{ALL, Adapter};

@@ -1,12 +1,11 @@
 //! The case that a card shows is small: a mistake made on purpose is told with the simplest numbers that have it.
 
+use ask::{Draw, Reply, Subject, numbers};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
 use std::f64::consts::{FRAC_1_PI, TAU};
 
 use claims::{Broken, ClaimsCard};
-use conform::{Reply, Subject, numbers};
-use exact::Draw;
 use groundtruth::math::{cos, sin};
 use serde_json::{Value, json};
 

@@ -1,6 +1,6 @@
 //! The lobes of [`scattering`](super::scattering) as a program that answers.
 
-use conform::{Reply, Subject, numbers};
+use ask::{Reply, Subject, numbers};
 use serde_json::{Value, json};
 
 use super::scattering::{double, single};

@@ -1,11 +1,10 @@
 //! Families of questions: what is asked, and who judges.
 
+use ask::{Asking, Stop};
 use serde_json::Value;
 
 use super::judgement::{Judgement, Profile};
 use super::mistakes::Mistake;
-use super::program::WINDOW;
-use super::subject::{Stop, Subject};
 
 /// Questions of one kind about one thing, of one difficulty.
 pub struct Family {
@@ -62,57 +61,5 @@ impl Family {
     /// The question's name, as `intersect`.
     pub fn question(&self) -> &str {
         self.name.split('.').next().unwrap_or(&self.name)
-    }
-}
-
-/// Values in an answer to a law; those of a lattice are the most.
-const MOST_ITEMS: usize = 1 << 14;
-
-/// The values in an answer, of lists and fields, too.
-fn items(answer: &Value) -> usize {
-    match answer {
-        Value::Array(all) => all.len() + all.iter().map(items).sum::<usize>(),
-        Value::Object(fields) => fields.len() + fields.values().map(items).sum::<usize>(),
-        _ => 0,
-    }
-}
-
-/// A law's way to ask: remembers what was asked, so that a broken law can be shown.
-pub struct Asking<'a> {
-    subject: &'a mut dyn Subject,
-    /// Questions and answers, in their order.
-    pub asked: Vec<(Value, Value)>,
-}
-
-impl<'a> Asking<'a> {
-    /// Asks this subject.
-    pub fn new(subject: &'a mut dyn Subject) -> Self {
-        Self { subject, asked: Vec::new() }
-    }
-
-    /// The answer to one question.
-    ///
-    /// # Errors
-    /// [`Stop`] if there is none.
-    pub fn ask(&mut self, question: &Value) -> Result<Value, Stop> {
-        Ok(self.ask_all(std::slice::from_ref(question))?.remove(0))
-    }
-
-    /// The answers to questions, in their order.
-    ///
-    /// # Errors
-    /// [`Stop`] if one has none.
-    pub fn ask_all(&mut self, questions: &[Value]) -> Result<Vec<Value>, Stop> {
-        let mut answers = Vec::with_capacity(questions.len());
-        for questions in questions.chunks(WINDOW) {
-            for (question, reply) in questions.iter().zip(self.subject.ask(questions)) {
-                let answer = reply?;
-                // no right answer is so long, and a law may ask a thousand questions
-                let answer = if items(&answer) > MOST_ITEMS { Value::Null } else { answer };
-                self.asked.push((question.clone(), answer.clone()));
-                answers.push(answer);
-            }
-        }
-        Ok(answers)
     }
 }

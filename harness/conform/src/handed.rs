@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use super::subject::ours;
+use super::probe::ours;
 
 /// Fields that are positions and directions.
 const MIRRORED: [&str; 14] = [

@@ -1,5 +1,6 @@
 //! A run: questions go round the families, answers are judged, wrong ones named and made smaller.
 
+use ask::{Asking, Fault, MOST_FAULTS, Reply, Stop, Subject, WINDOW, guarded};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -9,13 +10,10 @@ use rayon::prelude::*;
 use serde_json::Value;
 
 use super::card::{Card, Failure, Row, Status};
-use super::family::{Asking, Family, Judge};
-use super::guarded::guarded;
+use super::family::{Family, Judge};
 use super::judgement::{Judgement, Profile, Wrong};
 use super::mistakes::{LEFT_HANDED, Mistake, agree, always, names, suspects};
-use super::program::{MOST_FAULTS, WINDOW};
 use super::shrink;
-use super::subject::{Fault, Reply, Stop, Subject};
 
 /// Cases in each family, if it is not said how many.
 pub const CASES: usize = 48;

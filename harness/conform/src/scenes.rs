@@ -1,9 +1,10 @@
 //! Whole scenes: the first hit, what is in the way, and every ray that is cast for a ray.
 
+use ask::{number, triple};
 use serde_json::Value;
 
-use super::judgement::{Judgement, Profile, number, triple};
-use super::subject::ours;
+use super::judgement::{Judgement, Profile};
+use super::probe::ours;
 use super::values::{self, Rules};
 use groundtruth::math::Vector;
 

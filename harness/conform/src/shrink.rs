@@ -9,14 +9,16 @@
 //! - one of the mistakes that explain the first answer explains this one;
 //! - our own answer is right by the same rule, so that the question can be answered.
 
+use ask::{Asking, Subject, simpler, smallest, triple, weight};
 use std::time::{Duration, Instant};
 
 use serde_json::{Value, json};
 
 use super::card::Failure;
-use super::family::{Asking, Judge};
-use super::judgement::{Judgement, Profile, Wrong, triple};
-use super::subject::{Ours, Subject, ours};
+use super::family::Judge;
+use super::judgement::{Judgement, Profile, Wrong};
+use super::probe::ours;
+use super::subject::Ours;
 
 /// Questions for one failure.
 const MOST_QUESTIONS: usize = 500;
@@ -34,34 +36,23 @@ pub fn smaller(
 ) -> Failure {
     let begun = Instant::now();
     let bounds = Bounds::of(subject, judge, &first, profile);
-    let mut best = first;
     let mut asked = 0;
-    let mut changed = true;
-    while changed {
-        changed = false;
-        for candidate in candidates(&best.question) {
-            if asked >= MOST_QUESTIONS || begun.elapsed() > MOST_TIME {
-                return best;
-            }
-            if candidate == best.question
-                || !bounds.is_met_by(&candidate)
-                || ours(&candidate).is_err()
-            {
-                continue;
-            }
-            asked += 1;
-            let found = fails(subject, judge, &candidate, profile);
-            let Some(failure) = found.filter(|it| bounds.has_same_cause(it)) else { continue };
-            if bounds.is_as_clear(subject, judge, &failure)
-                && is_right_of_ours(judge, &failure, profile)
-            {
-                best = failure;
-                changed = true;
-                break;
-            }
+    let kept = |best: &Failure, question: Value| {
+        if question == best.question || !bounds.is_met_by(&question) || ours(&question).is_err() {
+            return Some(None);
         }
-    }
-    best
+        asked += 1;
+        if asked > MOST_QUESTIONS || begun.elapsed() > MOST_TIME {
+            return None;
+        }
+        let found = fails(subject, judge, &question, profile);
+        Some(found.filter(|it| {
+            bounds.has_same_cause(it)
+                && bounds.is_as_clear(subject, judge, it)
+                && is_right_of_ours(judge, it, profile)
+        }))
+    };
+    smallest(first, |best| candidates(&best.question), kept)
 }
 
 /// What a smaller question has to keep of the first.
@@ -249,23 +240,6 @@ fn simpler_numbers(path: &str, value: &Value, with: &mut With<'_>) {
     let Some(x) = number.as_f64() else { return };
     for y in simpler(x) {
         with(path, &|slot| *slot = if is_whole { json!(y as i64) } else { json!(y) });
-    }
-}
-
-/// Numbers that are simpler than this one: 0, 1, −1, whole ones near to it, and itself with fewer decimals.
-pub fn simpler(x: f64) -> impl Iterator<Item = f64> {
-    let simple = [0.0, 1.0, -1.0, x.trunc(), x.round()].into_iter();
-    let decimals = [10.0, 100.0, 1000.0].into_iter().map(move |scale| (x * scale).round() / scale);
-    simple.chain(decimals).filter(move |y| weight(*y) < weight(x))
-}
-
-/// How much of a number there is to read: nothing of 0, then ±1, then its digits.
-pub fn weight(x: f64) -> u32 {
-    match x {
-        0.0 => 0,
-        1.0 => 1,
-        -1.0 => 2,
-        x => 2 + format!("{x}").len() as u32,
     }
 }
 

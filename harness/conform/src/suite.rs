@@ -1,13 +1,12 @@
 //! All families: what `conform` asks.
 
+use ask::{Asking, Draw, Stop};
 use serde_json::{Value, json};
 
-use super::family::{Asking, Family, Judge};
+use super::family::{Family, Judge};
 use super::judgement::{Judgement, Profile};
 use super::questions::{self, kinds, outside, ray_question, square};
-use super::subject::Stop;
 use super::{cases, intersections, laws};
-use exact::Draw;
 use groundtruth::lobes::{Claims, Lobe};
 use groundtruth::similar::did_you_mean;
 use groundtruth::{cameras, samplers};

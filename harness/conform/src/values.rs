@@ -4,12 +4,13 @@
 //! function asked again. An error is judged in u·cond like those of intersections, where `cond` is the sum of all
 //! these changes over the relative move; an answer that jumps is not judged.
 
+use ask::{nan_in, number, numbers};
 use serde_json::Value;
 
 use super::handed;
-use super::judgement::{Judgement, Profile, Wrong, first_wrong, nan_in, number, numbers};
+use super::judgement::{Judgement, Profile, Wrong, first_wrong};
 use super::mistakes::{self, Mistake, clues, same};
-use super::subject::ours;
+use super::probe::ours;
 use groundtruth::math::UNIT_ROUNDOFF;
 
 /// A mistake that is another question: turns the question into it, if it applies.

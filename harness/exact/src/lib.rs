@@ -3,8 +3,6 @@
 
 pub mod backward_error;
 pub mod composites;
-mod draw;
 mod same_shape;
 
-pub use draw::Draw;
 pub use same_shape::{oracle_shape, our_shape, steps};

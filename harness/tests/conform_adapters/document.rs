@@ -1,6 +1,6 @@
 //! The document shows what is printed.
 
-use conform::Language;
+use ask::Language;
 
 use crate::kit::{Folder, has, text_of};
 
@@ -38,7 +38,7 @@ fn the_document_shows_what_is_printed() {
     for (language, text) in blocks(&document) {
         match language {
             "python" => {
-                let init = Language::Python.template();
+                let init = Language::Python.adapter();
                 let (before, rest) = init.split_once("def intersect").expect("a function");
                 let (_, after) = rest.split_once("\n\n\n").expect("the next function");
                 let before = before.replace("import json\n", "import json\nimport math\n");

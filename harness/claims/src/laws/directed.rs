@@ -1,6 +1,6 @@
 //! Cases whose samples are directions with a density: what the laws of integrals need of each kind.
 
-use conform::Stop;
+use ask::Stop;
 use groundtruth::math::Vector;
 use serde_json::Value;
 

@@ -1,6 +1,6 @@
 //! Laws of integrals: of the density, and of the light that is scattered or arrives.
 
-use conform::Stop;
+use ask::Stop;
 use groundtruth::math::Vector;
 use statistics::chi_square::goodness_of_fit;
 use statistics::means;

@@ -1,6 +1,6 @@
 //! Laws of lights: what arrives at a point, from where, and how that is sampled.
 
-use conform::Stop;
+use ask::Stop;
 use groundtruth::math::{Point, Vector};
 use serde_json::Value;
 

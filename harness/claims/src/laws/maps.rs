@@ -1,6 +1,6 @@
 //! Laws of maps from the unit square: where points fall, how dense, and whether neighbours stay neighbours.
 
-use conform::Stop;
+use ask::Stop;
 use groundtruth::math::Vector;
 use libm::cbrt;
 

@@ -8,7 +8,7 @@ mod maps;
 mod pairs;
 mod values;
 
-use conform::Stop;
+use ask::Stop;
 use serde_json::Value;
 
 use crate::case::LobeCase;

@@ -1,6 +1,6 @@
 //! Numbers that should be equal, to rounding; and answers that should be the same.
 
-use conform::Stop;
+use ask::Stop;
 use serde_json::Value;
 
 use super::{Breach, Finding, apart};

@@ -1,6 +1,6 @@
 //! Laws of lobes that hold value by value, to rounding.
 
-use conform::Stop;
+use ask::Stop;
 use groundtruth::math::{Vector, cos, sin};
 use serde_json::Value;
 

@@ -1,9 +1,9 @@
 //! The card in words: the verdict in a sentence, what failed, and the counts.
 
+use ask::Invocation;
 use std::collections::BTreeMap;
 use std::fmt;
 
-use super::super::invocation::Invocation;
 use super::super::mistakes::{Mistake, Name};
 use super::super::run::{CASES, FEW, MOST_CASES};
 use super::{Card, Row, Status};

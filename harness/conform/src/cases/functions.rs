@@ -1,11 +1,10 @@
 //! What files of families call by name because it needs more than ranges and choices.
 
+use ask::{Draw, triple};
 use serde_json::{Value, json};
 
-use crate::judgement::triple;
+use crate::probe::ours;
 use crate::questions::{outside, round};
-use crate::subject::ours;
-use exact::Draw;
 use groundtruth::math::{Pcg32, Vector};
 
 /// From arguments to a value; `None` if they are no such arguments.

@@ -5,13 +5,13 @@ mod functions;
 mod judges;
 mod notation;
 
+use ask::Draw;
 use std::sync::LazyLock;
 
 use serde_json::{Value, json};
 use toml::Table;
 
 use super::family::Family;
-use exact::Draw;
 use judges::judge;
 use notation::Drawing;
 

@@ -1,5 +1,6 @@
 //! The notation of files of families, which `scenes/notation.toml` explains: from an entry to one of its cases.
 
+use ask::Draw;
 use std::collections::BTreeMap;
 
 use serde_json::{Value, json};
@@ -7,7 +8,6 @@ use toml::Table;
 
 use super::functions::function;
 use crate::questions::round;
-use exact::Draw;
 use groundtruth::similar::did_you_mean;
 
 /// A value, or what is wrong with its text.

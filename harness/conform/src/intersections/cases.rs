@@ -1,11 +1,11 @@
 //! Questions for rays and shapes.
 
+use ask::{Draw, triple};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::super::judgement::triple;
 use super::question::Question;
-use exact::{Draw, backward_error};
+use exact::backward_error;
 use groundtruth::math::{Point, Vector};
 use groundtruth::shapes;
 use oracle::hard::{self, Family as Hard};

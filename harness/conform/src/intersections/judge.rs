@@ -1,8 +1,9 @@
 //! The judge of hits: how many there are, then each one's distance, normal, side and point.
 
+use ask::{nan_in, number, triple};
 use serde_json::Value;
 
-use super::super::judgement::{Judgement, Profile, Wrong, first_wrong, nan_in, number, triple};
+use super::super::judgement::{Judgement, Profile, Wrong, first_wrong};
 use super::super::mistakes::{self, Mistake, clues};
 use super::names;
 use super::other_shapes::of_other_shapes;

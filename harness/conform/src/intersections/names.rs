@@ -3,7 +3,7 @@
 use serde_json::{Value, json};
 
 use super::super::mistakes::{self as m, Mistake, clues, same};
-use super::super::subject::ours;
+use super::super::probe::ours;
 use super::formulas;
 use super::local::Local;
 use super::question::Question;

@@ -3,7 +3,7 @@
 use serde_json::Value;
 
 use super::super::mistakes::{CHANGES, Mistake, same};
-use super::super::subject::ours;
+use super::super::probe::ours;
 
 /// The mistakes with which our answer to an `intersect` is theirs. That nothing is hit says little: too many shapes are
 /// elsewhere.

@@ -1,9 +1,10 @@
 //! A question as the oracle sees it, and its exact answer.
 
+use ask::{number, triple};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::super::judgement::{Profile, number, triple};
+use super::super::judgement::Profile;
 use exact::backward_error;
 use exact::oracle_shape;
 use groundtruth::math::{Span, Step};

@@ -1,10 +1,10 @@
 //! Lamps in closed form: where a ray meets them, how densely their samples lie, and what they send to a surface
 //! (Suffern, ch. 18).
 
+use ask::triple;
 use serde::Deserialize;
 use serde_json::Value;
 
-use super::super::judgement::triple;
 use groundtruth::math::{Frame, Normal, Point, Step, Transform, Vector, atan2, sin};
 use std::f64::consts::PI;
 

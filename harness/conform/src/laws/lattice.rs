@@ -1,12 +1,11 @@
 //! What follows from a program's own lattice (Suffern, ch. 31): between its points, the values there. So nobody's random
 //! numbers have to be ours.
 
+use ask::{Asking, Stop, number, triple};
 use serde_json::{Value, json};
 
-use super::super::family::Asking;
-use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes::{self as m, Mistake};
-use super::super::subject::Stop;
 use super::{Found, missing, within};
 use groundtruth::math::floor;
 

@@ -1,12 +1,12 @@
 //! Laws of lights that are sampled (Suffern, ch. 17, 18). How a program turns the numbers `u` into points of its lamp
 //! is its own affair; how densely they lie, what arrives from there, and the mean are not.
 
+use ask::{Asking, number, triple};
 use serde_json::{Value, json};
 
-use super::super::family::Asking;
-use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes;
-use super::super::subject::ours;
+use super::super::probe::ours;
 use super::lamps::Lamp;
 use super::{Found, color, missing, within};
 use groundtruth::math::{Normal, Point, Vector};
@@ -327,7 +327,7 @@ pub fn cosine_drawn(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
 /// moves which coordinate. The case is a `light`.
 pub fn jittered_moments(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
     let theirs = over_grid(ask, case)?;
-    let Ok(ours) = over_grid(&mut Asking::new(&mut super::super::subject::Ours), case) else {
+    let Ok(ours) = over_grid(&mut Asking::new(&mut crate::subject::Ours), case) else {
         return Ok(Judgement::Undecided);
     };
     let mut checks = Vec::new();

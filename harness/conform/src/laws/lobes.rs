@@ -1,15 +1,14 @@
 //! Laws of lobes and of Fresnel's equations.
 
+use ask::{Asking, Draw, number, triple};
 use std::f64::consts::PI;
 
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::super::family::Asking;
-use super::super::judgement::{Judgement, Profile, number, triple};
-use super::super::subject::ours;
+use super::super::judgement::{Judgement, Profile};
+use super::super::probe::ours;
 use super::{Found, LEVEL, TESTS, color, missing, relative, within};
-use exact::Draw;
 use groundtruth::lobes::Lobe;
 use groundtruth::math::{Vector, atan2};
 use statistics::chi_square::independence;

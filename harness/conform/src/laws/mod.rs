@@ -12,10 +12,10 @@ mod sampling;
 mod shapes;
 mod spaces;
 
+use ask::{Stop, number, numbers, triple};
 use serde_json::Value;
 
-use super::judgement::{Judgement, Profile, number, numbers, triple};
-use super::subject::Stop;
+use super::judgement::{Judgement, Profile};
 use groundtruth::math::UNIT_ROUNDOFF;
 
 pub use lattice::{interpolates, knots_differ};

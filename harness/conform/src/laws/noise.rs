@@ -1,9 +1,9 @@
 //! Laws of noise, whose tables are a program's own.
 
+use ask::{Asking, number, triple};
 use serde_json::{Value, json};
 
-use super::super::family::Asking;
-use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::judgement::{Judgement, Profile};
 use super::{Found, color, missing};
 
 /// Law: a function of the point: the same question has the same answer, in whatever order questions come, and other

@@ -1,12 +1,12 @@
 //! What follows from a program's own octaves (Suffern, ch. 31): sums, and what textures and bumps make of these. So
 //! nobody's random numbers have to be ours.
 
+use ask::{Asking, Stop, number, triple};
 use serde_json::{Value, json};
 
-use super::super::family::Asking;
-use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes::{self as m, Mistake};
-use super::super::subject::{Stop, ours};
+use super::super::probe::ours;
 use super::lattice::{TERMS, farthest};
 use super::{Found, color, missing, relative, within};
 use groundtruth::math::{Normal, Vector, floor, sin};

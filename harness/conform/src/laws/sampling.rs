@@ -1,11 +1,11 @@
 //! Laws of samples and their maps.
 
+use ask::{Asking, numbers};
 use std::cmp::Ordering;
 
 use serde_json::{Value, json};
 
-use super::super::family::Asking;
-use super::super::judgement::{Judgement, Profile, numbers};
+use super::super::judgement::{Judgement, Profile};
 use super::{Found, LEVEL, TESTS, missing, relative, within};
 use statistics::chi_square::goodness_of_fit;
 use statistics::correlation::pearson;

@@ -1,9 +1,9 @@
 //! Laws of shapes.
 
+use ask::{Asking, number, triple};
 use serde_json::{Value, json};
 
-use super::super::family::Asking;
-use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes;
 use super::{Found, missing, within};
 use groundtruth::math::Vector;

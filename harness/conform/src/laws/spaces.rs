@@ -1,10 +1,10 @@
 //! Laws of cameras and matrices: there and back.
 
+use ask::{Asking, numbers, triple};
 use serde_json::{Value, json};
 
-use super::super::family::Asking;
-use super::super::judgement::{Judgement, Profile, numbers, triple};
-use super::super::subject::ours;
+use super::super::judgement::{Judgement, Profile};
+use super::super::probe::ours;
 use super::{Found, missing, relative, within};
 
 /// Law: a point on a camera's ray is seen where the ray starts (Suffern, ch. 9 to 11). The case is a `camera_ray`.

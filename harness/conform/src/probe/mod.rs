@@ -81,12 +81,22 @@ macro_rules! questions {
                 }
             }
 
-            /// The answer as JSON.
-            fn answer(&self, id: Option<&Value>) -> Result<String, Invalid> {
+            /// The answer as a line.
+            fn line(&self, id: Option<&Value>) -> Result<String, Invalid> {
                 match self {
                     $(Self::$Question(question) => {
                         let answer = question.answer().map_err(|e| e.inside(stringify!($module)))?;
                         Ok(json(&Reply { id, answer }))
+                    })*
+                }
+            }
+
+            /// The answer as a value.
+            fn value(&self) -> Result<Value, Invalid> {
+                match self {
+                    $(Self::$Question(question) => {
+                        let answer = question.answer().map_err(|e| e.inside(stringify!($module)))?;
+                        Ok(serde_json::to_value(answer).expect(TREES))
                     })*
                 }
             }
@@ -158,13 +168,25 @@ struct Refusal<'a> {
     error: &'a str,
 }
 
+const TREES: &str = "answers are trees of strings and numbers";
+
 fn json(data: &impl Serialize) -> String {
-    serde_json::to_string(data).expect("answers are trees of strings and numbers")
+    serde_json::to_string(data).expect(TREES)
 }
 
 /// The answer to one line, `{"answer": …}` or `{"error": "…"}`, with the line's `id` if it has one.
 pub fn answer(line: &str) -> String {
     reply(line).unwrap_or_else(|refusal| refusal)
+}
+
+/// Our own answer to a question, without its line.
+///
+/// # Errors
+/// The text of the refusal.
+pub fn ours(question: &Value) -> Result<Value, String> {
+    let Line { question, .. } =
+        Line::deserialize(question).map_err(|e| printable::text(&located(&e)))?;
+    question.value().map_err(|invalid| printable::text(&invalid.to_string()))
 }
 
 /// The answer, or the refusal.
@@ -176,7 +198,7 @@ fn reply(line: &str) -> Result<String, String> {
     }
     let Line { id, question } =
         read(line).map_err(|e| refuse(id_of(line).as_ref(), &located(&e)))?;
-    question.answer(id.as_ref()).map_err(|invalid| refuse(id.as_ref(), &invalid.to_string()))
+    question.line(id.as_ref()).map_err(|invalid| refuse(id.as_ref(), &invalid.to_string()))
 }
 
 fn read(line: &str) -> Result<Line, serde_json::Error> {

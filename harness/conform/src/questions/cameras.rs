@@ -1,14 +1,14 @@
 //! Camera rays and their inverse (Suffern, ch. 3, 8 to 12).
 
+use ask::{Draw, numbers, triple};
 use serde_json::{Value, json};
 
 use super::super::family::{Family, Judge};
-use super::super::judgement::{Judgement, Profile, numbers, triple};
+use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
-use super::super::subject::ours;
+use super::super::probe::ours;
 use super::super::values::{self, Rules};
 use super::{any, change, data, family, kinds, only, remove, round, swap, vector};
-use exact::Draw;
 use groundtruth::cameras;
 use groundtruth::math::Vector;
 

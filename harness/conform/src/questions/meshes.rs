@@ -1,8 +1,9 @@
 //! Answers about meshes whose corners the question lists (Suffern, ch. 23, 29).
 
+use ask::triple;
 use serde_json::{Value, json};
 
-use super::super::judgement::{Judgement, Profile, triple};
+use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
 use super::{change, only, remove};

@@ -10,6 +10,7 @@ pub mod sampling;
 pub mod spaces;
 pub mod surfaces;
 
+use ask::Draw;
 pub use cameras::ray_question;
 pub use optics::outside;
 
@@ -17,7 +18,6 @@ use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::family::{Family, Judge};
-use exact::Draw;
 use groundtruth::kinds::Entry;
 
 /// All of these families.

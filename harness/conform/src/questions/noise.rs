@@ -1,6 +1,7 @@
 //! Noise, its sums, and what textures and bumps make of it (Suffern, ch. 31). Random numbers are everybody's own: laws
 //! hold a program's answers against each other; values are asked for tables that the question gives.
 
+use ask::Draw;
 use serde_json::{Value, json};
 
 use super::super::family::{Family, Judge};
@@ -9,7 +10,6 @@ use super::super::laws;
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
 use super::{any, family, kinds, swap, vector};
-use exact::Draw;
 use groundtruth::textures;
 
 /// Textures that are made of noise or random numbers depend on our own tables: laws judge them.

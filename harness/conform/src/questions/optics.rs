@@ -1,13 +1,13 @@
 //! Lobes and Fresnel's equations (Suffern, ch. 13, 15, 24, 25, 27, 28).
 
+use ask::{Draw, number, triple};
 use serde_json::{Value, json};
 
 use super::super::family::{Family, Judge};
-use super::super::judgement::{Judgement, Profile, number, triple};
+use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
 use super::{any, data, family, kinds, only, square};
-use exact::Draw;
 use groundtruth::lobes::Lobe;
 use groundtruth::math::{Vector, cos, power, sin};
 

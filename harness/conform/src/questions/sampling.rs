@@ -1,10 +1,11 @@
 //! Answers about sample sets without random numbers, and maps of samples (Suffern, ch. 5 to 7).
 
+use ask::number;
 use serde_json::Value;
 
-use super::super::judgement::{Judgement, Profile, number};
+use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
-use super::super::subject::ours;
+use super::super::probe::ours;
 use super::super::values::{self, Rules};
 use super::{change, data, swap};
 use groundtruth::math::UNIT_ROUNDOFF;

@@ -30,7 +30,7 @@ pub fn transform(question: &Value, answer: &Value, profile: Profile) -> Judgemen
         answers: &[
             (&m::INVERSE_FOR_MATRIX, |_, field, right| {
                 let row = field.strip_prefix("matrix.")?;
-                super::super::judgement::numbers(&right["inverse"][row.parse::<usize>().ok()?])
+                ask::numbers(&right["inverse"][row.parse::<usize>().ok()?])
             }),
             (&m::TRANSPOSED, |_, field, right| {
                 let (name, row) = field.split_once('.')?;
@@ -46,7 +46,7 @@ pub fn transform(question: &Value, answer: &Value, profile: Profile) -> Judgemen
     for matrix in ["matrix", "inverse"] {
         if let Some(rows) = answer.get_mut(matrix).and_then(Value::as_array_mut)
             && let [_, _, _, last] = &rows[..]
-            && super::super::judgement::numbers(last).is_some_and(|row| row == [0.0, 0.0, 0.0, 1.0])
+            && ask::numbers(last).is_some_and(|row| row == [0.0, 0.0, 0.0, 1.0])
         {
             rows.pop();
         }
@@ -66,7 +66,7 @@ pub fn grid(question: &Value, answer: &Value, profile: Profile) -> Judgement {
             Some(())
         })],
         answers: &[(&m::ONE_CELL_LESS, |_, field, right| {
-            let less = super::super::judgement::numbers(&right["resolution"])?;
+            let less = ask::numbers(&right["resolution"])?;
             (field == "resolution").then(|| less.into_iter().map(|n| n - 1.0).collect())
         })],
     };

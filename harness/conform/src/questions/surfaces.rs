@@ -1,14 +1,14 @@
 //! Lights that are points or directions, textures and mappings (Suffern, ch. 14, 29, 30).
 
+use ask::{Draw, number, numbers, triple};
 use serde_json::{Value, json};
 
 use super::super::family::{Family, Judge};
-use super::super::judgement::{Judgement, Profile, number, numbers, triple};
+use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
 use super::noise::OF_NOISE;
 use super::{any, change, data, family, kinds, only, remove, swap, vector};
-use exact::Draw;
 use groundtruth::math::power;
 use groundtruth::{lights, textures};
 

@@ -1,11 +1,11 @@
 //! Means of samples: their answers for several seeds against our mean, with the errors of both.
 
+use ask::{Asking, triple};
 use serde_json::{Value, json};
 
-use super::super::family::Asking;
-use super::super::judgement::{Judgement, Profile, triple};
+use super::super::judgement::{Judgement, Profile};
 use super::super::laws::Found;
-use super::super::subject::ours;
+use super::super::probe::ours;
 
 /// The seeds for which a question is asked.
 pub const SEEDS: u64 = 16;

@@ -9,7 +9,7 @@ use serde_json::{Value, json};
 
 use super::super::family::Namer;
 use super::super::mistakes::{self as m, CHANGES, Mistake};
-use super::super::subject::ours;
+use super::super::probe::ours;
 use super::estimate::Estimate;
 use crate::probe::mistaken::mistaken;
 use judge::mistakes;

@@ -1,8 +1,9 @@
 //! Our own answers, altered.
 
+use ask::{Reply, Stop, Subject};
 use std::sync::Arc;
 
-use conform::{self, Card, Options, Profile, Reply, Stop, Subject, family::Family, ours};
+use conform::{self, Card, Options, Profile, family::Family, ours};
 use serde_json::{Value, json};
 
 /// Answers as we do, then changes the answer.

@@ -1,5 +1,6 @@
 //! The book's formulas as they are printed (`examples/conform/book`): what fails is what docs/book-card.md says.
 
+use ask::{Limits, Program, Subject};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +8,7 @@ use std::process::Command;
 use std::time::Duration;
 
 use conform::family::Judge;
-use conform::{Judgement, Limits, Options, Profile, Program, Subject, run, suite};
+use conform::{Judgement, Options, Profile, run, suite};
 use serde_json::Value;
 
 use super::altered::families;

@@ -1,8 +1,8 @@
 //! Judges at their borders: answers by hand that just keep a law or just break it, in each channel, entry and stratum.
 
-use conform::Stop;
-use conform::family::{Asking, Judge};
-use conform::{Judgement, Profile, Reply, Status, Subject, laws, ours, suite};
+use ask::{Asking, Reply, Stop, Subject};
+use conform::family::Judge;
+use conform::{Judgement, Profile, Status, laws, ours, suite};
 use serde_json::{Value, json};
 
 use super::altered::{Altered, card_with, vector};

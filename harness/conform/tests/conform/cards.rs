@@ -1,13 +1,11 @@
 //! What a card prints, counted anew: from cases whose outcomes are known, each number on each of its forms.
 
+use ask::{Draw, Fault, Invocation, Reply, Stop, Subject};
 use std::sync::Arc;
 
 use conform::card::{junit, page, told, verdict};
 use conform::family::{Family, Judge};
-use conform::{
-    Card, Fault, Invocation, Judgement, Options, Profile, Reply, Row, Status, Stop, Subject, run,
-};
-use exact::Draw;
+use conform::{Card, Judgement, Options, Profile, Row, Status, run};
 use serde_json::{Value, json};
 
 /// What becomes of a case, written into its question.

@@ -1,9 +1,10 @@
 //! Programs that answer the same to every question, nothing, too much, or something else in one place of a right answer.
 
+use ask::{Asking, Reply, Stop, Subject};
 use std::collections::{BTreeMap, BTreeSet};
 
-use conform::family::{Asking, Family, Judge};
-use conform::{Judgement, Ours, Profile, Reply, Stop, Subject, ours, suite};
+use conform::family::{Family, Judge};
+use conform::{Judgement, Ours, Profile, ours, suite};
 use serde_json::{Value, json};
 
 use super::altered::{Altered, card};

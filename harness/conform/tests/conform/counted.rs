@@ -1,13 +1,11 @@
 //! What a run asks, counted: rounds, shares, what is left alone, and what faults cost.
 
+use ask::{Asking, Fault, Reply, Stop, Subject};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use conform::Stop;
-use conform::family::{Asking, Family, Judge};
-use conform::{
-    Card, Fault, Judgement, NoAnswer, Options, Profile, Reply, Status, Subject, run, suite,
-};
+use conform::family::{Family, Judge};
+use conform::{Card, Judgement, NoAnswer, Options, Profile, Status, run, suite};
 use serde_json::{Value, json};
 
 /// Keeps what it is asked, and answers by a function of the question and of how much was asked before.
@@ -292,7 +290,7 @@ fn a_smaller_question_keeps_a_quarter_of_its_error() {
 /// is wrong only as it was asked first, and what the program hears.
 #[test]
 fn at_most_500_questions_make_one_smaller() {
-    let mut draw = exact::Draw::new(3);
+    let mut draw = ask::Draw::new(3);
     let mut corner =
         |from: f64| -> Vec<f64> { (0..3).map(|_| draw.between(from, from + 0.9)).collect() };
     let boxes: Vec<Value> = (0..40)

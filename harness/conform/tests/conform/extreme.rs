@@ -1,6 +1,7 @@
 //! Extreme answers: whatever stands in the place of each number, it is judged, and no judge fails on it.
 
-use conform::{Invocation, Profile, Reply, Stop, Subject, card as cards, ours};
+use ask::{Invocation, Reply, Stop, Subject};
+use conform::{Profile, card as cards, ours};
 use groundtruth::printable;
 use serde_json::{Value, json};
 

@@ -1,7 +1,7 @@
 //! Lines that a program answers.
 
-use conform::lines::*;
-use conform::{Fault, Stop};
+use ask::lines::*;
+use ask::{Fault, Stop};
 use serde_json::Value;
 use serde_json::json;
 

@@ -8,7 +8,8 @@ mod sampling_and_spaces;
 mod shapes;
 mod surfaces;
 
-use conform::family::{Asking, Judge};
+use ask::Asking;
+use conform::family::Judge;
 use conform::mistakes::{self as m, Mistake, Name};
 use conform::{Judgement, Ours, Profile, Status, Wrong, ours};
 use judge::mistakes::known::{self, KnownMistake};

@@ -1,6 +1,7 @@
 //! Mistakes of whole scenes that are found and named.
 
-use conform::{Profile, Reply, Status, Subject};
+use ask::{Reply, Subject};
+use conform::{Profile, Status};
 use serde_json::{Value, json};
 
 use super::altered::{card_with, instead};

@@ -1,12 +1,12 @@
 //! What a program is asked, counted: windows, restarts, and the cost of a program that hangs, dies or writes other lines.
 #![cfg(unix)]
 
+use ask::{Fault, Limits, Program, Reply, Stop, Subject};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::AtomicBool;
 use std::time::Duration;
 
-use conform::{Fault, Limits, Program, Reply, Stop, Subject};
 use serde_json::{Value, json};
 
 /// A shell script that writes what it hears into a file, and `start` whenever it starts.

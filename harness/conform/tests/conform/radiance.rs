@@ -1,12 +1,13 @@
 //! Whole scenes: our answers against closed forms, false alarms, and the known mistakes that they show.
 
+use ask::{Asking, Reply, Subject};
 use std::collections::BTreeSet;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
-use conform::family::{Asking, Judge};
+use conform::family::Judge;
 use conform::probe::mistaken::mistaken;
-use conform::{self, Card, Judgement, Options, Profile, Reply, Status, Subject, ours};
+use conform::{self, Card, Judgement, Options, Profile, Status, ours};
 use groundtruth::math::{atan2, exp, power};
 use judge::mistakes;
 use serde_json::{Value, json};

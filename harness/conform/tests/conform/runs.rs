@@ -1,11 +1,10 @@
 //! A run: what is selected, what is left alone, and that a fault of one case, theirs or ours, costs no other.
 
+use ask::{Fault, Reply, Stop, Subject};
 use std::sync::Arc;
 
 use conform::family::{Family, Judge};
-use conform::{
-    self, Card, Fault, Judgement, Ours, Profile, Reply, Row, Status, Stop, Subject, ours,
-};
+use conform::{self, Card, Judgement, Ours, Profile, Row, Status, ours};
 use conform::{card as cards, suite};
 use serde_json::{Value, json};
 

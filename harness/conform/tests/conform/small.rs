@@ -1,10 +1,11 @@
 //! A small program of somebody else, `tests/small.py`: what chapters 14 to 16 bring is asked of it, and its mistakes are named
 //! rightly or not at all.
 
+use ask::{Limits, Program};
 use std::sync::Arc;
 use std::time::Duration;
 
-use conform::{Card, Limits, Profile, Program, Status, card};
+use conform::{Card, Profile, Status, card};
 use rayon::prelude::*;
 use serde_json::Value;
 

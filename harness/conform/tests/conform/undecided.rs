@@ -1,10 +1,10 @@
 //! Where another answer is as good, none is wrong; a little beside, one is.
 
+use ask::{Draw, triple};
 use std::f64::consts::PI;
 
 use conform::family::Judge;
-use conform::{Judgement, Profile, laws, ours, suite, triple};
-use exact::Draw;
+use conform::{Judgement, Profile, laws, ours, suite};
 use groundtruth::math::{cos, sin};
 use serde_json::json;
 

@@ -1,6 +1,6 @@
 //! The cells of a grid, against brute force over all cells.
 
-use exact::Draw;
+use ask::Draw;
 use groundtruth::math::cbrt;
 use serde_json::{Value, json};
 

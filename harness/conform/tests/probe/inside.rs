@@ -1,6 +1,6 @@
 //! What `intersect` says about the parts of a shape, and where a ray that leaves the surface starts.
 
-use exact::Draw;
+use ask::Draw;
 use groundtruth::math::Vector;
 use serde_json::{Value, json};
 

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use crate::properties::*;
-use exact::Draw;
+use ask::Draw;
 use groundtruth::math::Vector;
 use serde_json::json;
 

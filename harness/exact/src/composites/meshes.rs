@@ -1,5 +1,6 @@
 //! Meshes: a hard triangle among its neighbours, and tessellated spheres.
 
+use ask::Draw;
 use std::sync::Arc;
 
 use oracle::Shape;
@@ -7,7 +8,6 @@ use oracle::hard::{Family, Kind, cases, rays};
 
 use super::spheres_and_lattices::hard_radius;
 use super::{Case, Piece};
-use crate::Draw;
 use groundtruth::accel::Method;
 use groundtruth::kinds::Custom;
 use groundtruth::math::{Point, Vector};

@@ -1,10 +1,11 @@
 //! Random spheres, and lattices of one shape.
 
+use ask::Draw;
 use oracle::Shape;
 use oracle::hard::{Family, Kind, cases, rays};
 
 use super::{Case, Piece};
-use crate::{Draw, our_shape};
+use crate::our_shape;
 use groundtruth::accel::Method;
 use groundtruth::shapes::{Context, Lattice, RandomSpheres, Sphere};
 

@@ -1,7 +1,8 @@
 //! Programs with mistakes, as tables.
 
+use ask::{Reply, Stop, Subject};
 use conform::mistakes::Mistake;
-use conform::{Reply, Stop, Subject, ours};
+use conform::ours;
 use serde_json::Value;
 
 use super::super::altered::{at, instead};

@@ -7,7 +7,7 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use super::judgement::not_finite;
+use super::numbers::not_finite;
 use super::subject::{Fault, Reply, Stop};
 use groundtruth::printable;
 
