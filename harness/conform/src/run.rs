@@ -1,6 +1,6 @@
 //! A run: questions go round the families, answers are judged, wrong ones named and made smaller.
 
-use ask::{Asking, Fault, MOST_FAULTS, Reply, Stop, Subject, WINDOW, guarded};
+use ask::{Asking, MOST_FAULTS, Stop, Subject, WINDOW, guarded};
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -12,7 +12,7 @@ use serde_json::Value;
 use super::card::{Card, Failure, Row, Status};
 use super::family::{Family, Judge};
 use super::judgement::{Judgement, Profile, Wrong};
-use super::mistakes::{LEFT_HANDED, Mistake, agree, always, names, suspects};
+use super::mistakes::{LEFT_HANDED, agree, always, names, suspects};
 use super::shrink;
 
 /// Cases in each family, if it is not said how many.
@@ -184,38 +184,42 @@ impl<'a> Running<'a> {
         match self.family.judge {
             Judge::Answer(judge) => {
                 let replies = subject.ask(&cases);
-                let judged: Vec<CaseResult> = cases
+                let judged: Vec<Judged> = cases
                     .par_iter()
                     .zip(&replies)
-                    .map(|(question, reply)| CaseResult::of(question, reply, judge, profile))
+                    .map(|(question, reply)| {
+                        let judged = |profile| {
+                            let answer = reply.as_ref().map_err(Stop::clone)?;
+                            guarded(|| judge(question, answer, profile)).map_err(Stop::Ours)
+                        };
+                        Judged::of(judged, profile)
+                    })
                     .collect();
-                for ((question, reply), mut judged) in cases.iter().zip(&replies).zip(judged) {
-                    if let Ok(answer) = reply {
-                        self.name(&mut judged, &[(question.clone(), answer.clone())]);
-                        self.common.and(answer);
-                    }
-                    let got = || match reply {
-                        Ok(answer) => answer.to_string(),
-                        _ => String::new(),
+                for ((question, reply), mut judged) in cases.iter().zip(replies).zip(judged) {
+                    let asked = match reply {
+                        Ok(answer) => {
+                            self.common.and(&answer);
+                            vec![(question.clone(), answer)]
+                        }
+                        Err(_) => Vec::new(),
                     };
-                    self.count(question, judged, || vec![(question.clone(), got())]);
+                    self.name(&mut judged, &asked);
+                    self.count(question, judged, asked);
                 }
             }
             Judge::Law(law) => {
                 for case in &cases {
-                    let mut asking = Asking::new(subject);
-                    let found = guarded(|| law(&mut asking, case, profile));
-                    let mut judged =
-                        CaseResult::from(found.unwrap_or_else(|text| Err(Stop::Ours(text))));
-                    let asked = asking.asked;
+                    let mut first = None;
+                    let judged = |profile| {
+                        let mut asking = Asking::new(subject);
+                        let found = guarded(|| law(&mut asking, case, profile));
+                        first.get_or_insert(asking.asked);
+                        found.unwrap_or_else(|text| Err(Stop::Ours(text)))
+                    };
+                    let mut judged = Judged::of(judged, profile);
+                    let asked = first.unwrap_or_default();
                     self.name(&mut judged, &asked);
-                    if judged.is_wrong_with_care(profile) {
-                        let again = guarded(|| law(&mut Asking::new(subject), case, Profile::Book));
-                        judged.is_fair =
-                            again.is_ok_and(|it| it.is_ok_and(|it| is_no_failure(&it)));
-                    }
-                    let texts = || asked.into_iter().map(|(q, a)| (q, a.to_string())).collect();
-                    self.count(case, judged, texts);
+                    self.count(case, judged, asked);
                     if self.row.faults() >= MOST_FAULTS as u64 {
                         break;
                     }
@@ -227,51 +231,59 @@ impl<'a> Running<'a> {
             to == self.cases.len() || is_left_alone || self.row.faults() >= MOST_FAULTS as u64;
     }
 
-    fn count(
-        &mut self,
-        question: &Value,
-        judged: CaseResult,
-        asked: impl FnOnce() -> Vec<(Value, String)>,
-    ) {
-        let Some(status) = judged.status else { return };
-        self.row.counts[status as usize] += 1;
-        self.row.ours += u64::from(judged.is_ours);
-        self.row.fair += u64::from(judged.is_fair);
-        self.row.worst = self.row.worst.max(judged.error);
-        if let Some(mistake) = judged.convention {
-            self.row.count_convention(mistake);
-        }
-        if let Some(field) = judged.lacks {
-            *self.row.lacks.entry(field).or_default() += 1;
-        }
-        if let Some(text) = judged.text {
-            self.row.count_reason(status, &text);
-            let message = (status, text, question.clone());
-            if self.row.messages.iter().all(|(other, ..)| *other != status) {
-                self.row.messages.push(message);
+    fn count(&mut self, question: &Value, judged: Judged, asked: Vec<(Value, Value)>) {
+        let Judged { found, is_fair } = judged;
+        let (status, text) = match &found {
+            Ok(Judgement::Wrong(_)) => (Status::Wrong, None),
+            Ok(Judgement::Undecided) => (Status::Undecided, None),
+            Ok(_) => (Status::Pass, None),
+            Err(Stop::Refused(text)) => (Status::Refused, Some(text.clone())),
+            Err(Stop::Unsupported(text)) => (Status::Unsupported, Some(text.clone())),
+            Err(Stop::Fault(fault)) => (Status::of(fault), Some(fault.text().to_owned())),
+            Err(Stop::Ours(text)) => {
+                let text = format!("not judged, by a fault of ours; please report it: {text}");
+                (Status::Undecided, Some(text))
+            }
+            // not any more
+            Err(Stop::NotAsked) => return,
+        };
+        let row = &mut self.row;
+        row.counts[status as usize] += 1;
+        row.ours += u64::from(matches!(found, Err(Stop::Ours(_))));
+        row.fair += u64::from(is_fair);
+        if let Some(text) = text {
+            row.count_reason(status, &text);
+            if row.messages.iter().all(|(other, ..)| *other != status) {
+                row.messages.push((status, text, question.clone()));
             }
         }
-        if let Some(wrong) = judged.wrong {
-            if self.first.is_none() {
-                self.row.asked = asked();
-                self.first = Some((question.clone(), (*wrong).clone()));
+        match found {
+            Ok(Judgement::Right(error)) => row.worst = row.worst.max(error),
+            Ok(Judgement::ByTheBook(mistake)) => row.count_convention(mistake),
+            Ok(Judgement::Lacks(field)) => *row.lacks.entry(field).or_default() += 1,
+            Ok(Judgement::Wrong(wrong)) => {
+                if self.first.is_none() {
+                    row.asked = asked.into_iter().map(|(q, a)| (q, a.to_string())).collect();
+                    self.first = Some((question.clone(), (*wrong).clone()));
+                }
+                if self.wrong.len() < KEPT {
+                    self.wrong.push(*wrong);
+                }
             }
-            if self.wrong.len() < KEPT {
-                self.wrong.push(*wrong);
-            }
+            _ => {}
         }
     }
 
     /// Adds the mistakes that the family's namer finds in a wrong case, and keeps a right one.
-    fn name(&mut self, judged: &mut CaseResult, asked: &[(Value, Value)]) {
+    fn name(&mut self, judged: &mut Judged, asked: &[(Value, Value)]) {
         let Some(namer) = self.family.namer else { return };
-        match (&mut judged.wrong, judged.status) {
-            (Some(wrong), _) => {
+        match &mut judged.found {
+            Ok(Judgement::Wrong(wrong)) => {
                 let mut new = (namer.explain)(asked);
                 new.retain(|it| !wrong.clues.contains(it));
                 wrong.clues.extend(new);
             }
-            (None, Some(Status::Pass)) if self.right.len() < KEPT => {
+            Ok(found) if found.is_right() && self.right.len() < KEPT => {
                 self.right.extend(asked.last().cloned());
             }
             _ => {}
@@ -329,21 +341,11 @@ impl<'a> Running<'a> {
     }
 }
 
-/// The judgement of one case as a status.
-struct CaseResult {
-    /// `None` if it was not asked any more.
-    status: Option<Status>,
-    error: f64,
+/// What is said of one case.
+struct Judged {
+    found: Result<Judgement, Stop>,
     /// Wrong, but no failure in single precision.
     is_fair: bool,
-    /// Not judged: the judge failed.
-    is_ours: bool,
-    wrong: Option<Box<Wrong>>,
-    /// Of the book, by which it is right.
-    convention: Option<&'static Mistake>,
-    /// Right but for this field, which is left out.
-    lacks: Option<String>,
-    text: Option<String>,
 }
 
 impl CommonAnswer {
@@ -357,68 +359,15 @@ impl CommonAnswer {
     }
 }
 
-impl CaseResult {
-    fn of(
-        question: &Value,
-        reply: &Reply,
-        judge: fn(&Value, &Value, Profile) -> Judgement,
-        profile: Profile,
-    ) -> Self {
-        let judgement = |answer| guarded(|| judge(question, answer, profile)).map_err(Stop::Ours);
-        let mut judged = Self::from(reply.as_ref().map_err(Stop::clone).and_then(judgement));
-        if let Ok(answer) = reply
-            && judged.is_wrong_with_care(profile)
-        {
-            let again = guarded(|| judge(question, answer, Profile::Book));
-            judged.is_fair = again.is_ok_and(|it| is_no_failure(&it));
-        }
-        judged
-    }
-
-    /// Whether it is wrong, and may be right by the other profile.
-    fn is_wrong_with_care(&self, profile: Profile) -> bool {
-        self.status == Some(Status::Wrong) && profile == Profile::Careful
-    }
-
-    fn from(found: Result<Judgement, Stop>) -> Self {
-        let plain = |status, text| Self {
-            status,
-            error: 0.0,
-            is_fair: false,
-            is_ours: false,
-            wrong: None,
-            convention: None,
-            lacks: None,
-            text,
-        };
-        match found {
-            Ok(Judgement::Right(error)) => Self { error, ..plain(Some(Status::Pass), None) },
-            Ok(Judgement::ByTheBook(mistake)) => {
-                Self { convention: Some(mistake), ..plain(Some(Status::Pass), None) }
-            }
-            Ok(Judgement::Lacks(field)) => {
-                Self { lacks: Some(field), ..plain(Some(Status::Pass), None) }
-            }
-            Ok(Judgement::Undecided) => plain(Some(Status::Undecided), None),
-            Ok(Judgement::Wrong(wrong)) => {
-                Self { wrong: Some(wrong), ..plain(Some(Status::Wrong), None) }
-            }
-            Err(Stop::Refused(text)) => plain(Some(Status::Refused), Some(text)),
-            Err(Stop::Unsupported(text)) => plain(Some(Status::Unsupported), Some(text)),
-            Err(Stop::Fault(fault)) => {
-                let status = match fault {
-                    Fault::Hung(_) => Status::Hung,
-                    Fault::Died(_) => Status::Died,
-                    Fault::Garbled(_) => Status::Garbled,
-                };
-                plain(Some(status), Some(fault.text().to_owned()))
-            }
-            Err(Stop::NotAsked) => plain(None, None),
-            Err(Stop::Ours(text)) => {
-                let text = format!("not judged, by a fault of ours; please report it: {text}");
-                Self { is_ours: true, ..plain(Some(Status::Undecided), Some(text)) }
-            }
-        }
+impl Judged {
+    /// By the profile; what is wrong by *careful* is judged by *book*, too.
+    fn of(mut judge: impl FnMut(Profile) -> Result<Judgement, Stop>, profile: Profile) -> Self {
+        let found = judge(profile);
+        let is_wrong = matches!(found, Ok(Judgement::Wrong(_)));
+        let is_fair = is_wrong
+            && profile == Profile::Careful
+            && judge(Profile::Book).is_ok_and(|it| is_no_failure(&it));
+        Self { found, is_fair }
     }
 }
 

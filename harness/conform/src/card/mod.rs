@@ -6,6 +6,7 @@ mod text;
 
 use std::collections::BTreeMap;
 
+use ask::Fault;
 use serde_json::{Value, json};
 
 use super::judgement::{Profile, Wrong};
@@ -41,6 +42,15 @@ impl Status {
         Self::Garbled,
         Self::Undecided,
     ];
+
+    /// That of a fault.
+    pub(super) fn of(fault: &Fault) -> Self {
+        match fault {
+            Fault::Hung(_) => Self::Hung,
+            Fault::Died(_) => Self::Died,
+            Fault::Garbled(_) => Self::Garbled,
+        }
+    }
 
     /// Its name.
     pub fn name(self) -> &'static str {

@@ -4,7 +4,8 @@ use ask::{Draw, triple};
 use serde_json::{Value, json};
 
 use crate::probe::ours;
-use crate::questions::{outside, round};
+use crate::questions::cameras::{in_the_middle, pixel_ray, seen_point};
+use crate::questions::{only, outside, round};
 use groundtruth::math::{Pcg32, Vector};
 
 /// From arguments to a value; `None` if they are no such arguments.
@@ -38,6 +39,28 @@ pub fn function(name: &str) -> Option<Function> {
             Pcg32::new(draw.below(1 << 30) as u64, 0).shuffle(&mut all);
             Some(json!(all.to_vec()))
         },
+        // a kind with another value of a field that it has
+        "with" => |_, of| {
+            let [mut kind, field, value] = <[Value; 3]>::try_from(of.to_vec()).ok()?;
+            if let Some(slot) = only(&mut kind)?.get_mut(field.as_str()?) {
+                *slot = value;
+            }
+            Some(kind)
+        },
+        // a value with another one at a path; `null` removes what is there
+        "set" => |_, of| {
+            let [mut all, path, value] = <[Value; 3]>::try_from(of.to_vec()).ok()?;
+            let (parent, field) = path.as_str()?.rsplit_once('/')?;
+            let fields = all.pointer_mut(parent)?.as_object_mut()?;
+            match value {
+                Value::Null => drop(fields.remove(field)),
+                value => drop(fields.insert(field.to_owned(), value)),
+            }
+            Some(all)
+        },
+        "pixel_ray" => |draw, of| Some(pixel_ray(draw, of.first()?)),
+        "in_the_middle" => |draw, of| Some(in_the_middle(draw, of.first()?.clone())),
+        "seen_point" => |draw, of| Some(seen_point(draw, of.first()?.clone())),
         "compact_boxes" => |draw, _| Some(boxes(draw)),
         _ => return None,
     })

@@ -1,7 +1,7 @@
 //! The judges that files of families name.
 
 use super::super::family::{Judge, Namer};
-use super::super::questions::{images, meshes, noise, optics, sampling, spaces, surfaces};
+use super::super::questions::{cameras, images, meshes, noise, optics, sampling, spaces, surfaces};
 use super::super::{intersections, laws, radiance, scenes};
 
 /// The judge of this name, and what names the mistakes of wrong answers in scenes.
@@ -17,6 +17,18 @@ pub fn judge(name: &str) -> Option<(Judge, Option<Namer>)> {
         "in_the_way" => Judge::Answer(intersections::judge_occluded),
         "mesh" => Judge::Answer(meshes::judge),
         "image" => Judge::Answer(images::judge),
+        "lobe" => Judge::Answer(optics::lobe),
+        "light" => Judge::Answer(surfaces::light),
+        "texture" => Judge::Answer(surfaces::texture),
+        "camera_ray" => Judge::Answer(cameras::camera_ray),
+        "project" => Judge::Answer(cameras::project),
+        "energy" => Judge::Law(laws::energy),
+        "reciprocity" => Judge::Law(laws::reciprocity),
+        "sample_agrees" => Judge::Law(laws::sample_agrees),
+        "density" => Judge::Law(laws::density),
+        "there_and_back" => Judge::Law(laws::there_and_back),
+        "stratified" => Judge::Law(laws::stratified),
+        "stream" => Judge::Law(laws::stream),
         "mapping" => Judge::Answer(surfaces::mapping),
         "fresnel" => Judge::Answer(optics::fresnel),
         "sample_sets" => Judge::Answer(sampling::samples),

@@ -3,6 +3,7 @@
 
 mod functions;
 mod judges;
+mod kinds;
 mod notation;
 
 use ask::Draw;
@@ -13,6 +14,7 @@ use toml::Table;
 
 use super::family::Family;
 use judges::judge;
+use kinds::kinds;
 use notation::Drawing;
 
 /// The text of files of one of the folders.
@@ -24,7 +26,7 @@ macro_rules! files {
 
 const FILES: &[&str] = files! {
     "scenes": "notation" "basics" "lights" "surfaces" "textures" "images" "mirrors" "glass" "pixels" "lamps" "paths" "pictures";
-    "questions": "optics" "lamps" "instances" "images" "meshes" "noise" "sampling" "spaces";
+    "questions": "kinds" "optics" "lamps" "instances" "images" "meshes" "noise" "sampling" "spaces";
 };
 
 static ENTRIES: LazyLock<Vec<Entry>> =
@@ -56,13 +58,21 @@ pub fn read(text: &str) -> Result<Vec<Entry>, String> {
         if let Some(key) = own.find(|key| !is_used(&fields, name, key)) {
             return Err(format!("{name}: nothing uses `{key}`"));
         }
-        let one = vec![toml::Value::Table(Table::new())];
-        let each = fields.get("each").and_then(toml::Value::as_array).unwrap_or(&one);
-        for words in each.iter().filter_map(toml::Value::as_table) {
-            entries.push(Entry::new(name, fields.clone(), words)?);
+        for words in each(&fields).map_err(|problem| format!("{name}: {problem}"))? {
+            entries.push(Entry::new(name, fields.clone(), &words)?);
         }
     }
     Ok(entries)
+}
+
+/// The fields of each family that an entry is: of each kind of a list, of each table that is written, or of one.
+fn each(fields: &Table) -> Result<Vec<Table>, String> {
+    if let Some(list) = fields.get("kinds").and_then(toml::Value::as_str) {
+        return kinds(list).ok_or_else(|| format!("no list of kinds is called `{list}`"));
+    }
+    let each = fields.get("each").and_then(toml::Value::as_array);
+    let tables = each.map(|each| each.iter().filter_map(toml::Value::as_table).cloned().collect());
+    Ok(tables.unwrap_or_else(|| vec![Table::new()]))
 }
 
 /// The fields of an entry, after those of the entry that it is in.
@@ -99,7 +109,7 @@ fn join(fields: &mut Table, own: &Table) {
 }
 
 /// Fields that say how a family is asked.
-const KEYS: [&str; 7] = ["in", "each", "about", "chapter", "judge", "cases", "shrunk"];
+const KEYS: [&str; 8] = ["in", "each", "kinds", "about", "chapter", "judge", "cases", "shrunk"];
 
 /// Whether a field says what is asked, or has its name in one that does.
 fn is_used(fields: &Table, name: &str, key: &str) -> bool {

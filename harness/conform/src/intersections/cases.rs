@@ -63,6 +63,20 @@ pub fn changed(kind: hard::Kind, seed: u64, n: usize, change: fn(usize, &mut Val
     questions
 }
 
+/// Parts within one turn, as the book has them, apart from ranges that go farther round (Suffern, ch. 19).
+pub fn within_a_turn(kind: hard::Kind, seed: u64, n: usize) -> Vec<Value> {
+    let mut plain = nearest(kind, Hard::Ordinary, seed ^ 0x360, 8 * n);
+    let is_within = |question: &Value| {
+        let shape = question["intersect"]["shape"].as_object();
+        let data = shape.and_then(|shape| shape.values().next());
+        let end = |i: usize| data.and_then(|data| data["phi"][i].as_f64());
+        end(0).is_none_or(|low| low >= 0.0) && end(1).is_none_or(|high| high <= 360.0)
+    };
+    plain.retain(is_within);
+    plain.truncate(n);
+    plain
+}
+
 /// All roots, in half of the cases on the whole line, from between the roots in half of these.
 pub fn all_roots(index: usize, question: &mut Value) {
     if index.is_multiple_of(4) {

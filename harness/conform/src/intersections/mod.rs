@@ -11,7 +11,8 @@ mod question;
 use serde_json::Value;
 
 use super::family::{Family, Judge};
-use cases::{all_roots, around, changed, nearest, occlusion};
+use super::laws;
+use cases::{all_roots, around, changed, nearest, occlusion, within_a_turn};
 pub use judge::{judge, judge_occluded};
 use oracle::hard::{self, Family as Hard};
 
@@ -21,30 +22,42 @@ pub fn families() -> Vec<Family> {
     for kind in hard::Kind::ALL {
         let Some(tag) = tag_of(kind) else { continue };
         let chapter = super::chapters::shape(&tag);
-        let mut add = |question: &str, name: &str, ordinary: bool, cases: Cases, judge: Judge| {
+        let mut add = |question: &str, name: &str, share: f64, judge: Judge, cases: Cases| {
             families.push(Family {
                 name: format!("{question}.{tag}.{name}"),
                 about: format!("shapes/{tag}"),
                 chapter,
-                ordinary,
-                share: 1.0,
+                // the hard ones are named after what makes them hard
+                ordinary: Hard::ALL.iter().all(|it| *it == Hard::Ordinary || name_of(*it) != name),
+                share,
                 cases,
                 judge,
                 namer: None,
                 is_shrunk: true,
             });
         };
+        let judge = Judge::Answer(judge);
         for family in Hard::ALL {
             let cases = move |seed, n| nearest(kind, family, seed, n);
-            let ordinary = family == Hard::Ordinary;
-            add("intersect", &name_of(family), ordinary, Box::new(cases), Judge::Answer(judge));
+            add("intersect", &name_of(family), 1.0, judge, Box::new(cases));
         }
         let around = move |seed, n| around(kind, seed + 3, n);
-        add("intersect", "around", true, Box::new(around), Judge::Answer(judge));
+        add("intersect", "around", 1.0, judge, Box::new(around));
         let all = move |seed, n| changed(kind, seed + 1, n, all_roots);
-        add("intersect", "all_roots", true, Box::new(all), Judge::Answer(judge));
+        add("intersect", "all_roots", 1.0, judge, Box::new(all));
+        let other = move |seed, n| nearest(kind, Hard::Ordinary, seed ^ 0x5eed, n);
+        let judge_length = Judge::Law(laws::direction_length);
+        add("intersect", "direction_length", 0.25, judge_length, Box::new(other));
+        if kind.is_solid() || ["sphere", "box", "torus"].contains(&&*tag) {
+            let others = move |seed: u64, n| changed(kind, (seed ^ 0x5eed) + 1, n, all_roots);
+            add("intersect", "sides", 0.25, Judge::Law(laws::sides_alternate), Box::new(others));
+        }
+        if tag.starts_with("part_") {
+            let cases = move |seed, n| within_a_turn(kind, seed, n);
+            add("intersect", "within_a_turn", 0.5, judge, Box::new(cases));
+        }
         let occluded = move |seed, n| changed(kind, seed + 2, n, occlusion);
-        add("occluded", "segment", true, Box::new(occluded), Judge::Answer(judge_occluded));
+        add("occluded", "segment", 1.0, Judge::Answer(judge_occluded), Box::new(occluded));
     }
     families
 }

@@ -3,63 +3,15 @@
 use ask::{Draw, numbers, triple};
 use serde_json::{Value, json};
 
-use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
 use super::super::probe::ours;
 use super::super::values::{self, Rules};
-use super::{any, change, data, family, kinds, only, remove, round, swap, vector};
-use groundtruth::cameras;
+use super::{change, data, only, remove, round, swap};
 use groundtruth::math::Vector;
 
-pub fn families() -> Vec<Family> {
-    let mut all = Vec::new();
-    for (tag, chapter, specimens) in kinds(cameras::Kind::ENTRIES) {
-        let about = format!("cameras/{tag}");
-        let mut zoomed = specimens.clone();
-        zoomed.retain(|lens| lens[&tag].get("zoom").is_some());
-        let for_points = specimens.clone();
-        let plain = specimens.into_iter().map(without_zoom).collect::<Vec<_>>();
-        let [for_rays, for_middles, for_rolls] = [(); 3].map(|()| plain.clone());
-        let rolled = move |draw: &mut Draw| {
-            let mut question = ray_question(draw, &for_rolls);
-            question["camera_ray"]["camera"]["roll"] = json!(round(draw.between(-90.0, 90.0)));
-            question
-        };
-        let middles = move |draw: &mut Draw| middle_question(draw, &for_middles);
-        let rays = move |draw: &mut Draw| ray_question(draw, &for_rays);
-        let points = move |draw: &mut Draw| point_question(draw, &for_points);
-        let ray = Judge::Answer(camera_ray);
-        let point = Judge::Answer(project);
-        all.push(family(&format!("camera_ray.{tag}.values"), &about, chapter, ray, rays));
-        all.push(family(&format!("camera_ray.{tag}.middle"), &about, chapter, ray, middles));
-        all.push(family(&format!("camera_ray.{tag}.roll"), &about, chapter, ray, rolled));
-        if !zoomed.is_empty() {
-            let case = move |draw: &mut Draw| zoom_question(draw, &zoomed);
-            all.push(family(&format!("camera_ray.{tag}.zoom"), &about, chapter, ray, case));
-        }
-        all.push(family(&format!("project.{tag}.values"), &about, chapter, point, points));
-    }
-    let stereo = Judge::Answer(camera_ray);
-    all.push(family("camera_ray.stereo.values", "cameras/stereo", "ch12", stereo, stereo_question));
-    all
-}
-
-/// A ray of one eye.
-fn stereo_question(draw: &mut Draw) -> Value {
-    let pinhole = [json!({"pinhole": {"distance": 4.0}})];
-    let mut question = ray_question(draw, &pinhole);
-    let [viewing, eye] = [["parallel", "transverse"], ["left", "right"]].map(|of| draw.pick(&of));
-    let data = &mut question["camera_ray"];
-    data["camera"]["stereo"] =
-        json!({"viewing": viewing, "separation": round(draw.between(1.0, 8.0))});
-    data["eye"] = json!(eye);
-    question
-}
-
 /// Where a point is seen: most are on the ray of a pixel, some behind the camera, some beside.
-fn point_question(draw: &mut Draw, lenses: &[Value]) -> Value {
-    let mut question = ray_question(draw, lenses)["camera_ray"].take();
+pub fn seen_point(draw: &mut Draw, mut question: Value) -> Value {
     if draw.coin() {
         question["camera"]["roll"] = json!(round(draw.between(-90.0, 90.0)));
     }
@@ -71,57 +23,38 @@ fn point_question(draw: &mut Draw, lenses: &[Value]) -> Value {
     let reach = draw.pick(&[0.0, 0.0, 0.0, 1.0]);
     let aside = draw.vector(reach).to_array();
     let point: [f64; 3] = std::array::from_fn(|i| origin[i] + ahead * along[i] + ahead * aside[i]);
-    let (camera, image) = (question["camera"].take(), question["image"].take());
-    json!({"project": {"camera": camera, "image": image, "point": point}})
+    json!({"camera": question["camera"], "image": question["image"], "point": point})
 }
 
 /// A ray through a pixel of a small picture, most of them through its middle.
-pub fn ray_question(draw: &mut Draw, lenses: &[Value]) -> Value {
-    let look_at = vector(draw, 1.0);
+pub fn pixel_ray(draw: &mut Draw, lens: &Value) -> Value {
+    let at = draw.vector(1.0).to_array().map(round);
     let away = draw.direction().to_array();
-    let at = triple(&look_at).unwrap_or_default();
     let eye: [f64; 3] = std::array::from_fn(|i| round(at[i] + 5.0 * away[i]));
     let size = [4 + draw.below(24), 4 + draw.below(18)];
     let pixel = size.map(|length| draw.below(length));
     let mut question = json!({
-        "camera": {"eye": eye, "look_at": look_at, "lens": any(draw, lenses)},
+        "camera": {"eye": eye, "look_at": at, "lens": lens},
         "image": {"width": size[0], "height": size[1], "pixel_size": draw.pick(&[0.25, 0.5, 1.0])},
         "pixel": pixel,
     });
     if draw.coin() {
         question["place"] = json!([round(draw.between(0.0, 1.0)), round(draw.between(0.0, 1.0))]);
     }
-    if question["camera"]["lens"].get("thin_lens").is_some() {
+    if lens.get("thin_lens").is_some() {
         question["lens"] = json!([round(draw.between(-0.7, 0.7)), round(draw.between(-0.7, 0.7))]);
     }
-    json!({"camera_ray": question})
-}
-
-/// What a lens may leave out is asked in families of its own: a program that does not have it has the rest.
-fn without_zoom(mut lens: Value) -> Value {
-    only(&mut lens).and_then(|lens| remove(lens, "zoom"));
-    lens
-}
-
-/// A ray through a lens of any zoom.
-fn zoom_question(draw: &mut Draw, lenses: &[Value]) -> Value {
-    let mut question = ray_question(draw, lenses);
-    let lens = &mut question["camera_ray"]["camera"]["lens"];
-    let zoom = draw.pick(&[0.25, 0.5, 1.5, 2.0, 4.0]);
-    only(lens).and_then(|lens| change(lens, "/zoom", |_| zoom));
     question
 }
 
 /// The ray through the middle of a picture with odd sides, where polar coordinates have no angle.
-fn middle_question(draw: &mut Draw, lenses: &[Value]) -> Value {
-    let mut question = ray_question(draw, lenses);
+pub fn in_the_middle(draw: &mut Draw, mut question: Value) -> Value {
     let halves = [draw.below(12), draw.below(9)];
-    let data = &mut question["camera_ray"];
     for (half, side) in halves.into_iter().zip(["width", "height"]) {
-        data["image"][side] = json!(2 * half + 1);
+        question["image"][side] = json!(2 * half + 1);
     }
-    data["pixel"] = json!(halves);
-    data.as_object_mut().map(|fields| fields.remove("place"));
+    question["pixel"] = json!(halves);
+    question.as_object_mut().map(|fields| fields.remove("place"));
     question
 }
 
@@ -229,7 +162,8 @@ fn lens_radius(question: &mut Value, by: f64) -> Option<()> {
     ["/lens/0", "/lens/1"].into_iter().try_for_each(|at| change(data, at, |x| by * x))
 }
 
-fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+/// Judges by our own answer.
+pub fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
         needed: &["origin", "direction"],
         free: &[],
@@ -307,7 +241,8 @@ fn with_angle(question: &Value, field: &str, right: &Value, factor: f64) -> Opti
     (field == "direction").then(|| turned.to_array().to_vec())
 }
 
-fn project(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+/// Judges by our own answer.
+pub fn project(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
         needed: &["image"],
         free: &[],

@@ -3,31 +3,11 @@
 use ask::{Draw, number, triple};
 use serde_json::{Value, json};
 
-use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
-use super::{any, data, family, kinds, only, square};
-use groundtruth::lobes::Lobe;
+use super::{data, only};
 use groundtruth::math::{Vector, cos, power, sin};
-
-pub fn families() -> Vec<Family> {
-    let mut all = Vec::new();
-    for (entry, (tag, chapter, specimens)) in Lobe::ENTRIES.iter().zip(kinds(Lobe::ENTRIES)) {
-        let is_specular = (entry.specimens)().iter().all(Lobe::is_specular);
-        let name = format!("lobe.{tag}.values");
-        let case = move |draw: &mut Draw| {
-            let wo = outside(draw);
-            let lobe = any(draw, &specimens).clone();
-            match is_specular {
-                true => json!({"lobe": {"lobe": lobe, "wo": wo, "u": square(draw)}}),
-                false => json!({"lobe": {"lobe": lobe, "wo": wo, "wi": outside(draw)}}),
-            }
-        };
-        all.push(family(&name, &format!("lobes/{tag}"), chapter, Judge::Answer(lobe), case));
-    }
-    all
-}
 
 /// A unit direction above the surface, as three numbers whose squares add up to 1 within rounding.
 pub fn outside(draw: &mut Draw) -> [f64; 3] {
@@ -211,7 +191,8 @@ const LOBE: Rules = Rules {
     ],
 };
 
-fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+/// Judges by our own answer.
+pub fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     if question["lobe"]["lobe"].to_string().contains("\"eta\"")
         && answer.get("sample").is_some_and(Value::is_null)
     {

@@ -1,72 +1,16 @@
 //! Lights that are points or directions, textures and mappings (Suffern, ch. 14, 29, 30).
 
-use ask::{Draw, number, numbers, triple};
+use ask::{number, numbers, triple};
 use serde_json::{Value, json};
 
-use super::super::family::{Family, Judge};
 use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
-use super::noise::OF_NOISE;
-use super::{any, change, data, family, kinds, only, remove, swap, vector};
+use super::{change, data, only, remove, swap};
 use groundtruth::math::power;
-use groundtruth::{lights, textures};
 
-pub fn families() -> Vec<Family> {
-    [of_lights(), of_textures()].into_iter().flatten().collect()
-}
-
-fn of_lights() -> Vec<Family> {
-    let mut all = Vec::new();
-    for (tag, chapter, specimens) in kinds(lights::Kind::ENTRIES) {
-        if !["ambient", "directional", "point", "spot"].contains(&&*tag) {
-            continue;
-        }
-        let name = format!("light.{tag}.values");
-        let case = move |draw: &mut Draw| {
-            let (mut light, from) = (any(draw, &specimens).clone(), vector(draw, 4.0));
-            // what does not depend on the point has to depend on the light
-            let radiance = super::round(draw.between(0.25, 4.0));
-            only(&mut light).and_then(|light| change(light, "/ls", |_| radiance));
-            if let Some(direction) = light.pointer_mut("/directional/direction") {
-                *direction = vector(draw, 4.0);
-            }
-            json!({"light": {"light": light, "from": from}})
-        };
-        all.push(family(&name, &format!("lights/{tag}"), chapter, Judge::Answer(light), case));
-    }
-    all
-}
-
-fn of_textures() -> Vec<Family> {
-    let mut all = Vec::new();
-    for (tag, chapter, specimens) in kinds(textures::Kind::ENTRIES) {
-        let specimens: Vec<Value> = specimens
-            .into_iter()
-            .filter(|data| {
-                !OF_NOISE.iter().any(|noise| data.to_string().contains(&format!("\"{noise}\"")))
-            })
-            .collect();
-        // a wireframe is drawn on the triangles of a mesh, and the question has none: its colour is always one;
-        // images have families of their own
-        if specimens.is_empty() || tag == "wireframe" || tag == "image" {
-            continue;
-        }
-        let name = format!("texture.{tag}.values");
-        let case = move |draw: &mut Draw| {
-            let mut texture = any(draw, &specimens).clone();
-            let point = vector(draw, 2.0);
-            if let Some(color) = texture.pointer_mut("/constant/color") {
-                *color = json!([0, 1, 2].map(|_| super::round(draw.between(0.0, 1.0))));
-            }
-            json!({"texture": {"texture": texture, "point": point}})
-        };
-        all.push(family(&name, &format!("textures/{tag}"), chapter, Judge::Answer(texture), case));
-    }
-    all
-}
-
-fn light(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+/// Judges by our own answer.
+pub fn light(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
         needed: &["radiance", "ambient", "direction"],
         free: &["pdf"],
@@ -107,7 +51,8 @@ fn negated(value: &Value) -> Option<Vec<f64>> {
     Some(numbers(value)?.into_iter().map(|x| -x).collect())
 }
 
-fn texture(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+/// Judges by our own answer.
+pub fn texture(question: &Value, answer: &Value, profile: Profile) -> Judgement {
     const RULES: Rules = Rules {
         needed: &[],
         free: &[],
