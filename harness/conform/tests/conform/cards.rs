@@ -285,7 +285,7 @@ fn files_hold(plans: &[Plan], card: &Card) {
         .filter(|of| *of != Status::Unsupported && sum(plans, *of) > 0)
         .collect();
     for plan in plans.iter().filter(|plan| columns.iter().any(|of| plan.of(*of) > 0)) {
-        let row = html.lines().find(|line| line.starts_with("<tr") && line.contains(&plan.name));
+        let row = html.lines().find(|line| line.contains("<tr") && line.contains(&plan.name));
         let row = row.unwrap_or_else(|| panic!("{} has no row on the page", plan.name));
         let cells: Vec<u64> = row
             .split("<td")
