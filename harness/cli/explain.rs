@@ -53,7 +53,7 @@ pub struct Explain {
     #[arg(long, conflicts_with_all = ["largest", "columns"])]
     json: bool,
     /// Write a page for a class (.html), the rays as lines for modelling programs (.obj) or as a drawing over the scene
-    /// (.svg), or what --json prints (.json); with --test a test (.rs) or a scene file (.toml)
+    /// (.svg), a log of them (.jsonl, for `groundtruth rays`), or what --json prints (.json); with --test a test (.rs) or a scene file (.toml)
     #[arg(short, long, value_name = "FILE", group = "about", conflicts_with_all = ["json", "largest", "columns"])]
     output: Option<PathBuf>,
     /// The ray that --why-not asks about, instead of the camera's; or whose section the page of -o shows, instead of the
@@ -183,7 +183,7 @@ impl Explain {
         renderer: &impl Renderer,
         explanation: &PixelExplanation,
     ) -> Result<String, Box<dyn Error>> {
-        if self.all && format != kept::Format::Html {
+        if self.all && !matches!(format, kept::Format::Html | kept::Format::Jsonl) {
             return Err("--all: the file shows one sample; choose it with --sample".into());
         }
         if self.formulas && format != kept::Format::Html {

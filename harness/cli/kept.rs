@@ -23,6 +23,8 @@ pub enum Format {
     Svg,
     /// All numbers.
     Json,
+    /// A log of the rays.
+    Jsonl,
     /// A test.
     Rust,
     /// A reduced scene.
@@ -43,14 +45,15 @@ impl Format {
                 ("obj", Self::Obj),
                 ("svg", Self::Svg),
                 ("json", Self::Json),
+                ("jsonl", Self::Jsonl),
             ],
         };
         let found = known.iter().find(|(name, _)| *name == end).map(|(_, format)| *format);
         found.ok_or_else(|| match is_test {
             true => format!("{}: with --test, the name ends with .rs (a test) or .toml (a scene file)", path.display()),
             false => format!(
-                "{}: the name ends with .html (a page), .obj (the rays as lines), .svg (the rays over the scene) or .json \
-                 (all numbers)",
+                "{}: the name ends with .html (a page), .obj (the rays as lines), .svg (the rays over the scene), .json \
+                 (all numbers) or .jsonl (a log of the rays)",
                 path.display()
             ),
         })
@@ -85,6 +88,7 @@ impl Keeping<'_> {
                 let about = format!("the rays of pixel ({x}, {y}) of {}", self.name);
                 space::obj(seen()?, &space::segments(world, seen()?, radius), &about)
             }
+            Format::Jsonl => rays::log_of(self.explanation, self.name),
             Format::Svg => {
                 let orbit = space::orbit_of(world, seen()?);
                 let faded = space::hiding(world, seen()?, &orbit);

@@ -29,6 +29,7 @@ mod part;
 mod probe;
 mod program;
 mod progress;
+mod rays;
 mod render;
 mod replicas;
 mod report;
@@ -111,6 +112,11 @@ enum Command {
     /// docs/ci.md shows how to do so after each change. The exit status is 0 if it agrees, 1 if it differs, 2 if it cannot
     /// be judged.
     Verify(verify::Verify),
+    /// Say which ray of a log is wrong, and why
+    ///
+    /// Your program writes down the rays of a pixel, and laws that need no scene are held against them; docs/rays.md
+    /// describes the log. The exit status is 0 if no law is broken, 1 if one is, 2 if the log cannot be read.
+    Rays(rays::Rays),
     /// List known mistakes of ray tracers, and the scenes that show them
     ///
     /// docs/mistakes.md has all of them. A picture that agrees with ours says nothing of mistakes that its scene does
@@ -169,6 +175,7 @@ fn main() -> ExitCode {
         Command::Conform(command) => command.run(),
         Command::Merge(command) => command.run(),
         Command::Verify(command) => command.run(),
+        Command::Rays(command) => command.run(),
         Command::Mistakes(command) => command.run(),
         Command::Exercise(command) => command.run(),
         Command::Goldens(command) => command.run(),

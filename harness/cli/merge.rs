@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use groundtruth::film::{self, Film, Format, Provenance, Tone};
-use pictures::shell::quoted;
 use pictures::sums::{self, Contradiction, MergeError, Merged, Sums};
-use pictures::told::Told;
+use text::shell::quoted;
+use text::told::Told;
 
 use super::{Exit, Outcome, output, progress};
 

@@ -10,8 +10,8 @@ use std::time::Duration;
 use clap::Args;
 use groundtruth::math::hash;
 use groundtruth::printable;
-use pictures::told::Told;
 use serde_json::Value;
+use text::told::Told;
 
 use super::numbers::{number, whole};
 use super::{Exit, Outcome, output};

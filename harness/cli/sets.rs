@@ -8,8 +8,8 @@ use groundtruth::printable;
 use judge::sets::{self, SetsDecision, SetsVerdict};
 use judge::verdict::{self, Answer};
 use pictures::compare::{Picture, Transfer};
-use pictures::shell;
-use pictures::told::Told;
+use text::shell;
+use text::told::Told;
 
 use super::{Exit, Outcome, interrupt, output, progress};
 

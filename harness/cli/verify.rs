@@ -15,9 +15,9 @@ use judge::verdict::{
     self, Answer, Case, Decision, DifferingRegion, Reference, Strictness, Verdict,
 };
 use pictures::compare::{Picture, Transfer};
-use pictures::shell::quoted;
 use pictures::sums::Sums;
-use pictures::told::Told;
+use text::shell::quoted;
+use text::told::Told;
 
 use super::compare::is_scene;
 use super::numbers::{number, whole};

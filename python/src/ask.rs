@@ -2,7 +2,7 @@
 
 use claims::ClaimsOptions;
 use conform::{Invocation, Reply, Stop, Subject, probe};
-use pictures::told::Told;
+use text::told::Told;
 use pyo3::prelude::*;
 use serde_json::Value;
 

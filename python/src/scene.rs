@@ -118,7 +118,7 @@ impl Explained {
     fn html(&self, py: Python<'_>) -> String {
         let Self { built: Built { scene, world, .. }, name, explanation } = self;
         let [x, y] = explanation.pixel;
-        let command = &format!("groundtruth explain {} {x} {y}", pictures::shell::quoted(name));
+        let command = &format!("groundtruth explain {} {x} {y}", text::shell::quoted(name));
         let picture = &py.detach(|| SmallPicture::rendered(world));
         PixelPage { name, scene, world, explanation, picture, ray: None, command }.html()
     }

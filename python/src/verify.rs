@@ -4,7 +4,7 @@ use groundtruth::render::Canvas;
 use groundtruth::world::World;
 use judge::verdict::{self, Case, Decision};
 use pictures::compare::Picture;
-use pictures::told::Told;
+use text::told::Told;
 use pyo3::prelude::*;
 
 use crate::scene::{Built, Changes, wrong};

@@ -78,7 +78,9 @@ pub(crate) fn pieces(
         }],
         Outcome::Blocked { blocked_by } => {
             let light = light_point(world, ray, parent).unwrap_or_else(far);
-            let occluder = meeting(world, &ray.ray, blocked_by).unwrap_or(light);
+            // a log says itself where the ray was blocked
+            let logged = ray.hit.as_ref().map(|hit| hit.point);
+            let occluder = logged.or_else(|| meeting(world, &ray.ray, blocked_by)).unwrap_or(light);
             vec![piece(from, occluder, End::Occluder), piece(occluder, light, End::Dark)]
         }
     }

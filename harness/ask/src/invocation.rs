@@ -1,6 +1,6 @@
 //! How a program was asked, to write the command that asks it again.
 
-use pictures::shell;
+use text::shell;
 
 /// The words of a command that asked a program, as far as they matter when it is asked again.
 #[derive(Clone, Debug, Default)]

@@ -1,7 +1,7 @@
 //! Cards for continuous integration.
 
-use pictures::xml::held;
 use quick_junit::{NonSuccessKind, Report, TestCase, TestCaseStatus, TestSuite};
+use text::xml::held;
 
 /// What became of a case.
 pub enum Result {

@@ -7,9 +7,9 @@ use std::collections::BTreeMap;
 
 use serde_json::Value;
 
-use super::numbers::not_finite;
 use super::subject::{Fault, Reply, Stop};
 use groundtruth::printable;
+use text::loose::quoted;
 
 /// How much of a bad line is shown, in bytes.
 const SHOWN: usize = 200;
@@ -57,51 +57,6 @@ fn object(line: &[u8]) -> Option<BTreeMap<String, Value>> {
     serde_json::from_slice(line)
         .ok()
         .or_else(|| serde_json::from_str(&quoted(std::str::from_utf8(line).ok()?)).ok())
-}
-
-/// The line with numbers that are not finite in quotes, as the probe writes them: `"nan"`, `"inf"`, `"-inf"`.
-fn quoted(line: &str) -> String {
-    let mut text = String::with_capacity(line.len() + 16);
-    let mut rest = line;
-    while let Some(first) = rest.chars().next() {
-        let length = match first {
-            '"' => string_length(rest),
-            _ if is_of_word(first) => rest.find(|c| !is_of_word(c)).unwrap_or(rest.len()),
-            _ => first.len_utf8(),
-        };
-        let (word, after) = rest.split_at(length);
-        match special(word) {
-            Some(x) if x.is_nan() => text.push_str("\"nan\""),
-            Some(x) => text.push_str(if x > 0.0 { "\"inf\"" } else { "\"-inf\"" }),
-            None => text.push_str(word),
-        }
-        rest = after;
-    }
-    text
-}
-
-/// The length of the string that the text begins with, quotes included.
-fn string_length(text: &str) -> usize {
-    let mut is_escaped = false;
-    for (at, c) in text.char_indices().skip(1) {
-        match c {
-            '"' if !is_escaped => return at + 1,
-            c => is_escaped = c == '\\' && !is_escaped,
-        }
-    }
-    text.len()
-}
-
-/// Whether a character belongs to a number or the name of one.
-fn is_of_word(c: char) -> bool {
-    c.is_ascii_alphanumeric() || "+-.#()_".contains(c)
-}
-
-/// The value of a word that is a number, but not a finite one: a name, or more than a double can hold.
-fn special(word: &str) -> Option<f64> {
-    let is_number = word.starts_with(|c: char| c == '-' || c.is_ascii_digit());
-    let too_large = || is_number.then(|| word.parse::<f64>().ok()).flatten();
-    not_finite(word).or_else(too_large).filter(|x| !x.is_finite())
 }
 
 /// `7.0` is the id 7: some languages have no integers.

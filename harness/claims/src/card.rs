@@ -4,11 +4,11 @@ use ask::{Invocation, JunitResult, Stop};
 use std::fmt::{self, Write as _};
 
 use groundtruth::printable;
-use pictures::digits::shortened;
-use pictures::html::{self, escaped};
-use pictures::shell::quoted;
-use pictures::told::Told;
 use serde_json::{Value, json};
+use text::digits::shortened;
+use text::html::{self, escaped};
+use text::shell::quoted;
+use text::told::Told;
 
 use crate::description::Kind;
 use crate::laws::{Breach, Law};

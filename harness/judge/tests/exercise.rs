@@ -46,7 +46,7 @@ fn exercises_stay_within_the_chapters_up_to_theirs() {
         assert!(all.iter().all(|task| is_reached(task.name, chapter)), "{:?}", names(&all));
         let sheet = sheet(chapter, Difficulty::Easy, &all);
         for mistake in mistakes::all() {
-            if sheet.contains(&format!("<li>{}</li>", pictures::html::escaped(mistake.words))) {
+            if sheet.contains(&format!("<li>{}</li>", text::html::escaped(mistake.words))) {
                 let shown = mistakes::scenes_that_show(mistake);
                 assert_eq!(mistake.chapter, chapter);
                 assert!(

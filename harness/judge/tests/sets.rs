@@ -304,7 +304,7 @@ fn the_page_begins_with_the_verdict() {
     let before = pictures(Noise::Even, 0..5);
     let after = brighter(&pictures(Noise::Even, 5..10), 3.0, |[x, y]| x < 8 && y < 8);
     let found: SetsVerdict = verdict(&before, &after);
-    let told = pictures::told::Told {
+    let told = text::told::Told {
         verdict: found.sentence(),
         details: found.details(),
         next: String::new(),

@@ -9,4 +9,3 @@ pub mod sums;
 
 pub use pixel::parse_pixel;
 pub use provenance::provenance;
-pub use text::{digits, html, percent, shell, told, xml};

@@ -3,7 +3,7 @@
 use eframe::egui::{Align, Grid, Label, Layout, RichText, Ui, vec2};
 use groundtruth::explain::RecordedRay;
 use groundtruth::trace::RayKind;
-use pictures::digits::shortened;
+use text::digits::shortened;
 
 use crate::explanation::asked::Question;
 use crate::explanation::details;

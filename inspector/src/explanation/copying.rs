@@ -9,7 +9,7 @@ use groundtruth::explain::PixelExplanation;
 use groundtruth::scene;
 use groundtruth::world::DEFAULT_SEED;
 use keep::{Kept, PixelPage, ReducedScene, SmallPicture};
-use pictures::shell::quoted;
+use text::shell::quoted;
 
 use crate::explanation::{Shown, Subject};
 use crate::picture::worker::{Background, Rendering};

@@ -8,7 +8,7 @@ use groundtruth::printable::name;
 use groundtruth::rgb::Rgb;
 use groundtruth::textures::Texel;
 use groundtruth::trace::{Optics, Outcome, RayKind, RecordedTexture};
-use pictures::digits::shortened;
+use text::digits::shortened;
 
 use crate::explanation::tree::{ink, kind_color};
 

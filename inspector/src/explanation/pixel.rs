@@ -4,7 +4,7 @@ use eframe::egui::{Button, Color32, DragValue, RichText, ScrollArea, TextWrapMod
 use groundtruth::explain::{self, PixelExplanation, RecordedRay, percent, short};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
-use pictures::digits::shortened;
+use text::digits::shortened;
 
 use crate::comparison::theirs::Theirs;
 use crate::explanation::copying::{self, Making};

@@ -99,7 +99,7 @@ fn the_selected_ray_is_shown_side_by_side() {
     let angle = |scene: &Scene| {
         let hit = ray_of(scene, ON_GLASS, 0).hit.expect("glass");
         let angle = hit.optics.and_then(|it| it.angle_of_refraction).expect("it refracts");
-        pictures::digits::shortened(&format!("{angle:?}°"))
+        text::digits::shortened(&format!("{angle:?}°"))
     };
     let angles = [angle(&small_glass_sphere()), angle(&water())];
     assert_ne!(angles[0], angles[1]);

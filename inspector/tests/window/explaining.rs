@@ -46,7 +46,7 @@ fn sum(window: &Window) -> String {
 /// The three channels of a colour as the window shows them.
 fn shown_sum(color: Rgb) -> String {
     let [r, g, b] = color.to_array();
-    pictures::digits::shortened(&format!("= ({r:?}, {g:?}, {b:?})"))
+    text::digits::shortened(&format!("= ({r:?}, {g:?}, {b:?})"))
 }
 
 /// Law: the explained pixel is the rendered one, bit for bit, and printed with four digits, on the sphere, on its rim, on the
@@ -223,7 +223,7 @@ fn a_click_on_a_ray_shows_its_details() {
     ];
     for (name, text) in expected {
         // four digits on the screen
-        let text = pictures::digits::shortened(&text);
+        let text = text::digits::shortened(&text);
         let height = |rect: eframe::egui::Rect| rect.center().y;
         let mut names = window.query_all_by_label(name);
         let values: Vec<f32> =
@@ -257,7 +257,7 @@ fn the_texture_of_a_hit_is_among_the_numbers() {
         "cd ({r:?}, {g:?}, {b:?}), texel ({}, {}) at u {u:?}, v {v:?}",
         texel.column, texel.row
     );
-    let expected = pictures::digits::shortened(&expected);
+    let expected = text::digits::shortened(&expected);
     assert!(window.query_all_by_label(&expected).next().is_some(), "not shown: {expected}");
 }
 

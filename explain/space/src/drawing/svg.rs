@@ -2,7 +2,7 @@
 
 use std::fmt::Write;
 
-use pictures::html::escaped;
+use text::html::escaped;
 
 use super::{Drawing, Label, Role, Stroke, arrowhead};
 

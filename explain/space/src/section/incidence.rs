@@ -5,7 +5,7 @@ use groundtruth::math::{Vector, cos_degrees, sin_degrees};
 use groundtruth::printable::name;
 use groundtruth::trace::{Outcome, RayKind};
 use groundtruth::world::World;
-use pictures::digits::short;
+use text::digits::short;
 
 use super::{
     Drawing, Label, RayAngle, Refraction, Role, Section, SectionPlane, Stroke, Window,

@@ -5,7 +5,7 @@ use groundtruth::math::{Point, Vector, cos_degrees};
 use groundtruth::printable::name;
 use groundtruth::trace::{Outcome, RayKind};
 use groundtruth::world::World;
-use pictures::digits::short;
+use text::digits::short;
 
 use super::{
     Drawing, Label, RayAngle, Role, Section, SectionPlane, Stroke, Window, angle_between, arc,

@@ -8,8 +8,8 @@ use super::super::mistakes::{Mistake, Name};
 use super::super::run::{CASES, FEW, MOST_CASES};
 use super::{Card, Row, Status};
 use groundtruth::printable;
-use pictures::digits::short;
-use pictures::told::Told;
+use text::digits::short;
+use text::told::Told;
 
 /// The table of chapters: those of which an answer was judged or a fault happened, and only statuses that there are.
 fn table(card: &Card) -> String {

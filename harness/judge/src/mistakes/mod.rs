@@ -32,8 +32,8 @@ use std::sync::LazyLock;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use known::KnownMistake;
-use pictures::shell::quoted;
 use serde_json::json;
+use text::shell::quoted;
 
 pub use beside::Beside;
 pub use edit::Edit;

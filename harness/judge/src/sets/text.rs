@@ -8,8 +8,8 @@ use groundtruth::explain::count;
 use super::evidence::Reason;
 use super::{AreaDifference, AreaMeans, Method, Odd, SetsDecision, SetsVerdict};
 use pictures::compare::article;
-use pictures::digits::short;
-use pictures::percent;
+use text::digits::short;
+use text::percent;
 
 /// From so many times on, both values say more than their ratio.
 const MANY: f64 = 100.0;

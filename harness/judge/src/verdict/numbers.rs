@@ -4,8 +4,8 @@
 //! against the difference, says how far to go (least squares); a few such steps find the number (Gauss and Newton).
 
 use groundtruth::scene::Scene;
-use pictures::digits::short;
 use serde_json::Value;
+use text::digits::short;
 
 use super::linear::{fitted, product};
 use crate::mistakes::local::Local;

@@ -7,8 +7,8 @@ use groundtruth::explain::count;
 use super::verdict::{DecidedBy, DifferingRegion, Explanation, Verdict};
 use super::{Cause, Causes, Decision, Means, Nearest, Place, Relative};
 use pictures::compare::article;
-use pictures::digits::{short, three};
-use pictures::percent;
+use text::digits::{short, three};
+use text::percent;
 
 impl fmt::Display for Verdict {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

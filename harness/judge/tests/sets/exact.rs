@@ -10,9 +10,9 @@ use judge::sets::{
 };
 use judge::verdict::{Answer, Areas};
 use pictures::compare::Picture;
-use pictures::digits::short;
-use pictures::percent::{of_pixels, percent, signed};
 use statrs::distribution::{ContinuousCDF, StudentsT};
+use text::digits::short;
+use text::percent::{of_pixels, percent, signed};
 
 use super::synthetic::{verdict, verdict_at};
 use crate::verbs::{equal, near};

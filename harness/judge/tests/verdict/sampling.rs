@@ -60,7 +60,7 @@ fn theirs_is_shown_as_it_is_in_the_file() {
     let red = film.pixels().iter().map(|it| it.to_array()[0]).sum::<f64>() / f64::from(SIDE * SIDE);
     assert!((possible.means[0].theirs[0] - red).abs() < 1e-6, "{possible}");
     let [verdict, details, next] = [""; 3].map(str::to_owned);
-    let told = pictures::told::Told { verdict, details, next };
+    let told = text::told::Told { verdict, details, next };
     let page = verdict::page(&possible, "a picture", &told);
     assert!(page.contains("<h2>Not counted</h2>") && page.contains("M1 7l1 1"), "hatched");
     let impossible = judged(&scene, &with(2.5));

@@ -6,8 +6,8 @@ use judge::verdict::{
     PoolContext, Ranking, Strictness, Verdict, smallest_gains,
 };
 use pictures::compare::Picture;
-use pictures::digits::three;
-use pictures::percent::{of_pixels, percent, signed};
+use text::digits::three;
+use text::percent::{of_pixels, percent, signed};
 
 use super::noise::noisy;
 use super::shared::FLOATS;

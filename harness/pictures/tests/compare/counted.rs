@@ -4,8 +4,8 @@ use groundtruth::film::Film;
 use groundtruth::math::Pcg32;
 use groundtruth::rgb::Rgb;
 use pictures::compare::{Comparison, Differences, Picture, some_pixels};
-use pictures::digits::short;
-use pictures::percent::{of_pixels, signed};
+use text::digits::short;
+use text::percent::{of_pixels, signed};
 
 use super::compared;
 use crate::verbs::{between, equal, near};

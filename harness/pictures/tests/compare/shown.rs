@@ -5,7 +5,7 @@ use std::io::Cursor;
 use groundtruth::film::Film;
 use image::RgbImage;
 use pictures::compare::{Picture, page};
-use pictures::told::Told;
+use text::told::Told;
 
 use super::compared;
 use crate::verbs::{equal, near};

@@ -22,9 +22,9 @@ use groundtruth::shapes::Kind;
 use super::leaves::Leaves;
 use super::target::{Language, Written};
 use super::{AnyKind, Exported, How, Target, writer};
+use ::text::xml::comment;
 use materials::Look;
 use paths::Paths;
-use pictures::xml::comment;
 use shapes::Placed;
 use text::{boolean, integer, plugin};
 

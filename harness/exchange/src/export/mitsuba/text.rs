@@ -4,7 +4,7 @@ use groundtruth::math::{Point, Vector};
 use groundtruth::rgb::Rgb;
 
 use crate::export::number;
-use pictures::xml;
+use text::xml;
 
 /// An element of a plugin, such as a shape or an emitter, around others.
 pub fn plugin(element: &str, kind: &str, inner: &[String]) -> String {

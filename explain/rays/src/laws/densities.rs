@@ -1,0 +1,122 @@
+use std::f64::consts::PI;
+
+use super::geometry::leaving;
+use super::{Asked, Finding, Law};
+use crate::log::Kind;
+use crate::traced::Traced;
+use groundtruth::math::{Frame, Normal, Vector, acos, atan2};
+use statistics::ks;
+use text::digits::short;
+
+/// The level of all statistical findings of a log together.
+const LEVEL: f64 = 1e-3;
+/// The tests that a log is put to: the angle and the azimuth.
+const TESTS: f64 = 2.0;
+/// Fewer directions decide nothing.
+const FEW: usize = 200;
+
+pub const LAW: Law = Law {
+    name: "drawn-as-claimed",
+    says: "directions are drawn with the density that they are divided by",
+    needs: &["200 diffuse rays with pdf, or with f, cos and weight", "normal of their parents"],
+    causes: &[
+        "directions are uniform on the hemisphere, the density claims the cosine",
+        "directions follow the cosine, the density claims uniform ones",
+        "directions are clustered at the normal: the angle is uniform (a root is missing)",
+        "directions follow the square of the cosine",
+        "the azimuth covers a part of the circle",
+    ],
+    check,
+};
+
+/// What a density claims of the cosine to the normal: its distribution function.
+#[derive(Clone, Copy, PartialEq)]
+enum Claim {
+    Cosine,
+    Uniform,
+}
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    let mut cosines = Vec::new();
+    let mut azimuths = Vec::new();
+    let mut claims: Vec<Claim> = Vec::new();
+    let mut first = None;
+    for it in leaving(traced).filter(|it| matches!(it.ray.kind, Some(Kind::Diffuse))) {
+        let Some(normal) = it.facing().and_then(Normal::new) else { continue };
+        let cos = it.leaving.dot(normal);
+        let factors = &it.ray.factors;
+        // the density that the factors imply, if none is logged
+        let implied = || {
+            Some(
+                factors.f?.max() * factors.cos?
+                    / factors.weight?.max()
+                    / factors.choice.unwrap_or(1.0),
+            )
+        };
+        let Some(pdf) = factors.pdf.or_else(implied) else { continue };
+        let is = |density: f64| (pdf - density).abs() <= 1e-3 * density;
+        let claim = match (is(cos / PI), is(0.5 / PI)) {
+            (true, false) => Claim::Cosine,
+            (false, true) => Claim::Uniform,
+            _ => continue,
+        };
+        first.get_or_insert(it.index);
+        claims.push(claim);
+        cosines.push(cos);
+        let local = Frame::around(normal).to_local(it.leaving);
+        azimuths.push(turn(local));
+    }
+    let (Some(first), Some(&claim)) = (first.filter(|_| claims.len() >= FEW), claims.first())
+    else {
+        asked.notes.extend(
+            (!claims.is_empty())
+                .then(|| format!("{} directions decide nothing; {FEW} are needed", claims.len())),
+        );
+        return;
+    };
+    if claims.iter().any(|it| *it != claim) {
+        return;
+    }
+    asked.rays = claims.len();
+    asked.is_of_all = true;
+    let level = LEVEL / TESTS;
+    let p = |distribution: fn(f64) -> f64| {
+        ks::uniform(
+            &cosines.iter().map(|&cos| distribution(cos.clamp(0.0, 1.0))).collect::<Vec<_>>(),
+        )
+    };
+    let cosine: fn(f64) -> f64 = |cos| cos * cos;
+    let uniform: fn(f64) -> f64 = |cos| cos;
+    let angle: fn(f64) -> f64 = |cos| 1.0 - acos(cos) / (0.5 * PI);
+    let square: fn(f64) -> f64 = |cos| cos * cos * cos;
+    let claimed = if claim == Claim::Cosine { cosine } else { uniform };
+    let [polar, round] = [p(claimed), ks::uniform(&azimuths)];
+    if polar >= level && round >= level {
+        return;
+    }
+    let is = |distribution| polar < level && p(distribution) >= level;
+    let causes = [
+        claim == Claim::Cosine && is(uniform),
+        claim == Claim::Uniform && is(cosine),
+        is(angle),
+        is(square),
+        round < level && polar >= level,
+    ];
+    let bits = (0..causes.len()).filter(|&at| causes[at]).fold(0, |bits, at| bits | 1 << at);
+    let mean = cosines.iter().sum::<f64>() / cosines.len() as f64;
+    let should = if claim == Claim::Cosine { 2.0 / 3.0 } else { 0.5 };
+    let words = format!(
+        "is one of {} whose cosines to the normal have the mean {}, where the density gives {} (p {})",
+        cosines.len(),
+        short(mean),
+        short(should),
+        short(polar.min(round))
+    );
+    asked.findings.push(Finding { ray: first, words, causes: bits, follows: None });
+}
+
+/// The azimuth as a part of the circle.
+fn turn(local: Vector) -> f64 {
+    let part = atan2(local.y(), local.x()) / (2.0 * PI);
+    if part < 0.0 { part + 1.0 } else { part }
+}

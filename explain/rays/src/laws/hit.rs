@@ -1,0 +1,46 @@
+use super::{Asked, Law};
+use crate::traced::{Traced, size};
+use text::digits::short;
+
+pub const LAW: Law = Law {
+    name: "hit-on-ray",
+    says: "the point that a ray hit is on the ray, at t",
+    needs: &["t", "point"],
+    causes: &[
+        "t is measured along a unit vector, and the direction is none",
+        "t and point are exchanged with those of another length of the direction, as after a transform to object space",
+        "the point is on the other side of the origin: t is negative",
+    ],
+    check,
+};
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    for (index, ray) in traced.log.rays.iter().enumerate() {
+        let (Some(t), Some(point)) = (ray.t, ray.point) else { continue };
+        let at = traced.along(ray, t);
+        if !(at.is_finite() && point.is_finite()) {
+            continue;
+        }
+        let away = point - at;
+        let slack = traced.slack(size(ray.origin) + size(at - ray.origin) + size(point))
+            + traced.slack_along(ray);
+        // some write down the point after they have moved it off the surface
+        let is_moved = ray
+            .normal
+            .and_then(|n| n.unit())
+            .is_some_and(|n| n.cross(away).length() <= 0.1 * away.length());
+        let holds = away.length() <= slack || is_moved && away.length() <= 1e-2 * traced.scale;
+        asked.count(index, holds, || {
+            let length = ray.direction.length();
+            let is = |at: groundtruth::math::Point| (point - at).length() <= slack;
+            let across = ray.direction.unit().map(|d| d.cross(point - ray.origin).length());
+            let causes = [
+                is(ray.origin + (t / length) * ray.direction),
+                across.is_some_and(|across| across <= slack)
+                    && (point - ray.origin).dot(ray.direction) > 0.0,
+                is(ray.origin - t * ray.direction),
+            ];
+            (format!("ends {} from the point at its t", short(away.length())), causes)
+        });
+    }
+}

@@ -1,0 +1,199 @@
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::geometry::leaving;
+use super::{Asked, Law};
+use crate::log::Named;
+use crate::traced::{Traced, median, size};
+use groundtruth::math::{Point, Vector, atan2, to_degrees};
+use groundtruth::printable;
+use text::digits::short;
+
+/// The part of a lamp's shadow rays that have to meet for it to be a point.
+const MEET: f64 = 0.6;
+/// Fewer rays of a lamp without a place say nothing of where it is.
+const FEW: usize = 3;
+
+pub const LAW: Law = Law {
+    name: "shadow-ray-to-lamp",
+    says: "a shadow ray goes to its lamp: those of a lamp that is a point meet there, those of one in infinity are parallel",
+    needs: &["kind", "light", "the lamp's place or several rays"],
+    causes: &[
+        "it goes from the wrong end: away from the lamp",
+        "it goes towards the lamp's position as if that were a direction",
+        "it goes from the camera, not from the point, to the lamp",
+    ],
+    check,
+};
+
+/// A shadow ray as a line.
+struct Line {
+    index: usize,
+    from: Point,
+    towards: Vector,
+    eye: Point,
+    slack: f64,
+    tolerance: f64,
+}
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    let mut lamps: BTreeMap<Option<Arc<str>>, Vec<Line>> = BTreeMap::new();
+    for it in leaving(traced).filter(|it| it.ray.is(&crate::log::Kind::Shadow)) {
+        let turned = traced.conventions.shadow_from_lamp;
+        let way = traced.way_to_lamp(it.ray).unwrap_or(Vector::ZERO);
+        let line = Line {
+            index: it.index,
+            from: if turned { it.ray.origin + way } else { it.ray.origin },
+            towards: if turned { -it.leaving } else { it.leaving },
+            eye: it.parent.origin,
+            // many aim from the hit point and start a little off it
+            slack: it.slack(traced)
+                + if turned { 0.0 } else { (it.ray.origin - it.end).length() }
+                + traced.slack(size(way)),
+            tolerance: traced.tolerance(),
+        };
+        lamps.entry(it.ray.light.clone()).or_default().push(line);
+    }
+    for (name, lines) in lamps {
+        let named = traced.log.lamps.iter().find(|lamp| Some(&lamp.name) == name.as_ref());
+        let target = match named {
+            Some(lamp) => target(lamp).map(|target| turned(target, &lines, asked)),
+            None => meeting_point(&lines).map(Target::Found).or_else(|| common_direction(&lines)),
+        };
+        if target.is_some_and(|target| is_soft(&lines, target)) {
+            asked.notes.push("the directions to a lamp scatter about that of its line: a soft sun, which is not judged".to_owned());
+            continue;
+        }
+        if let Some(target) = target {
+            lines.iter().for_each(|line| check_line(line, target, name.as_deref(), asked));
+        }
+    }
+}
+
+/// Where a lamp is.
+#[derive(Clone, Copy)]
+enum Target {
+    Place(Point),
+    /// The same, worked out from the rays themselves.
+    Found(Point),
+    /// A unit vector to a lamp in infinity.
+    Direction(Vector),
+}
+
+/// The target; of a lamp in infinity to the other side, if all rays go there: then its line has the way of the light.
+fn turned(target: Target, lines: &[Line], asked: &mut Asked) -> Target {
+    match target {
+        Target::Direction(direction)
+            if lines.len() >= FEW && lines.iter().all(|line| line.towards.dot(direction) < 0.0) =>
+        {
+            asked.notes.push(
+                "`directional` is taken for the way that the light goes, as all rays go against it"
+                    .to_owned(),
+            );
+            Target::Direction(-direction)
+        }
+        target => target,
+    }
+}
+
+/// Whether the directions to a lamp in infinity scatter by a degree or so about its own.
+fn is_soft(lines: &[Line], target: Target) -> bool {
+    let Target::Direction(direction) = target else { return false };
+    let off: Vec<Vector> = lines.iter().map(|line| line.towards - direction).collect();
+    let is_near = off.iter().all(|off| off.length() < SOFT);
+    let scatters = off
+        .windows(2)
+        .filter(|pair| (pair[0] - pair[1]).length() > 1e-2 * pair[0].length())
+        .count();
+    is_near && 2 * scatters > off.len()
+}
+
+/// The radius of a soft sun, as a sine.
+const SOFT: f64 = 3e-2;
+
+fn check_line(line: &Line, target: Target, name: Option<&str>, asked: &mut Asked) {
+    let to = match target {
+        Target::Place(place) | Target::Found(place) => place - line.from,
+        Target::Direction(direction) => direction,
+    };
+    let slack = match target {
+        Target::Place(_) => 4.0 * line.slack,
+        // lines that are nearly parallel meet nowhere exactly
+        Target::Found(_) => 1e3 * line.slack,
+        Target::Direction(_) => 8.0 * line.tolerance,
+    };
+    let miss = line.towards.cross(to).length();
+    let holds = miss <= slack && to.dot(line.towards) >= 0.0;
+    asked.count(line.index, holds, || {
+        let near = slack / to.length().max(slack);
+        let is = |v: Vector| v.unit().is_some_and(|v| (v - line.towards).length() <= near);
+        let causes = match target {
+            Target::Place(place) | Target::Found(place) => {
+                [is(-to), is(place.to_vector()), is(place - line.eye)]
+            }
+            Target::Direction(_) => [is(-to), false, false],
+        };
+        let lamp =
+            name.map_or("its lamp".to_owned(), |name| format!("\"{}\"", printable::name(name)));
+        let angle = to_degrees(atan2(miss, to.dot(line.towards)));
+        (format!("goes {}° past {lamp}", short(angle)), causes)
+    });
+}
+
+/// Where the lamp's line says that it is.
+fn target(lamp: &Named) -> Option<Target> {
+    let triple =
+        |field: &str| serde_json::from_value::<[f64; 3]>(lamp.fields.get(field)?.clone()).ok();
+    let directional = lamp.fields.get("directional");
+    let nested = directional.and_then(|it| it.get("direction")).or(directional);
+    let direction = || {
+        let numbers: [f64; 3] = serde_json::from_value(nested?.clone()).ok()?;
+        Vector::from(numbers).unit().map(Target::Direction)
+    };
+    triple("point").map(|place| Target::Place(Point::from(place))).or_else(direction)
+}
+
+/// The direction of most of the lines, if they have one.
+fn common_direction(lines: &[Line]) -> Option<Target> {
+    let middle = |axis: usize| median(lines.iter().map(|line| line.towards.along(axis)).collect());
+    let direction = Vector::new(middle(0)?, middle(1)?, middle(2)?).unit()?;
+    let along = lines
+        .iter()
+        .filter(|line| line.towards.cross(direction).length() <= line.tolerance)
+        .count();
+    (lines.len() >= FEW && along as f64 >= MEET * lines.len() as f64)
+        .then_some(Target::Direction(direction))
+}
+
+/// The point that most of the lines pass, if they do: the median of where pairs of them are nearest.
+fn meeting_point(lines: &[Line]) -> Option<Point> {
+    if lines.len() < FEW {
+        return None;
+    }
+    let mut points = Vec::new();
+    for (place, a) in lines.iter().enumerate().take(64) {
+        let b = &lines[(place + lines.len() / 2).max(place + 1) % lines.len()];
+        points.extend(nearest(a, b));
+    }
+    let middle = |axis: usize| median(points.iter().map(|p: &Point| p.along(axis)).collect());
+    let place = Point::new(middle(0)?, middle(1)?, middle(2)?);
+    let passes = |line: &&Line| {
+        let to = place - line.from;
+        line.towards.cross(to).length() <= 64.0 * line.slack + 1e-4 * to.length()
+            && to.dot(line.towards) > 0.0
+    };
+    let meeting = lines.iter().filter(passes).count();
+    (meeting as f64 >= MEET * lines.len() as f64).then_some(place)
+}
+
+/// The middle of where two lines are nearest; `None` if they are nearly parallel.
+fn nearest(a: &Line, b: &Line) -> Option<Point> {
+    let (across, between) = (a.towards.cross(b.towards), b.from - a.from);
+    let square = across.length_squared();
+    (square > 1e-6).then(|| {
+        let along_a = between.cross(b.towards).dot(across) / square;
+        let along_b = between.cross(a.towards).dot(across) / square;
+        let [p, q] = [a.from + along_a * a.towards, b.from + along_b * b.towards];
+        p + 0.5 * (q - p)
+    })
+}

@@ -1,0 +1,94 @@
+use std::collections::HashMap;
+
+use super::geometry::{Leaving, is_near, leaving, mirrored};
+use super::{Asked, Law};
+use crate::log::Kind;
+use crate::traced::Traced;
+use groundtruth::math::{Vector, atan2, to_degrees};
+use text::digits::short;
+
+/// So many rays of an object show whether they scatter about the mirrored direction.
+const ENOUGH: usize = 8;
+
+pub const LAW: Law = Law {
+    name: "mirrored",
+    says: "a reflected ray is the arriving one mirrored about the normal: d − 2 (d·n) n",
+    needs: &["kind", "normal of its parent"],
+    causes: &[
+        "it is mirrored about the shading normal, others about the true one",
+        "it is mirrored about the true normal, others about the shading normal",
+        "the sign of the viewer's direction: ω_o stands for −ω_o",
+        "the factor 2 of the cosine is missing",
+        "the normal is no unit vector",
+        "it goes on as it came",
+    ],
+    check,
+};
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    let rays = || leaving(traced).filter(|it| it.ray.is(&Kind::Reflected) && it.normal().is_some());
+    let within = |it: &Leaving<'_>| 2.0 * traced.tolerance() + it.off_unit();
+    let about = |it: &Leaving<'_>, n: Option<Vector>| {
+        n.and_then(Vector::unit)
+            .is_some_and(|n| is_near(it.leaving, mirrored(it.arriving, n), within(it)))
+    };
+    // which of two normals nearly all are mirrored about
+    let by_shading = rays().filter(|it| about(it, it.parent.shading_normal)).count();
+    let by_normal = rays().filter(|it| about(it, it.parent.normal)).count();
+    let shades = by_shading > by_normal;
+    let expected = |it: &Leaving<'_>| {
+        let n =
+            if shades { it.parent.shading_normal.or(it.parent.normal) } else { it.parent.normal };
+        mirrored(it.arriving, n.and_then(Vector::unit).unwrap_or(Vector::ZERO))
+    };
+    let mut deviations: HashMap<_, (Vector, f64, usize)> = HashMap::new();
+    for it in rays() {
+        let off = it.leaving - expected(&it);
+        let (sum, squares, count) =
+            deviations.entry(it.parent.object.clone()).or_insert((Vector::ZERO, 0.0, 0));
+        (*sum, *squares, *count) = (*sum + off, *squares + off.length_squared(), *count + 1);
+    }
+    // a mistake turns all rays alike; what scatters has no direction in common
+    let scatters = |it: &Leaving<'_>| {
+        let (sum, squares, count) = deviations[&it.parent.object];
+        count >= ENOUGH && sum.length_squared() < 0.25 * squares * count as f64
+    };
+    for it in rays() {
+        let expected = expected(&it);
+        let causes = causes(&it, within(&it), shades);
+        let holds = is_near(it.leaving, expected, within(&it));
+        if !holds && !causes.contains(&true) && scatters(&it) {
+            note_once(
+                asked,
+                "some reflected rays scatter about the mirrored direction; write `glossy` as their kind",
+            );
+            continue;
+        }
+        asked.count(it.index, holds, || {
+            let angle = atan2(expected.cross(it.leaving).length(), expected.dot(it.leaving));
+            (format!("leaves {}° from the mirrored direction", short(to_degrees(angle))), causes)
+        });
+    }
+}
+
+fn causes(it: &Leaving<'_>, tolerance: f64, shades: bool) -> [bool; 6] {
+    let is = |v: Vector| v.unit().is_some_and(|v| is_near(it.leaving, v, tolerance));
+    let about =
+        |n: Option<Vector>| n.and_then(Vector::unit).is_some_and(|n| is(mirrored(it.arriving, n)));
+    let (d, n) = (it.arriving, it.parent.normal.unwrap_or(Vector::ZERO));
+    let unit = n.unit().unwrap_or(Vector::ZERO);
+    [
+        !shades && about(it.parent.shading_normal),
+        shades && about(it.parent.normal),
+        is(-mirrored(d, unit)),
+        is(d - d.dot(unit) * unit),
+        is(mirrored(d, n)),
+        is(d),
+    ]
+}
+
+fn note_once(asked: &mut Asked, words: &str) {
+    if asked.notes.iter().all(|note| note != words) {
+        asked.notes.push(words.to_owned());
+    }
+}

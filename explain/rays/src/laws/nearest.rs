@@ -1,0 +1,145 @@
+use std::collections::HashSet;
+
+use super::{Asked, Law};
+use crate::log::{Kind, Ray};
+use crate::traced::{Traced, size};
+use groundtruth::math::{self, Span, Vector};
+use groundtruth::printable::name;
+use groundtruth::world::{Hit, World};
+use text::digits::short;
+
+/// Below this cosine a small error of the ray decides whether it hits.
+const GRAZING: f64 = 0.03;
+
+pub const LAW: Law = Law {
+    name: "nearest-hit",
+    says: "a ray ends at the nearest surface in front of it",
+    needs: &["objects or a scene"],
+    causes: &[
+        "a nearer surface is missed: its object is never hit by any ray of the log",
+        "the farther root is taken: the ray goes through the nearer side of the same object",
+        "a farther object is taken: the nearest is not kept",
+        "what lies behind the origin counts: t is negative",
+        "a hit is lost that is near the start: the smallest t is too large",
+        "it hits what is not there",
+    ],
+    check,
+};
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    let Some(world) = &traced.world else { return };
+    let hit: HashSet<_> = traced.log.rays.iter().filter_map(|ray| ray.object.clone()).collect();
+    for (index, ray) in traced.log.rays.iter().enumerate() {
+        if ray.is_shadow() || !(ray.origin.is_finite() && ray.direction.is_finite()) {
+            continue;
+        }
+        let Some(seen) = Seen::of(traced, index, world) else { continue };
+        asked.count(index, seen.holds, || {
+            let ours = seen.ours.as_ref();
+            let is_same = ours.is_some_and(|hit| ray.object.as_ref() == Some(&hit.object.name));
+            let is_nearer = ours.is_some_and(|hit| seen.his.is_none_or(|his| his > hit.t));
+            let never = ours.is_some_and(|ours| !hit.contains(&ours.object.name));
+            let is_early =
+                ours.is_some_and(|hit| hit.t * ray.direction.length() < 1e-2 * traced.scale);
+            let is_behind = seen.his.is_some_and(|his| his < 0.0);
+            let causes = [
+                is_nearer && never,
+                is_nearer && is_same && seen.his.is_some(),
+                is_nearer && !is_same && seen.his.is_some() && !never,
+                is_behind,
+                is_nearer && is_early && !never,
+                !is_nearer && !is_behind,
+            ];
+            (seen.words(ray), causes)
+        });
+    }
+}
+
+/// What a ray hits, by the log and by the tracer.
+struct Seen<'a> {
+    his: Option<f64>,
+    ours: Option<Hit<'a>>,
+    holds: bool,
+}
+
+impl<'a> Seen<'a> {
+    /// `None` if rounding decides.
+    fn of(traced: &Traced, index: usize, world: &'a World) -> Option<Self> {
+        let ray = traced.ray(index);
+        // one that nobody sent starts on a surface that is not known
+        if traced.parents[index].is_none()
+            && ray.kind.as_ref().is_some_and(|kind| *kind != Kind::Camera)
+        {
+            return None;
+        }
+        let length = ray.direction.length();
+        let start = start(traced, index) / length;
+        let ours = world.hit(
+            &math::Ray::new(ray.origin, ray.direction),
+            Span { min: start, max: f64::INFINITY },
+        );
+        // in units of the direction, whatever the log's are
+        let his = match (ray.point, ray.t.filter(|t| t.is_finite())) {
+            (_, Some(t)) => Some(if traced.conventions.t_is_length { t / length } else { t }),
+            (Some(point), None) => {
+                Some((point - ray.origin).dot(ray.direction) / (length * length))
+            }
+            (None, None) => None,
+        };
+        // a hit nearer than where ours are looked for is another law's
+        if his.is_some_and(|t| t >= 0.0 && t <= 2.0 * start) {
+            return None;
+        }
+        // the log may name some of the objects only
+        let is_unknown =
+            ray.object.as_ref().is_some_and(|name| !world.names.objects.contains(name));
+        if is_unknown && ours.as_ref().is_none_or(|hit| his.is_some_and(|his| his <= hit.t)) {
+            return None;
+        }
+        let cosine =
+            |hit: &Hit<'_>| Vector::from(hit.surface.normal).dot(ray.direction).abs() / length;
+        let is_grazing = ours.as_ref().is_some_and(|hit| cosine(hit) < GRAZING);
+        let holds = match (his, &ours) {
+            (None, None) => true,
+            (Some(t), Some(hit)) => {
+                let sizes = size(ray.origin)
+                    + size(hit.surface.point)
+                    + traced.object_size(Some(&hit.object.name));
+                // a program that takes a direction for a unit vector errs by what it is not
+                let off_unit = (length - 1.0).abs();
+                let off_unit = if off_unit <= 1e-3 { 4.0 * off_unit * t.abs() } else { 0.0 };
+                let off = (t - hit.t).abs() * length - off_unit - traced.slack_along(ray);
+                off * cosine(hit).max(GRAZING) <= 8.0 * traced.slack(sizes)
+            }
+            _ => false,
+        };
+        (holds || !is_grazing).then_some(Self { his, ours, holds })
+    }
+
+    fn words(&self, ray: &Ray) -> String {
+        let object = |object: Option<&str>| {
+            object.map_or("a surface".to_owned(), |it| format!("\"{}\"", name(it)))
+        };
+        let his = match self.his {
+            Some(t) => format!("hits {} at t {}", object(ray.object.as_deref()), short(t)),
+            None => "hits nothing".to_owned(),
+        };
+        match &self.ours {
+            Some(hit) => format!(
+                "{his}, where {} is nearest, at t {}",
+                object(Some(&hit.object.name)),
+                short(hit.t)
+            ),
+            None => format!("{his}, where nothing is"),
+        }
+    }
+}
+
+/// How far from its origin a ray's hits are looked for: past the surface that it starts on.
+pub fn start(traced: &Traced, index: usize) -> f64 {
+    let (ray, Some(parent)) = (traced.ray(index), traced.parents[index]) else { return 0.0 };
+    let moved = traced.end_point(parent).map_or(0.0, |end| (ray.origin - end).length());
+    let moved = if moved < 0.1 * traced.scale { moved } else { 0.0 };
+    let sizes = size(ray.origin) + traced.object_size(traced.ray(parent).object.as_ref());
+    (4.0 * moved).max(1e-4 * traced.scale).max(traced.slack(64.0 * sizes))
+}

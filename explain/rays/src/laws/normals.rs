@@ -1,0 +1,53 @@
+use super::{Asked, Law};
+use crate::traced::Traced;
+use text::digits::short;
+
+/// A point less the centre over the radius is a unit vector but for the error of the point, which may be large beside the
+/// radius; what is not made a unit vector at all is farther from it.
+const NEARLY: f64 = 1e-3;
+
+pub const LAW: Law = Law {
+    name: "unit-normals",
+    says: "normals are unit vectors",
+    needs: &["normal"],
+    causes: &[
+        "all normals of the object have this length: it is scaled by a transform and not made a unit vector again",
+        "the normal is zero",
+    ],
+    check,
+};
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    // the length of the first normal of each object
+    let mut lengths = std::collections::HashMap::new();
+    for (index, ray) in traced.log.rays.iter().enumerate() {
+        let Some(normal) = ray.shading_normal.or(ray.normal) else { continue };
+        let normals = [ray.normal.unwrap_or(normal), normal];
+        if normals.iter().any(|n| !n.is_finite()) {
+            continue;
+        }
+        let length = |n: groundtruth::math::Vector| n.length();
+        let worst = normals
+            .map(length)
+            .into_iter()
+            .max_by(|a, b| (a - 1.0).abs().total_cmp(&(b - 1.0).abs()))
+            .unwrap_or(1.0);
+        let first = *lengths.entry(ray.object.clone()).or_insert(worst);
+        asked.count(index, (worst - 1.0).abs() <= NEARLY.max(traced.tolerance()), || {
+            let causes = [
+                (worst - first).abs() <= 16.0 * traced.tolerance() * first && worst > 0.0,
+                worst == 0.0,
+            ];
+            (format!("hits a surface whose normal has the length {}", length_words(worst)), causes)
+        });
+    }
+}
+
+/// `0.6`, or `1 + 3e-7`.
+fn length_words(length: f64) -> String {
+    let off = length - 1.0;
+    match off.abs() < 1e-3 {
+        true => format!("1 {} {}", if off < 0.0 { '−' } else { '+' }, short(off.abs())),
+        false => short(length),
+    }
+}

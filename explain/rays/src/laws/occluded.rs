@@ -1,0 +1,105 @@
+use std::collections::HashSet;
+
+use super::nearest::start;
+use super::{Asked, Law};
+use crate::log::Kind;
+use crate::traced::Traced;
+use groundtruth::math::{self, Span, Vector};
+use groundtruth::printable::name;
+use groundtruth::world::Hit;
+
+pub const LAW: Law = Law {
+    name: "truly-blocked",
+    says: "a shadow ray is blocked if and only if something is between the point and the lamp",
+    needs: &["objects or a scene", "kind"],
+    causes: &[
+        "the blocking object is forgotten: no shadow ray of the log is blocked by it",
+        "what is behind the lamp blocks",
+        "what is behind the point blocks",
+        "nothing is there",
+    ],
+    check,
+};
+
+/// The part of the way at its ends where a hit may be the surface itself, or the lamp.
+const ENDS: f64 = 1e-3;
+/// Below this cosine a small error of the ray decides.
+const GRAZING: f64 = 0.03;
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    let Some(world) = &traced.world else { return };
+    let blockers: HashSet<_> = traced
+        .log
+        .rays
+        .iter()
+        .filter(|ray| ray.is(&Kind::Shadow))
+        .filter_map(|ray| ray.object.clone())
+        .collect();
+    let glass: HashSet<_> = traced
+        .pairs()
+        .filter(|&(index, _)| traced.ray(index).is(&Kind::Transmitted))
+        .filter_map(|(_, parent)| traced.ray(parent).object.clone())
+        .collect();
+    for (index, ray) in traced.log.rays.iter().enumerate() {
+        let Some(parent) = traced.parent(index).filter(|_| ray.is(&Kind::Shadow)) else { continue };
+        let length = ray.direction.length();
+        if !(ray.origin.is_finite() && length.is_finite() && length > 0.0) {
+            continue;
+        }
+        let way = traced.way_to_lamp(ray).map(|way| way.length() / length);
+        let end = way.map_or(f64::INFINITY, |end| end * (1.0 - ENDS));
+        let from_lamp =
+            way.filter(|_| traced.conventions.shadow_from_lamp).map_or(0.0, |end| ENDS * end);
+        let min = (start(traced, index) / length).max(from_lamp);
+        let line = math::Ray::new(ray.origin, ray.direction);
+        let ours = (min < end).then(|| world.hit(&line, Span { min, max: end })).flatten();
+        let is_blocked = ray.t.is_some() || ray.object.is_some();
+        let cosine =
+            |hit: &Hit<'_>| Vector::from(hit.surface.normal).dot(ray.direction).abs() / length;
+        // one that leaves along its surface, or below it, is for rounding to decide
+        let leaves = parent
+            .normal
+            .and_then(Vector::unit)
+            .map_or(1.0, |n| n.dot(ray.direction).abs() / length);
+        let lamp = ray.object.is_some() && ray.object == ray.light;
+        let is_told =
+            leaves > GRAZING && ours.as_ref().is_none_or(|hit| cosine(hit) > GRAZING) && !lamp;
+        let t = ray
+            .t
+            .map(|t| (traced.along(ray, t) - ray.origin).dot(ray.direction) / (length * length));
+        let near = t.is_some_and(|t| t >= 0.0 && t <= 2.0 * min);
+        let far = t.is_some_and(|t| t >= end);
+        // the log may name some of the objects only
+        let is_unknown =
+            ray.object.as_ref().is_some_and(|name| !world.names.objects.contains(name));
+        if is_unknown && ours.is_none() {
+            continue;
+        }
+        if !is_told || near || far && ours.is_none() && ray.end.is_some() {
+            continue;
+        }
+        // light passes glass in many programs
+        let passes = |hit: &Hit<'_>| {
+            let name = &hit.object.name;
+            !hit.casts_shadow() || glass.contains(name) && !blockers.contains(name)
+        };
+        if ours.as_ref().is_some_and(passes) && !is_blocked {
+            continue;
+        }
+        asked.count(index, is_blocked == ours.is_some(), || {
+            let by = |object: &str| format!("\"{}\"", name(object));
+            let words = match &ours {
+                Some(hit) => {
+                    format!("reaches its lamp, though {} is in the way", by(&hit.object.name))
+                }
+                None => format!(
+                    "is blocked{}, though nothing is in the way",
+                    ray.object.as_ref().map_or(String::new(), |it| format!(" by {}", by(it)))
+                ),
+            };
+            let is_forgotten =
+                ours.as_ref().is_some_and(|hit| !blockers.contains(&hit.object.name));
+            (words, [is_forgotten, far, ray.t.is_some_and(|t| t < 0.0), ours.is_none() && !far])
+        });
+    }
+}

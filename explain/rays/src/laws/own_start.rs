@@ -1,0 +1,63 @@
+use super::geometry::leaving;
+use super::{Asked, Law};
+use crate::log::Kind;
+use crate::traced::Traced;
+use groundtruth::printable::name;
+use text::digits::short;
+
+/// Roundings within which a ray meets the surface that it starts on by accident.
+const ROUNDINGS: f64 = 4096.0;
+/// The part of a usual ray's length that is too near for anything else.
+const NEAR: f64 = 1e-6;
+
+pub const LAW: Law = Law {
+    name: "not-its-own-start",
+    says: "a ray does not meet the surface that it starts on, where it leaves that surface (acne)",
+    needs: &["t", "normal of its parent"],
+    causes: &[
+        "it starts on the surface or behind it by rounding: no offset, or no smallest t",
+        "the offset moves it to the wrong side of the surface",
+    ],
+    check,
+};
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    for it in leaving(traced) {
+        let (Some(facing), Some(kind)) = (it.facing(), &it.ray.kind) else { continue };
+        let cos = facing.dot(it.leaving);
+        let leaves = if *kind == Kind::Transmitted { -cos } else { cos };
+        // a lamp behind the surface is rightly hidden by it
+        if leaves <= 1e-3 || *kind == Kind::Camera {
+            continue;
+        }
+        let end = it.ray.t.map(|t| (traced.along(it.ray, t) - it.ray.origin).length());
+        let (Some(near), moved) = (end.or(Some(f64::INFINITY)), (it.ray.origin - it.end).length())
+        else {
+            continue;
+        };
+        let rounding =
+            traced.rounding * (it.end.to_vector().max_abs() + it.ray.origin.to_vector().max_abs());
+        let is_same = match (&it.ray.object, &it.parent.object) {
+            (Some(hit), Some(left)) => hit == left,
+            _ => true,
+        };
+        let limit =
+            (ROUNDINGS * rounding).max(NEAR * traced.scale).max(4.0 * moved / leaves.max(0.1));
+        let holds = !(is_same && near <= limit);
+        asked.count(it.index, holds, || {
+            let to_wrong_side =
+                (it.ray.origin - it.end).dot(facing) * cos < 0.0 && moved > it.slack(traced);
+            let what = it
+                .ray
+                .object
+                .as_ref()
+                .map_or("something".to_owned(), |object| format!("\"{}\"", name(object)));
+            let verb = if it.ray.is_shadow() { "is blocked by" } else { "hits" };
+            let own = if it.ray.object.is_some() && is_same { " itself" } else { "" };
+            (
+                format!("{verb} {what}{own} {} away from its start", short(near)),
+                [!to_wrong_side, to_wrong_side],
+            )
+        });
+    }
+}

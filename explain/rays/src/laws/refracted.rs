@@ -1,0 +1,112 @@
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use super::geometry::{Leaving, is_near, leaving, refracted};
+use super::{Asked, Law};
+use crate::log::Kind;
+use crate::traced::{Traced, median};
+use groundtruth::math::{Vector, atan2, to_degrees};
+use text::digits::short;
+
+/// Sines below this say nothing of the ratio of indices.
+const STEEP: f64 = 1e-2;
+
+pub const LAW: Law = Law {
+    name: "snell",
+    says: "a transmitted ray is the arriving one refracted by Snell's law: the sines to the normal are as the indices, in one plane",
+    needs: &["kind", "normal of its parent"],
+    causes: &[
+        "one ratio both ways: it is not inverted when the ray leaves the object",
+        "the ratio is inverted",
+        "the normal is not turned to the viewer inside of the object",
+        "it goes straight on",
+        "beyond the critical angle all light is reflected, and nothing is transmitted",
+    ],
+    check,
+};
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    let usual = usual_ratios(traced);
+    for it in leaving(traced).filter(|it| it.ray.is(&Kind::Transmitted)) {
+        let Some(facing) = it.facing() else { continue };
+        let Some(ratio) = ratio(traced, &it, &usual) else { continue };
+        // the cosine behind is a root: its error grows as it falls
+        let sine = (ratio * facing.cross(it.arriving).length()).min(1.0);
+        let tolerance = (4.0 * traced.tolerance() + it.off_unit())
+            / (1.0 - sine * sine).max(traced.tolerance()).sqrt();
+        let expected = refracted(it.arriving, facing, ratio);
+        let holds = expected.is_some_and(|expected| is_near(it.leaving, expected, tolerance));
+        asked.count(it.index, holds, || {
+            let is = |v: Option<Vector>| {
+                v.and_then(Vector::unit)
+                    .is_some_and(|v| is_near(it.leaving, v, tolerance.max(1e-4)))
+            };
+            let inverted = is(refracted(it.arriving, facing, 1.0 / ratio));
+            let is_inside = it.is_inside(traced) == Some(true);
+            let normal = it.normal().unwrap_or(facing);
+            let causes = [
+                is_inside && inverted,
+                inverted,
+                normal.dot(it.arriving) > 0.0 && is(refracted(it.arriving, normal, ratio)),
+                is(Some(it.arriving)),
+                expected.is_none(),
+            ];
+            (words(&it, facing, expected), causes)
+        });
+    }
+}
+
+fn words(it: &Leaving<'_>, facing: Vector, expected: Option<Vector>) -> String {
+    let angle = |v: Vector| short(to_degrees(atan2(v.cross(facing).length(), v.dot(facing).abs())));
+    let [arriving, leaving] = [angle(it.arriving), angle(it.leaving)];
+    match expected {
+        Some(expected) => format!(
+            "arrives at {arriving}° and goes on at {leaving}°, where Snell's law gives {}°",
+            angle(expected)
+        ),
+        None => {
+            format!("arrives at {arriving}°, beyond the critical angle, and goes on at {leaving}°")
+        }
+    }
+}
+
+/// The index in front over the one behind, as the log says.
+fn logged(traced: &Traced, it: &Leaving<'_>) -> Option<f64> {
+    let factors = &it.ray.factors;
+    let indices = factors.eta_from.zip(factors.eta_to).map(|(from, to)| from / to);
+    let is_inverse = traced.conventions.eta_is_front_over_behind;
+    indices.or(factors.eta.map(|eta| if is_inverse { eta } else { 1.0 / eta }))
+}
+
+/// The index in front over the one behind that a ray should have met. Leaving an object it is the inverse of entering it,
+/// whatever the program used.
+fn ratio(traced: &Traced, it: &Leaving<'_>, usual: &HashMap<Option<Arc<str>>, f64>) -> Option<f64> {
+    let usual = usual.get(&it.parent.object).copied();
+    match it.is_inside(traced) {
+        Some(true) => usual.or_else(|| logged(traced, it)),
+        Some(false) => logged(traced, it).or(usual.map(|usual| 1.0 / usual)),
+        None => logged(traced, it),
+    }
+}
+
+/// The index of each object over the one around it, by the rays that enter it: as logged, or else as they are refracted.
+fn usual_ratios(traced: &Traced) -> HashMap<Option<Arc<str>>, f64> {
+    let mut ratios: HashMap<Option<Arc<str>>, Vec<f64>> = HashMap::new();
+    let entering = leaving(traced)
+        .filter(|it| it.ray.is(&Kind::Transmitted) && it.is_inside(traced) == Some(false));
+    for it in entering {
+        let seen = it.normal().and_then(|normal| {
+            let [front, behind] = [it.arriving, it.leaving].map(|v| v.cross(normal).length());
+            (front > STEEP && behind > STEEP).then(|| front / behind)
+        });
+        let ratio = logged(traced, &it).map(|ratio| 1.0 / ratio).or(seen);
+        ratios.entry(it.parent.object.clone()).or_default().extend(ratio);
+    }
+    // an object of several media has no ratio of its own
+    let one = |ratios: Vec<f64>| {
+        let median = median(ratios.clone())?;
+        let alike = ratios.iter().filter(|ratio| (**ratio - median).abs() <= 1e-3 * median).count();
+        (20 * alike >= 19 * ratios.len()).then_some(median)
+    };
+    ratios.into_iter().filter_map(|(object, ratios)| Some((object, one(ratios)?))).collect()
+}

@@ -1,0 +1,79 @@
+use std::collections::HashMap;
+
+use super::geometry::leaving;
+use super::{Asked, Law};
+use crate::log::Kind;
+use crate::traced::Traced;
+use groundtruth::math::Vector;
+
+pub const LAW: Law = Law {
+    name: "samples-differ",
+    says: "random directions differ from sample to sample, from pixel to pixel and from bounce to bounce",
+    needs: &[
+        "several diffuse or path rays, from several samples or pixels",
+        "normal of their parents",
+    ],
+    causes: &[
+        "each pixel draws the same random numbers: the generator is seeded anew",
+        "each sample of a pixel draws the same random numbers",
+        "each bounce of a path draws the same random numbers",
+    ],
+    check,
+};
+
+/// The cosines of two random rays that are nearer to each other than this are the same draw.
+const SAME: f64 = 1e-7;
+/// Fewer rays may agree by accident.
+const FEW: usize = 8;
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    let mut drawn: Vec<(f64, usize, usize)> = Vec::new();
+    for it in leaving(traced).filter(|it| matches!(it.ray.kind, Some(Kind::Diffuse | Kind::Path))) {
+        let Some(facing) = it.facing() else { continue };
+        let depth = std::iter::successors(Some(it.index), |&at| traced.parents[at]).count();
+        drawn.push((facing.dot(it.leaving), it.index, depth));
+    }
+    if drawn.len() < FEW {
+        return;
+    }
+    let single = traced.rounding.max(SAME);
+    drawn.sort_by(|a, b| a.0.total_cmp(&b.0));
+    // of random numbers so few pairs are this near that a ray has a twin rarely: by its neighbours in the sorted list
+    let is_twin = |a: &(f64, usize, usize), b: &(f64, usize, usize)| (a.0 - b.0).abs() <= single;
+    let twins: HashMap<usize, usize> = drawn
+        .windows(2)
+        .filter(|pair| is_twin(&pair[0], &pair[1]) && differs(traced, pair[0].1, pair[1].1))
+        .flat_map(|pair| [(pair[0].1, pair[1].1), (pair[1].1, pair[0].1)])
+        .collect();
+    // expected by chance: n² · 2 · SAME pairs; a half of all rays is far from it unless there are millions
+    let is_rare = 2.0 * drawn.len() as f64 * single < 0.05;
+    let many = is_rare && 2 * twins.len() >= drawn.len();
+    for (_, index, depth) in &drawn {
+        let twin = twins.get(index).filter(|_| many);
+        asked.count(*index, twin.is_none(), || {
+            let other = twin.copied().unwrap_or(*index);
+            let [ray, same] = [traced.ray(*index), traced.ray(other)];
+            let other_depth = std::iter::successors(Some(other), |&at| traced.parents[at]).count();
+            let causes = [
+                ray.pixel != same.pixel,
+                ray.pixel == same.pixel && ray.sample != same.sample,
+                *depth != other_depth,
+            ];
+            (
+                format!(
+                    "leaves at the same angle to the normal as {} of line {}",
+                    traced.name(other),
+                    same.line
+                ),
+                causes,
+            )
+        });
+    }
+}
+
+/// Whether two rays are no copies of each other: they start elsewhere or belong to other samples.
+fn differs(traced: &Traced, a: usize, b: usize) -> bool {
+    let [a, b] = [traced.ray(a), traced.ray(b)];
+    let is_same: fn(Vector) -> bool = |v| v.length() == 0.0;
+    a.pixel != b.pixel || a.sample != b.sample || !is_same(a.origin - b.origin)
+}

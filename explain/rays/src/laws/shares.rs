@@ -1,0 +1,77 @@
+use std::collections::BTreeMap;
+
+use super::geometry::{Leaving, leaving};
+use super::weight::is_finite;
+use super::{Asked, Law};
+use crate::log::Kind;
+use crate::traced::Traced;
+use groundtruth::lobes::fresnel;
+use groundtruth::rgb::Rgb;
+use text::digits::short;
+
+/// How near a share is to Fresnel's to be taken for it.
+const NEAR: f64 = 1e-2;
+/// Sines below this say nothing of the ratio of indices.
+const STEEP: f64 = 1e-2;
+
+pub const LAW: Law = Law {
+    name: "shares",
+    says: "a reflected and a transmitted ray share the light of their hit: without the factor 1/η² of radiance their weights are 1 together, or less",
+    needs: &["weight of a reflected and a transmitted ray of one hit", "normal"],
+    causes: &[
+        "the parts are exchanged: the transmitted ray has the share that Fresnel's equations give the reflected one",
+        "both rays have the whole light",
+        "the factor of radiance is that of the other direction: η² stands for 1/η²",
+    ],
+    check,
+};
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    let mut pairs: BTreeMap<usize, [Option<Leaving<'_>>; 2]> = BTreeMap::new();
+    for it in leaving(traced) {
+        let place = match it.ray.kind {
+            Some(Kind::Reflected) => 0,
+            Some(Kind::Transmitted) => 1,
+            _ => continue,
+        };
+        pairs.entry(it.from).or_default()[place].get_or_insert(it);
+    }
+    for pair in pairs.into_values() {
+        let [Some(mirrored), Some(through)] = pair else { continue };
+        let weights = mirrored.ray.factors.weight.zip(through.ray.factors.weight);
+        let Some((reflected, transmitted)) = weights else { continue };
+        if is_finite(reflected) && is_finite(transmitted) {
+            judge(traced, asked, &through, mirrored.index, [reflected, transmitted]);
+        }
+    }
+}
+
+fn judge(
+    traced: &Traced,
+    asked: &mut Asked,
+    through: &Leaving<'_>,
+    index: usize,
+    [reflected, transmitted]: [Rgb; 2],
+) {
+    let Some(facing) = through.facing() else { return };
+    let [front, behind] = [through.arriving, through.leaving].map(|v| v.cross(facing).length());
+    // the sines say which index is behind
+    let eta = (front > STEEP && behind > STEEP).then(|| front / behind);
+    let squared = eta.map_or(1.0, |eta| eta * eta);
+    let sum = |factor: f64| (reflected + factor * transmitted).max();
+    let r = eta.map(|eta| fresnel(-through.arriving.dot(facing), eta).reflected);
+    let near = |a: f64, b: f64| (a - b).abs() <= NEAR;
+    let is_exchanged = r.is_some_and(|r| {
+        !near(r, 0.5) && near(reflected.max(), 1.0 - r) && near(transmitted.max(), r)
+    });
+    let holds = sum(1.0).min(sum(squared)) <= 1.0 + 16.0 * traced.tolerance() && !is_exchanged;
+    asked.count(index, holds, || {
+        let whole = near(reflected.max(), 1.0) && near(transmitted.max(), 1.0);
+        let is_other = eta.is_some() && near(sum(1.0 / squared), 1.0);
+        let [reflected, transmitted] = [reflected, transmitted].map(|it| short(it.max()));
+        (
+            format!("counts {reflected}, and the transmitted ray beside it {transmitted}"),
+            [is_exchanged, whole, is_other],
+        )
+    });
+}

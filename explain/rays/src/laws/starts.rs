@@ -1,0 +1,89 @@
+use std::collections::HashMap;
+
+use super::geometry::{Leaving, leaving};
+use super::{Asked, Law};
+use crate::traced::Traced;
+use groundtruth::math::Vector;
+use text::digits::short;
+
+/// The part of the length of a usual ray above which an offset is seen in the picture.
+const TOO_LARGE: f64 = 3e-2;
+/// Above this part it is no offset at all.
+const ELSEWHERE: f64 = 0.3;
+
+pub const LAW: Law = Law {
+    name: "starts-at-hit",
+    says: "a ray starts where the ray that sent it ended, or a little off the surface on the side to which it goes",
+    needs: &["point or t of its parent"],
+    causes: &[
+        "the offset moves it to the side of the surface that it does not go to",
+        "the offset is too large for this scene",
+        "it starts at the camera",
+        "all rays that leave the object start off by the same vector: the point was not moved back from object space",
+    ],
+    check,
+};
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    let elsewhere: Vec<Leaving<'_>> =
+        leaving(traced).filter(|it| away(traced, it).length() > it.slack(traced)).collect();
+    // the first of each object
+    let mut shifts: HashMap<_, Vec<Vector>> = HashMap::new();
+    for it in &elsewhere {
+        shifts.entry(it.parent.object.clone()).or_default().push(away(traced, it));
+    }
+    let is_shift = |it: &Leaving<'_>| {
+        let of_object = &shifts[&it.parent.object];
+        let slack = 8.0 * it.slack(traced);
+        of_object.len() > 1
+            && of_object.iter().all(|other| (*other - of_object[0]).length() <= slack)
+    };
+    for it in leaving(traced) {
+        let away = away(traced, &it);
+        let slack = it.slack(traced);
+        let is_wrong_side = is_wrong_side(&it, away, slack);
+        let holds =
+            away.length() <= slack || away.length() <= TOO_LARGE * traced.scale && !is_wrong_side;
+        asked.count(it.index, holds, || {
+            let root = root_of(traced, it.index);
+            let at_camera = (it.ray.origin - traced.ray(root).origin).length() <= slack;
+            let is_offset = away.length() <= ELSEWHERE * traced.scale && !at_camera;
+            let causes = [
+                is_wrong_side && is_offset,
+                is_offset && !is_wrong_side,
+                at_camera,
+                !at_camera && is_shift(&it),
+            ];
+            let words = match is_wrong_side && is_offset {
+                true => {
+                    format!("starts {} behind the surface that it leaves", short(away.length()))
+                }
+                false => {
+                    format!("starts {} from where the ray that sent it ended", short(away.length()))
+                }
+            };
+            (words, causes)
+        });
+    }
+}
+
+/// From where it should start to where it does.
+fn away(traced: &Traced, it: &Leaving<'_>) -> Vector {
+    match it.ray.is_shadow() && traced.conventions.shadow_from_lamp {
+        // it starts at the lamp, and ends at the point
+        true => traced.way_to_lamp(it.ray).map_or(Vector::ZERO, |way| it.ray.origin + way - it.end),
+        false => it.ray.origin - it.end,
+    }
+}
+
+fn is_wrong_side(it: &Leaving<'_>, away: Vector, slack: f64) -> bool {
+    let Some(normal) = it.facing() else { return false };
+    let (moved, goes) = (away.dot(normal), it.leaving.dot(normal));
+    // a lamp below the horizon is hidden by the surface itself: such a ray may start on the viewer's side
+    let is_hidden = it.ray.is_shadow() && goes <= 0.0;
+    moved.abs() > slack && moved * goes < 0.0 && goes.abs() > 1e-3 && !is_hidden
+}
+
+fn root_of(traced: &Traced, index: usize) -> usize {
+    std::iter::successors(Some(index), |&at| traced.parents[at]).last().unwrap_or(index)
+}

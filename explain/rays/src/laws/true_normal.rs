@@ -1,0 +1,75 @@
+use super::{Asked, Law};
+use crate::traced::{Traced, size};
+use groundtruth::math::{self, Span, Vector, atan2, to_degrees};
+use groundtruth::world::{Hit, World};
+use text::digits::short;
+
+pub const LAW: Law = Law {
+    name: "true-normal",
+    says: "the normal of a hit is that of the surface there",
+    needs: &["objects or a scene", "normal"],
+    causes: &["the shading normal is written down as the normal"],
+    check,
+};
+
+fn check(traced: &Traced, asked: &mut Asked) {
+    let Some(world) = &traced.world else { return };
+    for (index, ray) in traced.log.rays.iter().enumerate() {
+        let (Some(normal), Some(end)) =
+            (ray.normal.and_then(Vector::unit), traced.end_point(index))
+        else {
+            continue;
+        };
+        let Some(direction) =
+            ray.direction.unit().filter(|_| end.is_finite() && ray.origin.is_finite())
+        else {
+            continue;
+        };
+        // asked again around the point that it hit, so that a wrong hit is not blamed twice
+        let back = 64.0 * traced.slack(size(end) + size(ray.origin)) + 1e-6 * traced.scale;
+        let near = math::Ray::new(end - back * direction, direction);
+        let hits = hits(world, &near, 2.0 * back);
+        let Some(hit) = hits.first() else { continue };
+        let truth = Vector::from(hit.surface.normal);
+        let shading = Vector::from(hit.shading_normal());
+        // a curved surface turns within the error of the point, which grows as the ray grazes it
+        let cosine = truth.dot(direction).abs().max(1e-2);
+        let tolerance = 64.0
+            * traced.tolerance()
+            * (1.0 + (size(end) + traced.object_size(ray.object.as_ref())) / traced.scale)
+            / (cosine * cosine)
+            + 1e-5;
+        let angle = |n: Vector| n.cross(normal).length();
+        // where two surfaces touch, either has hit
+        let holds = hits.iter().any(|hit| angle(Vector::from(hit.surface.normal)) <= tolerance);
+        asked.count(index, holds, || {
+            let off = atan2(angle(truth), truth.dot(normal).abs());
+            let causes = [angle(shading) <= tolerance];
+            (
+                format!(
+                    "has a normal {}° from that of \"{}\" there",
+                    short(to_degrees(off)),
+                    groundtruth::printable::name(&hit.object.name)
+                ),
+                causes,
+            )
+        });
+    }
+}
+
+/// The first hits along a ray, up to this distance.
+fn hits<'a>(world: &'a World, ray: &math::Ray, far: f64) -> Vec<Hit<'a>> {
+    let mut hits: Vec<Hit<'a>> = Vec::new();
+    while let Some(hit) =
+        world.hit(ray, Span { min: hits.last().map_or(0.0, |hit| hit.t * (1.0 + 1e-12)), max: far })
+    {
+        hits.push(hit);
+        if hits.len() == MOST_HITS {
+            break;
+        }
+    }
+    hits
+}
+
+/// So many surfaces may touch.
+const MOST_HITS: usize = 4;

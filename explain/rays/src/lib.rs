@@ -1,0 +1,32 @@
+//! The rays of any ray tracer: the log that a program writes of them, and laws that need no scene.
+//!
+//! [`Log`] is what was written down; [`Traced`] is the same with each ray beside the one that sent it, the conventions of
+//! the program found, and the precision of its numbers. A [`Law`] holds rays to each other; a [`Verdict`] is what
+//! all of them found.
+
+mod conventions;
+mod json;
+mod language;
+mod laws;
+mod log;
+mod page;
+mod precision;
+mod recorded;
+mod scene;
+mod text;
+mod traced;
+mod verdict;
+mod written;
+
+pub use conventions::Conventions;
+pub use language::Language;
+pub use laws::{Asked, Finding, LAWS, Law};
+pub use log::{
+    Damaged, Factors, Head, Id, Kind, Log, LogError, MAX_RAYS, Named, Precision, Ray, read,
+};
+pub use recorded::Recorded;
+pub use scene::{inline_scene, world_of};
+pub use text::laws_text;
+pub use traced::Traced;
+pub use verdict::{Outcome, Verdict};
+pub use written::log_of;

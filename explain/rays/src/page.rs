@@ -1,0 +1,137 @@
+//! The verdict as one HTML file, for a class or a forum.
+
+use groundtruth::explain::count;
+use groundtruth::printable::text as printable;
+use groundtruth::world::World;
+use space::{Section, hiding, orbit_of, svg_of_rays};
+use text::document::{
+    Element, Node, element, figure, group, heading, list, paragraph, several, span, table,
+};
+use text::html::{CARD, LINES, escaped, page};
+
+use crate::laws::{Asked, Law};
+use crate::recorded::Recorded;
+use crate::scene::empty_world;
+use crate::verdict::{Outcome, Verdict};
+
+/// The most rays of the tree on a page.
+const MAX_SHOWN: usize = 2000;
+/// The most findings of a law on a page.
+const MAX_FINDINGS: usize = 10;
+
+const STYLE: &str = "\
+.tree details { margin-left: 1.2em; }
+.tree summary.broken { background: var(--bad); }
+.tree p { margin: 0 0 0 1.2em; }
+svg { max-width: 44em; height: auto; }
+";
+
+impl Verdict<'_> {
+    /// The page; `name` is what the log is called.
+    pub fn page(&self, name: &str) -> String {
+        let root = self.shown_root();
+        let title = escaped(&printable(&format!("The rays of {name}")));
+        let body = several()
+            .with(heading(1, printable(&self.sentence())))
+            .with_all(self.remarks().iter().map(|line| paragraph(printable(line))))
+            .with(self.laws())
+            .with(self.drawings(root))
+            .with(heading(2, "The rays"))
+            .with(group("tree").with(self.tree(root)));
+        page(&title, &[LINES, CARD, STYLE], &body.html())
+    }
+
+    fn laws(&self) -> Element {
+        let titles = [
+            (Outcome::Broken, "Broken"),
+            (Outcome::Held, "Held"),
+            (Outcome::NotAsked, "Not asked"),
+        ];
+        several().with_all(titles.map(|(outcome, title)| {
+            let laws: Vec<_> = self.of_outcome(outcome).collect();
+            if laws.is_empty() {
+                return several();
+            }
+            let told = |(law, asked): &(&'static Law, &Asked)| match outcome {
+                Outcome::Broken => self.findings(law, asked),
+                Outcome::Held => several().with(count(asked.rays, "ray")),
+                Outcome::NotAsked => several().with(format!("needs {}", law.needs.join(", "))),
+            };
+            let table = table(laws)
+                .column("law", |(law, _)| law.name)
+                .column("", |(law, _)| law.says)
+                .column("", told);
+            several().with(heading(2, title)).with(group("wide").with(table.element()))
+        }))
+    }
+
+    fn findings(&self, law: &Law, asked: &Asked) -> Element {
+        let broken = asked.findings.len();
+        let line = |finding: &crate::laws::Finding| {
+            printable(&format!("{} {}", self.traced.name(finding.ray), finding.words))
+        };
+        let more = broken.saturating_sub(MAX_FINDINGS);
+        several()
+            .with(format!("{broken} of {}", count(asked.rays, "ray")))
+            .with_all(law.cause(asked.roots()).map(paragraph))
+            .with(list(asked.findings.iter().take(MAX_FINDINGS).map(line)))
+            .with_all((more > 0).then(|| paragraph(format!("… and {}", count(more, "more ray")))))
+    }
+
+    /// The rays in space, and the section of the first ray that breaks a law.
+    fn drawings(&self, root: usize) -> Element {
+        let recorded = Recorded::of(self.traced, root);
+        let empty;
+        let world: &World = match &self.traced.world {
+            Some(world) => world,
+            None => {
+                empty = empty_world();
+                &empty
+            }
+        };
+        let orbit = orbit_of(world, &recorded.root);
+        let faded = hiding(world, &recorded.root, &orbit);
+        let svg = svg_of_rays(world, &recorded.root, &orbit, &faded);
+        let broken = self.first().and_then(|(_, _, finding)| recorded.number(finding.ray));
+        let section = broken.and_then(|ray| Section::of(world, &recorded.root, ray));
+        let section =
+            section.map(|it| figure(Node::Drawing(it.drawing.svg()), it.drawing.title.clone()));
+        several()
+            .with(heading(2, "In space"))
+            .with(figure(
+                Node::Drawing(svg),
+                "The numbers count the rays of this sample from 0, in the order of the tree below.",
+            ))
+            .with_all(section)
+    }
+
+    fn tree(&self, root: usize) -> Element {
+        let mut left = MAX_SHOWN;
+        self.branch(root, &mut left)
+    }
+
+    fn branch(&self, ray: usize, left: &mut usize) -> Element {
+        if *left == 0 {
+            return several();
+        }
+        *left -= 1;
+        let broken: Vec<Element> = self
+            .of_ray(ray)
+            .map(|(law, finding)| paragraph(format!("✗ {}: {}", law.name, finding.words)))
+            .collect();
+        let summary =
+            if broken.is_empty() { element("summary") } else { element("summary").class("broken") };
+        let rest = several().with_all(broken).with_all(
+            self.traced.children[ray]
+                .iter()
+                .map(|&child| self.branch(child, left))
+                .collect::<Vec<_>>(),
+        );
+        let cut = if *left == 0 { Some(span("quiet", "further rays are left out")) } else { None };
+        element("details")
+            .attribute("open", "")
+            .with(summary.with(printable(&self.line(ray))))
+            .with(rest)
+            .with_all(cut)
+    }
+}

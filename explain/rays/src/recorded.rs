@@ -1,0 +1,170 @@
+//! A sample of a log as the record that an explanation is made of: what draws, sections and plots does not know whose ray
+//! it is.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use groundtruth::explain::{RecordedHit, RecordedRay};
+use groundtruth::math::{Normal, Ray, Vector, atan2, to_degrees};
+use groundtruth::rgb::Rgb;
+use groundtruth::shapes::PartPath;
+use groundtruth::trace::{Outcome, RayKind};
+
+use crate::log::Kind;
+use crate::traced::Traced;
+
+/// A tree of records, and the index in the log of each of its rays by their numbers.
+#[derive(Clone, Debug)]
+pub struct Recorded {
+    /// The camera's ray.
+    pub root: RecordedRay,
+    /// The rays' indices in the log.
+    pub indices: Vec<usize>,
+}
+
+/// The most rays of a tree: deeper or larger ones are cut.
+const MAX_RAYS: usize = 1 << 17;
+/// The deepest ray: drawings walk the tree by recursion.
+const MAX_DEPTH: usize = 512;
+
+impl Recorded {
+    /// The ray of this index with all after it.
+    pub fn of(traced: &Traced, index: usize) -> Self {
+        let lights = names(traced.log.rays.iter().filter_map(|ray| ray.light.as_ref()));
+        let objects =
+            traced.world.as_ref().map(|world| world.names.objects.clone()).unwrap_or_default();
+        let objects =
+            objects.into_iter().enumerate().map(|(place, name)| (name, place as u32)).collect();
+        let mut builder = Builder { traced, lights, objects, indices: Vec::new() };
+        let mut root = builder.ray(index, None, 0, Rgb::WHITE);
+        let whole = root.radiance.average();
+        shares(&mut root, whole);
+        Self { root, indices: builder.indices }
+    }
+
+    /// The number of the ray that has this index in the log.
+    pub fn number(&self, index: usize) -> Option<usize> {
+        self.indices.iter().position(|it| *it == index)
+    }
+}
+
+/// Names in the order in which they come, with their places.
+pub fn names<'a>(all: impl Iterator<Item = &'a Arc<str>>) -> HashMap<Arc<str>, u32> {
+    let mut places = HashMap::new();
+    for name in all {
+        let next = places.len() as u32;
+        places.entry(Arc::clone(name)).or_insert(next);
+    }
+    places
+}
+
+fn shares(ray: &mut RecordedRay, whole: f64) {
+    ray.share =
+        if whole > 0.0 { (ray.contribution.average() / whole).clamp(0.0, 1.0) } else { 0.0 };
+    ray.children.iter_mut().for_each(|child| shares(child, whole));
+}
+
+struct Builder<'a> {
+    traced: &'a Traced,
+    lights: HashMap<Arc<str>, u32>,
+    objects: HashMap<Arc<str>, u32>,
+    indices: Vec<usize>,
+}
+
+impl Builder<'_> {
+    fn ray(
+        &mut self,
+        index: usize,
+        parent: Option<usize>,
+        depth: u32,
+        throughput: Rgb,
+    ) -> RecordedRay {
+        let number = self.indices.len();
+        self.indices.push(index);
+        let ray = self.traced.ray(index);
+        let light = ray
+            .light
+            .as_ref()
+            .and_then(|light| self.lights.get(light))
+            .copied()
+            .unwrap_or(u32::MAX);
+        let kind = match ray.kind {
+            Some(Kind::Shadow | Kind::Occlusion) => RayKind::Shadow { light },
+            Some(Kind::Transmitted) => RayKind::Transmitted,
+            _ if parent.is_none() => RayKind::Camera,
+            _ => RayKind::Reflected,
+        };
+        let hit = self.hit(index);
+        let blocked_by = ray
+            .object
+            .as_ref()
+            .and_then(|object| self.objects.get(object))
+            .copied()
+            .unwrap_or(u32::MAX);
+        let outcome = match (ray.is_shadow(), &hit) {
+            (true, Some(_)) => Outcome::Blocked { blocked_by },
+            (true, None) => Outcome::Unblocked { boundaries: 0 },
+            (false, Some(_)) => Outcome::Hit,
+            (false, None) => Outcome::Background,
+        };
+        let weight = ray.factors.weight.unwrap_or(Rgb::WHITE);
+        let throughput = throughput * weight;
+        let radiance = ray.radiance.unwrap_or(Rgb::BLACK);
+        // the way to a lamp with a place is the direction itself, as in our own records
+        let length = ray.end.filter(|_| ray.is_shadow()).unwrap_or(1.0);
+        let mut record = RecordedRay {
+            number,
+            parent,
+            kind,
+            light: ray.light.clone(),
+            depth,
+            ray: Ray::new(ray.origin, length * ray.direction),
+            weight,
+            outcome,
+            hit,
+            blocked_by: ray.object.clone().filter(|_| ray.is_shadow()),
+            terms: Vec::new(),
+            unlit: Vec::new(),
+            black: None,
+            transmittance: Rgb::WHITE,
+            radiance,
+            contribution: throughput * radiance,
+            own_contribution: throughput
+                * (ray.emitted.unwrap_or(Rgb::BLACK) + ray.direct.unwrap_or(Rgb::BLACK)),
+            share: 0.0,
+            children: Vec::new(),
+        };
+        for &child in &self.traced.children[index] {
+            if self.indices.len() < MAX_RAYS && (depth as usize) < MAX_DEPTH {
+                record.children.push(self.ray(child, Some(number), depth + 1, throughput));
+            }
+        }
+        record
+    }
+
+    fn hit(&self, index: usize) -> Option<RecordedHit> {
+        let ray = self.traced.ray(index);
+        let point = self.traced.end_point(index).filter(|point| point.is_finite())?;
+        let back = || Normal::new(-ray.direction);
+        let normal = ray.normal.and_then(Normal::new).or_else(back)?;
+        let along = Vector::from(normal).dot(ray.direction);
+        let across = Vector::from(normal).cross(ray.direction).length();
+        Some(RecordedHit {
+            object: ray.object.clone().unwrap_or_else(|| "?".into()),
+            material: "".into(),
+            path: PartPath::default(),
+            t: ray.t.unwrap_or_else(|| (point - ray.origin).length() / ray.direction.length()),
+            point,
+            error: 0.0,
+            normal,
+            shading_normal: ray.shading_normal.and_then(Normal::new).unwrap_or(normal),
+            front: ray.front.unwrap_or(along <= 0.0),
+            angle_of_incidence: to_degrees(atan2(across, along.abs())),
+            cos_o: -along / ray.direction.length(),
+            optics: None,
+            textures: Vec::new(),
+            is_emissive: false,
+            is_switched_off: false,
+        })
+    }
+}

@@ -1,0 +1,202 @@
+//! The verdict as text: one sentence, the laws in three lists, the tree with marks.
+
+use std::fmt::{self, Write as _};
+
+use groundtruth::explain::{brief, count};
+use groundtruth::printable::{self, name};
+use groundtruth::rgb::Rgb;
+
+use crate::laws::{Asked, LAWS, Law};
+use crate::traced::Traced;
+use crate::verdict::{Outcome, Verdict};
+
+/// The most rays of a tree that are printed.
+const MAX_PRINTED: usize = 200;
+/// The most findings of a law that are printed.
+const EXAMPLES: usize = 3;
+
+impl Verdict<'_> {
+    /// One sentence: which ray breaks which law, why, and how many others do.
+    pub fn sentence(&self) -> String {
+        let Some((law, asked, finding)) = self.first() else { return self.held() };
+        let ray = self.traced.name(finding.ray);
+        let from = self.traced.parent(finding.ray).and_then(|parent| parent.object.as_ref());
+        let from = from.map_or(String::new(), |object| format!(", from \"{}\"", name(object)));
+        let roots = asked.roots().count();
+        let others = match roots {
+            1 => String::new(),
+            _ => format!("; {} of {} do so", roots, count(asked.rays, "ray")),
+        };
+        let cause = law.cause(asked.roots()).map_or(String::new(), |cause| format!(": {cause}"));
+        format!("{ray}{from} {}{cause}{others}", finding.words)
+    }
+
+    fn held(&self) -> String {
+        let (held, rays) = (self.of_outcome(Outcome::Held).count(), self.traced.log.rays.len());
+        match held {
+            0 => format!(
+                "{} can be held to no law: the log lacks the fields that they need",
+                count(rays, "ray")
+            ),
+            _ => format!(
+                "{} break none of the {} that could be asked",
+                count(rays, "ray"),
+                count(held, "law")
+            ),
+        }
+    }
+
+    /// All of it.
+    pub fn text(&self) -> String {
+        let mut text = String::new();
+        self.write(&mut text).expect("a string takes everything");
+        text
+    }
+
+    fn write(&self, f: &mut String) -> fmt::Result {
+        writeln!(f, "{}", printable::text(&self.sentence()))?;
+        self.remarks().iter().try_for_each(|line| writeln!(f, "{}", printable::text(line)))?;
+        let lists = [
+            (Outcome::Broken, "broken"),
+            (Outcome::Held, "held"),
+            (Outcome::NotAsked, "not asked"),
+        ];
+        for (outcome, title) in lists {
+            let mut laws = self.of_outcome(outcome).peekable();
+            if laws.peek().is_some() {
+                writeln!(f, "\n{title}")?;
+            }
+            laws.try_for_each(|(law, asked)| self.write_law(f, law, asked))?;
+        }
+        self.write_tree(f)
+    }
+
+    /// What was taken from the log, guessed or left out, a sentence each.
+    pub fn remarks(&self) -> Vec<String> {
+        let Traced { log, guessed, conventions, .. } = self.traced;
+        let conventions = conventions.sentences();
+        let mut said = Vec::new();
+        said.extend(
+            (!conventions.is_empty())
+                .then(|| format!("taken from the log: {}", conventions.join("; "))),
+        );
+        let guessed = (*guessed > 0).then(|| {
+            format!("the senders of {} were found by where they start", count(*guessed, "ray"))
+        });
+        said.extend(guessed);
+        let damaged = log.damaged.iter().take(EXAMPLES);
+        said.extend(damaged.map(|it| format!("left out: line {}: {}", it.line, it.problem)));
+        let more = (log.damaged.len() + log.more_damaged).saturating_sub(EXAMPLES);
+        said.extend(
+            (more > 0).then(|| format!("left out: {}", count(more, "further damaged line"))),
+        );
+        said
+    }
+
+    fn write_law(&self, f: &mut String, law: &Law, asked: &Asked) -> fmt::Result {
+        match asked.outcome() {
+            Outcome::NotAsked => writeln!(f, "  {:<20} needs {}", law.name, law.needs.join(", "))?,
+            Outcome::Held => {
+                writeln!(f, "  {:<20} {} ({})", law.name, law.says, count(asked.rays, "ray"))?
+            }
+            Outcome::Broken => {
+                let broken = asked.findings.len();
+                writeln!(
+                    f,
+                    "  {:<20} {}: {broken} of {}",
+                    law.name,
+                    law.says,
+                    count(asked.rays, "ray")
+                )?;
+                let cause = law.cause(asked.roots());
+                cause.into_iter().try_for_each(|cause| writeln!(f, "    {cause}"))?;
+                for finding in asked.findings.iter().take(EXAMPLES) {
+                    let ray = self.traced.name(finding.ray);
+                    let follows = finding.follows.filter(|&from| from != finding.ray);
+                    let follows = follows.map_or(String::new(), |from| {
+                        format!(" (follows from {})", self.traced.name(from))
+                    });
+                    writeln!(f, "    {} {}{follows}", printable::text(&ray), finding.words)?;
+                }
+                if broken > EXAMPLES {
+                    writeln!(f, "    … and {}", count(broken - EXAMPLES, "more ray"))?;
+                }
+            }
+        }
+        asked.notes.iter().try_for_each(|note| writeln!(f, "    {note}"))
+    }
+
+    /// The tree of the sample in which the first broken ray is, or of the first sample.
+    fn write_tree(&self, f: &mut String) -> fmt::Result {
+        let root = self.shown_root();
+        writeln!(f)?;
+        if let Some([x, y]) = self.traced.ray(root).pixel {
+            writeln!(f, "pixel ({x}, {y}), sample {}", self.traced.ray(root).sample)?;
+        }
+        let mut open = vec![(root, 0)];
+        let mut printed = 0;
+        while let Some((ray, depth)) = open.pop() {
+            if printed == MAX_PRINTED {
+                return writeln!(
+                    f,
+                    "… {} further rays of this sample are not printed",
+                    open.len() + 1
+                );
+            }
+            printed += 1;
+            let indent = "    ".repeat(depth.min(20));
+            let mark = if self.of_ray(ray).next().is_some() { "✗" } else { " " };
+            writeln!(f, "{mark} {indent}{}", printable::text(&self.line(ray)))?;
+            for (law, finding) in self.of_ray(ray) {
+                writeln!(f, "  {indent}  ✗ {}: {}", law.name, finding.words)?;
+            }
+            open.extend(self.traced.children[ray].iter().rev().map(|&child| (child, depth + 1)));
+        }
+        Ok(())
+    }
+
+    /// The first ray of the sample in which the first broken ray is, or of the first sample.
+    pub fn shown_root(&self) -> usize {
+        let ray = self.first().map_or(0, |(_, _, finding)| finding.ray);
+        std::iter::successors(Some(ray), |&ray| self.traced.parents[ray]).last().unwrap_or(ray)
+    }
+
+    /// One line of a ray that a person can read: `3 (reflected)  t 12.3  hits "red sphere"  weight 0.9  brings 0.2`.
+    pub fn line(&self, index: usize) -> String {
+        let ray = self.traced.ray(index);
+        let mut parts = vec![self.traced.name(index)];
+        let object = ray.object.as_ref().map(|object| format!("\"{}\"", name(object)));
+        let light = ray.light.as_ref().map(|light| format!("to \"{}\"", name(light)));
+        parts.extend(light);
+        parts.push(match (ray.is_shadow(), ray.t.or(ray.point.map(|_| f64::NAN)), object) {
+            (true, None, None) => "unblocked".to_owned(),
+            (true, _, Some(object)) => format!("blocked by {object}"),
+            (true, Some(_), None) => "blocked".to_owned(),
+            (false, None, None) => "hits nothing".to_owned(),
+            (false, _, Some(object)) => format!("hits {object}"),
+            (false, Some(_), None) => "hits".to_owned(),
+        });
+        parts.extend(ray.t.map(|t| format!("t {}", brief(t))));
+        let color = |word: &str, color: Option<Rgb>| {
+            color.map(|color| format!("{word} {}", groundtruth::explain::short(color)))
+        };
+        parts.extend(color("weight", ray.factors.weight));
+        parts.extend(color("brings", ray.radiance));
+        parts.join("  ")
+    }
+}
+
+/// The laws, with what each needs and its usual causes.
+pub fn laws_text() -> String {
+    let mut text = String::new();
+    for law in LAWS {
+        let _ = writeln!(text, "{}: {}", law.name, law.says);
+        if !law.needs.is_empty() {
+            let _ = writeln!(text, "    needs {}", law.needs.join(", "));
+        }
+        for cause in law.causes {
+            let _ = writeln!(text, "    cause: {cause}");
+        }
+    }
+    text
+}

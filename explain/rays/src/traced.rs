@@ -1,0 +1,257 @@
+//! A log whose rays know who sent them, and how exact its numbers are.
+
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use groundtruth::math::{Point, Vector};
+use groundtruth::world::{PlacedObject, World};
+
+use crate::conventions::Conventions;
+use crate::log::{Id, Kind, Log, Ray};
+use crate::precision::{add_ends, fixed, forget_marks, rounding};
+
+/// Roundings that a quantity of a log may have gone through.
+const STEPS: f64 = 32.0;
+/// How far away in the log the sender of a ray without `parent` is looked for.
+const LOOKED_AROUND: usize = 256;
+
+/// A log, with what follows from all of its lines together.
+#[derive(Debug)]
+pub struct Traced {
+    /// The log.
+    pub log: Log,
+    /// The sender of each ray, by its index.
+    pub parents: Vec<Option<usize>>,
+    /// The rays that each ray sent, by their indices, in the order of the log.
+    pub children: Vec<Vec<usize>>,
+    /// The rays whose `parent` names none, or whose name another ray has.
+    pub orphans: Vec<Orphan>,
+    /// The number of rays whose sender was found by where they start.
+    pub guessed: usize,
+    /// Rays that follow from each other in a circle.
+    pub cycles: Vec<usize>,
+    /// The relative error of a number of the log.
+    pub rounding: f64,
+    /// The absolute error, if its numbers have a fixed number of decimals.
+    pub fixed: f64,
+    /// The largest coordinate of the surface of each object that has an end.
+    pub sizes: HashMap<Arc<str>, f64>,
+    /// The median length of the rays that hit something: what is far below it is small in this scene.
+    pub scale: f64,
+    /// What the program means by its numbers.
+    pub conventions: Conventions,
+    /// The objects of the log, or the scene that it names.
+    pub world: Option<World>,
+}
+
+/// A ray whose place in the tree is not known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Orphan {
+    /// Its parent is no ray of its sample.
+    Parentless(usize),
+    /// A ray before it in its sample has the same name.
+    Twin(usize),
+}
+
+impl Traced {
+    /// Finds senders, precision and conventions.
+    pub fn of(mut log: Log, world: Option<World>) -> Self {
+        forget_marks(&mut log);
+        add_ends(&mut log);
+        let rounding = rounding(&log);
+        let scale = scale(&log);
+        let (fixed, sizes) = (fixed(&log), sizes(world.as_ref()));
+        let mut traced = Self {
+            log,
+            parents: Vec::new(),
+            children: Vec::new(),
+            orphans: Vec::new(),
+            guessed: 0,
+            cycles: Vec::new(),
+            rounding,
+            fixed,
+            sizes,
+            scale,
+            conventions: Conventions::default(),
+            world,
+        };
+        traced.link(false);
+        traced.conventions = Conventions::of_lengths(&traced);
+        traced.link(true);
+        traced.conventions = Conventions::of_tree(&traced);
+        traced
+    }
+
+    /// The ray of this index.
+    pub fn ray(&self, index: usize) -> &Ray {
+        &self.log.rays[index]
+    }
+
+    /// The ray that sent it.
+    pub fn parent(&self, index: usize) -> Option<&Ray> {
+        self.parents[index].map(|parent| self.ray(parent))
+    }
+
+    /// Rays with their senders: both indices.
+    pub fn pairs(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.parents.iter().enumerate().filter_map(|(index, parent)| Some((index, (*parent)?)))
+    }
+
+    /// Where a ray ended: its `point`, or where its `t` leads by the program's convention.
+    pub fn end_point(&self, index: usize) -> Option<Point> {
+        let ray = self.ray(index);
+        ray.point.or_else(|| Some(self.along(ray, ray.t?)))
+    }
+
+    /// The point at `t` along a ray.
+    pub fn along(&self, ray: &Ray, t: f64) -> Point {
+        let length = if self.conventions.t_is_length { ray.direction.length() } else { 1.0 };
+        ray.origin + (t / length) * ray.direction
+    }
+
+    /// The largest error of a position that is worked out from points of this size.
+    pub fn slack(&self, sizes: f64) -> f64 {
+        STEPS * (self.rounding * sizes + self.fixed)
+    }
+
+    /// The error of a point at the end of a ray that its direction has from a fixed number of decimals.
+    pub fn slack_along(&self, ray: &Ray) -> f64 {
+        STEPS * self.fixed * ray.t.filter(|t| t.is_finite()).unwrap_or(0.0).abs()
+    }
+
+    /// The same relative to 1.
+    pub fn tolerance(&self) -> f64 {
+        STEPS * self.rounding + 4.0 * self.fixed
+    }
+
+    /// The way from the origin of a shadow ray to the end that it gives for the lamp.
+    pub fn way_to_lamp(&self, ray: &Ray) -> Option<Vector> {
+        Some(self.along(ray, ray.end?) - ray.origin)
+    }
+
+    /// The largest coordinate that a program computes with for this object.
+    pub fn object_size(&self, object: Option<&Arc<str>>) -> f64 {
+        object.and_then(|name| self.sizes.get(name)).copied().unwrap_or(0.0)
+    }
+
+    /// What people call the ray: its own name, or its line.
+    pub fn name(&self, index: usize) -> String {
+        let ray = self.ray(index);
+        let kind = ray.kind.as_ref().map_or(String::new(), |kind| format!(" ({kind})"));
+        match &ray.id {
+            Some(id) => format!("ray {id}{kind}"),
+            None => format!("the ray of line {}{kind}", ray.line),
+        }
+    }
+
+    /// Finds the senders; those that are not named only if `guesses`, which needs to know how long rays are.
+    fn link(&mut self, guesses: bool) {
+        let count = self.log.rays.len();
+        (self.parents, self.children) = (vec![None; count], vec![Vec::new(); count]);
+        (self.orphans, self.cycles) = (Vec::new(), Vec::new());
+        let mut samples: HashMap<(Option<[u32; 2]>, u32), Vec<usize>> = HashMap::new();
+        for (index, ray) in self.log.rays.iter().enumerate() {
+            samples.entry((ray.pixel, ray.sample)).or_default().push(index);
+        }
+        let mut samples: Vec<_> = samples.into_values().collect();
+        samples.sort_unstable();
+        for rays in samples {
+            let mut by_name: HashMap<Id, usize> = HashMap::new();
+            for &index in &rays {
+                let Some(id) = self.log.rays[index].id.clone() else { continue };
+                if by_name.insert(id, index).is_some() {
+                    self.orphans.push(Orphan::Twin(index));
+                }
+            }
+            for (place, &index) in rays.iter().enumerate() {
+                let ray = &self.log.rays[index];
+                let parent = match &ray.parent {
+                    Some(id) => by_name.get(id).copied(),
+                    None if ray.is(&Kind::Camera) || !guesses => continue,
+                    None => self.guess(index, &rays, place),
+                };
+                match parent {
+                    Some(parent) => {
+                        self.guessed += usize::from(ray.parent.is_none());
+                        self.parents[index] = Some(parent);
+                        self.children[parent].push(index);
+                    }
+                    None if ray.parent.is_some() => self.orphans.push(Orphan::Parentless(index)),
+                    None => {}
+                }
+            }
+            self.break_cycles(&rays);
+        }
+    }
+
+    /// The ray that ended where this one starts: before it in the log, or else after it, as a recursion writes that notes a ray
+    /// when it is finished.
+    fn guess(&self, index: usize, rays: &[usize], place: usize) -> Option<usize> {
+        let ray = self.ray(index);
+        let near = 1e-3 * self.scale;
+        let distance = |&other: &usize| {
+            let end = (!self.ray(other).is_shadow()).then(|| self.end_point(other)).flatten()?;
+            Some((other, end.distance(ray.origin))).filter(|&(_, distance)| distance <= near)
+        };
+        let (before, after) =
+            (&rays[place.saturating_sub(LOOKED_AROUND)..place], &rays[place + 1..]);
+        let after = &after[..after.len().min(LOOKED_AROUND)];
+        // of equally near ones the last before it
+        let nearest = before.iter().rev().filter_map(distance).min_by(|a, b| a.1.total_cmp(&b.1));
+        let later = || after.iter().filter_map(distance).min_by(|a, b| a.1.total_cmp(&b.1));
+        nearest.or_else(later).map(|(other, _)| other)
+    }
+
+    /// Cuts circles of senders, so that all that walks the tree ends.
+    fn break_cycles(&mut self, rays: &[usize]) {
+        // 1: on the way from some ray up; 2: known to lead to a root
+        let mut state: HashMap<usize, u8> = HashMap::new();
+        for &start in rays {
+            let (mut way, mut at) = (Vec::new(), Some(start));
+            while let Some(index) = at.filter(|index| !state.contains_key(index)) {
+                state.insert(index, 1);
+                way.push(index);
+                at = self.parents[index];
+            }
+            if let Some(index) = at.filter(|index| state[index] == 1) {
+                self.cycles.push(index);
+                if let Some(parent) = self.parents[index].take() {
+                    self.children[parent].retain(|&child| child != index);
+                }
+            }
+            state.extend(way.into_iter().map(|index| (index, 2)));
+        }
+    }
+}
+
+fn sizes(world: Option<&World>) -> HashMap<Arc<str>, f64> {
+    let size_of = |object: &PlacedObject| {
+        let bounds = object.bounds();
+        let corner = |point: Point| point.to_vector().max_abs();
+        bounds
+            .is_bounded()
+            .then(|| (Arc::clone(&object.name), corner(bounds.min).max(corner(bounds.max))))
+    };
+    world.map_or(HashMap::new(), |world| world.objects().iter().filter_map(size_of).collect())
+}
+
+/// The median: a single far point does not change it.
+fn scale(log: &Log) -> f64 {
+    let lengths = log
+        .rays
+        .iter()
+        .filter(|ray| !ray.is_shadow())
+        .filter_map(|ray| Some(ray.end_point()?.distance(ray.origin)));
+    median(lengths.filter(|length| length.is_finite() && *length > 0.0).collect()).unwrap_or(1.0)
+}
+
+/// The middle one; of an even number the lower of the two.
+pub fn median(mut numbers: Vec<f64>) -> Option<f64> {
+    let middle = numbers.len().checked_sub(1)? / 2;
+    Some(*numbers.select_nth_unstable_by(middle, f64::total_cmp).1)
+}
+
+/// The largest coordinate.
+pub fn size(vector: impl Into<[f64; 3]>) -> f64 {
+    Vector::from(vector.into()).max_abs()
+}

@@ -1,0 +1,115 @@
+//! What all laws found in a log.
+
+use std::collections::HashMap;
+
+use crate::laws::{Asked, Finding, LAWS, Law};
+use crate::traced::Traced;
+
+/// The part of the rays of a law that is few.
+const FEW: f64 = 5e-3;
+
+/// The laws and what each found.
+#[derive(Debug)]
+pub struct Verdict<'a> {
+    /// The log.
+    pub traced: &'a Traced,
+    /// Each law with what it found, in the order of [`LAWS`].
+    pub asked: Vec<(&'static Law, Asked)>,
+}
+
+/// What became of a law.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outcome {
+    /// Some ray breaks it.
+    Broken,
+    /// It holds for all rays that it was asked of.
+    Held,
+    /// No ray has what it needs.
+    NotAsked,
+}
+
+impl<'a> Verdict<'a> {
+    /// Asks all laws.
+    pub fn of(traced: &'a Traced) -> Self {
+        let mut asked: Vec<(&'static Law, Asked)> =
+            LAWS.iter().map(|law| (law, law.ask(traced))).collect();
+        follow(traced, &mut asked);
+        Self { traced, asked }
+    }
+
+    /// Whether some law is broken.
+    pub fn is_broken(&self) -> bool {
+        self.asked.iter().any(|(_, asked)| asked.outcome() == Outcome::Broken)
+    }
+
+    /// The laws of this outcome.
+    pub fn of_outcome(&self, outcome: Outcome) -> impl Iterator<Item = (&'static Law, &Asked)> {
+        self.asked
+            .iter()
+            .filter(move |(_, asked)| asked.outcome() == outcome)
+            .map(|(law, asked)| (*law, asked))
+    }
+
+    /// The findings about a ray, with their laws.
+    pub fn of_ray(&self, ray: usize) -> impl Iterator<Item = (&'static Law, &Finding)> {
+        self.asked.iter().flat_map(move |(law, asked)| {
+            let first = asked.findings.partition_point(|finding| finding.ray < ray);
+            asked.findings[first..]
+                .iter()
+                .take_while(move |finding| finding.ray == ray)
+                .map(|finding| (*law, finding))
+        })
+    }
+
+    /// The broken law that says most, with its first finding: of those that follow from no other, the first in the list that
+    /// more than a few rays break; where only few do, the first.
+    pub fn first(&self) -> Option<(&'static Law, &Asked, &Finding)> {
+        let broken = || {
+            self.asked.iter().filter_map(|(law, asked)| Some((*law, asked, asked.roots().next()?)))
+        };
+        broken().find(|(_, asked, _)| asked.is_common()).or_else(|| broken().next())
+    }
+}
+
+impl Asked {
+    /// What became of the law.
+    pub fn outcome(&self) -> Outcome {
+        match (self.findings.is_empty(), self.rays) {
+            (false, _) => Outcome::Broken,
+            (true, 0) => Outcome::NotAsked,
+            (true, _) => Outcome::Held,
+        }
+    }
+
+    /// Whether more than a few rays break it, or all of them together.
+    fn is_common(&self) -> bool {
+        self.is_of_all || self.roots().count() as f64 >= FEW * self.rays as f64
+    }
+
+    /// The findings that follow from no other.
+    pub fn roots(&self) -> impl Iterator<Item = &Finding> {
+        self.findings.iter().filter(|finding| finding.follows.is_none())
+    }
+}
+
+/// Marks what follows from an earlier law that the ray itself or its sender breaks: from a normal that is none follows a
+/// wrong mirrored direction, from a start behind the surface that the surface is hit again.
+fn follow(traced: &Traced, asked: &mut [(&'static Law, Asked)]) {
+    let mut first: HashMap<usize, usize> = HashMap::new();
+    for (place, (_, asked)) in asked.iter().enumerate() {
+        for finding in &asked.findings {
+            first.entry(finding.ray).or_insert(place);
+        }
+    }
+    for (place, (_, asked)) in asked.iter_mut().enumerate() {
+        for finding in &mut asked.findings {
+            let breaks_earlier = |ray: &usize| first.get(ray).is_some_and(|&law| law < place);
+            // what is no number makes all after it no number
+            let is_inherited = |ray: &usize| place == 0 && first.get(ray) == Some(&0);
+            let sender = traced.parents[finding.ray];
+            finding.follows = Some(finding.ray)
+                .filter(breaks_earlier)
+                .or_else(|| sender.filter(|ray| breaks_earlier(ray) || is_inherited(ray)));
+        }
+    }
+}

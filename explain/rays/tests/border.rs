@@ -1,0 +1,44 @@
+use super::laws::traced;
+use rays::Verdict;
+
+/// Law: what differs by the rounding of the program's numbers breaks no law. Oracle: a mirror and its normal rounded to
+/// single precision.
+#[test]
+fn rounding_breaks_no_law() {
+    let single = |x: f64| f64::from(x as f32);
+    for step in 1..200 {
+        let angle = f64::from(step) * 7.5e-3;
+        let (sine, cosine) =
+            (single(groundtruth::math::sin(angle)), single(groundtruth::math::cos(angle)));
+        let lines = [
+            format!(
+                "{{\"ray\": 0, \"kind\": \"camera\", \"origin\": [{}, {}, 0], \"direction\": [{sine}, -{cosine}, 0], \"t\": 3, \"normal\": [0, 1, 0]}}",
+                single(-3.0 * sine),
+                single(3.0 * cosine)
+            ),
+            format!(
+                "{{\"ray\": 1, \"parent\": 0, \"kind\": \"reflected\", \"origin\": [0, 0, 0], \"direction\": [{sine}, {cosine}, 0]}}"
+            ),
+        ];
+        let traced = traced(&lines);
+        let verdict = Verdict::of(&traced);
+        assert!(!verdict.is_broken(), "at {angle}: {}", verdict.text());
+    }
+}
+
+/// Law: a finding that follows from another of the same ray does not come first. Oracle: an offset to the wrong side makes a
+/// surface block itself.
+#[test]
+fn what_follows_is_said_so() {
+    let lines = [
+        r#"{"ray": 0, "kind": "camera", "origin": [0, 2, 0], "direction": [0, -1, 0], "t": 2, "normal": [0, 1, 0], "object": "floor"}"#,
+        r#"{"ray": 1, "parent": 0, "kind": "shadow", "light": "bulb", "origin": [0, -0.001, 0], "direction": [4, 3, 0], "end": 1, "t": 0.0003333333333333, "object": "floor"}"#,
+    ];
+    let traced = traced(&lines.map(str::to_owned));
+    let verdict = Verdict::of(&traced);
+    assert_eq!(verdict.first().map(|(law, ..)| law.name), Some("starts-at-hit"));
+    let own = verdict.asked.iter().find(|(law, _)| law.name == "not-its-own-start");
+    let follows =
+        own.and_then(|(_, asked)| asked.findings.first()).and_then(|finding| finding.follows);
+    assert_eq!(follows, Some(1));
+}

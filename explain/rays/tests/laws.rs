@@ -1,0 +1,80 @@
+use rays::{Outcome, Traced, Verdict, read, world_of};
+use serde::Deserialize;
+use serde_json::{Map, Value};
+use std::path::Path;
+
+#[derive(Deserialize)]
+struct Cases {
+    case: Vec<Case>,
+}
+
+#[derive(Deserialize)]
+struct Case {
+    law: String,
+    log: Vec<String>,
+    broken: Vec<(usize, Map<String, Value>)>,
+    cause: Option<String>,
+}
+
+/// The log with these lines.
+pub fn traced(lines: &[String]) -> Traced {
+    let text = lines.iter().map(|line| format!("{line}\n")).collect::<String>();
+    let log = read(text.as_bytes()).expect("a log");
+    assert_eq!(log.damaged, []);
+    let world = world_of(&log, Path::new("")).expect("objects");
+    Traced::of(log, world)
+}
+
+fn edited(case: &Case) -> Vec<String> {
+    let mut lines = case.log.clone();
+    for (number, fields) in &case.broken {
+        let mut line: Map<String, Value> =
+            serde_json::from_str(&lines[number - 1]).expect("an object");
+        for (name, value) in fields {
+            // TOML has no null
+            let value = if value == "null" { Value::Null } else { value.clone() };
+            line.insert(name.clone(), value);
+        }
+        lines[number - 1] = Value::Object(line).to_string();
+    }
+    lines
+}
+
+/// Law: an honest log breaks no law; with a mistake the law that it is about is broken first, and its cause is named.
+/// Oracle: logs worked out by hand (`laws.toml`).
+#[test]
+fn a_mistake_breaks_its_law() {
+    let cases: Cases = toml::from_str(include_str!("laws.toml")).expect("cases");
+    for case in &cases.case {
+        let honest = traced(&case.log);
+        let verdict = Verdict::of(&honest);
+        assert!(!verdict.is_broken(), "{}: honest, but: {}", case.law, verdict.text());
+        let wrong = traced(&edited(case));
+        let verdict = Verdict::of(&wrong);
+        let broken = verdict.of_outcome(Outcome::Broken).find(|(law, _)| law.name == case.law);
+        let Some((law, asked)) = broken else {
+            panic!("{}: not broken: {}", case.law, verdict.text())
+        };
+        let first = verdict.first().map(|(law, ..)| law.name);
+        assert_eq!(first, Some(&*case.law), "what is said first");
+        let named = law.cause(asked.roots());
+        let begins = |cause: &String| named.is_some_and(|named| named.starts_with(cause.as_str()));
+        assert!(
+            case.cause.as_ref().is_none_or(begins),
+            "{}: {named:?} for {:?}",
+            case.law,
+            case.cause
+        );
+    }
+}
+
+/// Law: each law has a case that breaks it, but those of many rays. Oracle: the list of laws.
+#[test]
+fn each_law_has_a_case() {
+    let cases: Cases = toml::from_str(include_str!("laws.toml")).expect("cases");
+    let of_many = ["samples-differ", "drawn-as-claimed", "one-camera"];
+    let missing = rays::LAWS.iter().map(|law| law.name).filter(|law| !of_many.contains(law));
+    let missing: Vec<_> =
+        missing.filter(|law| cases.case.iter().all(|case| case.law != *law)).collect();
+    assert!(missing.is_empty(), "{missing:?}");
+}

@@ -1,0 +1,7 @@
+//! The log of any tracer, and the laws that its rays are held to.
+
+mod border;
+mod laws;
+mod reading;
+mod statistics;
+mod writers;

@@ -1,0 +1,86 @@
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use rays::{Kind, Language, Outcome, Traced, Verdict, read, world_of};
+
+/// A language, the command that builds its tracer in a folder, and the one that runs it there.
+const TRACERS: &[(Language, &str, &str)] = &[
+    (Language::C, "cc -O1 -std=c99 tracer.c -o tracer -lm", "./tracer"),
+    (Language::Cpp, "c++ -O1 -std=c++11 tracer.cpp -o tracer -pthread", "./tracer"),
+    (Language::Java, "javac Tracer.java Rays.java", "java -cp . Tracer"),
+    (Language::JavaScript, "node --check tracer.mjs", "node tracer.mjs"),
+    (Language::Python, "python3 -m py_compile tracer.py", "python3 tracer.py"),
+    (Language::Rust, "rustc -O --edition 2021 tracer.rs", "./tracer"),
+];
+
+/// Those that every machine has on which this is tested.
+const ALWAYS: [Language; 3] = [Language::C, Language::Cpp, Language::Rust];
+
+fn shell(folder: &Path, line: &str) -> bool {
+    let run = Command::new("sh").args(["-c", line]).current_dir(folder).env("RAYS", "/16").output();
+    let run = run.expect("a shell");
+    let is_missing = run.status.code() == Some(127);
+    assert!(is_missing || run.status.success(), "{line}: {}", String::from_utf8_lossy(&run.stderr));
+    !is_missing
+}
+
+/// The log at this path.
+fn traced(path: &Path) -> Traced {
+    let log = read(std::fs::File::open(path).expect("a log")).expect("a log");
+    assert_eq!(log.damaged, [], "{}", path.display());
+    let world = world_of(&log, Path::new("")).expect("objects");
+    Traced::of(log, world)
+}
+
+fn assert_holds(name: &str, traced: &Traced) {
+    let verdict = Verdict::of(traced);
+    assert!(!verdict.is_broken(), "{name}: {}", verdict.text());
+    assert!(verdict.of_outcome(Outcome::Held).count() >= 5, "{name}: {}", verdict.text());
+}
+
+/// Law: what the writer of each language writes of an honest tracer can be read whole and breaks no law. Oracle: six tracers
+/// that share no code, with other scenes and habits each.
+#[test]
+fn an_honest_tracer_breaks_no_law() {
+    let root = PathBuf::from(env!("CARGO_MANIFEST_DIR"));
+    for (language, build, run) in TRACERS {
+        let folder = tempfile::tempdir().expect("a folder");
+        for from in [root.join("writers"), root.join("../../examples/rays")] {
+            for entry in std::fs::read_dir(from).expect("files").flatten() {
+                if entry.path().is_file() {
+                    std::fs::copy(entry.path(), folder.path().join(entry.file_name()))
+                        .expect("a copy");
+                }
+            }
+        }
+        let is_built = shell(folder.path(), build);
+        assert!(is_built || !ALWAYS.contains(language), "no compiler of {language:?}");
+        if is_built && shell(folder.path(), &format!("{run} > picture")) {
+            let traced = traced(&folder.path().join("rays.jsonl"));
+            let has_camera = traced.log.rays.iter().any(|ray| ray.is(&Kind::Camera));
+            assert!(has_camera, "{language:?}");
+            assert_holds(&format!("{language:?}"), &traced);
+        }
+    }
+}
+
+/// Law: no habit of honest programs breaks a law: vectors in single beside numbers in double, six decimals, marks for a miss,
+/// shadow rays from the lamp, no kinds, lengths for `t`. Oracle: logs of right tracers, rewritten so.
+#[test]
+fn no_honest_habit_breaks_a_law() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/honest");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).expect("logs").flatten() {
+        assert_holds(&entry.file_name().to_string_lossy(), &traced(&entry.path()));
+        count += 1;
+    }
+    assert_eq!(count, 18);
+}
+
+/// Law: a writer needs at most 120 lines. Oracle: counting.
+#[test]
+fn writers_are_short() {
+    for (name, _, text) in Language::ALL {
+        assert!(text.lines().count() <= 120, "{name}");
+    }
+}
