@@ -7,7 +7,7 @@ use std::sync::atomic::Ordering;
 use clap::{Args, Subcommand};
 use golden::compare;
 use golden::review;
-use golden::{self, Finding, GoldenSettings, Goldens as Folder, Proposal, Status};
+use golden::{self, GoldenFinding, GoldenSettings, GoldenStatus, Goldens as Folder, Proposal};
 use groundtruth::explain::count;
 use groundtruth::printable;
 use groundtruth::similar;
@@ -116,7 +116,7 @@ fn findings(
     goldens: &Folder,
     names: &[String],
     part: PartOf,
-) -> Result<Vec<Finding>, Box<dyn Error>> {
+) -> Result<Vec<GoldenFinding>, Box<dyn Error>> {
     let names = wanted(goldens, names, part)?;
     names.iter().map(|name| Ok(goldens.check(name)?)).collect()
 }
@@ -145,7 +145,8 @@ impl Check {
         let findings = findings(&goldens, &self.names, part)?;
         let text: String = findings.iter().map(line).collect();
         print(&text)?;
-        let bad: Vec<&Finding> = findings.iter().filter(|f| f.status != Status::Same).collect();
+        let bad: Vec<&GoldenFinding> =
+            findings.iter().filter(|f| f.status != GoldenStatus::Same).collect();
         if bad.is_empty() {
             print(&format!("checked {}, all the same\n", findings.len()))?;
             return Ok(Exit::Yes);
@@ -156,11 +157,11 @@ impl Check {
             findings.len(),
             review::folder_option(folder)
         );
-        for finding in bad.iter().filter(|f| f.status != Status::Drift) {
-            let to = if finding.status == Status::NoScene { "remove" } else { "accept" };
+        for finding in bad.iter().filter(|f| f.status != GoldenStatus::Drift) {
+            let to = if finding.status == GoldenStatus::NoScene { "remove" } else { "accept" };
             advice += &format!("to {to}: {}\n", review::accept_command(finding));
         }
-        if bad.iter().any(|f| f.status == Status::Drift) {
+        if bad.iter().any(|f| f.status == GoldenStatus::Drift) {
             let folder = review::folder_option(folder);
             advice += &format!(
                 "to accept: groundtruth goldens accept --all-drifted --because \"…\"{folder}\n"
@@ -172,15 +173,17 @@ impl Check {
 }
 
 /// `changed   ch24/hall-of-mirrors: 312 of 6144 pixels differ, the most by 1.2e-1 at (40, 12)`.
-fn line(finding: &Finding) -> String {
+fn line(finding: &GoldenFinding) -> String {
     let why = match (&finding.status, &finding.expected, &finding.got) {
-        (Status::Same, ..) => String::new(),
-        (Status::Missing, ..) if finding.golden.is_none() => ": the scene has no golden".to_owned(),
-        (Status::Missing, ..) => ": its .exr file is not there".to_owned(),
-        (Status::Mismatch, ..) => {
+        (GoldenStatus::Same, ..) => String::new(),
+        (GoldenStatus::Missing, ..) if finding.golden.is_none() => {
+            ": the scene has no golden".to_owned()
+        }
+        (GoldenStatus::Missing, ..) => ": its .exr file is not there".to_owned(),
+        (GoldenStatus::Mismatch, ..) => {
             ": its .exr file is not the one that the manifest's digest names".to_owned()
         }
-        (Status::NoScene, ..) => match finding.scene_file() {
+        (GoldenStatus::NoScene, ..) => match finding.scene_file() {
             Some(file) => format!(": its scene file {} cannot be read", file.display()),
             None => ": the gallery has no such scene".to_owned(),
         },
@@ -202,7 +205,7 @@ impl Review {
     fn run(&self, folder: &Path) -> Outcome {
         let mut findings = findings(&open(folder)?, &self.names, PartOf::default())?;
         if self.names.is_empty() && !self.all {
-            findings.retain(|finding| finding.status != Status::Same);
+            findings.retain(|finding| finding.status != GoldenStatus::Same);
         }
         let mut told = review::told(&findings, folder);
         output::write(&self.output, review::page(&findings, &told).as_bytes())?;
@@ -266,6 +269,6 @@ fn print_kept(goldens: &Folder) -> Outcome {
 /// The goldens that differ by rounding only.
 fn drifted(goldens: &Folder) -> Result<Vec<String>, Box<dyn Error>> {
     let findings = findings(goldens, &[], PartOf::default())?;
-    let drifted = findings.into_iter().filter(|finding| finding.status == Status::Drift);
+    let drifted = findings.into_iter().filter(|finding| finding.status == GoldenStatus::Drift);
     Ok(drifted.map(|finding| finding.name).collect())
 }

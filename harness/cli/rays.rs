@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use clap::Args;
 use groundtruth::world::{self, World};
-use rays::{Language, Traced, Verdict};
+use rays::{RayVerdict, Traced, WriterLanguage};
 use serde_json::Value;
 
 use super::{Exit, Outcome, print};
@@ -18,7 +18,7 @@ pub struct Rays {
     log: Option<PathBuf>,
     /// Print a file for your program that writes such a log
     #[arg(long, value_name = "LANGUAGE", value_parser = language, exclusive = true)]
-    init: Option<Language>,
+    init: Option<WriterLanguage>,
     /// List the laws, what each needs, and its usual causes
     #[arg(long, exclusive = true)]
     laws: bool,
@@ -40,7 +40,7 @@ impl Rays {
         }
         let Some(path) = &self.log else { return Ok(Exit::Unanswered) };
         let traced = read(path)?;
-        let verdict = Verdict::of(&traced);
+        let verdict = RayVerdict::of(&traced);
         if let Some(output) = &self.output {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             super::output::write(output, verdict.page(&name).as_bytes())?;
@@ -55,7 +55,7 @@ impl Rays {
     }
 }
 
-fn exit(verdict: &Verdict<'_>) -> Exit {
+fn exit(verdict: &RayVerdict<'_>) -> Exit {
     if verdict.is_broken() { Exit::No } else { Exit::Yes }
 }
 
@@ -84,9 +84,13 @@ fn named_scene(name: &str, folder: &Path) -> Result<World, Box<dyn Error>> {
     Ok(world::read(&file)?.1)
 }
 
-fn language(name: &str) -> Result<Language, String> {
+fn language(name: &str) -> Result<WriterLanguage, String> {
     let named =
-        |(known, language, _): &(&str, Language, &str)| (*known == name).then_some(*language);
-    let known = || Language::ALL.iter().map(|(name, ..)| *name).collect::<Vec<_>>().join(", ");
-    Language::ALL.iter().find_map(named).ok_or_else(|| format!("the languages are {}", known()))
+        |(known, language, _): &(&str, WriterLanguage, &str)| (*known == name).then_some(*language);
+    let known =
+        || WriterLanguage::ALL.iter().map(|(name, ..)| *name).collect::<Vec<_>>().join(", ");
+    WriterLanguage::ALL
+        .iter()
+        .find_map(named)
+        .ok_or_else(|| format!("the languages are {}", known()))
 }

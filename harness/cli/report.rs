@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::time::Instant;
 
 use clap::Args;
-use report::{self, PAGES, Page, Progress, Settings};
+use report::{self, PAGES, Page, ReportProgress, Settings};
 
 use super::numbers::whole;
 use super::scene::start_threads;
@@ -49,7 +49,7 @@ impl Report {
         start_threads(self.threads)?;
         let settings = self.settings();
 
-        let measured = Arc::new(Progress::default());
+        let measured = Arc::new(ReportProgress::default());
         let on_interrupt = Arc::clone(&measured);
         ctrlc::set_handler(move || on_interrupt.interrupt())?;
         let finished = progress::watched(

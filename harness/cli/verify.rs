@@ -23,7 +23,7 @@ use super::compare::is_scene;
 use super::numbers::{number, whole};
 use super::scene::SceneArguments;
 use super::watch::Watch;
-use super::witness::{By, Request, Witnessed};
+use super::witness::{By, WitnessRequest, Witnessed};
 use super::{Exit, Outcome, announce, mistakes, output, replicas, sets};
 
 #[derive(Args)]
@@ -194,7 +194,8 @@ impl Verify {
         let Some(by) = self.by else { return Ok(Some(self.given(arguments)?)) };
         let (program, without) = (self.program.clone(), &self.without);
         let limit = Duration::from_secs(self.time_limit.into());
-        Request { by, program, without, samples: self.their_samples, limit }.render(arguments)
+        WitnessRequest { by, program, without, samples: self.their_samples, limit }
+            .render(arguments)
     }
 
     /// The mean that pictures are held against, if there is one.

@@ -25,7 +25,7 @@ pub enum By {
 }
 
 /// What the user asks of another renderer.
-pub struct Request<'a> {
+pub struct WitnessRequest<'a> {
     pub by: By,
     /// Its program.
     pub program: Option<PathBuf>,
@@ -65,7 +65,7 @@ impl By {
     }
 }
 
-impl Request<'_> {
+impl WitnessRequest<'_> {
     /// Renders the scene of these arguments with the other renderer; `None` if the scene cannot be said, which is printed.
     ///
     /// # Errors

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use golden::{Goldens, Status};
+use golden::{GoldenStatus, Goldens};
 use golden::{compare, review};
 use libtest_mimic::Trial;
 
@@ -30,7 +30,7 @@ pub fn trials() -> Vec<Trial> {
 
 fn is_the_same(goldens: &Goldens, name: &str) -> Result<(), String> {
     let finding = goldens.check(name).map_err(|error| error.to_string())?;
-    if finding.status == Status::Same {
+    if finding.status == GoldenStatus::Same {
         return Ok(());
     }
     let mut text = format!("{name}: {}\n", review::words(&finding.status));

@@ -66,7 +66,7 @@ pub fn anywhere(random: &mut Pcg32) -> Vector {
 }
 
 /// One of the laws that other programs are held to, for our own answers.
-fn by_law(law: fn(&mut Asking<'_>, &Value, Profile) -> laws::Found, case: &Value) -> Holds {
+fn by_law(law: fn(&mut Asking<'_>, &Value, Profile) -> laws::LawOutcome, case: &Value) -> Holds {
     match law(&mut Asking::new(&mut Ours), case, Profile::Careful) {
         Ok(Judgement::Wrong(wrong)) => Err(format!("{case}: expected {}", wrong.expected)),
         Ok(_) => Ok(()),

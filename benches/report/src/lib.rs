@@ -26,7 +26,7 @@ use serde_json::{Value, json};
 use text::document::Element;
 
 pub use document::{check_folder, write};
-pub use progress::{Interrupted, Progress};
+pub use progress::{Interrupted, ReportProgress};
 pub use provenance::Provenance;
 
 /// A part of the report that answers one question by measurements.
@@ -41,7 +41,7 @@ pub struct Page {
     /// The number of progress steps of `measure`.
     pub steps: fn(&Settings) -> u64,
     /// Measures, with calls of [`Progress::step`] in between.
-    measure: fn(&Settings, &Progress) -> Result<Findings, Interrupted>,
+    measure: fn(&Settings, &ReportProgress) -> Result<Findings, Interrupted>,
 }
 
 /// The results of a page.
@@ -147,7 +147,7 @@ pub struct Report {
 pub fn run(
     pages: &[Page],
     settings: &Settings,
-    progress: &Progress,
+    progress: &ReportProgress,
 ) -> Result<Report, Interrupted> {
     progress.begin(pages.iter().map(|page| (page.steps)(settings)).sum());
     let mut chapters = Vec::new();

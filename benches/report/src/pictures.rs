@@ -5,7 +5,7 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use crate::clock::{self, Time};
-use crate::{Interrupted, Progress};
+use crate::{Interrupted, ReportProgress};
 use groundtruth::film::Film;
 use groundtruth::render;
 use groundtruth::scene::Scene;
@@ -51,7 +51,10 @@ impl Series {
 }
 
 /// Renders all pictures of all series, each on one thread and with one progress step.
-pub fn rendered(series: &[Series], progress: &Progress) -> Result<Vec<Pictures>, Interrupted> {
+pub fn rendered(
+    series: &[Series],
+    progress: &ReportProgress,
+) -> Result<Vec<Pictures>, Interrupted> {
     let shots: Vec<(&Scene, u64)> = series.iter().flat_map(Series::shots).collect();
     // in order, so that the results do not depend on the number of threads
     let shots: Result<Vec<(Film, Time)>, Interrupted> = shots

@@ -4,7 +4,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// Shared by the measurement, the progress display and the interrupt handler.
 #[derive(Debug, Default)]
-pub struct Progress {
+pub struct ReportProgress {
     done: AtomicU64,
     total: AtomicU64,
     interrupted: AtomicBool,
@@ -15,7 +15,7 @@ pub struct Progress {
 #[error("interrupted")]
 pub struct Interrupted;
 
-impl Progress {
+impl ReportProgress {
     pub(super) fn begin(&self, total: u64) {
         self.total.store(total, Ordering::Relaxed);
     }

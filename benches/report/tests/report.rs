@@ -23,7 +23,7 @@ use std::time::{Duration, UNIX_EPOCH};
 use exact::backward_error::ALLOWED;
 use exact::composites;
 use oracle::hard::{Family, Kind};
-use report::{Interrupted, PAGES, Page, Progress, Settings};
+use report::{Interrupted, PAGES, Page, ReportProgress, Settings};
 use serde_json::Value;
 
 /// Small, but large enough for the laws to judge.
@@ -45,7 +45,8 @@ struct Small {
 }
 
 fn measure(pages: &[Page], settings: &Settings) -> Small {
-    let report = report::run(pages, settings, &Progress::default()).expect("nobody interrupts");
+    let report =
+        report::run(pages, settings, &ReportProgress::default()).expect("nobody interrupts");
     Small { json: serde_json::from_str(&report.json()).expect("JSON"), html: report.html() }
 }
 
@@ -244,7 +245,7 @@ fn a_report_says_where_it_comes_from() {
 #[test]
 fn an_interrupted_report_stops_at_the_next_step() {
     for page in PAGES {
-        let progress = Progress::default();
+        let progress = ReportProgress::default();
         progress.interrupt();
         let result = report::run(&[*page], &SMALL, &progress);
         assert_eq!(result.map(drop), Err(Interrupted), "{}", page.name);
@@ -256,7 +257,7 @@ fn an_interrupted_report_stops_at_the_next_step() {
 #[test]
 fn the_progress_ends_at_the_end() {
     for page in PAGES {
-        let progress = Progress::default();
+        let progress = ReportProgress::default();
         let tiny = Settings { cases: 2, objects: 100, side: 4, samples: 16, width: 4, ..SMALL };
         assert!(report::run(&[*page], &tiny, &progress).is_ok());
         assert_eq!(progress.steps(), ((page.steps)(&tiny), (page.steps)(&tiny)), "{}", page.name);

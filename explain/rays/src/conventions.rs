@@ -2,7 +2,7 @@
 
 use groundtruth::math::Vector;
 
-use crate::log::Kind;
+use crate::log::Purpose;
 use crate::traced::{Traced, median, size};
 use groundtruth::rgb::Rgb;
 
@@ -160,7 +160,7 @@ fn ratios(traced: &Traced) -> impl Iterator<Item = bool> {
         let (eta, normal) = (ray.factors.eta?, from.normal?);
         let sine = |v: Vector| Some(v.unit()?.cross(normal.unit()?).length());
         let (front, behind) = (sine(from.direction)?, sine(ray.direction)?);
-        let is_told = ray.is(&Kind::Transmitted) && front > 1e-2 && (eta - 1.0).abs() > 1e-2;
+        let is_told = ray.is(&Purpose::Transmitted) && front > 1e-2 && (eta - 1.0).abs() > 1e-2;
         is_told.then(|| (behind / front - eta).abs() < (front / behind - eta).abs())
     })
 }

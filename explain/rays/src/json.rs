@@ -2,9 +2,9 @@
 
 use serde_json::{Value, json};
 
-use crate::verdict::{Outcome, Verdict};
+use crate::verdict::{Outcome, RayVerdict};
 
-impl Verdict<'_> {
+impl RayVerdict<'_> {
     /// All of it: each law with its outcome, each finding with its line.
     pub fn json(&self) -> Value {
         let laws: Vec<Value> = self

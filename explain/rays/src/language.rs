@@ -2,7 +2,7 @@
 
 /// A language.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Language {
+pub enum WriterLanguage {
     /// C99.
     C,
     /// C++11 and later.
@@ -21,7 +21,7 @@ pub enum Language {
     Rust,
 }
 
-impl Language {
+impl WriterLanguage {
     /// All of them, with their names and the files that write logs.
     pub const ALL: &[(&'static str, Self, &'static str)] = &[
         ("c", Self::C, include_str!("../writers/rays_c.h")),

@@ -1,7 +1,7 @@
 //! The rays of any ray tracer: the log that a program writes of them, and laws that need no scene.
 //!
 //! [`Log`] is what was written down; [`Traced`] is the same with each ray beside the one that sent it, the conventions of
-//! the program found, and the precision of its numbers. A [`Law`] holds rays to each other; a [`Verdict`] is what
+//! the program found, and the precision of its numbers. A [`RayLaw`] holds rays to each other; a [`RayVerdict`] is what
 //! all of them found.
 
 mod conventions;
@@ -19,14 +19,14 @@ mod verdict;
 mod written;
 
 pub use conventions::Conventions;
-pub use language::Language;
-pub use laws::{Asked, Finding, LAWS, Law};
+pub use language::WriterLanguage;
+pub use laws::{BrokenRay, LAWS, LawReport, RayLaw};
 pub use log::{
-    Damaged, Factors, Head, Id, Kind, Log, LogError, MAX_RAYS, Named, Precision, Ray, read,
+    Damaged, Factors, Head, Id, Log, LogError, MAX_RAYS, Named, Precision, Purpose, Ray, read,
 };
 pub use recorded::Recorded;
 pub use scene::{inline_scene, world_of};
 pub use text::laws_text;
 pub use traced::Traced;
-pub use verdict::{Outcome, Verdict};
+pub use verdict::{Outcome, RayVerdict};
 pub use written::log_of;

@@ -9,10 +9,10 @@ use text::document::{
 };
 use text::html::{CARD, LINES, escaped, page};
 
-use crate::laws::{Asked, Law};
+use crate::laws::{LawReport, RayLaw};
 use crate::recorded::Recorded;
 use crate::scene::empty_world;
-use crate::verdict::{Outcome, Verdict};
+use crate::verdict::{Outcome, RayVerdict};
 
 /// The most rays of the tree on a page.
 const MAX_SHOWN: usize = 2000;
@@ -26,7 +26,7 @@ const STYLE: &str = "\
 svg { max-width: 44em; height: auto; }
 ";
 
-impl Verdict<'_> {
+impl RayVerdict<'_> {
     /// The page; `name` is what the log is called.
     pub fn page(&self, name: &str) -> String {
         let root = self.shown_root();
@@ -52,7 +52,7 @@ impl Verdict<'_> {
             if laws.is_empty() {
                 return several();
             }
-            let told = |(law, asked): &(&'static Law, &Asked)| match outcome {
+            let told = |(law, asked): &(&'static RayLaw, &LawReport)| match outcome {
                 Outcome::Broken => self.findings(law, asked),
                 Outcome::Held => several().with(count(asked.rays, "ray")),
                 Outcome::NotAsked => several().with(format!("needs {}", law.needs.join(", "))),
@@ -65,9 +65,9 @@ impl Verdict<'_> {
         }))
     }
 
-    fn findings(&self, law: &Law, asked: &Asked) -> Element {
+    fn findings(&self, law: &RayLaw, asked: &LawReport) -> Element {
         let broken = asked.findings.len();
-        let line = |finding: &crate::laws::Finding| {
+        let line = |finding: &crate::laws::BrokenRay| {
             printable(&format!("{} {}", self.traced.name(finding.ray), finding.words))
         };
         let more = broken.saturating_sub(MAX_FINDINGS);

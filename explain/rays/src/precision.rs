@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use groundtruth::math::{UNIT_ROUNDOFF, Vector, power};
 
-use crate::log::{Kind, Log, Precision, Ray};
+use crate::log::{Log, Precision, Purpose, Ray};
 
 /// Half an ulp of 1 in single precision.
 const SINGLE: f64 = 5.960_464_477_539_063e-8;
@@ -71,7 +71,7 @@ pub fn forget_marks(log: &mut Log) {
 /// lengths.
 pub fn add_ends(log: &mut Log) {
     let mut lengths: HashMap<Option<Arc<str>>, [f64; 2]> = HashMap::new();
-    let is_open = |ray: &Ray| ray.is(&Kind::Shadow) && ray.end.is_none();
+    let is_open = |ray: &Ray| ray.is(&Purpose::Shadow) && ray.end.is_none();
     for ray in log.rays.iter().filter(|ray| is_open(ray)) {
         let length = ray.direction.length();
         let [least, most] = lengths.entry(ray.light.clone()).or_insert([length; 2]);

@@ -10,7 +10,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::shapes::PartPath;
 use groundtruth::trace::{Outcome, RayKind};
 
-use crate::log::Kind;
+use crate::log::Purpose;
 use crate::traced::Traced;
 
 /// A tree of records, and the index in the log of each of its rays by their numbers.
@@ -89,8 +89,8 @@ impl Builder<'_> {
             .copied()
             .unwrap_or(u32::MAX);
         let kind = match ray.kind {
-            Some(Kind::Shadow | Kind::Occlusion) => RayKind::Shadow { light },
-            Some(Kind::Transmitted) => RayKind::Transmitted,
+            Some(Purpose::Shadow | Purpose::Occlusion) => RayKind::Shadow { light },
+            Some(Purpose::Transmitted) => RayKind::Transmitted,
             _ if parent.is_none() => RayKind::Camera,
             _ => RayKind::Reflected,
         };

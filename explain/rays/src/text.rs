@@ -6,16 +6,16 @@ use groundtruth::explain::{brief, count};
 use groundtruth::printable::{self, name};
 use groundtruth::rgb::Rgb;
 
-use crate::laws::{Asked, LAWS, Law};
+use crate::laws::{LAWS, LawReport, RayLaw};
 use crate::traced::Traced;
-use crate::verdict::{Outcome, Verdict};
+use crate::verdict::{Outcome, RayVerdict};
 
 /// The most rays of a tree that are printed.
 const MAX_PRINTED: usize = 200;
 /// The most findings of a law that are printed.
 const EXAMPLES: usize = 3;
 
-impl Verdict<'_> {
+impl RayVerdict<'_> {
     /// One sentence: which ray breaks which law, why, and how many others do.
     pub fn sentence(&self) -> String {
         let Some((law, asked, finding)) = self.first() else { return self.held() };
@@ -93,7 +93,7 @@ impl Verdict<'_> {
         said
     }
 
-    fn write_law(&self, f: &mut String, law: &Law, asked: &Asked) -> fmt::Result {
+    fn write_law(&self, f: &mut String, law: &RayLaw, asked: &LawReport) -> fmt::Result {
         match asked.outcome() {
             Outcome::NotAsked => writeln!(f, "  {:<20} needs {}", law.name, law.needs.join(", "))?,
             Outcome::Held => {

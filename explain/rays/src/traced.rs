@@ -7,7 +7,7 @@ use groundtruth::math::{Point, Vector};
 use groundtruth::world::{PlacedObject, World};
 
 use crate::conventions::Conventions;
-use crate::log::{Id, Kind, Log, Ray};
+use crate::log::{Id, Log, Purpose, Ray};
 use crate::precision::{add_ends, fixed, forget_marks, rounding};
 
 /// Roundings that a quantity of a log may have gone through.
@@ -167,7 +167,7 @@ impl Traced {
                 let ray = &self.log.rays[index];
                 let parent = match &ray.parent {
                     Some(id) => by_name.get(id).copied(),
-                    None if ray.is(&Kind::Camera) || !guesses => continue,
+                    None if ray.is(&Purpose::Camera) || !guesses => continue,
                     None => self.guess(index, &rays, place),
                 };
                 match parent {

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use crate::laws::{Asked, Finding, LAWS, Law};
+use crate::laws::{BrokenRay, LAWS, LawReport, RayLaw};
 use crate::traced::Traced;
 
 /// The part of the rays of a law that is few.
@@ -10,11 +10,11 @@ const FEW: f64 = 5e-3;
 
 /// The laws and what each found.
 #[derive(Debug)]
-pub struct Verdict<'a> {
+pub struct RayVerdict<'a> {
     /// The log.
     pub traced: &'a Traced,
     /// Each law with what it found, in the order of [`LAWS`].
-    pub asked: Vec<(&'static Law, Asked)>,
+    pub asked: Vec<(&'static RayLaw, LawReport)>,
 }
 
 /// What became of a law.
@@ -28,10 +28,10 @@ pub enum Outcome {
     NotAsked,
 }
 
-impl<'a> Verdict<'a> {
+impl<'a> RayVerdict<'a> {
     /// Asks all laws.
     pub fn of(traced: &'a Traced) -> Self {
-        let mut asked: Vec<(&'static Law, Asked)> =
+        let mut asked: Vec<(&'static RayLaw, LawReport)> =
             LAWS.iter().map(|law| (law, law.ask(traced))).collect();
         follow(traced, &mut asked);
         Self { traced, asked }
@@ -43,7 +43,10 @@ impl<'a> Verdict<'a> {
     }
 
     /// The laws of this outcome.
-    pub fn of_outcome(&self, outcome: Outcome) -> impl Iterator<Item = (&'static Law, &Asked)> {
+    pub fn of_outcome(
+        &self,
+        outcome: Outcome,
+    ) -> impl Iterator<Item = (&'static RayLaw, &LawReport)> {
         self.asked
             .iter()
             .filter(move |(_, asked)| asked.outcome() == outcome)
@@ -51,7 +54,7 @@ impl<'a> Verdict<'a> {
     }
 
     /// The findings about a ray, with their laws.
-    pub fn of_ray(&self, ray: usize) -> impl Iterator<Item = (&'static Law, &Finding)> {
+    pub fn of_ray(&self, ray: usize) -> impl Iterator<Item = (&'static RayLaw, &BrokenRay)> {
         self.asked.iter().flat_map(move |(law, asked)| {
             let first = asked.findings.partition_point(|finding| finding.ray < ray);
             asked.findings[first..]
@@ -63,7 +66,7 @@ impl<'a> Verdict<'a> {
 
     /// The broken law that says most, with its first finding: of those that follow from no other, the first in the list that
     /// more than a few rays break; where only few do, the first.
-    pub fn first(&self) -> Option<(&'static Law, &Asked, &Finding)> {
+    pub fn first(&self) -> Option<(&'static RayLaw, &LawReport, &BrokenRay)> {
         let broken = || {
             self.asked.iter().filter_map(|(law, asked)| Some((*law, asked, asked.roots().next()?)))
         };
@@ -71,7 +74,7 @@ impl<'a> Verdict<'a> {
     }
 }
 
-impl Asked {
+impl LawReport {
     /// What became of the law.
     pub fn outcome(&self) -> Outcome {
         match (self.findings.is_empty(), self.rays) {
@@ -87,14 +90,14 @@ impl Asked {
     }
 
     /// The findings that follow from no other.
-    pub fn roots(&self) -> impl Iterator<Item = &Finding> {
+    pub fn roots(&self) -> impl Iterator<Item = &BrokenRay> {
         self.findings.iter().filter(|finding| finding.follows.is_none())
     }
 }
 
 /// Marks what follows from an earlier law that the ray itself or its sender breaks: from a normal that is none follows a
 /// wrong mirrored direction, from a start behind the surface that the surface is hit again.
-fn follow(traced: &Traced, asked: &mut [(&'static Law, Asked)]) {
+fn follow(traced: &Traced, asked: &mut [(&'static RayLaw, LawReport)]) {
     let mut first: HashMap<usize, usize> = HashMap::new();
     for (place, (_, asked)) in asked.iter().enumerate() {
         for finding in &asked.findings {

@@ -1,5 +1,5 @@
 use super::laws::traced;
-use rays::Verdict;
+use rays::RayVerdict;
 
 /// Law: what differs by the rounding of the program's numbers breaks no law. Oracle: a mirror and its normal rounded to
 /// single precision.
@@ -21,7 +21,7 @@ fn rounding_breaks_no_law() {
             ),
         ];
         let traced = traced(&lines);
-        let verdict = Verdict::of(&traced);
+        let verdict = RayVerdict::of(&traced);
         assert!(!verdict.is_broken(), "at {angle}: {}", verdict.text());
     }
 }
@@ -35,7 +35,7 @@ fn what_follows_is_said_so() {
         r#"{"ray": 1, "parent": 0, "kind": "shadow", "light": "bulb", "origin": [0, -0.001, 0], "direction": [4, 3, 0], "end": 1, "t": 0.0003333333333333, "object": "floor"}"#,
     ];
     let traced = traced(&lines.map(str::to_owned));
-    let verdict = Verdict::of(&traced);
+    let verdict = RayVerdict::of(&traced);
     assert_eq!(verdict.first().map(|(law, ..)| law.name), Some("starts-at-hit"));
     let own = verdict.asked.iter().find(|(law, _)| law.name == "not-its-own-start");
     let follows =

@@ -1,4 +1,4 @@
-use rays::{Outcome, Traced, Verdict, read, world_of};
+use rays::{Outcome, RayVerdict, Traced, read, world_of};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 use std::path::Path;
@@ -47,10 +47,10 @@ fn a_mistake_breaks_its_law() {
     let cases: Cases = toml::from_str(include_str!("laws.toml")).expect("cases");
     for case in &cases.case {
         let honest = traced(&case.log);
-        let verdict = Verdict::of(&honest);
+        let verdict = RayVerdict::of(&honest);
         assert!(!verdict.is_broken(), "{}: honest, but: {}", case.law, verdict.text());
         let wrong = traced(&edited(case));
-        let verdict = Verdict::of(&wrong);
+        let verdict = RayVerdict::of(&wrong);
         let broken = verdict.of_outcome(Outcome::Broken).find(|(law, _)| law.name == case.law);
         let Some((law, asked)) = broken else {
             panic!("{}: not broken: {}", case.law, verdict.text())

@@ -1,4 +1,4 @@
-use rays::{Kind, LogError, Precision, Traced, read};
+use rays::{LogError, Precision, Purpose, Traced, read};
 
 fn one(line: &str) -> rays::Ray {
     let log = read(line.as_bytes()).expect("a log");
@@ -15,7 +15,7 @@ fn short_names_are_read() {
         r#"{"origin": [1, 2, 3], "direction": [0, 0, 1], "normal": [0, 1, 0], "object": "a", "weight": 0.5, "radiance": [1, 2, 3], "end": 4, "kind": "transmitted"}"#,
     );
     assert_eq!(format!("{short:?}"), format!("{long:?}"));
-    assert_eq!(short.kind, Some(Kind::Transmitted));
+    assert_eq!(short.kind, Some(Purpose::Transmitted));
 }
 
 /// Law: numbers that are none are read in all spellings, and in lists as `null`. Oracle: their meaning.

@@ -2,7 +2,7 @@ use std::f64::consts::PI;
 
 use super::laws::traced;
 use groundtruth::math::{Pcg32, cos, sin};
-use rays::{Outcome, Traced, Verdict};
+use rays::{Outcome, RayVerdict, Traced};
 
 /// Diffuse rays from points of a floor whose cosines are a function of a random number, and that claim the cosine's density.
 fn drawn(cosine: impl Fn(f64) -> f64, seed: impl Fn(usize) -> u64) -> Traced {
@@ -26,7 +26,7 @@ fn drawn(cosine: impl Fn(f64) -> f64, seed: impl Fn(usize) -> u64) -> Traced {
 }
 
 fn broken(traced: &Traced) -> Vec<(&'static str, Option<&'static str>)> {
-    let verdict = Verdict::of(traced);
+    let verdict = RayVerdict::of(traced);
     verdict
         .of_outcome(Outcome::Broken)
         .map(|(law, asked)| (law.name, law.cause(asked.roots())))

@@ -1,20 +1,20 @@
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use rays::{Kind, Language, Outcome, Traced, Verdict, read, world_of};
+use rays::{Outcome, Purpose, RayVerdict, Traced, WriterLanguage, read, world_of};
 
 /// A language, the command that builds its tracer in a folder, and the one that runs it there.
-const TRACERS: &[(Language, &str, &str)] = &[
-    (Language::C, "cc -O1 -std=c99 tracer.c -o tracer -lm", "./tracer"),
-    (Language::Cpp, "c++ -O1 -std=c++11 tracer.cpp -o tracer -pthread", "./tracer"),
-    (Language::Java, "javac Tracer.java Rays.java", "java -cp . Tracer"),
-    (Language::JavaScript, "node --check tracer.mjs", "node tracer.mjs"),
-    (Language::Python, "python3 -m py_compile tracer.py", "python3 tracer.py"),
-    (Language::Rust, "rustc -O --edition 2021 tracer.rs", "./tracer"),
+const TRACERS: &[(WriterLanguage, &str, &str)] = &[
+    (WriterLanguage::C, "cc -O1 -std=c99 tracer.c -o tracer -lm", "./tracer"),
+    (WriterLanguage::Cpp, "c++ -O1 -std=c++11 tracer.cpp -o tracer -pthread", "./tracer"),
+    (WriterLanguage::Java, "javac Tracer.java Rays.java", "java -cp . Tracer"),
+    (WriterLanguage::JavaScript, "node --check tracer.mjs", "node tracer.mjs"),
+    (WriterLanguage::Python, "python3 -m py_compile tracer.py", "python3 tracer.py"),
+    (WriterLanguage::Rust, "rustc -O --edition 2021 tracer.rs", "./tracer"),
 ];
 
 /// Those that every machine has on which this is tested.
-const ALWAYS: [Language; 3] = [Language::C, Language::Cpp, Language::Rust];
+const ALWAYS: [WriterLanguage; 3] = [WriterLanguage::C, WriterLanguage::Cpp, WriterLanguage::Rust];
 
 fn shell(folder: &Path, line: &str) -> bool {
     let run = Command::new("sh").args(["-c", line]).current_dir(folder).env("RAYS", "/16").output();
@@ -33,7 +33,7 @@ fn traced(path: &Path) -> Traced {
 }
 
 fn assert_holds(name: &str, traced: &Traced) {
-    let verdict = Verdict::of(traced);
+    let verdict = RayVerdict::of(traced);
     assert!(!verdict.is_broken(), "{name}: {}", verdict.text());
     assert!(verdict.of_outcome(Outcome::Held).count() >= 5, "{name}: {}", verdict.text());
 }
@@ -57,7 +57,7 @@ fn an_honest_tracer_breaks_no_law() {
         assert!(is_built || !ALWAYS.contains(language), "no compiler of {language:?}");
         if is_built && shell(folder.path(), &format!("{run} > picture")) {
             let traced = traced(&folder.path().join("rays.jsonl"));
-            let has_camera = traced.log.rays.iter().any(|ray| ray.is(&Kind::Camera));
+            let has_camera = traced.log.rays.iter().any(|ray| ray.is(&Purpose::Camera));
             assert!(has_camera, "{language:?}");
             assert_holds(&format!("{language:?}"), &traced);
         }
@@ -80,7 +80,7 @@ fn no_honest_habit_breaks_a_law() {
 /// Law: a writer needs at most 120 lines. Oracle: counting.
 #[test]
 fn writers_are_short() {
-    for (name, _, text) in Language::ALL {
+    for (name, _, text) in WriterLanguage::ALL {
         assert!(text.lines().count() <= 120, "{name}");
     }
 }

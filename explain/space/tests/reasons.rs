@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use groundtruth::world;
-use space::why_not::{Answer, WhyNot};
+use space::why_not::{WhyNot, WhyNotAnswer};
 
 use super::why_not::{BALL, ask, near, object, scene};
 
@@ -35,12 +35,12 @@ fn of_two_blockers_one_is_told_and_the_other_is_before_or_beyond() {
                 );
                 assert_eq!(it.approach, None, "the approach of what is met");
             }
-            if ball.answer == Answer::Blocks {
-                assert_eq!(second.answer, Answer::BeyondBlocker, "what is beyond");
+            if ball.answer == WhyNotAnswer::Blocks {
+                assert_eq!(second.answer, WhyNotAnswer::BeyondBlocker, "what is beyond");
                 told[0] += 1;
             } else {
-                assert_eq!(ball.answer, Answer::AlsoBlocks, "what is before");
-                assert_eq!(second.answer, Answer::Blocks, "what blocks");
+                assert_eq!(ball.answer, WhyNotAnswer::AlsoBlocks, "what is before");
+                assert_eq!(second.answer, WhyNotAnswer::Blocks, "what blocks");
                 told[1] += 1;
             }
         }
@@ -58,7 +58,7 @@ fn what_blocks_is_met_at_its_opaque_surface() {
     let rest =
         format!("transparency.shadows = \"attenuated\"\n{LAMP}{GLASS}{}", object("both", parts));
     let found = ask(&scene(&rest), [4, 2], 1, "both");
-    assert_eq!(found.answer, Answer::Blocks, "the answer of glass around a matte ball");
+    assert_eq!(found.answer, WhyNotAnswer::Blocks, "the answer of glass around a matte ball");
     near(found.ended.expect("it is blocked").at.t, 0.3);
     near(found.meets.expect("it is met").t, 0.3);
     let rest = format!("{LAMP}{GLASS}{}", object("both", parts));
@@ -77,7 +77,7 @@ fn the_object_of_a_light_is_not_before_it() {
     let built = scene(rest);
     for pixel in [[4, 2], [2, 2], [3, 1], [4, 4]] {
         let found = ask(&built, pixel, 1, "lamp");
-        assert_eq!(found.answer, Answer::BeyondLight, "the lamp, seen by {pixel:?}");
+        assert_eq!(found.answer, WhyNotAnswer::BeyondLight, "the lamp, seen by {pixel:?}");
         near(found.meets.expect("it is met").t, 1.0);
     }
 }
@@ -96,7 +96,7 @@ fn the_back_of_a_one_sided_opaque_surface_is_dark() {
                  shape.plane = {{ point = [0, 0, 1], normal = [0, 0, {z}] }}\n"
             );
             let found = ask(&scene(&rest), [2, 2], 0, "it");
-            let expected = Answer::Hits { front, is_dark_back: !front && is_dark };
+            let expected = WhyNotAnswer::Hits { front, is_dark_back: !front && is_dark };
             assert_eq!(found.answer, expected, "{material}, front {front}");
         }
     }
@@ -117,7 +117,7 @@ fn what_is_met_has_no_nearest_point() {
                 let WhyNot { answer, approach, meets, .. } = ask(&built, [x, y], ray, name);
                 let kind = match (meets.is_some(), &answer) {
                     (true, _) => 0,
-                    (false, Answer::StartsOnIt) => 1,
+                    (false, WhyNotAnswer::StartsOnIt) => 1,
                     _ => 2,
                 };
                 assert_eq!(approach.is_some(), kind == 2, "whether {answer:?} has a nearest point");
@@ -146,7 +146,7 @@ fn an_object_that_is_off_is_built_with_its_routines() {
         );
         let ball = object("ball", &format!("enabled = false\n{own}\n{BALL}"));
         let found = ask(&scene(&format!("{of_scene}\n{other}{ball}")), [2, 2], 0, "ball");
-        assert_eq!(found.answer, Answer::SwitchedOff, "with `{of_scene}` and `{own}`");
+        assert_eq!(found.answer, WhyNotAnswer::SwitchedOff, "with `{of_scene}` and `{own}`");
         near(found.meets.expect("it would be met").t, 9.0);
     }
 }
@@ -178,7 +178,7 @@ fn a_whole_goes_on_without_end() {
                 ),
             ] {
                 let found = seen_from(y, &shape);
-                let Answer::OutsidePart { whole: named, at } = found.answer else {
+                let WhyNotAnswer::OutsidePart { whole: named, at } = found.answer else {
                     panic!("{shape} from y = {y}: {:?}", found.answer)
                 };
                 assert_eq!(named, whole, "the whole of {shape}");
@@ -190,7 +190,7 @@ fn a_whole_goes_on_without_end() {
         let y: f64 = 1e5 * height;
         let shape = format!("paraboloid = {{ height = {height}, radius = {radius} }}");
         let found = seen_from(y, &shape);
-        let Answer::OutsidePart { at, .. } = found.answer else {
+        let WhyNotAnswer::OutsidePart { at, .. } = found.answer else {
             panic!("{shape} from y = {y}: {:?}", found.answer)
         };
         // the camera may be inside
@@ -222,7 +222,7 @@ fn a_part_annulus_is_a_part_of_its_plane() {
     let shape = "part_annulus = { center = [0, 0, 0], inner_radius = 0.5, outer_radius = 1, phi = [0, 90] }";
     for (x, z) in [(0.0, 0.0), (-0.6, 0.5)] {
         let camera = format!("eye = [{x}, 10, {z}], look_at = [{x}, 0, {z}], up = [0, 0, -1]");
-        let Answer::OutsidePart { whole, at } = alone(&camera, shape).answer else {
+        let WhyNotAnswer::OutsidePart { whole, at } = alone(&camera, shape).answer else {
             panic!("the ray at {x}, {z} is not outside the part")
         };
         assert_eq!(whole, "plane", "the whole of {shape}");

@@ -1,6 +1,6 @@
 //! The whole surfaces of parts, and sentences about the object that is met first.
 
-use space::why_not::Answer;
+use space::why_not::WhyNotAnswer;
 
 use super::why_not::{BALL, ask, near, object, scene};
 
@@ -60,7 +60,7 @@ fn the_whole_of_each_part_is_where_it_goes_on() {
     ] {
         let built = scene(&object("part", &format!("shape.{shape}")));
         let found = ask(&built, pixel, 0, "part");
-        let Answer::OutsidePart { whole: named, at } = found.answer else {
+        let WhyNotAnswer::OutsidePart { whole: named, at } = found.answer else {
             panic!("the answer of {shape}: {:?}, not outside the part", found.answer)
         };
         assert_eq!(named, whole, "the whole of {shape}");

@@ -7,7 +7,7 @@ use groundtruth::math::{Pcg32, Point, Ray, Span, Vector};
 use groundtruth::scene::Scene;
 use groundtruth::world::{self, World};
 use space::Beside;
-use space::why_not::{Answer, Question, WhyNot, object_named};
+use space::why_not::{Question, WhyNot, WhyNotAnswer, object_named};
 
 /// A camera at z = 10 that looks along −z, without perspective: the pixel (x, y) of 5 × 5 looks along the line through
 /// (x − 2, 2 − y). A white wall is at z = −3.
@@ -57,10 +57,10 @@ pub fn near(found: f64, wanted: f64) {
 fn an_object_that_is_hit_is_never_missed_and_the_one_behind_is_named() {
     let built = scene(&object("ball", BALL));
     let hit = ask(&built, [2, 2], 0, "ball");
-    assert_eq!(hit.answer, Answer::Hits { front: true, is_dark_back: false });
+    assert_eq!(hit.answer, WhyNotAnswer::Hits { front: true, is_dark_back: false });
     near(hit.meets.unwrap().distance, 9.0);
     let behind = ask(&built, [2, 2], 0, "wall");
-    assert_eq!(behind.answer, Answer::BeyondHit);
+    assert_eq!(behind.answer, WhyNotAnswer::BeyondHit);
     near(behind.meets.unwrap().t, 13.0);
     let ended = behind.ended.unwrap();
     assert_eq!(ended.object, "ball");
@@ -71,7 +71,7 @@ fn an_object_that_is_hit_is_never_missed_and_the_one_behind_is_named() {
 #[test]
 fn a_ray_passes_an_object() {
     let passes = ask(&scene(&object("ball", BALL)), [4, 2], 0, "ball");
-    assert_eq!(passes.answer, Answer::Passes);
+    assert_eq!(passes.answer, WhyNotAnswer::Passes);
     let approach = passes.approach.unwrap();
     near(approach.distance, 1.0);
     assert!((approach.t - 10.0).abs() < 1e-6, "where it is least, the distance hardly changes");
@@ -83,7 +83,8 @@ fn a_ray_passes_an_object() {
 #[test]
 fn an_object_behind_the_origin_is_not_hit() {
     let built = scene(&object("ball", "shape.sphere = { center = [0, 0, 20], radius = 1 }"));
-    let WhyNot { answer: Answer::Behind { at }, approach, .. } = ask(&built, [2, 2], 0, "ball")
+    let WhyNot { answer: WhyNotAnswer::Behind { at }, approach, .. } =
+        ask(&built, [2, 2], 0, "ball")
     else {
         panic!("it is behind")
     };
@@ -97,12 +98,12 @@ fn an_object_behind_the_origin_is_not_hit() {
 fn an_object_that_is_off_and_a_back_are_told() {
     let off = scene(&object("ball", &format!("enabled = false\n{BALL}")));
     let found = ask(&off, [2, 2], 0, "ball");
-    assert_eq!(found.answer, Answer::SwitchedOff);
+    assert_eq!(found.answer, WhyNotAnswer::SwitchedOff);
     near(found.meets.unwrap().t, 9.0);
     near(ask(&off, [4, 2], 0, "ball").approach.unwrap().distance, 1.0);
     let back = object("back", "shape.plane = { point = [0, 0, 1], normal = [0, 0, -1] }");
     let found = ask(&scene(&back), [2, 2], 0, "back");
-    assert_eq!(found.answer, Answer::Hits { front: false, is_dark_back: true });
+    assert_eq!(found.answer, WhyNotAnswer::Hits { front: false, is_dark_back: true });
     assert!(found.sentence().contains("its back"), "{}", found.sentence());
 }
 
@@ -123,12 +124,12 @@ fn a_shadow_ray_ends_at_its_light() {
     let aside = object("aside", "shape.sphere = { center = [0, 4, 1], radius = 1 }");
     let built = shadowed("", &(object("ball", BALL) + &beyond + &aside));
     let [beyond, aside] = ["beyond", "aside"].map(|name| ask(&built, [4, 2], 1, name));
-    assert_eq!(beyond.answer, Answer::BeyondLight);
+    assert_eq!(beyond.answer, WhyNotAnswer::BeyondLight);
     near(beyond.meets.unwrap().t, 1.25 - 0.5 / 80.0_f64.sqrt());
-    assert_eq!(aside.answer, Answer::Passes);
+    assert_eq!(aside.answer, WhyNotAnswer::Passes);
     near(aside.approach.unwrap().distance, 3.0);
     near(aside.approach.unwrap().t, 0.5);
-    assert_eq!(ask(&built, [4, 2], 1, "wall").answer, Answer::StartsOnIt);
+    assert_eq!(ask(&built, [4, 2], 1, "wall").answer, WhyNotAnswer::StartsOnIt);
 }
 
 /// Oracle: the scene, which says why the shadow ray passes the ball.
@@ -136,15 +137,15 @@ fn a_shadow_ray_ends_at_its_light() {
 fn a_shadow_ray_passes_what_casts_no_shadow() {
     let no_shadow = object("ball", &format!("casts_shadows = false\n{BALL}"));
     let found = ask(&shadowed("", &no_shadow), [4, 2], 1, "ball");
-    assert_eq!(found.answer, Answer::CastsNone);
+    assert_eq!(found.answer, WhyNotAnswer::CastsNone);
     near(found.meets.unwrap().t, 0.3);
     let glass = "[[materials]]\nname = \"glass\"\nrecipe.dielectric = { inside = { eta = 1.5 } }\n\
                  [[objects]]\nname = \"ball\"\nmaterial = \"glass\"\n";
     let glass = format!("{glass}{BALL}\n");
-    assert_eq!(ask(&shadowed("", &glass), [4, 2], 1, "ball").answer, Answer::Blocks);
+    assert_eq!(ask(&shadowed("", &glass), [4, 2], 1, "ball").answer, WhyNotAnswer::Blocks);
     let lamp = "[[lights]]\nname = \"lamp\"\nsource.point = { location = [-2, 0, 5], ls = 1 }\n";
     let built = scene(&format!("transparency.shadows = \"attenuated\"\n{lamp}{glass}"));
-    assert_eq!(ask(&built, [4, 2], 1, "ball").answer, Answer::LetsThrough);
+    assert_eq!(ask(&built, [4, 2], 1, "ball").answer, WhyNotAnswer::LetsThrough);
 }
 
 /// Oracle: as above. In an absorbing medium the tracer casts a ray to a light without shadows.
@@ -161,7 +162,7 @@ fn a_light_without_shadows_is_told() {
     let rays = root.rays();
     let in_sea = |ray: &&&RecordedRay| ray.light.is_some() && ray.ray.origin.z() < -2.9;
     let shadow = rays.iter().find(in_sea).expect("a ray in the sea");
-    assert_eq!(ask(&built, [4, 2], shadow.number, "ball").answer, Answer::LightCastsNone);
+    assert_eq!(ask(&built, [4, 2], shadow.number, "ball").answer, WhyNotAnswer::LightCastsNone);
 }
 
 /// Oracle: the scene. A mirror at z = −3 sends the ray back, which at depth 1 is not cast if none may be.
@@ -172,7 +173,7 @@ fn a_ray_that_is_too_deep_was_not_cast() {
                   [[objects]]\nname = \"glass\"\nmaterial = \"mirror\"\n\
                   shape.plane = { point = [0, 0, -2], normal = [0, 0, 1] }\n";
     let built = scene(mirror);
-    assert_eq!(ask(&built, [2, 2], 1, "wall").answer, Answer::NotCast { is_too_deep: true });
+    assert_eq!(ask(&built, [2, 2], 1, "wall").answer, WhyNotAnswer::NotCast { is_too_deep: true });
     let root = tree(&built, [2, 2]);
     let found = ask(&built, [2, 2], 1, "wall");
     assert_eq!(found.black, root.rays()[1].black, "the recorded words");

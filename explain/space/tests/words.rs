@@ -3,7 +3,7 @@
 use groundtruth::math::Point;
 use groundtruth::trace::RayKind;
 use space::Approach;
-use space::why_not::{Answer, Ended, Meeting, WhyNot};
+use space::why_not::{Ended, Meeting, WhyNot, WhyNotAnswer};
 
 /// Counts from 1, so that each number can be found in the words.
 struct Numbers(f64);
@@ -24,29 +24,29 @@ impl Numbers {
 }
 
 /// All answers.
-fn answers(numbers: &mut Numbers) -> Vec<Answer> {
+fn answers(numbers: &mut Numbers) -> Vec<WhyNotAnswer> {
     let at = numbers.meeting();
     let behind = Meeting { t: -1.0, ..numbers.meeting() };
     vec![
-        Answer::Hits { front: true, is_dark_back: false },
-        Answer::Hits { front: false, is_dark_back: false },
-        Answer::Hits { front: false, is_dark_back: true },
-        Answer::Blocks,
-        Answer::SwitchedOff,
-        Answer::NotCast { is_too_deep: true },
-        Answer::NotCast { is_too_deep: false },
-        Answer::BeyondHit,
-        Answer::BeyondBlocker,
-        Answer::AlsoBlocks,
-        Answer::BeyondLight,
-        Answer::LightCastsNone,
-        Answer::CastsNone,
-        Answer::LetsThrough,
-        Answer::Touches,
-        Answer::StartsOnIt,
-        Answer::OutsidePart { whole: "whole sphere", at },
-        Answer::Behind { at: behind },
-        Answer::Passes,
+        WhyNotAnswer::Hits { front: true, is_dark_back: false },
+        WhyNotAnswer::Hits { front: false, is_dark_back: false },
+        WhyNotAnswer::Hits { front: false, is_dark_back: true },
+        WhyNotAnswer::Blocks,
+        WhyNotAnswer::SwitchedOff,
+        WhyNotAnswer::NotCast { is_too_deep: true },
+        WhyNotAnswer::NotCast { is_too_deep: false },
+        WhyNotAnswer::BeyondHit,
+        WhyNotAnswer::BeyondBlocker,
+        WhyNotAnswer::AlsoBlocks,
+        WhyNotAnswer::BeyondLight,
+        WhyNotAnswer::LightCastsNone,
+        WhyNotAnswer::CastsNone,
+        WhyNotAnswer::LetsThrough,
+        WhyNotAnswer::Touches,
+        WhyNotAnswer::StartsOnIt,
+        WhyNotAnswer::OutsidePart { whole: "whole sphere", at },
+        WhyNotAnswer::Behind { at: behind },
+        WhyNotAnswer::Passes,
     ]
 }
 
@@ -60,14 +60,14 @@ fn kinds() -> [(RayKind, &'static str); 4] {
 }
 
 /// An answer with all that belongs to it; something else ended the ray before or after the object.
-fn answer(answer: &Answer, kind: RayKind, is_before: bool, numbers: &mut Numbers) -> WhyNot {
+fn answer(answer: &WhyNotAnswer, kind: RayKind, is_before: bool, numbers: &mut Numbers) -> WhyNot {
     let is_met = !matches!(
         answer,
-        Answer::NotCast { .. }
-            | Answer::StartsOnIt
-            | Answer::OutsidePart { .. }
-            | Answer::Behind { .. }
-            | Answer::Passes
+        WhyNotAnswer::NotCast { .. }
+            | WhyNotAnswer::StartsOnIt
+            | WhyNotAnswer::OutsidePart { .. }
+            | WhyNotAnswer::Behind { .. }
+            | WhyNotAnswer::Passes
     );
     let meets = is_met.then(|| numbers.meeting());
     let approach = (!is_met).then(|| Approach {
@@ -104,7 +104,9 @@ fn answers_read_as_before() {
         for (kind, ray) in kinds() {
             // only shadow rays have a light
             let is_shadow = matches!(kind, RayKind::Shadow { .. });
-            if matches!(reason, Answer::BeyondLight | Answer::LightCastsNone) && !is_shadow {
+            if matches!(reason, WhyNotAnswer::BeyondLight | WhyNotAnswer::LightCastsNone)
+                && !is_shadow
+            {
                 continue;
             }
             for is_before in [true, false] {
@@ -113,7 +115,7 @@ fn answers_read_as_before() {
                 let begins = said.starts_with(|it: char| it.is_uppercase() || it == '"');
                 assert!(begins && said.ends_with('.'), "a sentence: {said}");
                 assert!(said.to_lowercase().contains(ray), "{reason:?} names `{ray}`: {said}");
-                let is_cast = !matches!(reason, Answer::NotCast { .. });
+                let is_cast = !matches!(reason, WhyNotAnswer::NotCast { .. });
                 assert_eq!(said.contains("\"it\""), is_cast, "{reason:?} names its object: {said}");
                 text += &format!("{said}\n");
             }
@@ -123,17 +125,18 @@ fn answers_read_as_before() {
             }
         }
     }
-    let it = |reason: &Answer| answer(reason, RayKind::Camera, true, &mut Numbers(100.0));
-    for reason in [Answer::BeyondHit, Answer::BeyondBlocker] {
+    let it = |reason: &WhyNotAnswer| answer(reason, RayKind::Camera, true, &mut Numbers(100.0));
+    for reason in [WhyNotAnswer::BeyondHit, WhyNotAnswer::BeyondBlocker] {
         let it = it(&reason);
         let at = it.meets.expect("it is met");
         let ended = it.ended.clone().map(|ended| Ended { at, ..ended });
         text += &format!("\n== at the same place\n{}\n", WhyNot { ended, ..it }.sentence());
     }
-    let passed = WhyNot { answer: Answer::SwitchedOff, ..it(&Answer::Passes) };
+    let passed = WhyNot { answer: WhyNotAnswer::SwitchedOff, ..it(&WhyNotAnswer::Passes) };
     text += &format!("\n== off and passed\n{}\n", passed.sentence());
     for met_by in [vec![4], vec![2, 5, 8]] {
-        let it = WhyNot { black: Some("kr is 0".to_owned()), met_by, ..it(&Answer::BeyondHit) };
+        let it =
+            WhyNot { black: Some("kr is 0".to_owned()), met_by, ..it(&WhyNotAnswer::BeyondHit) };
         text += &format!("\n== met by others\n  {}\n", it.numbers().join("\n  "));
     }
     insta::assert_snapshot!(text);

@@ -16,10 +16,10 @@ pub enum Result {
 }
 
 /// A case: its name, what became of it, and the text about it, of which the first line is the message.
-pub type Case = (String, Result, String);
+pub type JunitCase = (String, Result, String);
 
 /// JUnit's XML of a command: its suites by name.
-pub fn junit(command: &str, suites: impl IntoIterator<Item = (String, Vec<Case>)>) -> String {
+pub fn junit(command: &str, suites: impl IntoIterator<Item = (String, Vec<JunitCase>)>) -> String {
     let mut report = Report::new(held(&format!("groundtruth {command}")));
     for (name, cases) in suites {
         let mut suite = TestSuite::new(held(&name));
@@ -29,7 +29,7 @@ pub fn junit(command: &str, suites: impl IntoIterator<Item = (String, Vec<Case>)
     report.to_string().expect("a report of strings can be written")
 }
 
-fn case((name, result, text): Case) -> TestCase {
+fn case((name, result, text): JunitCase) -> TestCase {
     let mut status = match result {
         Result::Success => TestCaseStatus::success(),
         Result::Skipped => TestCaseStatus::skipped(),

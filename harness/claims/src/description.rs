@@ -108,7 +108,7 @@ pub struct Claims {
     /// A light is infinitely far away in all directions.
     pub infinite: bool,
     /// The measure in which the points of a light are drawn alike from everywhere.
-    pub sampling: Option<Sampling>,
+    pub sampling: Option<SamplingClaim>,
     /// What a map covers.
     pub domain: Option<Domain>,
     /// A map has an `inverse`.
@@ -120,7 +120,7 @@ pub struct Claims {
 /// How the points of a light are drawn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[serde(rename_all = "snake_case")]
-pub enum Sampling {
+pub enum SamplingClaim {
     /// With a density of area that does not depend on the point that is lit.
     Area,
     /// Uniformly in solid angle.

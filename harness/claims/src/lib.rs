@@ -21,7 +21,7 @@ mod setting;
 mod smaller;
 
 pub use card::{junit, page, told};
-pub use description::{Claims, Description, Index, Kind, Sampling, Sides, Values};
+pub use description::{Claims, Description, Index, Kind, SamplingClaim, Sides, Values};
 pub use domain::Domain;
 pub use laws::{Breach, Law};
 pub use run::{

@@ -6,7 +6,7 @@ use groundtruth::film::Film;
 
 /// How a picture compares with the one that was expected.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum Comparison {
     /// The same bits.
     Same,
     /// Every channel of every pixel is within [`DRIFT`], as after a change of the order of sums.
@@ -20,17 +20,17 @@ pub enum Verdict {
 pub const DRIFT: f64 = 1e-6;
 
 /// Compares two pictures as files store them, in single precision.
-pub fn verdict(expected: &Film, got: &Film) -> Verdict {
+pub fn verdict(expected: &Film, got: &Film) -> Comparison {
     if !same_size(expected, got) {
-        return Verdict::Changed;
+        return Comparison::Changed;
     }
     let channels = || expected.to_f32().zip(got.to_f32()).flat_map(|(a, b)| a.into_iter().zip(b));
     if channels().all(|(a, b)| a.to_bits() == b.to_bits()) {
-        Verdict::Same
+        Comparison::Same
     } else if channels().all(|(a, b)| a.to_bits() == b.to_bits() || within(a, b, DRIFT, 0.0)) {
-        Verdict::Drift
+        Comparison::Drift
     } else {
-        Verdict::Changed
+        Comparison::Changed
     }
 }
 

@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
-use compare::Verdict;
+use compare::Comparison;
 use groundtruth::film::{self, Film, ImageError};
 use groundtruth::scene::SceneError;
 
@@ -41,7 +41,7 @@ pub fn digest(film: &Film) -> String {
 
 /// The result of a check.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Status {
+pub enum GoldenStatus {
     /// The same bits.
     Same,
     /// Different bits, within [`compare::DRIFT`].
@@ -58,13 +58,13 @@ pub enum Status {
 
 /// A golden checked.
 #[derive(Clone, Debug)]
-pub struct Finding {
+pub struct GoldenFinding {
     /// The golden's name.
     pub name: String,
     /// The folder of the goldens, as it was named.
     pub folder: PathBuf,
     /// The result.
-    pub status: Status,
+    pub status: GoldenStatus,
     /// The golden, if the manifest has it.
     pub golden: Option<Golden>,
     /// The accepted picture, if it could be read.
@@ -73,7 +73,7 @@ pub struct Finding {
     pub got: Option<Film>,
 }
 
-impl Finding {
+impl GoldenFinding {
     /// The path of the scene file; `None` for a scene of the gallery.
     pub fn scene_file(&self) -> Option<PathBuf> {
         self.golden.as_ref()?.scene_file(&self.folder)
@@ -224,23 +224,23 @@ impl Goldens {
     ///
     /// # Errors
     /// [`GoldenError`] if they cannot be compared: a scene that does not build, a damaged file.
-    pub fn check(&self, name: &str) -> Result<Finding, GoldenError> {
+    pub fn check(&self, name: &str) -> Result<GoldenFinding, GoldenError> {
         let golden = self.find(name).cloned();
         let (owned, folder) = (name.to_owned(), self.folder.clone());
         let alone = |status| {
             let (name, golden, expected, got) = (owned.clone(), golden.clone(), None, None);
-            Ok(Finding { name, folder: folder.clone(), status, golden, expected, got })
+            Ok(GoldenFinding { name, folder: folder.clone(), status, golden, expected, got })
         };
         let Some(known) = &golden else {
             let in_gallery = entry::in_gallery(name).is_some();
-            return alone(if in_gallery { Status::Missing } else { Status::NoScene });
+            return alone(if in_gallery { GoldenStatus::Missing } else { GoldenStatus::NoScene });
         };
         let got = match known.render(&self.folder) {
-            Err(GoldenError::NoScene(_)) => return alone(Status::NoScene),
+            Err(GoldenError::NoScene(_)) => return alone(GoldenStatus::NoScene),
             Err(GoldenError::Scene { source, .. })
                 if matches!(*source, SceneError::Unreadable { .. }) =>
             {
-                return alone(Status::NoScene);
+                return alone(GoldenStatus::NoScene);
             }
             other => other?,
         };
@@ -250,15 +250,15 @@ impl Goldens {
             _ => Some(film::read_exr(&image)?),
         };
         let status = match &expected {
-            None => Status::Missing,
-            Some(expected) if digest(expected) != known.digest => Status::Mismatch,
+            None => GoldenStatus::Missing,
+            Some(expected) if digest(expected) != known.digest => GoldenStatus::Mismatch,
             Some(expected) => match compare::verdict(expected, &got) {
-                Verdict::Same => Status::Same,
-                Verdict::Drift => Status::Drift,
-                Verdict::Changed => Status::Changed,
+                Comparison::Same => GoldenStatus::Same,
+                Comparison::Drift => GoldenStatus::Drift,
+                Comparison::Changed => GoldenStatus::Changed,
             },
         };
-        Ok(Finding { name: owned, folder, status, golden, expected, got: Some(got) })
+        Ok(GoldenFinding { name: owned, folder, status, golden, expected, got: Some(got) })
     }
 
     /// Renders a picture to be accepted under this name, for this reason. The name may be the path of a scene file:

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use crate::compare::DRIFT;
-use crate::{Finding, Golden, Status, View};
+use crate::{Golden, GoldenFinding, GoldenStatus, View};
 use groundtruth::explain::count;
 use groundtruth::film::{Film, Tone};
 use pictures::compare::pair::{self, ComparedPictures};
@@ -17,8 +17,9 @@ section { border-top: 1px solid var(--edge); break-inside: avoid; }
 ";
 
 /// What is told of a review of these goldens of a folder.
-pub fn told(findings: &[Finding], folder: &Path) -> Told {
-    let different: Vec<&Finding> = findings.iter().filter(|it| it.status != Status::Same).collect();
+pub fn told(findings: &[GoldenFinding], folder: &Path) -> Told {
+    let different: Vec<&GoldenFinding> =
+        findings.iter().filter(|it| it.status != GoldenStatus::Same).collect();
     let all = count(findings.len(), "golden");
     let verdict = match (&different[..], findings.len()) {
         ([], 0) => "same: no golden differs".to_owned(),
@@ -29,7 +30,7 @@ pub fn told(findings: &[Finding], folder: &Path) -> Told {
             format!("differs: {} of {all}; the first, {name}, is {status}", different.len())
         }
     };
-    let line = |it: &&Finding| format!("{:9} {}\n", words(&it.status), it.name);
+    let line = |it: &&GoldenFinding| format!("{:9} {}\n", words(&it.status), it.name);
     let details = different.iter().map(line).collect();
     let next = match different.first() {
         Some(first) => accept_command(first),
@@ -39,14 +40,14 @@ pub fn told(findings: &[Finding], folder: &Path) -> Told {
 }
 
 /// The page for these goldens, of which this is told.
-pub fn page(findings: &[Finding], told: &Told) -> String {
+pub fn page(findings: &[GoldenFinding], told: &Told) -> String {
     let body = several().with_all(findings.iter().map(section));
     told.page("goldens review", &[STYLE, pair::STYLE], &body.html())
 }
 
-fn section(finding: &Finding) -> Element {
+fn section(finding: &GoldenFinding) -> Element {
     let title = heading(2, format!("{}: {}", finding.name, words(&finding.status)));
-    let to = if finding.status == Status::NoScene { "To remove: " } else { "To accept: " };
+    let to = if finding.status == GoldenStatus::NoScene { "To remove: " } else { "To accept: " };
     let command = || paragraph(to).with(code(accept_command(finding)));
     element("section")
         .with(title)
@@ -57,7 +58,7 @@ fn section(finding: &Finding) -> Element {
                 .with(lines(changes(&was, &is)))
         }))
         .with(pictures(finding))
-        .with_all((finding.status != Status::Same).then(command))
+        .with_all((finding.status != GoldenStatus::Same).then(command))
 }
 
 fn about(golden: &Golden) -> Element {
@@ -85,21 +86,21 @@ fn changes(was: &str, is: &str) -> String {
 }
 
 /// The state in words.
-pub fn words(status: &Status) -> &'static str {
+pub fn words(status: &GoldenStatus) -> &'static str {
     match status {
-        Status::Same => "same",
-        Status::Drift => "drift",
-        Status::Changed => "changed",
-        Status::Missing => "missing",
-        Status::Mismatch => "mismatch",
-        Status::NoScene => "no scene",
+        GoldenStatus::Same => "same",
+        GoldenStatus::Drift => "drift",
+        GoldenStatus::Changed => "changed",
+        GoldenStatus::Missing => "missing",
+        GoldenStatus::Mismatch => "mismatch",
+        GoldenStatus::NoScene => "no scene",
     }
 }
 
 /// The command that accepts the picture as it is now, or removes a golden without a scene.
-pub fn accept_command(finding: &Finding) -> String {
+pub fn accept_command(finding: &GoldenFinding) -> String {
     match finding.status {
-        Status::NoScene => {
+        GoldenStatus::NoScene => {
             let (name, folder) = (shell::quoted(&finding.name), folder_option(&finding.folder));
             format!("groundtruth goldens remove {name}{folder}")
         }
@@ -122,7 +123,7 @@ pub fn folder_option(folder: &Path) -> String {
 }
 
 /// Both pictures, and how they compare; side by side alone if one is missing or their sizes differ.
-fn pictures(finding: &Finding) -> Element {
+fn pictures(finding: &GoldenFinding) -> Element {
     let view = finding.golden.as_ref().map(|golden| golden.view).unwrap_or_default();
     let tone = finding
         .golden
@@ -142,7 +143,7 @@ fn pictures(finding: &Finding) -> Element {
 }
 
 /// Both pictures of a golden; nothing if their sizes differ.
-fn pair(finding: &Finding, films: [&Film; 2], (view, tone): (View, Tone)) -> Option<Element> {
+fn pair(finding: &GoldenFinding, films: [&Film; 2], (view, tone): (View, Tone)) -> Option<Element> {
     let pictures = films.map(Picture::of_film);
     let comparison = Comparison::of(&pictures[0], &pictures[1], 0.0).ok()?;
     let (differing, pixels) = (comparison.differing, pictures[0].values.len());
@@ -178,7 +179,7 @@ fn explain_command(scene: &str, [x, y]: [u32; 2]) -> String {
 }
 
 /// A golden's scene as both programs are told of it.
-fn scene_arguments(finding: &Finding, golden: &Golden) -> String {
+fn scene_arguments(finding: &GoldenFinding, golden: &Golden) -> String {
     let ([w, h], samples) = (golden.size, golden.samples);
     let file = finding.scene_file().map(|file| file.display().to_string());
     let scene = shell::quoted(file.as_ref().unwrap_or(&golden.scene));

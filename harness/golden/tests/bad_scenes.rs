@@ -1,7 +1,7 @@
 //! Negative controls: known-bad variants of scenes, which a comparison of pictures must reject, and
 //! tiny differences, which it must call drift.
 
-use golden::compare::{Tolerance, Verdict, verdict};
+use golden::compare::{Comparison, Tolerance, verdict};
 use groundtruth::film::Film;
 use groundtruth::lights::Kind as LightKind;
 use groundtruth::materials::Kind as MaterialKind;
@@ -74,7 +74,7 @@ fn known_bad_variants_are_rejected() {
         let mut bad = good.clone();
         plant(&mut bad);
         let (good, bad) = (picture(&good), picture(&bad));
-        assert_eq!(verdict(&good, &bad), Verdict::Changed, "{name}: {what}");
+        assert_eq!(verdict(&good, &bad), Comparison::Changed, "{name}: {what}");
         assert!(!FOREIGN.accepts(&good, &bad), "{name}: {what}");
     }
 }
@@ -84,7 +84,7 @@ fn a_tiny_difference_is_drift_and_a_picture_is_the_same_as_itself() {
     for name in ["ch24/hall-of-mirrors", "ch28/glass-sphere"] {
         let scene = small(name);
         let good = picture(&scene);
-        assert_eq!(verdict(&good, &picture(&scene)), Verdict::Same);
+        assert_eq!(verdict(&good, &picture(&scene)), Comparison::Same);
         let times = |factor: f64| {
             let mut scene = scene.clone();
             scene.camera.exposure_time *= factor;
@@ -92,9 +92,9 @@ fn a_tiny_difference_is_drift_and_a_picture_is_the_same_as_itself() {
         };
         // rounding to single precision adds up to 1.2e-7
         for tiny in [1.0 + 2e-7, 1.0 - 5e-7, 1.0 + 8e-7] {
-            assert_eq!(verdict(&good, &times(tiny)), Verdict::Drift, "{name} times {tiny}");
+            assert_eq!(verdict(&good, &times(tiny)), Comparison::Drift, "{name} times {tiny}");
             assert!(FOREIGN.accepts(&good, &times(tiny)));
         }
-        assert_eq!(verdict(&good, &times(1.0 + 1.2e-6)), Verdict::Changed);
+        assert_eq!(verdict(&good, &times(1.0 + 1.2e-6)), Comparison::Changed);
     }
 }

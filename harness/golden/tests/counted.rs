@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use golden::compare::{Tolerance, Verdict, differences, verdict};
+use golden::compare::{Comparison, Tolerance, differences, verdict};
 use golden::review::{DEFAULT_FOLDER, accept_command, told, words};
-use golden::{Finding, GoldenSettings, Goldens, Status, View, leaf};
+use golden::{GoldenFinding, GoldenSettings, GoldenStatus, Goldens, View, leaf};
 use groundtruth::explain;
 use groundtruth::film::Film;
 use groundtruth::math::Pcg32;
@@ -12,19 +12,19 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::Outcome;
 use groundtruth::world::World;
 
-const STATUSES: [Status; 6] = [
-    Status::Same,
-    Status::Drift,
-    Status::Changed,
-    Status::Missing,
-    Status::Mismatch,
-    Status::NoScene,
+const STATUSES: [GoldenStatus; 6] = [
+    GoldenStatus::Same,
+    GoldenStatus::Drift,
+    GoldenStatus::Changed,
+    GoldenStatus::Missing,
+    GoldenStatus::Mismatch,
+    GoldenStatus::NoScene,
 ];
 
-fn finding(index: usize, status: Status) -> Finding {
+fn finding(index: usize, status: GoldenStatus) -> GoldenFinding {
     let (golden, expected, got) = (None, None, None);
     let (name, folder) = (format!("ch03/scene-{index}"), Path::new(DEFAULT_FOLDER).to_owned());
-    Finding { name, folder, status, golden, expected, got }
+    GoldenFinding { name, folder, status, golden, expected, got }
 }
 
 /// Law: a review says how many goldens are not the same, of how many, names the first of them, lists all, and proposes
@@ -34,13 +34,14 @@ fn a_review_counts_what_is_not_the_same() {
     let lists = (0..4).flat_map(|length: u32| {
         (0..6_usize.pow(length)).map(move |code| {
             let of = |place: u32| STATUSES[code / 6_usize.pow(place) % 6].clone();
-            (0..length).map(of).collect::<Vec<Status>>()
+            (0..length).map(of).collect::<Vec<GoldenStatus>>()
         })
     });
     for statuses in lists {
-        let findings: Vec<Finding> =
+        let findings: Vec<GoldenFinding> =
             statuses.iter().cloned().enumerate().map(|(i, it)| finding(i, it)).collect();
-        let other: Vec<&Finding> = findings.iter().filter(|it| it.status != Status::Same).collect();
+        let other: Vec<&GoldenFinding> =
+            findings.iter().filter(|it| it.status != GoldenStatus::Same).collect();
         let found = told(&findings, Path::new(DEFAULT_FOLDER));
         let n = findings.len();
         let s = if n == 1 { "" } else { "s" };
@@ -68,7 +69,7 @@ fn a_review_counts_what_is_not_the_same() {
         let expected = match other.first() {
             None => "groundtruth goldens check".to_owned(),
             // a golden without a scene is removed
-            Some(it) if it.status == Status::NoScene => {
+            Some(it) if it.status == GoldenStatus::NoScene => {
                 format!("groundtruth goldens remove {}", it.name)
             }
             Some(it) => accept_command(it),
@@ -258,9 +259,9 @@ fn drift_is_relative_for_all_sizes_and_signs() {
         let b = if random.below(8) == 0 { -b } else { b };
         let [wide_a, wide_b] = [a, b].map(f64::from);
         let expected = match (a.to_bits() == b.to_bits(), (wide_a - wide_b).abs()) {
-            (true, _) => Verdict::Same,
-            (_, off) if off <= 1e-6 * wide_a.abs().max(wide_b.abs()) => Verdict::Drift,
-            _ => Verdict::Changed,
+            (true, _) => Comparison::Same,
+            (_, off) if off <= 1e-6 * wide_a.abs().max(wide_b.abs()) => Comparison::Drift,
+            _ => Comparison::Changed,
         };
         let pictures =
             [wide_a, wide_b].map(|x| film(2, 1, |at, _| Rgb::grey(if at == 1 { x } else { 0.5 })));

@@ -27,7 +27,7 @@ fn an_accepted_golden_is_the_same_when_read_again() {
     let again = Goldens::open(folder.path()).unwrap();
     assert_eq!(again.all(), goldens.all());
     assert_eq!(again.all()[0].because, "looked at it");
-    assert_eq!(again.check(NAME).unwrap().status, Status::Same);
+    assert_eq!(again.check(NAME).unwrap().status, GoldenStatus::Same);
     let files: Vec<_> = std::fs::read_dir(folder.path())
         .unwrap()
         .map(|entry| entry.unwrap().file_name().into_string().unwrap())
@@ -50,8 +50,8 @@ fn a_reason_is_needed() {
 fn a_scene_without_a_golden_is_missing_and_a_golden_without_a_scene_is_told() {
     let (_folder, goldens) = one_golden();
     assert!(goldens.names().contains(&"ch28/glass-sphere".to_owned()));
-    assert_eq!(goldens.check("ch28/glass-sphere").unwrap().status, Status::Missing);
-    assert_eq!(goldens.check("ch99/nothing").unwrap().status, Status::NoScene);
+    assert_eq!(goldens.check("ch28/glass-sphere").unwrap().status, GoldenStatus::Missing);
+    assert_eq!(goldens.check("ch99/nothing").unwrap().status, GoldenStatus::NoScene);
     assert!(matches!(
         goldens.propose("ch99/nothing", "why not", &small()),
         Err(GoldenError::NoScene(_))
@@ -62,7 +62,7 @@ fn a_scene_without_a_golden_is_missing_and_a_golden_without_a_scene_is_told() {
 fn an_image_that_is_gone_is_missing() {
     let (_folder, goldens) = one_golden();
     std::fs::remove_file(goldens.file(NAME, "exr")).unwrap();
-    assert_eq!(goldens.check(NAME).unwrap().status, Status::Missing);
+    assert_eq!(goldens.check(NAME).unwrap().status, GoldenStatus::Missing);
 }
 
 /// Law: wherever an acceptance stops, the goldens opened next belong together; they are the old ones
@@ -82,7 +82,7 @@ fn an_acceptance_that_stops_anywhere_leaves_a_consistent_folder() {
         assert_eq!(goldens.all().len(), count);
         for golden in goldens.all() {
             assert_eq!(golden.size, size);
-            assert_eq!(goldens.check(&golden.name()).unwrap().status, Status::Same);
+            assert_eq!(goldens.check(&golden.name()).unwrap().status, GoldenStatus::Same);
         }
         goldens
     };
@@ -119,15 +119,17 @@ fn an_image_and_a_manifest_that_do_not_belong_together_are_found_out() {
     other.set([3, 4], Rgb::grey(0.25));
     let tone = View::Radiance.tone(&goldens.all()[0].small_scene(Path::new("")).unwrap().0);
     film::write(&other, &tone, &goldens.file(NAME, "exr")).unwrap();
-    assert_eq!(goldens.check(NAME).unwrap().status, Status::Mismatch);
+    assert_eq!(goldens.check(NAME).unwrap().status, GoldenStatus::Mismatch);
 }
 
 #[test]
 fn a_golden_of_another_picture_is_changed_and_one_of_nearly_the_same_has_drifted() {
     let (_folder, mut goldens) = one_golden();
-    for (factor, status) in
-        [(1.02, Status::Changed), (1.0 + 3e-7, Status::Drift), (1.0, Status::Same)]
-    {
+    for (factor, status) in [
+        (1.02, GoldenStatus::Changed),
+        (1.0 + 3e-7, GoldenStatus::Drift),
+        (1.0, GoldenStatus::Same),
+    ] {
         let golden = goldens.find(NAME).unwrap().clone();
         let mut film = golden.render(Path::new("")).unwrap();
         for i in 0..144 {
@@ -225,7 +227,7 @@ fn two_runs_at_once_lose_nothing() {
         });
         let after = Goldens::open(folder.path()).unwrap();
         for name in NAMES.into_iter().chain([NAME]) {
-            assert_eq!(after.check(name).unwrap().status, Status::Same, "{name}");
+            assert_eq!(after.check(name).unwrap().status, GoldenStatus::Same, "{name}");
         }
         assert_eq!(after.all().len(), 4);
         // from the start again
@@ -249,19 +251,22 @@ fn a_golden_whose_file_is_gone_is_told_and_can_be_removed() {
     assert!(goldens.check("mine.toml").unwrap().changed_file().is_none());
     std::fs::write(&scene, export(NAME).replacen("radius = 80.0", "radius = 60.0", 1)).unwrap();
     let finding = goldens.check("mine.toml").unwrap();
-    assert_eq!(finding.status, Status::Changed);
+    assert_eq!(finding.status, GoldenStatus::Changed);
     let page = golden::review::page(
         std::slice::from_ref(&finding),
         &golden::review::told(std::slice::from_ref(&finding), folder.path()),
     );
     assert!(page.contains("<pre>- radius = 80.0\n+ radius = 60.0\n</pre>"), "{page}");
     std::fs::remove_file(&scene).expect("it was there");
-    assert_eq!(goldens.check("mine.toml").unwrap().status, Status::NoScene);
-    assert_eq!(goldens.check(NAME).unwrap().status, Status::Same);
+    assert_eq!(goldens.check("mine.toml").unwrap().status, GoldenStatus::NoScene);
+    assert_eq!(goldens.check(NAME).unwrap().status, GoldenStatus::Same);
     goldens.remove(&["mine.toml".to_owned()]).unwrap();
     assert_eq!(goldens.all().len(), 1);
     let left = std::fs::read_dir(folder.path()).unwrap().flatten();
     let left: Vec<_> = left.map(|it| it.file_name().into_string().unwrap()).collect();
     assert!(left.iter().all(|name| !name.starts_with("mine")), "{left:?}");
-    assert_eq!(Goldens::open(folder.path()).unwrap().check(NAME).unwrap().status, Status::Same);
+    assert_eq!(
+        Goldens::open(folder.path()).unwrap().check(NAME).unwrap().status,
+        GoldenStatus::Same
+    );
 }

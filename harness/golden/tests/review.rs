@@ -5,15 +5,15 @@ use std::path::Path;
 use groundtruth::rgb::Rgb;
 
 use golden::review::*;
-use golden::{Finding, GoldenSettings, Goldens, Status};
+use golden::{GoldenFinding, GoldenSettings, GoldenStatus, Goldens};
 use groundtruth::film::Film;
 
-fn reviewed(findings: &[Finding]) -> String {
+fn reviewed(findings: &[GoldenFinding]) -> String {
     page(findings, &told(findings, Path::new(DEFAULT_FOLDER)))
 }
 
 /// A finding with three changed pixels.
-fn changed() -> Finding {
+fn changed() -> GoldenFinding {
     let folder = tempfile::tempdir().unwrap();
     let mut goldens = Goldens::none(folder.path());
     let settings = GoldenSettings {
@@ -28,7 +28,7 @@ fn changed() -> Finding {
     for (i, x) in [3, 7, 5].into_iter().enumerate() {
         got.set([x, 9], got.get([x, 9]) + Rgb::grey(0.25 * (i + 1) as f64));
     }
-    finding.status = Status::Changed;
+    finding.status = GoldenStatus::Changed;
     finding
 }
 

@@ -121,7 +121,7 @@ pub fn sweep_many_as(
     seed: u64,
     count: usize,
     in_a_row: usize,
-    change: impl Fn(composites::Case, usize) -> Option<composites::Case>,
+    change: impl Fn(composites::Composite, usize) -> Option<composites::Composite>,
 ) {
     judge_families(count, |family, index| {
         let accel = METHODS[index / in_a_row % METHODS.len()];

@@ -6,7 +6,7 @@ use super::stages::{Objects, Stage};
 use super::structures::{BuiltStructure, Counts, Structure};
 use super::{Run, Skipped, StageData, sizes};
 use crate::clock::{medians, time};
-use crate::{Interrupted, Progress, Settings};
+use crate::{Interrupted, ReportProgress, Settings};
 use groundtruth::math::Ray;
 
 /// The number of rays whose hits are compared and whose tests are counted first.
@@ -23,7 +23,7 @@ const ROUNDS: usize = 3;
 pub fn stage(
     stage: &'static Stage,
     settings: &Settings,
-    progress: &Progress,
+    progress: &ReportProgress,
 ) -> Result<StageData, Interrupted> {
     let rays = stage.rays(settings.side);
     let mut data = StageData { stage, runs: Vec::new(), skipped: Vec::new(), agree: true };

@@ -25,7 +25,7 @@ pub enum TestedShape {
 
 /// A case for both routines, and its exact answer.
 struct Question {
-    case: Case,
+    case: JudgedRay,
     exact: Answer,
     /// The condition number of an instance's matrix.
     condition: f64,
@@ -33,7 +33,7 @@ struct Question {
 
 /// A ray, and the shape for both routines.
 #[derive(Debug)]
-pub struct Case {
+pub struct JudgedRay {
     pub ray: Ray,
     /// The span of valid hits.
     pub span: Span,
@@ -41,7 +41,7 @@ pub struct Case {
     pub textbook: Arc<dyn Shape>,
 }
 
-impl Case {
+impl JudgedRay {
     /// The hit of the book's routine, beyond its epsilon.
     pub fn textbook_hit(&self) -> Option<f64> {
         let beyond = Span { min: EPSILON, ..Span::AHEAD };
@@ -52,8 +52,8 @@ impl Case {
 /// The results of one kind and family, and the rays for timing.
 pub struct Judged {
     pub data: FamilyData,
-    pub hits: Vec<Case>,
-    pub misses: Vec<Case>,
+    pub hits: Vec<JudgedRay>,
+    pub misses: Vec<JudgedRay>,
 }
 
 impl TestedShape {
@@ -110,7 +110,7 @@ impl Question {
         Some(Self {
             condition: exact.condition(),
             exact: oracle::intersect_beyond(&exact, exact_ray, span.min),
-            case: Case { ray, span, ours, textbook },
+            case: JudgedRay { ray, span, ours, textbook },
         })
     }
 
@@ -127,7 +127,7 @@ impl Question {
         Some(Self {
             condition: case.condition,
             exact: case.answer(span.min),
-            case: Case { ray, span, ours, textbook },
+            case: JudgedRay { ray, span, ours, textbook },
         })
     }
 }

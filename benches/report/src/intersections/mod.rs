@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use self::judging::{Judged, TestedShape};
-use super::{Findings, Interrupted, Page, Progress, Settings};
+use super::{Findings, Interrupted, Page, ReportProgress, Settings};
 
 /// Compares intersection routines by error, lost and wrong hits, and time.
 pub const PAGE: Page = Page {
@@ -123,7 +123,7 @@ fn rays(kind: &str, settings: &Settings) -> usize {
     settings.cases.div_ceil(divisor)
 }
 
-fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
+fn measure(settings: &Settings, progress: &ReportProgress) -> Result<Data, Interrupted> {
     let mut kinds = Vec::new();
     for subject in TestedShape::all() {
         let kind = subject.name();

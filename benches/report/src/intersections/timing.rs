@@ -3,7 +3,7 @@
 use std::hint::black_box;
 
 use super::FamilyData;
-use super::judging::{Case, Judged};
+use super::judging::{Judged, JudgedRay};
 use crate::clock::{Time, medians, time};
 
 /// The smallest and the largest number of rounds; each round times both routines.
@@ -29,7 +29,7 @@ pub fn timed(Judged { mut data, hits, misses }: Judged) -> FamilyData {
 /// make.)
 ///
 /// [`Candidate`]: groundtruth::shapes::Candidate
-fn nanoseconds(cases: &[Case]) -> ([Option<f64>; 2], bool) {
+fn nanoseconds(cases: &[JudgedRay]) -> ([Option<f64>; 2], bool) {
     if cases.is_empty() {
         return ([None; 2], false);
     }

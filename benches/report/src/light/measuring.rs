@@ -7,7 +7,7 @@ use super::{BiasData, Choice, Crop, Data, EqualTime, MethodData, ReferenceData, 
 use crate::convergence::counts;
 use crate::pictures::{Pictures, Series, rendered};
 use crate::reference::{Reference, brightness};
-use crate::{Interrupted, Progress, Settings};
+use crate::{Interrupted, ReportProgress, Settings};
 use groundtruth::lobes::GlossyRule;
 use groundtruth::math::hash;
 use groundtruth::scene::{Depth, Scene, Tracer};
@@ -112,7 +112,7 @@ pub fn steps(settings: &Settings) -> u64 {
     (0..).zip(&SUBJECTS).map(of).sum()
 }
 
-pub fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
+pub fn measure(settings: &Settings, progress: &ReportProgress) -> Result<Data, Interrupted> {
     let subjects = (0..).zip(&SUBJECTS);
     let scenes = subjects.map(|(index, subject)| measure_scene(subject, index, settings, progress));
     Ok(Data { depth: DEPTH, scenes: scenes.collect::<Result<_, _>>()? })
@@ -122,7 +122,7 @@ fn measure_scene(
     subject: &'static LightScene,
     index: u64,
     settings: &Settings,
-    progress: &Progress,
+    progress: &ReportProgress,
 ) -> Result<SceneData, Interrupted> {
     let plan = Plan::new(subject, index, settings);
     let pictures = rendered(from_ref(&plan.reference), progress)?.remove(0);
@@ -156,7 +156,7 @@ fn measure_choices(
     subject: &LightScene,
     series: &[Series],
     reference: &Reference,
-    progress: &Progress,
+    progress: &ReportProgress,
 ) -> Result<Vec<Choice>, Interrupted> {
     let pictures = rendered(series, progress)?;
     let methods = subject.methods();
@@ -177,7 +177,7 @@ fn measure_choices(
 }
 
 impl Variants {
-    fn biases(&self, progress: &Progress) -> Result<Vec<BiasData>, Interrupted> {
+    fn biases(&self, progress: &ReportProgress) -> Result<Vec<BiasData>, Interrupted> {
         let pictures = rendered(&self.series, progress)?;
         let (truth, others) = pictures.split_last().expect("there are at least two");
         let truth = truth.brightnesses();
@@ -201,7 +201,7 @@ fn equal_time(
     subject: &LightScene,
     index: u64,
     settings: &Settings,
-    progress: &Progress,
+    progress: &ReportProgress,
     found: &[Choice],
 ) -> Result<EqualTime, Interrupted> {
     /// Samples per pixel of the best choice.

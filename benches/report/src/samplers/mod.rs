@@ -11,7 +11,7 @@ use serde::Serialize;
 use self::integrands::{INTEGRANDS, Integrand, Problem};
 use super::clock::{Time, medians};
 use super::convergence::{counts, slope};
-use super::{Findings, Interrupted, Page, Progress, Settings};
+use super::{Findings, Interrupted, Page, ReportProgress, Settings};
 use groundtruth::math::{Pcg32, exp, hash, ln};
 use groundtruth::samplers::{self, Key, Kind, Purpose, SampleSets};
 
@@ -121,7 +121,7 @@ fn samples(settings: &Settings) -> impl Iterator<Item = u32> {
 /// A problem of each integrand for each pixel.
 pub type Problems = Vec<Vec<Problem>>;
 
-fn measure(settings: &Settings, progress: &Progress) -> Result<Data, Interrupted> {
+fn measure(settings: &Settings, progress: &ReportProgress) -> Result<Data, Interrupted> {
     let problem = |integrand: &Integrand, pixel: u32| {
         (integrand.problem)(&mut Pcg32::new(hash(&[settings.seed, pixel.into()]), 1))
     };

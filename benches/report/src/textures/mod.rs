@@ -11,7 +11,7 @@ use self::scenes::{SUBJECTS, TextureScene};
 use super::convergence::{self, counts};
 use super::pictures::{Pictures, Series, rendered};
 use super::reference::Reference;
-use super::{Findings, Interrupted, Page, Progress, Settings};
+use super::{Findings, Interrupted, Page, ReportProgress, Settings};
 use groundtruth::film::Film;
 use groundtruth::math::hash;
 use groundtruth::textures::Filtering;
@@ -94,7 +94,7 @@ fn replicas(settings: &Settings) -> u32 {
 fn measure(
     (index, subject): (u64, &'static TextureScene),
     settings: &Settings,
-    progress: &Progress,
+    progress: &ReportProgress,
 ) -> Result<SceneData, Interrupted> {
     let by = |filtering| {
         let series = |samples: u32, replicas: RangeInclusive<u32>| {

@@ -1,10 +1,10 @@
-use super::{Asked, Law};
-use crate::log::Kind;
+use super::{LawReport, RayLaw};
+use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::printable::name;
 use text::digits::short;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "not-behind-the-lamp",
     says: "what blocks a shadow ray is between the point and the lamp",
     needs: &["kind", "t", "end"],
@@ -16,9 +16,11 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     for (index, ray) in traced.log.rays.iter().enumerate() {
-        let (true, Some(t), Some(end)) = (ray.is(&Kind::Shadow), ray.t, ray.end) else { continue };
+        let (true, Some(t), Some(end)) = (ray.is(&Purpose::Shadow), ray.t, ray.end) else {
+            continue;
+        };
         if !(t.is_finite() && end.is_finite()) {
             continue;
         }

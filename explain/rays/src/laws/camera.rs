@@ -1,5 +1,5 @@
-use super::{Asked, Law};
-use crate::log::{Kind, Ray};
+use super::{LawReport, RayLaw};
+use crate::log::{Purpose, Ray};
 use crate::traced::{Traced, median};
 use groundtruth::math::{Point, Vector};
 use text::digits::short;
@@ -10,7 +10,7 @@ const WITHIN: f64 = 3.0;
 /// The part of the rays that has to fit for the film to be flat.
 const FIT: f64 = 0.9;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "one-camera",
     says: "camera rays start at one eye and pass one flat film, whose pixels are squares",
     needs: &["4 camera rays of pixels in two columns and two rows", "pixel"],
@@ -27,8 +27,8 @@ struct Film {
     down: Vector,
 }
 
-fn check(traced: &Traced, asked: &mut Asked) {
-    let is_camera = |ray: &&(usize, &Ray)| ray.1.is(&Kind::Camera) && ray.1.pixel.is_some();
+fn check(traced: &Traced, asked: &mut LawReport) {
+    let is_camera = |ray: &&(usize, &Ray)| ray.1.is(&Purpose::Camera) && ray.1.pixel.is_some();
     let rays: Vec<(usize, &Ray)> = traced.log.rays.iter().enumerate().collect();
     let rays: Vec<&(usize, &Ray)> = rays
         .iter()

@@ -1,8 +1,8 @@
 use std::f64::consts::PI;
 
 use super::geometry::leaving;
-use super::{Asked, Finding, Law};
-use crate::log::Kind;
+use super::{BrokenRay, LawReport, RayLaw};
+use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::{Frame, Normal, Vector, acos, atan2};
 use statistics::ks;
@@ -15,7 +15,7 @@ const TESTS: f64 = 2.0;
 /// Fewer directions decide nothing.
 const FEW: usize = 200;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "drawn-as-claimed",
     says: "directions are drawn with the density that they are divided by",
     needs: &["200 diffuse rays with pdf, or with f, cos and weight", "normal of their parents"],
@@ -36,12 +36,12 @@ enum Claim {
     Uniform,
 }
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let mut cosines = Vec::new();
     let mut azimuths = Vec::new();
     let mut claims: Vec<Claim> = Vec::new();
     let mut first = None;
-    for it in leaving(traced).filter(|it| matches!(it.ray.kind, Some(Kind::Diffuse))) {
+    for it in leaving(traced).filter(|it| matches!(it.ray.kind, Some(Purpose::Diffuse))) {
         let Some(normal) = it.facing().and_then(Normal::new) else { continue };
         let cos = it.leaving.dot(normal);
         let factors = &it.ray.factors;
@@ -112,7 +112,7 @@ fn check(traced: &Traced, asked: &mut Asked) {
         short(should),
         short(polar.min(round))
     );
-    asked.findings.push(Finding { ray: first, words, causes: bits, follows: None });
+    asked.findings.push(BrokenRay { ray: first, words, causes: bits, follows: None });
 }
 
 /// The azimuth as a part of the circle.

@@ -1,9 +1,9 @@
-use super::{Asked, Law};
+use super::{LawReport, RayLaw};
 use crate::log::Ray;
 use crate::traced::Traced;
 use groundtruth::rgb::Rgb;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "finite",
     says: "numbers are finite, and light, densities and probabilities are not negative",
     needs: &[],
@@ -16,7 +16,7 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     for (index, ray) in traced.log.rays.iter().enumerate() {
         let bad = first_bad(ray);
         asked.count(index, bad.is_none(), || {
@@ -24,7 +24,7 @@ fn check(traced: &Traced, asked: &mut Asked) {
             let parent = traced.parent(index);
             let is_inherited = parent.is_some_and(|parent| first_bad(parent).is_some());
             let is_direction = field == "direction" && !is_inherited;
-            let is_transmitted = ray.is(&crate::log::Kind::Transmitted);
+            let is_transmitted = ray.is(&crate::log::Purpose::Transmitted);
             let causes = [
                 ray.factors.pdf == Some(0.0),
                 field == "normal" || is_direction && !is_transmitted,

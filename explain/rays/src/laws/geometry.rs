@@ -3,7 +3,7 @@
 use groundtruth::math::{Point, Vector};
 
 use crate::conventions::Normals;
-use crate::log::{Kind, Ray};
+use crate::log::{Purpose, Ray};
 use crate::traced::Traced;
 
 /// A ray that left a surface, with what is known there.
@@ -73,7 +73,7 @@ impl Leaving<'_> {
         let passed =
             std::iter::successors(Some(self.from), |&at| traced.parents[at]).filter(|&at| {
                 let met = traced.parent(at).and_then(|before| before.object.as_ref());
-                traced.ray(at).is(&Kind::Transmitted) && met == self.parent.object.as_ref()
+                traced.ray(at).is(&Purpose::Transmitted) && met == self.parent.object.as_ref()
             });
         self.parent.object.is_some().then(|| passed.count() % 2 == 1)
     }

@@ -1,8 +1,8 @@
-use super::{Asked, Law};
+use super::{LawReport, RayLaw};
 use crate::traced::{Traced, size};
 use text::digits::short;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "hit-on-ray",
     says: "the point that a ray hit is on the ray, at t",
     needs: &["t", "point"],
@@ -14,7 +14,7 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     for (index, ray) in traced.log.rays.iter().enumerate() {
         let (Some(t), Some(point)) = (ray.t, ray.point) else { continue };
         let at = traced.along(ray, t);

@@ -2,7 +2,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::geometry::leaving;
-use super::{Asked, Law};
+use super::{LawReport, RayLaw};
 use crate::log::Named;
 use crate::traced::{Traced, median, size};
 use groundtruth::math::{Point, Vector, atan2, to_degrees};
@@ -14,7 +14,7 @@ const MEET: f64 = 0.6;
 /// Fewer rays of a lamp without a place say nothing of where it is.
 const FEW: usize = 3;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "shadow-ray-to-lamp",
     says: "a shadow ray goes to its lamp: those of a lamp that is a point meet there, those of one in infinity are parallel",
     needs: &["kind", "light", "the lamp's place or several rays"],
@@ -36,9 +36,9 @@ struct Line {
     tolerance: f64,
 }
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let mut lamps: BTreeMap<Option<Arc<str>>, Vec<Line>> = BTreeMap::new();
-    for it in leaving(traced).filter(|it| it.ray.is(&crate::log::Kind::Shadow)) {
+    for it in leaving(traced).filter(|it| it.ray.is(&crate::log::Purpose::Shadow)) {
         let turned = traced.conventions.shadow_from_lamp;
         let way = traced.way_to_lamp(it.ray).unwrap_or(Vector::ZERO);
         let line = Line {
@@ -81,7 +81,7 @@ enum Target {
 }
 
 /// The target; of a lamp in infinity to the other side, if all rays go there: then its line has the way of the light.
-fn turned(target: Target, lines: &[Line], asked: &mut Asked) -> Target {
+fn turned(target: Target, lines: &[Line], asked: &mut LawReport) -> Target {
     match target {
         Target::Direction(direction)
             if lines.len() >= FEW && lines.iter().all(|line| line.towards.dot(direction) < 0.0) =>
@@ -111,7 +111,7 @@ fn is_soft(lines: &[Line], target: Target) -> bool {
 /// The radius of a soft sun, as a sine.
 const SOFT: f64 = 3e-2;
 
-fn check_line(line: &Line, target: Target, name: Option<&str>, asked: &mut Asked) {
+fn check_line(line: &Line, target: Target, name: Option<&str>, asked: &mut LawReport) {
     let to = match target {
         Target::Place(place) | Target::Found(place) => place - line.from,
         Target::Direction(direction) => direction,

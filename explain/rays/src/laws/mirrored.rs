@@ -1,8 +1,8 @@
 use std::collections::HashMap;
 
 use super::geometry::{Leaving, is_near, leaving, mirrored};
-use super::{Asked, Law};
-use crate::log::Kind;
+use super::{LawReport, RayLaw};
+use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::{Vector, atan2, to_degrees};
 use text::digits::short;
@@ -10,7 +10,7 @@ use text::digits::short;
 /// So many rays of an object show whether they scatter about the mirrored direction.
 const ENOUGH: usize = 8;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "mirrored",
     says: "a reflected ray is the arriving one mirrored about the normal: d − 2 (d·n) n",
     needs: &["kind", "normal of its parent"],
@@ -25,8 +25,9 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
-    let rays = || leaving(traced).filter(|it| it.ray.is(&Kind::Reflected) && it.normal().is_some());
+fn check(traced: &Traced, asked: &mut LawReport) {
+    let rays =
+        || leaving(traced).filter(|it| it.ray.is(&Purpose::Reflected) && it.normal().is_some());
     let within = |it: &Leaving<'_>| 2.0 * traced.tolerance() + it.off_unit();
     let about = |it: &Leaving<'_>, n: Option<Vector>| {
         n.and_then(Vector::unit)
@@ -87,7 +88,7 @@ fn causes(it: &Leaving<'_>, tolerance: f64, shades: bool) -> [bool; 6] {
     ]
 }
 
-fn note_once(asked: &mut Asked, words: &str) {
+fn note_once(asked: &mut LawReport, words: &str) {
     if asked.notes.iter().all(|note| note != words) {
         asked.notes.push(words.to_owned());
     }

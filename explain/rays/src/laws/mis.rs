@@ -1,8 +1,8 @@
-use super::{Asked, Law};
+use super::{LawReport, RayLaw};
 use crate::traced::Traced;
 use text::digits::short;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "mis-weights",
     says: "the MIS weights of the two ways to draw a direction are 1 together: pdf / (pdf + other_pdf), or the same of their squares",
     needs: &["mis", "pdf", "other_pdf"],
@@ -14,7 +14,7 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 4.0 * traced.tolerance();
     let told = || {
         traced.log.rays.iter().enumerate().filter_map(|(index, ray)| {

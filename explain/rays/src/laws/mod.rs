@@ -30,7 +30,7 @@ use crate::traced::Traced;
 
 /// A law that the rays of a log are held to.
 #[derive(Clone, Copy, Debug)]
-pub struct Law {
+pub struct RayLaw {
     /// A short name for scripts.
     pub name: &'static str,
     /// What holds, as a sentence.
@@ -39,11 +39,11 @@ pub struct Law {
     pub needs: &'static [&'static str],
     /// Usual causes: what is known to break it.
     pub causes: &'static [&'static str],
-    check: fn(&Traced, &mut Asked),
+    check: fn(&Traced, &mut LawReport),
 }
 
 /// The laws, those first from whose breach the others follow.
-pub const LAWS: &[Law] = &[
+pub const LAWS: &[RayLaw] = &[
     finite::LAW,
     tree::LAW,
     hit::LAW,
@@ -70,20 +70,20 @@ pub const LAWS: &[Law] = &[
 
 /// What a law found.
 #[derive(Clone, Debug, Default)]
-pub struct Asked {
+pub struct LawReport {
     /// The rays of which it was asked.
     pub rays: usize,
     /// Whether a finding is about all of these rays together, and the ray it names one of them.
     pub is_of_all: bool,
     /// The rays that break it, in the order of the log.
-    pub findings: Vec<Finding>,
+    pub findings: Vec<BrokenRay>,
     /// What else a reader has to know, as why some rays were not judged.
     pub notes: Vec<String>,
 }
 
 /// A ray that breaks a law.
 #[derive(Clone, Debug)]
-pub struct Finding {
+pub struct BrokenRay {
     /// Its index.
     pub ray: usize,
     /// What is wrong, beginning after the ray's name: `starts 0.3 from where its parent ended`.
@@ -94,10 +94,10 @@ pub struct Finding {
     pub follows: Option<usize>,
 }
 
-impl Law {
+impl RayLaw {
     /// Asks all rays.
-    pub fn ask(&self, traced: &Traced) -> Asked {
-        let mut asked = Asked::default();
+    pub fn ask(&self, traced: &Traced) -> LawReport {
+        let mut asked = LawReport::default();
         (self.check)(traced, &mut asked);
         asked.findings.sort_by_key(|finding| finding.ray);
         asked
@@ -106,14 +106,14 @@ impl Law {
     /// The cause that explains all of these findings.
     pub fn cause<'a>(
         &self,
-        findings: impl IntoIterator<Item = &'a Finding>,
+        findings: impl IntoIterator<Item = &'a BrokenRay>,
     ) -> Option<&'static str> {
         let common = findings.into_iter().map(|finding| finding.causes).reduce(|a, b| a & b)?;
         self.causes.get(common.trailing_zeros() as usize).copied()
     }
 }
 
-impl Asked {
+impl LawReport {
     /// Counts a ray; if the law is broken, `found` says how, and whether each of the law's causes predicts it.
     fn count<const N: usize>(
         &mut self,
@@ -125,7 +125,7 @@ impl Asked {
         if !holds {
             let (words, causes) = found();
             let causes = (0..N).filter(|&at| causes[at]).fold(0, |bits, at| bits | 1 << at);
-            self.findings.push(Finding { ray, words, causes, follows: None });
+            self.findings.push(BrokenRay { ray, words, causes, follows: None });
         }
     }
 }

@@ -1,7 +1,7 @@
 use std::collections::HashSet;
 
-use super::{Asked, Law};
-use crate::log::{Kind, Ray};
+use super::{LawReport, RayLaw};
+use crate::log::{Purpose, Ray};
 use crate::traced::{Traced, size};
 use groundtruth::math::{self, Span, Vector};
 use groundtruth::printable::name;
@@ -11,7 +11,7 @@ use text::digits::short;
 /// Below this cosine a small error of the ray decides whether it hits.
 const GRAZING: f64 = 0.03;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "nearest-hit",
     says: "a ray ends at the nearest surface in front of it",
     needs: &["objects or a scene"],
@@ -26,7 +26,7 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
     let hit: HashSet<_> = traced.log.rays.iter().filter_map(|ray| ray.object.clone()).collect();
     for (index, ray) in traced.log.rays.iter().enumerate() {
@@ -68,7 +68,7 @@ impl<'a> Seen<'a> {
         let ray = traced.ray(index);
         // one that nobody sent starts on a surface that is not known
         if traced.parents[index].is_none()
-            && ray.kind.as_ref().is_some_and(|kind| *kind != Kind::Camera)
+            && ray.kind.as_ref().is_some_and(|kind| *kind != Purpose::Camera)
         {
             return None;
         }

@@ -1,4 +1,4 @@
-use super::{Asked, Law};
+use super::{LawReport, RayLaw};
 use crate::traced::Traced;
 use text::digits::short;
 
@@ -6,7 +6,7 @@ use text::digits::short;
 /// radius; what is not made a unit vector at all is farther from it.
 const NEARLY: f64 = 1e-3;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "unit-normals",
     says: "normals are unit vectors",
     needs: &["normal"],
@@ -17,7 +17,7 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     // the length of the first normal of each object
     let mut lengths = std::collections::HashMap::new();
     for (index, ray) in traced.log.rays.iter().enumerate() {

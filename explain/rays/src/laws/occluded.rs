@@ -1,14 +1,14 @@
 use std::collections::HashSet;
 
 use super::nearest::start;
-use super::{Asked, Law};
-use crate::log::Kind;
+use super::{LawReport, RayLaw};
+use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::{self, Span, Vector};
 use groundtruth::printable::name;
 use groundtruth::world::Hit;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "truly-blocked",
     says: "a shadow ray is blocked if and only if something is between the point and the lamp",
     needs: &["objects or a scene", "kind"],
@@ -26,22 +26,24 @@ const ENDS: f64 = 1e-3;
 /// Below this cosine a small error of the ray decides.
 const GRAZING: f64 = 0.03;
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
     let blockers: HashSet<_> = traced
         .log
         .rays
         .iter()
-        .filter(|ray| ray.is(&Kind::Shadow))
+        .filter(|ray| ray.is(&Purpose::Shadow))
         .filter_map(|ray| ray.object.clone())
         .collect();
     let glass: HashSet<_> = traced
         .pairs()
-        .filter(|&(index, _)| traced.ray(index).is(&Kind::Transmitted))
+        .filter(|&(index, _)| traced.ray(index).is(&Purpose::Transmitted))
         .filter_map(|(_, parent)| traced.ray(parent).object.clone())
         .collect();
     for (index, ray) in traced.log.rays.iter().enumerate() {
-        let Some(parent) = traced.parent(index).filter(|_| ray.is(&Kind::Shadow)) else { continue };
+        let Some(parent) = traced.parent(index).filter(|_| ray.is(&Purpose::Shadow)) else {
+            continue;
+        };
         let length = ray.direction.length();
         if !(ray.origin.is_finite() && length.is_finite() && length > 0.0) {
             continue;

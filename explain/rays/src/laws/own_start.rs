@@ -1,6 +1,6 @@
 use super::geometry::leaving;
-use super::{Asked, Law};
-use crate::log::Kind;
+use super::{LawReport, RayLaw};
+use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::printable::name;
 use text::digits::short;
@@ -10,7 +10,7 @@ const ROUNDINGS: f64 = 4096.0;
 /// The part of a usual ray's length that is too near for anything else.
 const NEAR: f64 = 1e-6;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "not-its-own-start",
     says: "a ray does not meet the surface that it starts on, where it leaves that surface (acne)",
     needs: &["t", "normal of its parent"],
@@ -21,13 +21,13 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     for it in leaving(traced) {
         let (Some(facing), Some(kind)) = (it.facing(), &it.ray.kind) else { continue };
         let cos = facing.dot(it.leaving);
-        let leaves = if *kind == Kind::Transmitted { -cos } else { cos };
+        let leaves = if *kind == Purpose::Transmitted { -cos } else { cos };
         // a lamp behind the surface is rightly hidden by it
-        if leaves <= 1e-3 || *kind == Kind::Camera {
+        if leaves <= 1e-3 || *kind == Purpose::Camera {
             continue;
         }
         let end = it.ray.t.map(|t| (traced.along(it.ray, t) - it.ray.origin).length());

@@ -1,11 +1,11 @@
 use super::weight::{is_finite, is_near};
-use super::{Asked, Law};
+use super::{LawReport, RayLaw};
 use crate::log::Ray;
 use crate::traced::Traced;
 use groundtruth::rgb::Rgb;
 use text::digits::three;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "radiance",
     says: "the radiance of a ray is what is emitted at its hit, the direct light there, and what its children bring: weight · radiance each",
     needs: &[
@@ -33,7 +33,7 @@ struct Parts {
     children: Vec<(Rgb, Rgb)>,
 }
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 8.0 * traced.tolerance();
     let has_shadow_rays = direct_has_shadow_rays(traced, tolerance);
     for (index, ray) in traced.log.rays.iter().enumerate() {

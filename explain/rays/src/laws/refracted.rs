@@ -2,8 +2,8 @@ use std::collections::HashMap;
 use std::sync::Arc;
 
 use super::geometry::{Leaving, is_near, leaving, refracted};
-use super::{Asked, Law};
-use crate::log::Kind;
+use super::{LawReport, RayLaw};
+use crate::log::Purpose;
 use crate::traced::{Traced, median};
 use groundtruth::math::{Vector, atan2, to_degrees};
 use text::digits::short;
@@ -11,7 +11,7 @@ use text::digits::short;
 /// Sines below this say nothing of the ratio of indices.
 const STEEP: f64 = 1e-2;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "snell",
     says: "a transmitted ray is the arriving one refracted by Snell's law: the sines to the normal are as the indices, in one plane",
     needs: &["kind", "normal of its parent"],
@@ -25,9 +25,9 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let usual = usual_ratios(traced);
-    for it in leaving(traced).filter(|it| it.ray.is(&Kind::Transmitted)) {
+    for it in leaving(traced).filter(|it| it.ray.is(&Purpose::Transmitted)) {
         let Some(facing) = it.facing() else { continue };
         let Some(ratio) = ratio(traced, &it, &usual) else { continue };
         // the cosine behind is a root: its error grows as it falls
@@ -93,7 +93,7 @@ fn ratio(traced: &Traced, it: &Leaving<'_>, usual: &HashMap<Option<Arc<str>>, f6
 fn usual_ratios(traced: &Traced) -> HashMap<Option<Arc<str>>, f64> {
     let mut ratios: HashMap<Option<Arc<str>>, Vec<f64>> = HashMap::new();
     let entering = leaving(traced)
-        .filter(|it| it.ray.is(&Kind::Transmitted) && it.is_inside(traced) == Some(false));
+        .filter(|it| it.ray.is(&Purpose::Transmitted) && it.is_inside(traced) == Some(false));
     for it in entering {
         let seen = it.normal().and_then(|normal| {
             let [front, behind] = [it.arriving, it.leaving].map(|v| v.cross(normal).length());

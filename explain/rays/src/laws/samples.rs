@@ -1,12 +1,12 @@
 use std::collections::HashMap;
 
 use super::geometry::leaving;
-use super::{Asked, Law};
-use crate::log::Kind;
+use super::{LawReport, RayLaw};
+use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::Vector;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "samples-differ",
     says: "random directions differ from sample to sample, from pixel to pixel and from bounce to bounce",
     needs: &[
@@ -26,9 +26,11 @@ const SAME: f64 = 1e-7;
 /// Fewer rays may agree by accident.
 const FEW: usize = 8;
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let mut drawn: Vec<(f64, usize, usize)> = Vec::new();
-    for it in leaving(traced).filter(|it| matches!(it.ray.kind, Some(Kind::Diffuse | Kind::Path))) {
+    for it in
+        leaving(traced).filter(|it| matches!(it.ray.kind, Some(Purpose::Diffuse | Purpose::Path)))
+    {
         let Some(facing) = it.facing() else { continue };
         let depth = std::iter::successors(Some(it.index), |&at| traced.parents[at]).count();
         drawn.push((facing.dot(it.leaving), it.index, depth));

@@ -2,8 +2,8 @@ use std::collections::BTreeMap;
 
 use super::geometry::{Leaving, leaving};
 use super::weight::is_finite;
-use super::{Asked, Law};
-use crate::log::Kind;
+use super::{LawReport, RayLaw};
+use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::lobes::fresnel;
 use groundtruth::rgb::Rgb;
@@ -14,7 +14,7 @@ const NEAR: f64 = 1e-2;
 /// Sines below this say nothing of the ratio of indices.
 const STEEP: f64 = 1e-2;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "shares",
     says: "a reflected and a transmitted ray share the light of their hit: without the factor 1/η² of radiance their weights are 1 together, or less",
     needs: &["weight of a reflected and a transmitted ray of one hit", "normal"],
@@ -26,12 +26,12 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let mut pairs: BTreeMap<usize, [Option<Leaving<'_>>; 2]> = BTreeMap::new();
     for it in leaving(traced) {
         let place = match it.ray.kind {
-            Some(Kind::Reflected) => 0,
-            Some(Kind::Transmitted) => 1,
+            Some(Purpose::Reflected) => 0,
+            Some(Purpose::Transmitted) => 1,
             _ => continue,
         };
         pairs.entry(it.from).or_default()[place].get_or_insert(it);
@@ -48,7 +48,7 @@ fn check(traced: &Traced, asked: &mut Asked) {
 
 fn judge(
     traced: &Traced,
-    asked: &mut Asked,
+    asked: &mut LawReport,
     through: &Leaving<'_>,
     index: usize,
     [reflected, transmitted]: [Rgb; 2],

@@ -1,10 +1,10 @@
 use super::geometry::leaving;
-use super::{Asked, Law};
-use crate::log::Kind;
+use super::{LawReport, RayLaw};
+use crate::log::Purpose;
 use crate::traced::Traced;
 use text::digits::short;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "right-side",
     says: "scattered rays leave to the viewer's side of a surface, transmitted ones to the other",
     needs: &["kind", "normal of its parent"],
@@ -16,18 +16,18 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     // whether directions below and above are as frequent: drawn over the whole sphere
     let sides: Vec<bool> = leaving(traced)
-        .filter(|it| it.ray.is(&Kind::Diffuse))
+        .filter(|it| it.ray.is(&Purpose::Diffuse))
         .filter_map(|it| Some(it.facing()?.dot(it.leaving) < 0.0))
         .collect();
     let below = sides.iter().filter(|below| **below).count();
     let is_sphere = sides.len() >= 20 && (2 * below).abs_diff(sides.len()) < sides.len() / 2;
     for it in leaving(traced) {
         let should_pass = match it.ray.kind {
-            Some(Kind::Diffuse | Kind::Glossy) => false,
-            Some(Kind::Transmitted) => true,
+            Some(Purpose::Diffuse | Purpose::Glossy) => false,
+            Some(Purpose::Transmitted) => true,
             _ => continue,
         };
         let (Some(facing), Some(normal)) = (it.facing(), it.normal()) else { continue };

@@ -1,7 +1,7 @@
 use std::collections::HashMap;
 
 use super::geometry::{Leaving, leaving};
-use super::{Asked, Law};
+use super::{LawReport, RayLaw};
 use crate::traced::Traced;
 use groundtruth::math::Vector;
 use text::digits::short;
@@ -11,7 +11,7 @@ const TOO_LARGE: f64 = 3e-2;
 /// Above this part it is no offset at all.
 const ELSEWHERE: f64 = 0.3;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "starts-at-hit",
     says: "a ray starts where the ray that sent it ended, or a little off the surface on the side to which it goes",
     needs: &["point or t of its parent"],
@@ -24,7 +24,7 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let elsewhere: Vec<Leaving<'_>> =
         leaving(traced).filter(|it| away(traced, it).length() > it.slack(traced)).collect();
     // the first of each object

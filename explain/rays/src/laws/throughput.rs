@@ -1,10 +1,10 @@
 use super::weight::{is_finite, is_near};
-use super::{Asked, Law};
+use super::{LawReport, RayLaw};
 use crate::traced::Traced;
 use groundtruth::rgb::Rgb;
 use text::digits::three;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "throughput",
     says: "the throughput of a ray is the product of all weights from the camera to it",
     needs: &["throughput", "weight"],
@@ -17,7 +17,7 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 4.0 * traced.tolerance();
     for (index, parent) in traced.pairs() {
         let (ray, from) = (&traced.ray(index).factors, &traced.ray(parent).factors);

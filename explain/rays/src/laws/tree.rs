@@ -1,7 +1,7 @@
-use super::{Asked, Law};
+use super::{LawReport, RayLaw};
 use crate::traced::{Orphan, Traced};
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "tree",
     says: "rays are a tree: each has one sender in its sample, which hit something",
     needs: &[],
@@ -14,10 +14,10 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     asked.rays = traced.log.rays.len();
     let mut find = |ray: usize, cause: usize, words: String| {
-        asked.findings.push(super::Finding { ray, words, causes: 1 << cause, follows: None });
+        asked.findings.push(super::BrokenRay { ray, words, causes: 1 << cause, follows: None });
     };
     for orphan in &traced.orphans {
         match *orphan {

@@ -1,10 +1,10 @@
-use super::{Asked, Law};
+use super::{LawReport, RayLaw};
 use crate::traced::{Traced, size};
 use groundtruth::math::{self, Span, Vector, atan2, to_degrees};
 use groundtruth::world::{Hit, World};
 use text::digits::short;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "true-normal",
     says: "the normal of a hit is that of the surface there",
     needs: &["objects or a scene", "normal"],
@@ -12,7 +12,7 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
     for (index, ray) in traced.log.rays.iter().enumerate() {
         let (Some(normal), Some(end)) =

@@ -1,13 +1,13 @@
 use std::f64::consts::PI;
 
 use super::geometry::leaving;
-use super::{Asked, Law};
+use super::{LawReport, RayLaw};
 use crate::log::Factors;
 use crate::traced::Traced;
 use groundtruth::rgb::Rgb;
 use text::digits::three;
 
-pub const LAW: Law = Law {
+pub const LAW: RayLaw = RayLaw {
     name: "weight",
     says: "the weight of a ray is f · cos / (pdf · choice) · mis, of those factors that it has",
     needs: &["weight", "f"],
@@ -25,7 +25,7 @@ pub const LAW: Law = Law {
     check,
 };
 
-fn check(traced: &Traced, asked: &mut Asked) {
+fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 2.0 * traced.tolerance();
     let geometric: std::collections::HashMap<usize, f64> = leaving(traced)
         .filter_map(|it| Some((it.index, it.facing()?.dot(it.leaving).abs())))

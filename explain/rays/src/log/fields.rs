@@ -9,7 +9,7 @@ use groundtruth::rgb::Rgb;
 use serde::de::{self, Deserialize, Deserializer, IgnoredAny, MapAccess, SeqAccess, Visitor};
 use serde_json::{Map, Value};
 
-use super::{Id, Kind, Ray};
+use super::{Id, Purpose, Ray};
 use text::loose::not_finite;
 
 /// A line of a log: which of its records it is follows from the names of its fields.
@@ -177,7 +177,7 @@ impl Line {
             "parent" => ray.parent = map.next_value()?,
             "kind" | "type" => {
                 let word = map.next_value::<Option<Cow<'_, str>>>()?;
-                ray.kind = word.map(|word| Kind::of(&word));
+                ray.kind = word.map(|word| Purpose::of(&word));
             }
             "t" => ray.t = number(map)?,
             "end" | "tmax" => ray.end = number(map)?,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 /// The purpose of a ray.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Kind {
+pub enum Purpose {
     /// From the eye.
     Camera,
     /// Mirrored.
@@ -26,7 +26,7 @@ pub enum Kind {
     Other(Arc<str>),
 }
 
-impl Kind {
+impl Purpose {
     /// The purpose that this word means.
     pub fn of(word: &str) -> Self {
         match word.to_ascii_lowercase().as_str() {
@@ -43,7 +43,7 @@ impl Kind {
     }
 }
 
-impl fmt::Display for Kind {
+impl fmt::Display for Purpose {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(match self {
             Self::Camera => "camera",

@@ -12,7 +12,7 @@ use groundtruth::rgb::Rgb;
 use serde_json::{Map, Value};
 
 pub use digits::Digits;
-pub use kind::Kind;
+pub use kind::Purpose;
 pub use read::{Damaged, LogError, MAX_RAYS, read};
 
 /// A log as it was written, a record for each of its lines.
@@ -85,7 +85,7 @@ pub struct Ray {
     /// What the log calls the ray that sent it.
     pub parent: Option<Id>,
     /// Its purpose.
-    pub kind: Option<Kind>,
+    pub kind: Option<Purpose>,
     /// Where it starts.
     pub origin: Point,
     /// Where it goes; of any length.
@@ -166,11 +166,11 @@ impl Ray {
 
     /// Whether it looks for what is in the way to a lamp or around a point.
     pub fn is_shadow(&self) -> bool {
-        matches!(self.kind, Some(Kind::Shadow | Kind::Occlusion))
+        matches!(self.kind, Some(Purpose::Shadow | Purpose::Occlusion))
     }
 
     /// Whether its kind is this one.
-    pub fn is(&self, kind: &Kind) -> bool {
+    pub fn is(&self, kind: &Purpose) -> bool {
         self.kind.as_ref() == Some(kind)
     }
 }

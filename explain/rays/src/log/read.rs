@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use serde_json::{Map, Value};
 
 use super::fields::Line;
-use super::{Head, Kind, Log, Named, Precision, Ray};
+use super::{Head, Log, Named, Precision, Purpose, Ray};
 use groundtruth::printable;
 use text::loose::quoted;
 
@@ -155,7 +155,7 @@ fn record(line: &[u8], number: usize) -> Result<Record, String> {
     let mut read = read.map_err(|e| printable::text(&e.to_string()))?;
     read.ray.line = number;
     if read.ray.kind.is_none() && (read.ray.light.is_some() || read.ray.end.is_some()) {
-        read.ray.kind = Some(Kind::Shadow);
+        read.ray.kind = Some(Purpose::Shadow);
     }
     match (read.has_origin, read.has_direction) {
         (true, true) => Ok(Record::Ray(Box::new(read.ray))),

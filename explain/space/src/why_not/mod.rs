@@ -54,7 +54,7 @@ pub struct WhyNot {
     pub light: Option<String>,
     /// The answer.
     #[serde(flatten)]
-    pub answer: Answer,
+    pub answer: WhyNotAnswer,
     /// Where the ray meets the object or, if something is before it or it is switched off, would meet it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub meets: Option<Meeting>,
@@ -95,7 +95,7 @@ pub struct Ended {
 /// Why a ray does not hit an object, or that it does.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "answer", rename_all = "snake_case")]
-pub enum Answer {
+pub enum WhyNotAnswer {
     /// It hits it.
     Hits {
         /// Whether on the side that the normal points to.
@@ -231,10 +231,12 @@ impl Cast<'_> {
         let ended = self.ended();
         let answer = self.reason(world, object, first.as_ref(), ended.as_ref());
         let meets = match &answer {
-            Answer::Hits { .. } | Answer::Blocks => ended.as_ref().map(|ended| ended.at),
+            WhyNotAnswer::Hits { .. } | WhyNotAnswer::Blocks => {
+                ended.as_ref().map(|ended| ended.at)
+            }
             _ => first.as_ref().map(|hit| meeting(ray, hit.t, hit)),
         };
-        let is_apart = meets.is_none() && answer != Answer::StartsOnIt;
+        let is_apart = meets.is_none() && answer != WhyNotAnswer::StartsOnIt;
         let beside = Beside { world, object, ray: *ray, end: self.end };
         WhyNot {
             object: self.name.to_owned(),
@@ -280,13 +282,13 @@ impl Cast<'_> {
         object: &PlacedObject,
         first: Option<&Hit<'_>>,
         ended: Option<&Ended>,
-    ) -> Answer {
+    ) -> WhyNotAnswer {
         match self.ray.outcome {
-            _ if self.ray.blocked_by.as_deref() == Some(self.name) => Answer::Blocks,
+            _ if self.ray.blocked_by.as_deref() == Some(self.name) => WhyNotAnswer::Blocks,
             Outcome::Hit if meets(self.ray, self.name) => self.hit(),
-            _ if !self.is_on => Answer::SwitchedOff,
-            Outcome::TooDeep => Answer::NotCast { is_too_deep: true },
-            Outcome::OverBudget => Answer::NotCast { is_too_deep: false },
+            _ if !self.is_on => WhyNotAnswer::SwitchedOff,
+            Outcome::TooDeep => WhyNotAnswer::NotCast { is_too_deep: true },
+            Outcome::OverBudget => WhyNotAnswer::NotCast { is_too_deep: false },
             _ => match first {
                 None => self.missed(world, object),
                 Some(first) if self.ray.light.is_some() => {
@@ -296,54 +298,54 @@ impl Cast<'_> {
                         .collect();
                     self.shadow(first, &hits, ended)
                 }
-                Some(_) if ended.is_some() => Answer::BeyondHit,
-                Some(_) => Answer::Touches,
+                Some(_) if ended.is_some() => WhyNotAnswer::BeyondHit,
+                Some(_) => WhyNotAnswer::Touches,
             },
         }
     }
 
-    fn hit(&self) -> Answer {
+    fn hit(&self) -> WhyNotAnswer {
         let hit = self.ray.hit.as_ref().expect("the ray hits something");
         let material = self.question.world.materials.iter().find(|it| it.name == hit.material);
         let is_one_sided = material.is_some_and(|it| !it.two_sided && !it.recipe.transmits());
-        Answer::Hits { front: hit.front, is_dark_back: !hit.front && is_one_sided }
+        WhyNotAnswer::Hits { front: hit.front, is_dark_back: !hit.front && is_one_sided }
     }
 
     /// Why an object ahead did not block the shadow ray. `hits` are those before the light.
-    fn shadow(&self, first: &Hit<'_>, hits: &[Hit<'_>], ended: Option<&Ended>) -> Answer {
+    fn shadow(&self, first: &Hit<'_>, hits: &[Hit<'_>], ended: Option<&Ended>) -> WhyNotAnswer {
         if first.t >= self.end - AT_LIGHT {
-            return Answer::BeyondLight;
+            return WhyNotAnswer::BeyondLight;
         }
         let casts = hits.iter().any(Hit::casts_shadow);
         let lets_through = hits.iter().all(|hit| !hit.casts_shadow() || self.lets_through(hit));
         let lamps = &self.question.world.lights;
         let light = lamps.iter().find(|light| Some(&*light.name) == self.ray.light.as_deref());
         match ended {
-            Some(ended) if ended.at.t < first.t => Answer::BeyondBlocker,
-            None if light.is_some_and(|light| !light.shadows) => Answer::LightCastsNone,
-            _ if !casts => Answer::CastsNone,
-            _ if lets_through => Answer::LetsThrough,
-            Some(_) => Answer::AlsoBlocks,
-            None => Answer::Touches,
+            Some(ended) if ended.at.t < first.t => WhyNotAnswer::BeyondBlocker,
+            None if light.is_some_and(|light| !light.shadows) => WhyNotAnswer::LightCastsNone,
+            _ if !casts => WhyNotAnswer::CastsNone,
+            _ if lets_through => WhyNotAnswer::LetsThrough,
+            Some(_) => WhyNotAnswer::AlsoBlocks,
+            None => WhyNotAnswer::Touches,
         }
     }
 
     /// Why the ray meets nothing of the object.
-    fn missed(&self, world: &World, object: &PlacedObject) -> Answer {
+    fn missed(&self, world: &World, object: &PlacedObject) -> WhyNotAnswer {
         let Self { ray, parent, .. } = self;
         if parent.is_some_and(|parent| meets(parent, self.name)) {
-            return Answer::StartsOnIt;
+            return WhyNotAnswer::StartsOnIt;
         }
         if let Some((whole, at)) = self.whole() {
-            return Answer::OutsidePart { whole, at };
+            return WhyNotAnswer::OutsidePart { whole, at };
         }
         let backward = Ray::new(ray.ray.origin, -ray.ray.direction);
         match world.hit_of(object, &backward, Span::AHEAD) {
             Some(hit) => {
                 let Meeting { t, distance, point } = meeting(&backward, hit.t, &hit);
-                Answer::Behind { at: Meeting { t: -t, distance, point } }
+                WhyNotAnswer::Behind { at: Meeting { t: -t, distance, point } }
             }
-            None => Answer::Passes,
+            None => WhyNotAnswer::Passes,
         }
     }
 

@@ -5,7 +5,7 @@ use groundtruth::math::Point;
 use groundtruth::printable::name;
 use groundtruth::trace::RayKind;
 
-use super::{Answer, Meeting, WhyNot};
+use super::{Meeting, WhyNot, WhyNotAnswer};
 
 impl WhyNot {
     /// The answer in one sentence.
@@ -13,32 +13,34 @@ impl WhyNot {
         let (ray, object) = (self.subject(), quoted(&self.object));
         let distance = self.meets.map_or(String::new(), |at| brief(at.distance));
         capital(&match &self.answer {
-            Answer::Hits { front: true, .. } => format!("{ray} hits {object} after {distance}."),
-            Answer::Hits { is_dark_back: false, .. } => {
+            WhyNotAnswer::Hits { front: true, .. } => {
+                format!("{ray} hits {object} after {distance}.")
+            }
+            WhyNotAnswer::Hits { is_dark_back: false, .. } => {
                 format!("{ray} hits the back of {object} after {distance}.")
             }
-            Answer::Hits { .. } => format!(
+            WhyNotAnswer::Hits { .. } => format!(
                 "{ray} hits {object} after {distance}, but on its back, and the material is one-sided: its back \
                  scatters nothing."
             ),
-            Answer::Blocks => format!("{object} blocks {ray} after {distance}."),
-            Answer::NotCast { is_too_deep: true } => {
+            WhyNotAnswer::Blocks => format!("{object} blocks {ray} after {distance}."),
+            WhyNotAnswer::NotCast { is_too_deep: true } => {
                 format!("{ray} was not cast: it is beyond the largest depth (max_depth).")
             }
-            Answer::NotCast { is_too_deep: false } => {
+            WhyNotAnswer::NotCast { is_too_deep: false } => {
                 format!("{ray} was not cast: the limit on the number of rays was reached.")
             }
-            Answer::AlsoBlocks => {
+            WhyNotAnswer::AlsoBlocks => {
                 let other = self.ended.as_ref().map_or(String::new(), |it| quoted(&it.object));
                 format!(
                     "{object} is in the way of {ray} too, after {distance}; {other} was found first, and one object is \
                      enough."
                 )
             }
-            Answer::StartsOnIt => {
+            WhyNotAnswer::StartsOnIt => {
                 format!("{ray} starts on {object}, leaves it and does not meet it again.")
             }
-            Answer::Passes => {
+            WhyNotAnswer::Passes => {
                 format!("{ray} does not hit {object}: it passes it{}.", self.passes())
             }
             _ => format!("{ray} does not hit {object}: {}.", self.why(&distance)),
@@ -50,28 +52,28 @@ impl WhyNot {
         let light = self.light.as_deref().map(quoted).unwrap_or_default();
         let in_the_way = format!("it is in the way after {distance}, but");
         match &self.answer {
-            Answer::SwitchedOff => format!("it is switched off; {}", self.if_on()),
-            Answer::BeyondHit => self.order("is met"),
-            Answer::BeyondBlocker => {
+            WhyNotAnswer::SwitchedOff => format!("it is switched off; {}", self.if_on()),
+            WhyNotAnswer::BeyondHit => self.order("is met"),
+            WhyNotAnswer::BeyondBlocker => {
                 format!("{}. What is beyond adds no more shadow", self.order("blocks it"))
             }
-            Answer::BeyondLight => {
+            WhyNotAnswer::BeyondLight => {
                 format!("the light {light} is before it; beyond, it would be met after {distance}")
             }
-            Answer::LightCastsNone => {
+            WhyNotAnswer::LightCastsNone => {
                 format!("{in_the_way} nothing casts shadows in the light {light} (shadows = false)")
             }
-            Answer::CastsNone => {
+            WhyNotAnswer::CastsNone => {
                 format!("{in_the_way} it or its material casts no shadows (casts_shadows = false)")
             }
-            Answer::LetsThrough => format!(
+            WhyNotAnswer::LetsThrough => format!(
                 "{in_the_way} transparent, and shadow rays go through (transparency.shadows = \"attenuated\")"
             ),
-            Answer::OutsidePart { whole, at } => format!(
+            WhyNotAnswer::OutsidePart { whole, at } => format!(
                 "it is a part of a larger surface; the {whole} is met after {}, outside the part",
                 brief(at.distance)
             ),
-            Answer::Behind { at } => format!(
+            WhyNotAnswer::Behind { at } => format!(
                 "it is behind the origin of the ray, whose line meets it at {} behind",
                 brief(at.distance)
             ),
@@ -88,7 +90,7 @@ impl WhyNot {
             let [t, distance] = [at.t, at.distance].map(brief);
             format!("{words} at t {t}, distance {distance}, point {}", shown(at.point))
         };
-        let ends_there = matches!(self.answer, Answer::Hits { .. } | Answer::Blocks);
+        let ends_there = matches!(self.answer, WhyNotAnswer::Hits { .. } | WhyNotAnswer::Blocks);
         if let Some(at) = &self.meets {
             let word = if ends_there { "meets" } else { "would meet" };
             lines.push(met(&format!("{word} {}", quoted(&self.object)), at));
@@ -100,8 +102,10 @@ impl WhyNot {
             lines.push(format!("distance of the two points {distance}"));
         }
         match &self.answer {
-            Answer::OutsidePart { whole, at } => lines.push(met(&format!("meets its {whole}"), at)),
-            Answer::Behind { at } => lines.push(met("its line meets it", at)),
+            WhyNotAnswer::OutsidePart { whole, at } => {
+                lines.push(met(&format!("meets its {whole}"), at))
+            }
+            WhyNotAnswer::Behind { at } => lines.push(met("its line meets it", at)),
             _ => {}
         }
         if let Some(ended) = self.ended.as_ref().filter(|_| !ends_there) {

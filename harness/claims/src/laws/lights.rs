@@ -6,7 +6,7 @@ use serde_json::Value;
 
 use super::pairs::{self, Equality};
 use super::{Breach, Finding, apart, negative};
-use crate::description::Sampling;
+use crate::description::SamplingClaim;
 use crate::light::{LightCase, LightSample};
 use crate::measured::UNITS;
 use crate::naming::{Given, LIGHTS};
@@ -214,7 +214,7 @@ pub fn distance(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Stop> {
     let Some(first) = here.first().copied() else { return Ok(unlit()) };
     let mut pairs = Vec::new();
     for (it, here) in samples.iter().zip(here) {
-        if case.claims.sampling == Some(Sampling::SolidAngle) {
+        if case.claims.sampling == Some(SamplingClaim::SolidAngle) {
             let slack = here.pdf_slack + first.pdf_slack;
             let (found, expected) = (here.value.pdf, first.value.pdf);
             pairs.push(Equality { given: it.given(), u: it.u, found, expected, slack });
@@ -233,7 +233,7 @@ pub fn distance(case: &mut LightCase<'_>, _: usize) -> Result<Finding, Stop> {
         });
     }
     let words = match case.claims.sampling {
-        Some(Sampling::SolidAngle) => ["the pdf", "the pdf in another direction"],
+        Some(SamplingClaim::SolidAngle) => ["the pdf", "the pdf in another direction"],
         _ => ["the pdf at a share d of the distance", "d² times the pdf"],
     };
     Ok(equal(case, &pairs, words))

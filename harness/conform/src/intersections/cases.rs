@@ -4,7 +4,7 @@ use ask::{Draw, triple};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::question::Question;
+use super::question::IntersectQuestion;
 use exact::backward_error;
 use groundtruth::math::{Point, Vector};
 use groundtruth::shapes;
@@ -95,7 +95,7 @@ pub fn all_roots(index: usize, question: &mut Value) {
 
 /// The exact `t` of the nearest hit.
 fn first_root(question: &Value) -> Option<f64> {
-    Some(Question::of(question)?.answer()?.roots.first()?.t)
+    Some(IntersectQuestion::of(question)?.answer()?.roots.first()?.t)
 }
 
 /// A segment that ends before or behind what it is aimed at.

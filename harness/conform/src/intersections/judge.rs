@@ -7,14 +7,14 @@ use super::super::judgement::{Judgement, Profile, Wrong, first_wrong};
 use super::super::mistakes::{self, Mistake, clues};
 use super::names;
 use super::other_shapes::of_other_shapes;
-use super::question::Question;
+use super::question::IntersectQuestion;
 use exact::backward_error;
 use groundtruth::math::{UNIT_ROUNDOFF, Vector};
 use oracle::{Root, Shape};
 
 /// Whether something is in the way.
 pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    let Some(question) = Question::of(question) else { return Judgement::Undecided };
+    let Some(question) = IntersectQuestion::of(question) else { return Judgement::Undecided };
     let Some(exact) = question.answer() else { return Judgement::Undecided };
     if !question.is_decided(&exact, profile) {
         return Judgement::Undecided;
@@ -38,7 +38,7 @@ pub fn judge(asked: &Value, answer: &Value, profile: Profile) -> Judgement {
 }
 
 fn hits(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    let Some(parsed) = Question::of(question) else { return Judgement::Undecided };
+    let Some(parsed) = IntersectQuestion::of(question) else { return Judgement::Undecided };
     let Some(exact) = parsed.answer() else { return Judgement::Undecided };
     if !parsed.is_decided(&exact, profile) {
         return Judgement::Undecided;
@@ -62,7 +62,7 @@ fn hits(question: &Value, answer: &Value, profile: Profile) -> Judgement {
 }
 
 /// Too many hits, or too few.
-fn miscounted(question: &Question, theirs: &[&Value], right: &[Root]) -> Judgement {
+fn miscounted(question: &IntersectQuestion, theirs: &[&Value], right: &[Root]) -> Judgement {
     let listed = |root: &Root| format!("t = {:?}, normal {:?}", root.t, root.normal);
     let expected = match right {
         [] => "null".to_owned(),
@@ -78,7 +78,12 @@ fn miscounted(question: &Question, theirs: &[&Value], right: &[Root]) -> Judgeme
     Judgement::wrong(symptom, f64::INFINITY, expected).with(found)
 }
 
-fn judge_hit(question: &Question, hit: &Value, root: &Root, profile: Profile) -> Judgement {
+fn judge_hit(
+    question: &IntersectQuestion,
+    hit: &Value,
+    root: &Root,
+    profile: Profile,
+) -> Judgement {
     let t = match hit.get("t").map(number) {
         Some(Some(t)) if !t.is_nan() => t,
         given => {
@@ -130,7 +135,12 @@ fn three(value: &Value) -> Option<[f64; 3]> {
     triple(value).filter(|three| three.iter().all(|x| !x.is_nan()))
 }
 
-fn judge_normal(question: &Question, hit: &Value, root: &Root, profile: Profile) -> Judgement {
+fn judge_normal(
+    question: &IntersectQuestion,
+    hit: &Value,
+    root: &Root,
+    profile: Profile,
+) -> Judgement {
     let right = root.normal;
     let expected = format!("normal {right:?}");
     if hit.get("normal").is_none() {
@@ -173,7 +183,7 @@ fn judge_normal(question: &Question, hit: &Value, root: &Root, profile: Profile)
 
 /// The error of a normal in u·cond, and the error allowed; `None` at an edge.
 fn normal_error(
-    question: &Question,
+    question: &IntersectQuestion,
     root: &Root,
     normal: [f64; 3],
     profile: Profile,
@@ -214,7 +224,7 @@ fn condition_of_edges(shape: &Shape) -> Option<f64> {
     Some(2.0 * (a * b + v * (a + b)) / cross)
 }
 
-fn judge_front(question: &Question, hit: &Value, root: &Root) -> Judgement {
+fn judge_front(question: &IntersectQuestion, hit: &Value, root: &Root) -> Judgement {
     let Some(front) = hit.get("front") else { return Judgement::Right(0.0) };
     let faces = |normal: [f64; 3]| names::dot(normal, question.ray.direction) < 0.0;
     let right = faces(root.normal);
@@ -227,7 +237,12 @@ fn judge_front(question: &Question, hit: &Value, root: &Root) -> Judgement {
 }
 
 /// The point is on the ray at `t`: as far off as `t` may be, and the rounding of its coordinates.
-fn judge_point(question: &Question, hit: &Value, root: &Root, profile: Profile) -> Judgement {
+fn judge_point(
+    question: &IntersectQuestion,
+    hit: &Value,
+    root: &Root,
+    profile: Profile,
+) -> Judgement {
     let Some(point) = hit.get("point") else { return Judgement::Right(0.0) };
     let oracle::Ray { origin, direction } = question.ray;
     let right: [f64; 3] = std::array::from_fn(|i| origin[i] + root.t * direction[i]);

@@ -1,6 +1,6 @@
 //! A question in the coordinates of the innermost shape.
 
-use super::question::Question;
+use super::question::IntersectQuestion;
 use groundtruth::math::{Normal, Point, Ray, Transform, Vector};
 use groundtruth::shapes::Kind;
 use oracle::{Root, Shape};
@@ -16,7 +16,7 @@ pub struct Local<'a> {
 
 impl<'a> Local<'a> {
     /// `None` if a transformation has no inverse.
-    pub fn of(question: &'a Question) -> Option<Self> {
+    pub fn of(question: &'a IntersectQuestion) -> Option<Self> {
         let [origin, direction] = [question.ray.origin, question.ray.direction];
         let mut local = Self {
             kind: &question.kind,

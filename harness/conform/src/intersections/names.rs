@@ -6,14 +6,14 @@ use super::super::mistakes::{self as m, Mistake, clues, same};
 use super::super::probe::ours;
 use super::formulas;
 use super::local::Local;
-use super::question::Question;
+use super::question::IntersectQuestion;
 use groundtruth::math::{Normal, Transform, Vector};
 use oracle::{Root, Shape, Solid};
 
 type Clues = Vec<&'static Mistake>;
 
 /// What explains hits where there are none, none where there are some, and another number of hits.
-pub fn of_count(question: &Question, theirs: &[&Value], right: &[Root]) -> Clues {
+pub fn of_count(question: &IntersectQuestion, theirs: &[&Value], right: &[Root]) -> Clues {
     let theirs: Vec<f64> = theirs.iter().filter_map(|hit| hit["t"].as_f64()).collect();
     let line = roots_of_line(question);
     let mut found = if theirs.is_empty() { vec![&m::MISSED] } else { Vec::new() };
@@ -50,7 +50,7 @@ const NOT_SET: [f64; 12] =
     [0.0, 1e6, 1e7, 1e8, 1e9, 1e10, 1e20, 1e30, 1e38, 1e300, f64::MAX, f64::INFINITY];
 
 /// What explains the distance of a hit.
-pub fn of_t(question: &Question, t: f64, root: &Root) -> Clues {
+pub fn of_t(question: &IntersectQuestion, t: f64, root: &Root) -> Clues {
     let mut found = clues(&[t], &[root.t]);
     let line = roots_of_line(question);
     let is = |other: f64| same(&[t], &[other]) && !same(&[root.t], &[other]);
@@ -80,7 +80,7 @@ pub fn of_t(question: &Question, t: f64, root: &Root) -> Clues {
 }
 
 /// What explains a normal.
-pub fn of_normal(question: &Question, normal: [f64; 3], root: &Root) -> Clues {
+pub fn of_normal(question: &IntersectQuestion, normal: [f64; 3], root: &Root) -> Clues {
     let right = root.normal;
     let mut found = clues(&normal, &right);
     if is_turned(question, normal, root) {
@@ -108,7 +108,7 @@ pub fn of_normal(question: &Question, normal: [f64; 3], root: &Root) -> Clues {
 }
 
 /// Whether a normal is the right one turned to the viewer.
-pub fn is_turned(question: &Question, normal: [f64; 3], root: &Root) -> bool {
+pub fn is_turned(question: &IntersectQuestion, normal: [f64; 3], root: &Root) -> bool {
     let right = root.normal;
     same(&normal, &right.map(|x| -x)) && dot(right, question.ray.direction) > 0.0
 }
@@ -125,7 +125,7 @@ pub fn is_turned_by_the_book(shape: &Shape) -> bool {
 }
 
 /// What explains an occluder where none is between the ends.
-pub fn of_occlusion(question: &Question) -> Clues {
+pub fn of_occlusion(question: &IntersectQuestion) -> Clues {
     let is_beyond = roots_of_line(question).iter().any(|t| *t > 1.0);
     if is_beyond { vec![&m::SHADOW_RAYS_WITHOUT_END] } else { Vec::new() }
 }
@@ -152,7 +152,7 @@ fn behind(t: f64, line: &[f64]) -> Option<&'static Mistake> {
 
 /// Whether theirs are the hits ahead, of a question that asks for others. A root that is 0 up to rounding, where the
 /// ray starts on the surface, is one of them or not.
-fn ignores_span(question: &Question, theirs: &[f64], line: &[f64]) -> bool {
+fn ignores_span(question: &IntersectQuestion, theirs: &[f64], line: &[f64]) -> bool {
     let [min, max] = question.span;
     let is_asked = |t: &f64| min < *t && *t < max;
     let size = if min.is_finite() { min } else { 0.0 };
@@ -169,7 +169,7 @@ fn ignores_span(question: &Question, theirs: &[f64], line: &[f64]) -> bool {
 /// where it has no root in the span. The ray is that in the sphere's coordinates, if it is in an instance.
 ///
 /// Source: Suffern, ch. 3, with `b = (o − c)·d` and `c = |o − c|² − r²`.
-fn without_square_of_direction(question: &Question) -> Option<Option<f64>> {
+fn without_square_of_direction(question: &IntersectQuestion) -> Option<Option<f64>> {
     let local = Local::of(question)?;
     let Shape::Sphere { center, radius } = *local.shape else { return None };
     let d = local.ray.direction;
@@ -181,7 +181,7 @@ fn without_square_of_direction(question: &Question) -> Option<Option<f64>> {
 }
 
 /// All `t` of the whole line.
-fn roots_of_line(question: &Question) -> Vec<f64> {
+fn roots_of_line(question: &IntersectQuestion) -> Vec<f64> {
     let line = json!({"intersect": {
         "shape": question.kind,
         "ray": {"origin": question.ray.origin, "direction": question.ray.direction},

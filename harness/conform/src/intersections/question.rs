@@ -12,7 +12,7 @@ use groundtruth::shapes::{self, Instance};
 use oracle::{Answer, Root};
 
 /// A ray and a shape, for the library and for the oracle.
-pub struct Question {
+pub struct IntersectQuestion {
     pub kind: shapes::Kind,
     pub shape: oracle::Shape,
     pub ray: oracle::Ray,
@@ -20,7 +20,7 @@ pub struct Question {
     pub all: bool,
 }
 
-impl Question {
+impl IntersectQuestion {
     /// `None` if it is none, or about a shape that the oracle does not have.
     pub fn of(question: &Value) -> Option<Self> {
         let (name, data) = question.as_object()?.iter().next()?;

@@ -30,7 +30,7 @@ enum Form {
 }
 
 /// Where a ray meets a lamp.
-pub struct Meeting {
+pub struct LampMeeting {
     pub t: f64,
     /// Between the true normal there and the way back; negative on the inner side.
     pub cosine: f64,
@@ -220,8 +220,8 @@ impl Lamp {
         direction: Vector,
         distance: f64,
         slack: f64,
-    ) -> Option<Meeting> {
-        let of = |t: f64, normal: Normal| Meeting {
+    ) -> Option<LampMeeting> {
+        let of = |t: f64, normal: Normal| LampMeeting {
             t,
             cosine: -normal.dot(direction),
             local: self.place.inverse().point(from + t * direction),

@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 
 use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes::{self as m, Mistake};
-use super::{Found, missing, within};
+use super::{LawOutcome, missing, within};
 use groundtruth::math::floor;
 
 /// Rounding of some dozens of terms.
@@ -17,7 +17,7 @@ type Numbers = fn(&Value) -> Option<[f64; 3]>;
 
 /// Law: the noise at a point is interpolated between its values at the corners of the cell: of 8 linearly, of 64 by
 /// Catmull and Rom's splines. Where these overshoot −1 … 1, a program may limit them or not. The case is a `noise`.
-pub fn interpolates(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn interpolates(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let Some(point) = triple(&case["noise"]["point"]) else { return Ok(Judgement::Undecided) };
     let is_linear = case["noise"]["noise"]["interpolation"] == "linear";
     let (first, weights): (f64, fn(f64) -> Vec<f64>) =
@@ -164,7 +164,7 @@ fn splines(f: f64) -> Vec<f64> {
 
 /// Law: the values at the points of the lattice change along each axis, and differ if coordinates are exchanged. The case
 /// is a `noise`.
-pub fn knots_differ(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+pub fn knots_differ(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     const STEPS: usize = 12;
     let Some(point) = triple(&case["noise"]["point"]) else { return Ok(Judgement::Undecided) };
     let from = point.map(floor);

@@ -8,7 +8,7 @@ use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes;
 use super::super::probe::ours;
 use super::lamps::Lamp;
-use super::{Found, color, missing, within};
+use super::{LawOutcome, color, missing, within};
 use groundtruth::math::{Normal, Point, Vector};
 use std::f64::consts::PI;
 
@@ -44,7 +44,7 @@ fn unit(sample: &Value, profile: Profile) -> Result<Vector, Judgement> {
 /// and one over its solid angle where it is sampled by that; the radiance is that of its material there; and there is
 /// a sample from the side that shines, none from the other (Suffern, ch. 18). The case is a `light` with a `lamp` that
 /// `Lamp` knows, seen from outside.
-pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn lamp_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let asked = &case["light"];
     let (Some(lamp), Some((from, _))) = (Lamp::of(&asked["lamp"]["shape"]), place(case)) else {
         return Ok(Judgement::Undecided);
@@ -215,7 +215,7 @@ fn contribution(sample: &Value, normal: Normal) -> Result<f64, &'static str> {
 /// Law: the mean of `L cos θ / pdf` over `u` is the irradiance, in closed form: Lambert's formula for polygons, `π L
 /// sin² θ` for balls and for disks on their axis, `π L` for a sky of one colour (Suffern, ch. 17, 18). The case is a
 /// `light` with a `lamp` whose light comes from above the surface, or a sky or an ambient occluder.
-pub fn irradiance(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+pub fn irradiance(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     let asked = &case["light"];
     let Some((from, normal)) = place(case) else { return Ok(Judgement::Undecided) };
     let is_lamp = asked.get("lamp").is_some();
@@ -245,7 +245,7 @@ pub fn irradiance(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
 /// Law: a sky of one colour, and an ambient occluder, send their colour from every direction, out to infinity or to the
 /// distance that the occluder looks; what an occluder sends where something is in the way is its share; and its pdf is
 /// `cos θ / π` (Suffern, ch. 17, 18). The case is a `light`.
-pub fn sky_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn sky_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let asked = &case["light"];
     let Some((_, normal)) = place(case) else { return Ok(Judgement::Undecided) };
     let sample = ask.ask(case)?;
@@ -302,7 +302,7 @@ pub fn sky_sample(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found
 
 /// Law: directions drawn by the cosine have the mean direction 2/3 of the normal (`∫ cos² θ / π dω`), and the square of
 /// their cosine the mean 1/2 (Suffern, ch. 7, 17). The case is a `light` with an ambient occluder.
-pub fn cosine_drawn(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+pub fn cosine_drawn(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     let Some((_, normal)) = place(case) else { return Ok(Judgement::Undecided) };
     let answers = over_grid(ask, case)?;
     let mut directions = Vec::with_capacity(answers.len());
@@ -325,7 +325,7 @@ pub fn cosine_drawn(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
 /// Law: a light that is one jittered direction or place for each sample has our moments: the means of the direction's
 /// coordinates and of their squares, and of the radiance (Suffern, ch. 18), over the same numbers `u`, whichever of them
 /// moves which coordinate. The case is a `light`.
-pub fn jittered_moments(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn jittered_moments(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let theirs = over_grid(ask, case)?;
     let Ok(ours) = over_grid(&mut Asking::new(&mut crate::subject::Ours), case) else {
         return Ok(Judgement::Undecided);

@@ -8,14 +8,14 @@ use serde_json::{Value, json};
 
 use super::super::judgement::{Judgement, Profile};
 use super::super::probe::ours;
-use super::{Found, LEVEL, TESTS, color, missing, relative, within};
+use super::{LEVEL, LawOutcome, TESTS, color, missing, relative, within};
 use groundtruth::lobes::Lobe;
 use groundtruth::math::{Vector, atan2};
 use statistics::chi_square::independence;
 use statistics::significance::sidak;
 
 /// Law: `f(ω_i, ω_o) = f(ω_o, ω_i)` (Suffern, ch. 13, Helmholtz). The case is a `lobe` with `wo` and `wi`.
-pub fn reciprocity(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn reciprocity(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let mut back = case.clone();
     back["lobe"]["wo"] = case["lobe"]["wi"].clone();
     back["lobe"]["wi"] = case["lobe"]["wo"].clone();
@@ -30,7 +30,7 @@ pub fn reciprocity(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Foun
 }
 
 /// Law: no more light leaves than arrives: the albedo is at most 1 (Suffern, ch. 13). The case is a `lobe`.
-pub fn energy(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn energy(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let answer = ask.ask(case)?;
     let Some(albedo) = color(&answer["albedo"]) else { return missing("albedo") };
     let most = albedo.into_iter().fold(0.0, f64::max);
@@ -39,7 +39,7 @@ pub fn energy(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
 
 /// Law: a sample is a unit direction, its pdf is `pdf` there, and its weight `f |cos θ_i| / pdf`. The case is a
 /// `lobe` with `u`.
-pub fn sample_agrees(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn sample_agrees(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let answer = ask.ask(case)?;
     let Some(sample) = answer.get("sample") else { return missing("sample") };
     if sample.is_null() {
@@ -82,7 +82,7 @@ pub fn sample_agrees(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Fo
 }
 
 /// A sample that is none: another map may lead below the horizon. But if ours are some, so are some of theirs.
-fn never_samples(ask: &mut Asking<'_>, case: &Value) -> Found {
+fn never_samples(ask: &mut Asking<'_>, case: &Value) -> LawOutcome {
     const SIDE: usize = 4;
     let others = (0..SIDE * SIDE).map(|i| {
         let mut other = case.clone();
@@ -119,7 +119,7 @@ const SECTORS: usize = 4;
 /// own, which the contract of lobes holds against the integral of `pdf`; the classes are levels of our density times
 /// sectors, so that a lobe that is too narrow shows however narrow it is. The case is a `lobe` with `wo` and `u`, from
 /// which the draws are seeded.
-pub fn density(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+pub fn density(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     let asked = &case["lobe"];
     let lobe = Lobe::deserialize(&asked["lobe"]).ok();
     let (Some(lobe), Some(wo)) = (lobe, triple(&asked["wo"]).map(Vector::from)) else {
@@ -165,7 +165,7 @@ pub fn density(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
 
 /// Law: what is reflected and what is transmitted add up to 1, in the mean and for each polarisation (Suffern,
 /// ch. 27, 28). The case is a `fresnel`.
-pub fn shares_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn shares_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let answer = ask.ask(case)?;
     if number(&answer["reflected"]).is_none() {
         return missing("reflected");

@@ -28,7 +28,7 @@ pub use shapes::{direction_length, sides_alternate};
 pub use spaces::{inverse_is_inverse, there_and_back};
 
 /// What a law finds.
-pub type Found = Result<Judgement, Stop>;
+pub type LawOutcome = Result<Judgement, Stop>;
 
 /// The probability that any statistical law of a run fails for a right program.
 const LEVEL: f64 = 1e-3;
@@ -62,7 +62,7 @@ fn relative(a: &Value, b: &Value) -> f64 {
 }
 
 /// Wrong because something is not there.
-fn missing(what: &str) -> Found {
+fn missing(what: &str) -> LawOutcome {
     Ok(Judgement::wrong(&format!("{what} is missing"), f64::INFINITY, format!("`{what}`")))
 }
 

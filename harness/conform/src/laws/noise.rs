@@ -4,11 +4,11 @@ use ask::{Asking, number, triple};
 use serde_json::{Value, json};
 
 use super::super::judgement::{Judgement, Profile};
-use super::{Found, color, missing};
+use super::{LawOutcome, color, missing};
 
 /// Law: a function of the point: the same question has the same answer, in whatever order questions come, and other
 /// points have others. The case is a question with a `point`: `noise` or `texture`.
-pub fn repeats(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+pub fn repeats(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     const ELSEWHERE: usize = 30;
     let Some((name, Some(point))) = case
         .as_object()
@@ -46,7 +46,7 @@ pub fn repeats(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
 
 /// Law: lattice noise is continuous, and its sums stay in their ranges (Suffern, ch. 31): `value` in −1 … 1, the
 /// sums in 0 … 1. The case is a `noise`.
-pub fn noise_is_smooth(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+pub fn noise_is_smooth(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     const STEP: f64 = 1e-6;
     /// Slopes of cubic noise stay below 4 per cell, and octaves add up.
     const SLOPE: f64 = 100.0;

@@ -8,7 +8,7 @@ use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes::{self as m, Mistake};
 use super::super::probe::ours;
 use super::lattice::{TERMS, farthest};
-use super::{Found, color, missing, relative, within};
+use super::{LawOutcome, color, missing, relative, within};
 use groundtruth::math::{Normal, Vector, floor, sin};
 
 /// The name of a sum, its right value, and what mistakes make of it.
@@ -104,7 +104,7 @@ impl Octaves<'_> {
 
 /// Law: sums of octaves, from single octaves: `Σ gʲ noise(lʲ p)`, with g = 1/2 and l = 2 but for fBm, scaled from their
 /// bounds to 0 … 1. The case is a `noise`.
-pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn octaves_add_up(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let noise = &case["noise"]["noise"];
     let Some(point) = triple(&case["noise"]["point"]) else { return Ok(Judgement::Undecided) };
     let octaves = noise["octaves"].as_u64().unwrap_or(1) as usize;
@@ -173,7 +173,7 @@ fn noise_of(ask: &mut Asking<'_>, fields: &Value, point: [f64; 3]) -> Result<Val
 
 /// Law: what a texture of noise makes of the noise at the point, as this program answers it itself. The case is a
 /// `texture` whose colours are plain.
-pub fn texture_of_noise(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn texture_of_noise(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let asked = &case["texture"];
     let kind = asked["texture"].as_object().and_then(|it| it.iter().next());
     let (Some((tag, fields)), Some(point)) = (kind, triple(&asked["point"])) else {
@@ -290,7 +290,7 @@ fn in_ramp(table: &Value, x: f64) -> Option<[f64; 3]> {
 
 /// Law: a bump of noise adds `a · fBm(p)` to the normal, as this program answers it itself: a floor shines as one that
 /// is tilted. The case is the `radiance` of a point of the plane `y = 0`, whose only light is far away.
-pub fn bump_adds_noise(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn bump_adds_noise(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let bump = case["radiance"]["scene"]["materials"][0]["bump"]["noise"].clone();
     let ray = &case["radiance"]["ray"];
     let [origin, direction] = ["origin", "direction"].map(|it| triple(&ray[it]));

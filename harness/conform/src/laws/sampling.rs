@@ -6,13 +6,13 @@ use std::cmp::Ordering;
 use serde_json::{Value, json};
 
 use super::super::judgement::{Judgement, Profile};
-use super::{Found, LEVEL, TESTS, missing, relative, within};
+use super::{LEVEL, LawOutcome, TESTS, missing, relative, within};
 use statistics::chi_square::goodness_of_fit;
 use statistics::correlation::pearson;
 use statistics::significance::sidak;
 
 /// Law: the map and its inverse lead back (Suffern, ch. 6, 7). The case is a `map` with `u`.
-pub fn map_and_back(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn map_and_back(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let point = ask.ask(case)?;
     let mut back = case.clone();
     back["map"].as_object_mut().map(|fields| fields.remove("u"));
@@ -59,7 +59,7 @@ const FEWEST: u64 = 64;
 /// of all pixels are many points that fill the square evenly (χ²), and those of neighbouring pixels are not correlated
 /// (Pearson): so one sample set in every pixel, or a shuffle that favours some, shows (Suffern, ch. 5). The case is a
 /// `samples` with `n` and a `draw`, of a sampler with random numbers.
-pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+pub fn stream(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     let asked = &case["samples"];
     let Some(n) = asked["n"].as_u64().filter(|n| *n >= FEWEST) else {
         return Ok(Judgement::Undecided);
@@ -148,7 +148,7 @@ fn in_order(a: &[f64], b: &[f64]) -> Ordering {
 
 /// Law: the points of each set are in the unit square, are as many as were asked for, and are stratified as the
 /// sampler's name says (Suffern, ch. 5). The case is a `samples` with a square `n`.
-pub fn stratified(ask: &mut Asking<'_>, case: &Value, _: Profile) -> Found {
+pub fn stratified(ask: &mut Asking<'_>, case: &Value, _: Profile) -> LawOutcome {
     let answer = ask.ask(case)?;
     let asked = &case["samples"];
     Ok(judge_sets(&answer, asked, asked["sets"].as_u64().unwrap_or(1)))

@@ -5,12 +5,12 @@ use serde_json::{Value, json};
 
 use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes;
-use super::{Found, missing, within};
+use super::{LawOutcome, missing, within};
 use groundtruth::math::Vector;
 
 /// Law: t counts in the length of the direction: a direction k times as long gives t/k (Suffern, ch. 3). The case is
 /// an `intersect`.
-pub fn direction_length(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn direction_length(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     const FACTOR: f64 = 4.0; // a power of two: no rounding of its own
     let Some(direction) = triple(&case["intersect"]["ray"]["direction"]) else {
         return Ok(Judgement::Undecided);
@@ -39,7 +39,7 @@ pub fn direction_length(ask: &mut Asking<'_>, case: &Value, profile: Profile) ->
 
 /// Law: along a line, a closed body is entered and left in turn (Suffern, ch. 3, 19). Where two parts of a body meet,
 /// both may be hit in the same point. The case is an `intersect` with `all`; the law asks it for the whole line.
-pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn sides_alternate(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     /// Hits of two parts at their seam are nearer to each other than any two walls of a case.
     const SAME_HIT: f64 = 1e-9;
     let mut line = case.clone();

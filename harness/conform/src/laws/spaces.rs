@@ -5,10 +5,10 @@ use serde_json::{Value, json};
 
 use super::super::judgement::{Judgement, Profile};
 use super::super::probe::ours;
-use super::{Found, missing, relative, within};
+use super::{LawOutcome, missing, relative, within};
 
 /// Law: a point on a camera's ray is seen where the ray starts (Suffern, ch. 9 to 11). The case is a `camera_ray`.
-pub fn there_and_back(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn there_and_back(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let ray = ask.ask(case)?;
     let (Some(origin), Some(direction)) = (triple(&ray["origin"]), triple(&ray["direction"]))
     else {
@@ -36,7 +36,7 @@ pub fn there_and_back(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> F
 }
 
 /// Law: `M M⁻¹ = 1` (Suffern, ch. 20). The case is a `transform`.
-pub fn inverse_is_inverse(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn inverse_is_inverse(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let answer = ask.ask(case)?;
     let rows = |name: &str| {
         let rows: Option<Vec<Vec<f64>>> = answer[name].as_array()?.iter().map(numbers).collect();

@@ -55,15 +55,15 @@ pub struct Hit {
 
 #[derive(Serialize)]
 #[serde(untagged)]
-pub enum Hits {
+pub enum IntersectAnswer {
     All(Vec<Hit>),
     Nearest(Option<Hit>),
 }
 
 impl super::Question for Intersect {
-    type Answer = Hits;
+    type Answer = IntersectAnswer;
 
-    fn answer(&self) -> Result<Hits, Invalid> {
+    fn answer(&self) -> Result<IntersectAnswer, Invalid> {
         let ray = self.ray.ray()?;
         let span = SpanData::span(self.span)?;
         if let Some(leave) = self.leave {
@@ -71,16 +71,20 @@ impl super::Question for Intersect {
         }
         let kind = match (&self.shape, &self.scene) {
             (Some(shape), None) => shape,
-            (None, Some(scene)) => return self.in_scene(scene, &ray, span).map(Hits::Nearest),
+            (None, Some(scene)) => {
+                return self.in_scene(scene, &ray, span).map(IntersectAnswer::Nearest);
+            }
             _ => return Err(Invalid::new("needs either `shape` or `scene`")),
         };
         let shape = build(kind, &self.transform)?;
         if self.all {
             limits::all_of(&*shape).map_err(|e| e.inside("all"))?;
             let roots = shape.roots(&ray, span);
-            return Ok(Hits::All(roots.iter().map(|at| self.hit(&*shape, &ray, at)).collect()));
+            return Ok(IntersectAnswer::All(
+                roots.iter().map(|at| self.hit(&*shape, &ray, at)).collect(),
+            ));
         }
-        Ok(Hits::Nearest(shape.hit(&ray, span).map(|at| self.hit(&*shape, &ray, &at))))
+        Ok(IntersectAnswer::Nearest(shape.hit(&ray, span).map(|at| self.hit(&*shape, &ray, &at))))
     }
 }
 

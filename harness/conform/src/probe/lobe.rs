@@ -9,7 +9,7 @@ use groundtruth::math::Vector;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Lobe {
+pub struct LobeQuestion {
     lobe: lobes::Lobe,
     wo: Vector,
     wi: Option<Vector>,
@@ -35,7 +35,7 @@ struct Sample {
     pdf: Real,
 }
 
-impl super::Question for Lobe {
+impl super::Question for LobeQuestion {
     type Answer = LobeAnswer;
 
     fn answer(&self) -> Result<LobeAnswer, Invalid> {

@@ -8,7 +8,7 @@ use groundtruth::math::{UNIT_ROUNDOFF, Vector, maps};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Map {
+pub struct MapQuestion {
     to: Domain,
     u: Option<[f64; 2]>,
     point: Option<Vec<f64>>,
@@ -30,7 +30,7 @@ pub enum MappedPoints {
     Space([f64; 3]),
 }
 
-impl super::Question for Map {
+impl super::Question for MapQuestion {
     type Answer = MappedPoints;
 
     fn answer(&self) -> Result<MappedPoints, Invalid> {

@@ -15,7 +15,7 @@ use judge::mistakes::{Mistake, Reweighing, pixel, scene as with_mistake};
 
 /// The answer of a program with a known mistake.
 #[derive(Clone, Copy, Debug)]
-pub struct Mistaken {
+pub struct WithMistake {
     /// The mistake.
     pub mistake: &'static Mistake,
     /// Its `mean`.
@@ -26,7 +26,7 @@ pub struct Mistaken {
 
 /// The answers of programs with each of these mistakes that applies to the scene; none for what is no valid
 /// `radiance`.
-pub fn mistaken(question: &Value, mistakes: &[&'static Mistake]) -> Vec<Mistaken> {
+pub fn mistaken(question: &Value, mistakes: &[&'static Mistake]) -> Vec<WithMistake> {
     let asked = Radiance::deserialize(&question["radiance"]).ok();
     asked.and_then(|asked| of(&asked, mistakes)).unwrap_or_default()
 }
@@ -34,7 +34,7 @@ pub fn mistaken(question: &Value, mistakes: &[&'static Mistake]) -> Vec<Mistaken
 /// Rays of all samples of one mistake; a question that our own answer fits into has far fewer.
 const MOST_RAYS: u64 = 1 << 24;
 
-fn of(asked: &Radiance, mistakes: &[&'static Mistake]) -> Option<Vec<Mistaken>> {
+fn of(asked: &Radiance, mistakes: &[&'static Mistake]) -> Option<Vec<WithMistake>> {
     let looks = asked.looks().ok()?;
     let Built { scene, world, .. } = asked.built(asked.seed()).ok()?;
     let (reweighed, changed): (Vec<&Mistake>, Vec<&Mistake>) =
@@ -64,7 +64,7 @@ fn heard(
     mut world: World,
     looks: &Looks,
     mistakes: &[&'static Mistake],
-) -> Vec<Mistaken> {
+) -> Vec<WithMistake> {
     if mistakes.is_empty() {
         return Vec::new();
     }
@@ -92,8 +92,8 @@ fn heard(
     mistakes.iter().zip(&values).map(|(mistake, values)| answered(mistake, values)).collect()
 }
 
-fn answered(mistake: &'static Mistake, values: &[Rgb]) -> Mistaken {
+fn answered(mistake: &'static Mistake, values: &[Rgb]) -> WithMistake {
     let mean = render::mean(values.iter().copied());
     let error = if values.len() > 1 { standard_error(mean, values) } else { Rgb::BLACK };
-    Mistaken { mistake, mean: mean.to_array(), standard_error: error.to_array() }
+    WithMistake { mistake, mean: mean.to_array(), standard_error: error.to_array() }
 }

@@ -9,7 +9,7 @@ use groundtruth::noise::Lattice;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-pub struct Noise {
+pub struct NoiseQuestion {
     #[serde(default)]
     noise: groundtruth::noise::Noise,
     /// Tables for those of the noise's seed.
@@ -47,7 +47,7 @@ pub struct NoiseAnswer {
     vector_fbm: Triple,
 }
 
-impl super::Question for Noise {
+impl super::Question for NoiseQuestion {
     type Answer = NoiseAnswer;
 
     fn answer(&self) -> Result<NoiseAnswer, Invalid> {

@@ -21,13 +21,13 @@ pub struct Project {
 #[serde(untagged)]
 pub enum Projection {
     /// Of a camera with one eye.
-    One(Option<Seen>),
+    One(Option<Projected>),
     /// Of a stereo pair.
-    Two { left: Option<Seen>, right: Option<Seen> },
+    Two { left: Option<Projected>, right: Option<Projected> },
 }
 
 #[derive(Serialize)]
-pub struct Seen {
+pub struct Projected {
     /// On the view plane.
     film: [Real; 2],
     /// In pixels from the top left corner of the image.
@@ -43,7 +43,7 @@ impl super::Question for Project {
         let seen = |eye: &Eye| {
             let film = eye.project(point)?;
             let image = render::image_point(&image, film);
-            Some(Seen { film: film.map(Real), image: image.map(Real) })
+            Some(Projected { film: film.map(Real), image: image.map(Real) })
         };
         Ok(match view.stereo() {
             None => Projection::One(seen(view.eye(Side::Left))),

@@ -26,7 +26,7 @@ fn default_seed() -> u64 {
 }
 
 #[derive(Serialize)]
-pub struct Traced {
+pub struct TraceAnswer {
     /// What arrives at the origin.
     radiance: Triple,
     rays: Vec<Logged>,
@@ -53,9 +53,9 @@ struct Logged {
 }
 
 impl super::Question for Trace {
-    type Answer = Traced;
+    type Answer = TraceAnswer;
 
-    fn answer(&self) -> Result<Traced, Invalid> {
+    fn answer(&self) -> Result<TraceAnswer, Invalid> {
         let ray = self.ray.unit_ray()?;
         let Built { scene, world, primitives } = self.scene.built(self.seed, |scene| {
             let changed = scene.tracer.change(None, self.max_depth);
@@ -70,7 +70,7 @@ impl super::Question for Trace {
         let radiance = trace::radiance_within(&world, &ray, draws, &mut tree, &mut budget);
         budget.check(|| "a log of this ray".to_owned()).map_err(|e| Invalid::new(e.to_string()))?;
         let rays = tree.rays().into_iter().map(logged).collect();
-        Ok(Traced { radiance: color(radiance), rays })
+        Ok(TraceAnswer { radiance: color(radiance), rays })
     }
 }
 

@@ -4,7 +4,7 @@ use ask::{Asking, triple};
 use serde_json::{Value, json};
 
 use super::super::judgement::{Judgement, Profile};
-use super::super::laws::Found;
+use super::super::laws::LawOutcome;
 use super::super::probe::ours;
 
 /// The seeds for which a question is asked.
@@ -97,7 +97,7 @@ pub fn rounding(profile: Profile) -> f64 {
 
 /// Law: the mean of answers for several seeds is that of ours, within the errors of both. The case is a `radiance` with
 /// `samples` and `seed`.
-pub fn mean_agrees(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> Found {
+pub fn mean_agrees(ask: &mut Asking<'_>, case: &Value, profile: Profile) -> LawOutcome {
     let mut from = case["radiance"]["seed"].as_u64().unwrap_or(1);
     let mut last = None;
     for Look { more, far } in LOOKS {

@@ -280,7 +280,7 @@ fn scenes_show_the_known_mistakes() {
                 let hidden: Vec<_> =
                     all.iter().copied().filter(|it| !shown.contains(it.name)).collect();
                 let right = ours(&question).expect("an answer");
-                let is_other = |one: &conform::probe::mistaken::Mistaken| {
+                let is_other = |one: &conform::probe::mistaken::WithMistake| {
                     (0..3).any(|i| {
                         let [mean, error] = ["mean", "standard_error"]
                             .map(|field| right[field][i].as_f64().unwrap_or(0.0));

@@ -7,7 +7,7 @@ use oracle::Shape;
 use oracle::hard::{Family, Kind, cases, rays};
 
 use super::spheres_and_lattices::hard_radius;
-use super::{Case, Piece};
+use super::{Composite, Piece};
 use groundtruth::accel::Method;
 use groundtruth::kinds::Custom;
 use groundtruth::math::{Point, Vector};
@@ -36,14 +36,14 @@ fn net_around([a, b, c]: [Point; 3], draw: &mut Draw) -> [Point; 6] {
 }
 
 /// A hard triangle with its neighbours, and a ray that is hard for it.
-pub fn net(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Case {
+pub fn net(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Composite {
     let (shape, ray) = cases(Kind::Triangle, family, seed + index as u64, 1).remove(0);
     let Shape::Triangle { vertices } = shape else { unreachable!("a triangle is a triangle") };
     let mut draw = Draw::case(seed + family as u64, index);
     let points = net_around(vertices.map(Point::from), &mut draw);
     let mesh = TriangleMesh::new(points.to_vec(), NET.to_vec());
     let mesh = mesh.accelerated(accel.unwrap_or_default());
-    Case {
+    Composite {
         ours: shapes::Kind::Custom(Custom(Arc::new(mesh))),
         pieces: NET.map(|corners| piece(corners.map(|i| points[i as usize]))).into(),
         ray,
@@ -52,7 +52,7 @@ pub fn net(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Ca
 }
 
 /// A tessellated sphere of a hard radius, with few or many steps.
-pub fn sphere(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Case {
+pub fn sphere(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Composite {
     let mut draw = Draw::case(seed + family as u64, index);
     let radius = hard_radius(family, seed, index);
     let (few, many) = (2 + draw.below(30) as u32, 200 + draw.below(200) as u32);
@@ -68,5 +68,5 @@ pub fn sphere(family: Family, seed: u64, index: usize, accel: Option<Method>) ->
     let pieces: Vec<Piece> = mesh.triangles().iter().map(|t| piece(corners(t))).collect();
     let aim = &pieces[draw.below(pieces.len())].exact;
     let ray = rays(aim, family, seed + index as u64, 1).remove(0);
-    Case { ours: sphere.into(), pieces, ray, condition: 1.0 }
+    Composite { ours: sphere.into(), pieces, ray, condition: 1.0 }
 }

@@ -45,7 +45,7 @@ impl Kind {
         seed: u64,
         index: usize,
         accel: Option<Method>,
-    ) -> Option<Case> {
+    ) -> Option<Composite> {
         match self {
             Kind::Compound => compounds::compound(family, seed, index, accel),
             Kind::RandomSpheres => Some(spheres_and_lattices::spheres(family, seed, index, accel)),
@@ -58,7 +58,7 @@ impl Kind {
 
 /// A composite shape for the library and for the oracle, and a ray.
 #[derive(Clone, Debug)]
-pub struct Case {
+pub struct Composite {
     /// The library's description of the shape.
     pub ours: shapes::Kind,
     /// The oracle's pieces.
@@ -69,7 +69,7 @@ pub struct Case {
     pub condition: f64,
 }
 
-impl Case {
+impl Composite {
     /// The shape in an instance, and the ray transformed with it; `None` if the matrix is singular.
     pub fn instanced(self, matrix: &[[f64; 4]; 3]) -> Option<Self> {
         let steps = crate::steps(matrix)?;

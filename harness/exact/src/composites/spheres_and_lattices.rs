@@ -4,7 +4,7 @@ use ask::Draw;
 use oracle::Shape;
 use oracle::hard::{Family, Kind, cases, rays};
 
-use super::{Case, Piece};
+use super::{Composite, Piece};
 use crate::our_shape;
 use groundtruth::accel::Method;
 use groundtruth::shapes::{Context, Lattice, RandomSpheres, Sphere};
@@ -18,7 +18,7 @@ pub fn hard_radius(family: Family, seed: u64, index: usize) -> f64 {
 }
 
 /// Spheres of a hard radius, from few and sparse to many and crowded.
-pub fn spheres(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Case {
+pub fn spheres(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Composite {
     let mut draw = Draw::case(seed + family as u64, index);
     let radius = hard_radius(family, seed, index);
     let (count, half_side) = (1 + draw.below(200) as u32, radius * draw.between(0.1, 20.0));
@@ -31,11 +31,16 @@ pub fn spheres(family: Family, seed: u64, index: usize, accel: Option<Method>) -
     let pieces: Vec<Piece> = spheres.spheres().iter().map(piece).collect();
     let aim = &pieces[draw.below(pieces.len())].exact;
     let ray = rays(aim, family, seed + index as u64, 1).remove(0);
-    Case { ours: spheres.into(), pieces, ray, condition: 1.0 }
+    Composite { ours: spheres.into(), pieces, ray, condition: 1.0 }
 }
 
 /// A lattice of up to twelve copies of one shape, separate or overlapping.
-pub fn lattice(family: Family, seed: u64, index: usize, accel: Option<Method>) -> Option<Case> {
+pub fn lattice(
+    family: Family,
+    seed: u64,
+    index: usize,
+    accel: Option<Method>,
+) -> Option<Composite> {
     const KINDS: [Kind; 5] =
         [Kind::Sphere, Kind::Cuboid, Kind::Triangle, Kind::Cone, Kind::PartSphere];
     let mut draw = Draw::case(seed + family as u64, index);
@@ -57,5 +62,5 @@ pub fn lattice(family: Family, seed: u64, index: usize, accel: Option<Method>) -
     let ray = rays(aim, family, seed + index as u64, 1).remove(0);
     let ours = Lattice { of: Box::new(of), counts, spacing, accel };
     let condition = aim.condition();
-    Some(Case { ours: ours.into(), pieces, ray, condition })
+    Some(Composite { ours: ours.into(), pieces, ray, condition })
 }

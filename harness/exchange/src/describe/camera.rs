@@ -8,10 +8,10 @@ use groundtruth::world::World;
 
 use super::tables::{table, tag};
 use super::texts::{filled, find, text};
-use super::values::{Values, row, shown};
+use super::values::{DescribedValues, row, shown};
 
 /// The section of the camera.
-pub fn write(to: &mut Values, scene: &Scene, world: &World, data: &Value) {
+pub fn write(to: &mut DescribedValues, scene: &Scene, world: &World, data: &Value) {
     to.page.heading("Camera");
     to.page.blank();
     to.fields(0, table("Camera"), &data["camera"]);
@@ -23,7 +23,7 @@ pub fn write(to: &mut Values, scene: &Scene, world: &World, data: &Value) {
     }
 }
 
-fn axes(to: &mut Values, view: &View) {
+fn axes(to: &mut DescribedValues, view: &View) {
     to.page.tell("axes");
     to.page.blank();
     let frame = view.frame();
@@ -33,7 +33,7 @@ fn axes(to: &mut Values, view: &View) {
 }
 
 /// Where a pixel lies on the film.
-fn film(to: &mut Values, scene: &Scene) {
+fn film(to: &mut DescribedValues, scene: &Scene) {
     let image = &scene.image;
     let plane = image.plane();
     let [half_width, half_height] = [image.width, image.height].map(|n| shown(0.5 * f64::from(n)));
@@ -54,7 +54,7 @@ fn film(to: &mut Values, scene: &Scene) {
 }
 
 /// The ray of a film point.
-fn rays(to: &mut Values, scene: &Scene, view: &View, data: &Value) {
+fn rays(to: &mut DescribedValues, scene: &Scene, view: &View, data: &Value) {
     match scene.camera.stereo {
         None => {
             let position = view.eye(Side::Left).position().to_array();
@@ -69,7 +69,7 @@ fn rays(to: &mut Values, scene: &Scene, view: &View, data: &Value) {
 }
 
 /// The two eyes of a stereo pair: where they are, and how far their film points are shifted.
-fn eyes(to: &mut Values, scene: &Scene, view: &View) {
+fn eyes(to: &mut DescribedValues, scene: &Scene, view: &View) {
     let [left, right] = [Side::Left, Side::Right].map(|side| view.eye(side).position());
     let half = 0.5 * left.distance(right);
     let shift = zoom(&scene.camera.lens).map_or(0.0, |zoom| zoom * half);
@@ -105,7 +105,7 @@ fn field_of_view(scene: &Scene) -> Option<f64> {
 }
 
 /// Origin and direction of the ray of a film point, from the fields of the lens and their halves.
-fn formula(to: &mut Values, scene: &Scene, lens: &Value) {
+fn formula(to: &mut DescribedValues, scene: &Scene, lens: &Value) {
     let plane = scene.image.plane();
     let sizes =
         [("half width", shown(0.5 * plane.width)), ("half height", shown(0.5 * plane.height))];

@@ -8,7 +8,7 @@ use serde_json::Value;
 use formats::images;
 use formats::meshes::{self, MeshData};
 
-use super::page::Page;
+use super::page::DescriptionPage;
 use super::tables::all_of;
 use super::texts;
 use super::values::row;
@@ -20,7 +20,11 @@ const ALL_TEXELS: u64 = u64::MAX;
 ///
 /// # Errors
 /// A file cannot be read, though it could be when the scene was built.
-pub fn write(page: &mut Page, data: &Value, folder: &Path) -> Result<(), Box<dyn Error>> {
+pub fn write(
+    page: &mut DescriptionPage,
+    data: &Value,
+    folder: &Path,
+) -> Result<(), Box<dyn Error>> {
     let mut names: Vec<&str> = all_of(data, "file").into_iter().filter_map(Value::as_str).collect();
     names.sort_unstable();
     names.dedup();

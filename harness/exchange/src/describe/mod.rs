@@ -29,7 +29,7 @@ use groundtruth::world::World;
 use groundtruth::{lights, materials};
 
 use tables::{field_of_scene, table};
-use values::Values;
+use values::DescribedValues;
 
 pub use texts::details;
 
@@ -44,7 +44,7 @@ pub fn describe(
     folder: &Path,
 ) -> Result<String, Box<dyn Error>> {
     let data = data_of(scene)?;
-    let mut to = Values::default();
+    let mut to = DescribedValues::default();
     to.page.line(0, &format!("Scene {}: {}", printable::text(name), printable::text(&scene.about)));
     picture::conventions(&mut to);
     picture::write(&mut to, scene, world, &data);
@@ -57,7 +57,7 @@ pub fn describe(
     lights(&mut to, &data);
     materials(&mut to, &data);
     objects(&mut to, scene, &data);
-    let Values { mut page, words } = to;
+    let DescribedValues { mut page, words } = to;
     files::write(&mut page, &data, folder)?;
     random::write(&mut page, &data);
     page.heading("Words");
@@ -73,7 +73,7 @@ fn data_of(scene: &Scene) -> Result<Value, Box<dyn Error>> {
     Ok(data)
 }
 
-fn lights(to: &mut Values, data: &Value) {
+fn lights(to: &mut DescribedValues, data: &Value) {
     to.page.heading("Lights");
     if items(data, "lights").is_empty() {
         return to.page.say("There are none.");
@@ -84,7 +84,7 @@ fn lights(to: &mut Values, data: &Value) {
     formulas(to, "lights", "At a hit, a light of the kind", lights::Kind::ENTRIES);
 }
 
-fn materials(to: &mut Values, data: &Value) {
+fn materials(to: &mut DescribedValues, data: &Value) {
     to.page.heading("Materials");
     for (number, material) in (1..).zip(items(data, "materials")) {
         entry(to, "Material", number, table("Material"), material);
@@ -95,7 +95,7 @@ fn materials(to: &mut Values, data: &Value) {
     }
 }
 
-fn objects(to: &mut Values, scene: &Scene, data: &Value) {
+fn objects(to: &mut DescribedValues, scene: &Scene, data: &Value) {
     to.page.heading("Objects");
     to.page.tell("first object");
     if scene.intersections() != Some(Intersect::Robust) {
@@ -113,7 +113,7 @@ fn objects(to: &mut Values, scene: &Scene, data: &Value) {
 }
 
 /// One light, material or object.
-fn entry(to: &mut Values, what: &str, number: usize, table: Definition, item: &Value) {
+fn entry(to: &mut DescribedValues, what: &str, number: usize, table: Definition, item: &Value) {
     to.page.blank();
     let is_on = item["enabled"] != Value::Bool(false);
     let off = if is_on { "" } else { ", which is switched off: it is not part of the picture" };
@@ -126,7 +126,7 @@ fn items<'a>(data: &'a Value, list: &str) -> &'a [Value] {
 }
 
 /// The formulas of the kinds of a list that the scene uses.
-fn formulas<Kind>(to: &mut Values, list: &str, beginning: &str, entries: &[Entry<Kind>]) {
+fn formulas<Kind>(to: &mut DescribedValues, list: &str, beginning: &str, entries: &[Entry<Kind>]) {
     let mut is_first = true;
     // their files are named as they are in scene files
     for Entry { module, formula, .. } in entries {

@@ -7,9 +7,9 @@ const WIDTH: usize = 100;
 
 /// A text that grows.
 #[derive(Debug, Default)]
-pub struct Page(String);
+pub struct DescriptionPage(String);
 
-impl Page {
+impl DescriptionPage {
     /// The whole text.
     pub fn into_text(self) -> String {
         self.0

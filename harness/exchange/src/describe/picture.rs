@@ -7,16 +7,16 @@ use groundtruth::world::World;
 
 use super::tables::{table, tag};
 use super::texts::{filled, text};
-use super::values::{Values, shown};
+use super::values::{DescribedValues, shown};
 
 /// The section of the conventions.
-pub fn conventions(to: &mut Values) {
+pub fn conventions(to: &mut DescribedValues) {
     to.page.heading("Conventions");
     to.page.tell("conventions");
 }
 
 /// The section of the picture.
-pub fn write(to: &mut Values, scene: &Scene, world: &World, data: &Value) {
+pub fn write(to: &mut DescribedValues, scene: &Scene, world: &World, data: &Value) {
     to.page.heading("Picture");
     to.page.blank();
     to.fields(0, table("Image"), &data["image"]);
@@ -30,7 +30,7 @@ pub fn write(to: &mut Values, scene: &Scene, world: &World, data: &Value) {
 }
 
 /// The samples of a pixel, and what a pixel is of them.
-fn samples(to: &mut Values, scene: &Scene, world: &World, data: &Value) {
+fn samples(to: &mut DescribedValues, scene: &Scene, world: &World, data: &Value) {
     let count = world.samples_per_pixel();
     let pattern = match &scene.image.sampler {
         None if count == 1 => return to.page.tell("samples: one"),
@@ -58,7 +58,7 @@ fn is_fixed(sampler: &groundtruth::samplers::Kind) -> bool {
 }
 
 /// How a PNG or PPM file shows radiance.
-fn display(to: &mut Values, scene: &Scene, data: &Value) {
+fn display(to: &mut DescribedValues, scene: &Scene, data: &Value) {
     let rule = text(&format!("out of gamut: {}", tag(&data["image"]["out_of_gamut"])));
     let gamma = match scene.image.gamma {
         1.0 => text("gamma: none"),

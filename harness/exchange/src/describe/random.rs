@@ -6,12 +6,12 @@ use serde_json::Value;
 
 use groundtruth::noise::Lattice;
 
-use super::page::Page;
+use super::page::DescriptionPage;
 use super::tables::{all_of, has};
 use super::values::{row, shown};
 
 /// The section of random numbers, if the scene has any, and of what the text cannot say.
-pub fn write(page: &mut Page, data: &Value) {
+pub fn write(page: &mut DescriptionPage, data: &Value) {
     let noises = all_of(data, "noise");
     let seeds: BTreeSet<u64> = noises.iter().filter_map(|noise| noise["seed"].as_u64()).collect();
     let draws = |picture: &str| all_of(data, "picture").iter().any(|it| *it == picture);
@@ -44,7 +44,7 @@ pub fn write(page: &mut Page, data: &Value) {
 }
 
 /// The tables of one seed; the permutation is the same for all.
-fn lattice(page: &mut Page, seed: u64, is_first: bool, has_vectors: bool) {
+fn lattice(page: &mut DescriptionPage, seed: u64, is_first: bool, has_vectors: bool) {
     let lattice = Lattice::new(seed);
     page.blank();
     if is_first {

@@ -6,10 +6,10 @@ use groundtruth::scene::{Scene, Tracer, TransparentShadows};
 
 use super::tables::{absorbs, all_of, field_of_scene, has, tag};
 use super::texts::text;
-use super::values::Values;
+use super::values::DescribedValues;
 
 /// The section of the tracer.
-pub fn write(to: &mut Values, scene: &Scene, data: &Value) {
+pub fn write(to: &mut DescribedValues, scene: &Scene, data: &Value) {
     to.page.heading("Light along a ray");
     to.page.blank();
     to.value(0, "tracer", &data["tracer"], field_of_scene("tracer"));
@@ -38,7 +38,7 @@ fn has_two_normals(data: &Value) -> bool {
     smooth || has(data, "normals") || has(data, "bump")
 }
 
-fn shadows(to: &mut Values, scene: &Scene, data: &Value) {
+fn shadows(to: &mut DescribedValues, scene: &Scene, data: &Value) {
     let is_path = !matches!(scene.tracer, Tracer::RayCast | Tracer::Whitted(_));
     let mut shadows = text("shadows");
     if is_path {

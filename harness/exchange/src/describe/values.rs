@@ -4,7 +4,7 @@ use serde_json::{Map, Value};
 
 use groundtruth::scene::vocabulary::Definition;
 
-use super::page::Page;
+use super::page::DescriptionPage;
 use super::words::Words;
 
 /// Fields that change only the time, not the picture.
@@ -17,14 +17,14 @@ pub fn is_described(field: &str) -> bool {
 
 /// Writes values to a page, and notes the kinds and tables that they use.
 #[derive(Debug, Default)]
-pub struct Values {
+pub struct DescribedValues {
     /// The text so far.
-    pub page: Page,
+    pub page: DescriptionPage,
     /// What has been used so far.
     pub words: Words,
 }
 
-impl Values {
+impl DescribedValues {
     /// The fields of a table, each on a line. One that is missing has its default; one that is missing and
     /// has no default is left out.
     pub fn fields(&mut self, indent: usize, table: Definition, value: &Value) {

@@ -2,7 +2,7 @@
 
 use groundtruth::scene::vocabulary::{Choice, Definition};
 
-use super::page::Page;
+use super::page::DescriptionPage;
 use super::texts;
 use super::values::is_described;
 
@@ -53,7 +53,7 @@ impl Words {
     }
 
     /// Writes what all of them mean.
-    pub fn write(mut self, page: &mut Page) {
+    pub fn write(mut self, page: &mut DescriptionPage) {
         self.add_mentioned();
         if !self.tables.is_empty() {
             page.say("Tables. Groups of fields.");
@@ -118,7 +118,7 @@ fn name_of(kind: &Choice) -> String {
 }
 
 /// One word: its meaning, and that of its fields.
-fn entry(page: &mut Page, name: &str, meaning: &str, table: Option<Definition>) {
+fn entry(page: &mut DescriptionPage, name: &str, meaning: &str, table: Option<Definition>) {
     page.line(2, &format!("{name}: {}", one_paragraph(meaning)));
     for field in table.iter().flat_map(Definition::fields) {
         if !is_described(field.name) {

@@ -26,7 +26,7 @@ pub enum How {
 
 /// A line of the table.
 #[derive(Clone, Debug)]
-pub struct Row {
+pub struct KindRow {
     /// The list: shape, material, texture, light or camera.
     pub list: &'static str,
     /// The tag of the kind in scene files.
@@ -81,7 +81,7 @@ impl AnyKind {
 }
 
 /// The table, in the order of the lists.
-pub fn kinds() -> Vec<Row> {
+pub fn kinds() -> Vec<KindRow> {
     [
         rows("shape", shapes::Kind::ENTRIES, AnyKind::Shape),
         rows("material", materials::Kind::ENTRIES, AnyKind::Material),
@@ -96,11 +96,11 @@ fn rows<Kind: Serialize>(
     list: &'static str,
     entries: &[Entry<Kind>],
     any: fn(Kind) -> AnyKind,
-) -> Vec<Row> {
+) -> Vec<KindRow> {
     let specimens = entries.iter().filter_map(|entry| (entry.specimens)().into_iter().next());
     let row = |specimen| {
         let (kind, specimen) = (tag(&specimen), any(specimen));
-        Row { list, kind, cells: Target::ALL.map(|target| target.how(&specimen)) }
+        KindRow { list, kind, cells: Target::ALL.map(|target| target.how(&specimen)) }
     };
     specimens.map(row).collect()
 }

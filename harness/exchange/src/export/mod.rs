@@ -20,7 +20,7 @@ use std::fmt;
 use groundtruth::printable;
 
 pub use exposure::exposure;
-pub use kinds::{AnyKind, How, Row, kinds};
+pub use kinds::{AnyKind, How, KindRow, kinds};
 pub use leaves::Leaf;
 pub use renderer::Renderer;
 pub use target::{Exported, Target};

@@ -31,7 +31,7 @@ pub struct Exported {
 pub type Written = Result<Exported, Vec<Unsupported>>;
 
 /// All that is known of a target: its entry in its own folder.
-pub struct Language {
+pub struct ExportLanguage {
     pub(super) name: &'static str,
     /// The program that renders, and its arguments to say its version.
     pub(super) program: &'static str,
@@ -61,7 +61,7 @@ impl Target {
     pub const ALL: [Self; 2] = [Self::Pov, Self::Mitsuba];
 
     /// What is known of it.
-    pub fn language(self) -> &'static Language {
+    pub fn language(self) -> &'static ExportLanguage {
         match self {
             Self::Pov => &pov::LANGUAGE,
             Self::Mitsuba => &mitsuba::LANGUAGE,

@@ -2,7 +2,7 @@
 
 use std::fs;
 
-use exchange::export::{AnyKind, How, Row, Target, Term, kinds};
+use exchange::export::{AnyKind, How, KindRow, Target, Term, kinds};
 use groundtruth::cameras::ThinLens;
 use groundtruth::kinds::{Entry, Specification};
 use groundtruth::math::{Point, Vector};
@@ -21,7 +21,7 @@ fn the_page_has_the_table_of_kinds() {
         (word, "") => word.to_owned(),
         (word, note) => format!("{word}: {note}"),
     };
-    let line = |Row { list, kind, cells }: &Row| {
+    let line = |KindRow { list, kind, cells }: &KindRow| {
         let cells: Vec<String> = cells.iter().map(cell).collect();
         format!("| {list} | `{kind}` | {} |", cells.join(" | "))
     };

@@ -20,7 +20,7 @@ use groundtruth::scene::Scene;
 use groundtruth::shapes::Kind;
 
 use super::leaves::Leaves;
-use super::target::{Language, Written};
+use super::target::{ExportLanguage, Written};
 use super::{AnyKind, Exported, How, Target, writer};
 use ::text::xml::comment;
 use materials::Look;
@@ -42,7 +42,7 @@ struct Xml<'a> {
     files: Vec<(String, Vec<u8>)>,
 }
 
-pub(super) const LANGUAGE: Language = Language {
+pub(super) const LANGUAGE: ExportLanguage = ExportLanguage {
     name: "Mitsuba",
     program: "python3",
     version: &["-c", "import mitsuba; print('Mitsuba', mitsuba.__version__)"],

@@ -23,7 +23,7 @@ use groundtruth::scene::{Light, Scene, Tracer};
 use groundtruth::shapes::Kind;
 
 use super::leaves::Leaves;
-use super::target::{Language, Written};
+use super::target::{ExportLanguage, Written};
 use super::{AnyKind, Exported, How, Target, writer};
 use text::rgb;
 use walk::Body;
@@ -43,7 +43,7 @@ struct Pov {
 
 /// POV-Ray sends one ray through the centre of each pixel (`-A`: no more where neighbours differ) and writes linear values
 /// (`File_Gamma=1`) of 16 bits (`+FN16`).
-pub(super) const LANGUAGE: Language = Language {
+pub(super) const LANGUAGE: ExportLanguage = ExportLanguage {
     name: "POV-Ray",
     program: "povray",
     version: &["--version"],
