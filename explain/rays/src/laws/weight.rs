@@ -51,8 +51,10 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         let parts = traced.parents[index].map_or(1, alike) as f64;
         let is_part = is_near(*weight, expected / parts, tolerance);
         asked.count(index, is_split || is_part || is_near(*weight, expected, tolerance), || {
-            let is =
-                |times: f64| times.is_finite() && is_near(*weight, times * expected, tolerance);
+            let is = |times: f64| {
+                let near = |it: Rgb| is_near(*weight, times * it, tolerance);
+                times.is_finite() && (near(expected) || !ray.is_shadow() && near(without_mis))
+            };
             let cosine = cos.or(geometric.get(&index).copied()).unwrap_or(1.0);
             let is_told = |factor: Option<f64>| factor.is_some_and(|it| (it - 1.0).abs() > 1e-3);
             let [pdf, choice] = [pdf, choice].map(|it| it.unwrap_or(1.0));
