@@ -17,12 +17,14 @@ use crate::verdict::{Outcome, RayVerdict};
 /// The most rays of the tree on a page.
 const MAX_SHOWN: usize = 2000;
 /// The most findings of a law on a page.
-const MAX_FINDINGS: usize = 10;
+const MAX_FINDINGS: usize = 3;
 
 const STYLE: &str = "\
 .tree details { margin-left: 1.2em; }
 .tree summary.broken { background: var(--bad); }
 .tree p { margin: 0 0 0 1.2em; }
+td, th { vertical-align: top; }
+td p, td ul { margin: 0; }
 svg { max-width: 44em; height: auto; }
 ";
 
@@ -34,10 +36,10 @@ impl RayVerdict<'_> {
         let body = several()
             .with(heading(1, printable(&self.sentence())))
             .with_all(self.remarks().iter().map(|line| paragraph(printable(line))))
-            .with(self.laws())
             .with(self.drawings(root))
             .with(heading(2, "The rays"))
-            .with(group("tree").with(self.tree(root)));
+            .with(group("tree").with(self.tree(root)))
+            .with(self.laws());
         page(&title, &[LINES, CARD, STYLE], &body.html())
     }
 
@@ -92,15 +94,23 @@ impl RayVerdict<'_> {
         let orbit = orbit_of(world, &recorded.root);
         let faded = hiding(world, &recorded.root, &orbit);
         let svg = svg_of_rays(world, &recorded.root, &orbit, &faded);
-        let broken = self.first().and_then(|(_, _, finding)| recorded.number(finding.ray));
-        let section = broken.and_then(|ray| Section::of(world, &recorded.root, ray));
+        let section = self.first().and_then(|(_, _, finding)| {
+            // the plane of the hit that it leaves shows both rays and the normal
+            let is_shadow = self.traced.ray(finding.ray).is_shadow();
+            let sender = self.traced.parents[finding.ray].filter(|_| !is_shadow);
+            let number = recorded.number(sender.unwrap_or(finding.ray))?;
+            Section::of(world, &recorded.root, number)
+        });
         let section =
             section.map(|it| figure(Node::Drawing(it.drawing.svg()), it.drawing.title.clone()));
         several()
             .with(heading(2, "In space"))
             .with(figure(
                 Node::Drawing(svg),
-                "The numbers count the rays of this sample from 0, in the order of the tree below.",
+                match recorded.numbers {
+                    Some(_) => "The numbers are those of the log.",
+                    None => "The numbers count the rays from 0, in the order of the tree below.",
+                },
             ))
             .with_all(section)
     }

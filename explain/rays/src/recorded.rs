@@ -10,7 +10,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::shapes::PartPath;
 use groundtruth::trace::{Outcome, RayKind};
 
-use crate::log::Purpose;
+use crate::log::{Id, Purpose};
 use crate::traced::Traced;
 
 /// A tree of records, and the index in the log of each of its rays by their numbers.
@@ -18,8 +18,10 @@ use crate::traced::Traced;
 pub struct Recorded {
     /// The camera's ray.
     pub root: RecordedRay,
-    /// The rays' indices in the log.
+    /// The rays' indices in the log, in the order of the tree.
     pub indices: Vec<usize>,
+    /// Their numbers in the log, if it counts them in this order; else they are counted from 0.
+    pub numbers: Option<Vec<usize>>,
 }
 
 /// The most rays of a tree: deeper or larger ones are cut.
@@ -39,12 +41,28 @@ impl Recorded {
         let mut root = builder.ray(index, None, 0, Rgb::WHITE);
         let whole = root.radiance.average();
         shares(&mut root, whole);
-        Self { root, indices: builder.indices }
+        let mut recorded = Self { root, indices: builder.indices, numbers: None };
+        recorded.numbers = recorded.own_numbers(traced);
+        if let Some(numbers) = &recorded.numbers {
+            renumber(&mut recorded.root, numbers);
+        }
+        recorded
+    }
+
+    /// The rays' own names, if they are numbers in the order of the tree.
+    fn own_numbers(&self, traced: &Traced) -> Option<Vec<usize>> {
+        let number = |index: &usize| match traced.ray(*index).id {
+            Some(Id::Number(number)) => usize::try_from(number).ok(),
+            _ => None,
+        };
+        let numbers: Vec<usize> = self.indices.iter().map(number).collect::<Option<_>>()?;
+        numbers.is_sorted_by(|a, b| a < b).then_some(numbers)
     }
 
     /// The number of the ray that has this index in the log.
     pub fn number(&self, index: usize) -> Option<usize> {
-        self.indices.iter().position(|it| *it == index)
+        let place = self.indices.iter().position(|it| *it == index)?;
+        Some(self.numbers.as_ref().map_or(place, |numbers| numbers[place]))
     }
 }
 
@@ -56,6 +74,13 @@ pub fn names<'a>(all: impl Iterator<Item = &'a Arc<str>>) -> HashMap<Arc<str>, u
         places.entry(Arc::clone(name)).or_insert(next);
     }
     places
+}
+
+/// Gives each ray, now counted from 0, its number.
+fn renumber(ray: &mut RecordedRay, numbers: &[usize]) {
+    ray.number = numbers[ray.number];
+    ray.parent = ray.parent.map(|parent| numbers[parent]);
+    ray.children.iter_mut().for_each(|child| renumber(child, numbers));
 }
 
 fn shares(ray: &mut RecordedRay, whole: f64) {

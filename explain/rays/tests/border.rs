@@ -42,3 +42,20 @@ fn what_follows_is_said_so() {
         own.and_then(|(_, asked)| asked.findings.first()).and_then(|finding| finding.follows);
     assert_eq!(follows, Some(1));
 }
+
+/// Law: what a log calls things stands on the page as text, and the page begins with the sentence. Oracle: names of markup.
+#[test]
+fn names_are_text_on_the_page() {
+    let lines = [
+        r#"{"ray": "<i>", "kind": "<b>", "origin": [0, 2, 0], "direction": [0, -1, 0], "t": 2, "point": [1, 0, 0], "object": "<script>\u001b[31m"}"#,
+        r#"{"ray": 2, "parent": "<i>", "kind": "shadow", "light": "<u>", "origin": [0, 0, 0], "direction": [0, 1, 0]}"#,
+    ];
+    let traced = traced(&lines.map(str::to_owned));
+    let verdict = RayVerdict::of(&traced);
+    let page = verdict.page("<s>.jsonl");
+    for tag in ["<i>", "<b>", "<script>", "<u>", "<s>", "\u{1b}"] {
+        assert!(!page.contains(tag), "{tag}");
+        assert!(tag.starts_with('<') || !verdict.text().contains(tag), "{tag}");
+    }
+    assert!(page.contains("from the point at its t"), "{page}");
+}
