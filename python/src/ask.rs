@@ -1,10 +1,11 @@
 //! The questions of the probe, and the laws of functions of Python.
 
+use ::ask::{Invocation, Reply, Stop, Subject};
 use claims::ClaimsOptions;
-use conform::{Invocation, Reply, Stop, Subject, probe};
-use text::told::Told;
+use conform::probe;
 use pyo3::prelude::*;
 use serde_json::Value;
+use text::told::Told;
 
 use crate::scene::wrong;
 

@@ -4,8 +4,8 @@ use groundtruth::render::Canvas;
 use groundtruth::world::World;
 use judge::verdict::{self, Case, Decision};
 use pictures::compare::Picture;
-use text::told::Told;
 use pyo3::prelude::*;
+use text::told::Told;
 
 use crate::scene::{Built, Changes, wrong};
 
