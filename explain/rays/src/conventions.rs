@@ -2,6 +2,7 @@
 
 use groundtruth::math::Vector;
 
+use crate::laws::is_near;
 use crate::log::Purpose;
 use crate::traced::{Traced, median, size};
 use groundtruth::rgb::Rgb;
@@ -167,7 +168,7 @@ fn ratios(traced: &Traced) -> impl Iterator<Item = bool> {
 
 /// Whether the throughput of rays is that of their parent times the parent's weight.
 fn is_before(traced: &Traced) -> bool {
-    let near = |a: Rgb, b: Rgb| (a - b).max().abs() <= 1e-4 * b.max().abs();
+    let near = |a: Rgb, b: Rgb| is_near(a, b, 1e-4);
     let answers = traced.pairs().filter_map(|(index, parent)| {
         let (ray, from) = (&traced.ray(index).factors, &traced.ray(parent).factors);
         let (own, before) = (ray.throughput?, from.throughput?);

@@ -8,7 +8,7 @@ use groundtruth::math::{UNIT_ROUNDOFF, Vector, power};
 use crate::log::{Log, Precision, Purpose, Ray};
 
 /// Half an ulp of 1 in single precision.
-const SINGLE: f64 = 5.960_464_477_539_063e-8;
+pub const SINGLE: f64 = 5.960_464_477_539_063e-8;
 /// The digits with which a single number is printed so that it reads back as the same.
 const DIGITS_OF_SINGLE: usize = 9;
 /// The rays whose numbers show the precision.

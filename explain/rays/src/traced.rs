@@ -15,6 +15,9 @@ const STEPS: f64 = 32.0;
 /// How far away in the log the sender of a ray without `parent` is looked for.
 const LOOKED_AROUND: usize = 256;
 
+/// The longest way up that is looked at for each ray: a log of one chain would take its length squared.
+const LONGEST_WAY: usize = 1000;
+
 /// A log, with what follows from all of its lines together.
 #[derive(Debug)]
 pub struct Traced {
@@ -80,6 +83,11 @@ impl Traced {
         traced.link(true);
         traced.conventions = Conventions::of_tree(&traced);
         traced
+    }
+
+    /// The ray and those that sent it, up to the camera's or a thousand.
+    pub fn way_up(&self, index: usize) -> impl Iterator<Item = usize> {
+        std::iter::successors(Some(index), |&at| self.parents[at]).take(LONGEST_WAY)
     }
 
     /// The ray of this index.

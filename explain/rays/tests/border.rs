@@ -59,3 +59,15 @@ fn names_are_text_on_the_page() {
     }
     assert!(page.contains("from the point at its t"), "{page}");
 }
+
+/// Law: few printed digits make no short way an acne. Oracle: a room of one object, far from the origin and small.
+#[test]
+fn few_digits_are_no_acne() {
+    let lines = [
+        r#"{"ray": 0, "kind": "camera", "origin": [0, 0, 90], "direction": [0, 0, 1], "t": 10, "point": [0, 0, 100], "normal": [0, 0, -1], "object": "room"}"#,
+        r#"{"ray": 1, "parent": 0, "kind": "diffuse", "origin": [0, 0, 100], "direction": [0, 0, -1], "t": 1, "point": [0, 0, 99], "object": "room"}"#,
+    ];
+    let traced = traced(&lines.map(str::to_owned));
+    let verdict = RayVerdict::of(&traced);
+    assert!(!verdict.is_broken(), "{}", verdict.text());
+}

@@ -35,7 +35,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         .filter(is_camera)
         .filter(|it| it.1.direction.is_finite() && it.1.origin.is_finite())
         .collect();
-    let Some(film) = film(&rays.iter().map(|it| it.1).collect::<Vec<_>>()) else {
+    let Some(film) = film(&rays.iter().map(|it| it.1).collect::<Vec<_>>(), traced.scale) else {
         asked.notes.extend((extent(&rays) >= 2.0).then(|| "the camera rays pass no flat film from one eye (a lens, a panorama, an orthographic camera): they are not judged".to_owned()));
         return;
     };
@@ -69,12 +69,11 @@ fn extent(rays: &[&(usize, &Ray)]) -> f64 {
 }
 
 /// The film that most of the rays pass, from four of them that are far apart; `None` if there is none.
-fn film(rays: &[&Ray]) -> Option<Film> {
+fn film(rays: &[&Ray], scale: f64) -> Option<Film> {
     let eye = |axis: usize| median(rays.iter().map(|ray| ray.origin.along(axis)).collect());
     let eye = Point::new(eye(0)?, eye(1)?, eye(2)?);
     let spread = median(rays.iter().map(|ray| (ray.origin - eye).length()).collect())?;
-    let size = eye.to_vector().max_abs().max(1e-3);
-    if spread > 1e-4 * size || rays.len() < 4 {
+    if spread > 1e-4 * scale || rays.len() < 4 {
         return None;
     }
     let far = |score: fn([f64; 2]) -> f64| {

@@ -70,11 +70,10 @@ impl Leaving<'_> {
             return Some(self.normal()?.dot(self.arriving) > 0.0);
         }
         // from the camera, outside, each ray that passed this object's surface changed the side
-        let passed =
-            std::iter::successors(Some(self.from), |&at| traced.parents[at]).filter(|&at| {
-                let met = traced.parent(at).and_then(|before| before.object.as_ref());
-                traced.ray(at).is(&Purpose::Transmitted) && met == self.parent.object.as_ref()
-            });
+        let passed = traced.way_up(self.from).filter(|&at| {
+            let met = traced.parent(at).and_then(|before| before.object.as_ref());
+            traced.ray(at).is(&Purpose::Transmitted) && met == self.parent.object.as_ref()
+        });
         self.parent.object.is_some().then(|| passed.count() % 2 == 1)
     }
 }

@@ -27,6 +27,7 @@ mod true_normal;
 mod weight;
 
 use crate::traced::Traced;
+pub use weight::is_near;
 
 /// A law that the rays of a log are held to.
 #[derive(Clone, Copy, Debug)]

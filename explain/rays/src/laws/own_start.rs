@@ -1,12 +1,15 @@
 use super::geometry::leaving;
 use super::{LawReport, RayLaw};
 use crate::log::Purpose;
+use crate::precision::SINGLE;
 use crate::traced::Traced;
 use groundtruth::printable::name;
 use text::digits::short;
 
 /// Roundings within which a ray meets the surface that it starts on by accident.
 const ROUNDINGS: f64 = 4096.0;
+/// The part of a usual ray's length that is no rounding, however far from the origin the scene is.
+const FAR: f64 = 1e-2;
 /// The part of a usual ray's length that is too near for anything else.
 const NEAR: f64 = 1e-6;
 
@@ -31,18 +34,18 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             continue;
         }
         let end = it.ray.t.map(|t| (traced.along(it.ray, t) - it.ray.origin).length());
-        let (Some(near), moved) = (end.or(Some(f64::INFINITY)), (it.ray.origin - it.end).length())
-        else {
-            continue;
-        };
-        let rounding =
-            traced.rounding * (it.end.to_vector().max_abs() + it.ray.origin.to_vector().max_abs());
+        let (near, moved) = (end.unwrap_or(f64::INFINITY), (it.ray.origin - it.end).length());
+        // what a program computes with, not the fewer digits that it may print: a small t has all of its own
+        let rounding = traced.rounding.min(SINGLE)
+            * (it.end.to_vector().max_abs() + it.ray.origin.to_vector().max_abs());
         let is_same = match (&it.ray.object, &it.parent.object) {
             (Some(hit), Some(left)) => hit == left,
             _ => true,
         };
-        let limit =
-            (ROUNDINGS * rounding).max(NEAR * traced.scale).max(4.0 * moved / leaves.max(0.1));
+        let limit = (ROUNDINGS * rounding)
+            .min(FAR * traced.scale)
+            .max(NEAR * traced.scale)
+            .max(4.0 * moved / leaves.max(0.1));
         let holds = !(is_same && near <= limit);
         asked.count(it.index, holds, || {
             let to_wrong_side =

@@ -32,7 +32,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         leaving(traced).filter(|it| matches!(it.ray.kind, Some(Purpose::Diffuse | Purpose::Path)))
     {
         let Some(facing) = it.facing() else { continue };
-        let depth = std::iter::successors(Some(it.index), |&at| traced.parents[at]).count();
+        let depth = traced.way_up(it.index).count();
         drawn.push((facing.dot(it.leaving), it.index, depth));
     }
     if drawn.len() < FEW {
@@ -55,7 +55,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         asked.count(*index, twin.is_none(), || {
             let other = twin.copied().unwrap_or(*index);
             let [ray, same] = [traced.ray(*index), traced.ray(other)];
-            let other_depth = std::iter::successors(Some(other), |&at| traced.parents[at]).count();
+            let other_depth = traced.way_up(other).count();
             let causes = [
                 ray.pixel != same.pixel,
                 ray.pixel == same.pixel && ray.sample != same.sample,

@@ -85,5 +85,5 @@ fn is_wrong_side(it: &Leaving<'_>, away: Vector, slack: f64) -> bool {
 }
 
 fn root_of(traced: &Traced, index: usize) -> usize {
-    std::iter::successors(Some(index), |&at| traced.parents[at]).last().unwrap_or(index)
+    traced.way_up(index).last().unwrap_or(index)
 }
