@@ -3,11 +3,12 @@
 use std::error::Error;
 use std::fs::File;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use clap::Args;
+use groundtruth::scene::Scene;
 use groundtruth::world::{self, World};
 use rays::{RayVerdict, Traced, WriterLanguage};
-use serde_json::Value;
 
 use super::{Exit, Outcome, print};
 
@@ -40,7 +41,7 @@ impl Rays {
         }
         let Some(path) = &self.log else { return Ok(Exit::Unanswered) };
         let traced = read(path)?;
-        let verdict = RayVerdict::of(&traced);
+        let verdict = RayVerdict::of(traced);
         if let Some(output) = &self.output {
             let name = path.file_name().unwrap_or_default().to_string_lossy();
             super::output::write(output, verdict.page(&name).as_bytes())?;
@@ -55,7 +56,7 @@ impl Rays {
     }
 }
 
-fn exit(verdict: &RayVerdict<'_>) -> Exit {
+fn exit(verdict: &RayVerdict) -> Exit {
     if verdict.is_broken() { Exit::No } else { Exit::Yes }
 }
 
@@ -64,24 +65,22 @@ fn read(path: &PathBuf) -> Result<Traced, Box<dyn Error>> {
     let file = File::open(path).map_err(|e| named(e.to_string()))?;
     let log = rays::read(file).map_err(|e| named(e.to_string()))?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    let world = match &log.head.scene {
-        Some(Value::String(name)) => Some(named_scene(name, folder)?),
-        Some(inline) => Some(rays::inline_scene(inline, folder).map_err(named)?),
-        None => rays::world_of(&log, folder).map_err(named)?,
-    };
-    Ok(Traced::of(log, world))
+    let world = rays::world_of(&log, folder, |name| named_scene(name, folder)).map_err(named)?;
+    Ok(Traced::of(log, world.map(|(_, world)| Arc::new(world))))
 }
 
 /// A scene of the gallery, or a file beside the log.
-fn named_scene(name: &str, folder: &Path) -> Result<World, Box<dyn Error>> {
+fn named_scene(name: &str, folder: &Path) -> Result<(Scene, World), String> {
     if let Some(entry) = gallery::find(name) {
-        return Ok(World::build(&(entry.build)())?);
+        let scene = (entry.build)();
+        let world = World::build(&scene).map_err(|e| e.to_string())?;
+        return Ok((scene, world));
     }
     let file = folder.join(name);
     if !file.exists() {
-        return Err(format!("the log's scene: {}", gallery::unknown(name)).into());
+        return Err(gallery::unknown(name));
     }
-    Ok(world::read(&file)?.1)
+    world::read(&file).map_err(|e| e.to_string())
 }
 
 fn language(name: &str) -> Result<WriterLanguage, String> {

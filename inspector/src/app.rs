@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use eframe::egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, Vec2, vec2};
 use pictures::parse_pixel;
+use rays::RayPlace;
 
 use crate::action::Action;
 use crate::comparison::bar;
@@ -190,6 +191,9 @@ impl Inspector {
         if let Some(theirs) = self.others.shown_mut() {
             theirs.refresh(&ctx, rendering, self.picture.tone);
         }
+        if let Some(place) = self.others.first_ray().filter(|_| self.selection.pixel.is_none()) {
+            self.seek(place);
+        }
         self.explain_selected(&ctx);
         if self.selection.is_changed() {
             ctx.request_repaint();
@@ -297,8 +301,11 @@ impl Inspector {
             self.space.restart();
             self.fields.pixel.clear();
             self.fields.forget_save();
-            if self.proposes {
-                self.selection.propose(ctx, rendering);
+            self.others.forget_logs();
+            match opened.rays {
+                Some(path) => self.others.add_log(path),
+                None if self.proposes => self.selection.propose(ctx, rendering),
+                None => {}
             }
         }
         let [width, height] = rendering.size();
@@ -366,7 +373,9 @@ impl Inspector {
     }
 
     /// Selects a pixel, if the picture has it.
-    fn select(&mut self, pixel @ [x, y]: [u32; 2]) {
+    fn select(&mut self, pixel: [u32; 2]) {
+        let log = self.others.shown().and_then(|theirs| theirs.explained()?.log());
+        let pixel @ [x, y] = log.and_then(|log| log.nearest(pixel)).unwrap_or(pixel);
         let selected = self.selection.select(pixel, self.session.rendering.size());
         if selected.is_ok() {
             self.fields.pixel = format!("{x}, {y}");
@@ -382,9 +391,18 @@ impl Inspector {
         }
     }
 
-    /// Reveals the worst pixel of the next region of difference.
+    /// Selects a ray of a log, and moves the picture if its pixel is not in view.
+    fn seek(&mut self, place: RayPlace) {
+        self.reveal(place.pixel);
+        self.selection.seek(place);
+    }
+
+    /// Reveals the next broken ray of a log, or the worst pixel of the next region of difference.
     fn reveal_next_region(&mut self) {
         let Some(theirs) = self.others.shown_mut() else { return };
+        if let Some(place) = theirs.next_broken() {
+            return self.seek(place);
+        }
         match theirs.next_region(&self.session.rendering) {
             Ok(pixel) => self.reveal(pixel),
             Err(why) => self.message = Some((why.to_owned(), false)),

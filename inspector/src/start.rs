@@ -46,6 +46,7 @@ impl Start {
             Ok(loaded) => {
                 let mut inspector = Inspector::new(ctx, loaded);
                 match arguments.pixel {
+                    None if !arguments.rays.is_empty() => {}
                     Some(pixel) => inspector.explain(pixel, arguments.sample.unwrap_or(0)),
                     None => inspector.propose(ctx),
                 }
@@ -54,6 +55,7 @@ impl Start {
         };
         self.theirs.into_iter().for_each(|theirs| inspector.others.add_picture(theirs));
         inspector.others.choose(0);
+        arguments.rays.iter().for_each(|path| inspector.others.add_log(path.clone()));
         (inspector.space.mode, inspector.selection.tab) = (arguments.view, arguments.tab);
         let stored = StoredSettings::read(storage);
         let ground = arguments.theme.unwrap_or(stored.ground);

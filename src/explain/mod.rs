@@ -27,7 +27,7 @@ pub use formula::{Formula, MISTAKEN};
 pub use omissions::omissions;
 pub use outline::{Outline, Row};
 pub use page::table;
-pub use sources::{Source, SourceExplanation, Sources};
+pub use sources::{Source, SourceExplanation, Sources, Sums};
 pub use text::{brief, count, percent, quoted, short, unblocked};
 pub use unlit::lines;
 
@@ -175,7 +175,7 @@ pub fn ray(scene: &Scene, mut root: RecordedRay, weight: f64) -> RecordedRay {
 
 impl Statistics {
     /// The statistics of at least one sample.
-    fn of(radiances: &[Rgb]) -> Self {
+    pub fn of(radiances: &[Rgb]) -> Self {
         let root = (radiances.len() as f64).sqrt();
         let standard_error = sources::deviation(radiances).map(|deviation| deviation / root);
         let ranked = || (0_u32..).zip(radiances.iter().map(|radiance| radiance.average()));

@@ -80,14 +80,21 @@ impl SampleSums {
 
     /// The radiances, and the contributions to the pixel.
     pub(super) fn explained(self, world: &World) -> (Vec<Rgb>, Sources) {
-        let [by_entry, by_first_hit] =
-            [self.by_entry, self.by_first_hit].map(|sums| explain(world, &sums));
-        (self.radiances, Sources { by_entry, by_first_hit })
+        let time = world.view.exposure_time;
+        (self.radiances, Sources::of([&self.by_entry, &self.by_first_hit], time))
+    }
+}
+
+impl Sources {
+    /// What the samples have by entry and by first hit, times the exposure time.
+    pub fn of(samples: [&[Sums]; 2], exposure_time: f64) -> Self {
+        let [by_entry, by_first_hit] = samples.map(|sums| explain(exposure_time, sums));
+        Self { by_entry, by_first_hit }
     }
 }
 
 /// The sources of all samples, the largest standard deviation first.
-fn explain(world: &World, samples: &[Sums]) -> Vec<SourceExplanation> {
+fn explain(exposure_time: f64, samples: &[Sums]) -> Vec<SourceExplanation> {
     let mut sources: Vec<&Source> =
         samples.iter().flat_map(|sums| sums.0.iter().map(|(source, _)| source)).collect();
     sources.sort();
@@ -96,8 +103,8 @@ fn explain(world: &World, samples: &[Sums]) -> Vec<SourceExplanation> {
         let values: Vec<Rgb> = samples.iter().map(|sums| sums.get(source)).collect();
         SourceExplanation {
             source: source.clone(),
-            mean: render::expose(world, values.iter().copied()),
-            standard_deviation: deviation(&values).map(|it| world.view.exposure_time * it),
+            mean: exposure_time * render::mean(values.iter().copied()),
+            standard_deviation: deviation(&values).map(|it| exposure_time * it),
         }
     });
     let mut explained: Vec<_> = explained.collect();
@@ -125,12 +132,13 @@ impl SourceExplanation {
     }
 }
 
-/// The radiance from each source.
+/// The radiance of a sample from each source.
 #[derive(Default)]
-pub(super) struct Sums(Vec<(Source, Rgb)>);
+pub struct Sums(Vec<(Source, Rgb)>);
 
 impl Sums {
-    fn add(&mut self, source: Source, value: Rgb) {
+    /// Adds what comes from a source.
+    pub fn add(&mut self, source: Source, value: Rgb) {
         match self.0.iter_mut().find(|(known, _)| *known == source) {
             Some((_, sum)) => *sum += value,
             None => self.0.push((source, value)),

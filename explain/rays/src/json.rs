@@ -4,7 +4,7 @@ use serde_json::{Value, json};
 
 use crate::verdict::{Outcome, RayVerdict};
 
-impl RayVerdict<'_> {
+impl RayVerdict {
     /// All of it: each law with its outcome, each finding with its line.
     pub fn json(&self) -> Value {
         let laws: Vec<Value> = self

@@ -9,6 +9,7 @@ mod json;
 mod language;
 mod laws;
 mod log;
+mod logged;
 mod page;
 mod precision;
 mod recorded;
@@ -24,8 +25,9 @@ pub use laws::{BrokenRay, LAWS, LawReport, RayLaw};
 pub use log::{
     Damaged, Factors, Head, Id, Log, LogError, MAX_RAYS, Named, Precision, Purpose, Ray, read,
 };
+pub use logged::{Logged, RayPlace, size};
 pub use recorded::Recorded;
-pub use scene::{inline_scene, world_of};
+pub use scene::{empty_scene, inline_scene, world_of};
 pub use text::laws_text;
 pub use traced::Traced;
 pub use verdict::{Outcome, RayVerdict};

@@ -28,7 +28,7 @@ td p, td ul { margin: 0; }
 svg { max-width: 44em; height: auto; }
 ";
 
-impl RayVerdict<'_> {
+impl RayVerdict {
     /// The page; `name` is what the log is called.
     pub fn page(&self, name: &str) -> String {
         let root = self.shown_root();
@@ -82,7 +82,7 @@ impl RayVerdict<'_> {
 
     /// The rays in space, and the section of the first ray that breaks a law.
     fn drawings(&self, root: usize) -> Element {
-        let recorded = Recorded::of(self.traced, root);
+        let recorded = Recorded::of(&self.traced, root);
         let empty;
         let world: &World = match &self.traced.world {
             Some(world) => world,

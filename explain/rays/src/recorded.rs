@@ -61,8 +61,13 @@ impl Recorded {
 
     /// The number of the ray that has this index in the log.
     pub fn number(&self, index: usize) -> Option<usize> {
-        let place = self.indices.iter().position(|it| *it == index)?;
-        Some(self.numbers.as_ref().map_or(place, |numbers| numbers[place]))
+        self.by_number().find(|(_, it)| *it == index).map(|(number, _)| number)
+    }
+
+    /// The number of each ray, and its index in the log.
+    pub fn by_number(&self) -> impl Iterator<Item = (usize, usize)> {
+        let number = |place: usize| self.numbers.as_ref().map_or(place, |numbers| numbers[place]);
+        self.indices.iter().enumerate().map(move |(place, index)| (number(place), *index))
     }
 }
 

@@ -15,7 +15,7 @@ const MAX_PRINTED: usize = 200;
 /// The most findings of a law that are printed.
 const EXAMPLES: usize = 3;
 
-impl RayVerdict<'_> {
+impl RayVerdict {
     /// One sentence: which ray breaks which law, why, and how many others do.
     pub fn sentence(&self) -> String {
         let Some((law, asked, finding)) = self.first() else { return self.held() };
@@ -73,7 +73,7 @@ impl RayVerdict<'_> {
 
     /// What was taken from the log, guessed or left out, a sentence each.
     pub fn remarks(&self) -> Vec<String> {
-        let Traced { log, guessed, conventions, .. } = self.traced;
+        let Traced { log, guessed, conventions, .. } = &self.traced;
         let conventions = conventions.sentences();
         let mut said = Vec::new();
         said.extend(
@@ -157,8 +157,7 @@ impl RayVerdict<'_> {
 
     /// The first ray of the sample in which the first broken ray is, or of the first sample.
     pub fn shown_root(&self) -> usize {
-        let ray = self.first().map_or(0, |(_, _, finding)| finding.ray);
-        std::iter::successors(Some(ray), |&ray| self.traced.parents[ray]).last().unwrap_or(ray)
+        self.traced.root(self.first().map_or(0, |(_, _, finding)| finding.ray))
     }
 
     /// One line of a ray that a person can read: `3 (reflected)  t 12.3  hits "red sphere"  weight 0.9  brings 0.2`.

@@ -44,7 +44,7 @@ pub struct Traced {
     /// What the program means by its numbers.
     pub conventions: Conventions,
     /// The objects of the log, or the scene that it names.
-    pub world: Option<World>,
+    pub world: Option<Arc<World>>,
 }
 
 /// A ray whose place in the tree is not known.
@@ -58,12 +58,12 @@ pub enum Orphan {
 
 impl Traced {
     /// Finds senders, precision and conventions.
-    pub fn of(mut log: Log, world: Option<World>) -> Self {
+    pub fn of(mut log: Log, world: Option<Arc<World>>) -> Self {
         forget_marks(&mut log);
         add_ends(&mut log);
         let rounding = rounding(&log);
         let scale = scale(&log);
-        let (fixed, sizes) = (fixed(&log), sizes(world.as_ref()));
+        let (fixed, sizes) = (fixed(&log), sizes(world.as_deref()));
         let mut traced = Self {
             log,
             parents: Vec::new(),
@@ -88,6 +88,11 @@ impl Traced {
     /// The ray and those that sent it, up to the camera's or a thousand.
     pub fn way_up(&self, index: usize) -> impl Iterator<Item = usize> {
         std::iter::successors(Some(index), |&at| self.parents[at]).take(LONGEST_WAY)
+    }
+
+    /// The ray that no other sent, from which this one comes.
+    pub fn root(&self, index: usize) -> usize {
+        std::iter::successors(Some(index), |&at| self.parents[at]).last().unwrap_or(index)
     }
 
     /// The ray of this index.

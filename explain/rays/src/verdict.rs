@@ -10,9 +10,9 @@ const FEW: f64 = 5e-3;
 
 /// The laws and what each found.
 #[derive(Debug)]
-pub struct RayVerdict<'a> {
+pub struct RayVerdict {
     /// The log.
-    pub traced: &'a Traced,
+    pub traced: Traced,
     /// Each law with what it found, in the order of [`LAWS`].
     pub asked: Vec<(&'static RayLaw, LawReport)>,
 }
@@ -28,12 +28,12 @@ pub enum Outcome {
     NotAsked,
 }
 
-impl<'a> RayVerdict<'a> {
+impl RayVerdict {
     /// Asks all laws.
-    pub fn of(traced: &'a Traced) -> Self {
+    pub fn of(traced: Traced) -> Self {
         let mut asked: Vec<(&'static RayLaw, LawReport)> =
-            LAWS.iter().map(|law| (law, law.ask(traced))).collect();
-        follow(traced, &mut asked);
+            LAWS.iter().map(|law| (law, law.ask(&traced))).collect();
+        follow(&traced, &mut asked);
         Self { traced, asked }
     }
 
@@ -51,6 +51,11 @@ impl<'a> RayVerdict<'a> {
             .iter()
             .filter(move |(_, asked)| asked.outcome() == outcome)
             .map(|(law, asked)| (*law, asked))
+    }
+
+    /// What a law found.
+    pub fn report(&self, law: &RayLaw) -> Option<&LawReport> {
+        self.asked.iter().find(|(asked, _)| asked.name == law.name).map(|(_, report)| report)
     }
 
     /// The findings about a ray, with their laws.

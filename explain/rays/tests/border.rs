@@ -21,7 +21,7 @@ fn rounding_breaks_no_law() {
             ),
         ];
         let traced = traced(&lines);
-        let verdict = RayVerdict::of(&traced);
+        let verdict = RayVerdict::of(traced);
         assert!(!verdict.is_broken(), "at {angle}: {}", verdict.text());
     }
 }
@@ -35,7 +35,7 @@ fn what_follows_is_said_so() {
         r#"{"ray": 1, "parent": 0, "kind": "shadow", "light": "bulb", "origin": [0, -0.001, 0], "direction": [4, 3, 0], "end": 1, "t": 0.0003333333333333, "object": "floor"}"#,
     ];
     let traced = traced(&lines.map(str::to_owned));
-    let verdict = RayVerdict::of(&traced);
+    let verdict = RayVerdict::of(traced);
     assert_eq!(verdict.first().map(|(law, ..)| law.name), Some("starts-at-hit"));
     let own = verdict.asked.iter().find(|(law, _)| law.name == "not-its-own-start");
     let follows =
@@ -51,7 +51,7 @@ fn names_are_text_on_the_page() {
         r#"{"ray": 2, "parent": "<i>", "kind": "shadow", "light": "<u>", "origin": [0, 0, 0], "direction": [0, 1, 0]}"#,
     ];
     let traced = traced(&lines.map(str::to_owned));
-    let verdict = RayVerdict::of(&traced);
+    let verdict = RayVerdict::of(traced);
     let page = verdict.page("<s>.jsonl");
     for tag in ["<i>", "<b>", "<script>", "<u>", "<s>", "\u{1b}"] {
         assert!(!page.contains(tag), "{tag}");
@@ -68,6 +68,6 @@ fn few_digits_are_no_acne() {
         r#"{"ray": 1, "parent": 0, "kind": "diffuse", "origin": [0, 0, 100], "direction": [0, 0, -1], "t": 1, "point": [0, 0, 99], "object": "room"}"#,
     ];
     let traced = traced(&lines.map(str::to_owned));
-    let verdict = RayVerdict::of(&traced);
+    let verdict = RayVerdict::of(traced);
     assert!(!verdict.is_broken(), "{}", verdict.text());
 }

@@ -2,6 +2,7 @@ use rays::{Outcome, RayVerdict, Traced, read, world_of};
 use serde::Deserialize;
 use serde_json::{Map, Value};
 use std::path::Path;
+use std::sync::Arc;
 
 #[derive(Deserialize)]
 struct Cases {
@@ -21,8 +22,8 @@ pub fn traced(lines: &[String]) -> Traced {
     let text = lines.iter().map(|line| format!("{line}\n")).collect::<String>();
     let log = read(text.as_bytes()).expect("a log");
     assert_eq!(log.damaged, []);
-    let world = world_of(&log, Path::new("")).expect("objects");
-    Traced::of(log, world)
+    let world = world_of(&log, Path::new(""), |name| Err(name.to_owned())).expect("objects");
+    Traced::of(log, world.map(|(_, world)| Arc::new(world)))
 }
 
 fn edited(case: &Case) -> Vec<String> {
@@ -47,10 +48,10 @@ fn a_mistake_breaks_its_law() {
     let cases: Cases = toml::from_str(include_str!("laws.toml")).expect("cases");
     for case in &cases.case {
         let honest = traced(&case.log);
-        let verdict = RayVerdict::of(&honest);
+        let verdict = RayVerdict::of(honest);
         assert!(!verdict.is_broken(), "{}: honest, but: {}", case.law, verdict.text());
         let wrong = traced(&edited(case));
-        let verdict = RayVerdict::of(&wrong);
+        let verdict = RayVerdict::of(wrong);
         let broken = verdict.of_outcome(Outcome::Broken).find(|(law, _)| law.name == case.law);
         let Some((law, asked)) = broken else {
             panic!("{}: not broken: {}", case.law, verdict.text())

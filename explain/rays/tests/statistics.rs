@@ -25,7 +25,7 @@ fn drawn(cosine: impl Fn(f64) -> f64, seed: impl Fn(usize) -> u64) -> Traced {
     traced(&lines)
 }
 
-fn broken(traced: &Traced) -> Vec<(&'static str, Option<&'static str>)> {
+fn broken(traced: Traced) -> Vec<(&'static str, Option<&'static str>)> {
     let verdict = RayVerdict::of(traced);
     verdict
         .of_outcome(Outcome::Broken)
@@ -37,18 +37,18 @@ fn broken(traced: &Traced) -> Vec<(&'static str, Option<&'static str>)> {
 /// Oracle: the inverse distribution functions.
 #[test]
 fn densities_are_told_apart() {
-    assert_eq!(broken(&drawn(f64::sqrt, |_| 1)), []);
-    let [(law, cause)] = broken(&drawn(|u| u, |_| 1))[..] else { panic!("one law") };
+    assert_eq!(broken(drawn(f64::sqrt, |_| 1)), []);
+    let [(law, cause)] = broken(drawn(|u| u, |_| 1))[..] else { panic!("one law") };
     assert_eq!(law, "drawn-as-claimed");
     assert!(cause.is_some_and(|cause| cause.starts_with("directions are uniform")), "{cause:?}");
-    let [(_, cause)] = broken(&drawn(|u| cos(0.5 * PI * u), |_| 1))[..] else { panic!("one law") };
+    let [(_, cause)] = broken(drawn(|u| cos(0.5 * PI * u), |_| 1))[..] else { panic!("one law") };
     assert!(cause.is_some_and(|cause| cause.contains("clustered")), "{cause:?}");
 }
 
 /// Law: the same random numbers in each pixel are seen. Oracle: a generator that is seeded anew.
 #[test]
 fn a_generator_that_is_seeded_anew_is_seen() {
-    let found = broken(&drawn(f64::sqrt, |_| 7));
+    let found = broken(drawn(f64::sqrt, |_| 7));
     let cause =
         found.iter().find(|(law, _)| *law == "samples-differ").and_then(|(_, cause)| *cause);
     assert!(cause.is_some_and(|cause| cause.contains("seeded anew")), "{found:?}");
@@ -69,7 +69,7 @@ fn one_film_is_seen() {
         };
         traced(&(0..400).map(line).collect::<Vec<_>>())
     };
-    assert_eq!(broken(&film(1.0, 0.0)), []);
-    assert!(broken(&film(0.5, 0.0))[0].1.is_some_and(|cause| cause.contains("aspect")));
-    assert_eq!(broken(&film(1.0, 8.0))[0].0, "one-camera");
+    assert_eq!(broken(film(1.0, 0.0)), []);
+    assert!(broken(film(0.5, 0.0))[0].1.is_some_and(|cause| cause.contains("aspect")));
+    assert_eq!(broken(film(1.0, 8.0))[0].0, "one-camera");
 }

@@ -1,8 +1,10 @@
 //! The bar of a comparison: what is shown, how much differs, the next region, and the verdict.
 
-use eframe::egui::{Align, Button, ComboBox, Layout, RichText, Ui};
+use eframe::egui::{Align, Button, ComboBox, Label, Layout, RichText, Ui};
 use groundtruth::explain::{brief, count};
+use groundtruth::printable;
 use pictures::compare::Comparison;
+use rays::Logged;
 
 use crate::action::{Action, Shows, With};
 use crate::comparison::judgement::Judgement;
@@ -26,6 +28,13 @@ const SHOWN: [(Shows, &str, &str); 5] = [
         "Map of z",
         "The difference of each pixel in standard deviations; grey: 0, white and black: ±6 and more (Z)",
     ),
+];
+
+/// The views of a log of rays and of ours.
+const OF_LOG: [(Shows, &str, &str); 3] = [
+    (Shows::Theirs, "Yours", "The rays of the log (T)"),
+    (Shows::Ours, "Ours", "Our rays for the same pixel (T)"),
+    (Shows::Swipe, "Both", "Our picture and rays, with those of the log (W)"),
 ];
 
 /// The width of the list of pictures, in points of the screen.
@@ -88,6 +97,10 @@ fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Acti
         ui.colored_label(ui.visuals().warn_fg_color, text);
         return None;
     }
+    let is_beside = theirs.is_twin();
+    if let Some(log) = theirs.program.as_ref().and_then(|program| program.log()) {
+        return views_of_log(ui, &mut theirs.shows, (log, is_beside));
+    }
     for (shows, name, hint) in SHOWN {
         if shows != Shows::Map || theirs.judgement.verdict().is_some() {
             ui.selectable_value(&mut theirs.shows, shows, name).on_hover_text(hint);
@@ -113,10 +126,31 @@ fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Acti
     let text = comparison.map_or("compared when our picture is finished".to_owned(), summary);
     ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
         let hint = comparison.map_or(String::new(), Comparison::to_string);
-        let label = eframe::egui::Label::new(RichText::new(&text)).truncate();
+        let label = Label::new(RichText::new(&text)).truncate();
         ui.add(label).on_hover_text(RichText::new(hint).monospace());
     });
     next.clicked().then_some(Action::NextRegion).or(judges.then_some(Action::Compare(With::Judge)))
+}
+
+/// Shows whose rays there are to choose from, and what the laws found in the log.
+fn views_of_log(
+    ui: &mut Ui,
+    shows: &mut Shows,
+    (log, is_beside): (&Logged, bool),
+) -> Option<Action> {
+    if is_beside {
+        for (view, name, hint) in OF_LOG {
+            ui.selectable_value(shows, view, name).on_hover_text(hint);
+        }
+        ui.separator();
+    }
+    let broken = log.verdict.is_broken();
+    let next = ui.add_enabled(broken, Button::new("Next broken ray")).on_hover_text("(N)");
+    let sentence = printable::text(&log.verdict.sentence());
+    let text = RichText::new(&sentence);
+    let text = if broken { text.color(ui.visuals().error_fg_color) } else { text };
+    ui.add(Label::new(text).truncate()).on_hover_text(sentence);
+    next.clicked().then_some(Action::NextRegion)
 }
 
 /// A sentence of a comparison with names for A and B.

@@ -24,7 +24,7 @@ pub fn named(path: PathBuf) -> Action {
     if is_picture(&path) {
         Action::Compare(With::Picture(path))
     } else {
-        Action::Open(Source::File(path))
+        Action::Open(Source::of_file(path))
     }
 }
 

@@ -1,11 +1,13 @@
 //! The pictures that ours can be compared with: those of files, and those that are made from the scene. One of them is
 //! held against ours.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use eframe::egui::Context;
 use judge::mistakes::Mistake;
+use rays::{Logged, RayPlace};
 
 use crate::action::{Shows, With};
 use crate::comparison::opening::{self, Opening};
@@ -13,6 +15,8 @@ use crate::comparison::recipe::{Made, Recipe, State};
 use crate::comparison::theirs::Theirs;
 use crate::picture::session::Session;
 use crate::picture::worker::{Background, Rendering};
+use crate::scene::source::Source;
+use crate::scene::watch::{self, Watch};
 
 /// All pictures beside ours, in the order in which they came.
 #[derive(Default)]
@@ -31,6 +35,10 @@ pub struct Others {
     opening: Opening,
     /// How many states were kept.
     kept: usize,
+    /// The logs of rays, which are read again when they are written again.
+    watch: Watch,
+    /// Where the window looks first in a log that was read.
+    first: Option<RayPlace>,
 }
 
 /// What the user must know, and whether it is an error.
@@ -47,6 +55,14 @@ struct Entry {
 }
 
 impl Entry {
+    /// The file, if it is made from a log of rays.
+    fn log(&self) -> Option<&Path> {
+        match &self.recipe {
+            Some(Recipe::Scene(source)) => source.rays(),
+            _ => None,
+        }
+    }
+
     fn name(&self) -> String {
         let of_recipe = self.recipe.as_ref().map(Recipe::name);
         of_recipe.or(self.theirs.as_ref().map(|it| it.name.clone())).unwrap_or_default()
@@ -150,6 +166,47 @@ impl Others {
         self.push(None, Some(theirs));
     }
 
+    /// Adds a log of rays, unless it is there, and shows its rays.
+    pub fn add_log(&mut self, path: PathBuf) {
+        let is_of_log = |entry: &Entry| entry.log() == Some(&path);
+        match self.entries.iter().position(is_of_log) {
+            Some(index) => self.choose(index),
+            None => {
+                self.watch.add(path.clone());
+                self.add(Recipe::Scene(Source::Rays(path)));
+            }
+        }
+        self.shows = Shows::Theirs;
+    }
+
+    /// Lets the logs go: they were of another scene.
+    pub fn forget_logs(&mut self) {
+        self.entries.retain(|entry| entry.log().is_none());
+        self.choose(self.chosen);
+    }
+
+    /// The ray that a log begins with: the first that breaks a law. Returned once.
+    pub fn first_ray(&mut self) -> Option<RayPlace> {
+        self.first.take()
+    }
+
+    /// The log of the picture that is held against ours, if it is known by one.
+    pub fn log(&self) -> Option<&Logged> {
+        self.shown()?.program.as_ref()?.log()
+    }
+
+    /// Reads the logs again that were written again.
+    fn follow_logs(&mut self, ctx: &Context) {
+        if self.watch.is_empty() {
+            return;
+        }
+        ctx.request_repaint_after(watch::INTERVAL);
+        if self.watch.changed() {
+            let of_log = self.entries.iter_mut().filter(|entry| entry.log().is_some());
+            of_log.for_each(|entry| entry.made_beside = None);
+        }
+    }
+
     /// Adds a picture that is made from the scene, and holds it against ours.
     pub fn add(&mut self, recipe: Recipe) {
         self.push(Some(recipe), None);
@@ -238,6 +295,7 @@ impl Others {
 
     /// Starts to make the picture that is chosen, and holds it against ours once it is made. Returns why there is none.
     pub fn refresh(&mut self, ctx: &Context, rendering: &Rendering) -> Option<String> {
+        self.follow_logs(ctx);
         let wanted = self.wanted(rendering);
         if wanted != self.asked {
             self.is_stopped.store(true, Ordering::Relaxed);
@@ -251,6 +309,7 @@ impl Others {
         let problem = match made {
             Ok(Some((mut program, film))) => {
                 program.number = self.number();
+                self.first = program.log().and_then(Logged::first_place);
                 let theirs = Theirs::of_program(program, film, self.shows);
                 let entry = self.entries.get_mut(self.chosen)?;
                 (entry.theirs, entry.made_beside) = (Some(theirs), Some(generation));
@@ -262,6 +321,13 @@ impl Others {
             }),
             Err(error) => error,
         };
+        if let Some(entry) = self.entries.get_mut(self.chosen)
+            && entry.log().is_some()
+            && entry.theirs.is_some()
+        {
+            entry.made_beside = Some(generation);
+            return Some(problem);
+        }
         self.let_go();
         Some(problem)
     }
@@ -271,6 +337,10 @@ impl Others {
         let Some(recipe) = &entry.recipe else { return };
         self.is_stopped = Arc::default();
         self.working.start_in_slices(ctx, recipe.work(rendering, Arc::clone(&self.is_stopped)));
+        if entry.log().is_some() {
+            // shown until the program has written a whole one
+            return;
+        }
         // one beside an earlier picture of ours
         self.shows = entry.theirs.take().map_or(self.shows, |theirs| theirs.shows);
     }

@@ -1,15 +1,20 @@
-//! What made a picture that is held against ours, if it can be explained as ours can: a program with a known mistake, or
-//! ours with another scene.
+//! What made a picture that is held against ours, if it can be explained as ours can: a program with a known mistake, ours
+//! with another scene, or one that wrote a log of its rays.
 
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use groundtruth::film::Film;
+use groundtruth::printable;
 use groundtruth::render::Renderer;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::trace::{Budget, Recorder};
 use groundtruth::world::World;
 use judge::mistakes::{Mistake, Mistaken};
+use rays::{Logged, RayVerdict, Traced};
 
+use crate::platform;
 use crate::scene::source::{Loaded, Source};
 
 /// A program and the scene that it renders.
@@ -32,6 +37,7 @@ pub struct Program {
 enum By {
     Mistaken(Box<Mistaken>),
     Ours(Arc<World>),
+    Logged { log: Box<Logged>, world: Arc<World>, picture: Option<PathBuf> },
 }
 
 impl Program {
@@ -49,11 +55,63 @@ impl Program {
         Self { number: 0, name, source, read, scene, by }
     }
 
+    /// One that wrote a log of its rays, in our world, unless the log is all there is.
+    ///
+    /// # Errors
+    /// The log cannot be read.
+    pub fn of_log(
+        path: &Path,
+        (source, read, scene): (Source, Scene, Scene),
+        ours: Arc<World>,
+    ) -> Result<Self, String> {
+        let named = |problem: String| format!("{}: {problem}", path.display());
+        let log = platform::read_log(path).map_err(|error| named(error.to_string()))?;
+        let is_alone = source.rays().is_some() && log.head.scene.is_none();
+        let folder = path.parent().unwrap_or(Path::new(""));
+        let own = match is_alone {
+            true => rays::world_of(&log, folder, |_| unreachable!("the head names no scene")),
+            false => Ok(None),
+        };
+        let own = own.map_err(named)?;
+        let is_known = own.is_some() || !is_alone;
+        let (scene, world) = own.map_or((scene, ours), |(scene, world)| (scene, Arc::new(world)));
+        let known = is_known.then(|| Arc::clone(&world));
+        let picture = log.head.picture.as_ref().map(|file| folder.join(file));
+        let name = log.head.program.as_ref().map_or("yours".to_owned(), |it| printable::name(it));
+        let logged = Logged::of(RayVerdict::of(Traced::of(log, known)));
+        let by = By::Logged { log: Box::new(logged), world, picture };
+        Ok(Self { number: 0, name, source, read, scene: Arc::new(scene), by })
+    }
+
+    /// What is known of its picture: its file, if it has this size, and over it the pixels of its log.
+    pub fn picture(&self, [width, height]: [u32; 2]) -> Film {
+        let blank = Film::new(width, height);
+        let By::Logged { log, picture, .. } = &self.by else { return blank };
+        let stored = picture.as_ref().and_then(|path| platform::read_picture(path, None).ok());
+        match stored.filter(|picture| picture.size == [width, height]) {
+            Some(picture) => picture.radiance(),
+            None => log.film(blank),
+        }
+    }
+
+    /// The log of its rays, if that is what is known of it.
+    pub fn log(&self) -> Option<&Logged> {
+        match &self.by {
+            By::Logged { log, .. } => Some(log),
+            By::Mistaken(_) | By::Ours(_) => None,
+        }
+    }
+
+    /// Whether its picture shows what ours does: a log without a scene has no picture of ours beside it.
+    pub fn is_beside_ours(&self) -> bool {
+        self.source.rays().is_none() || self.log().is_some_and(|log| log.has_scene())
+    }
+
     /// Its mistake, if it has one.
     pub fn mistake(&self) -> Option<&'static Mistake> {
         match &self.by {
             By::Mistaken(program) => Some(program.mistake()),
-            By::Ours(_) => None,
+            By::Ours(_) | By::Logged { .. } => None,
         }
     }
 
@@ -61,7 +119,7 @@ impl Program {
     pub fn own_world(&self) -> Option<&Arc<World>> {
         match &self.by {
             By::Mistaken(_) => None,
-            By::Ours(world) => Some(world),
+            By::Ours(world) | By::Logged { world, .. } => Some(world),
         }
     }
 }
@@ -70,7 +128,7 @@ impl Renderer for Program {
     fn world(&self) -> &World {
         match &self.by {
             By::Mistaken(program) => program.world(),
-            By::Ours(world) => world,
+            By::Ours(world) | By::Logged { world, .. } => world,
         }
     }
 
@@ -84,6 +142,7 @@ impl Renderer for Program {
         match &self.by {
             By::Mistaken(program) => program.sample(pixel, index, recorder, budget),
             By::Ours(world) => world.sample(pixel, index, recorder, budget),
+            By::Logged { log, .. } => log.radiance(pixel).unwrap_or(Rgb::BLACK),
         }
     }
 }

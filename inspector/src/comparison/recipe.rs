@@ -6,6 +6,7 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use groundtruth::film::Film;
 use groundtruth::render::{Canvas, Renderer};
 use groundtruth::scene::Scene;
+use groundtruth::world::World;
 use judge::mistakes::{Mistake, Mistaken};
 use pictures::compare;
 
@@ -79,12 +80,17 @@ impl Recipe {
     ) -> impl FnMut(&Slice) -> Option<Made> + Send + 'static {
         let (recipe, source) = (self.clone(), rendering.source.clone());
         let (read, scene) = (rendering.read.clone(), Arc::clone(&rendering.scene));
+        let world = Arc::clone(&rendering.world);
         let (seed, size) = (rendering.world.seed, rendering.size());
         let mut made = None;
         move |slice| {
             let (program, canvas) = match made.take() {
                 Some(made) => made,
-                None => match recipe.program((&source, &read, &scene), seed, size) {
+                None => match recipe.program((&source, &read, &scene, &world), seed, size) {
+                    Ok(Some(program)) if program.log().is_some() => {
+                        let film = program.picture(size);
+                        return Some(Ok(Some((program, film))));
+                    }
                     Ok(Some(program)) => {
                         let canvas = Canvas::new(program.world());
                         (program, canvas)
@@ -110,7 +116,7 @@ impl Recipe {
 
     fn program(
         &self,
-        (source, read, scene): (&Source, &Scene, &Scene),
+        (source, read, scene, world): (&Source, &Scene, &Scene, &Arc<World>),
         seed: u64,
         size: [u32; 2],
     ) -> Result<Option<Program>, String> {
@@ -125,6 +131,10 @@ impl Recipe {
                 let program = Mistaken::new(mistake, scene, source.folder(), seed);
                 let program = program.map_err(|error| error.to_string())?;
                 return Ok(program.map(|program| Program::with_mistake(program, source, read)));
+            }
+            Self::Scene(Source::Rays(path)) => {
+                let (scene, world) = (scene.clone(), Arc::clone(world));
+                return Program::of_log(path, (source, read, scene), world).map(Some);
             }
             Self::Field(change) => source.rebuild(read, change.applied(scene)?, seed)?,
             Self::Scene(other) => other.clone().load_changed(seed, fit)?,

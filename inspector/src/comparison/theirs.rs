@@ -12,6 +12,7 @@ use groundtruth::film::{Film, Tone};
 use groundtruth::rgb::Rgb;
 use judge::verdict;
 use pictures::compare::{Comparison, Differences, Picture, Transfer};
+use rays::RayPlace;
 
 use crate::action::Shows;
 use crate::comparison::judgement::Judgement;
@@ -71,7 +72,9 @@ impl Theirs {
     /// The picture of a program, in this view.
     pub fn of_program(program: Program, film: Film, shows: Shows) -> Self {
         let theirs = Self::of(program.name.clone(), Picture::of_film(&film), film);
-        Self { program: Some(Arc::new(program)), shows, ..theirs }
+        // a log opens at the first of its broken rays
+        let region = program.log().map(|_| 0);
+        Self { program: Some(Arc::new(program)), shows, region, ..theirs }
     }
 
     fn of(name: String, picture: Picture, radiance: Film) -> Self {
@@ -94,7 +97,13 @@ impl Theirs {
 
     /// The program whose pixels are explained, if it is another than ours: the one whose picture is shown.
     pub fn explained(&self) -> Option<&Arc<Program>> {
-        self.program.as_ref().filter(|_| self.shows == Shows::Theirs)
+        let is_shown = self.shows == Shows::Theirs;
+        self.program.as_ref().filter(|program| is_shown || !program.is_beside_ours())
+    }
+
+    /// Whether the same pixel is explained in both pictures.
+    pub fn is_twin(&self) -> bool {
+        self.program.as_ref().is_some_and(|program| program.is_beside_ours())
     }
 
     /// Pixels across and down.
@@ -159,6 +168,9 @@ impl Theirs {
 
     /// Shows one of the pictures, the map only once there is one; ours, if it is shown already.
     pub fn flip(&mut self, wanted: Shows) {
+        if self.program.as_ref().is_some_and(|program| !program.is_beside_ours()) {
+            return;
+        }
         if wanted != Shows::Map || self.judgement.verdict().is_some() {
             self.shows = if self.shows == wanted { Shows::Ours } else { wanted };
         }
@@ -174,6 +186,16 @@ impl Theirs {
         let next = self.region.map_or(0, |region| region + 1) % worst.len().max(1);
         self.region = Some(next);
         worst.get(next).copied().ok_or("no pixel differs")
+    }
+
+    /// Where the next ray stands that breaks a law, if it is a log that is shown, and there is one.
+    pub fn next_broken(&mut self) -> Option<RayPlace> {
+        let log = self.program.as_ref()?.log()?;
+        let broken = log.broken_rays();
+        let next = self.region.map_or(0, |region| region + 1) % broken.len().max(1);
+        self.region = Some(next);
+        self.shows = if self.shows == Shows::Ours { Shows::Theirs } else { self.shows };
+        Some(log.place(*broken.get(next)?))
     }
 
     /// The difference or the map of z that is shown, to be saved; `Some(None)` if it is not there yet.
@@ -200,8 +222,14 @@ impl Theirs {
     /// Whether anything is still being computed for it.
     pub fn is_busy(&self, rendering: &Rendering) -> bool {
         let is_compared = self.comparison(rendering).is_some();
-        let is_due = rendering.is_finished() && self.fits(rendering) && !is_compared;
+        let is_due = self.is_comparable(rendering) && !is_compared;
         self.layer.is_busy() || self.differences.is_busy() || self.judgement.is_busy() || is_due
+    }
+
+    /// Whether it can be compared with our picture: a log has few of the pixels.
+    fn is_comparable(&self, rendering: &Rendering) -> bool {
+        let is_log = self.program.as_ref().is_some_and(|program| program.log().is_some());
+        rendering.is_finished() && self.fits(rendering) && !is_log
     }
 
     /// Whether our picture has its size.
@@ -230,7 +258,7 @@ impl Theirs {
         let radiance = Arc::clone(&self.radiance);
         self.layer.refresh(ctx, tone, move || shown(&radiance, &tone));
         let is_compared = self.comparison(rendering).is_some();
-        if rendering.is_finished() && !is_compared && !self.comparing.is_busy() {
+        if self.is_comparable(rendering) && !is_compared && !self.comparing.is_busy() {
             let (canvas, theirs) = (Arc::clone(&rendering.canvas), Arc::clone(&self.picture));
             self.comparing.start(ctx, move || {
                 let ours = Picture::of_film(&canvas.film());

@@ -8,6 +8,7 @@ use groundtruth::explain::{self, PixelExplanation, RecordedRay, SampleExplanatio
 use groundtruth::render::Renderer;
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayBudget;
+use rays::Logged;
 
 use crate::explanation::{Subject, Version};
 use crate::picture::worker::{Background, Lost};
@@ -52,6 +53,12 @@ fn answer(scene: &Scene, renderer: &impl Renderer, question: Question) -> Explai
     explained.map(Arc::new).map_err(|e| e.to_string())
 }
 
+/// What a log has of a pixel.
+fn read_off(log: &Logged, Question { pixel: pixel @ [x, y], sample, .. }: Question) -> Explained {
+    let missing = || format!("the log has no ray of pixel ({x}, {y})");
+    log.explanation(pixel, sample).map(Arc::new).ok_or_else(missing)
+}
+
 impl Asked {
     /// Starts to explain a sample of a pixel, unless that is done or under way. Waits for a short explanation.
     pub fn refresh(
@@ -65,7 +72,7 @@ impl Asked {
             self.answered = None;
             return;
         };
-        let sample = sample.min(subject.samples_per_pixel() - 1);
+        let sample = sample.min(subject.samples_of(pixel) - 1);
         let question = Question { version: subject.version(), pixel, sample };
         self.accept(finished, question);
         if self.working.is_busy() || self.answers(question) {
@@ -77,7 +84,10 @@ impl Asked {
         self.working.start(ctx, move || {
             let answer = match program {
                 None => answer(&scene, &*world, question),
-                Some(program) => answer(&program.scene, &*program, question),
+                Some(program) => match program.log() {
+                    Some(log) => read_off(log, question),
+                    None => answer(&program.scene, &*program, question),
+                },
             };
             (question, answer)
         });

@@ -8,6 +8,7 @@ use groundtruth::render::Renderer;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
+use rays::Logged;
 
 use crate::comparison::program::Program;
 use crate::comparison::theirs::Theirs;
@@ -17,6 +18,7 @@ use crate::splits::Mode;
 
 pub mod asked;
 pub mod beside;
+pub mod checks;
 pub mod copying;
 pub mod details;
 pub mod pixel;
@@ -64,8 +66,21 @@ impl<'a> Subject<'a> {
         self.program.map_or(&self.rendering.source, |program| &program.source)
     }
 
-    /// The samples of each of its pixels.
-    pub fn samples_per_pixel(&self) -> u32 {
+    /// The log of its rays, if that is what is known of it.
+    pub fn log(&self) -> Option<&'a Logged> {
+        self.program.and_then(|program| program.log())
+    }
+
+    /// Whether its world has the camera of its picture: a log may name objects alone.
+    pub fn has_camera(&self) -> bool {
+        self.program.is_none_or(|program| program.is_beside_ours())
+    }
+
+    /// The samples of a pixel.
+    pub fn samples_of(&self, pixel: [u32; 2]) -> u32 {
+        if let Some(log) = self.log() {
+            return log.trees_of(pixel);
+        }
         let program = self.program.map(|program| program.world().samples_per_pixel());
         program.unwrap_or_else(|| self.rendering.world.samples_per_pixel())
     }

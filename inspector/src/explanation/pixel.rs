@@ -107,8 +107,8 @@ pub fn copy_menu(
 pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
     let rendered = shown.radiance(answer.pixel);
     let program = shown.subject().program;
-    let subject =
-        program.map_or("The pixel".to_owned(), |it| format!("With {} the pixel", it.name));
+    let made = program.filter(|program| program.log().is_none());
+    let subject = made.map_or("The pixel".to_owned(), |it| format!("With {} the pixel", it.name));
     let exposure = match answer.exposure_time {
         1.0 => String::new(),
         time => format!(", times the exposure time {time:?}"),

@@ -1,5 +1,6 @@
 //! The selected pixel: its samples, their sum, and the selected ray.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use eframe::egui::{self, Frame, Key, Margin, Panel, ScrollArea, Ui, vec2};
@@ -7,6 +8,7 @@ use groundtruth::explain::{self, PixelExplanation, RecordedRay, SampleExplanatio
 use groundtruth::film::Tone;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
+use rays::{Logged, RayPlace};
 
 use crate::comparison::theirs::Theirs;
 use crate::explanation::asked::{Asked, Question, sample_of};
@@ -18,7 +20,7 @@ use crate::explanation::section::SectionView;
 use crate::explanation::trail::{self, TrailPoint};
 use crate::explanation::tree::{self, Tree};
 use crate::explanation::why_not::WhyNotView;
-use crate::explanation::{Shown, Subject, details, proposal, verdict_text};
+use crate::explanation::{Shown, Subject, checks, details, proposal, verdict_text};
 use crate::picture::display;
 use crate::picture::worker::{Background, Rendering};
 use crate::splits::{Splits, part};
@@ -59,6 +61,10 @@ pub struct Selection {
     beside: Asked,
     numbers: Beside,
     proposing: Background<[u32; 2]>,
+    /// The number of a ray that is selected once its tree is there.
+    sought: Option<usize>,
+    /// The tree whose rays are known by their numbers, and their indices in its log.
+    logged: Option<(Question, BTreeMap<usize, usize>)>,
 }
 
 /// The part that is shown below the tree.
@@ -75,6 +81,8 @@ pub enum Tab {
     Samples,
     /// The verdict on the picture that ours is compared with, once there is one.
     Verdict,
+    /// What the laws found in the log of rays that is shown.
+    Checks,
     /// The selected ray in both of two pictures that can be explained.
     #[value(skip)]
     Beside,
@@ -97,6 +105,28 @@ impl Selection {
         }
         self.asked.refresh(ctx, &shown, asked);
         self.beside.refresh(ctx, &other, asked.filter(|_| program.is_some()));
+        self.read_off(shown.log());
+        if let Some(number) = self.sought.take_if(|_| self.asked.pixel() == self.pixel) {
+            self.go_to(number);
+        }
+    }
+
+    /// Notes which rays of a log the tree has, and what the laws found of them.
+    fn read_off(&mut self, log: Option<&Logged>) {
+        let question = log.and(self.root()).map(|(question, _)| question);
+        if question == self.logged.as_ref().map(|(of, _)| *of) {
+            return;
+        }
+        let both = log.zip(question);
+        let found = both.map(|(log, of)| log.findings(of.pixel, of.sample)).unwrap_or_default();
+        self.tree.found = Arc::new(found);
+        self.logged = both.map(|(log, of)| (of, log.tree(of.pixel, of.sample)));
+    }
+
+    /// Selects a ray of a log, once its pixel is explained.
+    pub fn seek(&mut self, RayPlace { pixel, sample, number }: RayPlace) {
+        (self.pixel, self.sample, self.is_proposed) = (Some(pixel), sample, false);
+        self.sought = Some(number);
     }
 
     /// Starts to look for a pixel that is worth explaining.
@@ -243,7 +273,13 @@ impl Selection {
                 None if self.tab == Tab::Verdict => self.tab = Tab::default(),
                 None => {}
             }
-            if shown.theirs.is_some_and(|theirs| theirs.program.is_some()) {
+            if shown.subject().log().is_some() {
+                let tab = ui.selectable_value(&mut self.tab, Tab::Checks, "Checks");
+                tab.on_hover_text("The laws that the rays are held to");
+            } else if self.tab == Tab::Checks {
+                self.tab = Tab::default();
+            }
+            if shown.theirs.is_some_and(Theirs::is_twin) {
                 let tab = ui.selectable_value(&mut self.tab, Tab::Beside, "Side by side");
                 tab.on_hover_text("The selected ray in both pictures, number by number");
             } else if self.tab == Tab::Beside {
@@ -255,6 +291,11 @@ impl Selection {
         let (tone, chosen) = (shown.tone, &mut self.sample);
         match self.tab {
             Tab::Ray => drop(area.show(ui, |ui| self.ray_details(ui, shown))),
+            Tab::Checks => {
+                let log = shown.subject().log();
+                let place = area.show(ui, |ui| log.and_then(|log| checks::show(ui, log))).inner;
+                place.into_iter().for_each(|place| self.seek(place));
+            }
             Tab::Beside => drop(area.show(ui, |ui| self.side_by_side(ui, shown))),
             Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|it| verdict_text::show(ui, it)))),
             Tab::Section => self.section_of_ray(ui, shown.subject().world()),
@@ -280,8 +321,13 @@ impl Selection {
         if let Some((question, root)) = self.root() {
             let ray = self.tree.selected(root);
             details::head(ui, ray);
+            if let (Some(log), Some((_, indices))) = (shown.subject().log(), &self.logged) {
+                indices.get(&ray.number).into_iter().for_each(|&index| checks::ray(ui, log, index));
+            }
             why_not.show(ui, &shown.subject(), (question, root), ray.number);
-            clicked = details::show(ui, ray, &mut hovered);
+            if shown.subject().log().is_none() {
+                clicked = details::show(ui, ray, &mut hovered);
+            }
         }
         self.why_not = why_not;
         self.tree.hovered = self.tree.hovered.or(hovered);
@@ -337,15 +383,18 @@ impl Selection {
 
     fn sample_tree(&mut self, ui: &mut Ui, sample: &SampleExplanation, tone: &Tone) {
         let index = sample.index;
-        let (Some(root), Some([x, y])) = (&sample.ray, sample.film) else {
+        let Some(root) = &sample.ray else {
             ui.strong(format!("Sample {index}"));
             ui.label("No ray: the camera sees nothing there.");
             return;
         };
+        let film = sample.film;
+        let film =
+            film.map_or(String::new(), |[x, y]| format!(", at ({x:.4}, {y:.4}) on the view plane"));
         ui.horizontal_wrapped(|ui| {
             ui.strong(format!("Sample {index}"));
             let rays = explain::count(root.count(), "ray");
-            ui.weak(format!("{rays}, at ({x:.4}, {y:.4}) on the view plane"));
+            ui.weak(rays + &film);
             let follow = ui.small_button("Follow the largest (L)");
             let hint = "Steps down the path along which most of the light comes";
             let key = !ui.ctx().text_edit_focused() && ui.input(|input| input.key_pressed(Key::L));
@@ -388,7 +437,7 @@ impl Selection {
             ui.weak(note);
         }
         pixel::sum(ui, answer, shown);
-        if let Some(theirs) = shown.theirs {
+        if let Some(theirs) = shown.theirs.filter(|_| shown.subject().has_camera()) {
             pixel::theirs(ui, answer.pixel, theirs, shown);
         }
     }

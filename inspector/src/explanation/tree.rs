@@ -1,5 +1,8 @@
 //! The tree of rays: a line for each ray that is not folded, with its share of the light.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use eframe::egui::collapsing_header::paint_default_icon;
 use eframe::egui::{
     Align2, Button, Color32, FontId, Label, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind,
@@ -35,6 +38,8 @@ pub const CAMERA: Color32 = Color32::from_rgb(235, 235, 235);
 pub const UNBLOCKED: Color32 = Color32::from_rgb(250, 225, 100);
 /// The colour of shadow rays that an object blocks.
 pub const BLOCKED: Color32 = Color32::from_rgb(165, 150, 185);
+/// The colour of rays that break a law.
+pub const BROKEN: Color32 = Color32::from_rgb(255, 70, 70);
 /// The colour of terms without a ray, and of normals.
 pub const LOCAL: Color32 = Color32::from_rgb(150, 215, 150);
 
@@ -86,6 +91,8 @@ pub struct Tree {
     pub hovered: Option<usize>,
     /// The number of the ray that was pointed at in the last frame, which is lit wherever it is shown.
     pub lit: Option<usize>,
+    /// What laws found of its rays, by their numbers.
+    pub found: Arc<BTreeMap<usize, Vec<String>>>,
     outline: Outline,
     /// Whether the selected ray is to be scrolled into view.
     scroll: bool,
@@ -97,6 +104,7 @@ impl Default for Tree {
             ray: 0,
             hovered: None,
             lit: None,
+            found: Arc::default(),
             outline: Outline::folding_below(MIN_SHARE),
             scroll: false,
         }
@@ -193,7 +201,13 @@ impl Tree {
             }
         }
         swatch(ui, display::color(tone, ray.contribution));
+        let broken = self.found.get(&ray.number);
         let mut text = RichText::new(ray.line()).color(ink(ui, kind_color(ray)));
+        if let Some(found) = broken {
+            let mark = RichText::new("×").strong().color(ui.visuals().error_fg_color);
+            ui.label(mark).on_hover_text(found.join("\n"));
+            text = text.color(ui.visuals().error_fg_color);
+        }
         if self.lit == Some(ray.number) {
             text = text.background_color(ui.visuals().selection.bg_fill.gamma_multiply(0.5));
         }

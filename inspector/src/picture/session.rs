@@ -1,5 +1,6 @@
 //! What is open: a scene with the changes made in the window, and its picture.
 
+use std::path::PathBuf;
 use std::sync::Arc;
 
 use eframe::egui::Context;
@@ -34,6 +35,8 @@ pub struct Opened {
     pub is_same_view: bool,
     /// The pixel and the sample that the command line asks for.
     pub asked: Option<([u32; 2], u32)>,
+    /// The log of rays for which it was opened.
+    pub rays: Option<PathBuf>,
 }
 
 impl Session {
@@ -104,9 +107,11 @@ impl Session {
         if let Some(watch) = loaded.watch.take() {
             self.watch = watch;
         }
+        let rays = loaded.rays.take();
         // the old rendering is dropped here, which stops it
         self.rendering = Rendering::start(ctx, loaded, self.rendering.generation + 1);
         Opened {
+            rays,
             is_same_scene,
             is_same_view: is_same_scene && self.rendering.size() == old_size,
             asked: waited

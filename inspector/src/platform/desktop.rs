@@ -1,5 +1,6 @@
 //! A desktop: threads, files on the disk, and the desktop's chooser.
 
+use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::pin::Pin;
@@ -12,9 +13,10 @@ use groundtruth::film;
 pub use groundtruth::render::watched;
 use groundtruth::scene::{self, Scene, SceneError};
 use pictures::compare::{Picture, Transfer};
+use rays::{Log, LogError};
 use rfd::{AsyncFileDialog, FileHandle};
 
-use super::{FORMATS, Purpose};
+use super::{FORMATS, LOGS, Purpose};
 
 /// What is said when no file is chosen.
 pub const NO_FILE: &str = "no file chosen (the chooser is that of the desktop's portal, or zenity); the path can be typed, too";
@@ -89,6 +91,14 @@ pub fn read_picture(path: &Path, said: Option<Transfer>) -> Result<Picture, Stri
     Picture::read(path, said).map_err(|error| error.to_string())
 }
 
+/// Reads a log of rays.
+///
+/// # Errors
+/// As [`rays::read`].
+pub fn read_log(path: &Path) -> Result<Log, LogError> {
+    rays::read(File::open(path)?)
+}
+
 /// Writes a file, or replaces it. Returns its path with its folder, which a relative name hides.
 ///
 /// # Errors
@@ -121,7 +131,7 @@ pub fn choose(purpose: Purpose, chosen: impl FnOnce(Option<PathBuf>) + Send + 's
     let dialog = AsyncFileDialog::new();
     let answer: Pin<Box<dyn Future<Output = Option<FileHandle>> + Send>> = match purpose {
         Purpose::Scene | Purpose::OtherScene => {
-            Box::pin(dialog.add_filter("scenes", &["toml"]).pick_file())
+            Box::pin(dialog.add_filter("scenes", &["toml", LOGS]).pick_file())
         }
         Purpose::Theirs => Box::pin(dialog.add_filter("pictures", &FORMATS).pick_file()),
         Purpose::Picture => {

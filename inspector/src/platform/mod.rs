@@ -13,6 +13,9 @@ pub use page::*;
 /// The ends of the names of pictures that can be read.
 pub const FORMATS: [&str; 8] = ["png", "jpg", "jpeg", "ppm", "pnm", "hdr", "exr", "pfm"];
 
+/// The end of the names of logs of rays.
+pub const LOGS: &str = "jsonl";
+
 /// What a file is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Purpose {

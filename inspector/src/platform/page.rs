@@ -13,12 +13,13 @@ use eframe::egui::Context;
 use groundtruth::scene::{self, Scene, SceneError};
 use js_sys::Promise;
 use pictures::compare::{Picture, Transfer};
+use rays::{Log, LogError};
 use rfd::AsyncFileDialog;
 use wasm_bindgen::{JsCast, JsValue};
 use wasm_bindgen_futures::{JsFuture, spawn_local};
 use web_time::Instant;
 
-use super::{FORMATS, Purpose};
+use super::{FORMATS, LOGS, Purpose};
 
 /// What is said when no file is chosen.
 pub const NO_FILE: &str = "no file chosen; files can be dropped on the page, too";
@@ -167,6 +168,14 @@ pub fn read_picture(path: &Path, said: Option<Transfer>) -> Result<Picture, Stri
     Picture::from_bytes(&bytes, path, said).map_err(|error| error.to_string())
 }
 
+/// Reads a log of rays.
+///
+/// # Errors
+/// As [`rays::read`].
+pub fn read_log(path: &Path) -> Result<Log, LogError> {
+    rays::read(&*file(path)?)
+}
+
 /// Downloads a file.
 ///
 /// # Errors
@@ -221,7 +230,7 @@ pub fn address() -> Option<String> {
 pub fn choose(purpose: Purpose, chosen: impl FnOnce(Option<PathBuf>) + Send + 'static) {
     let dialog = AsyncFileDialog::new();
     let dialog = match purpose {
-        Purpose::Scene | Purpose::OtherScene => dialog.add_filter("scenes", &["toml"]),
+        Purpose::Scene | Purpose::OtherScene => dialog.add_filter("scenes", &["toml", LOGS]),
         Purpose::Theirs => dialog.add_filter("pictures", &FORMATS),
         Purpose::Picture => return chosen(Some("picture.png".into())),
     };

@@ -2,6 +2,7 @@
 
 use groundtruth::scene::{STANDARD_INPUT, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
+use serde_json::Value;
 use std::path::{Path, PathBuf};
 
 use crate::platform;
@@ -14,6 +15,8 @@ pub enum Source {
     Gallery(gallery::Entry),
     /// A scene file.
     File(PathBuf),
+    /// The rays of another program, which names no scene of ours.
+    Rays(PathBuf),
 }
 
 impl Source {
@@ -34,14 +37,20 @@ impl Source {
         if path.extension().is_none() && !path.exists() {
             return Err(gallery::unknown(name));
         }
-        Ok(Self::File(path.to_owned()))
+        Ok(Self::of_file(path.to_owned()))
+    }
+
+    /// A scene file or a log of rays, by its name.
+    pub fn of_file(path: PathBuf) -> Self {
+        let is_log = path.extension().is_some_and(|end| end == platform::LOGS);
+        if is_log { Self::Rays(path) } else { Self::File(path) }
     }
 
     /// Its display name.
     pub fn name(&self) -> String {
         match self {
             Self::Gallery(entry) => entry.name.to_owned(),
-            Self::File(path) => path.display().to_string(),
+            Self::File(path) | Self::Rays(path) => path.display().to_string(),
         }
     }
 
@@ -60,7 +69,7 @@ impl Source {
     pub fn entry(&self) -> Option<gallery::Entry> {
         match self {
             Self::Gallery(entry) => Some(*entry),
-            Self::File(_) => None,
+            Self::File(_) | Self::Rays(_) => None,
         }
     }
 
@@ -68,7 +77,7 @@ impl Source {
     pub fn folder(&self) -> &Path {
         match self {
             Self::Gallery(_) => Path::new(""),
-            Self::File(path) => path.parent().unwrap_or(Path::new("")),
+            Self::File(path) | Self::Rays(path) => path.parent().unwrap_or(Path::new("")),
         }
     }
 
@@ -89,6 +98,10 @@ impl Source {
         seed: u64,
         change: impl FnOnce(Scene) -> Result<Scene, String>,
     ) -> Result<Loaded, String> {
+        self.load_with(seed, Box::new(change))
+    }
+
+    fn load_with(self, seed: u64, change: Changing<'_>) -> Result<Loaded, String> {
         let mut watch = Watch::default();
         let (read, scene, world) = match &self {
             Self::Gallery(entry) => {
@@ -106,9 +119,52 @@ impl Source {
                 let world = World::of_source(&scene, &text, seed);
                 (read, scene, world)
             }
+            Self::Rays(path) => {
+                watch.add(path.clone());
+                let named = |error| format!("{}: {error}", path.display());
+                let log = platform::read_log(path).map_err(|error| named(error.to_string()))?;
+                let mut read = match &log.head.scene {
+                    Some(Value::String(scene)) => {
+                        let source = self.beside(scene).map_err(named)?;
+                        let sized = |mut scene: Scene| {
+                            let [width, height] =
+                                log.head.size.unwrap_or([scene.image.width, scene.image.height]);
+                            scene.image.resize(width, height);
+                            change(scene)
+                        };
+                        let loaded = source.load_with(seed, Box::new(sized))?;
+                        return Ok(Loaded { rays: Some(path.clone()), ..loaded });
+                    }
+                    Some(scene) => rays::inline_scene(scene).map_err(named)?,
+                    None => rays::empty_scene(),
+                };
+                let [width, height] = rays::size(&log);
+                read.image.resize(width, height);
+                let scene = change(read.clone())?;
+                let world = World::build_seeded(&scene, self.folder(), seed);
+                (read, scene, world)
+            }
         };
         let world = world.map_err(|error| error.to_string())?;
-        Ok(Loaded { source: self, read, scene, world, watch: Some(watch) })
+        let rays = self.rays().map(Path::to_owned);
+        Ok(Loaded { source: self, read, scene, world, watch: Some(watch), rays })
+    }
+
+    /// The log, if that is all there is.
+    pub fn rays(&self) -> Option<&Path> {
+        match self {
+            Self::Rays(path) => Some(path),
+            Self::Gallery(_) | Self::File(_) => None,
+        }
+    }
+
+    /// A scene of the gallery, or a file beside this one.
+    ///
+    /// # Errors
+    /// If it is a gallery name that does not exist.
+    pub fn beside(&self, name: &str) -> Result<Self, String> {
+        let file = self.folder().join(name);
+        if file.exists() { Ok(Self::File(file)) } else { Self::named(name) }
     }
 
     /// Builds a scene as one of this source.
@@ -126,9 +182,12 @@ impl Source {
     pub fn rebuild(self, read: Scene, scene: Scene, seed: u64) -> Result<Loaded, String> {
         let world = World::build_seeded(&scene, self.folder(), seed);
         let world = world.map_err(|error| error.to_string())?;
-        Ok(Loaded { source: self, read, scene, world, watch: None })
+        Ok(Loaded { source: self, read, scene, world, watch: None, rays: None })
     }
 }
+
+/// What changes a scene before it is built.
+type Changing<'a> = Box<dyn FnOnce(Scene) -> Result<Scene, String> + 'a>;
 
 /// A scene that can be rendered.
 #[derive(Debug)]
@@ -143,4 +202,6 @@ pub struct Loaded {
     pub world: World,
     /// The files it was read from; `None` if it was not read again.
     pub watch: Option<Watch>,
+    /// The log of rays that it was opened for.
+    pub rays: Option<PathBuf>,
 }

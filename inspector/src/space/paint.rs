@@ -10,7 +10,7 @@ use groundtruth::render;
 use groundtruth::world::World;
 use space::{End, Segment, Sight};
 
-use crate::explanation::tree::{LOCAL, kind_color};
+use crate::explanation::tree::{BROKEN, LOCAL, kind_color};
 use crate::space::backdrop::Runs;
 
 /// The opacity of what a surface hides.
@@ -42,6 +42,8 @@ pub struct Rays<'a> {
     pub runs: Option<&'a [Runs]>,
     /// The rays that are lit; all if there are none.
     pub lit: &'a [usize],
+    /// The rays that break a law.
+    pub broken: &'a BTreeMap<usize, Vec<String>>,
     /// The length of normals, in world units; no normals if `None`.
     pub normals: Option<f64>,
 }
@@ -70,9 +72,14 @@ impl Canvas<'_> {
         for (index, segment) in rays.segments.iter().enumerate() {
             let Some(ray) = rays.by_number.get(&segment.ray) else { continue };
             let is_lit = rays.lit.contains(&segment.ray);
+            let is_broken = rays.broken.contains_key(&segment.ray);
             let dimmed = if rays.lit.is_empty() || is_lit { 1.0 } else { DIMMED };
-            let width = if is_lit { 3.0 } else { 1.5 };
-            let color = if segment.end == End::Dark { DARK } else { kind_color(ray) };
+            let width = if is_lit || is_broken { 3.0 } else { 1.5 };
+            let color = match segment.end {
+                _ if is_broken => BROKEN,
+                End::Dark => DARK,
+                End::Hit | End::Leaves | End::Light | End::Occluder => kind_color(ray),
+            };
             let whole = [([0.0, 1.0], false)];
             let runs = rays.runs.and_then(|runs| runs.get(index)).map_or(&whole[..], Vec::as_slice);
             let at = |part: f64| segment.from + part * (segment.to - segment.from);

@@ -41,6 +41,8 @@ pub struct Traced<'a> {
     pub selected: usize,
     /// The ray that is pointed at, here or elsewhere.
     pub lit: Option<usize>,
+    /// What laws found of its rays, by their numbers.
+    pub found: Arc<BTreeMap<usize, Vec<String>>>,
 }
 
 /// What the mouse does in the view.
@@ -108,7 +110,8 @@ impl SpaceView {
         let Selection { pixel, tree, .. } = &*selection;
         let (pixel, selected, lit) = (*pixel, tree.ray, tree.lit);
         let traced = selection.root();
-        let traced = traced.map(|(question, root)| Traced { question, root, selected, lit });
+        let found = Arc::clone(&tree.found);
+        let traced = traced.map(|(question, root)| Traced { question, root, selected, lit, found });
         let pointed = self.show_rays(ui, area, subject, pixel, traced.as_ref());
         if let Some(number) = pointed.clicked {
             selection.go_to(number);
@@ -149,7 +152,7 @@ impl SpaceView {
             segments: Arc::clone(&segments),
         };
         self.backdrop.refresh(ui.ctx(), world, request);
-        self.paint(ui, view, &response, world, pixel, traced)
+        self.paint(ui, view, &response, (world, subject.has_camera()), pixel, traced)
     }
 
     /// Works the pieces out again if the tree or the filter has changed.
@@ -207,7 +210,7 @@ impl SpaceView {
         ui: &Ui,
         view: Rect,
         response: &Response,
-        world: &World,
+        (world, has_camera): (&World, bool),
         pixel: Option<[u32; 2]>,
         traced: Option<&Traced<'_>>,
     ) -> Pointed {
@@ -227,7 +230,9 @@ impl SpaceView {
         painter.rect_filled(view, 0.0, Color32::from_gray(24));
         let of_ray = of_ray.map(|object| object.index);
         self.backdrop.paint(&painter, view, self.pointed.or(of_ray).or(object));
-        canvas.frustum(world, pixel, FRUSTUM * orbit.distance);
+        if has_camera {
+            canvas.frustum(world, pixel, FRUSTUM * orbit.distance);
+        }
         let mut pointed = Pointed::default();
         if let (Some(pieces), Some(traced)) = (&self.pieces, traced) {
             let runs = self.backdrop.runs(&pieces.segments);
@@ -237,6 +242,7 @@ impl SpaceView {
                 segments: &pieces.segments,
                 runs: runs.as_deref().map(Vec::as_slice),
                 lit: if traced.lit.is_some() || traced.selected > 0 { &lit } else { &[] },
+                broken: &traced.found,
                 normals: self.filter.normals.then_some(NORMAL * orbit.distance),
             });
             pointed.hovered = at.and_then(|at| pointing::nearest(&drawn, at));

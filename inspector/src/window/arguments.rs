@@ -21,8 +21,9 @@ use pictures::parse_pixel;
 #[command(name = "inspector", version)]
 pub struct Arguments {
     /// A gallery name such as ch28/glass-sphere (see `groundtruth list`), or a scene file
-    #[arg(default_value = "ch28/glass-sphere")]
-    pub scene: String,
+    ///
+    /// If left out: the scene of --rays, or ch28/glass-sphere
+    pub scene: Option<String>,
     /// Width and height of the picture in pixels, as 300x200; the view stays the same. Of a stereo
     /// pair: of each eye's image
     #[arg(long, value_name = "WxH", value_parser = parse_size)]
@@ -59,10 +60,17 @@ pub struct Arguments {
     /// several pictures, of which the first is shown
     #[arg(long, value_name = "FILE", conflicts_with = "size")]
     pub compare: Vec<PathBuf>,
+    /// Explain the pixels of another program by the log of its rays (docs/rays.md), and say which ray is wrong; once for
+    /// each of several logs
+    #[arg(long, value_name = "FILE")]
+    pub rays: Vec<PathBuf>,
     /// How a PNG, JPEG or PPM file encodes radiance: srgb (if left out), linear, or gamma=2.2
     #[arg(long, value_name = "CURVE", requires = "compare")]
     pub encoding: Option<Transfer>,
 }
+
+/// The scene of a window for which nothing is said.
+const DEFAULT_SCENE: &str = "ch28/glass-sphere";
 
 /// `300x200`.
 fn parse_size(text: &str) -> Result<[u32; 2], String> {
@@ -88,6 +96,18 @@ impl Arguments {
         Self::try_parse_from(words).map_err(|error| error.to_string())
     }
 
+    /// Where the scene is from.
+    ///
+    /// # Errors
+    /// As [`Source::named`].
+    fn source(&self) -> Result<Source, String> {
+        match (&self.scene, self.rays.first()) {
+            (Some(scene), _) => Source::named(scene),
+            (None, Some(path)) => Ok(Source::Rays(path.clone())),
+            (None, None) => Source::named(DEFAULT_SCENE),
+        }
+    }
+
     /// The pictures that ours is compared with.
     ///
     /// # Errors
@@ -102,7 +122,7 @@ impl Arguments {
     /// The command line's messages about the scene, the pixel or the sample; a picture of a size that none of the
     /// scene has.
     pub fn load(&self, theirs: Option<&Theirs>) -> Result<Loaded, String> {
-        let source = Source::named(&self.scene)?;
+        let source = self.source()?;
         let theirs = theirs.map(|theirs| (&*theirs.name, theirs.size()));
         let loaded = source.load_changed(self.seed, |scene| self.change(scene, theirs))?;
         let [width, height] = loaded.world.picture_size();
@@ -120,7 +140,7 @@ impl Arguments {
 
     /// The scene file, if it is there but cannot be loaded.
     pub fn broken(&self, theirs: Option<&Theirs>) -> Option<Broken> {
-        let Ok(Source::File(path)) = Source::named(&self.scene) else { return None };
+        let Ok(Source::File(path)) = self.source() else { return None };
         let (arguments, theirs) =
             (self.clone(), theirs.map(|theirs| (theirs.name.clone(), theirs.size())));
         let change = move |scene| {

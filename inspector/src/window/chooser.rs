@@ -43,7 +43,7 @@ impl FileChooser {
         Some(Ok(match purpose {
             Purpose::Scene => opening::named(path),
             Purpose::Theirs => Action::Compare(With::Picture(path)),
-            Purpose::OtherScene => Action::Compare(With::Scene(Source::File(path))),
+            Purpose::OtherScene => Action::Compare(With::Scene(Source::of_file(path))),
             Purpose::Picture => {
                 fields.save = path.display().to_string();
                 Action::SaveAs(path)

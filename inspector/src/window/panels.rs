@@ -302,6 +302,10 @@ fn progress(ui: &mut Ui, rendering: &Rendering) {
 
 /// A pixel and its radiance, also that of their picture.
 fn under_mouse(rendering: &Rendering, theirs: Option<&Theirs>, pixel @ [x, y]: [u32; 2]) -> String {
+    let alone = theirs.filter(|theirs| theirs.explained().is_some() && !theirs.is_twin());
+    if let Some(radiance) = alone.and_then(|theirs| theirs.radiance(pixel)) {
+        return format!("({x}, {y})  {}", short(radiance));
+    }
     let ours = rendering.radiance(pixel).map_or("not rendered yet".to_owned(), short);
     let theirs = theirs.and_then(|theirs| theirs.radiance(pixel));
     let theirs = theirs.map_or(String::new(), |theirs| format!("  theirs {}", short(theirs)));

@@ -2,10 +2,10 @@
 
 use eframe::egui::{Rect, Ui};
 
-use crate::action::Action;
+use crate::action::{Action, Shows};
 use crate::comparison::others::Others;
 use crate::explanation::selection::Selection;
-use crate::explanation::{Subject, trail};
+use crate::explanation::{Subject, checks, trail};
 use crate::picture::display::Picture;
 use crate::picture::worker::Rendering;
 
@@ -22,6 +22,10 @@ pub fn show(
     let hovered = picture.show(ui, rendering, selection.pixel, |painter, placement| {
         if let Some(theirs) = &theirs {
             theirs.paint(painter, placement, rendering);
+            let log = theirs.program.as_ref().and_then(|program| program.log());
+            if let Some(log) = log.filter(|_| theirs.shows != Shows::Ours) {
+                checks::mark_pixels(painter, placement, log);
+            }
         }
     });
     let asks = ui.input(|input| input.pointer.secondary_clicked());
@@ -35,7 +39,9 @@ pub fn show(
         theirs.show_divider(ui, area);
         theirs.judgement.show_frames(ui, &placement)
     });
-    let world = Subject { rendering, program: program.as_ref() }.world();
-    trail::paint(ui.painter(), &placement, &selection.trail(world));
+    let subject = Subject { rendering, program: program.as_ref() };
+    if subject.has_camera() {
+        trail::paint(ui.painter(), &placement, &selection.trail(subject.world()));
+    }
     (hovered, framed)
 }

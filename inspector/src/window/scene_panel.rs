@@ -1,7 +1,9 @@
 //! The panel of the scene: what ours is compared with, what the scene is, its settings and switches, and the histogram.
 
 use eframe::egui::{RichText, ScrollArea, Ui};
-use groundtruth::explain;
+use groundtruth::explain::{self, count};
+use groundtruth::printable;
+use rays::Logged;
 
 use crate::action::Action;
 use crate::comparison::menu::CompareMenu;
@@ -31,6 +33,10 @@ impl ScenePanel {
     ) -> Vec<Action> {
         let mut actions = Vec::new();
         let show = |ui: &mut Ui| {
+            if let Some(log) = others.log().filter(|_| session.rendering.source.rays().is_some()) {
+                of_log(ui, log, pointed);
+                return;
+            }
             mistake::show(ui, others, &session.rendering);
             actions.extend(self.menu.show(ui, &session.rendering));
             ui.add_space(8.0);
@@ -57,5 +63,36 @@ impl ScenePanel {
         }
         ui.add_space(8.0);
         changed | switches::show(ui, wanted, pointed)
+    }
+}
+
+/// Shows what is known of a program from the log of its rays; notes the index of the object that is pointed at.
+fn of_log(ui: &mut Ui, log: &Logged, pointed: &mut Option<u32>) {
+    let traced = &log.verdict.traced;
+    let program = traced.log.head.program.as_deref().unwrap_or("A log of rays");
+    ui.strong(printable::name(program));
+    let (rays, pixels) = (traced.log.rays.len(), log.pixels().count());
+    let broken = log.pixels().filter(|(_, is_broken)| *is_broken).count();
+    ui.label(format!("{} of {}", count(rays, "ray"), count(pixels, "pixel")));
+    ui.label(format!("{} with a broken law", count(broken, "pixel")));
+    ui.add_space(8.0);
+    let conventions = traced.conventions.sentences();
+    if !conventions.is_empty() {
+        ui.strong("Taken from the log");
+        conventions.into_iter().for_each(|it| drop(ui.label(printable::text(&it))));
+        ui.add_space(8.0);
+    }
+    ui.strong("Objects");
+    match &traced.world {
+        None => {
+            drop(ui.weak("none: with shapes, hits and shadows are checked, and space shows them"))
+        }
+        Some(world) => {
+            for object in world.objects() {
+                if ui.label(printable::name(&object.name)).hovered() {
+                    *pointed = Some(object.index);
+                }
+            }
+        }
     }
 }

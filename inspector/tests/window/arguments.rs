@@ -64,7 +64,7 @@ fn a_link_is_a_command_line() {
         assert!(Arguments::of_link(link).is_err(), "{link}");
     }
     // a name that begins with a dash is no option
-    assert_eq!(Arguments::of_link("-h").expect("a name").scene, "-h");
+    assert_eq!(Arguments::of_link("-h").expect("a name").scene.as_deref(), Some("-h"));
 }
 
 /// Law: the link that is copied opens the same scene, as it is changed in the window, at the same sample and view; a scene

@@ -14,6 +14,7 @@ mod layers;
 mod looking;
 mod mistaken;
 mod noise;
+mod rays;
 mod renderer;
 mod room;
 mod sampling;

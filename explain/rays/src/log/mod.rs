@@ -8,6 +8,7 @@ mod read;
 use std::sync::Arc;
 
 use groundtruth::math::{Point, Vector};
+use groundtruth::printable;
 use groundtruth::rgb::Rgb;
 use serde_json::{Map, Value};
 
@@ -167,6 +168,47 @@ impl Ray {
     /// Whether it looks for what is in the way to a lamp or around a point.
     pub fn is_shadow(&self) -> bool {
         matches!(self.kind, Some(Purpose::Shadow | Purpose::Occlusion))
+    }
+
+    /// What its line says beside the names of rays: each field with its value in words.
+    pub fn fields(&self) -> Vec<(String, String)> {
+        let factors = &self.factors;
+        let number = |x: Option<f64>| x.map(|x| format!("{x:?}"));
+        let triple = |x: Option<[f64; 3]>| x.map(|[x, y, z]| format!("({x:?}, {y:?}, {z:?})"));
+        let color = |x: Option<Rgb>| triple(x.map(Rgb::to_array));
+        let name = |x: &Option<Arc<str>>| x.as_ref().map(|x| printable::name(x));
+        let own = self.others.iter().map(|(name, value)| (&**name, Some(value.to_string())));
+        let all = [
+            ("kind", self.kind.as_ref().map(ToString::to_string)),
+            ("origin", triple(Some(self.origin.into()))),
+            ("direction", triple(Some(self.direction.into()))),
+            ("t", number(self.t)),
+            ("point", triple(self.point.map(Into::into))),
+            ("end", number(self.end)),
+            ("object", name(&self.object)),
+            ("light", name(&self.light)),
+            ("normal", triple(self.normal.map(Into::into))),
+            ("shading_normal", triple(self.shading_normal.map(Into::into))),
+            ("uv", self.uv.map(|[u, v]| format!("({u:?}, {v:?})"))),
+            ("front", self.front.map(|front| front.to_string())),
+            ("eta", number(factors.eta)),
+            ("eta_from", number(factors.eta_from)),
+            ("eta_to", number(factors.eta_to)),
+            ("f", color(factors.f)),
+            ("cos", number(factors.cos)),
+            ("pdf", number(factors.pdf)),
+            ("pdf_area", number(factors.pdf_area)),
+            ("other_pdf", number(factors.other_pdf)),
+            ("choice", number(factors.choice)),
+            ("mis", number(factors.mis)),
+            ("weight", color(factors.weight)),
+            ("throughput", color(factors.throughput)),
+            ("emitted", color(self.emitted)),
+            ("direct", color(self.direct)),
+            ("radiance", color(self.radiance)),
+        ];
+        let said = all.into_iter().chain(own).filter_map(|(name, value)| Some((name, value?)));
+        said.map(|(name, value)| (printable::name(name), printable::name(&value))).collect()
     }
 
     /// Whether its kind is this one.
