@@ -189,13 +189,9 @@ impl Explain {
         if self.formulas && format != kept::Format::Html {
             return Err("--formulas: a page has them, and the file has none; leave it out".into());
         }
-        let name = match self.mistake.name() {
-            Some(mistake) => format!("{} with the mistake {mistake}", self.scene.name()),
-            None => self.scene.name().to_owned(),
-        };
-        let keeping =
-            Keeping { name: &name, scene, explanation, ray: self.ray, command: &self.command() };
-        keeping.text(format, renderer)
+        let (source, mistake) = (self.scene.name(), self.mistake.name());
+        let (ray, command) = (self.ray, &*self.command());
+        Keeping { source, mistake, scene, explanation, ray, command }.text(format, renderer)
     }
 
     /// The command that explains the same in a terminal.

@@ -62,8 +62,9 @@ impl Format {
 
 /// What is written of an explained pixel.
 pub struct Keeping<'a> {
-    /// What the scene is called.
-    pub name: &'a str,
+    /// What the scene is called, and the mistake of the program that traces it.
+    pub source: &'a str,
+    pub mistake: Option<&'a str>,
     /// The scene.
     pub scene: &'a Scene,
     /// The pixel.
@@ -75,6 +76,11 @@ pub struct Keeping<'a> {
 }
 
 impl Keeping<'_> {
+    fn name(&self) -> String {
+        let mistake = self.mistake.map_or(String::new(), |it| format!(" with the mistake {it}"));
+        format!("{}{mistake}", self.source)
+    }
+
     /// The text of the file.
     pub fn text(&self, format: Format, renderer: &impl Renderer) -> Result<String, Box<dyn Error>> {
         let world = renderer.world();
@@ -85,17 +91,21 @@ impl Keeping<'_> {
             Format::Obj => {
                 let (_, radius) = space::of_scene(world);
                 let [x, y] = self.explanation.pixel;
-                let about = format!("the rays of pixel ({x}, {y}) of {}", self.name);
+                let about = format!("the rays of pixel ({x}, {y}) of {}", self.name());
                 space::obj(seen()?, &space::segments(world, seen()?, radius), &about)
             }
-            Format::Jsonl => rays::log_of(self.explanation, self.name),
+            Format::Jsonl => {
+                let scene = (self.source, renderer.world().picture_size());
+                rays::log_of(self.explanation, scene, self.mistake)
+            }
             Format::Svg => {
                 let orbit = space::orbit_of(world, seen()?);
                 let faded = space::hiding(world, seen()?, &orbit);
                 space::svg_of_rays(world, seen()?, &orbit, &faded)
             }
             _ => {
-                let &Self { name, scene, explanation, ray, command } = self;
+                let name = &*self.name();
+                let &Self { scene, explanation, ray, command, .. } = self;
                 let picture = &SmallPicture::rendered(renderer);
                 PixelPage { name, scene, world, explanation, picture, ray, command }.html()
             }

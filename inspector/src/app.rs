@@ -6,7 +6,7 @@ use eframe::egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, Vec2, vec2};
 use pictures::parse_pixel;
 use rays::RayPlace;
 
-use crate::action::Action;
+use crate::action::{Action, Shows};
 use crate::comparison::bar;
 use crate::comparison::opening;
 use crate::comparison::others::Others;
@@ -193,6 +193,7 @@ impl Inspector {
         }
         if let Some(place) = self.others.first_ray().filter(|_| self.selection.pixel.is_none()) {
             self.seek(place);
+            self.space.restart();
         }
         self.explain_selected(&ctx);
         if self.selection.is_changed() {
@@ -272,8 +273,9 @@ impl Inspector {
         }
         if let Some(area) = of_space {
             let program = others.shown().and_then(Theirs::explained);
-            let subject = Subject { rendering, program };
-            let show = |ui: &mut Ui| space.show(ui, area, &subject, selection);
+            let is_both = others.shown().is_some_and(|theirs| theirs.shows == Shows::Swipe);
+            let subject = (&Subject { rendering, program }, is_both);
+            let show = |ui: &mut Ui| space.show(ui, area, subject, selection);
             part(ui, "space", area, Vec2::ZERO, show);
         }
         actions.extend(is_resampled.then_some(Action::Rebuild));

@@ -25,7 +25,7 @@ pub use laws::{BrokenRay, LAWS, LawReport, RayLaw};
 pub use log::{
     Damaged, Factors, Head, Id, Log, LogError, MAX_RAYS, Named, Precision, Purpose, Ray, read,
 };
-pub use logged::{Logged, RayPlace, size};
+pub use logged::{Logged, LoggedValue, RayPlace, size};
 pub use recorded::Recorded;
 pub use scene::{empty_scene, inline_scene, world_of};
 pub use text::laws_text;

@@ -18,6 +18,9 @@ use crate::verdict::RayVerdict;
 /// The most rays of a pixel whose trees are all made; with more, one at a time.
 const MAX_RAYS_PER_PIXEL: usize = 30_000;
 
+/// The part of a sum that single precision may lose.
+const ROUNDING: f64 = 1e-5;
+
 /// A log that was judged, by pixels. A tree stands for a sample; where the log has no `pixel`, all are of pixel (0, 0).
 #[derive(Debug)]
 pub struct Logged {
@@ -27,6 +30,17 @@ pub struct Logged {
     roots: BTreeMap<[u32; 2], Vec<usize>>,
     /// The pixels with a ray that breaks a law.
     broken: BTreeSet<[u32; 2]>,
+}
+
+/// A number that a log has of a ray.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoggedValue {
+    /// The place of its tree among those of the pixel.
+    pub sample: u32,
+    /// Its index in the log.
+    pub ray: usize,
+    /// The number.
+    pub value: f64,
 }
 
 /// Where a ray stands: its pixel, which of the pixel's trees, and its number there.
@@ -163,6 +177,23 @@ impl Logged {
         trees.into_iter().chain(dark).collect()
     }
 
+    /// The numbers of a pixel's rays by name: the program's own first, then what all logs may have.
+    pub fn values(&self, pixel: [u32; 2]) -> BTreeMap<(bool, String), Vec<LoggedValue>> {
+        let mut values: BTreeMap<(bool, String), Vec<LoggedValue>> = BTreeMap::new();
+        let traced = &self.verdict.traced;
+        for (sample, &root) in (0..).zip(self.roots.get(&pixel).into_iter().flatten()) {
+            let mut open = vec![root];
+            while let Some(ray) = open.pop() {
+                open.extend(&traced.children[ray]);
+                for (is_common, name, value) in traced.ray(ray).numbers() {
+                    let value = LoggedValue { sample, ray, value };
+                    values.entry((is_common, name.to_owned())).or_default().push(value);
+                }
+            }
+        }
+        values
+    }
+
     /// Where a ray of this index in the log stands.
     pub fn place(&self, ray: usize) -> RayPlace {
         let traced = &self.verdict.traced;
@@ -235,10 +266,12 @@ fn by_first_hit(root: &RecordedRay) -> Sums {
     sums
 }
 
-/// What a ray brings that no other brought to it: all of it, where the log does not divide it.
+/// What a ray brings that no other brought to it, so that the parts add up whatever the program counts as `direct`.
 fn own(ray: &RecordedRay) -> Rgb {
-    let ends = ray.children.is_empty() && ray.own_contribution.is_black();
-    if ends { ray.contribution } else { ray.own_contribution }
+    let brought: Rgb = ray.children.iter().map(|child| child.contribution).sum();
+    let rest = ray.contribution - brought;
+    let is_rounding = rest.map(f64::abs).average() <= ROUNDING * brought.map(f64::abs).average();
+    if is_rounding { Rgb::BLACK } else { rest }
 }
 
 /// What a ray meets.

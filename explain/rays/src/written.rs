@@ -7,11 +7,20 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::{Outcome, RayKind, TermSource};
 use serde_json::{Map, Value, json};
 
-/// The rays of the explained samples as a log; `scene` is what the command line calls the scene.
+/// The rays of the explained samples as a log: what the command line calls the scene, the size of its picture, and the program's
+/// mistake, if it has one.
 ///
 /// A medium's transmittance stands in the weight of the ray that passes it: `radiance` is what leaves the surface.
-pub fn log_of(explanation: &PixelExplanation, scene: &str) -> String {
-    let head = json!({"rays": 1, "program": "groundtruth", "precision": "double", "scene": scene});
+pub fn log_of(
+    explanation: &PixelExplanation,
+    (scene, size): (&str, [u32; 2]),
+    mistake: Option<&str>,
+) -> String {
+    let program = mistake.map_or(String::new(), |mistake| format!(" with the mistake {mistake}"));
+    let program = format!("groundtruth{program}");
+    let head = json!({
+        "rays": 1, "program": program, "precision": "double", "scene": scene, "size": size,
+    });
     let mut text = format!("{head}\n");
     for sample in &explanation.samples {
         let rays = sample.ray.iter().flat_map(|root| with_senders(root, None));

@@ -37,7 +37,7 @@ pub struct Program {
 enum By {
     Mistaken(Box<Mistaken>),
     Ours(Arc<World>),
-    Logged { log: Box<Logged>, world: Arc<World>, picture: Option<PathBuf> },
+    Logged { path: PathBuf, log: Box<Logged>, world: Arc<World>, picture: Option<PathBuf> },
 }
 
 impl Program {
@@ -65,7 +65,8 @@ impl Program {
         ours: Arc<World>,
     ) -> Result<Self, String> {
         let named = |problem: String| format!("{}: {problem}", path.display());
-        let log = platform::read_log(path).map_err(|error| named(error.to_string()))?;
+        let log = platform::at_once(|| platform::read_log(path))
+            .map_err(|error| named(error.to_string()))?;
         let is_alone = source.rays().is_some() && log.head.scene.is_none();
         let folder = path.parent().unwrap_or(Path::new(""));
         let own = match is_alone {
@@ -78,9 +79,17 @@ impl Program {
         let known = is_known.then(|| Arc::clone(&world));
         let picture = log.head.picture.as_ref().map(|file| folder.join(file));
         let name = log.head.program.as_ref().map_or("yours".to_owned(), |it| printable::name(it));
-        let logged = Logged::of(RayVerdict::of(Traced::of(log, known)));
-        let by = By::Logged { log: Box::new(logged), world, picture };
+        let logged = platform::at_once(|| Logged::of(RayVerdict::of(Traced::of(log, known))));
+        let by = By::Logged { path: path.to_owned(), log: Box::new(logged), world, picture };
         Ok(Self { number: 0, name, source, read, scene: Arc::new(scene), by })
+    }
+
+    /// Whether all of its picture is known: of a log beside ours only some pixels are.
+    pub fn is_whole(&self) -> bool {
+        match &self.by {
+            By::Logged { picture, .. } => picture.is_some() || !self.is_beside_ours(),
+            By::Mistaken(_) | By::Ours(_) => true,
+        }
     }
 
     /// What is known of its picture: its file, if it has this size, and over it the pixels of its log.
@@ -98,6 +107,14 @@ impl Program {
     pub fn log(&self) -> Option<&Logged> {
         match &self.by {
             By::Logged { log, .. } => Some(log),
+            By::Mistaken(_) | By::Ours(_) => None,
+        }
+    }
+
+    /// The file of that log.
+    pub fn log_path(&self) -> Option<&Path> {
+        match &self.by {
+            By::Logged { path, .. } => Some(path),
             By::Mistaken(_) | By::Ours(_) => None,
         }
     }

@@ -97,8 +97,11 @@ impl Theirs {
 
     /// The program whose pixels are explained, if it is another than ours: the one whose picture is shown.
     pub fn explained(&self) -> Option<&Arc<Program>> {
-        let is_shown = self.shows == Shows::Theirs;
-        self.program.as_ref().filter(|program| is_shown || !program.is_beside_ours())
+        self.program.as_ref().filter(|program| match self.shows {
+            Shows::Theirs => true,
+            Shows::Swipe => program.log().is_some(),
+            Shows::Ours | Shows::Difference | Shows::Map => !program.is_beside_ours(),
+        })
     }
 
     /// Whether the same pixel is explained in both pictures.
@@ -279,8 +282,10 @@ impl Theirs {
 
     /// Draws it over our picture.
     pub fn paint(&self, painter: &Painter, placement: &Placement, rendering: &Rendering) {
+        let is_whole = self.program.as_ref().is_none_or(|program| program.is_whole());
         let is_ready = match self.shows {
             Shows::Ours => true,
+            _ if !is_whole => true,
             Shows::Theirs => self.layer.paint(painter, placement, |_| true),
             Shows::Swipe => {
                 let area = painter.clip_rect();
@@ -305,7 +310,7 @@ impl Theirs {
 
     /// Draws the divider of the swipe; the mouse moves it.
     pub fn show_divider(&mut self, ui: &mut Ui, area: Rect) {
-        if self.shows != Shows::Swipe {
+        if self.shows != Shows::Swipe || self.program.as_ref().is_some_and(|it| !it.is_whole()) {
             return;
         }
         let x = divider_x(area, self.divider);

@@ -26,7 +26,7 @@ fn counterpart<'a>(
 
 /// The rays, one of each tree in the same place, at which the trees part: the first ones from the camera on that do not have
 /// the same end. Of several the pair with the largest share of the light in one of the trees.
-fn parting<'a>(this: &'a RecordedRay, other: &'a RecordedRay) -> Option<[&'a RecordedRay; 2]> {
+pub fn parting<'a>(this: &'a RecordedRay, other: &'a RecordedRay) -> Option<[&'a RecordedRay; 2]> {
     if end(this) != end(other) {
         return Some([this, other]);
     }

@@ -29,6 +29,7 @@ pub mod section;
 pub mod selection;
 pub mod trail;
 pub mod tree;
+pub mod values;
 pub mod verdict_text;
 pub mod why_not;
 

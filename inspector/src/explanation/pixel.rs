@@ -60,8 +60,10 @@ pub fn copy_menu(
         if command.on_hover_text("`explain` shows this sample there").clicked() {
             copy(ui, copying::explain_command(shown, pixel, sample));
         }
-        let probe = ui.button("The probe's line");
-        if probe.on_hover_text("`probe` answers it with this pixel").clicked() {
+        let is_ours = shown.subject().log().is_none();
+        let probe = is_ours.then(|| ui.button("The probe's line"));
+        let probe = probe.map(|it| it.on_hover_text("`probe` answers it with this pixel"));
+        if probe.is_some_and(|probe| probe.clicked()) {
             copy(ui, copying::probe_line(shown.rendering, pixel));
         }
         // not of another program: link, page and test are of our picture
@@ -91,7 +93,7 @@ pub fn copy_menu(
         if ui.button("The pixel, all its digits").clicked() {
             copy(ui, details::exact(radiance.to_array()));
         }
-        if let Some(ray) = ray
+        if let Some(ray) = ray.filter(|_| is_ours)
             && ui.button("All numbers of the selected ray").clicked()
         {
             copy(ui, details::text(ray));

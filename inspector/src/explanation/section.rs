@@ -1,5 +1,7 @@
 //! The section of the selected ray: the plane of incidence of its hit, or that of a shadow ray and its light, drawn.
 
+use std::collections::BTreeMap;
+
 use eframe::egui::{
     Align2, Color32, FontId, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2,
     WidgetInfo, accesskit::Role as NodeRole, vec2,
@@ -9,7 +11,9 @@ use groundtruth::world::World;
 use space::{Drawing, Label, Role, Section, arrowhead};
 
 use crate::explanation::asked::Question;
-use crate::explanation::tree::{BLOCKED, CAMERA, LOCAL, REFLECTED, TRANSMITTED, UNBLOCKED, ink};
+use crate::explanation::tree::{
+    BLOCKED, BROKEN, CAMERA, LOCAL, REFLECTED, TRANSMITTED, UNBLOCKED, ink,
+};
 use crate::explanation::{copying, pointing};
 
 /// The length of an arrowhead, in points of the screen.
@@ -98,6 +102,7 @@ impl SectionView {
         world: &World,
         (question, root): (Question, &RecordedRay),
         ray: usize,
+        broken: &BTreeMap<usize, Vec<String>>,
         hovered: &mut Option<usize>,
     ) {
         if self.drawn.as_ref().is_none_or(|(of, number, _)| (*of, *number) != (question, ray)) {
@@ -125,7 +130,7 @@ impl SectionView {
         let (response, painter) = ui.allocate_painter(size, Sense::click_and_drag());
         self.view.follow(ui, &response);
         response.widget_info(|| WidgetInfo::labeled(NodeRole::Image, true, "section"));
-        *hovered = hovered.or(paint(ui, &painter, (&response, self.view), drawing));
+        *hovered = hovered.or(paint(ui, &painter, (&response, self.view), drawing, broken));
     }
 }
 
@@ -135,11 +140,13 @@ fn paint(
     painter: &Painter,
     (response, view): (&Response, View),
     drawing: &Drawing,
+    broken: &BTreeMap<usize, Vec<String>>,
 ) -> Option<usize> {
     let place = Place::of(drawing, response.rect, view)?;
     let mut lines = Vec::new();
     for stroke in &drawing.strokes {
-        let color = color(ui, stroke.role);
+        let is_broken = stroke.ray.is_some_and(|ray| broken.contains_key(&ray));
+        let color = if is_broken { BROKEN } else { color(ui, stroke.role) };
         let points: Vec<Pos2> = stroke.points.iter().map(|&at| place.screen(at)).collect();
         let width = if stroke.ray.is_some() { 2.0 } else { 1.2 };
         let pen = Stroke::new(width, color);

@@ -19,6 +19,7 @@ use crate::explanation::samples::{Linked, Samples};
 use crate::explanation::section::SectionView;
 use crate::explanation::trail::{self, TrailPoint};
 use crate::explanation::tree::{self, Tree};
+use crate::explanation::values::ValuesView;
 use crate::explanation::why_not::WhyNotView;
 use crate::explanation::{Shown, Subject, checks, details, proposal, verdict_text};
 use crate::picture::display;
@@ -61,6 +62,7 @@ pub struct Selection {
     beside: Asked,
     numbers: Beside,
     proposing: Background<[u32; 2]>,
+    values: ValuesView,
     /// The number of a ray that is selected once its tree is there.
     sought: Option<usize>,
     /// The tree whose rays are known by their numbers, and their indices in its log.
@@ -156,6 +158,11 @@ impl Selection {
         self.asked
             .root(self.shown_sample())
             .filter(|(question, _)| self.pixel == Some(question.pixel))
+    }
+
+    /// The same of the other one of two pictures.
+    pub fn root_beside(&self) -> Option<(Question, &RecordedRay)> {
+        self.beside.root(self.shown_sample())
     }
 
     /// The sample whose tree is shown: the one that is pointed at, if it is explained, or the chosen one.
@@ -303,6 +310,11 @@ impl Selection {
                 let (order, pointed) = (&mut self.order, &mut self.pointed);
                 SumList { answer, tone, order, chosen, pointed }.show(ui, area);
             }
+            Tab::Samples if shown.subject().log().is_some() => {
+                let log = shown.subject().log();
+                let values = |ui: &mut Ui| self.values.show(ui, log?, answer.pixel);
+                area.show(ui, values).inner.into_iter().for_each(|place| self.seek(place));
+            }
             Tab::Samples => {
                 return area.show(ui, |ui| self.samples_of(ui, shown, answer, wanted)).inner;
             }
@@ -341,7 +353,7 @@ impl Selection {
         let mut numbers = std::mem::take(&mut self.numbers);
         let program = shown.theirs.and_then(|theirs| theirs.program.as_ref());
         let is_ours = shown.subject().program.is_none();
-        match (self.root(), self.beside.root(self.shown_sample()), program) {
+        match (self.root(), self.root_beside(), program) {
             (Some(this), Some(other), Some(program)) => {
                 numbers.show(ui, [this, other], self.tree.ray, (is_ours, &program.name));
             }
@@ -372,9 +384,15 @@ impl Selection {
 
     fn section_of_ray(&mut self, ui: &mut Ui, world: &World) {
         let mut section = std::mem::take(&mut self.section);
-        let (selected, mut hovered) = (self.tree.ray, None);
+        let (broken, mut hovered) = (Arc::clone(&self.tree.found), None);
         match self.root() {
-            Some(tree) => section.show(ui, world, tree, selected, &mut hovered),
+            Some(tree) => {
+                let ray = self.tree.selected(tree.1);
+                // where it leaves a surface both it and the ray that sent it are seen
+                let leaves = broken.contains_key(&ray.number) && ray.light.is_none();
+                let number = ray.parent.filter(|_| leaves).unwrap_or(ray.number);
+                section.show(ui, world, tree, number, &broken, &mut hovered);
+            }
             None => drop(ui.weak("no ray")),
         }
         self.section = section;

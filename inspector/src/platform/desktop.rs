@@ -13,6 +13,7 @@ use groundtruth::film;
 pub use groundtruth::render::watched;
 use groundtruth::scene::{self, Scene, SceneError};
 use pictures::compare::{Picture, Transfer};
+use rayon::ThreadPoolBuilder;
 use rays::{Log, LogError};
 use rfd::{AsyncFileDialog, FileHandle};
 
@@ -89,6 +90,14 @@ pub fn open_scene(path: &Path) -> Result<(Scene, scene::Source), SceneError> {
 /// As [`Picture::read`].
 pub fn read_picture(path: &Path, said: Option<Transfer>) -> Result<Picture, String> {
     Picture::read(path, said).map_err(|error| error.to_string())
+}
+
+/// Work on threads of its own, so that a picture that is being rendered does not hold it up.
+pub fn at_once<T: Send>(work: impl FnOnce() -> T + Send) -> T {
+    match ThreadPoolBuilder::new().build() {
+        Ok(pool) => pool.install(work),
+        Err(_) => work(),
+    }
 }
 
 /// Reads a log of rays.

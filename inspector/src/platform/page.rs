@@ -168,6 +168,11 @@ pub fn read_picture(path: &Path, said: Option<Transfer>) -> Result<Picture, Stri
     Picture::from_bytes(&bytes, path, said).map_err(|error| error.to_string())
 }
 
+/// Work at once.
+pub fn at_once<T>(work: impl FnOnce() -> T) -> T {
+    work()
+}
+
 /// Reads a log of rays.
 ///
 /// # Errors

@@ -3,9 +3,9 @@
 
 use std::collections::BTreeMap;
 
-use eframe::egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
+use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, vec2};
 use groundtruth::explain::RecordedRay;
-use groundtruth::math::Point;
+use groundtruth::math::{Point, atan2, to_degrees};
 use groundtruth::render;
 use groundtruth::world::World;
 use space::{End, Segment, Sight};
@@ -17,6 +17,8 @@ use crate::space::backdrop::Runs;
 const HIDDEN: f32 = 0.25;
 /// The opacity of rays that are not lit while another is.
 const DIMMED: f32 = 0.3;
+/// The least angle between two rays that is written, in degrees: single precision gives less.
+const LEAST_ANGLE: f64 = 1e-3;
 /// The dark way behind an occluder.
 const DARK: Color32 = Color32::BLACK;
 /// The points on each edge of the film: the edge is curved for some cameras.
@@ -44,6 +46,8 @@ pub struct Rays<'a> {
     pub lit: &'a [usize],
     /// The rays that break a law.
     pub broken: &'a BTreeMap<usize, Vec<String>>,
+    /// Whether they are drawn thin and dashed, as those of the other one of two trees.
+    pub dashed: bool,
     /// The length of normals, in world units; no normals if `None`.
     pub normals: Option<f64>,
 }
@@ -86,6 +90,11 @@ impl Canvas<'_> {
             for &([start, end], hidden) in runs {
                 let opacity = if hidden { HIDDEN * dimmed } else { dimmed };
                 if let Some(line) = self.line(at(start), at(end)) {
+                    if rays.dashed {
+                        let pen = Stroke::new(1.5, color.gamma_multiply(opacity));
+                        self.painter.extend(Shape::dashed_line(&line, pen, 7.0, 6.0));
+                        continue;
+                    }
                     self.stroke(line, width, color, opacity);
                     drawn.push((segment.ray, line));
                 }
@@ -103,6 +112,25 @@ impl Canvas<'_> {
             }
         }
         drawn
+    }
+
+    /// Rings the place where two rays part, with the angle between them.
+    pub fn parting(&self, [this, other]: [&RecordedRay; 2]) {
+        let [a, b] = [this, other].map(|ray| ray.ray.direction);
+        let angle = to_degrees(atan2(a.cross(b).length(), a.dot(b)));
+        let end = || this.hit.as_ref().or(other.hit.as_ref()).map(|hit| hit.point);
+        let (at, text) = match angle > LEAST_ANGLE {
+            true => (Some(this.ray.origin), format!("{angle:.2}°")),
+            false => (end(), "they part here".to_owned()),
+        };
+        let Some(at) = at.and_then(|at| self.sight.project(at)) else { return };
+        let at = self.screen(at);
+        for (width, color) in [(4.0, Color32::BLACK), (2.0, Color32::WHITE)] {
+            self.painter.circle_stroke(at, 9.0, Stroke::new(width, color));
+        }
+        let font = FontId::proportional(13.0);
+        let place = at + vec2(12.0, -12.0);
+        self.painter.text(place, Align2::LEFT_BOTTOM, text, font, Color32::WHITE);
     }
 
     /// Marks the end of a piece: an arrowhead where it goes on or hits, a dot at a lamp, a cross at an occluder.

@@ -14,8 +14,8 @@ use space::Segment;
 
 use crate::explanation::Subject;
 use crate::explanation::asked::Question;
-use crate::explanation::pointing;
 use crate::explanation::selection::Selection;
+use crate::explanation::{beside, pointing};
 use crate::space::backdrop::{Backdrop, Request};
 use crate::space::camera::{Camera, Seen};
 use crate::space::filter::Filter;
@@ -43,6 +43,8 @@ pub struct Traced<'a> {
     pub lit: Option<usize>,
     /// What laws found of its rays, by their numbers.
     pub found: Arc<BTreeMap<usize, Vec<String>>>,
+    /// The tree of the other picture, if both are shown.
+    pub other: Option<(Question, &'a RecordedRay)>,
 }
 
 /// What the mouse does in the view.
@@ -65,6 +67,24 @@ struct Pieces {
     left_out: usize,
 }
 
+impl Pieces {
+    fn of(world: &World, (question, root): (Question, &RecordedRay), filter: &Filter) -> Self {
+        let (_, reach) = space::of_scene(world);
+        let all = space::segments(world, root, reach);
+        let drawn = filter.drawn(root);
+        let mut segments: Vec<Segment> =
+            all.into_iter().filter(|piece| drawn.binary_search(&piece.ray).is_ok()).collect();
+        let left_out = segments.len().saturating_sub(MAX_PIECES);
+        if left_out > 0 {
+            let shares: BTreeMap<usize, f64> =
+                root.rays().iter().map(|ray| (ray.number, ray.share)).collect();
+            segments.sort_by(|a, b| shares[&b.ray].total_cmp(&shares[&a.ray]));
+            segments.truncate(MAX_PIECES);
+        }
+        Self { question, filter: filter.clone(), segments: Arc::new(segments), left_out }
+    }
+}
+
 /// The space view.
 #[derive(Default)]
 pub struct SpaceView {
@@ -78,6 +98,8 @@ pub struct SpaceView {
     /// The scene behind the rays.
     pub backdrop: Backdrop,
     pieces: Option<Pieces>,
+    /// Those of the other tree.
+    other: Option<Pieces>,
     /// The object for which the menu was opened.
     menu: Option<u32>,
     id: Option<Id>,
@@ -99,19 +121,22 @@ impl SpaceView {
         self.id.is_some() && ctx.memory(|memory| memory.focused()) == self.id
     }
 
-    /// Shows the rays of the selected sample in this area, and passes on what the mouse does.
+    /// Shows the rays of the selected sample in this area, with those of the other picture if both are shown, and passes on
+    /// what the mouse does.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         area: Rect,
-        subject: &Subject<'_>,
+        (subject, is_both): (&Subject<'_>, bool),
         selection: &mut Selection,
     ) {
         let Selection { pixel, tree, .. } = &*selection;
         let (pixel, selected, lit) = (*pixel, tree.ray, tree.lit);
         let traced = selection.root();
         let found = Arc::clone(&tree.found);
-        let traced = traced.map(|(question, root)| Traced { question, root, selected, lit, found });
+        let other = selection.root_beside().filter(|_| is_both);
+        let traced =
+            traced.map(|(question, root)| Traced { question, root, selected, lit, found, other });
         let pointed = self.show_rays(ui, area, subject, pixel, traced.as_ref());
         if let Some(number) = pointed.clicked {
             selection.go_to(number);
@@ -157,28 +182,16 @@ impl SpaceView {
 
     /// Works the pieces out again if the tree or the filter has changed.
     fn update_pieces(&mut self, world: &World, traced: Option<&Traced<'_>>) {
-        let Some(Traced { question, root, .. }) = traced else {
-            self.pieces = None;
-            return;
-        };
-        let is_same = |it: &Pieces| it.question == *question && it.filter == self.filter;
-        if self.pieces.as_ref().is_some_and(is_same) {
-            return;
+        let other = traced.and_then(|traced| traced.other);
+        let trees = [traced.map(|it| (it.question, it.root)), other];
+        for (pieces, tree) in [&mut self.pieces, &mut self.other].into_iter().zip(trees) {
+            let is_same = |it: &Pieces| {
+                Some(it.question) == tree.map(|(question, _)| question) && it.filter == self.filter
+            };
+            if !pieces.as_ref().is_some_and(is_same) {
+                *pieces = tree.map(|tree| Pieces::of(world, tree, &self.filter));
+            }
         }
-        let (_, reach) = space::of_scene(world);
-        let all = space::segments(world, root, reach);
-        let drawn = self.filter.drawn(root);
-        let mut segments: Vec<Segment> =
-            all.into_iter().filter(|piece| drawn.binary_search(&piece.ray).is_ok()).collect();
-        let left_out = segments.len().saturating_sub(MAX_PIECES);
-        if left_out > 0 {
-            let shares: BTreeMap<usize, f64> =
-                root.rays().iter().map(|ray| (ray.number, ray.share)).collect();
-            segments.sort_by(|a, b| shares[&b.ray].total_cmp(&shares[&a.ray]));
-            segments.truncate(MAX_PIECES);
-        }
-        let (question, filter) = (*question, self.filter.clone());
-        self.pieces = Some(Pieces { question, filter, segments: Arc::new(segments), left_out });
     }
 
     fn buttons(&mut self, ui: &mut Ui, scene: &Seen<'_>) -> Rect {
@@ -237,14 +250,28 @@ impl SpaceView {
         if let (Some(pieces), Some(traced)) = (&self.pieces, traced) {
             let runs = self.backdrop.runs(&pieces.segments);
             let lit: Vec<usize> = lit.into_iter().chain([traced.selected]).collect();
+            if let (Some(pieces), Some((_, other))) = (&self.other, traced.other) {
+                canvas.rays(&Rays {
+                    by_number: &other.rays().into_iter().map(|ray| (ray.number, ray)).collect(),
+                    segments: &pieces.segments,
+                    runs: None,
+                    lit: &[],
+                    broken: &BTreeMap::new(),
+                    dashed: true,
+                    normals: None,
+                });
+            }
             let drawn = canvas.rays(&Rays {
                 by_number: &by_number,
                 segments: &pieces.segments,
                 runs: runs.as_deref().map(Vec::as_slice),
                 lit: if traced.lit.is_some() || traced.selected > 0 { &lit } else { &[] },
                 broken: &traced.found,
+                dashed: false,
                 normals: self.filter.normals.then_some(NORMAL * orbit.distance),
             });
+            let other = traced.other.and_then(|(_, other)| beside::parting(traced.root, other));
+            other.into_iter().for_each(|rays| canvas.parting(rays));
             pointed.hovered = at.and_then(|at| pointing::nearest(&drawn, at));
             pointed.clicked = pointed.hovered.filter(|_| response.clicked());
             if pieces.left_out > 0 {

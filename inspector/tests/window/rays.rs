@@ -113,8 +113,7 @@ fn a_log_stands_beside_our_rays() {
     scene.image.resize(48, 48);
     let explained = explain::pixel(&scene, &built(&scene), pixel, None).expect("few rays");
     let folder = tempfile::tempdir().expect("a folder");
-    let log = rays::log_of(&explained, entry.name);
-    let log = log.replacen("{", r#"{"size": [48, 48], "#, 1);
+    let log = rays::log_of(&explained, (entry.name, [48, 48]), None);
     let mut window = open_log(folder.path(), &log);
     let inspector = window.state();
     assert_eq!(inspector.session.rendering.source.name(), entry.name);

@@ -211,6 +211,19 @@ impl Ray {
         said.map(|(name, value)| (printable::name(name), printable::name(&value))).collect()
     }
 
+    /// Its numbers by name: those of its own fields, and its length, density and light, of which it says that they are common.
+    pub fn numbers(&self) -> impl Iterator<Item = (bool, &str, f64)> {
+        let own = self.others.iter();
+        let own = own.filter_map(|(name, value)| Some((false, &**name, value.as_f64()?)));
+        let all = [
+            ("t", self.t),
+            ("pdf", self.factors.pdf),
+            ("weight (mean)", self.factors.weight.map(Rgb::average)),
+            ("radiance (mean)", self.radiance.map(Rgb::average)),
+        ];
+        own.chain(all.into_iter().filter_map(|(name, value)| Some((true, name, value?))))
+    }
+
     /// Whether its kind is this one.
     pub fn is(&self, kind: &Purpose) -> bool {
         self.kind.as_ref() == Some(kind)
