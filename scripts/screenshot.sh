@@ -57,6 +57,7 @@ picture() {
 }
 
 picture inspector ch28/glass-sphere --size 300x300 --pixel 146,176 --view both
+picture your-rays examples/rays/black-dots.jsonl --view both
 picture tour-acne ch16/surface-acne --pixel 138,115 --view both
 picture tour-lost-roots ch19/lost-roots --pixel 145,80
 picture tour-total-reflection ch27/mirror-ring --pixel 185,111 --view both --tab section

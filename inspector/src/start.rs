@@ -1,5 +1,7 @@
 //! What the window opens with.
 
+use std::path::PathBuf;
+
 use eframe::Storage;
 use eframe::egui::Context;
 
@@ -41,12 +43,15 @@ impl Start {
         arguments: &Arguments,
     ) -> Inspector {
         set_style(ctx);
+        let mut logs: Vec<PathBuf> = Vec::new();
         let mut inspector = match self.scene {
             Err(broken) => Inspector::waiting_for(ctx, broken),
-            Ok(loaded) => {
+            Ok(mut loaded) => {
+                let named = loaded.rays.take().into_iter();
+                logs = named.chain(arguments.rays.iter().cloned()).collect();
                 let mut inspector = Inspector::new(ctx, loaded);
                 match arguments.pixel {
-                    None if !arguments.rays.is_empty() => {}
+                    None if !logs.is_empty() => {}
                     Some(pixel) => inspector.explain(pixel, arguments.sample.unwrap_or(0)),
                     None => inspector.propose(ctx),
                 }
@@ -55,7 +60,7 @@ impl Start {
         };
         self.theirs.into_iter().for_each(|theirs| inspector.others.add_picture(theirs));
         inspector.others.choose(0);
-        arguments.rays.iter().for_each(|path| inspector.others.add_log(path.clone()));
+        logs.into_iter().for_each(|path| inspector.others.add_log(path));
         (inspector.space.mode, inspector.selection.tab) = (arguments.view, arguments.tab);
         let stored = StoredSettings::read(storage);
         let ground = arguments.theme.unwrap_or(stored.ground);

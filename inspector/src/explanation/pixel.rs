@@ -130,6 +130,10 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
             let good = tree::ink(ui, Color32::from_rgb(120, 220, 120));
             ui.colored_label(good, "= the pixel of the picture, bit for bit")
         }
+        // what a picture file can hold of it
+        Some(radiance) if shown.subject().log().is_some() => {
+            ui.weak(format!("in the picture file: {}", short(radiance)))
+        }
         Some(radiance) => {
             let text = details::exact(radiance.to_array());
             let text = format!("differs from the pixel of the picture: {text}");

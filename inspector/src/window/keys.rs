@@ -17,7 +17,10 @@ const KEYS: [(&str, &str); 21] = [
     ("W", "with another picture: ours at the left of a line, theirs at its right; drag the line"),
     ("D", "with another picture: theirs less ours"),
     ("Z", "with another picture, once it is judged: the map of z"),
-    ("N", "with another picture: explain the worst pixel of the next region of difference"),
+    (
+        "N",
+        "with another picture: the worst pixel of the next region of difference; with a log of rays: the next broken ray",
+    ),
     ("O", "with several other pictures: compare with the next of them"),
     ("S", "the picture, the picture and its rays in space, or space alone"),
     (
