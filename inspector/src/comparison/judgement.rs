@@ -12,7 +12,6 @@ use eframe::egui::{
 use groundtruth::explain::count;
 use groundtruth::film::{Film, Tone};
 use groundtruth::render::{Canvas, Crop};
-use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use judge::verdict::{self, Case, DifferingRegion, Progress, Renders, Strictness, Verdict};
 use pictures::compare::Picture;
@@ -22,7 +21,7 @@ use crate::comparison::layer::{Layer, shown};
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
 use crate::platform::{Slice, watched};
-use crate::scene::source::Source;
+use crate::scene::source::Built;
 
 /// The side of a region's number over the picture, in points of the screen.
 const NUMBER: f32 = 16.0;
@@ -93,12 +92,9 @@ impl Course {
     }
 }
 
-/// A scene as the window shows it, and the seed of the first of our pictures.
+/// A scene as the window shows it; its seed is that of the first of our pictures.
 struct Question {
-    source: Source,
-    read: Scene,
-    scene: Arc<Scene>,
-    seed: u64,
+    built: Built,
     theirs: Arc<Picture>,
     /// Our pictures of earlier slices: each slice judges from the beginning, and asks for the same pictures again.
     rendered: Vec<Film>,
@@ -140,20 +136,20 @@ impl Question {
     }
 
     fn judged(&self, course: &Course, is_paused: &AtomicBool, renders: Renders<'_>) -> Outcome {
-        let Self { source, read, scene, seed, theirs, .. } = self;
-        let (scene, theirs, seed) = (&**scene, &**theirs, *seed);
+        let Built { source, scene, world, .. } = &self.built;
+        let (theirs, folder, seed) = (&*self.theirs, source.folder(), world.seed);
         let refusal = verdict::refusal(theirs).or_else(|| verdict::refusal_of_seed(seed));
         if let Some(problem) = refusal {
             return Err(problem);
         }
-        let folder = source.folder().to_owned();
         // a world of its own: it is given other seeds
-        let mut world = source.clone().rebuild(read.clone(), scene.clone(), seed)?.world;
+        let world = World::build_seeded(scene, folder, seed);
+        let mut world = world.map_err(|error| error.to_string())?;
         let case = Case {
             is_over: &|| is_paused.load(Ordering::Relaxed) || course.is_stopped(),
             so_far: &|progress| course.note(progress),
             transfer: theirs.stated,
-            ..Case::new(scene, &folder, seed)
+            ..Case::new(scene, folder, seed)
         };
         let verdict = case.verdict(&mut world, slice::from_ref(theirs), renders).map(Arc::new);
         verdict.ok_or("interrupted; too few pictures were rendered to say anything".to_owned())
@@ -166,10 +162,7 @@ impl Judgement {
         *self = Self::default();
         self.generation = rendering.generation;
         let mut question = Question {
-            source: rendering.source.clone(),
-            read: rendering.read.clone(),
-            scene: Arc::clone(&rendering.scene),
-            seed: rendering.world.seed,
+            built: rendering.built.clone(),
             theirs: Arc::clone(theirs),
             rendered: Vec::new(),
             under_way: None,

@@ -11,7 +11,7 @@ use rays::{Logged, RayPlace};
 
 use crate::action::{Shows, With};
 use crate::comparison::opening::{self, Opening};
-use crate::comparison::recipe::{Made, Recipe, State};
+use crate::comparison::recipe::{Made, Recipe};
 use crate::comparison::theirs::Theirs;
 use crate::picture::session::Session;
 use crate::picture::worker::{Background, Rendering};
@@ -94,8 +94,7 @@ impl Others {
             With::State => {
                 self.kept += 1;
                 let name = format!("state {}", self.kept);
-                let state = State::of(name, &session.rendering);
-                self.add(Recipe::State(Box::new(state)));
+                self.add(Recipe::State(name, session.rendering.built.clone()));
             }
             With::Other(index) => return self.choose_fitting(ctx, session, index),
             With::Next => {

@@ -6,7 +6,6 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use groundtruth::film::Film;
 use groundtruth::render::{Canvas, Renderer};
 use groundtruth::scene::Scene;
-use groundtruth::world::World;
 use judge::mistakes::{Mistake, Mistaken};
 use pictures::compare;
 
@@ -14,7 +13,7 @@ use crate::comparison::program::Program;
 use crate::picture::worker::Rendering;
 use crate::platform::{Slice, watched};
 use crate::scene::fields::Change;
-use crate::scene::source::Source;
+use crate::scene::source::{Built, Source};
 
 /// What is other than ours.
 #[derive(Clone)]
@@ -25,27 +24,8 @@ pub enum Recipe {
     Field(Change),
     /// Another scene.
     Scene(Source),
-    /// The scene as it was shown once.
-    State(Box<State>),
-}
-
-/// A scene as it was shown once, kept while ours is changed.
-#[derive(Clone)]
-pub struct State {
-    name: String,
-    source: Source,
-    read: Scene,
-    scene: Arc<Scene>,
-    seed: u64,
-}
-
-impl State {
-    /// The scene as it is shown now.
-    pub fn of(name: String, rendering: &Rendering) -> Self {
-        let (source, read) = (rendering.source.clone(), rendering.read.clone());
-        let (scene, seed) = (Arc::clone(&rendering.scene), rendering.world.seed);
-        Self { name, source, read, scene, seed }
-    }
+    /// The scene as it was shown once, kept under a name while ours is changed.
+    State(String, Built),
 }
 
 /// The program and its picture; `None` if the mistake changes nothing of the scene.
@@ -58,7 +38,7 @@ impl Recipe {
             Self::Mistake(mistake) => mistake.name.to_owned(),
             Self::Field(change) => change.short(),
             Self::Scene(source) => source.name(),
-            Self::State(state) => state.name.clone(),
+            Self::State(name, _) => name.clone(),
         }
     }
 
@@ -68,7 +48,7 @@ impl Recipe {
             Self::Mistake(mistake) => format!("ch. {}: {}", mistake.chapter, mistake.words),
             Self::Field(change) => change.to_string(),
             Self::Scene(source) => source.name(),
-            Self::State(state) => format!("{} as it was kept", state.source.name()),
+            Self::State(_, kept) => format!("{} as it was kept", kept.source.name()),
         }
     }
 
@@ -78,15 +58,12 @@ impl Recipe {
         rendering: &Rendering,
         is_stopped: Arc<AtomicBool>,
     ) -> impl FnMut(&Slice) -> Option<Made> + Send + 'static {
-        let (recipe, source) = (self.clone(), rendering.source.clone());
-        let (read, scene) = (rendering.read.clone(), Arc::clone(&rendering.scene));
-        let world = Arc::clone(&rendering.world);
-        let (seed, size) = (rendering.world.seed, rendering.size());
+        let (recipe, ours, size) = (self.clone(), rendering.built.clone(), rendering.size());
         let mut made = None;
         move |slice| {
             let (program, canvas) = match made.take() {
                 Some(made) => made,
-                None => match recipe.program((&source, &read, &scene, &world), seed, size) {
+                None => match recipe.program(&ours, size) {
                     Ok(Some(program)) if program.log().is_some() => {
                         let film = program.picture(size);
                         return Some(Ok(Some((program, film))));
@@ -114,35 +91,30 @@ impl Recipe {
         }
     }
 
-    fn program(
-        &self,
-        (source, read, scene, world): (&Source, &Scene, &Scene, &Arc<World>),
-        seed: u64,
-        size: [u32; 2],
-    ) -> Result<Option<Program>, String> {
-        let name = self.name();
+    fn program(&self, ours: &Built, size: [u32; 2]) -> Result<Option<Program>, String> {
+        let (name, seed) = (self.name(), ours.world.seed);
         let fit = |mut scene: Scene| match compare::fit(&mut scene, size) {
             Ok(_) => Ok(scene),
             Err(error) => Err(format!("{name}: {error}")),
         };
-        let (source, read) = (source.clone(), read.clone());
-        let loaded = match self {
+        let ours = ours.clone();
+        let built = match self {
             Self::Mistake(mistake) => {
-                let program = Mistaken::new(mistake, scene, source.folder(), seed);
+                let program = Mistaken::new(mistake, &ours.scene, ours.source.folder(), seed);
                 let program = program.map_err(|error| error.to_string())?;
-                return Ok(program.map(|program| Program::with_mistake(program, source, read)));
+                return Ok(program.map(|program| Program::with_mistake(program, ours)));
             }
-            Self::Scene(Source::Rays(path)) => {
-                let (scene, world) = (scene.clone(), Arc::clone(world));
-                return Program::of_log(path, (source, read, scene), world).map(Some);
+            Self::Scene(Source::Rays(path)) => return Program::of_log(path, ours).map(Some),
+            Self::Field(change) => {
+                let scene = change.applied(&ours.scene)?;
+                ours.changed(scene, seed)?
             }
-            Self::Field(change) => source.rebuild(read, change.applied(scene)?, seed)?,
-            Self::Scene(other) => other.clone().load_changed(seed, fit)?,
-            Self::State(state) => {
-                let State { source, read, scene, seed, .. } = &**state;
-                source.clone().rebuild(read.clone(), fit((**scene).clone())?, *seed)?
+            Self::Scene(other) => other.clone().load_changed(seed, fit)?.built,
+            Self::State(_, kept) => {
+                let scene = fit((*kept.scene).clone())?;
+                kept.clone().changed(scene, kept.world.seed)?
             }
         };
-        Ok(Some(Program::ours(name, loaded)))
+        Ok(Some(Program::ours(name, built)))
     }
 }

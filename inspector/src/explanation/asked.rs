@@ -79,14 +79,13 @@ impl Asked {
             return;
         }
         let Subject { rendering, program } = *subject;
-        let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
-        let program = program.map(Arc::clone);
+        let (ours, program) = (rendering.built.clone(), program.map(Arc::clone));
         self.working.start(ctx, move || {
             let answer = match program {
-                None => answer(&scene, &*world, question),
+                None => answer(&ours.scene, &*ours.world, question),
                 Some(program) => match program.log() {
                     Some(log) => read_off(log, question),
-                    None => answer(&program.scene, &*program, question),
+                    None => answer(program.scene(), &*program, question),
                 },
             };
             (question, answer)

@@ -13,6 +13,7 @@ use text::shell::quoted;
 
 use crate::explanation::{Shown, Subject};
 use crate::picture::worker::{Background, Rendering};
+use crate::scene::source::Built;
 use crate::splits::Mode;
 
 /// A text for the clipboard that takes a while to make.
@@ -47,14 +48,14 @@ impl Making {
     ) {
         let rendering = shown.rendering;
         let command = explain_command(shown, answer.pixel, sample);
-        let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
-        let (canvas, mut answer) = (Arc::clone(&rendering.canvas), answer.clone());
+        let (built, canvas) = (rendering.built.clone(), Arc::clone(&rendering.canvas));
+        let mut answer = answer.clone();
         // the page shows the first of the samples
         answer.samples.retain(|explained| explained.index == sample);
-        let name = rendering.source.name();
         self.0.start(ctx, move || {
+            let Built { source, scene, world, .. } = &built;
             let picture = &SmallPicture::of(&canvas.film(), world.samples_per_pixel());
-            let (name, scene, world) = (&*name, &*scene, &*world);
+            let name = &*source.name();
             let (explanation, ray, command) = (&answer, Some(ray), &*command);
             Ok(PixelPage { name, scene, world, explanation, picture, ray, command }.html())
         });
@@ -62,14 +63,13 @@ impl Making {
 
     /// Makes a test that a sample keeps its bits, with the scene reduced to what it needs.
     pub fn test(&mut self, ctx: &Context, rendering: &Rendering, pixel: [u32; 2], sample: u32) {
-        let scene = Arc::clone(&rendering.scene);
-        let folder = rendering.source.folder().to_owned();
+        let Built { source, scene, .. } = rendering.built.clone();
         let kept = Kept { pixel, sample: Some(sample), seed: rendering.world.seed };
-        let (name, is_file) = (rendering.source.name(), rendering.source.entry().is_none());
         self.0.start(ctx, move || {
-            let reduced = ReducedScene::of(&scene, &folder, kept).map_err(|e| e.to_string())?;
-            let file = if is_file { &*name } else { "scene.toml" };
-            Ok(reduced.rust_test(&name, Path::new(file)))
+            let reduced = ReducedScene::of(&scene, source.folder(), kept);
+            let name = source.name();
+            let file = if source.entry().is_none() { &*name } else { "scene.toml" };
+            Ok(reduced.map_err(|e| e.to_string())?.rust_test(&name, Path::new(file)))
         });
     }
 }
@@ -82,10 +82,10 @@ pub fn explain_command(shown: &Shown<'_>, [x, y]: [u32; 2], sample: u32) -> Stri
     }
     let mistake = subject.program.and_then(|program| program.mistake());
     let mistake = mistake.map_or(String::new(), |it| format!(" --mistake {}", it.name));
-    let image = &subject.scene().image;
-    let (width, height, samples) = (image.width, image.height, image.samples);
-    let (name, seed) = (quoted(&subject.source().name()), subject.world().seed);
-    let mut tracer = subject.scene().tracer;
+    let Built { source, scene, world, .. } = subject.built();
+    let (width, height, samples) = (scene.image.width, scene.image.height, scene.image.samples);
+    let (name, seed) = (quoted(&source.name()), world.seed);
+    let mut tracer = scene.tracer;
     let depth = tracer.max_depth().map_or(String::new(), |depth| format!(" --max-depth {depth}"));
     let tracer = format!("--tracer {}{depth}", tracer.name());
     let changed = if is_changed(&subject) { "  # the window shows a changed scene" } else { "" };
@@ -160,9 +160,8 @@ pub fn show_copied(ui: &mut Ui) {
 
 /// Whether something was changed in the window that the command line has no option for.
 fn is_changed(subject: &Subject<'_>) -> bool {
-    let own = subject.program.filter(|program| program.own_world().is_some());
-    let mut read = own.map_or(&subject.rendering.read, |program| &program.read).clone();
-    let scene = subject.scene();
+    let Built { read, scene, .. } = subject.built();
+    let mut read = (**read).clone();
     read.image.resize(scene.image.width, scene.image.height);
     read.image.samples = scene.image.samples;
     read.tracer = scene.tracer;

@@ -6,14 +6,12 @@ use std::sync::Arc;
 use groundtruth::film::Tone;
 use groundtruth::render::Renderer;
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::world::World;
 use rays::Logged;
 
 use crate::comparison::program::Program;
 use crate::comparison::theirs::Theirs;
 use crate::picture::worker::Rendering;
-use crate::scene::source::Source;
+use crate::scene::source::Built;
 use crate::splits::Mode;
 
 pub mod asked;
@@ -51,20 +49,9 @@ impl<'a> Subject<'a> {
         (self.rendering.generation, self.program.map(|program| program.number))
     }
 
-    /// Its world: that of a program with a mistake is ours.
-    pub fn world(&self) -> &'a Arc<World> {
-        self.program.and_then(|program| program.own_world()).unwrap_or(&self.rendering.world)
-    }
-
-    /// Its scene: that of a program with a mistake is ours.
-    pub fn scene(&self) -> &'a Scene {
-        let own = self.program.filter(|program| program.own_world().is_some());
-        own.map_or(&self.rendering.scene, |program| &program.scene)
-    }
-
-    /// Where its scene is from.
-    pub fn source(&self) -> &'a Source {
-        self.program.map_or(&self.rendering.source, |program| &program.source)
+    /// Its scene and its world: those of a program with a mistake are ours.
+    pub fn built(&self) -> &'a Built {
+        self.program.map_or(&self.rendering.built, |program| &program.built)
     }
 
     /// The log of its rays, if that is what is known of it.

@@ -131,7 +131,7 @@ impl Samples {
         if self.of == Some((version, pixel)) {
             return;
         }
-        let world = subject.world();
+        let world = &subject.built().world;
         if self.of.is_none_or(|(of, _)| of != version) {
             self.uniformity = Some(Uniformity::of(world));
         }

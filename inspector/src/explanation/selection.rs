@@ -305,7 +305,7 @@ impl Selection {
             }
             Tab::Beside => drop(area.show(ui, |ui| self.side_by_side(ui, shown))),
             Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|it| verdict_text::show(ui, it)))),
-            Tab::Section => self.section_of_ray(ui, shown.subject().world()),
+            Tab::Section => self.section_of_ray(ui, &shown.subject().built().world),
             Tab::Sum => {
                 let (order, pointed) = (&mut self.order, &mut self.pointed);
                 SumList { answer, tone, order, chosen, pointed }.show(ui, area);

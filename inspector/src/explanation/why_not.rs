@@ -7,6 +7,7 @@ use space::why_not;
 
 use crate::explanation::Subject;
 use crate::explanation::asked::Question;
+use crate::scene::source::Built;
 
 /// The object that is asked about, and the answer for the ray that was selected last.
 #[derive(Default)]
@@ -25,7 +26,7 @@ impl WhyNotView {
         (question, root): (Question, &RecordedRay),
         ray: usize,
     ) {
-        let objects = &subject.world().names.objects;
+        let objects = &subject.built().world.names.objects;
         let chosen = self.object.and_then(|object| objects.get(object as usize));
         ui.horizontal(|ui| {
             let label = ui.label("Why does it not hit");
@@ -57,7 +58,8 @@ impl WhyNotView {
 
 /// The answer in a sentence, and its numbers.
 fn answer(subject: &Subject<'_>, root: &RecordedRay, ray: usize, object: u32) -> Vec<String> {
-    let (scene, world, folder) = (subject.scene(), subject.world(), subject.source().folder());
+    let Built { source, scene, world, .. } = subject.built();
+    let folder = source.folder();
     let question = why_not::Question { scene, folder, world, root, ray, object };
     match question.answer() {
         Ok(answer) => std::iter::once(answer.sentence()).chain(answer.numbers()).collect(),

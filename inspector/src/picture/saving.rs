@@ -12,6 +12,7 @@ use pictures::provenance;
 
 use crate::picture::worker::{Background, Rendering};
 use crate::platform;
+use crate::scene::source::Built;
 
 /// What is saved.
 #[derive(Clone, Debug)]
@@ -95,16 +96,16 @@ impl Saving {
         content: Content,
         to: PathBuf,
     ) {
-        let (canvas, of_scene) = (rendering.canvas.clone(), rendering.world.image.tone());
-        let (source, read) = (rendering.source.clone(), rendering.read.clone());
-        let (scene, world) = (Arc::clone(&rendering.scene), Arc::clone(&rendering.world));
+        let (canvas, built) = (Arc::clone(&rendering.canvas), rendering.built.clone());
         self.working.start(ctx, move || {
-            let made = provenance((source.entry(), &read), (&scene, &world), source.folder());
+            let Built { source, read, scene, world } = &built;
+            let made = provenance((source.entry(), read), (scene, world), source.folder());
             let mut made = made.map_err(|error| error.to_string())?;
+            let of_scene = world.image.tone();
             let format = Format::of(&to).map_err(|error| error.to_string())?;
             made.tone = (format.is_for_display() && tone != of_scene).then(|| tone.to_string());
             made.part = content.part();
-            let bytes = content.encode(format, (&canvas, &world), tone, &made);
+            let bytes = content.encode(format, (&canvas, world), tone, &made);
             let unwritable = |source| ImageError::Unwritable { path: to.clone(), source };
             let written = bytes.and_then(|bytes| platform::save(&to, &bytes)).map_err(unwritable);
             written.map_err(|error| error.to_string())

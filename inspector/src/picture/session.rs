@@ -8,7 +8,7 @@ use groundtruth::scene::Scene;
 
 use crate::picture::worker::{Background, Rendering};
 use crate::scene::reload;
-use crate::scene::source::{Loaded, Source};
+use crate::scene::source::{Built, Loaded, Source};
 use crate::scene::waiting::{Broken, Waiting};
 use crate::scene::watch::{self, Watch};
 
@@ -43,12 +43,12 @@ impl Session {
     /// Starts to render a scene.
     pub fn new(ctx: &Context, mut loaded: Loaded) -> Self {
         Self {
-            wanted: loaded.scene.clone(),
-            seed: loaded.world.seed,
+            wanted: (*loaded.built.scene).clone(),
+            seed: loaded.built.world.seed,
             loading: Background::default(),
             watch: loaded.watch.take().unwrap_or_default(),
             waiting: None,
-            rendering: Rendering::start(ctx, loaded, 0),
+            rendering: Rendering::start(ctx, loaded.built, 0),
         }
     }
 
@@ -65,10 +65,8 @@ impl Session {
 
     /// Builds the scene again with its present settings and switches.
     pub fn rebuild(&mut self, ctx: &Context) {
-        let Rendering { source, read, .. } = &self.rendering;
-        let (source, read, scene, seed) =
-            (source.clone(), read.clone(), self.wanted.clone(), self.seed);
-        self.loading.start(ctx, move || source.rebuild(read, scene, seed));
+        let (built, scene, seed) = (self.rendering.built.clone(), self.wanted.clone(), self.seed);
+        self.loading.start(ctx, move || built.changed(scene, seed).map(Loaded::from));
     }
 
     /// Reads the scene again if its file was changed; keeps the changes made in the window.
@@ -80,13 +78,12 @@ impl Session {
         if self.loading.is_busy() || !self.watch.changed() {
             return;
         }
-        let Rendering { source, read, .. } = &self.rendering;
-        let (source, before, wanted, seed) =
-            (source.clone(), read.clone(), self.wanted.clone(), self.seed);
+        let Built { source, read, .. } = self.rendering.built.clone();
+        let (wanted, seed) = (self.wanted.clone(), self.seed);
         let asked = self.waiting.as_ref().map(|waiting| Arc::clone(&waiting.change));
         let change = move |now| match asked {
             Some(change) => change(now),
-            None => Ok(reload::with_changes(&before, &wanted, now)),
+            None => Ok(reload::with_changes(&read, &wanted, now)),
         };
         self.loading.start(ctx, move || source.load_changed(seed, change));
     }
@@ -101,17 +98,16 @@ impl Session {
     }
 
     fn replace(&mut self, ctx: &Context, mut loaded: Loaded) -> Opened {
-        let is_same_source = loaded.source.name() == self.rendering.source.name();
+        let is_same_source = loaded.built.source.name() == self.rendering.source.name();
         let waited = self.waiting.take();
         let (is_same_scene, old_size) = (is_same_source && waited.is_none(), self.rendering.size());
         if let Some(watch) = loaded.watch.take() {
             self.watch = watch;
         }
-        let rays = loaded.rays.take();
         // the old rendering is dropped here, which stops it
-        self.rendering = Rendering::start(ctx, loaded, self.rendering.generation + 1);
+        self.rendering = Rendering::start(ctx, loaded.built, self.rendering.generation + 1);
         Opened {
-            rays,
+            rays: loaded.rays,
             is_same_scene,
             is_same_view: is_same_scene && self.rendering.size() == old_size,
             asked: waited

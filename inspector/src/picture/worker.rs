@@ -2,6 +2,7 @@
 //! polls it in each frame and waits only for a moment.
 
 use std::fmt;
+use std::ops::Deref;
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::sync::{Arc, OnceLock};
 use std::time::Duration;
@@ -10,12 +11,10 @@ use eframe::egui;
 use groundtruth::math::Span;
 use groundtruth::render::{self, Canvas, MAX_COUNTED, RaysPerSample};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
-use groundtruth::world::World;
 use web_time::Instant;
 
 use crate::platform::{self, Slice, Task};
-use crate::scene::source::{Loaded, Source};
+use crate::scene::source::Built;
 
 /// Work beside the window that has a result.
 #[derive(Debug)]
@@ -104,14 +103,8 @@ impl<T: Send + 'static> Background<T> {
 pub struct Rendering {
     /// The number of this rendering: answers about another one are dropped.
     pub generation: u64,
-    /// The source of the scene.
-    pub source: Source,
-    /// The scene as its source says it.
-    pub read: Scene,
-    /// The scene as it is rendered.
-    pub scene: Arc<Scene>,
-    /// The scene, built.
-    pub world: Arc<World>,
+    /// The scene.
+    pub built: Built,
     /// The picture so far.
     pub canvas: Arc<Canvas>,
     start: Instant,
@@ -133,14 +126,12 @@ pub enum Progress {
 
 impl Rendering {
     /// Starts to render.
-    pub fn start(ctx: &egui::Context, loaded: Loaded, generation: u64) -> Self {
-        let Loaded { source, read, scene, world, .. } = loaded;
-        let (scene, world) = (Arc::new(scene), Arc::new(world));
-        let canvas = Arc::new(Canvas::new(&world));
+    pub fn start(ctx: &egui::Context, built: Built, generation: u64) -> Self {
+        let canvas = Arc::new(Canvas::new(&built.world));
         let (start, took) = (Instant::now(), Arc::new(OnceLock::new()));
         let note = Arc::new(OnceLock::new());
         let work = {
-            let (canvas, world) = (Arc::clone(&canvas), Arc::clone(&world));
+            let (canvas, world) = (Arc::clone(&canvas), Arc::clone(&built.world));
             let (note, took) = (Arc::clone(&note), Arc::clone(&took));
             move |slice: &Slice| {
                 let is_over = || slice.is_over();
@@ -160,7 +151,7 @@ impl Rendering {
             }
         };
         let task = Task::start(ctx, work);
-        Self { generation, source, read, scene, world, canvas, start, note, took, task }
+        Self { generation, built, canvas, start, note, took, task }
     }
 
     /// A note for the user, if the picture has many rays.
@@ -201,6 +192,14 @@ impl Rendering {
     /// Pixels across and down.
     pub fn size(&self) -> [u32; 2] {
         self.world.picture_size()
+    }
+}
+
+impl Deref for Rendering {
+    type Target = Built;
+
+    fn deref(&self) -> &Built {
+        &self.built
     }
 }
 

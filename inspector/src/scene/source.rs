@@ -1,9 +1,10 @@
 //! Where scenes come from: the gallery or a file. They are read and built here.
 
-use groundtruth::scene::{STANDARD_INPUT, Scene};
+use groundtruth::scene::{STANDARD_INPUT, Scene, SceneError};
 use groundtruth::world::{DEFAULT_SEED, World};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::platform;
 use crate::scene::watch::Watch;
@@ -103,7 +104,7 @@ impl Source {
 
     fn load_with(self, seed: u64, change: Changing<'_>) -> Result<Loaded, String> {
         let mut watch = Watch::default();
-        let (read, scene, world) = match &self {
+        let (read, scene, world): (_, _, Result<World, SceneError>) = match &self {
             Self::Gallery(entry) => {
                 let read = (entry.build)();
                 let scene = change(read.clone())?;
@@ -145,9 +146,10 @@ impl Source {
                 (read, scene, world)
             }
         };
-        let world = world.map_err(|error| error.to_string())?;
+        let world = Arc::new(world.map_err(|error| error.to_string())?);
         let rays = self.rays().map(Path::to_owned);
-        Ok(Loaded { source: self, read, scene, world, watch: Some(watch), rays })
+        let built = Built { source: self, read: read.into(), scene: scene.into(), world };
+        Ok(Loaded { built, watch: Some(watch), rays })
     }
 
     /// The log, if that is all there is.
@@ -172,36 +174,64 @@ impl Source {
     /// # Errors
     /// The scene error.
     pub fn build(self, scene: Scene) -> Result<Loaded, String> {
-        self.rebuild(scene.clone(), scene, DEFAULT_SEED)
-    }
-
-    /// Builds a changed scene of this source; `read` is the scene as the source says it.
-    ///
-    /// # Errors
-    /// The scene error.
-    pub fn rebuild(self, read: Scene, scene: Scene, seed: u64) -> Result<Loaded, String> {
-        let world = World::build_seeded(&scene, self.folder(), seed);
-        let world = world.map_err(|error| error.to_string())?;
-        Ok(Loaded { source: self, read, scene, world, watch: None, rays: None })
+        let read = Arc::new(scene.clone());
+        Built::of((self, read), scene, DEFAULT_SEED).map(Loaded::from)
     }
 }
 
 /// What changes a scene before it is built.
 type Changing<'a> = Box<dyn FnOnce(Scene) -> Result<Scene, String> + 'a>;
 
-/// A scene that can be rendered.
-#[derive(Debug)]
-pub struct Loaded {
+/// A scene that is built, and where it is from. Its copies share it.
+#[derive(Clone, Debug)]
+pub struct Built {
     /// The source that it is from.
     pub source: Source,
     /// The scene as its source says it.
-    pub read: Scene,
+    pub read: Arc<Scene>,
     /// The scene, perhaps changed.
-    pub scene: Scene,
+    pub scene: Arc<Scene>,
     /// The scene, built.
-    pub world: World,
+    pub world: Arc<World>,
+}
+
+impl Built {
+    /// Builds a scene of a source, which says it as `read`.
+    ///
+    /// # Errors
+    /// The scene error.
+    pub fn of(
+        (source, read): (Source, Arc<Scene>),
+        scene: Scene,
+        seed: u64,
+    ) -> Result<Self, String> {
+        let world = World::build_seeded(&scene, source.folder(), seed);
+        let world = Arc::new(world.map_err(|error| error.to_string())?);
+        Ok(Self { source, read, scene: Arc::new(scene), world })
+    }
+
+    /// As [`Self::of`], of the same source.
+    ///
+    /// # Errors
+    /// The scene error.
+    pub fn changed(self, scene: Scene, seed: u64) -> Result<Self, String> {
+        Self::of((self.source, self.read), scene, seed)
+    }
+}
+
+/// A scene that can be rendered.
+#[derive(Debug)]
+pub struct Loaded {
+    /// The scene.
+    pub built: Built,
     /// The files it was read from; `None` if it was not read again.
     pub watch: Option<Watch>,
     /// The log of rays that it was opened for.
     pub rays: Option<PathBuf>,
+}
+
+impl From<Built> for Loaded {
+    fn from(built: Built) -> Self {
+        Self { built, watch: None, rays: None }
+    }
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use groundtruth::scene::build::{pinhole, point};
 use groundtruth::scene::{self, Scene};
 
-use crate::scene::source::{Loaded, Source};
+use crate::scene::source::{Built, Loaded, Source};
 use crate::scene::watch::Watch;
 
 /// The change that the command line makes to a scene.
@@ -57,7 +57,7 @@ impl Broken {
     pub fn placeholder(&self) -> Loaded {
         let view = [point(0.0, 0.0, 1.0), point(0.0, 0.0, 0.0)];
         let scene = pinhole("", [1, 1], view, 1.0);
-        let source = Source::File(self.path.clone());
-        source.rebuild(scene.clone(), scene, self.seed).expect("the placeholder is valid")
+        let read = (Source::File(self.path.clone()), Arc::new(scene.clone()));
+        Built::of(read, scene, self.seed).expect("the placeholder is valid").into()
     }
 }

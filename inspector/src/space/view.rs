@@ -155,7 +155,7 @@ impl SpaceView {
         pixel: Option<[u32; 2]>,
         traced: Option<&Traced<'_>>,
     ) -> Pointed {
-        let world = subject.world();
+        let world = &subject.built().world;
         self.update_pieces(world, traced);
         let segments =
             self.pieces.as_ref().map_or_else(Arc::default, |it| Arc::clone(&it.segments));

@@ -125,11 +125,11 @@ impl Arguments {
         let source = self.source()?;
         let theirs = theirs.map(|theirs| (&*theirs.name, theirs.size()));
         let loaded = source.load_changed(self.seed, |scene| self.change(scene, theirs))?;
-        let [width, height] = loaded.world.picture_size();
+        let [width, height] = loaded.built.world.picture_size();
         if let Some([x, y]) = self.pixel.filter(|&[x, y]| x >= width || y >= height) {
             return Err(format!("pixel ({x}, {y}) is outside the picture of {width}x{height}"));
         }
-        let count = loaded.world.samples_per_pixel();
+        let count = loaded.built.world.samples_per_pixel();
         match self.sample.filter(|&index| index >= count) {
             Some(index) => {
                 Err(format!("no sample {index}: the pixel has {count}, numbered from 0"))

@@ -41,7 +41,7 @@ pub fn show(
     });
     let subject = Subject { rendering, program: program.as_ref() };
     if subject.has_camera() {
-        trail::paint(ui.painter(), &placement, &selection.trail(subject.world()));
+        trail::paint(ui.painter(), &placement, &selection.trail(&subject.built().world));
     }
     (hovered, framed)
 }

@@ -11,7 +11,7 @@ use groundtruth::scene::{Scene, Tracer};
 use groundtruth::world::World;
 use inspector::explanation::copying;
 use inspector::picture::worker::Rendering;
-use inspector::scene::source::Source;
+use inspector::scene::source::{Built, Source};
 use inspector::splits::Mode;
 use inspector::window::arguments::Arguments;
 
@@ -78,8 +78,8 @@ fn a_copied_link_opens_the_same_sample() {
         let mut scene = read.clone();
         scene.image.resize(60, 60);
         change(&mut scene);
-        let loaded = Source::Gallery(entry).rebuild(read, scene, seed).expect("a valid scene");
-        Rendering::start(&ctx, loaded, 0)
+        let built = Built::of((Source::Gallery(entry), read.into()), scene, seed);
+        Rendering::start(&ctx, built.expect("a valid scene"), 0)
     };
     let set = |name: &str, depth: u32| {
         let tracer: Tracer = name.parse().expect("a tracer");
@@ -100,14 +100,14 @@ fn a_copied_link_opens_the_same_sample() {
             let link = copying::link(&rendering, [12, 21], sample, view).expect("it has a link");
             let opened = Arguments::of_link(&link).expect(&link);
             let loaded = opened.load(None).expect(&link);
-            let texts = [&loaded.scene, &rendering.scene]
+            let texts = [&loaded.built.scene, &rendering.scene]
                 .map(|scene| groundtruth::scene::to_toml(scene).expect("plain data"));
             assert_eq!(texts[0], texts[1], "{link}");
             assert_eq!((opened.pixel, opened.view), (Some([12, 21]), view), "{link}");
             let said = opened.sample.unwrap_or(0);
             assert_eq!(said, sample, "{link}");
             let of = |world: &World| render::sample(world, [12, 21], said, &mut ());
-            assert_eq!(of(&loaded.world), of(&rendering.world), "{link}");
+            assert_eq!(of(&loaded.built.world), of(&rendering.world), "{link}");
             let parts = link.split('&').count();
             // the name and the pixel; what else differs
             let others =
@@ -118,9 +118,8 @@ fn a_copied_link_opens_the_same_sample() {
     }
     let dark = rendering(&|scene| scene.lights[0].enabled = false, 1);
     assert_eq!(copying::link(&dark, [12, 21], 0, Mode::Picture), None);
-    let read = (entry.build)();
-    let file = Source::File("a.toml".into()).rebuild(read.clone(), read, 1).expect("a scene");
-    let file = Rendering::start(&ctx, file, 0);
+    let file = Source::File("a.toml".into()).build((entry.build)()).expect("a scene");
+    let file = Rendering::start(&ctx, file.built, 0);
     assert_eq!(copying::link(&file, [12, 21], 0, Mode::Picture), None);
 }
 
@@ -207,9 +206,9 @@ fn the_arguments_are_followed() {
     scene.image.resize(40, 30);
     scene.image.samples = 9;
     let world = World::build_seeded(&scene, Path::new(""), 7).expect("the scene is valid");
-    assert_eq!(loaded.world.picture_size(), [40, 30]);
+    assert_eq!(loaded.built.world.picture_size(), [40, 30]);
     let expected = render::render(&world);
-    assert_eq!(render::render(&loaded.world).pixels(), expected.pixels());
+    assert_eq!(render::render(&*loaded.built.world).pixels(), expected.pixels());
     let usual = World::build(&scene).expect("the scene is valid");
     assert_ne!(expected.pixels(), render::render(&usual).pixels(), "the seed must count");
     assert_eq!((arguments.pixel, arguments.sample), (Some([17, 12]), Some(5)));
@@ -250,6 +249,6 @@ fn our_picture_has_the_size_of_theirs() {
         let arguments = Arguments::parse_from(["inspector", scene, "--compare", path]);
         let theirs = arguments.theirs().expect("a picture");
         let loaded = arguments.load(theirs.first()).expect("it fits");
-        assert_eq!(loaded.world.picture_size(), [45, 30], "{scene}");
+        assert_eq!(loaded.built.world.picture_size(), [45, 30], "{scene}");
     }
 }
