@@ -17,7 +17,7 @@ use judge::verdict::{self, Case, DifferingRegion, Progress, Renders, Strictness,
 use pictures::compare::Picture;
 
 use crate::action::{Action, With};
-use crate::comparison::layer::{Layer, shown};
+use crate::picture::developed::{self, Developed, Version};
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
 use crate::platform::{Slice, watched};
@@ -32,7 +32,7 @@ pub struct Judgement {
     state: State,
     /// The generation of our picture that it belongs to.
     generation: u64,
-    map: Layer<()>,
+    map: Developed<()>,
 }
 
 #[derive(Default)]
@@ -208,9 +208,10 @@ impl Judgement {
             && is_map_shown
         {
             let verdict = Arc::clone(verdict);
-            self.map.refresh(ctx, (), move || {
+            self.map.refresh(ctx, Version::whole((), Tone::PLAIN), move || {
                 let pictures = &verdict.shown;
-                shown(&verdict::map_film(&pictures.z, pictures.theirs.size), &Tone::PLAIN)
+                let map = verdict::map_film(&pictures.z, pictures.theirs.size);
+                ((), developed::of_film(&map, &Tone::PLAIN))
             });
         }
     }
@@ -274,7 +275,7 @@ impl Judgement {
 
     /// Draws the map of z; `false` if it is not made yet.
     pub fn paint_map(&self, painter: &Painter, placement: &Placement) -> bool {
-        self.map.paint(painter, placement, |()| true)
+        self.map.paint(painter, placement, |_| true)
     }
 
     /// Frames the regions, each with its number. A click on a number selects the worst pixel.

@@ -3,7 +3,6 @@
 
 pub mod bar;
 pub mod judgement;
-pub mod layer;
 pub mod menu;
 pub mod mistake;
 pub mod opening;

@@ -16,9 +16,9 @@ use rays::RayPlace;
 
 use crate::action::Shows;
 use crate::comparison::judgement::Judgement;
-use crate::comparison::layer::{Layer, shown};
 use crate::comparison::program::Program;
 use crate::picture::chosen_layer::named;
+use crate::picture::developed::{self, Developed, Version};
 use crate::picture::saving::Beside;
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
@@ -49,8 +49,8 @@ pub struct Theirs {
     pub program: Option<Arc<Program>>,
     picture: Arc<Picture>,
     radiance: Arc<Film>,
-    layer: Layer<Tone>,
-    differences: Layer<(u64, f64)>,
+    layer: Developed<()>,
+    differences: Developed<(u64, f64)>,
     compared: Option<Compared>,
     comparing: Background<Compared>,
     /// The region that was selected last.
@@ -87,8 +87,8 @@ impl Theirs {
             judgement: Judgement::default(),
             radiance: Arc::new(radiance),
             picture: Arc::new(picture),
-            layer: Layer::default(),
-            differences: Layer::default(),
+            layer: Developed::default(),
+            differences: Developed::default(),
             compared: None,
             comparing: Background::default(),
             region: None,
@@ -259,7 +259,8 @@ impl Theirs {
             return;
         }
         let radiance = Arc::clone(&self.radiance);
-        self.layer.refresh(ctx, tone, move || shown(&radiance, &tone));
+        let shown = move || ((), developed::of_film(&radiance, &tone));
+        self.layer.refresh(ctx, Version::whole((), tone), shown);
         let is_compared = self.comparison(rendering).is_some();
         if self.is_comparable(rendering) && !is_compared && !self.comparing.is_busy() {
             let (canvas, theirs) = (Arc::clone(&rendering.canvas), Arc::clone(&self.picture));
@@ -274,8 +275,10 @@ impl Theirs {
             && self.shows == Shows::Difference
         {
             let scale = self.scale;
-            self.differences.refresh(ctx, (generation, scale), move || {
-                shown(&compared.1.film(compared.1.within(scale)), &Tone::PLAIN)
+            let wanted = Version::whole((generation, scale), Tone::PLAIN);
+            self.differences.refresh(ctx, wanted, move || {
+                let film = compared.1.film(compared.1.within(scale));
+                ((), developed::of_film(&film, &Tone::PLAIN))
             });
         }
     }
@@ -293,7 +296,7 @@ impl Theirs {
                 self.layer.paint(&painter.with_clip_rect(right), placement, |_| true)
             }
             Shows::Difference => {
-                self.differences.paint(painter, placement, |(of, _)| of == rendering.generation)
+                self.differences.paint(painter, placement, |(of, _)| *of == rendering.generation)
             }
             Shows::Map => self.judgement.paint_map(painter, placement),
         };

@@ -1,24 +1,19 @@
 //! The layer that is shown in place of the picture: found on a background thread, coarse first.
 
 use std::sync::Arc;
-use std::time::Duration;
 
-use eframe::egui::{Button, Color32, ComboBox, Context, Painter, Ui};
+use eframe::egui::{Button, ComboBox, Context, Painter, Ui};
 use groundtruth::film::{Film, Tone};
 use groundtruth::render::Canvas;
 use groundtruth::rgb::Rgb;
+use groundtruth::world::World;
 use layers::{Colors, Layer, LegendRow};
-use web_time::Instant;
 
 use crate::action::Shows;
-use crate::picture::tiles::{self, Images, Tiles};
+use crate::picture::developed::{self, Developed, Version};
+use crate::picture::tiles::Images;
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
-
-/// The interval at which an unfinished layer is updated.
-const REFRESH: Duration = Duration::from_millis(150);
-/// The opacity of the coarse layer, through which the hatching shows.
-const COARSE_ALPHA: u8 = 215;
 
 /// The layers of a comparison, which are chosen in the same list.
 pub struct Compared<'a> {
@@ -65,16 +60,15 @@ pub struct ChosenLayer {
     offered_of: Option<u64>,
     offering: Background<(u64, Vec<Layer>)>,
     finding: Option<Finding>,
-    shown: Option<Shown>,
-    tiles: Tiles,
-    developing: Background<(Shown, Images)>,
-    developed: Option<Instant>,
+    developed: Developed<Found, (Colors, Vec<LegendRow>)>,
 }
+
+/// A layer, and the rendering that it is of.
+type Found = (Layer, u64);
 
 /// A layer that is being found. Dropping it stops the work.
 struct Finding {
-    layer: Layer,
-    generation: u64,
+    of: Found,
     canvas: Arc<Canvas>,
     running: Background<()>,
 }
@@ -85,72 +79,46 @@ impl Drop for Finding {
     }
 }
 
-/// The version of a layer that the tiles show.
-#[derive(Clone, PartialEq)]
-struct Version {
-    layer: Layer,
-    generation: u64,
-    done: u64,
-    is_finished: bool,
-    tone: Tone,
-}
-
-/// A version, its colours and its legend.
-struct Shown {
-    version: Version,
-    colors: Colors,
-    legend: Vec<LegendRow>,
-}
-
 impl Finding {
-    fn start(ctx: &Context, rendering: &Rendering, layer: Layer) -> Self {
+    fn start(ctx: &Context, rendering: &Rendering, of: Found) -> Self {
         let canvas = Arc::new(Canvas::new(&rendering.world));
         let mut running = Background::default();
-        let (world, found, of) = (Arc::clone(&rendering.world), Arc::clone(&canvas), layer.clone());
-        let value = move |pixel| of.to_film(of.value(&*world, pixel));
+        let (world, found) = (Arc::clone(&rendering.world), Arc::clone(&canvas));
+        let layer = of.0.clone();
+        let value = move |pixel| layer.to_film(layer.value(&*world, pixel));
         running.start_in_slices(ctx, move |slice| {
             let is_whole = found.fill_until(&value, &|| slice.is_over());
             (is_whole || found.is_cancelled()).then_some(())
         });
-        Self { layer, generation: rendering.generation, canvas, running }
+        Self { of, canvas, running }
     }
 
-    fn version(&mut self, tone: Tone) -> Version {
+    fn version(&mut self, tone: Tone) -> Version<Found> {
         // in this order: a layer that is finished now is completely in its film
         let _ = self.running.poll();
         let is_finished = !self.running.is_busy();
         let done = self.canvas.progress().0;
-        let (layer, generation) = (self.layer.clone(), self.generation);
-        Version { layer, generation, done, is_finished, tone }
+        Version { of: self.of.clone(), done, is_finished, tone }
     }
 }
 
-/// A layer so far: its colours, its legend and its tiles. Shows the coarse layer, or nothing, for a pixel that is not
-/// found yet.
+/// A layer so far: its colours, its legend and its tiles.
 fn develop(
     canvas: &Canvas,
-    world: &groundtruth::world::World,
-    version: Version,
-) -> (Shown, Images) {
-    let layer = &version.layer;
-    let size @ [width, height] = canvas.look(|film| [film.width(), film.height()]);
-    let found: Vec<(Option<Rgb>, Option<Rgb>)> = canvas.look_partly(|picture| {
+    world: &World,
+    layer: &Layer,
+    tone: Tone,
+) -> ((Colors, Vec<LegendRow>), Images) {
+    let [width, height] = canvas.look(|film| [film.width(), film.height()]);
+    let found: Vec<Rgb> = canvas.look_partly(|picture| {
         let all = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
-        all.map(|at| (picture.get(at), picture.coarse(at))).collect()
+        all.filter_map(|at| picture.get(at)).collect()
     });
-    let known = || found.iter().filter_map(|(value, _)| Some(layer.from_film((*value)?)));
-    let colors = Colors::of(layer, known().flatten(), world, version.tone);
+    let known = || found.iter().map(|value| layer.from_film(*value));
+    let colors = Colors::of(layer, known().flatten(), world, tone);
     let legend = colors.legend(layer, known());
-    let color = |(value, coarse): (Option<Rgb>, Option<Rgb>)| {
-        let alpha = if value.is_some() { u8::MAX } else { COARSE_ALPHA };
-        let Some(value) = value.or(coarse) else { return Color32::TRANSPARENT };
-        let [r, g, b] = colors.color(layer.from_film(value));
-        Color32::from_rgba_unmultiplied(r, g, b, alpha)
-    };
-    let images = tiles::images(size, |positions| {
-        positions.map(|[x, y]| color(found[y as usize * width as usize + x as usize])).collect()
-    });
-    (Shown { version, colors, legend }, images)
+    let images = developed::so_far(canvas, |value| colors.color(layer.from_film(value)));
+    ((colors, legend), images)
 }
 
 impl ChosenLayer {
@@ -195,36 +163,20 @@ impl ChosenLayer {
     /// Starts to find the layer that is chosen, and shows it as far as it is found.
     pub fn refresh(&mut self, ctx: &Context, rendering: &Rendering, tone: Tone) {
         self.offer(ctx, rendering);
-        let developed = self.developing.poll().and_then(Result::ok);
         let Some(layer) = &self.chosen else {
-            (self.finding, self.shown) = (None, None);
+            (self.finding, self.developed) = (None, Developed::default());
             return;
         };
-        let is_of = |finding: &Finding| {
-            finding.layer == *layer && finding.generation == rendering.generation
-        };
-        if !self.finding.as_ref().is_some_and(is_of) {
+        let of = (layer.clone(), rendering.generation);
+        if self.finding.as_ref().is_none_or(|finding| finding.of != of) {
             // the old one is dropped here, which stops it
-            self.finding = Some(Finding::start(ctx, rendering, layer.clone()));
-            (self.shown, self.developed) = (None, None);
+            self.finding = Some(Finding::start(ctx, rendering, of.clone()));
+            self.developed = Developed::default();
         }
         let Some(finding) = &mut self.finding else { return };
-        let wanted = finding.version(tone);
-        if let Some((shown, images)) = developed
-            && shown.version.layer == wanted.layer
-            && shown.version.generation == wanted.generation
-        {
-            self.tiles.upload(ctx, images);
-            self.shown = Some(shown);
-        }
-        let is_new = self.shown.as_ref().is_none_or(|shown| shown.version != wanted);
-        let is_early = self.developed.is_some_and(|at| at.elapsed() < REFRESH);
-        if !is_new || (is_early && !wanted.is_finished) || self.developing.is_busy() {
-            return;
-        }
-        self.developed = Some(Instant::now());
         let (canvas, world) = (Arc::clone(&finding.canvas), Arc::clone(&rendering.world));
-        self.developing.start(ctx, move || develop(&canvas, &world, wanted));
+        let develop = move || develop(&canvas, &world, &of.0, tone);
+        self.developed.refresh(ctx, finding.version(tone), develop);
     }
 
     /// Finds out which layers the scene has.
@@ -241,13 +193,11 @@ impl ChosenLayer {
     /// Whether the screen shows all of the chosen layer.
     pub fn is_fresh(&self, rendering: &Rendering) -> bool {
         let is_shown = |layer: &Layer| {
-            self.shown.as_ref().is_some_and(|Shown { version, .. }| {
-                let is_this = version.layer == *layer && version.generation == rendering.generation;
-                is_this && version.is_finished
-            })
+            let version = self.developed.version().filter(|version| version.is_finished);
+            version.is_some_and(|it| it.of.0 == *layer && it.of.1 == rendering.generation)
         };
         !self.offering.is_busy()
-            && !self.developing.is_busy()
+            && !self.developed.is_busy()
             && self.chosen.as_ref().is_none_or(is_shown)
     }
 
@@ -261,7 +211,7 @@ impl ChosenLayer {
     /// The layer, and a film of its values once all are found.
     pub fn film(&self) -> Option<(Layer, Option<Film>)> {
         let layer = self.chosen.clone()?;
-        let finding = self.finding.as_ref().filter(|it| it.layer == layer && self.is_complete());
+        let finding = self.finding.as_ref().filter(|it| it.of.0 == layer && self.is_complete());
         Some((layer, finding.map(|finding| finding.canvas.film())))
     }
 
@@ -269,7 +219,7 @@ impl ChosenLayer {
     pub fn value(&self, pixel: [u32; 2]) -> Option<Option<Rgb>> {
         let finding = self.finding.as_ref()?;
         let value = finding.canvas.look_partly(|picture| picture.get(pixel))?;
-        Some(finding.layer.from_film(value))
+        Some(finding.of.0.from_film(value))
     }
 
     /// The layer's name and its value at a pixel, in words.
@@ -284,24 +234,22 @@ impl ChosenLayer {
 
     /// The colour of a value.
     pub fn color(&self, value: Option<Rgb>) -> Option<[u8; 3]> {
-        Some(self.shown.as_ref()?.colors.color(value))
+        Some(self.developed.shown.as_ref()?.1.0.color(value))
     }
 
     /// The legend of what is shown.
     pub fn legend(&self) -> Option<(&Layer, &[LegendRow])> {
-        let shown = self.shown.as_ref()?;
-        Some((&shown.version.layer, &shown.legend))
+        let (version, (_, legend)) = self.developed.shown.as_ref()?;
+        Some((&version.of.0, legend))
     }
 
     /// Whether all pixels are shown.
     pub fn is_complete(&self) -> bool {
-        self.shown.as_ref().is_some_and(|shown| shown.version.is_finished)
+        self.developed.is_whole()
     }
 
     /// Draws what is shown.
     pub fn paint(&self, painter: &Painter, placement: &Placement) {
-        if self.shown.is_some() {
-            self.tiles.paint(painter, placement, Color32::WHITE);
-        }
+        self.developed.paint(painter, placement, |_| true);
     }
 }

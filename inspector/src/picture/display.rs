@@ -1,25 +1,21 @@
 //! The picture on the screen: its textures, the pixel grid, and the mouse.
 
 use std::sync::Arc;
-use std::time::Duration;
 
 use eframe::egui::{
     self, Color32, CursorIcon, EventFilter, Id, Key, Painter, Rect, Sense, Shape, Stroke,
     StrokeKind, Ui, WidgetInfo, accesskit::Role,
 };
 use groundtruth::film::Tone;
-use groundtruth::render::Canvas;
 use groundtruth::rgb::Rgb;
-use web_time::Instant;
 
 use crate::picture::chosen_layer::ChosenLayer;
-use crate::picture::tiles::{self, Images, Tiles};
+use crate::picture::developed::{self, Developed, Version};
+use crate::picture::tiles::Tiles;
 use crate::picture::values;
 use crate::picture::view::{Placement, View};
-use crate::picture::worker::{Background, Rendering};
+use crate::picture::worker::Rendering;
 
-/// The interval at which an unfinished picture is updated.
-const REFRESH: Duration = Duration::from_millis(150);
 /// The least size of a pixel on the screen with which the grid appears.
 const GRID_MIN_SCALE: f32 = 8.0;
 
@@ -31,66 +27,28 @@ pub struct Picture {
     pub tone: Tone,
     /// The layer that is shown in its place.
     pub layer: ChosenLayer,
-    tiles: Tiles,
+    /// It, by the number of its rendering.
+    developed: Developed<u64>,
     /// The previous picture, shown darker where the new one is not rendered yet.
     previous_tiles: Tiles,
-    /// The version that the tiles show.
-    shown: Option<Version>,
-    developed: Instant,
-    developing: Background<(Version, Images)>,
     /// The area in which the picture was last drawn.
     area: Rect,
     /// The id of the widget, once it was drawn.
     id: Option<Id>,
 }
 
-/// The version of a picture: which one, how much of it, and in which tone.
-#[derive(Clone, Copy, PartialEq)]
-struct Version {
-    generation: u64,
-    done: u64,
-    /// Whether the film is complete; the count of pixels alone does not tell, because it is raised a little
-    /// before the last pixels are in the film.
-    finished: bool,
-    tone: Tone,
-}
-
-impl Version {
-    fn of(rendering: &Rendering, tone: Tone) -> Self {
-        // in this order: a picture that is finished now is completely in the film
-        let finished = rendering.is_finished();
-        let done = rendering.canvas.progress().0;
-        Self { generation: rendering.generation, done, finished, tone }
-    }
+/// The version of a picture as far as it is rendered.
+fn version(rendering: &Rendering, tone: Tone) -> Version<u64> {
+    // in this order: a picture that is finished now is completely in the film
+    let is_finished = rendering.is_finished();
+    let done = rendering.canvas.progress().0;
+    Version { of: rendering.generation, done, is_finished, tone }
 }
 
 /// A colour of the screen.
 pub fn color(tone: &Tone, radiance: Rgb) -> Color32 {
     let [r, g, b] = tone.to_bytes(radiance);
     Color32::from_rgb(r, g, b)
-}
-
-/// The opacity of the coarse picture, through which the hatching shows.
-const COARSE_ALPHA: u8 = 215;
-
-/// The picture so far as tiles. Locks the picture for one tile at a time. Shows the coarse picture, or
-/// nothing, for a pixel that is not rendered yet.
-fn develop(canvas: &Canvas, tone: &Tone) -> Images {
-    let show = |(radiance, coarse): (Option<Rgb>, Option<Rgb>)| match (radiance, coarse) {
-        (Some(radiance), _) => color(tone, radiance),
-        (None, Some(radiance)) => {
-            let [r, g, b] = tone.to_bytes(radiance);
-            Color32::from_rgba_unmultiplied(r, g, b, COARSE_ALPHA)
-        }
-        (None, None) => Color32::TRANSPARENT,
-    };
-    let size = canvas.look(|film| [film.width(), film.height()]);
-    tiles::images(size, |positions| {
-        let pixels: Vec<_> = canvas.look_partly(|picture| {
-            positions.map(|at| (picture.get(at), picture.coarse(at))).collect()
-        });
-        pixels.into_iter().map(show).collect()
-    })
 }
 
 impl Picture {
@@ -100,11 +58,8 @@ impl Picture {
             view: View::WHOLE,
             tone,
             layer: ChosenLayer::default(),
-            tiles: Tiles::default(),
+            developed: Developed::default(),
             previous_tiles: Tiles::default(),
-            shown: None,
-            developed: Instant::now(),
-            developing: Background::default(),
             area: Rect::ZERO,
             id: None,
         }
@@ -113,40 +68,26 @@ impl Picture {
     /// Updates the textures with the tiles that are ready.
     pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering) {
         self.layer.refresh(ctx, rendering, self.tone);
-        if let Some(Ok((version, tiles))) = self.developing.poll()
-            && version.generation == rendering.generation
-        {
-            self.tiles.upload(ctx, tiles);
-            if version.finished {
-                self.previous_tiles = Tiles::default();
-            }
-            self.shown = Some(version);
+        let (canvas, tone) = (Arc::clone(&rendering.canvas), self.tone);
+        let develop = move || ((), developed::so_far(&canvas, |radiance| tone.to_bytes(radiance)));
+        self.developed.refresh(ctx, version(rendering, tone), develop);
+        if self.developed.is_whole() {
+            self.previous_tiles = Tiles::default();
         }
-        let wanted = Version::of(rendering, self.tone);
-        let more_of_it = self.shown.is_some_and(|shown| {
-            !wanted.finished && Version { done: wanted.done, ..shown } == wanted
-        });
-        let too_soon = more_of_it && self.developed.elapsed() < REFRESH;
-        if self.shown == Some(wanted) || too_soon || self.developing.is_busy() {
-            return;
-        }
-        self.developed = Instant::now();
-        let canvas = Arc::clone(&rendering.canvas);
-        self.developing.start(ctx, move || (wanted, develop(&canvas, &wanted.tone)));
     }
 
     /// Whether the screen shows this picture as far as it is rendered.
     pub fn is_fresh(&self, rendering: &Rendering) -> bool {
-        self.shown == Some(Version::of(rendering, self.tone)) && self.layer.is_fresh(rendering)
+        let is_shown = self.developed.version() == Some(&version(rendering, self.tone));
+        is_shown && self.layer.is_fresh(rendering)
     }
 
     /// Keeps the last picture beneath a new one of the same size.
     pub fn restart(&mut self) {
-        let tiles = std::mem::take(&mut self.tiles);
-        if self.previous_tiles.is_empty() || self.shown.is_some_and(|shown| shown.finished) {
-            self.previous_tiles = tiles;
+        let last = std::mem::take(&mut self.developed);
+        if self.previous_tiles.is_empty() || last.is_whole() {
+            self.previous_tiles = last.tiles;
         }
-        self.shown = None;
     }
 
     /// Zooms to this many points for a pixel.
@@ -235,14 +176,13 @@ impl Picture {
         if !is_layer {
             self.previous_tiles.paint(painter, placement, Color32::from_gray(90));
         }
-        let is_finished = self.shown.is_some_and(|shown| shown.finished);
-        if !(if is_layer { self.layer.is_complete() } else { is_finished }) {
+        if !(if is_layer { self.layer.is_complete() } else { self.developed.is_whole() }) {
             hatch(&painter.with_clip_rect(painter.clip_rect().intersect(whole)));
         }
         if is_layer {
             self.layer.paint(painter, placement);
         } else {
-            self.tiles.paint(painter, placement, Color32::WHITE);
+            self.developed.paint(painter, placement, |_| true);
         }
         let tone = |radiance| self.tone.to_bytes(radiance);
         values::write(painter, placement, rendering, &self.layer, tone);

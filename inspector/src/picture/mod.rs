@@ -2,6 +2,7 @@
 //! screen, the layer that is shown in its place, and saving it.
 
 pub mod chosen_layer;
+pub mod developed;
 pub mod display;
 pub mod histogram;
 pub mod image_settings;
