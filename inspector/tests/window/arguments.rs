@@ -15,6 +15,8 @@ use inspector::scene::source::{Built, Source};
 use inspector::splits::Mode;
 use inspector::window::arguments::Arguments;
 
+use crate::support::small;
+
 fn inspector(arguments: &[&str]) -> Output {
     let program = env!("CARGO_BIN_EXE_inspector");
     Command::new(program).args(arguments).output().expect("the program starts")
@@ -202,9 +204,7 @@ fn the_arguments_are_followed() {
         "inspector ch28/glass-sphere --size 40x30 --samples 9 --seed 7 --pixel 17,12 --sample 5";
     let arguments = Arguments::parse_from(line.split(' '));
     let loaded = arguments.load(None).expect("they fit");
-    let mut scene = (gallery::find("ch28/glass-sphere").expect("in the gallery").build)();
-    scene.image.resize(40, 30);
-    scene.image.samples = 9;
+    let scene = small("ch28/glass-sphere", [40, 30], 9);
     let world = World::build_seeded(&scene, Path::new(""), 7).expect("the scene is valid");
     assert_eq!(loaded.built.world.picture_size(), [40, 30]);
     let expected = render::render(&world);

@@ -42,8 +42,7 @@ fn type_text(window: &mut Window, text: &str) {
 }
 
 fn enter(window: &mut Window) {
-    window.key_press(Key::Enter);
-    settle(window);
+    press(window, Key::Enter);
 }
 
 fn theirs(window: &Window) -> &Theirs {
@@ -57,8 +56,7 @@ fn theirs(window: &Window) -> &Theirs {
 #[test]
 fn a_field_with_another_value_is_compared() {
     let [ours, with_water] = [small_glass_sphere(), water()].map(|scene| film(&scene));
-    let mut window = glass_window();
-    click(&mut window, ON_GLASS);
+    let mut window = glass_window_at(ON_GLASS);
     open_menu(&mut window);
     type_text(&mut window, "inside.eta");
     window.get_by_role_and_label(Role::Button, &format!("{ETA} = 1.5")).click();
@@ -75,8 +73,7 @@ fn a_field_with_another_value_is_compared() {
     assert_eq!(selection.explanation_beside().expect("explained").radiance, b);
     assert!(window.query_by_label(&format!("eta = 1.33: {}", short(b))).is_some());
     assert!(window.query_by_label(&format!("eta = 1.33 − ours: {}", short(b - a))).is_some());
-    window.key_press(Key::T);
-    settle(&mut window);
+    press(&mut window, Key::T);
     assert!(window.query_by_label_contains("With eta = 1.33 the pixel is the mean").is_some());
     let with_water = explain::sample(&water(), &built(&water()), ON_GLASS, 0);
     let line = with_water.ray.expect("it sees").largest_child().expect("glass").line();
@@ -89,13 +86,11 @@ fn a_field_with_another_value_is_compared() {
 /// refraction that the library explains.
 #[test]
 fn the_selected_ray_is_shown_side_by_side() {
-    let mut window = glass_window();
-    click(&mut window, ON_GLASS);
+    let mut window = glass_window_at(ON_GLASS);
     open_menu(&mut window);
     type_text(&mut window, &format!("{ETA} = 1.33"));
     enter(&mut window);
-    window.get_by_label("Side by side").click();
-    settle(&mut window);
+    push(&mut window, "Side by side");
     let angle = |scene: &Scene| {
         let hit = ray_of(scene, ON_GLASS, 0).hit.expect("glass");
         let angle = hit.optics.and_then(|it| it.angle_of_refraction).expect("it refracts");
@@ -107,11 +102,9 @@ fn the_selected_ray_is_shown_side_by_side() {
         let [ours, theirs] = angles.each_ref().map(|angle| window.get_by_label(angle).rect());
         assert!(ours.right() < theirs.left(), "{ours} {theirs}");
         assert!((ours.center().y - theirs.center().y).abs() < 1.0, "one row");
-        window.key_press(Key::T);
-        settle(&mut window);
+        press(&mut window, Key::T);
     }
-    window.get_by_role_and_label(Role::Button, "×").click();
-    settle(&mut window);
+    push_button(&mut window, "×");
     assert!(window.query_by_label("Side by side").is_none());
 }
 
@@ -123,15 +116,12 @@ fn a_kept_state_stays() {
     kept.lights[2].enabled = false;
     let before = film(&kept);
     let mut window = glass_window();
-    window.get_by_label("front lamp").click();
-    settle(&mut window);
+    push(&mut window, "front lamp");
     open_menu(&mut window);
-    window.get_by_role_and_label(Role::Button, "This state").click();
-    settle(&mut window);
+    push_button(&mut window, "This state");
     let comparison = theirs(&window).comparison(&window.state().session.rendering);
     assert_eq!(comparison.map(|it| it.differing), Some(0));
-    window.get_by_label("high lamp").click();
-    settle(&mut window);
+    push(&mut window, "high lamp");
     let mut without = kept;
     without.lights[1].enabled = false;
     assert_eq!(window.state().session.rendering.canvas.film().pixels(), film(&without).pixels());

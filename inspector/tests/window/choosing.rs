@@ -73,8 +73,7 @@ fn typing_searches_the_list() {
     let focused = window.get_all_by(|node| node.is_focused()).next().expect("it has the keys");
     focused.type_text("three-objects");
     window.step();
-    window.key_press(Key::Enter);
-    settle(&mut window);
+    press(&mut window, Key::Enter);
     assert_eq!(window.state().session.rendering.source.name(), "ch03/three-objects");
 }
 
@@ -154,7 +153,6 @@ fn many_samples_can_be_typed() {
     assert!(World::build(&scene).is_err());
     scene.image.samples = 1;
     let mut window = open(scene);
-    settle(&mut window);
     type_number(&mut window, "Samples", "16384");
     assert_eq!(window.state().session.rendering.scene.image.samples, 16384);
     let status = text_with(&window, "16384 samples");
@@ -190,17 +188,13 @@ fn size_depth_and_seed_are_followed() {
 /// library's rendering of the scene with all objects intersected that way.
 #[test]
 fn intersections_are_switched() {
-    let mut scene = (gallery::find("ch19/lost-roots").expect("a scene of the gallery").build)();
-    scene.image.resize(32, 32);
-    scene.image.samples = 1;
+    let mut scene = small("ch19/lost-roots", [32, 32], 1);
     let mut window = open(scene.clone());
-    settle(&mut window);
     let mut shown = Vec::new();
     for intersect in [Intersect::Robust, Intersect::Textbook] {
         window.get_by_label("Routines").click();
         window.run_steps(3);
-        window.get_by_label(intersect.name()).click();
-        settle(&mut window);
+        push(&mut window, intersect.name());
         scene.set_intersections(intersect);
         let film = window.state().session.rendering.canvas.film();
         assert_eq!(film.pixels(), groundtruth::render::render(&built(&scene)).pixels());
@@ -228,8 +222,7 @@ fn a_count_of_one_has_the_singular() {
     assert_eq!(words, ["1 ray", "0 rays", "2 rays"]);
     let mut scene = small_glass_sphere();
     scene.image.samples = 1;
-    let mut window = open(scene);
-    settle(&mut window);
+    let window = open(scene);
     assert!(window.query_by_label("48 × 48, 1 sample").is_some());
 }
 
@@ -241,8 +234,7 @@ fn lights_that_the_tracer_leaves_out_are_named() {
     assert!(!scene.lights.is_empty());
     scene.tracer = Tracer::PathTrace(Depth { max_depth: 2 });
     let names: Vec<String> = scene.lights.iter().map(|light| light.name.clone()).collect();
-    let mut window = open(scene);
-    settle(&mut window);
+    let window = open(scene);
     for name in names {
         text_with(&window, &format!("path_trace leaves out the light \"{name}\""));
     }

@@ -40,7 +40,7 @@ fn read(folder: &Path, film: &Film, name: &str) -> Theirs {
 /// A window on the small glass sphere that is compared with this picture.
 fn held_against(film: &Film) -> Window {
     let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut window = open(small_glass_sphere());
+    let mut window = glass_window();
     window.state_mut().others.add_picture(read(folder.path(), film, "theirs.exr"));
     settle(&mut window);
     window
@@ -73,22 +73,17 @@ fn each_view_shows_its_picture() {
         (Key::W, [of_ours[0], of_theirs[1]]),
         (Key::W, of_ours),
     ] {
-        window.key_press(key);
-        settle(&mut window);
+        press(&mut window, key);
         assert_eq!(both(&mut window), expected, "{key:?}");
     }
-    window.key_press(Key::D);
-    settle(&mut window);
-    window.get_by_label("100 %").click();
-    settle(&mut window);
+    press(&mut window, Key::D);
+    push(&mut window, "100 %");
     // 0.2 of 0.4 is half way from grey to white
     assert_eq!(both(&mut window), [[255; 3], [191; 3]]);
     assert_eq!(shown(&mut window, [20, 10]), [128; 3]);
-    window.get_by_label("50 %").click();
-    settle(&mut window);
+    push(&mut window, "50 %");
     assert_eq!(both(&mut window), [[255; 3], [255; 3]], "the median of the differences is 0.1");
-    window.get_by_label("Ours").click();
-    settle(&mut window);
+    push(&mut window, "Ours");
     assert_eq!(both(&mut window), of_ours);
 }
 
@@ -127,8 +122,7 @@ fn the_next_region_is_explained_beside_their_value() {
     let [ours, theirs] = films();
     let mut window = held_against(&theirs);
     for pixel in [RIGHT, LEFT, RIGHT] {
-        window.key_press(Key::N);
-        settle(&mut window);
+        press(&mut window, Key::N);
         assert_eq!(window.state().selection.pixel, Some(pixel));
         let [a, b] = [&ours, &theirs].map(|film| film.get(pixel));
         // the file holds single precision
@@ -144,8 +138,8 @@ fn the_next_region_is_explained_beside_their_value() {
     }
     click(&mut window, [20, 10]);
     assert!(text_with(&window, "theirs: ").ends_with(": equal"));
-    window.hover_at(on_screen(&window, RIGHT));
-    window.run_steps(3);
+    let at = on_screen(&window, RIGHT);
+    hover(&mut window, at);
     let [a, b] = [ours.get(RIGHT), theirs.get(RIGHT)].map(groundtruth::explain::short);
     assert!(window.query_by_label(&format!("(40, 44)  {a}  theirs {b}")).is_some());
 }
@@ -155,8 +149,7 @@ fn the_next_region_is_explained_beside_their_value() {
 fn equal_pictures_have_no_regions() {
     let mut window = held_against(&films()[0]);
     assert!(window.query_by_label("no pixel differs").is_some());
-    window.key_press(Key::N);
-    settle(&mut window);
+    press(&mut window, Key::N);
     assert_eq!(window.state().selection.pixel, None);
     assert_eq!(window.state().message, Some(("no pixel differs".to_owned(), false)));
 }
@@ -182,13 +175,9 @@ fn another_size_is_not_compared() {
 fn typed_letters_are_text() {
     let mut window = held_against(&films()[1]);
     let field = window.get_by_role_and_label(Role::TextInput, "Pixel").rect().center();
-    window.hover_at(field);
-    window.drag_at(field);
-    window.drop_at(field);
-    settle(&mut window);
+    click_at(&mut window, field);
     for key in [Key::T, Key::D, Key::N] {
-        window.key_press(key);
-        settle(&mut window);
+        press(&mut window, key);
         assert_eq!(
             (shows(&window), window.state().selection.pixel),
             (Shows::Swipe, None),
@@ -197,8 +186,7 @@ fn typed_letters_are_text() {
     }
     window.key_press(Key::Escape);
     for key in [Key::T, Key::N] {
-        window.key_press(key);
-        settle(&mut window);
+        press(&mut window, key);
     }
     assert_eq!((shows(&window), window.state().selection.pixel), (Shows::Theirs, Some(RIGHT)));
 }
@@ -261,20 +249,16 @@ fn several_pictures_are_kept() {
         (theirs.size()[0], window.state().session.rendering.size()[0], theirs.shows)
     };
     assert_eq!(sizes(&window), (30, 30, Shows::Swipe));
-    window.key_press(Key::T);
-    settle(&mut window);
+    press(&mut window, Key::T);
     for side in [48, 24, 30] {
-        window.key_press(Key::O);
-        settle(&mut window);
+        press(&mut window, Key::O);
         assert_eq!(sizes(&window), (side, side, Shows::Theirs));
     }
     window.get_by_role_and_label(Role::ComboBox, "With").click();
     window.run_steps(4);
-    window.get_by_role_and_label(Role::Button, "24.exr").click();
-    settle(&mut window);
+    push_button(&mut window, "24.exr");
     assert_eq!(sizes(&window), (24, 24, Shows::Theirs));
-    window.get_by_role_and_label(Role::Button, "×").click();
-    settle(&mut window);
+    push_button(&mut window, "×");
     assert_eq!((window.state().others.count(), sizes(&window).0), (2, 30));
 }
 
@@ -288,12 +272,10 @@ fn the_list_of_layers_has_the_difference() {
     let choose = |window: &mut Window, name: &str| {
         window.get_by_role_and_label(Role::ComboBox, "Layer").click();
         window.run_steps(4);
-        window.get_by_role_and_label(Role::Button, name).click();
-        settle(window);
+        push_button(window, name);
     };
     choose(&mut window, "difference");
-    window.get_by_label("100 %").click();
-    settle(&mut window);
+    push(&mut window, "100 %");
     assert_eq!(both(&mut window), [[255; 3], [191; 3]]);
     choose(&mut window, "map of z");
     assert_eq!(shows(&window), Shows::Difference, "there is none before the verdict");
@@ -352,11 +334,9 @@ fn a_dropped_picture_is_compared() {
     );
     window.state_mut().message = None;
     window.run_steps(2);
-    window.get_by_role_and_label(Role::Button, "×").click();
-    settle(&mut window);
+    push_button(&mut window, "×");
     // the picture with the mistake was not lost
     assert!(window.state().others.shown().is_some_and(|theirs| theirs.program.is_some()));
-    window.get_by_role_and_label(Role::Button, "×").click();
-    settle(&mut window);
+    push_button(&mut window, "×");
     assert!(window.state().others.shown().is_none());
 }

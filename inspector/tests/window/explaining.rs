@@ -71,8 +71,7 @@ fn the_printed_sum_is_the_rendered_pixel_bit_for_bit() {
 /// could be a constant text.)
 #[test]
 fn a_pixel_that_differs_from_its_explanation_is_reported() {
-    let mut window = glass_window();
-    click(&mut window, ON_GLASS);
+    let mut window = glass_window_at(ON_GLASS);
     // replaces the picture by one of another seed, without the window's knowledge
     let scene = small_glass_sphere();
     let other = groundtruth::world::World::build_seeded(&scene, std::path::Path::new(""), 2);
@@ -108,8 +107,7 @@ fn typed_coordinates_select_a_pixel() {
 /// the explanation follows.
 #[test]
 fn arrow_keys_step_to_the_next_pixel() {
-    let mut window = glass_window();
-    click(&mut window, ON_GLASS);
+    let mut window = glass_window_at(ON_GLASS);
     let mut at = ON_GLASS;
     for (key, [dx, dy]) in [
         (Key::ArrowRight, [1, 0]),
@@ -118,8 +116,7 @@ fn arrow_keys_step_to_the_next_pixel() {
         (Key::ArrowLeft, [-1, 0]),
         (Key::ArrowUp, [0, -1]),
     ] {
-        window.key_press(key);
-        settle(&mut window);
+        press(&mut window, key);
         at = [at[0].saturating_add_signed(dx), at[1].saturating_add_signed(dy)];
         assert_eq!(window.state().selection.pixel, Some(at), "{key:?}");
         let explained = window.state().selection.explanation().expect("explained").pixel;
@@ -135,12 +132,10 @@ fn arrow_keys_step_to_the_next_pixel() {
 /// Law: while coordinates are typed, the arrow keys do not change the selection.
 #[test]
 fn arrow_keys_in_a_field_do_not_step() {
-    let mut window = glass_window();
-    click(&mut window, ON_GLASS);
+    let mut window = glass_window_at(ON_GLASS);
     window.get_by_role_and_label(eframe::egui::accesskit::Role::TextInput, "Pixel").focus();
     window.step();
-    window.key_press(Key::ArrowLeft);
-    settle(&mut window);
+    press(&mut window, Key::ArrowLeft);
     assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
 }
 
@@ -154,13 +149,11 @@ fn the_sample_chooser_changes_the_tree() {
     click(&mut window, pixel);
     let scene = small_glass_sphere();
     for index in 1..4 {
-        window.get_by_label(">").click();
-        settle(&mut window);
+        push(&mut window, ">");
         let line = root_line_of(&scene, pixel, index);
         assert_eq!(window.get_all_by_label(&line).count(), 2, "sample {index}");
     }
-    window.get_by_label(">").click();
-    settle(&mut window);
+    push(&mut window, ">");
     assert_eq!(window.state().selection.sample, 3);
     assert!(window.query_by_label("Sample 3").is_some());
 }
@@ -173,14 +166,12 @@ fn many_samples_are_explained_one_at_a_time() {
     scene.image.samples = 3600;
     let world = built(&scene);
     let mut window = open(scene);
-    settle(&mut window);
     click(&mut window, [2, 2]);
     let explanation = window.state().selection.explanation().expect("explained");
     assert_eq!((explanation.samples.len(), explanation.samples_per_pixel), (1, 3600));
     assert_eq!(sum(&window), shown_sum(render::pixel(&world, [2, 2])));
     assert_eq!(explanation.radiance, render::pixel(&world, [2, 2]));
-    window.get_by_label(">").click();
-    settle(&mut window);
+    push(&mut window, ">");
     let explanation = window.state().selection.explanation().expect("explained");
     assert_eq!(explanation.samples[0].index, 1);
 }
@@ -189,14 +180,12 @@ fn many_samples_are_explained_one_at_a_time() {
 /// Oracle: the library's explanation.
 #[test]
 fn a_click_on_a_ray_shows_its_details() {
-    let mut window = glass_window();
-    click(&mut window, ON_GLASS);
+    let mut window = glass_window_at(ON_GLASS);
     let scene = small_glass_sphere();
     let root = ray_of(&scene, ON_GLASS, 0);
     let transmitted = |ray: &&RecordedRay| matches!(ray.kind, RayKind::Transmitted);
     let ray = root.children.iter().find(transmitted).expect("it is glass");
-    window.get_by_label(&ray.line()).click();
-    settle(&mut window);
+    push(&mut window, &ray.line());
     let hit = ray.hit.as_ref().expect("it leaves the sphere");
     let critical = hit.optics.and_then(|optics| optics.critical_angle).expect("from within");
     let exact = |[x, y, z]: [f64; 3]| format!("({x:?}, {y:?}, {z:?})");
@@ -242,11 +231,8 @@ fn a_click_on_a_ray_shows_its_details() {
 /// Oracle: the library's explanation.
 #[test]
 fn the_texture_of_a_hit_is_among_the_numbers() {
-    let mut scene = (gallery::find("ch29/earth").expect("in the gallery").build)();
-    scene.image.resize(48, 48);
-    scene.image.samples = 1;
+    let scene = small("ch29/earth", [48, 48], 1);
     let mut window = open(scene.clone());
-    settle(&mut window);
     click(&mut window, [24, 24]);
     let root = ray_of(&scene, [24, 24], 0);
     let hit = root.hit.as_ref().expect("the middle of the globe");
@@ -265,8 +251,7 @@ fn the_texture_of_a_hit_is_among_the_numbers() {
 /// at the position of its sample in the pixel, up to rounding. Oracle: the sample's position on the film.
 #[test]
 fn the_path_to_a_ray_is_marked_in_the_picture() {
-    let mut window = glass_window();
-    click(&mut window, ON_GLASS);
+    let mut window = glass_window_at(ON_GLASS);
     let scene = small_glass_sphere();
     let world = built(&scene);
     let root = ray_of(&scene, ON_GLASS, 0);
@@ -293,7 +278,6 @@ fn each_eye_marks_its_own_hits() {
     scene.camera.stereo = Some(Stereo { viewing: Viewing::Parallel, gap: 4, separation: 3.0 });
     let in_the_right_image = [scene.image.width + 4 + ON_GLASS[0], ON_GLASS[1]];
     let mut window = open(scene);
-    settle(&mut window);
     for pixel in [ON_GLASS, in_the_right_image] {
         click(&mut window, pixel);
         let trail = window.state().selection.trail(&window.state().session.rendering.world);

@@ -18,11 +18,8 @@ use pictures::compare::Picture;
 use crate::support::*;
 
 /// A scene with noise, in so few pixels that a verdict takes a moment.
-fn small() -> Scene {
-    let mut scene = (gallery::find("ch18/rectangle").expect("in the gallery").build)();
-    scene.image.resize(16, 16);
-    scene.image.samples = 4;
-    scene
+fn noisy() -> Scene {
+    small("ch18/rectangle", [16, 16], 4)
 }
 
 /// Column, row, columns and rows of the brighter patch, on the ground; a tile of the verdict.
@@ -30,7 +27,7 @@ const PATCH: [u32; 4] = [4, 10, 2, 2];
 
 /// Our picture of another seed, much brighter in the patch.
 fn brighter() -> Film {
-    let world = World::build_seeded(&small(), Path::new(""), 77).expect("the scene is valid");
+    let world = World::build_seeded(&noisy(), Path::new(""), 77).expect("the scene is valid");
     let mut film = render::render(&world);
     let [x, y, w, h] = PATCH;
     for at in (y..y + h).flat_map(|row| (x..x + w).map(move |column| [column, row])) {
@@ -50,7 +47,7 @@ fn written(film: &Film) -> (Theirs, Picture) {
 
 /// A window on a scene that is compared with this picture.
 fn held_against(scene: Scene, theirs: Theirs) -> Window {
-    let mut window = open_sized(scene, [900.0, 600.0]);
+    let mut window = begin(scene, [900.0, 600.0]);
     window.state_mut().others.add_picture(theirs);
     window
 }
@@ -61,7 +58,7 @@ fn theirs(window: &Window) -> &Theirs {
 
 /// The verdict of the command with its defaults.
 fn of_command(picture: &Picture) -> Verdict {
-    let (scene, mut world) = (small(), built(&small()));
+    let (scene, mut world) = (noisy(), built(&noisy()));
     let strictness = Strictness { level: 0.01, first: 8 };
     let case = Case { strictness, ..Case::new(&scene, Path::new(""), DEFAULT_SEED) };
     let renders = &mut |world: &World, canvas: &render::Canvas| {
@@ -73,10 +70,9 @@ fn of_command(picture: &Picture) -> Verdict {
 
 /// Judges the brighter picture.
 fn judged() -> Window {
-    let mut window = held_against(small(), written(&brighter()).0);
+    let mut window = held_against(noisy(), written(&brighter()).0);
     settle(&mut window);
-    window.get_by_label("Judge").click();
-    settle(&mut window);
+    push(&mut window, "Judge");
     window
 }
 
@@ -85,12 +81,11 @@ fn judged() -> Window {
 #[test]
 fn the_verdict_is_that_of_the_command() {
     let (theirs_now, picture) = written(&brighter());
-    let mut window = held_against(small(), theirs_now);
+    let mut window = held_against(noisy(), theirs_now);
     settle(&mut window);
     assert!(theirs(&window).judgement.verdict().is_none());
     assert!(window.query_by_label("Map of z").is_none());
-    window.get_by_label("Judge").click();
-    settle(&mut window);
+    push(&mut window, "Judge");
 
     let expected = of_command(&picture);
     assert_eq!(expected.decision, Decision::Differs);
@@ -100,8 +95,7 @@ fn the_verdict_is_that_of_the_command() {
     assert_eq!(verdict.to_string(), expected.to_string());
     assert_eq!(verdict.shown.z, expected.shown.z);
 
-    window.get_by_label("Map of z").click();
-    settle(&mut window);
+    push(&mut window, "Map of z");
     // not under a frame or a number
     let free: Vec<[u32; 2]> = [[5, 11], [5, 10], [2, 12], [12, 4], [14, 14], [8, 9]].into();
     let corners: Vec<[usize; 2]> =
@@ -150,10 +144,7 @@ fn a_click_on_a_region_explains_its_worst_pixel() {
     let at = patch.right_center();
     let [r, g, b, _] = image.get_pixel(at.x as u32, at.y as u32).0;
     assert!(r > 200 && (80..180).contains(&g) && b < 80, "({r}, {g}, {b})");
-    window.hover_at(tag.center());
-    window.drag_at(tag.center());
-    window.drop_at(tag.center());
-    settle(&mut window);
+    click_at(&mut window, tag.center());
     assert_eq!(window.state().selection.pixel, Some(worst));
 }
 
@@ -161,23 +152,21 @@ fn a_click_on_a_region_explains_its_worst_pixel() {
 #[test]
 fn another_picture_drops_the_verdict() {
     let mut window = judged();
-    window.key_press(Key::Z);
-    settle(&mut window);
+    press(&mut window, Key::Z);
     assert_eq!(theirs(&window).shows, Shows::Map);
     type_number(&mut window, "Samples", "9");
     assert!(theirs(&window).judgement.verdict().is_none());
     assert_eq!(theirs(&window).shows, Shows::Ours);
     assert!(window.query_by_label("Map of z").is_none());
     assert!(window.query_by_label_contains("differs: ").is_none());
-    window.key_press(Key::Z);
-    settle(&mut window);
+    press(&mut window, Key::Z);
     assert_eq!(theirs(&window).shows, Shows::Ours, "there is no map");
 }
 
 /// Law: a judgement waits for our picture, which takes hours here.
 #[test]
 fn a_judgement_waits_for_our_picture() {
-    let mut scene = small();
+    let mut scene = noisy();
     scene.image.resize(64, 64);
     scene.image.samples = 65_536;
     let mut window = held_against(scene, written(&Film::new(64, 64)).0);
@@ -191,7 +180,7 @@ fn a_judgement_waits_for_our_picture() {
 /// Law: a judgement that is stopped says so. (It takes far longer than the frames between both clicks.)
 #[test]
 fn a_stopped_judgement_says_so() {
-    let mut scene = small();
+    let mut scene = noisy();
     scene.image.resize(32, 32);
     scene.image.samples = 256;
     let mut window = held_against(scene, written(&Film::new(32, 32)).0);
@@ -217,9 +206,8 @@ fn a_stopped_judgement_says_so() {
 fn a_picture_with_a_value_that_is_no_number_is_refused() {
     let mut film = brighter();
     film.set([7, 3], Rgb::new(0.5, f64::NAN, 0.5));
-    let mut window = held_against(small(), written(&film).0);
+    let mut window = held_against(noisy(), written(&film).0);
     settle(&mut window);
-    window.get_by_label("Judge").click();
-    settle(&mut window);
+    push(&mut window, "Judge");
     text_with(&window, "pixel 7, 3 is [0.5, NaN, 0.5]; radiance is finite");
 }

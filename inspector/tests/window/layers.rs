@@ -35,8 +35,7 @@ fn a_chosen_layer_is_shown() {
         let value = layer.value(&world, pixel);
         assert_eq!(shown(&mut window, pixel), colors.color(value), "{pixel:?}");
         let at = on_screen(&window, pixel);
-        window.hover_at(at);
-        window.run_steps(2);
+        hover(&mut window, at);
         let words = value.map_or("none".to_owned(), |value| layer.in_words(value, &world));
         let status = text_with(&window, &format!("({}, {})  ", pixel[0], pixel[1]));
         assert!(status.ends_with(&format!("object {words}")), "{status}");
@@ -95,13 +94,12 @@ fn a_shown_layer_is_saved() {
 fn a_layer_that_is_left_is_not_found_further() {
     let mut scene = small_glass_sphere();
     scene.image.samples = 1;
-    let mut window = open(scene.clone());
-    settle(&mut window);
+    let window = open(scene.clone());
     // hours
     scene.image.resize(2000, 2000);
     scene.image.samples = 1024;
     let count = |window: &Window| Arc::strong_count(&window.state().session.rendering.world);
-    let mut slow = open(scene);
+    let mut slow = begin(scene, [1280.0, 800.0]);
     slow.run_steps(3);
     slow.state_mut().session.rendering.canvas.cancel();
     let start = Instant::now();

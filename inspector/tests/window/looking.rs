@@ -131,7 +131,6 @@ fn large_pictures_are_shown_across_the_seams() {
         scene.image.pixel_size = 0.5;
         scene.image.samples = 1;
         let mut window = open(scene);
-        settle(&mut window);
         let film = window.state().session.rendering.canvas.film();
         let tone = window.state().picture.tone;
         window.state_mut().picture.set_zoom(size, 10.0);
@@ -153,8 +152,7 @@ fn nothing_of_the_old_picture_shines_through() {
     assert_ne!(shown(&mut window, ground), [0, 0, 0]);
     // the ground is lit until the last of them is off
     for light in ["high lamp", "front lamp", "left light", "ambient"] {
-        window.get_by_label(light).click();
-        settle(&mut window);
+        push(&mut window, light);
     }
     assert_eq!(shown(&mut window, ground), [0, 0, 0]);
     let film = window.state().session.rendering.canvas.film();
@@ -185,8 +183,8 @@ fn exposure_changes_the_screen_and_not_the_picture() {
 #[test]
 fn the_pixel_under_the_mouse_is_shown() {
     let mut window = glass_window();
-    window.hover_at(on_screen(&window, [20, 30]));
-    window.run_steps(3);
+    let at = on_screen(&window, [20, 30]);
+    hover(&mut window, at);
     let radiance = window.state().session.rendering.canvas.look(|film| film.get([20, 30]));
     let text = format!("(20, 30)  {}", groundtruth::explain::short(radiance));
     assert!(window.query_by_label(&text).is_some());
@@ -205,8 +203,7 @@ fn snapshot(window: &mut Window, name: &str, part: Rect) {
 
 #[test]
 fn picture_and_mark_look_as_before() {
-    let mut window = glass_window();
-    click(&mut window, [17, 19]);
+    let mut window = glass_window_at([17, 19]);
     window.state_mut().picture.set_zoom([48, 48], 20.0);
     window.run_steps(3);
     let middle = on_screen(&window, [19, 20]);
@@ -215,8 +212,7 @@ fn picture_and_mark_look_as_before() {
 
 #[test]
 fn tree_looks_as_before() {
-    let mut window = glass_window();
-    click(&mut window, [17, 19]);
+    let mut window = glass_window_at([17, 19]);
     window.run_steps(3);
     snapshot(&mut window, "tree", Rect::from_min_max(pos2(776.0, 60.0), pos2(1276.0, 370.0)));
 }
@@ -241,8 +237,7 @@ fn a_histogram_counts_pixels_by_stops() {
 #[test]
 fn the_histogram_is_of_the_picture() {
     let mut window = glass_window();
-    window.get_by_label("Histogram").click();
-    settle(&mut window);
+    push(&mut window, "Histogram");
     let film = window.state().session.rendering.canvas.film();
     let black = film.pixels().iter().filter(|pixel| pixel.is_black()).count();
     let text = text_with(&window, "log₂ of the radiance");

@@ -25,8 +25,7 @@ fn wrong() -> Film {
 fn choose(window: &mut Window, entry: &str) {
     window.get_by_role_and_label(Role::ComboBox, "With the mistake").click();
     window.run_steps(4);
-    window.get_by_role_and_label(Role::Button, entry).click();
-    settle(window);
+    push_button(window, entry);
 }
 
 /// Law: a mistake that is chosen in the list gives another picture; T flips between right and wrong, and what is shown is
@@ -44,8 +43,7 @@ fn right_and_wrong_are_flipped_and_explained() {
     choose(&mut window, NAME);
     let theirs = window.state().others.shown().expect("it is rendered");
     assert_eq!((&*theirs.name, theirs.shows), (NAME, Shows::Swipe));
-    window.key_press(Key::T);
-    settle(&mut window);
+    press(&mut window, Key::T);
     let tone = window.state().picture.tone;
     assert_eq!(shown(&mut window, pixel), tone.to_bytes(wrong.get(pixel)));
     click(&mut window, pixel);
@@ -57,8 +55,7 @@ fn right_and_wrong_are_flipped_and_explained() {
         assert!(window.query_by_label_contains(subject).is_some());
         let equal = "= the pixel of the picture, bit for bit";
         assert!(window.query_by_label_contains(equal).is_some());
-        window.key_press(Key::T);
-        settle(&mut window);
+        press(&mut window, Key::T);
     }
     choose(&mut window, "none");
     assert!(window.state().others.shown().is_none());
@@ -70,8 +67,7 @@ fn the_wrong_picture_follows_the_scene() {
     let mut window = glass_window();
     window.state_mut().others.set_mistake(mistakes::find(NAME));
     settle(&mut window);
-    window.key_press(Key::T);
-    settle(&mut window);
+    press(&mut window, Key::T);
     type_number(&mut window, "Width", "50");
     let theirs = window.state().others.shown().expect("it is rendered");
     assert_eq!((theirs.size(), theirs.shows), ([50, 48], Shows::Theirs));

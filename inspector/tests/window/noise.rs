@@ -11,16 +11,12 @@ const ON_THE_BACK_WALL: [u32; 2] = [14, 10];
 
 /// The Cornell box in few pixels.
 fn small_cornell_box() -> Scene {
-    let mut scene = (gallery::find("ch26/cornell-box").expect("in the gallery").build)();
-    scene.image.resize(24, 24);
-    scene.image.samples = 16;
-    scene
+    small("ch26/cornell-box", [24, 24], 16)
 }
 
 /// A window on a pixel of the box, and the library's explanation of it.
 fn noisy_pixel() -> (Window, PixelExplanation) {
     let mut window = open(small_cornell_box());
-    settle(&mut window);
     click(&mut window, ON_THE_BACK_WALL);
     let scene = small_cornell_box();
     (window, explain::pixel(&scene, &built(&scene), ON_THE_BACK_WALL, None).expect("few rays"))
@@ -54,8 +50,7 @@ fn the_bounces_of_a_path_are_not_indented() {
     let (index, root) = longest.expect("the camera sees all its film");
     window.state_mut().selection.sample = index as u32;
     // without details, a line of the tree appears only once
-    window.get_by_label("The sum").click();
-    settle(&mut window);
+    push(&mut window, "The sum");
     let (bounces, shadows) = path_of(root);
     assert!(bounces.len() >= 4 && shadows.len() >= 2, "{} bounces", bounces.len());
     let rect_of = |text: &str| window.get_by_label(text).rect();
@@ -91,8 +86,7 @@ fn local_light_is_in_the_tree() {
     let (index, local) = found.expect("the lamp is in the pixel");
     click(&mut window, on_the_lamp);
     window.state_mut().selection.sample = index;
-    window.get_by_label("The sum").click();
-    settle(&mut window);
+    push(&mut window, "The sum");
     assert!(window.query_by_label(&local).is_some(), "{local}");
 }
 
@@ -101,8 +95,7 @@ fn local_light_is_in_the_tree() {
 #[test]
 fn the_sum_is_divided_among_lights_and_lobes() {
     let (mut window, explained) = noisy_pixel();
-    window.get_by_label("The sum").click();
-    settle(&mut window);
+    push(&mut window, "The sum");
     let mut above = 0.0;
     for (words, sources) in explained.sources.lists() {
         assert_eq!(sources.len(), 2, "the lamp and the Lambertian lobe");
@@ -121,8 +114,7 @@ fn the_sum_is_divided_among_lights_and_lobes() {
 #[test]
 fn a_sample_is_one_click_from_its_tree() {
     let (mut window, explained) = noisy_pixel();
-    window.get_by_label("The sum").click();
-    settle(&mut window);
+    push(&mut window, "The sum");
     let mut values: Vec<(u32, f64)> =
         (0..).zip(explained.radiances.iter().map(|radiance| radiance.average())).collect();
     values.sort_by(|a, b| b.1.total_cmp(&a.1));
@@ -143,8 +135,7 @@ fn a_sample_is_one_click_from_its_tree() {
         assert!(window.query_by_label(&line).is_some(), "{line}");
         assert!(window.query_by_label(&format!("Sample {index}")).is_some());
     }
-    window.get_by_label("index").click();
-    settle(&mut window);
+    push(&mut window, "index");
     let [first, second] = [0, 1].map(|index| height(&window, index));
     assert!(first.is_some() && first < second, "samples 0 and 1 at {first:?} and {second:?}");
 }
@@ -164,10 +155,8 @@ fn a_sample_far_from_the_others_is_marked() {
     let pixels = (4..20).flat_map(|y| (4..20).map(move |x| [x, y]));
     let (pixel, greatest) = pixels.filter_map(lit).next().expect("one path of a pixel is lit");
     let mut window = open(scene.clone());
-    settle(&mut window);
     click(&mut window, pixel);
-    window.get_by_label("The sum").click();
-    settle(&mut window);
+    push(&mut window, "The sum");
     let mark = window.get_by_label("outlier").rect().center().y;
     let row = window.get_by_label_contains(&format!("sample {greatest:>3}  ")).rect().center().y;
     assert!((mark - row).abs() < 4.0, "the mark is at {mark}, the sample at {row}");

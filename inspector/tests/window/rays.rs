@@ -87,8 +87,7 @@ fn broken_rays_are_found_one_after_the_other() {
     let mut window = open_log(folder.path(), &format!("{LOG}{more}"));
     let mut seen = Vec::new();
     for _ in 0..3 {
-        window.key_press(Key::N);
-        settle(&mut window);
+        press(&mut window, Key::N);
         seen.push(selected(&window));
     }
     assert_eq!(seen, [(Some([5, 3]), 1), (Some(BROKEN), 1), (Some([5, 3]), 1)]);
@@ -129,8 +128,7 @@ fn a_log_stands_beside_our_rays() {
     assert!(difference.average().abs() <= 1e-12 * ours.radiance.average(), "{difference:?}");
     let of_sample = log.lines().filter(|line| line.contains(r#""sample":0"#)).count();
     assert_eq!(yours.samples[0].ray.as_ref().map(explain::RecordedRay::count), Some(of_sample));
-    window.key_press(Key::T);
-    settle(&mut window);
+    press(&mut window, Key::T);
     assert_eq!(window.state().others.shown().map(|theirs| theirs.shows), Some(Shows::Ours));
 }
 

@@ -12,7 +12,6 @@ const SIZES: [[f32; 2]; 3] = [[1400.0, 900.0], [900.0, 600.0], [800.0, 500.0]];
 
 fn window_of([width, height]: [f32; 2]) -> (Window, Rect) {
     let mut window = open_sized(small_glass_sphere(), [width, height]);
-    settle(&mut window);
     click(&mut window, ON_GLASS);
     (window, Rect::from_min_size(pos2(0.0, 0.0), vec2(width, height)))
 }
@@ -140,7 +139,6 @@ fn the_details_keep_their_share() {
 fn every_setting_of_the_scene_can_be_reached() {
     for size in [SIZES[0], SIZES[1], SIZES[2], [550.0, 350.0]] {
         let mut window = open_sized(small_glass_sphere(), size);
-        settle(&mut window);
         let panel = picture(&window).left() - 8.0;
         let first = window.get_all_by_label("only").next().expect("a light has one").rect();
         assert!(first.right() <= panel, "only at {first} of {size:?}");
@@ -202,7 +200,6 @@ fn a_long_name_is_cut_and_shown_under_the_mouse() {
     let mut scene = small_glass_sphere();
     scene.objects[0].name = name.to_owned();
     let mut window = open_sized(scene, [800.0, 500.0]);
-    settle(&mut window);
     let edge = picture(&window).left();
     window.get_by_label(name).scroll_to_me();
     window.run_steps(10);

@@ -25,22 +25,13 @@ fn sixteen() -> Scene {
 fn samples_of(scene: Scene, pixel: [u32; 2]) -> Window {
     // so wide that the plots have their largest side
     let mut window = open_sized(scene, [1500.0, 800.0]);
-    settle(&mut window);
     click(&mut window, pixel);
-    window.get_by_label("The samples").click();
-    settle(&mut window);
+    push(&mut window, "The samples");
     window
 }
 
 fn point(window: &Window, plot: usize, sample: usize) -> Pos2 {
     window.state().selection.samples.on_screen(plot, sample).expect("it is drawn")
-}
-
-fn click_at(window: &mut Window, at: Pos2) {
-    window.hover_at(at);
-    window.drag_at(at);
-    window.drop_at(at);
-    settle(window);
 }
 
 /// Law: a click on a point of the square selects its sample and shows the sample's tree; the chosen point
@@ -54,8 +45,7 @@ fn a_click_on_a_point_shows_its_ray() {
         assert_eq!(window.state().selection.sample, sample as u32);
         let line = root_line_of(&sixteen(), ON_GLASS, sample as u32);
         assert!(window.query_all_by_label(&line).next().is_some(), "{line}");
-        window.hover_at(Pos2::new(5.0, 5.0));
-        window.run_steps(3);
+        hover(&mut window, Pos2::new(5.0, 5.0));
         let image = window.render().expect("drawn");
         let at = point(&window, plot, sample);
         let [r, g, b, _] = image.get_pixel(at.x as u32, at.y as u32).0;
@@ -81,8 +71,7 @@ fn a_point_and_its_ray_are_lit_together() {
     };
     for (plot, sample) in [(0, 5), (2, 7)] {
         let at = point(&window, plot, sample);
-        window.hover_at(at);
-        window.run_steps(4);
+        hover(&mut window, at);
         let line = root_line_of(&scene, pixel, sample as u32);
         assert!(window.query_all_by_label(&line).next().is_some(), "{line}");
         assert!(window.query_by_label(&format!("Sample {sample}")).is_some());
@@ -91,8 +80,7 @@ fn a_point_and_its_ray_are_lit_together() {
         assert_eq!(window.state().selection.tree.lit, ray, "plot {plot}");
         assert_eq!(window.state().selection.sample, 0, "it is not chosen");
     }
-    window.hover_at(Pos2::new(5.0, 5.0));
-    window.run_steps(4);
+    hover(&mut window, Pos2::new(5.0, 5.0));
     assert!(window.query_by_label("Sample 0").is_some());
     let ring = |window: &mut Window, plot| {
         let at = point(window, plot, 0) + eframe::egui::vec2(0.0, 7.9);
@@ -102,8 +90,7 @@ fn a_point_and_its_ray_are_lit_together() {
     let line = root_line_of(&scene, pixel, 0);
     let row = window.query_all_by_label(&line).next().expect("a row");
     let row = row.rect().center();
-    window.hover_at(row);
-    window.run_steps(4);
+    hover(&mut window, row);
     assert_eq!(window.state().selection.tree.lit, Some(0));
     let after = ring(&mut window, 0);
     assert!(after[2] > before[2] + 60, "{after:?} before {before:?}");
@@ -157,10 +144,8 @@ fn the_square_shows_the_strata() {
 #[test]
 fn the_picture_follows_sampler_and_count() {
     let mut window = samples_of(sixteen(), ON_GLASS);
-    window.get_by_label("Sampler").click();
-    settle(&mut window);
-    window.get_by_label("regular").click();
-    settle(&mut window);
+    push(&mut window, "Sampler");
+    push(&mut window, "regular");
     let image = &window.state().session.rendering.scene.image;
     assert!(matches!(image.sampler, Some(Kind::Regular(_))), "{:?}", image.sampler);
     let mut scene = sixteen();
@@ -198,9 +183,7 @@ fn the_verdict_tells_a_fair_sampler_from_a_fixed_one() {
 fn the_lens_is_shown_where_there_is_one() {
     let window = samples_of(sixteen(), ON_GLASS);
     assert_eq!(window.state().selection.samples.on_screen(1, 0), None);
-    let mut scene = (gallery::find("ch10/near-focus").expect("in the gallery").build)();
-    scene.image.resize(40, 30);
-    scene.image.samples = 9;
+    let scene = small("ch10/near-focus", [40, 30], 9);
     let world = built(&scene);
     let window = samples_of(scene, [20, 15]);
     let position = |i| render::camera_sample(&world, [20, 15], i).and_then(|sample| sample.lens);
@@ -235,10 +218,8 @@ fn the_plots_fit_the_window() {
     scene.lights.push(Light::new("occluder", AmbientOccluder::default()));
     scene.image.sampler = Some(Regular {}.into());
     let mut window = open_sized(scene, [1400.0, 830.0]);
-    settle(&mut window);
     click(&mut window, ON_GLASS);
-    window.get_by_label("The samples").click();
-    settle(&mut window);
+    push(&mut window, "The samples");
     let of_light: Vec<f32> = (0..16).map(|sample| point(&window, 2, sample).x).collect();
     // margin and scroll bar
     let edge = 1400.0 - 8.0 - 9.0;

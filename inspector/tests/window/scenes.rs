@@ -21,15 +21,13 @@ fn pixels(window: &Window) -> Vec<Rgb> {
 /// again, the picture is the old one, bit for bit.
 #[test]
 fn a_light_switched_off_leaves_picture_and_tree() {
-    let mut window = glass_window();
-    click(&mut window, ON_GROUND);
+    let mut window = glass_window_at(ON_GROUND);
     let before = pixels(&window);
     let to_lamp =
         |window: &Window| window.query_all_by_label_contains("shadow ray to \"high lamp\"").count();
     assert!(to_lamp(&window) > 0, "the pixel must see the lamp for the test to mean anything");
 
-    window.get_by_label("high lamp").click();
-    settle(&mut window);
+    push(&mut window, "high lamp");
     assert_eq!(to_lamp(&window), 0);
     assert!(window.query_all_by_label_contains("shadow ray to \"front lamp\"").count() > 0);
     assert_ne!(pixels(&window), before);
@@ -40,8 +38,7 @@ fn a_light_switched_off_leaves_picture_and_tree() {
     lamp.expect("the scene has it").enabled = false;
     assert_eq!(pixels(&window), groundtruth::render::render(&built(&scene)).pixels());
 
-    window.get_by_label("high lamp").click();
-    settle(&mut window);
+    push(&mut window, "high lamp");
     assert_eq!(pixels(&window), before);
     assert!(to_lamp(&window) > 0);
 }
@@ -68,8 +65,7 @@ fn only_this_object_is_left_and_all_come_back() {
         .map(|object| object.name.to_string())
         .collect();
     assert_eq!(names, ["red sphere"]);
-    window.get_by_label("all on").click();
-    settle(&mut window);
+    push(&mut window, "all on");
     assert_eq!(enabled(&window), [true, true, true]);
     assert_eq!(pixels(&window), before);
 }
@@ -77,8 +73,7 @@ fn only_this_object_is_left_and_all_come_back() {
 /// Law: a bad scene file is reported with the library's message, and the old scene stays.
 #[test]
 fn a_bad_scene_file_shows_its_error_and_keeps_the_old_scene() {
-    let mut window = glass_window();
-    click(&mut window, ON_GROUND);
+    let mut window = glass_window_at(ON_GROUND);
     let before = pixels(&window);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let file = folder.path().join("bad.toml");
@@ -92,8 +87,7 @@ fn a_bad_scene_file_shows_its_error_and_keeps_the_old_scene() {
         assert_eq!(pixels(&window), before);
         assert_eq!(window.state().selection.pixel, Some(ON_GROUND));
     }
-    window.get_by_label("×").click();
-    settle(&mut window);
+    push(&mut window, "×");
     assert!(window.query_by_label_contains("missing.toml: ").is_none());
 }
 
@@ -101,8 +95,7 @@ fn a_bad_scene_file_shows_its_error_and_keeps_the_old_scene() {
 /// selection is gone.
 #[test]
 fn a_scene_file_is_opened() {
-    let mut window = glass_window();
-    click(&mut window, ON_GROUND);
+    let mut window = glass_window_at(ON_GROUND);
     let folder = tempfile::tempdir().expect("a temporary folder");
     let path = folder.path().join("small.toml");
     let mut scene = small_glass_sphere();
@@ -169,8 +162,7 @@ fn a_saved_picture_says_how_it_was_made() {
     for text in ["Scene\0ch28/glass-sphere", &format!("Size\0{width}x{height}"), "Samples\0"] {
         assert!(usual.contains(text), "{text:?}");
     }
-    window.get_by_label("high lamp").click();
-    settle(&mut window);
+    push(&mut window, "high lamp");
     let dark = saved(&mut window, "dark.png");
     assert!(!dark.contains("ch28/glass-sphere") && dark.contains("Scene\0sha256:"));
 }
@@ -266,7 +258,7 @@ fn the_window_does_not_wait_for_the_picture() {
     scene.image.resize(600, 600);
     // hours of work
     scene.image.samples = 10_000;
-    let mut window = open(scene.clone());
+    let mut window = begin(scene.clone(), [1280.0, 800.0]);
     let running = |window: &Window| match window.state().session.rendering.progress() {
         Progress::Running(part, _) => part < 0.5,
         _ => false,

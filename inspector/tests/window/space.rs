@@ -14,8 +14,7 @@ const PIXEL: [u32; 2] = [26, 25];
 
 /// A window that shows a pixel of the glass sphere in space.
 fn in_space() -> Window {
-    let mut window = glass_window();
-    click(&mut window, PIXEL);
+    let mut window = glass_window_at(PIXEL);
     window.state_mut().space.mode = Mode::Space;
     settle(&mut window);
     window
@@ -61,15 +60,14 @@ fn a_ray_is_drawn_where_it_is() {
     let inside =
         root.children.iter().find(|ray| ray.line().contains("transmitted")).expect("glass");
     let at = place(&window, middle(inside));
-    window.hover_at(at);
-    window.run_steps(3);
+    hover(&mut window, at);
     assert_eq!(window.state().selection.tree.lit, Some(inside.number));
     window.drag_at(at);
     window.drop_at(at);
     window.run_steps(3);
     assert_eq!(window.state().selection.tree.ray, inside.number);
-    window.hover_at(pos2(area(&window).left() + 2.0, at.y));
-    window.run_steps(3);
+    let aside = pos2(area(&window).left() + 2.0, at.y);
+    hover(&mut window, aside);
     assert_eq!(window.state().selection.tree.lit, None);
 }
 
@@ -78,8 +76,7 @@ fn a_ray_is_drawn_where_it_is() {
 fn a_row_of_the_tree_lights_its_ray() {
     let mut window = in_space();
     let row = window.get_by_label_contains("1  from 0").rect().center();
-    window.hover_at(row);
-    window.run_steps(3);
+    hover(&mut window, row);
     assert_eq!(window.state().selection.tree.lit, Some(1));
 }
 
@@ -101,25 +98,21 @@ fn the_camera_orbits() {
     assert!((turned.pitch - before.pitch - 8.0).abs() < 1e-3);
     assert_eq!((turned.target, turned.distance), (before.target, before.distance));
     // the view has the keys since it was dragged
-    window.key_press(Key::Num3);
-    settle(&mut window);
+    press(&mut window, Key::Num3);
     let top = window.state().space.camera.orbit.unwrap();
     assert_eq!(top.pitch, 90.0);
-    window.key_press(Key::ArrowDown);
-    settle(&mut window);
+    press(&mut window, Key::ArrowDown);
     assert_eq!(window.state().space.camera.orbit.unwrap().pitch, 85.0);
 }
 
 /// Law: S shows picture, both, and space, in turn; the picture and the space view share its area without overlap.
 #[test]
 fn a_key_goes_through_the_views() {
-    let mut window = glass_window();
-    click(&mut window, PIXEL);
+    let mut window = glass_window_at(PIXEL);
     for (mode, has_picture, has_space) in
         [(Mode::Both, true, true), (Mode::Space, false, true), (Mode::Picture, true, false)]
     {
-        window.key_press(Key::S);
-        settle(&mut window);
+        press(&mut window, Key::S);
         assert_eq!(window.state().space.mode, mode);
         let picture = window.query_by_role_and_label(Role::Image, "picture");
         let space = window.query_by_role_and_label(Role::Canvas, "space");
@@ -153,10 +146,8 @@ fn an_object_can_be_looked_through() {
 /// and sin θ of them.
 #[test]
 fn the_section_of_a_ray_says_its_angles() {
-    let mut window = glass_window();
-    click(&mut window, PIXEL);
-    window.get_by_label("The section").click();
-    settle(&mut window);
+    let mut window = glass_window_at(PIXEL);
+    push(&mut window, "The section");
     assert!(window.query_by_role_and_label(Role::Image, "section").is_some());
     let root = root(&window);
     let hit = root.hit.as_ref().expect("glass");
@@ -173,14 +164,11 @@ fn the_section_of_a_ray_says_its_angles() {
 /// again. Oracle: the pixels of the window before.
 #[test]
 fn the_section_is_zoomed_moved_and_fitted() {
-    let mut window = glass_window();
-    click(&mut window, PIXEL);
-    window.get_by_label("The section").click();
-    settle(&mut window);
+    let mut window = glass_window_at(PIXEL);
+    push(&mut window, "The section");
     let area = window.get_by_role_and_label(Role::Image, "section").rect();
     let drawn = |window: &mut Window| {
-        window.hover_at(pos2(1.0, 1.0));
-        window.run_steps(3);
+        hover(window, pos2(1.0, 1.0));
         window.render().expect("drawn")
     };
     let fitted = drawn(&mut window);
@@ -237,8 +225,7 @@ fn the_section_is_zoomed_moved_and_fitted() {
 /// ground is a part of the plane y = 0, which the camera's ray, going down by 0.04 for each unit, meets behind its edge.
 #[test]
 fn the_right_button_asks_why_not() {
-    let mut window = glass_window();
-    click(&mut window, PIXEL);
+    let mut window = glass_window_at(PIXEL);
     let pos = on_screen(&window, [24, 46]);
     window.hover_at(pos);
     window.step();
@@ -258,8 +245,7 @@ fn the_right_button_asks_why_not() {
 /// Law: below the terms of a ray stands the formula of each that is not black, in letters. Oracle: the lobes of glass.
 #[test]
 fn the_terms_are_written_in_letters() {
-    let mut window = glass_window();
-    click(&mut window, PIXEL);
+    let window = glass_window_at(PIXEL);
     for part in ["src/lobes/fresnel_transmitter.rs", "k_t / η² · L_i = "] {
         assert!(window.query_all_by_label_contains(part).next().is_some(), "{part}");
     }

@@ -196,13 +196,11 @@ fn the_ground_can_be_light() {
         window.render().expect("drawn").get_pixel(at.x as u32 + 20, at.y as u32).0[0]
     };
     let dark = ground(&mut window);
-    window.key_press(Key::B);
-    settle(&mut window);
+    press(&mut window, Key::B);
     let light = ground(&mut window);
     assert!(dark < 60 && light > 200, "{dark}, {light}");
     assert_eq!(window.state().stored_settings().ground, Ground::Light);
-    window.key_press(Key::B);
-    settle(&mut window);
+    press(&mut window, Key::B);
     assert_eq!(ground(&mut window), dark);
 }
 
@@ -233,15 +231,12 @@ fn a_file_is_replaced_only_if_that_is_confirmed() {
     let question = format!("{} exists. Replace it?", path.display());
     assert!(window.query_by_label(&question).is_some());
     assert_eq!(bytes(), b"not a picture");
-    window.key_press(Key::Escape);
-    settle(&mut window);
+    press(&mut window, Key::Escape);
     assert!(window.query_by_label(&question).is_none());
     assert_eq!(bytes(), b"not a picture");
 
-    window.get_by_label("Save").click();
-    settle(&mut window);
-    window.key_press(Key::Enter);
-    settle(&mut window);
+    push(&mut window, "Save");
+    press(&mut window, Key::Enter);
     assert!(window.query_by_label(&question).is_none());
     assert!(bytes().starts_with(b"\x89PNG"));
 }
@@ -256,8 +251,7 @@ fn an_error_goes_with_the_next_valid_click() {
     assert_eq!(window.state().message, None);
     type_into(&mut window, "Pixel", "999, 3");
     assert!(window.state().message.is_some());
-    window.get_by_label("high lamp").click();
-    settle(&mut window);
+    push(&mut window, "high lamp");
     assert_eq!(window.state().message, None);
 }
 

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use eframe::egui::{Context, Event, Modifiers, PointerButton, Pos2, Theme, accesskit::Role};
+use eframe::egui::{Context, Event, Key, Modifiers, PointerButton, Pos2, Theme, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::explain::{self, RecordedRay};
@@ -19,25 +19,37 @@ pub type Window = Harness<'static, Inspector>;
 /// Far more than anything here takes, also on a busy machine.
 const PATIENCE: Duration = Duration::from_secs(60);
 
+/// A scene of the gallery in so many pixels and samples.
+pub fn small(name: &str, [width, height]: [u32; 2], samples: u32) -> Scene {
+    let mut scene = (gallery::find(name).expect("in the gallery").build)();
+    scene.image.resize(width, height);
+    scene.image.samples = samples;
+    scene
+}
+
 /// The glass sphere in few pixels of few samples.
 pub fn small_glass_sphere() -> Scene {
-    let mut scene = (gallery::find("ch28/glass-sphere").expect("in the gallery").build)();
-    scene.image.resize(48, 48);
-    scene.image.samples = 4;
-    scene
+    small("ch28/glass-sphere", [48, 48], 4)
 }
 
 pub fn built(scene: &Scene) -> World {
     World::build(scene).expect("the scene is valid")
 }
 
-/// A window on a changed scene of the gallery.
+/// A window on a changed scene of the gallery, rendered.
 pub fn open(scene: Scene) -> Window {
     open_sized(scene, [1280.0, 800.0])
 }
 
-/// A window of this size on a changed scene of the gallery.
+/// The same in this size.
 pub fn open_sized(scene: Scene, size: [f32; 2]) -> Window {
+    let mut window = begin(scene, size);
+    settle(&mut window);
+    window
+}
+
+/// The same, of which nothing is rendered yet.
+pub fn begin(scene: Scene, size: [f32; 2]) -> Window {
     let entry = gallery::find("ch28/glass-sphere").expect("in the gallery");
     let loaded = Source::Gallery(entry).build(scene).expect("the scene is valid");
     window(loaded, size)
@@ -60,8 +72,13 @@ pub fn window_of(inspector: Inspector, size: [f32; 2]) -> Window {
 
 /// A window on the small glass sphere, rendered.
 pub fn glass_window() -> Window {
-    let mut window = open(small_glass_sphere());
-    settle(&mut window);
+    open(small_glass_sphere())
+}
+
+/// The same, with a pixel explained.
+pub fn glass_window_at(pixel: [u32; 2]) -> Window {
+    let mut window = glass_window();
+    click(&mut window, pixel);
     window
 }
 
@@ -94,9 +111,42 @@ pub fn shown(window: &mut Window, pixel: [u32; 2]) -> [u8; 3] {
 /// Clicks a pixel and waits for its explanation.
 pub fn click(window: &mut Window, pixel: [u32; 2]) {
     let at = on_screen(window, pixel);
+    click_at(window, at);
+}
+
+/// Clicks there and waits for what follows.
+pub fn click_at(window: &mut Window, at: Pos2) {
+    point_and_press(window, at);
+    settle(window);
+}
+
+fn point_and_press(window: &mut Window, at: Pos2) {
     window.hover_at(at);
     window.drag_at(at);
     window.drop_at(at);
+}
+
+/// Points there, until what is pointed at is lit.
+pub fn hover(window: &mut Window, at: Pos2) {
+    window.hover_at(at);
+    window.run_steps(4);
+}
+
+/// Presses a key and waits for what follows.
+pub fn press(window: &mut Window, key: Key) {
+    window.key_press(key);
+    settle(window);
+}
+
+/// Clicks what has this label and waits for what follows.
+pub fn push(window: &mut Window, label: &str) {
+    window.get_by_label(label).click();
+    settle(window);
+}
+
+/// The same with a button.
+pub fn push_button(window: &mut Window, label: &str) {
+    window.get_by_role_and_label(Role::Button, label).click();
     settle(window);
 }
 
@@ -126,18 +176,15 @@ pub fn type_number(window: &mut Window, field: &str, text: &str) {
 
 fn type_as(window: &mut Window, role: Role, field: &str, text: &str) {
     let at = window.get_by_role_and_label(role, field).rect().center();
-    window.hover_at(at);
-    window.drag_at(at);
-    window.drop_at(at);
+    point_and_press(window, at);
     window.step();
-    window.key_press_modifiers(eframe::egui::Modifiers::COMMAND, eframe::egui::Key::A);
+    window.key_press_modifiers(Modifiers::COMMAND, Key::A);
     window.step();
     // a number turns into a text while it is typed
     let focused = window.get_all_by(|node| node.is_focused()).next().expect("it has the keys");
     focused.type_text(text);
     window.step();
-    window.key_press(eframe::egui::Key::Enter);
-    settle(window);
+    press(window, Key::Enter);
 }
 
 /// The text of the one label that contains this.

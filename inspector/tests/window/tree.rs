@@ -21,7 +21,6 @@ fn deep_glass_sphere() -> Scene {
 
 fn deep_window() -> (Window, RecordedRay) {
     let mut window = open(deep_glass_sphere());
-    settle(&mut window);
     click(&mut window, ON_GLASS);
     let root = ray_of(&deep_glass_sphere(), ON_GLASS, 0);
     assert!(root.count() > 100, "only {} rays", root.count());
@@ -73,16 +72,14 @@ fn one_key_follows_the_light() {
     let (mut window, root) = deep_window();
     let mut ray = &root;
     for _ in 0..3 {
-        window.key_press(Key::L);
-        settle(&mut window);
+        press(&mut window, Key::L);
         let by_share = |a: &&RecordedRay, b: &&RecordedRay| a.share.total_cmp(&b.share);
         ray = ray.children.iter().max_by(by_share).expect("the path goes on");
         assert_eq!(window.state().selection.tree.ray, ray.number);
         assert_eq!(lines(&window, ray), 2, "in the tree and above the details");
     }
     for _ in 0..20 {
-        window.key_press(Key::L);
-        settle(&mut window);
+        press(&mut window, Key::L);
         if window.state().selection.tree.ray == 0 {
             return;
         }
@@ -96,8 +93,7 @@ fn one_key_follows_the_light() {
 fn the_ray_of_a_term_is_a_click_away() {
     let (mut window, root) = deep_window();
     let number = root.terms.iter().find_map(|term| term.ray).expect("glass sends rays on");
-    window.get_by_label(&format!("ray {number}")).click();
-    settle(&mut window);
+    push(&mut window, &format!("ray {number}"));
     assert_eq!(window.state().selection.tree.ray, number);
     let ray = *root.path_to(number).last().expect("it is in the tree");
     assert_eq!(lines(&window, ray), 2, "in the tree and above the details");
@@ -108,8 +104,7 @@ fn the_ray_of_a_term_is_a_click_away() {
 /// test has the bits of the sample. Oracle: the probe, the explanation.
 #[test]
 fn what_is_copied_reproduces_the_pixel() {
-    let mut window = glass_window();
-    click(&mut window, ON_GLASS);
+    let mut window = glass_window_at(ON_GLASS);
     let command = copied(&mut window, "The command for a terminal");
     assert_eq!(
         command,

@@ -16,15 +16,14 @@ fn dark_window_not_begun() -> Window {
     let mut scene = small_glass_sphere();
     scene.lights.clear();
     let mut window = open(scene);
-    settle(&mut window);
     let canvas = Canvas::new(&window.state().session.rendering.world);
     window.state_mut().session.rendering.canvas = Arc::new(canvas);
     window
 }
 
 fn words_at(window: &mut Window, pixel: [u32; 2]) -> String {
-    window.hover_at(on_screen(window, pixel));
-    window.run_steps(3);
+    let at = on_screen(window, pixel);
+    hover(window, at);
     text_with(window, &format!("({}, {})  ", pixel[0], pixel[1]))
 }
 
@@ -69,7 +68,7 @@ fn what_is_not_rendered_is_hatched() {
     scene.image.resize(600, 600);
     // hours of work
     scene.image.samples = 10_000;
-    let mut window = open(scene);
+    let mut window = begin(scene, [1280.0, 800.0]);
     window.run_steps(5);
     let size = window.state().session.rendering.size();
     let area = window.state().picture.placement(size).whole();
