@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use web_time::Instant;
 
 /// The interval at which the files are checked.
@@ -28,7 +28,7 @@ impl Watch {
 
     /// Also watches the mesh files that a scene names, relative to this folder.
     pub fn add_meshes(&mut self, scene: &Scene, folder: &Path) {
-        named_files(scene).into_iter().for_each(|file| self.add(folder.join(file)));
+        scene.files().into_iter().for_each(|file| self.add(folder.join(file)));
     }
 
     /// Whether there is anything to watch.
@@ -55,27 +55,4 @@ impl Watch {
 fn stamp(file: &Path) -> Stamp {
     let data = file.metadata().ok()?;
     Some((data.modified().ok()?, data.len()))
-}
-
-/// Every `file = "…"` of a scene, however deep: shapes may hold shapes.
-fn named_files(scene: &Scene) -> Vec<PathBuf> {
-    let text = scene::to_toml(scene).unwrap_or_default();
-    let mut open: Vec<toml::Value> =
-        text.parse::<toml::Table>().map(|t| vec![t.into()]).unwrap_or_default();
-    let mut files = Vec::new();
-    while let Some(value) = open.pop() {
-        match value {
-            toml::Value::Table(table) => {
-                for (key, value) in table {
-                    match value {
-                        toml::Value::String(file) if key == "file" => files.push(file.into()),
-                        other => open.push(other),
-                    }
-                }
-            }
-            toml::Value::Array(values) => open.extend(values),
-            _ => {}
-        }
-    }
-    files
 }
