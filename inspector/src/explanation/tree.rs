@@ -43,6 +43,15 @@ pub const BROKEN: Color32 = Color32::from_rgb(255, 70, 70);
 /// The colour of terms without a ray, and of normals.
 pub const LOCAL: Color32 = Color32::from_rgb(150, 215, 150);
 
+/// The kinds of rays, each with its colour.
+pub const KINDS: [(&str, Color32); 5] = [
+    ("camera", CAMERA),
+    ("reflected", REFLECTED),
+    ("transmitted", TRANSMITTED),
+    ("shadow, unblocked", UNBLOCKED),
+    ("shadow, blocked", BLOCKED),
+];
+
 /// The colour of a ray's line.
 pub fn kind_color(ray: &RecordedRay) -> Color32 {
     match ray.kind {
@@ -69,14 +78,7 @@ pub fn ink(ui: &Ui, color: Color32) -> Color32 {
 pub fn legend(ui: &mut Ui) {
     ui.horizontal_wrapped(|ui| {
         ui.weak("Rays:");
-        for (name, color) in [
-            ("camera", CAMERA),
-            ("reflected", REFLECTED),
-            ("transmitted", TRANSMITTED),
-            ("shadow, unblocked", UNBLOCKED),
-            ("shadow, blocked", BLOCKED),
-            ("no ray", LOCAL),
-        ] {
+        for (name, color) in KINDS.into_iter().chain([("no ray", LOCAL)]) {
             ui.label(RichText::new(name).color(ink(ui, color)));
         }
     });

@@ -67,21 +67,12 @@ fn size(ui: &mut Ui, scene: &mut Scene) -> bool {
 
 /// Shows the tracer, and how deep it follows rays.
 fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
-    let label = ui.label("Tracer");
-    let mut changed = false;
-    let combo = ComboBox::from_id_salt("tracer").selected_text(scene.tracer.name());
-    let combo = combo.width(room(ui)).truncate();
-    let combo = combo.show_ui(ui, |ui| {
-        for other in Tracer::ALL {
-            let is_chosen = other.name() == scene.tracer.name();
-            if ui.selectable_label(is_chosen, other.name()).clicked() && !is_chosen {
-                scene.tracer = scene.tracer.replaced_by(other);
-                changed = true;
-            }
-        }
-    });
-    combo.response.labelled_by(label.id).on_hover_text("How light is traced");
-    ui.end_row();
+    let all = Tracer::ALL.map(|tracer| (tracer.name(), tracer));
+    let chosen = list(ui, "Tracer", scene.tracer.name(), &all, "How light is traced");
+    let mut changed = chosen.is_some();
+    if let Some(other) = chosen {
+        scene.tracer = scene.tracer.replaced_by(other);
+    }
     match scene.tracer.max_depth() {
         Some(max_depth) => {
             let hint = "The largest number of reflections and transmissions in a row";
@@ -98,32 +89,38 @@ fn tracer(ui: &mut Ui, scene: &mut Scene) -> bool {
     changed
 }
 
-/// The width of a list: what is visible of its column in a narrow window.
-fn room(ui: &Ui) -> f32 {
-    (ui.clip_rect().right() - ui.cursor().left() - 4.0).clamp(44.0, 100.0)
-}
-
 /// Shows how all objects are intersected.
 fn intersections(ui: &mut Ui, scene: &mut Scene) -> bool {
-    let label = ui.label("Routines");
-    let chosen = scene.intersections();
-    let text = chosen.map_or("mixed", Intersect::name);
-    let mut changed = false;
-    let combo = ComboBox::from_id_salt("intersections").selected_text(text);
-    let combo = combo.width(room(ui)).truncate();
+    let all = Intersect::ALL.map(|routines| (routines.name(), routines));
+    let name = scene.intersections().map_or("mixed", Intersect::name);
+    let hint = "The library's own routines, or the book's formulas with a constant epsilon";
+    let chosen = list(ui, "Routines", name, &all, hint);
+    chosen.into_iter().for_each(|other| scene.set_intersections(other));
+    chosen.is_some()
+}
+
+/// Shows a list of names. Returns what was chosen in place of the present one.
+fn list<T: Copy>(
+    ui: &mut Ui,
+    title: &str,
+    present: &str,
+    all: &[(&str, T)],
+    hint: &str,
+) -> Option<T> {
+    let (label, mut chosen) = (ui.label(title), None);
+    // what is visible of its column in a narrow window
+    let width = (ui.clip_rect().right() - ui.cursor().left() - 4.0).clamp(44.0, 100.0);
+    let combo = ComboBox::from_id_salt(title).selected_text(present).width(width).truncate();
     let combo = combo.show_ui(ui, |ui| {
-        for other in Intersect::ALL {
-            let is_chosen = chosen == Some(other);
-            if ui.selectable_label(is_chosen, other.name()).clicked() && !is_chosen {
-                scene.set_intersections(other);
-                changed = true;
+        for &(name, other) in all {
+            if ui.selectable_label(name == present, name).clicked() && name != present {
+                chosen = Some(other);
             }
         }
     });
-    let hint = "The library's own routines, or the book's formulas with a constant epsilon";
     combo.response.labelled_by(label.id).on_hover_text(hint);
     ui.end_row();
-    changed
+    chosen
 }
 
 /// Shows a number field that takes effect when typing ends.

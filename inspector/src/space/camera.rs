@@ -1,7 +1,7 @@
 //! The camera of the space view: the buttons, keys and drags that move it, and what it looks through.
 
 use eframe::egui::{EventFilter, Key, PointerButton, Response, Ui, Vec2};
-use groundtruth::math::{Point, Vector};
+use groundtruth::math::Vector;
 use groundtruth::world::World;
 use space::{Orbit, Segment};
 
@@ -13,7 +13,26 @@ const TURN: f32 = 0.4;
 const STEP: f64 = 5.0;
 /// The first camera without a tree, turned away from the scene's: yaw and pitch in degrees.
 const ASIDE: [f64; 2] = [35.0, 18.0];
-/// What the button does.
+/// A place of the camera.
+#[derive(Clone, Copy)]
+enum Look {
+    From(Vector),
+    AsCamera,
+    AtRays,
+    AtScene,
+    AlongRay,
+}
+
+/// The places of the camera: each with its button, its key, and what it does.
+const LOOKS: [(&str, Key, Look, &str); 7] = [
+    ("Front", Key::Num1, Look::From(Vector::Z), "The scene from there (1)"),
+    ("Side", Key::Num2, Look::From(Vector::X), "The scene from there (2)"),
+    ("Top", Key::Num3, Look::From(Vector::Y), "The scene from there (3)"),
+    ("Camera", Key::C, Look::AsCamera, "As the scene's camera sees it (C)"),
+    ("Fit rays", Key::F, Look::AtRays, FIT),
+    ("Fit scene", Key::A, Look::AtScene, "(A)"),
+    ("Along ray", Key::R, Look::AlongRay, "Look along the selected ray (R)"),
+];
 const FIT: &str = "What the rays meet, across their plane, through what hides them (F)";
 
 /// What the camera looks at.
@@ -53,26 +72,37 @@ impl Camera {
 
     /// Shows the buttons.
     pub fn buttons(&mut self, ui: &mut Ui, scene: &Seen<'_>) {
-        for (text, side, key) in SIDES {
-            let hint = format!("The scene from there ({key})");
+        for (text, _, look, hint) in LOOKS {
+            if let Look::AtRays = look {
+                ui.separator();
+            }
             if ui.small_button(text).on_hover_text(hint).clicked() {
-                self.look_from(side);
+                self.look(look, scene);
             }
         }
-        let camera = ui.small_button("Camera");
-        if camera.on_hover_text("As the scene's camera sees it (C)").clicked() {
-            self.orbit = Some(as_camera(scene.world));
-        }
-        ui.separator();
-        if ui.small_button("Fit rays").on_hover_text(FIT).clicked() {
-            self.face(scene);
-        }
-        if ui.small_button("Fit scene").on_hover_text("(A)").clicked() {
-            self.fit(space::of_scene(scene.world));
-        }
-        let along = ui.small_button("Along ray");
-        if along.on_hover_text("Look along the selected ray (R)").clicked() {
-            self.look_along(scene);
+    }
+
+    fn look(&mut self, look: Look, scene: &Seen<'_>) {
+        let Some(orbit) = &mut self.orbit else { return };
+        match look {
+            Look::From(side) => {
+                let Orbit { yaw, pitch, .. } = Orbit::from_side((orbit.target, 1.0), side);
+                (orbit.yaw, orbit.pitch) = (yaw, pitch);
+            }
+            Look::AsCamera => *orbit = as_camera(scene.world),
+            Look::AtRays => self.face(scene),
+            Look::AtScene => {
+                *orbit = Orbit::around(space::of_scene(scene.world), orbit.yaw, orbit.pitch);
+            }
+            Look::AlongRay => {
+                let Seen { traced, segments, .. } = scene;
+                let is_selected =
+                    |piece: &&Segment| traced.is_some_and(|it| it.selected == piece.ray);
+                if let Some(Segment { from, to, .. }) = segments.iter().find(is_selected) {
+                    let along = Orbit::from_side((*to, 1.0), *from - *to);
+                    *orbit = Orbit { distance: from.distance(*to), ..along };
+                }
+            }
         }
     }
 
@@ -86,29 +116,6 @@ impl Camera {
         let orbit = space::orbit_of(world, traced.root);
         self.faded = space::hiding(world, traced.root, &orbit);
         self.orbit = Some(orbit);
-    }
-
-    fn look_from(&mut self, side: Vector) {
-        if let Some(orbit) = &mut self.orbit {
-            let Orbit { yaw, pitch, .. } = Orbit::from_side((orbit.target, 1.0), side);
-            (orbit.yaw, orbit.pitch) = (yaw, pitch);
-        }
-    }
-
-    fn fit(&mut self, ball: (Point, f64)) {
-        if let Some(orbit) = &mut self.orbit {
-            *orbit = Orbit::around(ball, orbit.yaw, orbit.pitch);
-        }
-    }
-
-    /// Looks along the selected ray, from its origin.
-    fn look_along(&mut self, scene: &Seen<'_>) {
-        let Seen { traced, segments, .. } = scene;
-        let piece = traced.and_then(|it| segments.iter().find(|piece| piece.ray == it.selected));
-        if let Some(Segment { from, to, .. }) = piece {
-            let orbit = Orbit::from_side((*to, 1.0), *from - *to);
-            self.orbit = Some(Orbit { distance: from.distance(*to), ..orbit });
-        }
     }
 
     /// Moves the camera as mouse and keys ask for.
@@ -148,30 +155,13 @@ impl Camera {
             let nearer = presses(Key::Plus) + presses(Key::Equals) - presses(Key::Minus);
             orbit.distance *= 1.0 - 0.1 * nearer.clamp(-5.0, 5.0);
         }
-        let is_pressed = |key| ui.input(|input| input.key_pressed(key));
-        for ((_, side, _), key) in SIDES.into_iter().zip([Key::Num1, Key::Num2, Key::Num3]) {
-            if is_pressed(key) {
-                self.look_from(side);
+        for (_, key, look, _) in LOOKS {
+            if ui.input(|input| input.key_pressed(key)) {
+                self.look(look, scene);
             }
-        }
-        if is_pressed(Key::C) {
-            self.orbit = Some(as_camera(scene.world));
-        }
-        if is_pressed(Key::F) {
-            self.face(scene);
-        }
-        if is_pressed(Key::A) {
-            self.fit(space::of_scene(scene.world));
-        }
-        if is_pressed(Key::R) {
-            self.look_along(scene);
         }
     }
 }
-
-/// The sides from which the scene is looked at, with their keys.
-const SIDES: [(&str, Vector, &str); 3] =
-    [("Front", Vector::Z, "1"), ("Side", Vector::X, "2"), ("Top", Vector::Y, "3")];
 
 /// Sees the scene from aside of its camera.
 fn first_view(world: &World) -> Orbit {

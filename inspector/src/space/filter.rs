@@ -4,7 +4,7 @@ use eframe::egui::{DragValue, RichText, Slider, Ui};
 use groundtruth::explain::{RecordedRay, percent};
 use groundtruth::trace::{Outcome, RayKind, TermSource};
 
-use crate::explanation::tree::{BLOCKED, CAMERA, REFLECTED, TRANSMITTED, UNBLOCKED, ink};
+use crate::explanation::tree::{KINDS, ink};
 
 /// The rays that are drawn.
 #[derive(Clone, Debug, PartialEq)]
@@ -107,14 +107,7 @@ impl Filter {
     /// Shows the filter for a tree.
     pub fn show(&mut self, ui: &mut Ui, root: &RecordedRay) {
         let choices = Choices::of(root);
-        let kinds = [
-            ("camera", CAMERA),
-            ("reflected", REFLECTED),
-            ("transmitted", TRANSMITTED),
-            ("shadow, unblocked", UNBLOCKED),
-            ("shadow, blocked", BLOCKED),
-        ];
-        for (is_drawn, (name, color)) in self.kinds.iter_mut().zip(kinds) {
+        for (is_drawn, (name, color)) in self.kinds.iter_mut().zip(KINDS) {
             ui.checkbox(is_drawn, RichText::new(name).color(ink(ui, color)));
         }
         ui.checkbox(&mut self.normals, "normals at hits");
