@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use eframe::egui::{CentralPanel, Context, Frame, Margin, Panel, Ui, Vec2, vec2};
+use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Ui, Vec2, vec2};
 use pictures::parse_pixel;
 use rays::RayPlace;
 
@@ -11,6 +11,7 @@ use crate::comparison::bar;
 use crate::comparison::opening;
 use crate::comparison::others::Others;
 use crate::comparison::theirs::Theirs;
+use crate::explanation::panel::Panel;
 use crate::explanation::selection::Selection;
 use crate::explanation::{Shown, Subject};
 use crate::picture::display::{self, Picture};
@@ -40,6 +41,8 @@ pub struct Inspector {
     pub picture: Picture,
     /// The selected pixel.
     pub selection: Selection,
+    /// What is shown of it.
+    pub panel: Panel,
     /// The rays of the selected pixel in space.
     pub space: SpaceView,
     /// The pictures that ours can be compared with.
@@ -83,6 +86,7 @@ impl Inspector {
         Self {
             picture: Picture::new(session.rendering.world.image.tone()),
             selection: Selection::default(),
+            panel: Panel::default(),
             space: SpaceView::default(),
             others: Others::default(),
             fields: Fields::default(),
@@ -125,6 +129,7 @@ impl Inspector {
             || self.saving.is_busy()
             || self.chooser.is_open()
             || self.selection.is_waiting()
+            || self.panel.making.is_busy()
             || matches!(rendering.progress(), Progress::Running(..))
             || !self.picture.is_fresh(rendering)
             || self.space.is_busy()
@@ -206,6 +211,7 @@ impl Inspector {
 
     /// Explains the selected pixel of the picture that is shown.
     fn explain_selected(&mut self, ctx: &Context) {
+        self.panel.making.refresh(ctx);
         self.selection.refresh(ctx, &self.session.rendering, self.others.shown());
     }
 
@@ -215,23 +221,23 @@ impl Inspector {
         let shown = (&self.picture, self.others.shown());
         self.fields.propose(saved::proposed_name(shown, rendering));
         let bar = Frame::side_top_panel(ui.style()).inner_margin(Margin::symmetric(8, 4));
-        Panel::top("files").frame(bar).show(ui, |ui| {
+        egui::Panel::top("files").frame(bar).show(ui, |ui| {
             let source = &rendering.source;
             actions.extend(panels::files(ui, &mut self.fields, &mut self.picker, source));
             panels::message(ui, &mut self.message);
         });
-        Panel::bottom("status").frame(bar).show(ui, |ui| {
+        egui::Panel::bottom("status").frame(bar).show(ui, |ui| {
             let (theirs, is_loading) = (self.others.shown(), self.session.loading.is_busy());
             let shown = (theirs, &self.picture.layer);
             actions.extend(panels::status(ui, rendering, shown, self.hovered, is_loading));
         });
-        Panel::top("view").frame(bar).show(ui, |ui| {
+        egui::Panel::top("view").frame(bar).show(ui, |ui| {
             let (theirs, mode) = (self.others.shown_mut(), &mut self.space.mode);
             panels::view_settings(ui, &mut self.picture, theirs, mode, rendering);
         });
         if self.others.count() > 0 && self.session.waiting.is_none() {
             let others = &mut self.others;
-            let bar = Panel::top("comparison").frame(bar);
+            let bar = egui::Panel::top("comparison").frame(bar);
             bar.show(ui, |ui| actions.extend(bar::show(ui, others, rendering)));
         }
         actions
@@ -257,7 +263,7 @@ impl Inspector {
             let Session { rendering, wanted, .. } = &mut self.session;
             let (theirs, tone) = (self.others.shown(), &self.picture.tone);
             let shown = Shown { rendering, theirs, tone, view: self.space.mode };
-            self.selection.show(ui, &shown, wanted, &mut self.splits)
+            self.panel.show(ui, &mut self.selection, &shown, wanted, &mut self.splits)
         });
         self.space.pointed = pointed;
         let [of_picture, of_space] = self.space.mode.divide(parts.picture);
@@ -299,7 +305,7 @@ impl Inspector {
             self.picture = Picture::new(rendering.world.image.tone());
         }
         if !opened.is_same_scene {
-            self.selection = Selection::default();
+            (self.selection, self.panel) = (Selection::default(), Panel::default());
             self.space.restart();
             self.fields.pixel.clear();
             self.fields.forget_save();
@@ -312,7 +318,7 @@ impl Inspector {
         }
         let [width, height] = rendering.size();
         if self.selection.pixel.is_some_and(|[x, y]| x >= width || y >= height) {
-            self.selection = Selection::default();
+            (self.selection, self.panel) = (Selection::default(), Panel::default());
             self.fields.pixel.clear();
         }
         let last = rendering.world.samples_per_pixel() - 1;

@@ -38,7 +38,8 @@ type Explained = Result<Arc<PixelExplanation>, String>;
 #[derive(Default)]
 pub struct Asked {
     answered: Option<(Question, Explained)>,
-    working: Background<(Question, Explained)>,
+    /// The work on it.
+    pub working: Background<(Question, Explained)>,
 }
 
 /// Explains all samples, or only the one asked for if all would be too many rays.
@@ -122,11 +123,6 @@ impl Asked {
     /// The pixel that the answer is of.
     pub fn pixel(&self) -> Option<[u32; 2]> {
         self.answered.as_ref().map(|(question, _)| question.pixel)
-    }
-
-    /// Whether an explanation is being found.
-    pub fn is_busy(&self) -> bool {
-        self.working.is_busy()
     }
 
     /// The explanation, or why there is none, if it is finished.

@@ -18,24 +18,28 @@ use crate::splits::Mode;
 
 /// A text for the clipboard that takes a while to make.
 #[derive(Default)]
-pub struct Making(Background<Result<String, String>>);
+pub struct Making {
+    working: Background<Result<String, String>>,
+    /// Why the last one could not be made.
+    pub problem: Option<String>,
+}
 
 impl Making {
-    /// Puts the text on the clipboard once it is made. Returns the problem if it cannot be.
-    pub fn refresh(&mut self, ctx: &Context) -> Option<String> {
-        match self.0.poll()?.unwrap_or_else(|lost| Err(lost.to_string())) {
-            Ok(text) => {
+    /// Puts the text on the clipboard once it is made.
+    pub fn refresh(&mut self, ctx: &Context) {
+        match self.working.poll().map(|made| made.unwrap_or_else(|lost| Err(lost.to_string()))) {
+            Some(Ok(text)) => {
                 ctx.copy_text(text);
                 set_copied(ctx);
-                None
             }
-            Err(problem) => Some(problem),
+            Some(Err(problem)) => self.problem = Some(problem),
+            None => {}
         }
     }
 
     /// Whether it is being made.
     pub fn is_busy(&self) -> bool {
-        self.0.is_busy()
+        self.working.is_busy()
     }
 
     /// Makes the page of a sample of a pixel, with the section of a ray.
@@ -52,7 +56,7 @@ impl Making {
         let mut answer = answer.clone();
         // the page shows the first of the samples
         answer.samples.retain(|explained| explained.index == sample);
-        self.0.start(ctx, move || {
+        self.working.start(ctx, move || {
             let Built { source, scene, world, .. } = &built;
             let picture = &SmallPicture::of(&canvas.film(), world.samples_per_pixel());
             let name = &*source.name();
@@ -65,7 +69,7 @@ impl Making {
     pub fn test(&mut self, ctx: &Context, rendering: &Rendering, pixel: [u32; 2], sample: u32) {
         let Built { source, scene, .. } = rendering.built.clone();
         let kept = Kept { pixel, sample: Some(sample), seed: rendering.world.seed };
-        self.0.start(ctx, move || {
+        self.working.start(ctx, move || {
             let reduced = ReducedScene::of(&scene, source.folder(), kept);
             let name = source.name();
             let file = if source.entry().is_none() { &*name } else { "scene.toml" };

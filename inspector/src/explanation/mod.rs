@@ -19,6 +19,7 @@ pub mod beside;
 pub mod checks;
 pub mod copying;
 pub mod details;
+pub mod panel;
 pub mod pixel;
 pub mod pointing;
 pub mod proposal;

@@ -50,21 +50,18 @@ pub fn copy_menu(
     making: &mut Making,
 ) {
     let (pixel, radiance) = (answer.pixel, answer.radiance);
-    let copy = |ui: &mut Ui, text: String| {
-        ui.ctx().copy_text(text);
-        copying::set_copied(ui.ctx());
-        ui.close();
+    let item = |ui: &mut Ui, name: &str, hint: &str| {
+        let button = ui.button(name);
+        if hint.is_empty() { button } else { button.on_hover_text(hint) }.clicked()
     };
     ui.menu_button("Copy", |ui| {
-        let command = ui.button("The command for a terminal");
-        if command.on_hover_text("`explain` shows this sample there").clicked() {
-            copy(ui, copying::explain_command(shown, pixel, sample));
+        let mut text = None;
+        if item(ui, "The command for a terminal", "`explain` shows this sample there") {
+            text = Some(copying::explain_command(shown, pixel, sample));
         }
         let is_ours = shown.subject().log().is_none();
-        let probe = is_ours.then(|| ui.button("The probe's line"));
-        let probe = probe.map(|it| it.on_hover_text("`probe` answers it with this pixel"));
-        if probe.is_some_and(|probe| probe.clicked()) {
-            copy(ui, copying::probe_line(shown.rendering, pixel));
+        if is_ours && item(ui, "The probe's line", "`probe` answers it with this pixel") {
+            text = Some(copying::probe_line(shown.rendering, pixel));
         }
         // not of another program: link, page and test are of our picture
         if shown.subject().program.is_none() {
@@ -74,29 +71,30 @@ pub fn copy_menu(
                 let button = button.on_hover_text("It opens this page at this sample");
                 let button =
                     button.on_disabled_hover_text("A scene of the gallery, unchanged, has a link");
-                if let Some(link) = link.filter(|_| button.clicked()) {
-                    copy(ui, format!("{address}#{link}"));
-                }
+                let link = link.filter(|_| button.clicked());
+                text = text.or(link.map(|link| format!("{address}#{link}")));
             }
-            let page = ui.button("A page for a class");
-            if page.on_hover_text("HTML of one file: save it as page.html").clicked() {
+            if item(ui, "A page for a class", "HTML of one file: save it as page.html") {
                 let ray = ray.map_or(0, |ray| ray.number);
                 making.page(ui.ctx(), shown, answer, (sample, ray));
                 ui.close();
             }
-            let test = ui.button("A test in Rust");
-            if test.on_hover_text("The bits of this sample, in a reduced scene").clicked() {
+            if item(ui, "A test in Rust", "The bits of this sample, in a reduced scene") {
                 making.test(ui.ctx(), shown.rendering, pixel, sample);
                 ui.close();
             }
         }
-        if ui.button("The pixel, all its digits").clicked() {
-            copy(ui, details::exact(radiance.to_array()));
+        if item(ui, "The pixel, all its digits", "") {
+            text = Some(details::exact(radiance.to_array()));
         }
-        if let Some(ray) = ray.filter(|_| is_ours)
-            && ui.button("All numbers of the selected ray").clicked()
-        {
-            copy(ui, details::text(ray));
+        let of_ray = ray.filter(|_| is_ours);
+        if let Some(ray) = of_ray.filter(|_| item(ui, "All numbers of the selected ray", "")) {
+            text = Some(details::text(ray));
+        }
+        if let Some(text) = text {
+            ui.ctx().copy_text(text);
+            copying::set_copied(ui.ctx());
+            ui.close();
         }
     });
     match making.is_busy() {

@@ -9,38 +9,37 @@ use crate::explanation::Subject;
 use crate::explanation::asked::Question;
 use crate::scene::source::Built;
 
-/// The object that is asked about, and the answer for the ray that was selected last.
+/// The answer for the ray and the object that were selected last.
 #[derive(Default)]
 pub struct WhyNotView {
-    /// The index of the object in the scene, once one is chosen.
-    pub object: Option<u32>,
     answered: Option<(Question, usize, u32, Vec<String>)>,
 }
 
 impl WhyNotView {
-    /// Shows the list of objects, and why the ray does not hit the chosen one.
+    /// Shows the list of objects, and why the ray does not hit the chosen one. Returns the one that is chosen now.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         subject: &Subject<'_>,
         (question, root): (Question, &RecordedRay),
         ray: usize,
-    ) {
+        mut asked: Option<u32>,
+    ) -> Option<u32> {
         let objects = &subject.built().world.names.objects;
-        let chosen = self.object.and_then(|object| objects.get(object as usize));
+        let chosen = asked.and_then(|object| objects.get(object as usize));
         ui.horizontal(|ui| {
             let label = ui.label("Why does it not hit");
             let text = chosen.map_or("…".to_owned(), |object| name(object).to_string());
             let list = ComboBox::from_id_salt("why not").selected_text(text).truncate();
             let list = list.show_ui(ui, |ui| {
                 for (index, object) in (0..).zip(objects) {
-                    ui.selectable_value(&mut self.object, Some(index), name(object).to_string());
+                    ui.selectable_value(&mut asked, Some(index), name(object).to_string());
                 }
             });
             let hint = "Or click an object of the picture or of space with the right button";
             list.response.labelled_by(label.id).on_hover_text(hint);
         });
-        let Some(object) = self.object.filter(|_| chosen.is_some()) else { return };
+        let Some(object) = asked.filter(|_| chosen.is_some()) else { return asked };
         let is_answered = |(of, number, about, _): &(Question, usize, u32, _)| {
             (*of, *number, *about) == (question, ray, object)
         };
@@ -53,6 +52,7 @@ impl WhyNotView {
             let text = RichText::new(line);
             ui.label(if index == 0 { text.strong() } else { text.monospace().size(11.5) });
         }
+        asked
     }
 }
 

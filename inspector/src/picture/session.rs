@@ -1,5 +1,6 @@
 //! What is open: a scene with the changes made in the window, and its picture.
 
+use std::mem::take;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -9,7 +10,7 @@ use groundtruth::scene::Scene;
 use crate::picture::worker::{Background, Rendering};
 use crate::scene::reload;
 use crate::scene::source::{Built, Loaded, Source};
-use crate::scene::waiting::{Broken, Waiting};
+use crate::scene::waiting::Broken;
 use crate::scene::watch::{self, Watch};
 
 /// The open scene, and the one that is being loaded.
@@ -23,7 +24,7 @@ pub struct Session {
     /// The scene that is being loaded.
     pub loading: Background<Result<Loaded, String>>,
     /// The requests of the command line, until its scene file is valid; there is no picture before.
-    pub waiting: Option<Waiting>,
+    pub waiting: Option<Broken>,
     watch: Watch,
 }
 
@@ -53,9 +54,9 @@ impl Session {
     }
 
     /// Waits until a scene file is mended.
-    pub fn waiting_for(ctx: &Context, broken: Broken) -> Self {
-        let session = Self::new(ctx, broken.placeholder());
-        Self { watch: broken.watch, waiting: Some(broken.waiting), ..session }
+    pub fn waiting_for(ctx: &Context, mut broken: Broken) -> Self {
+        let (session, watch) = (Self::new(ctx, broken.placeholder()), take(&mut broken.watch));
+        Self { watch, waiting: Some(broken), ..session }
     }
 
     /// Opens another scene; the present one stays if the other is invalid.
@@ -110,9 +111,7 @@ impl Session {
             rays: loaded.rays,
             is_same_scene,
             is_same_view: is_same_scene && self.rendering.size() == old_size,
-            asked: waited
-                .filter(|_| is_same_source)
-                .and_then(|waiting| Some((waiting.pixel?, waiting.sample))),
+            asked: waited.filter(|_| is_same_source).and_then(|broken| broken.asked),
         }
     }
 }

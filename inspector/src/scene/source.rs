@@ -1,6 +1,6 @@
 //! Where scenes come from: the gallery or a file. They are read and built here.
 
-use groundtruth::scene::{STANDARD_INPUT, Scene, SceneError};
+use groundtruth::scene::{STANDARD_INPUT, Scene};
 use groundtruth::world::{DEFAULT_SEED, World};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -103,48 +103,43 @@ impl Source {
     }
 
     fn load_with(self, seed: u64, change: Changing<'_>) -> Result<Loaded, String> {
-        let mut watch = Watch::default();
-        let (read, scene, world): (_, _, Result<World, SceneError>) = match &self {
-            Self::Gallery(entry) => {
-                let read = (entry.build)();
-                let scene = change(read.clone())?;
-                let world = World::build_seeded(&scene, self.folder(), seed);
-                (read, scene, world)
-            }
+        let (mut watch, mut text) = (Watch::default(), None);
+        let read = match &self {
+            Self::Gallery(entry) => (entry.build)(),
             Self::File(path) => {
                 // before it is read, so that no change in between is missed
                 watch.add(path.clone());
-                let (read, text) = platform::open_scene(path).map_err(|error| error.to_string())?;
+                let (read, source) = platform::open_scene(path).map_err(|e| e.to_string())?;
                 watch.add_meshes(&read, self.folder());
-                let scene = change(read.clone())?;
-                let world = World::of_source(&scene, &text, seed);
-                (read, scene, world)
+                text = Some(source);
+                read
             }
             Self::Rays(path) => {
                 watch.add(path.clone());
                 let named = |error| format!("{}: {error}", path.display());
                 let log = platform::read_log(path).map_err(|error| named(error.to_string()))?;
-                let mut read = match &log.head.scene {
-                    Some(Value::String(scene)) => {
-                        let source = self.beside(scene).map_err(named)?;
-                        let sized = |mut scene: Scene| {
-                            let [width, height] =
-                                log.head.size.unwrap_or([scene.image.width, scene.image.height]);
-                            scene.image.resize(width, height);
-                            change(scene)
-                        };
-                        let loaded = source.load_with(seed, Box::new(sized))?;
-                        return Ok(Loaded { rays: Some(path.clone()), ..loaded });
-                    }
-                    Some(scene) => rays::inline_scene(scene).map_err(named)?,
-                    None => rays::empty_scene(),
-                };
+                if let Some(Value::String(scene)) = &log.head.scene {
+                    let source = self.beside(scene).map_err(named)?;
+                    let sized = |mut scene: Scene| {
+                        let [width, height] =
+                            log.head.size.unwrap_or([scene.image.width, scene.image.height]);
+                        scene.image.resize(width, height);
+                        change(scene)
+                    };
+                    let loaded = source.load_with(seed, Box::new(sized))?;
+                    return Ok(Loaded { rays: Some(path.clone()), ..loaded });
+                }
+                let inline = log.head.scene.as_ref().map(rays::inline_scene);
+                let mut read = inline.unwrap_or_else(|| Ok(rays::empty_scene())).map_err(named)?;
                 let [width, height] = rays::size(&log);
                 read.image.resize(width, height);
-                let scene = change(read.clone())?;
-                let world = World::build_seeded(&scene, self.folder(), seed);
-                (read, scene, world)
+                read
             }
+        };
+        let scene = change(read.clone())?;
+        let world = match text {
+            Some(text) => World::of_source(&scene, &text, seed),
+            None => World::build_seeded(&scene, self.folder(), seed),
         };
         let world = Arc::new(world.map_err(|error| error.to_string())?);
         let rays = self.rays().map(Path::to_owned);

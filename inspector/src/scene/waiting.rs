@@ -12,17 +12,7 @@ use crate::scene::watch::Watch;
 /// The change that the command line makes to a scene.
 pub type Change = Arc<dyn Fn(Scene) -> Result<Scene, String> + Send + Sync>;
 
-/// A scene file that is not valid yet, and what the command line asks for.
-pub struct Waiting {
-    /// The change of the scene.
-    pub change: Change,
-    /// The pixel that is explained once there is a picture.
-    pub pixel: Option<[u32; 2]>,
-    /// The sample that is explained.
-    pub sample: u32,
-}
-
-/// A scene file with an error.
+/// A scene file with an error, and what the command line asks for.
 pub struct Broken {
     /// The file.
     pub path: PathBuf,
@@ -32,13 +22,19 @@ pub struct Broken {
     pub watch: Watch,
     /// The seed of all random choices.
     pub seed: u64,
-    /// The rest that the command line asks for.
-    pub waiting: Waiting,
+    /// The change of the scene.
+    pub change: Change,
+    /// The pixel and the sample that are explained once there is a picture.
+    pub asked: Option<([u32; 2], u32)>,
 }
 
 impl Broken {
     /// A file that cannot be loaded; `None` if it can, or if there is no such file.
-    pub fn of(path: PathBuf, seed: u64, waiting: Waiting) -> Option<Self> {
+    pub fn of(
+        path: PathBuf,
+        seed: u64,
+        (change, asked): (Change, Option<([u32; 2], u32)>),
+    ) -> Option<Self> {
         let mut watch = Watch::default();
         // before it is read, so that no change in between is missed
         watch.add(path.clone());
@@ -50,7 +46,7 @@ impl Broken {
         if let Ok((scene, _)) = scene::open(&path) {
             watch.add_meshes(&scene, source.folder());
         }
-        Some(Self { path, error, watch, seed, waiting })
+        Some(Self { path, error, watch, seed, change, asked })
     }
 
     /// A black pixel in place of the scene.

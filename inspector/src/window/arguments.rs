@@ -11,7 +11,7 @@ use pictures::compare::{self, Transfer};
 use crate::comparison::theirs::Theirs;
 use crate::explanation::selection::Tab;
 use crate::scene::source::{Loaded, Source};
-use crate::scene::waiting::{Broken, Waiting};
+use crate::scene::waiting::Broken;
 use crate::splits::Mode;
 use crate::window::style::Ground;
 use pictures::parse_pixel;
@@ -147,8 +147,8 @@ impl Arguments {
             let theirs = theirs.as_ref().map(|(name, size)| (&**name, *size));
             arguments.change(scene, theirs)
         };
-        let (change, pixel, sample) = (Arc::new(change), self.pixel, self.sample.unwrap_or(0));
-        Broken::of(path, self.seed, Waiting { change, pixel, sample })
+        let asked = self.pixel.map(|pixel| (pixel, self.sample.unwrap_or(0)));
+        Broken::of(path, self.seed, (Arc::new(change), asked))
     }
 
     /// A scene with the settings of the arguments, at the size of their picture; `theirs` is its name and size.

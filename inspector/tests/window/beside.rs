@@ -70,7 +70,7 @@ fn a_field_with_another_value_is_compared() {
     assert_eq!(theirs(&window).radiance(ON_GLASS), Some(b));
     let selection = &window.state().selection;
     assert_eq!(selection.explanation().expect("explained").radiance, a);
-    assert_eq!(selection.explanation_beside().expect("explained").radiance, b);
+    assert_eq!(selection.beside.explanation().expect("explained").radiance, b);
     assert!(window.query_by_label(&format!("eta = 1.33: {}", short(b))).is_some());
     assert!(window.query_by_label(&format!("eta = 1.33 − ours: {}", short(b - a))).is_some());
     press(&mut window, Key::T);

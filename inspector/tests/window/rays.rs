@@ -121,7 +121,7 @@ fn a_log_stands_beside_our_rays() {
     assert_eq!(inspector.others.shown().map(|theirs| theirs.shows), Some(Shows::Theirs));
     let selection = &inspector.selection;
     assert_eq!(selection.pixel, Some(pixel));
-    let (yours, ours) = (selection.explanation().expect("theirs"), selection.explanation_beside());
+    let (yours, ours) = (selection.explanation().expect("theirs"), selection.beside.explanation());
     let ours = ours.expect("ours");
     assert_eq!(ours.radiance, explained.radiance);
     let difference = yours.radiance - ours.radiance;

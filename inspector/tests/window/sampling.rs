@@ -31,7 +31,7 @@ fn samples_of(scene: Scene, pixel: [u32; 2]) -> Window {
 }
 
 fn point(window: &Window, plot: usize, sample: usize) -> Pos2 {
-    window.state().selection.samples.on_screen(plot, sample).expect("it is drawn")
+    window.state().panel.samples.on_screen(plot, sample).expect("it is drawn")
 }
 
 /// Law: a click on a point of the square selects its sample and shows the sample's tree; the chosen point
@@ -182,7 +182,7 @@ fn the_verdict_tells_a_fair_sampler_from_a_fixed_one() {
 #[test]
 fn the_lens_is_shown_where_there_is_one() {
     let window = samples_of(sixteen(), ON_GLASS);
-    assert_eq!(window.state().selection.samples.on_screen(1, 0), None);
+    assert_eq!(window.state().panel.samples.on_screen(1, 0), None);
     let scene = small("ch10/near-focus", [40, 30], 9);
     let world = built(&scene);
     let window = samples_of(scene, [20, 15]);
@@ -198,7 +198,7 @@ fn the_lens_is_shown_where_there_is_one() {
 fn the_light_is_shown_where_one_is_sampled() {
     let window = samples_of(sixteen(), ON_GLASS);
     assert!(window.query_by_label("light").is_some());
-    assert_eq!(window.state().selection.samples.on_screen(2, 0), None);
+    assert_eq!(window.state().panel.samples.on_screen(2, 0), None);
 
     let mut scene = sixteen();
     scene.lights.push(Light::new("occluder", AmbientOccluder::default()));

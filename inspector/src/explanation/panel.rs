@@ -1,0 +1,280 @@
+//! What is shown of the selected pixel: its sum, the tree of a sample, and one of the tabs below it.
+
+use std::sync::Arc;
+
+use eframe::egui::{self, Frame, Key, Margin, ScrollArea, Ui, vec2};
+use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
+use groundtruth::film::Tone;
+use groundtruth::scene::Scene;
+use groundtruth::world::World;
+
+use crate::comparison::theirs::Theirs;
+use crate::explanation::asked::sample_of;
+use crate::explanation::beside::Beside;
+use crate::explanation::copying::Making;
+use crate::explanation::pixel::{self, Order, SumList};
+use crate::explanation::samples::{Linked, Samples};
+use crate::explanation::section::SectionView;
+use crate::explanation::selection::{Selection, Tab};
+use crate::explanation::tree::{Tree, legend, swatch};
+use crate::explanation::values::ValuesView;
+use crate::explanation::why_not::WhyNotView;
+use crate::explanation::{Shown, checks, details, verdict_text};
+use crate::picture::display;
+use crate::splits::{Splits, part};
+
+/// The least height of tree and details in a low window, in points of the screen.
+const MIN_HEIGHT: f32 = 24.0;
+
+/// The least height with room for the legend of the tree's colours, in points of the screen.
+const LEGEND_MIN_HEIGHT: f32 = 160.0;
+
+/// What the tab is.
+const BESIDE: &str = "The selected ray in both pictures, number by number";
+
+/// The parts of the explanation, as they are shown.
+#[derive(Default)]
+pub struct Panel {
+    /// The samples, when they are below the tree.
+    pub samples: Samples,
+    order: Order,
+    section: SectionView,
+    why_not: WhyNotView,
+    /// What is made for the clipboard.
+    pub making: Making,
+    numbers: Beside,
+    values: ValuesView,
+}
+
+impl Panel {
+    /// Shows the explanation; returns whether `wanted` was changed.
+    pub fn show(
+        &mut self,
+        ui: &mut Ui,
+        selection: &mut Selection,
+        shown: &Shown<'_>,
+        wanted: &mut Scene,
+        splits: &mut Splits,
+    ) -> bool {
+        let answer = match selection.asked.outcome() {
+            Some(Ok(explanation)) => Arc::clone(explanation),
+            Some(Err(error)) => {
+                ui.colored_label(ui.visuals().error_fg_color, error);
+                return false;
+            }
+            None => {
+                ui.heading("No pixel selected");
+                ui.label("Click a pixel of the picture, or type its coordinates above.");
+                return false;
+            }
+        };
+        let inner = Frame::new().inner_margin(Margin::symmetric(0, 4));
+        egui::Panel::top("pixel")
+            .frame(inner)
+            .show(ui, |ui| self.head(ui, selection, &answer, shown));
+        let sample = sample_of(&answer, selection.shown_sample());
+        let [above, below] = splits.show_lower(ui, ui.available_rect_before_wrap());
+        let margin = vec2(0.0, 4.0);
+        part(ui, "tree", above, margin, |ui| match sample {
+            Some(sample) => sample_tree(ui, &mut selection.tree, sample, shown.tone),
+            None => drop(ui.spinner()),
+        });
+        part(ui, "details", below, margin, |ui| self.details(ui, selection, &answer, shown, wanted))
+    }
+
+    /// Shows what is below the tree; returns whether `wanted` was changed.
+    fn details(
+        &mut self,
+        ui: &mut Ui,
+        selection: &mut Selection,
+        answer: &PixelExplanation,
+        shown: &Shown<'_>,
+        wanted: &mut Scene,
+    ) -> bool {
+        let verdict = shown.theirs.and_then(|theirs| theirs.judgement.verdict());
+        let log = shown.subject().log();
+        let is_twin = shown.theirs.is_some_and(Theirs::is_twin);
+        ui.horizontal_wrapped(|ui| {
+            for (tab, name, hint, is_there) in [
+                (Tab::Ray, "The ray", "", true),
+                (Tab::Section, "The section", "", true),
+                (Tab::Sum, "The sum", "", true),
+                (Tab::Samples, "The samples", "", true),
+                (Tab::Verdict, "The verdict", "", verdict.is_some()),
+                (Tab::Checks, "Checks", "The laws that the rays are held to", log.is_some()),
+                (Tab::Beside, "Side by side", BESIDE, is_twin),
+            ] {
+                if is_there {
+                    let entry = ui.selectable_value(&mut selection.tab, tab, name);
+                    if !hint.is_empty() {
+                        entry.on_hover_text(hint);
+                    }
+                } else if selection.tab == tab {
+                    selection.tab = Tab::default();
+                }
+            }
+        });
+        let area = ScrollArea::both().id_salt("details").auto_shrink(false);
+        let area = area.min_scrolled_height(MIN_HEIGHT);
+        match selection.tab {
+            Tab::Ray => drop(area.show(ui, |ui| self.ray(ui, selection, shown))),
+            Tab::Checks => {
+                let place = area.show(ui, |ui| log.and_then(|log| checks::show(ui, log))).inner;
+                place.into_iter().for_each(|place| selection.seek(place));
+            }
+            Tab::Beside => drop(area.show(ui, |ui| self.side_by_side(ui, selection, shown))),
+            Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|it| verdict_text::show(ui, it)))),
+            Tab::Section => self.section_of_ray(ui, selection, &shown.subject().built().world),
+            Tab::Sum => {
+                let (tone, order) = (shown.tone, &mut self.order);
+                let (chosen, pointed) = (&mut selection.sample, &mut selection.pointed);
+                SumList { answer, tone, order, chosen, pointed }.show(ui, area);
+            }
+            Tab::Samples if log.is_some() => {
+                let values = |ui: &mut Ui| self.values.show(ui, log?, answer.pixel);
+                area.show(ui, values).inner.into_iter().for_each(|place| selection.seek(place));
+            }
+            Tab::Samples => {
+                let show = |ui: &mut Ui| self.samples_of(ui, selection, shown, answer, wanted);
+                return area.show(ui, show).inner;
+            }
+        }
+        false
+    }
+
+    fn ray(&mut self, ui: &mut Ui, selection: &mut Selection, shown: &Shown<'_>) {
+        let Some((question, root)) = selection.root() else { return };
+        let (ray, subject) = (selection.tree.selected(root), shown.subject());
+        details::head(ui, ray);
+        if let (Some(log), Some((_, indices))) = (subject.log(), &selection.logged) {
+            indices.get(&ray.number).into_iter().for_each(|&index| checks::ray(ui, log, index));
+        }
+        let object =
+            self.why_not.show(ui, &subject, (question, root), ray.number, selection.object);
+        let (mut clicked, mut hovered) = (None, None);
+        if subject.log().is_none() {
+            clicked = details::show(ui, ray, &mut hovered);
+        }
+        selection.object = object;
+        selection.tree.hovered = selection.tree.hovered.or(hovered);
+        if let Some(number) = clicked {
+            selection.go_to(number);
+        }
+    }
+
+    /// Shows the selected ray of both pictures: ours at the left, whichever tree is above.
+    fn side_by_side(&mut self, ui: &mut Ui, selection: &Selection, shown: &Shown<'_>) {
+        let program = shown.theirs.and_then(|theirs| theirs.program.as_ref());
+        let is_ours = shown.subject().program.is_none();
+        match (selection.root(), selection.root_beside(), program) {
+            (Some(this), Some(other), Some(program)) => {
+                let whose = (is_ours, &*program.name);
+                self.numbers.show(ui, [this, other], selection.tree.ray, whose);
+            }
+            _ => {
+                ui.weak("One of the pictures has no ray here, or is not explained yet.");
+            }
+        }
+    }
+
+    /// Shows the samples of the pixel; returns whether `wanted` was changed.
+    fn samples_of(
+        &mut self,
+        ui: &mut Ui,
+        selection: &mut Selection,
+        shown: &Shown<'_>,
+        answer: &PixelExplanation,
+        wanted: &mut Scene,
+    ) -> bool {
+        let (root, mut chosen) = (selection.root().map(|(_, root)| root), selection.sample);
+        let mut linked = Linked { root, lit: selection.tree.lit, ..Linked::default() };
+        let changed = self.samples.show(ui, (shown, answer), &mut chosen, &mut linked, wanted);
+        let Linked { sample, ray, .. } = linked;
+        (selection.sample, selection.pointed) = (chosen, sample);
+        selection.tree.hovered = selection.tree.hovered.or(ray);
+        changed
+    }
+
+    fn section_of_ray(&mut self, ui: &mut Ui, selection: &mut Selection, world: &World) {
+        let (broken, mut hovered) = (Arc::clone(&selection.tree.found), selection.tree.hovered);
+        match selection.root() {
+            Some(tree) => {
+                let ray = selection.tree.selected(tree.1);
+                // where it leaves a surface both it and the ray that sent it are seen
+                let leaves = broken.contains_key(&ray.number) && ray.light.is_none();
+                let number = ray.parent.filter(|_| leaves).unwrap_or(ray.number);
+                self.section.show(ui, world, tree, number, &broken, &mut hovered);
+            }
+            None => drop(ui.weak("no ray")),
+        }
+        selection.tree.hovered = hovered;
+    }
+
+    fn head(
+        &mut self,
+        ui: &mut Ui,
+        selection: &mut Selection,
+        answer: &PixelExplanation,
+        shown: &Shown<'_>,
+    ) {
+        let [x, y] = answer.pixel;
+        ui.horizontal_wrapped(|ui| {
+            swatch(ui, display::color(shown.tone, answer.radiance));
+            ui.heading(format!("Pixel ({x}, {y})"));
+            if selection.is_waiting() || self.making.is_busy() {
+                ui.spinner();
+            }
+            let last = answer.samples_per_pixel - 1;
+            if last > 0 {
+                ui.separator();
+                pixel::chooser(ui, &mut selection.sample, last);
+            }
+            ui.separator();
+            let root = sample_of(answer, selection.sample).and_then(|sample| sample.ray.as_ref());
+            let ray = root.map(|root| selection.tree.selected(root));
+            let sample = selection.sample.min(last);
+            pixel::copy_menu(ui, shown, answer, sample, ray, &mut self.making);
+        });
+        if let Some(problem) = &self.making.problem {
+            ui.colored_label(ui.visuals().error_fg_color, problem);
+        }
+        if selection.is_proposed {
+            ui.weak("A pixel with many rays, to begin with. Click any other one.");
+        }
+        for note in &answer.notes {
+            ui.weak(note);
+        }
+        pixel::sum(ui, answer, shown);
+        if let Some(theirs) = shown.theirs.filter(|_| shown.subject().has_camera()) {
+            pixel::theirs(ui, answer.pixel, theirs, shown);
+        }
+    }
+}
+
+fn sample_tree(ui: &mut Ui, tree: &mut Tree, sample: &SampleExplanation, tone: &Tone) {
+    let index = sample.index;
+    let Some(root) = &sample.ray else {
+        ui.strong(format!("Sample {index}"));
+        ui.label("No ray: the camera sees nothing there.");
+        return;
+    };
+    let film = sample.film;
+    let film =
+        film.map_or(String::new(), |[x, y]| format!(", at ({x:.4}, {y:.4}) on the view plane"));
+    ui.horizontal_wrapped(|ui| {
+        ui.strong(format!("Sample {index}"));
+        let rays = explain::count(root.count(), "ray");
+        ui.weak(rays + &film);
+        let follow = ui.small_button("Follow the largest (L)");
+        let hint = "Steps down the path along which most of the light comes";
+        let key = !ui.ctx().text_edit_focused() && ui.input(|input| input.key_pressed(Key::L));
+        if follow.on_hover_text(hint).clicked() || key {
+            tree.follow_largest(root);
+        }
+    });
+    // no legend in a low window: each line names its kind of ray too
+    if ui.available_height() > LEGEND_MIN_HEIGHT {
+        legend(ui);
+    }
+    tree.show(ui, root, tone);
+}
