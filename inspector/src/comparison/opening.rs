@@ -1,6 +1,5 @@
 //! Picture files that are opened in the window, to be held against ours.
 
-use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::Context;
@@ -9,7 +8,6 @@ use pictures::compare;
 use crate::action::{Action, With};
 use crate::comparison::theirs::Theirs;
 use crate::picture::session::Session;
-use crate::picture::worker::Background;
 use crate::platform::{self, FORMATS};
 use crate::scene::source::Source;
 
@@ -31,35 +29,6 @@ pub fn named(path: PathBuf) -> Action {
 /// What opens the files that are dropped on the window.
 pub fn dropped(ctx: &Context) -> Vec<Action> {
     platform::dropped(ctx).into_iter().map(named).collect()
-}
-
-/// The files that are being read, one after the other.
-#[derive(Default)]
-pub struct Opening {
-    queue: VecDeque<PathBuf>,
-    reading: Background<Result<Theirs, String>>,
-}
-
-impl Opening {
-    /// Reads a file after those that are being read.
-    pub fn start(&mut self, path: PathBuf) {
-        self.queue.push_back(path);
-    }
-
-    /// Whether a file is being read.
-    pub fn is_busy(&self) -> bool {
-        self.reading.is_busy() || !self.queue.is_empty()
-    }
-
-    /// The picture of a file once it is read, in the order in which they were named.
-    pub fn poll(&mut self, ctx: &Context) -> Option<Result<Theirs, String>> {
-        if !self.reading.is_busy()
-            && let Some(path) = self.queue.pop_front()
-        {
-            self.reading.start(ctx, move || Theirs::read(&path, None));
-        }
-        Some(self.reading.poll()?.unwrap_or_else(|lost| Err(lost.to_string())))
-    }
 }
 
 /// Renders ours at the size of a file's picture. Returns what the user must know.

@@ -1,6 +1,7 @@
 //! The pictures that ours can be compared with: those of files, and those that are made from the scene. One of them is
 //! held against ours.
 
+use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -10,7 +11,7 @@ use judge::mistakes::Mistake;
 use rays::{Logged, RayPlace};
 
 use crate::action::{Shows, With};
-use crate::comparison::opening::{self, Opening};
+use crate::comparison::opening;
 use crate::comparison::recipe::{Made, Recipe};
 use crate::comparison::theirs::Theirs;
 use crate::picture::session::Session;
@@ -32,7 +33,8 @@ pub struct Others {
     working: Background<Made>,
     /// The view of the picture before.
     shows: Shows,
-    opening: Opening,
+    /// The files that are read, in the order in which they were named.
+    opening: VecDeque<Background<Result<Theirs, String>>>,
     /// How many states were kept.
     kept: usize,
     /// The logs of rays, which are read again when they are written again.
@@ -88,7 +90,11 @@ impl Others {
         asked: With,
     ) -> Option<Message> {
         match asked {
-            With::Picture(path) => self.opening.start(path),
+            With::Picture(path) => {
+                let mut reading = Background::default();
+                reading.start(ctx, move || Theirs::read(&path, None));
+                self.opening.push_back(reading);
+            }
             With::Field(change) => self.add(Recipe::Field(change)),
             With::Scene(source) => self.add(Recipe::Scene(source)),
             With::State => {
@@ -125,7 +131,9 @@ impl Others {
 
     /// Holds the picture of a file that is read now against ours, which is rendered at its size.
     pub fn accept_opened(&mut self, ctx: &Context, session: &mut Session) -> Option<Message> {
-        let picture = match self.opening.poll(ctx)? {
+        let read = self.opening.front_mut()?.poll()?;
+        self.opening.pop_front();
+        let picture = match read.unwrap_or_else(|lost| Err(lost.to_string())) {
             Ok(picture) if session.waiting.is_none() => picture,
             Ok(_) => {
                 return Some(("there is no picture of ours to compare with yet".to_owned(), true));
@@ -271,17 +279,12 @@ impl Others {
         }
     }
 
-    /// Whether a picture is being made.
-    fn is_making(&self) -> bool {
-        self.working.is_busy()
-    }
-
     /// Whether anything is still being computed for what is shown.
     pub fn is_busy(&self, rendering: &Rendering) -> bool {
         let is_due = self.wanted(rendering).is_some();
         is_due
-            || self.is_making()
-            || self.opening.is_busy()
+            || self.working.is_busy()
+            || !self.opening.is_empty()
             || self.shown().is_some_and(|theirs| theirs.is_busy(rendering))
     }
 

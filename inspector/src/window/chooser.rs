@@ -39,7 +39,10 @@ impl FileChooser {
 
     /// What the chosen file is for; its name is put in its field. Or why there is none.
     pub fn chosen(&mut self, fields: &mut Fields) -> Option<Result<Action, &'static str>> {
-        let Some((purpose, path)) = self.poll()? else { return Some(Err(platform::NO_FILE)) };
+        // no file is all that is known when the user closed it, and when a desktop has none to show
+        let Ok((purpose, Some(path))) = self.answer.poll()? else {
+            return Some(Err(platform::NO_FILE));
+        };
         Some(Ok(match purpose {
             Purpose::Scene => opening::named(path),
             Purpose::Theirs => Action::Compare(With::Picture(path)),
@@ -54,12 +57,5 @@ impl FileChooser {
     /// Whether it is open.
     pub fn is_open(&self) -> bool {
         self.answer.is_busy()
-    }
-
-    /// The file that was chosen, returned once; `None` inside if there is none. That is all that is known when the user
-    /// closed the chooser, and when a desktop has none to show.
-    pub fn poll(&mut self) -> Option<Option<(Purpose, PathBuf)>> {
-        let answer = self.answer.poll()?.ok();
-        Some(answer.and_then(|(purpose, file)| Some((purpose, file?))))
     }
 }
