@@ -1,13 +1,14 @@
 //! Counts and closed forms of the view of rays: how many pieces are drawn and numbered, what hides, where the camera stands.
 
-use std::path::Path;
-
 use groundtruth::explain::{self, RecordedRay};
 use groundtruth::math::{Pcg32, Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::{Outcome, RayKind};
-use groundtruth::world::{self, World};
+use groundtruth::world::World;
 use space::{Backdrop, End, Orbit, Section, hiding, of_scene, of_segments, segments, svg_of_rays};
+
+use super::seen::{MATTE, ball};
+use super::support::{DOWN, FRONT, WHITE, built, light, object, traced};
 
 pub fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
     let off = (found - expected).abs();
@@ -16,25 +17,16 @@ pub fn near(found: f64, expected: f64, tolerance: f64, what: &str) {
 
 /// A floor, seen from above by the pixel in the middle, under so many lamps around its axis; and the tree of that pixel.
 fn lamps(count: usize, more: &str) -> (World, RecordedRay) {
-    let mut text = "image = { width = 5, height = 5 }\n\
-        camera = { eye = [0, 9, 0], look_at = [0, 0, 0], up = [0, 0, -1], lens.orthographic = {} }\n\
-        [[materials]]\nname = \"white\"\nrecipe.matte = { kd = 1, cd = 1 }\n\
-        [[objects]]\nname = \"floor\"\nmaterial = \"white\"\n\
-        shape.disk = { center = [0, 0, 0], normal = [0, 1, 0], radius = 2 }\n"
-        .to_owned()
-        + more;
+    let floor = "shape.disk = { center = [0, 0, 0], normal = [0, 1, 0], radius = 2 }";
+    let mut text = [DOWN, WHITE, &object("floor", floor), more].concat();
     for index in 0..count {
         let angle = 360.0 * index as f64 / count as f64;
         let (x, z) = (cos_degrees(angle), sin_degrees(angle));
         let power = 1.0 + index as f64;
-        text += &format!(
-            "[[lights]]\nname = \"lamp {index}\"\n\
-             source.point = {{ location = [{x}, 1.5, {z}], ls = {power} }}\n"
-        );
+        let source = format!("point = {{ location = [{x}, 1.5, {z}], ls = {power} }}");
+        text += &light(&format!("lamp {index}"), &source);
     }
-    let (scene, world) = world::from_toml(&text, Path::new("here.toml")).expect("valid");
-    let root = explain::sample(&scene, &world, [2, 2], 0).ray.expect("a ray");
-    (world, root)
+    traced(&text, [2, 2])
 }
 
 const ABOVE: Orbit = Orbit { target: Point::ORIGIN, yaw: 20.0, pitch: 30.0, distance: 40.0 };
@@ -80,10 +72,8 @@ fn what_hides_a_fifth_is_looked_through() {
     let mut seen = [0; 2];
     for count in 3..24 {
         for left in [-0.6, -0.3, -0.1, 0.1, 0.3, 0.4, 0.45] {
-            let screen = format!(
-                "[[objects]]\nname = \"screen\"\nmaterial = \"white\"\n\
-                 shape.rectangle = {{ corner = [{left}, -9, 2], a = [18, 0, 0], b = [0, 18, 0] }}\n"
-            );
+            let screen = format!("corner = [{left}, -9, 2], a = [18, 0, 0], b = [0, 18, 0]");
+            let screen = object("screen", &format!("shape.rectangle = {{ {screen} }}"));
             let (world, root) = lamps(count, &screen);
             let pieces = segments(&world, &root, view.distance);
             let eye = view.sight([800.0, 520.0]).eye;
@@ -109,12 +99,7 @@ fn what_hides_a_fifth_is_looked_through() {
 /// hand, of front, back and void.
 #[test]
 fn a_faded_ball_adds_up_its_two_sides_and_the_void() {
-    let text = "image = { width = 5, height = 5 }\n\
-        camera = { eye = [0, 0, 10], lens.orthographic = {} }\n\
-        [[materials]]\nname = \"red\"\nrecipe.matte = { kd = 1, cd = [0.75, 0.25, 0] }\n\
-        [[objects]]\nname = \"ball\"\nmaterial = \"red\"\n\
-        shape.sphere = { center = [0, 0, 0], radius = 1 }\n";
-    let (_, world) = world::from_toml(text, Path::new("here.toml")).expect("valid");
+    let world = ball(MATTE);
     let void = [0.012; 3];
     for x in [0.0, 0.3, 0.6, 0.8, 0.96] {
         let cosine = f64::sqrt(1.0 - x * x);
@@ -170,14 +155,9 @@ fn an_orbit_turns_and_pans() {
 /// their ends but of those that leave; a single point has a ball of radius 1. Oracle: boxes by hand.
 #[test]
 fn balls_are_around_boxes() {
-    let text = "image = { width = 5, height = 5 }\n\
-        camera = { eye = [0, 0, 10], lens.orthographic = {} }\n\
-        [[materials]]\nname = \"white\"\nrecipe.matte = { cd = 1 }\n\
-        [[objects]]\nname = \"ball\"\nmaterial = \"white\"\n\
-        shape.sphere = { center = [3, 1, 0], radius = 1 }\n\
-        [[objects]]\nname = \"floor\"\nmaterial = \"white\"\n\
-        shape.plane = { point = [0, -5, 0], normal = [0, 1, 0] }\n";
-    let (_, world) = world::from_toml(text, Path::new("here.toml")).expect("valid");
+    let ball = object("ball", "shape.sphere = { center = [3, 1, 0], radius = 1 }");
+    let floor = object("floor", "shape.plane = { point = [0, -5, 0], normal = [0, 1, 0] }");
+    let (_, world) = built(&[FRONT, WHITE, &ball, &floor].concat());
     let (center, radius) = of_scene(&world);
     // from (0, 0, −1) to (4, 2, 10)
     near(

@@ -1,15 +1,14 @@
 //! What a section draws, and where: lengths of rays, arcs and their letters, normals, words, whose outlines there are.
 
-use std::path::Path;
-
 use groundtruth::explain::{self, RecordedHit, RecordedRay};
 use groundtruth::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use groundtruth::trace::RayKind;
-use groundtruth::world::{self, World};
+use groundtruth::world::World;
 use space::{Role, Section, Stroke};
 
 use super::borders::{near, numbers};
 use super::section::trees;
+use super::support::{WHITE, built, light, object, traced};
 
 /// Of a length: products of a few rounded numbers.
 const ROUNDING: f64 = 1e-9;
@@ -23,29 +22,22 @@ fn is_shadow(ray: &RecordedRay) -> bool {
 /// A block of glass under y = 0, seen in the middle under this angle to the y axis, and a matte floor far below; the tree.
 pub fn block(degrees: f64) -> (&'static str, World, RecordedRay) {
     let (x, y) = (10.0 * sin_degrees(degrees), 10.0 * cos_degrees(degrees));
+    let floor = object("floor", "shape.plane = { point = [0, -9, 0], normal = [0, 1, 0] }");
     let text = format!(
         r#"
         image = {{ width = 5, height = 5 }}
         camera = {{ eye = [{x}, {y}, 0], look_at = [0, 0, 0], up = [0, 0, -1], lens.orthographic = {{}} }}
         tracer.whitted = {{ max_depth = 4 }}
-        [[materials]]
+        {WHITE}{floor}[[materials]]
         name = "glass"
         recipe.dielectric = {{ inside = {{ eta = 1.5 }} }}
-        [[materials]]
-        name = "white"
-        recipe.matte = {{ kd = 1, cd = 1 }}
-        [[objects]]
-        name = "floor"
-        material = "white"
-        shape.plane = {{ point = [0, -9, 0], normal = [0, 1, 0] }}
         [[objects]]
         name = "block"
         material = "glass"
         shape.box = {{ min = [-6, -3, -6], max = [6, 0, 6] }}
         "#
     );
-    let (scene, world) = world::from_toml(&text, Path::new("here.toml")).expect("valid");
-    let root = explain::sample(&scene, &world, [2, 2], 0).ray.expect("a ray");
+    let (world, root) = traced(&text, [2, 2]);
     ("block", world, root)
 }
 
@@ -198,11 +190,10 @@ fn the_first_section_says_most() {
              shape.sphere = {{ center = [0, 0, 0], radius = 1.5 }}\n"
         );
         for lamp in 0..lamps {
-            text += &format!(
-                "[[lights]]\nname = \"{lamp}\"\nsource.point = {{ location = [0, {lamp}, 9], ls = 1 }}\n"
-            );
+            let source = format!("point = {{ location = [0, {lamp}, 9], ls = 1 }}");
+            text += &light(&lamp.to_string(), &source);
         }
-        let (scene, world) = world::from_toml(&text, Path::new("here.toml")).expect("valid");
+        let (scene, world) = built(&text);
         [[2, 2], [0, 0]].map(|pixel| {
             let root = explain::sample(&scene, &world, pixel, 0).ray.expect("a ray");
             let first = Section::first(&root);

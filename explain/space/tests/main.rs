@@ -14,6 +14,7 @@ mod section;
 mod seen;
 mod segments;
 mod shadow;
+mod support;
 mod view;
 mod wholes;
 mod why_not;

@@ -5,7 +5,8 @@ use std::path::Path;
 use groundtruth::world;
 use space::why_not::{WhyNot, WhyNotAnswer};
 
-use super::why_not::{BALL, ask, near, object, scene};
+use super::support::object;
+use super::why_not::{BALL, ask, near, scene};
 
 /// A lamp at (−2, 0, 5), which the pixel (4, 2) sends the shadow ray 1 to: (2, 0, −3) + s (−4, 0, 8).
 const LAMP: &str =

@@ -1,11 +1,12 @@
 //! Sections against the recorded directions, Snell's law, closed forms of shapes and the world's distances.
 
-use std::path::Path;
-
 use groundtruth::explain::{self, RecordedRay};
 use groundtruth::math::{Pcg32, Point, Vector, sin_degrees};
-use groundtruth::world::{self, World};
+use groundtruth::world::World;
 use space::{Role, Section, Stroke, Window, outlines};
+
+use super::support::{FRONT, WHITE, light, object, traced};
+use super::why_not::BALL;
 
 /// Of an angle whose cosine is rounded to a few u: its error is that over the sine, and no angle is below 1° here.
 const ANGLE: f64 = 1e-9;
@@ -93,25 +94,12 @@ fn both_sides_of_snells_law_are_equal() {
 
 /// A scene of one white object with a lamp at (0, 8, 0), seen by an orthographic camera from z = 10 along −z.
 fn one(shape: &str, eye: &str) -> (World, RecordedRay) {
-    let text = format!(
-        r#"
-        image = {{ width = 5, height = 5, pixel_size = 0.2 }}
-        camera = {{ eye = {eye}, look_at = [0, 0, 0], lens.orthographic = {{}} }}
-        [[lights]]
-        name = "lamp"
-        source.point = {{ location = [0, 8, 0], ls = 1 }}
-        [[materials]]
-        name = "white"
-        recipe.matte = {{ kd = 1, cd = [1, 1, 1] }}
-        [[objects]]
-        name = "shape"
-        material = "white"
-        shape.{shape}
-        "#
-    );
-    let (scene, world) = world::from_toml(&text, Path::new("here.toml")).unwrap();
-    let root = explain::sample(&scene, &world, [3, 1], 0).ray.unwrap();
-    (world, root)
+    let camera = format!("eye = {eye}, look_at = [0, 0, 0], lens.orthographic = {{}}");
+    let image = "width = 5, height = 5, pixel_size = 0.2";
+    let lamp = light("lamp", "point = { location = [0, 8, 0], ls = 1 }");
+    let shape = object("shape", &format!("shape.{shape}"));
+    let text = format!("image = {{ {image} }}\ncamera = {{ {camera} }}\n{lamp}{WHITE}{shape}");
+    traced(&text, [3, 1])
 }
 
 /// The points of a drawing's outlines in space, and how many pieces of each outline there are.
@@ -202,19 +190,7 @@ fn coordinates_of_a_section_keep_lengths() {
 /// (0, 1, 0) along y.
 #[test]
 fn a_ray_along_the_normal_has_the_plane_of_the_x_axis() {
-    let text = r#"
-        image = { width = 5, height = 5 }
-        camera = { eye = [0, 0, 10], lens.orthographic = {} }
-        [[materials]]
-        name = "white"
-        recipe.matte = { kd = 1, cd = [1, 1, 1] }
-        [[objects]]
-        name = "ball"
-        material = "white"
-        shape.sphere = { center = [0, 0, 0], radius = 1 }
-    "#;
-    let (scene, world) = world::from_toml(text, Path::new("here.toml")).unwrap();
-    let root = explain::sample(&scene, &world, [2, 2], 0).ray.unwrap();
+    let (world, root) = traced(&[FRONT, WHITE, &object("ball", BALL)].concat(), [2, 2]);
     let section = Section::of(&world, &root, 0).unwrap();
     assert!(section.plane.is_any);
     assert_eq!(section.plane.vector([1.0, 0.0]).to_array(), [1.0, 0.0, 0.0]);

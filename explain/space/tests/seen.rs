@@ -1,30 +1,19 @@
 //! What is hidden, and the backdrop, against closed forms.
 
-use std::path::Path;
-
 use groundtruth::math::{Point, Ray, Vector};
-use groundtruth::world::{self, World};
+use groundtruth::world::World;
 use space::{Backdrop, Visibility};
 
+use super::support::{FRONT, built, object};
+use super::why_not::BALL;
+
 /// A red ball of radius 1 at the origin.
-fn ball(material: &str) -> World {
-    let text = format!(
-        r#"
-        image = {{ width = 5, height = 5 }}
-        camera = {{ eye = [0, 0, 10], lens.orthographic = {{}} }}
-        [[materials]]
-        name = "red"
-        recipe.{material}
-        [[objects]]
-        name = "ball"
-        material = "red"
-        shape.sphere = {{ center = [0, 0, 0], radius = 1 }}
-        "#
-    );
-    world::from_toml(&text, Path::new("here.toml")).unwrap().1
+pub fn ball(material: &str) -> World {
+    let red = format!("[[materials]]\nname = \"white\"\nrecipe.{material}\n");
+    built(&[FRONT, &red, &object("ball", BALL)].concat()).1
 }
 
-const MATTE: &str = "matte = { kd = 1, cd = [0.75, 0.25, 0] }";
+pub const MATTE: &str = "matte = { kd = 1, cd = [0.75, 0.25, 0] }";
 
 /// Closed form: the distance of the segment from the eye to the point to the centre of the ball, and whether the point
 /// is behind the tangent from the eye.

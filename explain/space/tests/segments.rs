@@ -1,38 +1,20 @@
 //! The pieces of rays against closed forms and the recorded points.
 
-use std::path::Path;
-
 use groundtruth::explain;
 use groundtruth::math::Point;
 use groundtruth::trace::RecordedRay;
-use groundtruth::world::{self, World};
+use groundtruth::world::World;
 use space::{End, Segment, segments};
+
+use super::support::{self, FRONT, WHITE, object, traced};
+use super::why_not::{BALL, WALL};
 
 /// A ball of radius 1 in front of the wall z = −3, seen along −z by the pixel (2, 2) of 5 × 5, which meets the ball
 /// at (0, 0, 1), and by the pixel (4, 2), which meets the wall at (2, 0, −3).
 fn pieces(light: &str, pixel: [u32; 2]) -> (World, RecordedRay, Vec<Segment>) {
-    let text = format!(
-        r#"
-        image = {{ width = 5, height = 5 }}
-        camera = {{ eye = [0, 0, 10], lens.orthographic = {{}} }}
-        [[lights]]
-        name = "lamp"
-        source.{light}
-        [[materials]]
-        name = "white"
-        recipe.matte = {{ kd = 1, cd = [1, 1, 1] }}
-        [[objects]]
-        name = "ball"
-        material = "white"
-        shape.sphere = {{ center = [0, 0, 0], radius = 1 }}
-        [[objects]]
-        name = "wall"
-        material = "white"
-        shape.plane = {{ point = [0, 0, -3], normal = [0, 0, 1] }}
-        "#
-    );
-    let (scene, world) = world::from_toml(&text, Path::new("here.toml")).unwrap();
-    let root = explain::sample(&scene, &world, pixel, 0).ray.expect("the camera sees something");
+    let (lamp, ball) = (support::light("lamp", light), object("ball", BALL));
+    let text = [FRONT, &lamp, WHITE, &ball, &object("wall", WALL)].concat();
+    let (world, root) = traced(&text, pixel);
     let found = segments(&world, &root, 50.0);
     (world, root, found)
 }

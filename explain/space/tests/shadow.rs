@@ -1,13 +1,12 @@
 //! The section of a shadow ray: how much of its way is drawn, in which window, with which words.
 
-use std::path::Path;
-
-use groundtruth::explain::{self, RecordedRay};
+use groundtruth::explain::RecordedRay;
 use groundtruth::math::{Point, Vector, atan2, to_degrees};
-use groundtruth::world::{self, World};
+use groundtruth::world::World;
 use space::{Role, Section, Stroke};
 
 use super::borders::{near, numbers};
+use super::support::{DOWN, WHITE, light, object, traced};
 
 /// Of a length: products of a few rounded numbers.
 const ROUNDING: f64 = 1e-9;
@@ -85,17 +84,9 @@ pub fn cases() -> Vec<Case> {
 }
 
 pub fn tree(case: &Case) -> (World, RecordedRay) {
-    let text = format!(
-        "image = {{ width = 5, height = 5 }}\n\
-         camera = {{ eye = [0, 9, 0], look_at = [0, 0, 0], up = [0, 0, -1], lens.orthographic = {{}} }}\n\
-         [[materials]]\nname = \"white\"\nrecipe.matte = {{ kd = 1, cd = 1 }}\n\
-         [[lights]]\nname = \"it\"\nsource.{}\n\
-         [[objects]]\nname = \"floor\"\nmaterial = \"white\"\nshape.{}\n{}",
-        case.light, case.floor, case.objects
-    );
-    let (scene, world) = world::from_toml(&text, Path::new("here.toml")).expect("valid");
-    let root = explain::sample(&scene, &world, [2, 2], 0).ray.expect("a ray");
-    (world, root)
+    let (light, floor) = (light("it", &case.light), format!("shape.{}", case.floor));
+    let text = [DOWN, WHITE, &light, &object("floor", &floor), case.objects].concat();
+    traced(&text, [2, 2])
 }
 
 /// Three diagonals of the floor's box, or the distance of the camera if it has no end.

@@ -1,15 +1,14 @@
 //! The rays as SVG and as OBJ, against the recorded points.
 
-use std::path::Path;
-
 use groundtruth::explain::{self, RecordedRay};
 use groundtruth::math::{Point, Vector};
-use groundtruth::world::{self, World};
+use groundtruth::world::World;
 use space::{
     End, Orbit, Section, Segment, Visibility, hiding, obj, of_hits, orbit_of, segments, svg_of_rays,
 };
 
 use super::section;
+use super::support::{FRONT, WHITE, built, light, object, traced};
 
 fn tree_of(name: &str, pixel: [u32; 2]) -> (World, RecordedRay) {
     let scene = (gallery::find(name).expect("a scene of the gallery").build)();
@@ -91,23 +90,11 @@ fn the_camera_of_a_page_sees_each_hit() {
 
 /// A closed box of side 4 around the origin, seen from inside.
 fn room() -> (World, RecordedRay) {
-    let text = r#"
-        image = { width = 5, height = 5 }
-        camera = { eye = [0, 0, 1], lens.pinhole = { distance = 100 } }
-        [[lights]]
-        name = "lamp"
-        source.point = { location = [0, 1, 0], ls = 1 }
-        [[materials]]
-        name = "white"
-        recipe.matte = { kd = 1, cd = [1, 1, 1] }
-        [[objects]]
-        name = "room"
-        material = "white"
-        shape.box = { min = [-2, -2, -2], max = [2, 2, 2] }
-    "#;
-    let (scene, world) = world::from_toml(text, Path::new("here.toml")).unwrap();
-    let root = explain::sample(&scene, &world, [2, 2], 0).ray.unwrap();
-    (world, root)
+    let camera = "image = { width = 5, height = 5 }\n\
+                  camera = { eye = [0, 0, 1], lens.pinhole = { distance = 100 } }\n";
+    let lamp = light("lamp", "point = { location = [0, 1, 0], ls = 1 }");
+    let room = object("room", "shape.box = { min = [-2, -2, -2], max = [2, 2, 2] }");
+    traced(&[camera, &lamp, WHITE, &room].concat(), [2, 2])
 }
 
 /// Closed form: from outside, a closed room hides all that is in it, and nothing else is there; from inside it hides
@@ -137,18 +124,8 @@ fn what_rays_meet_is_around_hits_and_small_objects() {
         to: Point::new(0.0, 0.0, 0.5),
         end: End::Hit,
     };
-    let ball = r#"
-        image = { width = 5, height = 5 }
-        camera = { eye = [0, 0, 10], lens.orthographic = {} }
-        [[materials]]
-        name = "white"
-        recipe.matte = { kd = 1, cd = [1, 1, 1] }
-        [[objects]]
-        name = "ball"
-        material = "white"
-        shape.sphere = { center = [0, 0, 0], radius = 0.5 }
-    "#;
-    let (_, world) = world::from_toml(ball, Path::new("here.toml")).unwrap();
+    let ball = object("ball", "shape.sphere = { center = [0, 0, 0], radius = 0.5 }");
+    let (_, world) = built(&[FRONT, WHITE, &ball].concat());
     let (center, radius) = of_hits(&world, &[piece]).unwrap();
     assert!(center.distance(Point::ORIGIN) < 1e-9 && (radius - 0.12 * 9.5).abs() < 1e-9);
 }

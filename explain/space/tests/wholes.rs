@@ -2,7 +2,8 @@
 
 use space::why_not::WhyNotAnswer;
 
-use super::why_not::{BALL, ask, near, object, scene};
+use super::support::object;
+use super::why_not::{BALL, ask, near, scene};
 
 /// Law: a ray that passes a part meets its whole elsewhere. Closed forms: along the line (x, y) to −z, the plane z = 0 is met
 /// after 10, the sphere and cylinder of radius 1 after 9, the paraboloid y = 2 (x² + z²) where z = √(y/2 − x²), the cylinder of radius 2 where z = √(4 − x²), the torus

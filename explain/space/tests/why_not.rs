@@ -5,34 +5,19 @@ use std::path::Path;
 use groundtruth::explain::{self, RecordedRay};
 use groundtruth::math::{Pcg32, Point, Ray, Span, Vector};
 use groundtruth::scene::Scene;
-use groundtruth::world::{self, World};
+use groundtruth::world::World;
 use space::Beside;
 use space::why_not::{Question, WhyNot, WhyNotAnswer, object_named};
+
+use super::support::{FRONT, WHITE, built, light, object};
 
 /// A camera at z = 10 that looks along −z, without perspective: the pixel (x, y) of 5 × 5 looks along the line through
 /// (x − 2, 2 − y). A white wall is at z = −3.
 pub fn scene(rest: &str) -> (Scene, World) {
-    let text = format!(
-        r#"
-        image = {{ width = 5, height = 5 }}
-        camera = {{ eye = [0, 0, 10], lens.orthographic = {{}} }}
-        {rest}
-        [[materials]]
-        name = "white"
-        recipe.matte = {{ kd = 1, cd = 1 }}
-        [[objects]]
-        name = "wall"
-        material = "white"
-        shape.plane = {{ point = [0, 0, -3], normal = [0, 0, 1] }}
-        "#
-    );
-    world::from_toml(&text, Path::new("here.toml")).unwrap()
+    built(&[FRONT, rest, "\n", WHITE, &object("wall", WALL)].concat())
 }
 
-pub fn object(name: &str, rest: &str) -> String {
-    format!("[[objects]]\nname = \"{name}\"\nmaterial = \"white\"\n{rest}\n")
-}
-
+pub const WALL: &str = "shape.plane = { point = [0, 0, -3], normal = [0, 0, 1] }";
 pub const BALL: &str = "shape.sphere = { center = [0, 0, 0], radius = 1 }";
 
 fn tree((scene, world): &(Scene, World), pixel: [u32; 2]) -> RecordedRay {
@@ -110,10 +95,7 @@ fn an_object_that_is_off_and_a_back_are_told() {
 /// A lamp at (−2, 0, 5), and the ball between it and the point (2, 0, −3) of the wall, which the pixel (4, 2) sees: the
 /// shadow ray 1 is (2, 0, −3) + s (−4, 0, 8), and meets the ball at s = (64 ∓ 16)/160.
 fn shadowed(lamp: &str, objects: &str) -> (Scene, World) {
-    let lamp = format!(
-        "[[lights]]\nname = \"lamp\"\n{lamp}\nsource.point = {{ location = [-2, 0, 5], ls = 1 }}\n"
-    );
-    scene(&(lamp + objects))
+    scene(&(light("lamp", "point = { location = [-2, 0, 5], ls = 1 }") + lamp + "\n" + objects))
 }
 
 /// Closed form: a ball around (−3, 0, 7) is beyond the lamp; from one around (0, 4, 1) the nearest point of the way is (0, 0, 1).
