@@ -1,10 +1,10 @@
 //! The window: its state, its layout, and what each action does.
 
+mod perform;
+
 use std::time::Duration;
 
 use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Ui, Vec2, vec2};
-use pictures::parse_pixel;
-use rays::RayPlace;
 
 use crate::action::{Action, Shows};
 use crate::comparison::bar;
@@ -18,7 +18,7 @@ use crate::picture::display::{self, Picture};
 use crate::picture::saving::Saving;
 use crate::picture::session::{Opened, Session};
 use crate::picture::worker::Progress;
-use crate::scene::source::{Loaded, Source};
+use crate::scene::source::Loaded;
 use crate::scene::waiting::Broken;
 use crate::space::view::SpaceView;
 use crate::splits::{Splits, part};
@@ -139,21 +139,41 @@ impl Inspector {
     /// Draws the window and performs what the user asks for.
     pub fn show(&mut self, ui: &mut Ui) {
         let ctx = ui.ctx().clone();
-        match self.session.poll(&ctx) {
-            Some(Ok(opened)) => self.accept(&ctx, opened),
+        self.accept_finished(&ctx);
+        // before anything is drawn, so that the tree is in the frame of the click
+        self.follow_pointing(ui);
+        for action in self.draw(ui) {
+            self.perform(&ctx, action);
+        }
+        keys::list(&ctx, &mut self.is_showing_keys);
+        self.start_wanted(&ctx);
+        if self.selection.is_changed() {
+            ctx.request_repaint();
+        }
+        if self.is_busy() {
+            ctx.request_repaint_after(Duration::from_millis(50));
+        }
+    }
+
+    /// Takes over what was finished beside the window since the last frame.
+    fn accept_finished(&mut self, ctx: &Context) {
+        match self.session.poll(ctx) {
+            Some(Ok(opened)) => self.accept(ctx, opened),
             Some(Err(error)) => self.message = Some((error, true)),
             None => {}
         }
         self.message = self.saving.poll().or(self.message.take());
-        let opened = self.others.accept_opened(&ctx, &mut self.session);
+        let opened = self.others.accept_opened(ctx, &mut self.session);
         self.message = opened.or(self.message.take());
-        opening::dropped(&ctx).into_iter().for_each(|action| self.perform(&ctx, action));
-        self.session.follow_files(&ctx);
-        self.frame.refresh(&ctx, &self.session.rendering);
+        opening::dropped(ctx).into_iter().for_each(|action| self.perform(ctx, action));
+        self.session.follow_files(ctx);
+        self.frame.refresh(ctx, &self.session.rendering);
         self.selection.begin_frame();
+    }
 
-        // before anything is drawn, so that the tree is in the frame of the click
-        if let Some(pixel) = self.picture.clicked(&ctx, self.session.rendering.size()) {
+    /// Explains the pixel that is clicked, stepped to, or proposed.
+    fn follow_pointing(&mut self, ui: &Ui) {
+        if let Some(pixel) = self.picture.clicked(ui.ctx(), self.session.rendering.size()) {
             self.select(pixel);
         }
         if let Some(pixel) = self.stepped(ui) {
@@ -165,8 +185,12 @@ impl Inspector {
             self.select(pixel);
             (self.message, self.selection.is_proposed) = (message, true);
         }
-        self.explain_selected(&ctx);
+        self.explain_selected(ui.ctx());
+    }
 
+    /// Shows everything. Returns what the user asks for.
+    fn draw(&mut self, ui: &mut Ui) -> Vec<Action> {
+        let ctx = ui.ctx().clone();
         let of_bars = if self.is_embedded { Vec::new() } else { self.bars(ui) };
         let central = CentralPanel::default().frame(Frame::NONE);
         let mut actions = central.show(ui, |ui| self.parts(ui)).inner;
@@ -183,30 +207,24 @@ impl Inspector {
             let is_text = !(self.picture.has_keys(&ctx) || self.space.has_keys(&ctx));
             actions.extend(keys::pressed(&ctx, is_text));
         }
-        for action in actions {
-            self.perform(&ctx, action);
-        }
-        keys::list(&ctx, &mut self.is_showing_keys);
+        actions
+    }
 
+    /// Starts the work that is missing of what is shown.
+    fn start_wanted(&mut self, ctx: &Context) {
         let rendering = &self.session.rendering;
-        self.picture.refresh(&ctx, rendering);
-        if let Some(problem) = self.others.refresh(&ctx, rendering) {
+        self.picture.refresh(ctx, rendering);
+        if let Some(problem) = self.others.refresh(ctx, rendering) {
             self.message = Some((problem, true));
         }
         if let Some(theirs) = self.others.shown_mut() {
-            theirs.refresh(&ctx, rendering, self.picture.tone);
+            theirs.refresh(ctx, rendering, self.picture.tone);
         }
         if let Some(place) = self.others.first_ray().filter(|_| self.selection.pixel.is_none()) {
             self.seek(place);
             self.space.restart();
         }
-        self.explain_selected(&ctx);
-        if self.selection.is_changed() {
-            ctx.request_repaint();
-        }
-        if self.is_busy() {
-            ctx.request_repaint_after(Duration::from_millis(50));
-        }
+        self.explain_selected(ctx);
     }
 
     /// Explains the selected pixel of the picture that is shown.
@@ -304,10 +322,14 @@ impl Inspector {
         } else {
             self.picture = Picture::new(rendering.world.image.tone());
         }
-        if !opened.is_same_scene {
+        let [width, height] = rendering.size();
+        let is_outside = |[x, y]: [u32; 2]| x >= width || y >= height;
+        if !opened.is_same_scene || self.selection.pixel.is_some_and(is_outside) {
             (self.selection, self.panel) = (Selection::default(), Panel::default());
-            self.space.restart();
             self.fields.pixel.clear();
+        }
+        if !opened.is_same_scene {
+            self.space.restart();
             self.fields.forget_save();
             self.others.forget_logs();
             match opened.rays {
@@ -316,104 +338,10 @@ impl Inspector {
                 None => {}
             }
         }
-        let [width, height] = rendering.size();
-        if self.selection.pixel.is_some_and(|[x, y]| x >= width || y >= height) {
-            (self.selection, self.panel) = (Selection::default(), Panel::default());
-            self.fields.pixel.clear();
-        }
         let last = rendering.world.samples_per_pixel() - 1;
         self.selection.sample = self.selection.sample.min(last);
         if let Some((pixel, sample)) = opened.asked {
             self.explain(pixel, sample);
-        }
-    }
-
-    /// Performs an action.
-    fn perform(&mut self, ctx: &Context, action: Action) {
-        let rendering = &self.session.rendering;
-        match action {
-            Action::Open(source) => {
-                self.message = None;
-                if let Source::File(path) = &source {
-                    self.fields.open = path.display().to_string();
-                }
-                self.session.open(ctx, source);
-            }
-            Action::Rebuild => self.session.rebuild(ctx),
-            Action::Save => match self.fields.save.trim() {
-                "" => self.message = Some(("the picture has no name".to_owned(), true)),
-                name => self.perform(ctx, Action::SaveAs(name.into())),
-            },
-            Action::SaveAs(path) => {
-                match saved::content(&self.picture, self.others.shown(), rendering) {
-                    Ok(content) => {
-                        self.message = None;
-                        let shown = (rendering, self.picture.tone);
-                        self.saving.start(ctx, shown, content, &path);
-                    }
-                    Err(why) => self.message = Some((why, true)),
-                }
-            }
-            Action::Compare(with) => {
-                self.message = self.others.perform(ctx, &mut self.session, with);
-            }
-            Action::Choose(purpose) => self.chooser.show(ctx, purpose),
-            Action::NameScene => {
-                ctx.memory_mut(|memory| memory.request_focus(panels::file_field()))
-            }
-            Action::Select(pixel) => self.select(pixel),
-            Action::Reveal(pixel) => self.reveal(pixel),
-            Action::RevealTyped(text) => match parse_pixel(&text) {
-                Ok(pixel) => self.reveal(pixel),
-                Err(error) => self.message = Some((error, true)),
-            },
-            Action::NextRegion => self.reveal_next_region(),
-            Action::NextView => self.space.mode = self.space.mode.next(),
-            Action::ChangeGround => self.frame.set_ground(ctx, self.frame.ground().other()),
-            Action::ToggleKeys => self.is_showing_keys ^= true,
-        }
-    }
-
-    /// Explains a sample of a pixel, if the picture has it.
-    pub fn explain(&mut self, pixel: [u32; 2], sample: u32) {
-        self.selection.sample = sample;
-        self.select(pixel);
-    }
-
-    /// Selects a pixel, if the picture has it.
-    fn select(&mut self, pixel: [u32; 2]) {
-        let log = self.others.shown().and_then(|theirs| theirs.explained()?.log());
-        let pixel @ [x, y] = log.and_then(|log| log.nearest(pixel)).unwrap_or(pixel);
-        let selected = self.selection.select(pixel, self.session.rendering.size());
-        if selected.is_ok() {
-            self.fields.pixel = format!("{x}, {y}");
-        }
-        self.message = selected.err().map(|problem| (problem, true));
-    }
-
-    /// Selects a pixel and moves the picture if it is not in view.
-    fn reveal(&mut self, pixel: [u32; 2]) {
-        self.select(pixel);
-        if self.selection.pixel == Some(pixel) {
-            self.picture.reveal(self.session.rendering.size(), pixel);
-        }
-    }
-
-    /// Selects a ray of a log, and moves the picture if its pixel is not in view.
-    fn seek(&mut self, place: RayPlace) {
-        self.reveal(place.pixel);
-        self.selection.seek(place);
-    }
-
-    /// Reveals the next broken ray of a log, or the worst pixel of the next region of difference.
-    fn reveal_next_region(&mut self) {
-        let Some(theirs) = self.others.shown_mut() else { return };
-        if let Some(place) = theirs.next_broken() {
-            return self.seek(place);
-        }
-        match theirs.next_region(&self.session.rendering) {
-            Ok(pixel) => self.reveal(pixel),
-            Err(why) => self.message = Some((why.to_owned(), false)),
         }
     }
 }

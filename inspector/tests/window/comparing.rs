@@ -41,8 +41,7 @@ fn read(folder: &Path, film: &Film, name: &str) -> Theirs {
 fn held_against(film: &Film) -> Window {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let mut window = glass_window();
-    window.state_mut().others.add_picture(read(folder.path(), film, "theirs.exr"));
-    settle(&mut window);
+    set(&mut window, |it| it.others.add_picture(read(folder.path(), film, "theirs.exr")));
     window
 }
 
@@ -310,8 +309,7 @@ fn a_dropped_picture_is_compared() {
     film::write(&smaller, &Tone::PLAIN, &written).expect("written");
     std::fs::rename(written, &path).expect("renamed");
     let mut window = glass_window();
-    window.state_mut().others.set_mistake(judge::mistakes::find("no-eta-squared"));
-    settle(&mut window);
+    set(&mut window, |it| it.others.set_mistake(judge::mistakes::find("no-eta-squared")));
     assert!(window.state().others.shown().is_some_and(|theirs| theirs.program.is_some()));
 
     drop_file(&mut window, &path);

@@ -78,8 +78,7 @@ fn a_pixel_that_differs_from_its_explanation_is_reported() {
     let other = other.expect("the scene is valid");
     let canvas = groundtruth::render::Canvas::new(&other);
     canvas.render(&other);
-    window.state_mut().session.rendering.canvas = std::sync::Arc::new(canvas);
-    settle(&mut window);
+    set(&mut window, |it| it.session.rendering.canvas = std::sync::Arc::new(canvas));
     assert!(text_with(&window, "differs from the pixel of the picture").contains("(0."));
 }
 
@@ -257,8 +256,7 @@ fn the_path_to_a_ray_is_marked_in_the_picture() {
     let root = ray_of(&scene, ON_GLASS, 0);
     let with_hit = root.children.iter().find(|child| child.hit.is_some());
     let number = with_hit.expect("glass sends on rays that hit").number;
-    window.state_mut().selection.tree.go_to(&root, number);
-    settle(&mut window);
+    set(&mut window, |it| it.selection.tree.go_to(&root, number));
     let trail = window.state().selection.trail(&window.state().session.rendering.world);
     assert_eq!(trail.len(), 2);
     let film = render::camera_sample(&world, ON_GLASS, 0).expect("no gap").film;

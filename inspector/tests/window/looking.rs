@@ -172,8 +172,7 @@ fn exposure_changes_the_screen_and_not_the_picture() {
     let tone = window.state().picture.tone;
     assert_eq!(shown(&mut window), tone.to_bytes(film.get(at)));
     let brighter = groundtruth::film::Tone { exposure: 2.5, gamma: 2.2, ..tone };
-    window.state_mut().picture.tone = brighter;
-    settle(&mut window);
+    set(&mut window, |it| it.picture.tone = brighter);
     assert_eq!(shown(&mut window), brighter.to_bytes(film.get(at)));
     assert_ne!(brighter.to_bytes(film.get(at)), tone.to_bytes(film.get(at)));
     assert_eq!(window.state().session.rendering.canvas.film(), film);

@@ -65,8 +65,7 @@ fn right_and_wrong_are_flipped_and_explained() {
 #[test]
 fn the_wrong_picture_follows_the_scene() {
     let mut window = glass_window();
-    window.state_mut().others.set_mistake(mistakes::find(NAME));
-    settle(&mut window);
+    set(&mut window, |it| it.others.set_mistake(mistakes::find(NAME)));
     press(&mut window, Key::T);
     type_number(&mut window, "Width", "50");
     let theirs = window.state().others.shown().expect("it is rendered");
@@ -77,8 +76,7 @@ fn the_wrong_picture_follows_the_scene() {
 #[test]
 fn what_changes_nothing_is_said() {
     let mut window = glass_window();
-    window.state_mut().others.set_mistake(mistakes::find("not-focused"));
-    settle(&mut window);
+    set(&mut window, |it| it.others.set_mistake(mistakes::find("not-focused")));
     assert!(window.state().others.shown().is_none());
     let message = window.state().message.clone().expect("a message");
     assert!(

@@ -71,8 +71,7 @@ fn a_log_opens_at_its_broken_ray() {
     assert!(window.state().selection.tree.found.is_empty());
     let answer = window.state().selection.explanation().expect("explained");
     assert_eq!(answer.radiance, Rgb::grey(0.5));
-    window.state_mut().selection.go_to(1);
-    settle(&mut window);
+    set(&mut window, |it| it.selection.go_to(1));
     assert!(window.query_by_label("roughness").is_some(), "a field of one's own");
     assert!(window.query_by_label("0.25").is_some());
 }
@@ -92,8 +91,7 @@ fn broken_rays_are_found_one_after_the_other() {
     }
     assert_eq!(seen, [(Some([5, 3]), 1), (Some(BROKEN), 1), (Some([5, 3]), 1)]);
 
-    window.state_mut().selection.tab = Tab::Checks;
-    settle(&mut window);
+    set(&mut window, |it| it.selection.tab = Tab::Checks);
     for list in ["Broken", "Held", "Not asked"] {
         assert!(window.query_by_label_contains(list).is_some(), "{list}");
     }

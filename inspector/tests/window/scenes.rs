@@ -229,8 +229,7 @@ fn a_saved_picture_says_another_exposure() {
         bytes.windows(5).any(|part| part == b"Tone\0").then_some(bytes)
     };
     assert!(saved(&mut window, "plain.png").is_none());
-    window.state_mut().picture.tone.exposure = 2.0;
-    settle(&mut window);
+    set(&mut window, |it| it.picture.tone.exposure = 2.0);
     let bytes = saved(&mut window, "brighter.png").expect("it says so");
     let text = b"tEXtTone\0exposure 2, gamma 1, max_to_one";
     assert!(bytes.windows(text.len()).any(|part| part == text));
@@ -288,8 +287,7 @@ fn the_window_does_not_wait_for_the_picture() {
     let ctx = window.ctx.clone();
     let small = gallery::find("ch03/single-sphere");
     let small = small.or_else(|| gallery::scenes().next()).expect("a scene");
-    window.state_mut().session.open(&ctx, Source::Gallery(small));
-    settle(&mut window);
+    set(&mut window, |it| it.session.open(&ctx, Source::Gallery(small)));
     assert!(old.is_cancelled());
     assert_eq!(window.state().session.rendering.source.name(), small.name);
 }

@@ -15,8 +15,7 @@ const PIXEL: [u32; 2] = [26, 25];
 /// A window that shows a pixel of the glass sphere in space.
 fn in_space() -> Window {
     let mut window = glass_window_at(PIXEL);
-    window.state_mut().space.mode = Mode::Space;
-    settle(&mut window);
+    set(&mut window, |it| it.space.mode = Mode::Space);
     window
 }
 
@@ -134,8 +133,7 @@ fn an_object_can_be_looked_through() {
     let color =
         |window: &mut Window| window.render().expect("drawn").get_pixel(at.x as u32, at.y as u32).0;
     let opaque = color(&mut window);
-    window.state_mut().space.camera.faded.push(red.index);
-    settle(&mut window);
+    set(&mut window, |it| it.space.camera.faded.push(red.index));
     let faded = color(&mut window);
     let redness = |[r, g, _, _]: [u8; 4]| i32::from(r) - i32::from(g);
     assert!(redness(opaque) > 40, "{opaque:?}");

@@ -174,8 +174,7 @@ fn another_scene_lets_the_pixel_go() {
 fn a_pixel_is_proposed() {
     let mut window = glass_window();
     window.state_mut().propose(&Context::default());
-    window.state_mut().message = Some(("an error of a link".to_owned(), true));
-    settle(&mut window);
+    set(&mut window, |it| it.message = Some(("an error of a link".to_owned(), true)));
     text_with(&window, "an error of a link");
     let proposed = window.state().selection.pixel.expect("a pixel is explained");
     let rays = ray_of(&small_glass_sphere(), proposed, 0).count();

@@ -164,6 +164,12 @@ pub fn double_click(window: &mut Window, pos: Pos2) {
     window.run_steps(3);
 }
 
+/// Changes the window from outside and waits for what follows.
+pub fn set<T>(window: &mut Window, change: impl FnOnce(&mut Inspector) -> T) {
+    change(window.state_mut());
+    settle(window);
+}
+
 /// Types into the field of this name, and Enter.
 pub fn type_into(window: &mut Window, field: &str, text: &str) {
     type_as(window, Role::TextInput, field, text);

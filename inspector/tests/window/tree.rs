@@ -123,8 +123,7 @@ fn what_is_copied_reproduces_the_pixel() {
     let sample = window.state().selection.explanation().expect("explained").radiances[0];
     let bits = sample.to_array().map(|channel| format!("{:#018x}", channel.to_bits()));
     assert!(test.contains("#[test]") && test.contains(&bits.join(", ")), "{test}");
-    window.state_mut().selection.sample = 2;
-    settle(&mut window);
+    set(&mut window, |it| it.selection.sample = 2);
     let page = copied(&mut window, "A page for a class");
     assert!(page.contains("--sample 2") && page.contains("shows sample 2 of 4"), "{page}");
     let numbers = copied(&mut window, "All numbers of the selected ray");

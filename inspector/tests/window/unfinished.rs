@@ -84,8 +84,7 @@ fn what_is_not_rendered_is_hatched() {
     let rendering = &window.state().session.rendering;
     rendering.canvas.render(&*rendering.world);
     // a zoom too small for the pixel grid
-    window.state_mut().picture.set_zoom([48, 48], 6.0);
-    settle(&mut window);
+    set(&mut window, |it| it.picture.set_zoom([48, 48], 6.0));
     assert_eq!(colors(&mut window), [[0, 0, 0]].into());
 }
 
@@ -97,8 +96,7 @@ fn the_coarse_picture_is_shown_over_its_blocks() {
     let world = built(&small_glass_sphere());
     let canvas = Canvas::new(&world);
     canvas.render_coarse(&world);
-    window.state_mut().session.rendering.canvas = Arc::new(canvas);
-    settle(&mut window);
+    set(&mut window, |it| it.session.rendering.canvas = Arc::new(canvas));
     let tone = window.state().picture.tone;
     for block in [[16, 16], [24, 40], [40, 8]] {
         let [r, g, b] = tone.to_bytes(render::pixel(&world, block)).map(f32::from);
