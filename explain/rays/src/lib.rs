@@ -23,7 +23,8 @@ pub use conventions::Conventions;
 pub use language::WriterLanguage;
 pub use laws::{BrokenRay, LAWS, LawReport, RayLaw};
 pub use log::{
-    Damaged, Factors, Head, Id, Log, LogError, MAX_RAYS, Named, Precision, Purpose, Ray, read,
+    Damaged, FIELDS, Factors, Field, Head, Id, Log, LogError, MAX_RAYS, Named, Precision, Purpose,
+    Ray, read,
 };
 pub use logged::{Logged, LoggedValue, RayPlace, size};
 pub use recorded::Recorded;

@@ -1,10 +1,11 @@
 //! A log whose rays know who sent them, and how exact its numbers are.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use groundtruth::math::{Point, Vector};
 use groundtruth::world::{PlacedObject, World};
+use rayon::prelude::*;
 
 use crate::conventions::Conventions;
 use crate::log::{Id, Log, Purpose, Ray};
@@ -80,7 +81,10 @@ impl Traced {
         };
         traced.link(false);
         traced.conventions = Conventions::of_lengths(&traced);
-        traced.link(true);
+        let is_open = |ray: &Ray| ray.parent.is_none() && !ray.is(&Purpose::Camera);
+        if traced.log.rays.iter().any(is_open) {
+            traced.link(true);
+        }
         traced.conventions = Conventions::of_tree(&traced);
         traced
     }
@@ -159,81 +163,114 @@ impl Traced {
 
     /// Finds the senders; those that are not named only if `guesses`, which needs to know how long rays are.
     fn link(&mut self, guesses: bool) {
+        let found: Vec<Senders> =
+            self.samples().par_iter().map(|rays| self.senders(rays, guesses)).collect();
         let count = self.log.rays.len();
         (self.parents, self.children) = (vec![None; count], vec![Vec::new(); count]);
-        (self.orphans, self.cycles) = (Vec::new(), Vec::new());
-        let mut samples: HashMap<(Option<[u32; 2]>, u32), Vec<usize>> = HashMap::new();
+        (self.orphans, self.cycles, self.guessed) = (Vec::new(), Vec::new(), 0);
+        for of_sample in found {
+            self.guessed += of_sample.guessed;
+            self.orphans.extend(of_sample.orphans);
+            self.cycles.extend(of_sample.cycles);
+            for (ray, parent) in of_sample.parents {
+                self.parents[ray] = Some(parent);
+                self.children[parent].push(ray);
+            }
+        }
+    }
+
+    /// The rays of each sample, in the order of the log.
+    fn samples(&self) -> Vec<Vec<usize>> {
+        let (mut samples, mut places) = (Vec::<Vec<usize>>::new(), HashMap::new());
+        let mut last = (None, 0);
         for (index, ray) in self.log.rays.iter().enumerate() {
-            samples.entry((ray.pixel, ray.sample)).or_default().push(index);
-        }
-        let mut samples: Vec<_> = samples.into_values().collect();
-        samples.sort_unstable();
-        for rays in samples {
-            let mut by_name: HashMap<Id, usize> = HashMap::new();
-            for &index in &rays {
-                let Some(id) = self.log.rays[index].id.clone() else { continue };
-                if by_name.insert(id, index).is_some() {
-                    self.orphans.push(Orphan::Twin(index));
-                }
+            let key = (ray.pixel, ray.sample);
+            // most rays follow another one of their sample
+            if last.0 != Some(key) {
+                last = (Some(key), *places.entry(key).or_insert(samples.len()));
+                samples.resize(samples.len().max(last.1 + 1), Vec::new());
             }
-            for (place, &index) in rays.iter().enumerate() {
-                let ray = &self.log.rays[index];
-                let parent = match &ray.parent {
-                    Some(id) => by_name.get(id).copied(),
-                    None if ray.is(&Purpose::Camera) || !guesses => continue,
-                    None => self.guess(index, &rays, place),
-                };
-                match parent {
-                    Some(parent) => {
-                        self.guessed += usize::from(ray.parent.is_none());
-                        self.parents[index] = Some(parent);
-                        self.children[parent].push(index);
-                    }
-                    None if ray.parent.is_some() => self.orphans.push(Orphan::Parentless(index)),
-                    None => {}
-                }
-            }
-            self.break_cycles(&rays);
+            samples[last.1].push(index);
         }
+        samples
+    }
+
+    fn senders(&self, rays: &[usize], guesses: bool) -> Senders {
+        let mut found = Senders::default();
+        let mut names: Vec<(&Id, usize)> =
+            rays.iter().filter_map(|&it| Some((self.ray(it).id.as_ref()?, it))).collect();
+        names.sort();
+        let twins = names.windows(2).filter(|pair| pair[0].0 == pair[1].0);
+        found.orphans.extend(twins.map(|pair| Orphan::Twin(pair[1].1)));
+        let named = |id: &Id| {
+            let after = names.partition_point(|(name, _)| *name <= id);
+            names[..after].last().filter(|(name, _)| *name == id).map(|(_, ray)| *ray)
+        };
+        for (place, &index) in rays.iter().enumerate() {
+            let ray = self.ray(index);
+            let parent = match &ray.parent {
+                Some(id) => named(id),
+                None if ray.is(&Purpose::Camera) || !guesses => None,
+                None => self.guess(index, rays, place),
+            };
+            found.guessed += usize::from(parent.is_some() && ray.parent.is_none());
+            found.parents.extend(parent.map(|parent| (index, parent)));
+            let is_lost = parent.is_none() && ray.parent.is_some();
+            found.orphans.extend(is_lost.then_some(Orphan::Parentless(index)));
+        }
+        found.break_cycles();
+        found
     }
 
     /// The ray that ended where this one starts: before it in the log, or else after it, as a recursion writes that notes a ray
     /// when it is finished.
     fn guess(&self, index: usize, rays: &[usize], place: usize) -> Option<usize> {
-        let ray = self.ray(index);
-        let near = 1e-3 * self.scale;
+        let start = self.ray(index).origin;
         let distance = |&other: &usize| {
             let end = (!self.ray(other).is_shadow()).then(|| self.end_point(other)).flatten()?;
-            Some((other, end.distance(ray.origin))).filter(|&(_, distance)| distance <= near)
+            Some((other, end.distance(start))).filter(|&(_, far)| far <= 1e-3 * self.scale)
         };
-        let (before, after) =
-            (&rays[place.saturating_sub(LOOKED_AROUND)..place], &rays[place + 1..]);
-        let after = &after[..after.len().min(LOOKED_AROUND)];
+        let before = &rays[place.saturating_sub(LOOKED_AROUND)..place];
+        let after = &rays[place + 1..rays.len().min(place + 1 + LOOKED_AROUND)];
         // of equally near ones the last before it
         let nearest = before.iter().rev().filter_map(distance).min_by(|a, b| a.1.total_cmp(&b.1));
         let later = || after.iter().filter_map(distance).min_by(|a, b| a.1.total_cmp(&b.1));
         nearest.or_else(later).map(|(other, _)| other)
     }
+}
 
+/// What is found of the rays of one sample.
+#[derive(Default)]
+struct Senders {
+    /// Rays with the rays that sent them, in the order of the log.
+    parents: Vec<(usize, usize)>,
+    orphans: Vec<Orphan>,
+    cycles: Vec<usize>,
+    guessed: usize,
+}
+
+impl Senders {
     /// Cuts circles of senders, so that all that walks the tree ends.
-    fn break_cycles(&mut self, rays: &[usize]) {
-        // 1: on the way from some ray up; 2: known to lead to a root
-        let mut state: HashMap<usize, u8> = HashMap::new();
-        for &start in rays {
-            let (mut way, mut at) = (Vec::new(), Some(start));
-            while let Some(index) = at.filter(|index| !state.contains_key(index)) {
-                state.insert(index, 1);
-                way.push(index);
-                at = self.parents[index];
-            }
-            if let Some(index) = at.filter(|index| state[index] == 1) {
-                self.cycles.push(index);
-                if let Some(parent) = self.parents[index].take() {
-                    self.children[parent].retain(|&child| child != index);
-                }
-            }
-            state.extend(way.into_iter().map(|index| (index, 2)));
+    fn break_cycles(&mut self) {
+        if self.parents.iter().all(|(ray, parent)| parent < ray) {
+            return;
         }
+        let mut up: HashMap<usize, usize> = self.parents.iter().copied().collect();
+        let mut known_to_end = HashSet::new();
+        for &(start, _) in &self.parents {
+            let mut way = HashSet::new();
+            let mut at = start;
+            while !known_to_end.contains(&at) && way.insert(at) {
+                let Some(parent) = up.get(&at) else { break };
+                at = *parent;
+            }
+            if !known_to_end.contains(&at) && up.contains_key(&at) {
+                self.cycles.push(at);
+                up.remove(&at);
+            }
+            known_to_end.extend(way);
+        }
+        self.parents.retain(|(ray, _)| up.contains_key(ray));
     }
 }
 

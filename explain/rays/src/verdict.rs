@@ -2,6 +2,8 @@
 
 use std::collections::HashMap;
 
+use rayon::prelude::*;
+
 use crate::laws::{BrokenRay, LAWS, LawReport, RayLaw};
 use crate::traced::Traced;
 
@@ -32,7 +34,7 @@ impl RayVerdict {
     /// Asks all laws.
     pub fn of(traced: Traced) -> Self {
         let mut asked: Vec<(&'static RayLaw, LawReport)> =
-            LAWS.iter().map(|law| (law, law.ask(&traced))).collect();
+            LAWS.par_iter().map(|law| (law, law.ask(&traced))).collect();
         follow(&traced, &mut asked);
         Self { traced, asked }
     }

@@ -26,35 +26,33 @@ pub enum Purpose {
     Other(Arc<str>),
 }
 
+/// The words of programs for each purpose, ours first.
+const WORDS: &[(Purpose, &[&str])] = &[
+    (Purpose::Camera, &["camera", "primary", "eye"]),
+    (Purpose::Reflected, &["reflected", "reflection", "mirror", "specular"]),
+    (Purpose::Transmitted, &["transmitted", "transmission", "refracted", "refraction"]),
+    (Purpose::Diffuse, &["diffuse"]),
+    (Purpose::Glossy, &["glossy", "rough"]),
+    (Purpose::Path, &["path", "bounce", "indirect", "scattered"]),
+    (Purpose::Shadow, &["shadow", "nee", "light"]),
+    (Purpose::Occlusion, &["occlusion", "ao"]),
+];
+
 impl Purpose {
     /// The purpose that this word means.
     pub fn of(word: &str) -> Self {
-        match word.to_ascii_lowercase().as_str() {
-            "camera" | "primary" | "eye" => Self::Camera,
-            "reflected" | "reflection" | "mirror" | "specular" => Self::Reflected,
-            "transmitted" | "transmission" | "refracted" | "refraction" => Self::Transmitted,
-            "diffuse" => Self::Diffuse,
-            "glossy" | "rough" => Self::Glossy,
-            "path" | "bounce" | "indirect" | "scattered" => Self::Path,
-            "shadow" | "nee" | "light" => Self::Shadow,
-            "occlusion" | "ao" => Self::Occlusion,
-            _ => Self::Other(word.into()),
-        }
+        let is = |names: &[&str]| names.iter().any(|name| name.eq_ignore_ascii_case(word));
+        let known = WORDS.iter().find(|(_, names)| is(names));
+        known.map_or_else(|| Self::Other(word.into()), |(purpose, _)| purpose.clone())
     }
 }
 
 impl fmt::Display for Purpose {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Camera => "camera",
-            Self::Reflected => "reflected",
-            Self::Transmitted => "transmitted",
-            Self::Diffuse => "diffuse",
-            Self::Glossy => "glossy",
-            Self::Path => "path",
-            Self::Shadow => "shadow",
-            Self::Occlusion => "occlusion",
-            Self::Other(word) => word,
-        })
+        let known = WORDS.iter().find(|(purpose, _)| purpose == self);
+        match (self, known) {
+            (Self::Other(word), _) => f.write_str(word),
+            (_, known) => f.write_str(known.map_or("", |(_, names)| names[0])),
+        }
     }
 }

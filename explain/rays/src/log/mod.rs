@@ -4,7 +4,9 @@ mod digits;
 mod fields;
 mod kind;
 mod read;
+mod scan;
 
+use std::fmt;
 use std::sync::Arc;
 
 use groundtruth::math::{Point, Vector};
@@ -13,6 +15,7 @@ use groundtruth::rgb::Rgb;
 use serde_json::{Map, Value};
 
 pub use digits::Digits;
+pub use fields::{FIELDS, Field};
 pub use kind::Purpose;
 pub use read::{Damaged, LogError, MAX_RAYS, read};
 
@@ -151,7 +154,7 @@ pub struct Factors {
 }
 
 /// What a log calls a ray: any number or text.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Id {
     /// A whole number.
     Number(i64),
@@ -227,5 +230,14 @@ impl Ray {
     /// Whether its kind is this one.
     pub fn is(&self, kind: &Purpose) -> bool {
         self.kind.as_ref() == Some(kind)
+    }
+}
+
+impl fmt::Display for Id {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Text(text) => f.write_str(text),
+        }
     }
 }

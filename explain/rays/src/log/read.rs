@@ -1,14 +1,14 @@
 //! Reads a log, block by block, so that neither a long line nor a long log fills the memory.
 
 use std::collections::HashSet;
-use std::io::{self, BufRead, Read};
+use std::io::{self, Read};
 use std::sync::Arc;
 
 use rayon::prelude::*;
 use serde_json::{Map, Value};
 
-use super::fields::Line;
-use super::{Head, Log, Named, Precision, Purpose, Ray};
+use super::fields::ray_of;
+use super::{Head, Log, Named, Precision, Ray};
 use groundtruth::printable;
 use text::loose::quoted;
 
@@ -17,9 +17,11 @@ pub const MAX_RAYS: usize = 1 << 21;
 /// The most bytes of a log.
 const MAX_BYTES: u64 = 1 << 30;
 /// The most bytes of a line.
-const MAX_LINE: u64 = 1 << 20;
-/// The bytes of lines that are read together.
-const BLOCK: usize = 1 << 22;
+const MAX_LINE: usize = 1 << 20;
+/// The bytes that are read together.
+const BLOCK: u64 = 1 << 24;
+/// The lines that are read by one thread in one go.
+const PART: usize = 512;
 /// The most damaged lines that are kept; the others are counted.
 const MAX_DAMAGED: usize = 100;
 /// The lines whose digits are counted.
@@ -62,42 +64,37 @@ enum Record {
     Head(Map<String, Value>),
     Object(Named),
     Lamp(Named),
-    Ray(Box<Ray>),
+    Ray(Ray),
 }
+
+/// The lines of a part of a block, by their numbers.
+type Records = Vec<(usize, Result<Record, String>)>;
 
 /// Reads a log. Damaged lines are left out and named; so is one that is cut off at the end.
 ///
 /// # Errors
 /// [`LogError`]: an unreadable file, too many bytes or rays, two heads, or no ray at all.
 pub fn read(file: impl Read) -> Result<Log, LogError> {
-    let mut file = io::BufReader::with_capacity(1 << 16, file.take(MAX_BYTES + 1));
-    let mut log = Log::default();
-    let mut names = HashSet::new();
-    let (mut lines, mut bytes) = (0, 0);
-    loop {
-        let (block, size) = next_block(&mut file, lines + 1)?;
-        if block.is_empty() {
-            break;
-        }
-        bytes += size;
-        if bytes > MAX_BYTES {
+    let mut file = file.take(MAX_BYTES + 1);
+    let (mut log, mut rest, mut lines) = (Log::default(), Vec::new(), 0);
+    while let Some(block) = next_block(&mut file, &mut rest)? {
+        if file.limit() == 0 {
             return Err(LogError::TooLarge("1 GiB".to_owned()));
         }
+        let all: Vec<&[u8]> =
+            block.strip_suffix(b"\n").unwrap_or(&block).split(|byte| *byte == b'\n').collect();
         if lines < COUNTED {
-            let some = block.iter().filter_map(|(_, line)| line.as_deref().ok());
-            some.take(COUNTED).for_each(|line| log.digits.add(line));
+            all.iter().take(COUNTED).for_each(|line| log.digits.add(line));
         }
-        lines += block.len();
-        let records: Vec<_> = block
-            .into_par_iter()
-            .filter_map(|(number, line)| match line {
-                Ok(line) if line.trim_ascii().is_empty() => None,
-                Ok(line) => Some((number, record(&line, number))),
-                Err(problem) => Some((number, Err(problem))),
-            })
+        let parts: Vec<Records> = all
+            .par_chunks(PART)
+            .enumerate()
+            .map(|(place, part)| records(part, lines + place * PART + 1))
             .collect();
-        for (line, record) in records {
-            log.add(line, record, &mut names)?;
+        lines += all.len();
+        log.rays.reserve(all.len());
+        for (line, record) in parts.into_iter().flatten() {
+            log.add(line, record)?;
         }
         if log.rays.len() > MAX_RAYS {
             return Err(LogError::TooLarge(format!("{MAX_RAYS} rays")));
@@ -109,98 +106,57 @@ pub fn read(file: impl Read) -> Result<Log, LogError> {
     }
 }
 
-/// A line by its number: its bytes, or why it has none.
-type Numbered = (usize, Result<Vec<u8>, String>);
-
-/// The next lines, the first of this number, and how many bytes they have; none at the end of the file.
-fn next_block(file: &mut impl BufRead, first: usize) -> io::Result<(Vec<Numbered>, u64)> {
-    let (mut block, mut size) = (Vec::new(), 0);
-    while size < BLOCK as u64 {
-        let mut line = Vec::new();
-        let length = file.by_ref().take(MAX_LINE).read_until(b'\n', &mut line)? as u64;
-        if length == 0 {
-            break;
-        }
-        size += length;
-        let mut text = Ok(line);
-        if length == MAX_LINE {
-            size += skip_line(file)?;
-            text = Err("longer than 1 MiB".to_owned());
-        }
-        block.push((first + block.len(), text));
+/// Whole lines; `rest` is the beginning of the next one, of which no more is kept than shows that it is too long.
+fn next_block(file: &mut impl Read, rest: &mut Vec<u8>) -> io::Result<Option<Vec<u8>>> {
+    let mut block = std::mem::take(rest);
+    if file.by_ref().take(BLOCK).read_to_end(&mut block)? == 0 {
+        return Ok((!block.is_empty()).then_some(block));
     }
-    Ok((block, size))
+    let end = block.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
+    *rest = block.split_off(end);
+    rest.truncate(MAX_LINE + 1);
+    Ok(Some(block))
 }
 
-/// Passes over the rest of a line; returns its length.
-fn skip_line(file: &mut impl BufRead) -> io::Result<u64> {
-    let mut skipped = 0;
-    loop {
-        let buffer = file.fill_buf()?;
-        let end = buffer.iter().position(|&byte| byte == b'\n').map(|at| at + 1);
-        let length = end.unwrap_or(buffer.len());
-        file.consume(length);
-        skipped += length as u64;
-        if end.is_some() || length == 0 {
-            return Ok(skipped);
-        }
-    }
+/// What lines hold, the first of this number.
+fn records(lines: &[&[u8]], first: usize) -> Records {
+    let mut names = HashSet::new();
+    let numbered = lines.iter().enumerate().filter(|(_, line)| !line.trim_ascii().is_empty());
+    numbered.map(|(at, line)| (first + at, record(line, first + at, &mut names))).collect()
 }
 
 /// What a line holds.
-fn record(line: &[u8], number: usize) -> Result<Record, String> {
+fn record(line: &[u8], number: usize, names: &mut HashSet<Arc<str>>) -> Result<Record, String> {
+    if line.len() > MAX_LINE {
+        return Err("longer than 1 MiB".to_owned());
+    }
     let line = std::str::from_utf8(line).map_err(|_| "not UTF-8".to_owned())?;
-    let read = serde_json::from_str::<Line>(line)
-        .or_else(|problem| serde_json::from_str(&quoted(line)).map_err(|_| problem));
-    let mut read = read.map_err(|e| printable::text(&e.to_string()))?;
-    read.ray.line = number;
-    if read.ray.kind.is_none() && (read.ray.light.is_some() || read.ray.end.is_some()) {
-        read.ray.kind = Some(Purpose::Shadow);
-    }
-    match (read.has_origin, read.has_direction) {
-        (true, true) => Ok(Record::Ray(Box::new(read.ray))),
-        (true, false) => Err("the ray has no `direction`".to_owned()),
-        (false, true) => Err("the ray has no `origin`".to_owned()),
-        (false, false) => {
-            let (point, (object, mut fields)) = (read.ray.point, read.into_others());
-            // a point lamp's place; of a ray the field is another
-            if let Some(point) = point {
-                fields.insert("point".to_owned(), Value::from(point.to_array().to_vec()));
-            }
-            if fields.contains_key("rays") {
-                return Ok(Record::Head(fields));
-            }
-            if let Some(lamp) = fields.remove("lamp") {
-                let name = lamp.as_str().map_or_else(|| lamp.to_string(), str::to_owned).into();
-                if let Some(object) = object {
-                    fields.insert("object".to_owned(), Value::from(&*object));
-                }
-                return Ok(Record::Lamp(Named { name, fields }));
-            }
-            let problem = "neither a ray (`origin`, `direction`) nor `rays`, `object` or `lamp`";
-            object.map(|name| Record::Object(Named { name, fields })).ok_or(problem.to_owned())
+    let problem = match ray_of(line, number, names) {
+        Ok(Some(ray)) => return Ok(Record::Ray(ray)),
+        Ok(None) => {
+            "neither a ray (`origin`, `direction`) nor `rays`, `object` or `lamp`".to_owned()
         }
+        Err(problem) => printable::text(&problem),
+    };
+    let Ok(mut fields) = serde_json::from_str::<Map<String, Value>>(&quoted(line)) else {
+        return Err(problem);
+    };
+    if fields.contains_key("rays") {
+        return Ok(Record::Head(fields));
     }
+    let mut named = |field: &str| {
+        let name = fields.remove(field)?;
+        let name: Arc<str> = name.as_str().map_or_else(|| name.to_string(), str::to_owned).into();
+        Some(Named { name, fields: std::mem::take(&mut fields) })
+    };
+    let lamp = named("lamp").map(Record::Lamp);
+    lamp.or_else(|| named("object").map(Record::Object)).ok_or(problem)
 }
 
 impl Log {
-    fn add(
-        &mut self,
-        line: usize,
-        record: Result<Record, String>,
-        names: &mut HashSet<Arc<str>>,
-    ) -> Result<(), LogError> {
+    fn add(&mut self, line: usize, record: Result<Record, String>) -> Result<(), LogError> {
         match record {
-            Ok(Record::Ray(mut ray)) => {
-                // names are few, rays many
-                for name in [&mut ray.object, &mut ray.light].into_iter().flatten() {
-                    match names.get(name) {
-                        Some(known) => *name = Arc::clone(known),
-                        None => drop(names.insert(Arc::clone(name))),
-                    }
-                }
-                self.rays.push(*ray);
-            }
+            Ok(Record::Ray(ray)) => self.rays.push(ray),
             Ok(Record::Object(object)) => self.objects.push(object),
             Ok(Record::Lamp(lamp)) => self.lamps.push(lamp),
             Ok(Record::Head(_)) if !(self.rays.is_empty() && self.head.is_empty()) => {
