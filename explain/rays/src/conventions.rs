@@ -3,7 +3,7 @@
 use groundtruth::math::Vector;
 
 use crate::laws::is_near;
-use crate::log::Purpose;
+use crate::log::{Factors, Purpose};
 use crate::traced::{Traced, median, size};
 use groundtruth::rgb::Rgb;
 
@@ -28,6 +28,8 @@ pub struct Conventions {
     pub eta_is_front_over_behind: bool,
     /// Whether `throughput` leaves out the ray's own weight.
     pub throughput_before: bool,
+    /// Whether the log's `weight` was the product from the camera; [`Traced`] has made it the ray's own.
+    pub weight_from_camera: bool,
     /// How far from the surface rays start, and along what.
     pub offset: Option<Offset>,
 }
@@ -93,6 +95,18 @@ impl Conventions {
         }
     }
 
+    /// Whether `weight` is the product of all factors from the camera, not only that of the ray in its sender.
+    pub fn are_weights_from_camera(traced: &Traced) -> bool {
+        let answers = traced.pairs().filter_map(|(index, parent)| {
+            let Factors { weight, f, cos, pdf, choice, .. } = &traced.ray(index).factors;
+            let part = cos.unwrap_or(1.0) / (pdf.unwrap_or(1.0) * choice.unwrap_or(1.0));
+            let (weight, own) = ((*weight)?, part * (*f)?);
+            let product = traced.ray(parent).factors.weight? * own;
+            (!is_near(own, product, 1e-2)).then(|| is_near(weight, product, 1e-3))
+        });
+        nearly_all(answers) == Some(true)
+    }
+
     /// All of them, of a log whose lengths are known.
     pub fn of_tree(traced: &Traced) -> Self {
         Self {
@@ -114,6 +128,7 @@ impl Conventions {
         say(self.normals == Normals::Outward, "normals face outward, whatever side is seen");
         say(self.shadow_from_lamp, "shadow rays run from the lamp to the point");
         say(self.eta_is_front_over_behind, "`eta` is the index in front over the one behind");
+        say(self.weight_from_camera, "`weight` is the product from the camera");
         say(self.throughput_before, "`throughput` leaves out the ray's own weight");
         if let Some(Offset { along, length }) = self.offset {
             let along = match along {

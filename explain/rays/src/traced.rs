@@ -4,15 +4,19 @@ use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use groundtruth::math::{Point, Vector};
+use groundtruth::rgb::Rgb;
 use groundtruth::world::{PlacedObject, World};
 use rayon::prelude::*;
 
 use crate::conventions::Conventions;
+use crate::laws::distance_to_truth;
 use crate::log::{Id, Log, Purpose, Ray};
 use crate::precision::{add_ends, fixed, forget_marks, rounding};
 
 /// Roundings that a quantity of a log may have gone through.
 const STEPS: f64 = 32.0;
+/// The rays that show how far hits are off.
+const LOOKED_AT: usize = 2000;
 /// How far away in the log the sender of a ray without `parent` is looked for.
 const LOOKED_AROUND: usize = 256;
 
@@ -46,6 +50,8 @@ pub struct Traced {
     pub conventions: Conventions,
     /// The objects of the log, or the scene that it names.
     pub world: Option<Arc<World>>,
+    /// How far hits are off the true surfaces, if nearly all are by more than rounding: the threshold of a sphere tracer.
+    pub hits_are_off: f64,
 }
 
 /// A ray whose place in the tree is not known.
@@ -78,6 +84,7 @@ impl Traced {
             scale,
             conventions: Conventions::default(),
             world,
+            hits_are_off: 0.0,
         };
         traced.link(false);
         traced.conventions = Conventions::of_lengths(&traced);
@@ -85,8 +92,31 @@ impl Traced {
         if traced.log.rays.iter().any(is_open) {
             traced.link(true);
         }
-        traced.conventions = Conventions::of_tree(&traced);
+        if Conventions::are_weights_from_camera(&traced) {
+            traced.make_weights_local();
+        }
+        let weight_from_camera = traced.conventions.weight_from_camera;
+        traced.conventions = Conventions { weight_from_camera, ..Conventions::of_tree(&traced) };
+        traced.hits_are_off = hits_are_off(&traced);
         traced
+    }
+
+    /// Divides weights that are products from the camera by those of the senders; a throughput keeps the product.
+    fn make_weights_local(&mut self) {
+        let weights: Vec<_> = self.log.rays.iter().map(|ray| ray.factors.weight).collect();
+        self.conventions.weight_from_camera = true;
+        for (index, &product) in weights.iter().enumerate() {
+            let before = self.parents[index].map_or(Some(Rgb::WHITE), |parent| {
+                let is_root = self.parents[parent].is_none();
+                weights[parent].or(is_root.then_some(Rgb::WHITE))
+            });
+            let factors = &mut self.log.rays[index].factors;
+            factors.weight = product.zip(before).map(|(product, before)| {
+                let [p, b] = [product, before].map(Rgb::to_array);
+                Rgb::from([0, 1, 2].map(|at| if b[at] == 0.0 { 0.0 } else { p[at] / b[at] }))
+            });
+            factors.throughput = factors.throughput.or(product);
+        }
     }
 
     /// The ray and those that sent it, up to the camera's or a thousand.
@@ -230,12 +260,19 @@ impl Traced {
             let end = (!self.ray(other).is_shadow()).then(|| self.end_point(other)).flatten()?;
             Some((other, end.distance(start))).filter(|&(_, far)| far <= 1e-3 * self.scale)
         };
-        let before = &rays[place.saturating_sub(LOOKED_AROUND)..place];
-        let after = &rays[place + 1..rays.len().min(place + 1 + LOOKED_AROUND)];
-        // of equally near ones the last before it
-        let nearest = before.iter().rev().filter_map(distance).min_by(|a, b| a.1.total_cmp(&b.1));
-        let later = || after.iter().filter_map(distance).min_by(|a, b| a.1.total_cmp(&b.1));
-        nearest.or_else(later).map(|(other, _)| other)
+        let before = rays[place.saturating_sub(LOOKED_AROUND)..place].iter().rev();
+        let after = rays[place + 1..rays.len().min(place + 1 + LOOKED_AROUND)].iter();
+        // of equally near ones the nearest in the log
+        let nearest =
+            |(a, far): (usize, f64), b: (usize, f64)| if b.1 < far { b } else { (a, far) };
+        let [before, after] = [
+            before.filter_map(distance).reduce(nearest),
+            after.filter_map(distance).reduce(nearest),
+        ];
+        // a recursion that notes a ray when it is finished has the camera's ray last
+        let is_last = rays.last().is_some_and(|&last| self.ray(last).is(&Purpose::Camera));
+        let found = if is_last { after.or(before) } else { before.or(after) };
+        found.map(|(other, _)| other)
     }
 }
 
@@ -272,6 +309,19 @@ impl Senders {
         }
         self.parents.retain(|(ray, _)| up.contains_key(ray));
     }
+}
+
+/// How far nearly all hits are from the true surfaces, if it is more than rounding and less than a picture shows.
+fn hits_are_off(traced: &Traced) -> f64 {
+    let step = traced.log.rays.len().div_ceil(LOOKED_AT);
+    let off =
+        (0..traced.log.rays.len()).step_by(step).filter_map(|it| distance_to_truth(traced, it));
+    let mut off: Vec<[f64; 2]> = off.collect();
+    let beyond = off.iter().filter(|[off, rounding]| off > rounding).count();
+    off.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let most = off.get(off.len() * 98 / 100).map_or(0.0, |it| it[0]);
+    let is_habit = off.len() >= 8 && 2 * beyond >= off.len() && most <= 1e-3 * traced.scale;
+    if is_habit { 2.0 * most } else { 0.0 }
 }
 
 fn sizes(world: Option<&World>) -> HashMap<Arc<str>, f64> {

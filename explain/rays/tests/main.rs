@@ -2,6 +2,7 @@
 
 mod border;
 mod laws;
+mod light;
 mod reading;
 mod statistics;
 mod writers;

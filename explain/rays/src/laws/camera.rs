@@ -20,6 +20,9 @@ pub const LAW: RayLaw = RayLaw {
     check,
 };
 
+/// The part of a usual ray's length that a lens may be wide: what it moves rays by is less than `WITHIN`, or they pass no film.
+const LENS: f64 = 3e-2;
+
 /// A film: the direction of the pixel's corner is `corner + x · right + y · down`.
 struct Film {
     corner: Vector,
@@ -73,7 +76,7 @@ fn film(rays: &[&Ray], scale: f64) -> Option<Film> {
     let eye = |axis: usize| median(rays.iter().map(|ray| ray.origin.along(axis)).collect());
     let eye = Point::new(eye(0)?, eye(1)?, eye(2)?);
     let spread = median(rays.iter().map(|ray| (ray.origin - eye).length()).collect())?;
-    if spread > 1e-4 * scale || rays.len() < 4 {
+    if spread > LENS * scale || rays.len() < 4 {
         return None;
     }
     let far = |score: fn([f64; 2]) -> f64| {
@@ -82,15 +85,20 @@ fn film(rays: &[&Ray], scale: f64) -> Option<Film> {
     };
     let corners =
         [far(|[x, y]| -x - y)?, far(|[x, y]| x - y)?, far(|[x, y]| y - x)?, far(|[x, y]| x + y)?];
-    let film = Film::through(corners)?;
+    // a lens moves the rays of a pixel about their mean
+    let film = Film::through(corners, |corner| {
+        let of_pixel = rays.iter().filter(|ray| ray.pixel == corner.pixel);
+        of_pixel.filter_map(|ray| ray.direction.unit()).reduce(|sum, it| sum + it)?.unit()
+    })?;
     let fits = rays.iter().filter(|ray| film.off(ray).is_some_and(|off| off <= WITHIN)).count();
     (fits as f64 >= FIT * rays.len() as f64).then_some(film)
 }
 
 impl Film {
     /// The projective film that four rays pass in the middle of their pixels.
-    fn through(corners: [&Ray; 4]) -> Option<Self> {
-        let [a, b, c, d] = corners.map(|ray| ray.direction);
+    fn through(corners: [&Ray; 4], direction: impl Fn(&Ray) -> Option<Vector>) -> Option<Self> {
+        let [a, b, c, d] = corners.map(direction);
+        let (a, b, c, d) = (a?, b?, c?, d?);
         // λ_a a + λ_d d = λ_b b + λ_c c for a rectangle, by Cramer's rule
         let volume = b.cross(c).dot(d);
         if volume.abs() < 1e-12 {

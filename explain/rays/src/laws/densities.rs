@@ -1,4 +1,6 @@
+use std::collections::HashMap;
 use std::f64::consts::PI;
+use std::sync::Arc;
 
 use super::geometry::leaving;
 use super::{BrokenRay, LawReport, RayLaw};
@@ -18,7 +20,7 @@ const FEW: usize = 200;
 pub const LAW: RayLaw = RayLaw {
     name: "drawn-as-claimed",
     says: "directions are drawn with the density that they are divided by",
-    needs: &["200 diffuse rays with pdf, or with f, cos and weight", "normal of their parents"],
+    needs: &["200 diffuse rays with pdf, or with weight", "normal of their parents"],
     causes: &[
         "directions are uniform on the hemisphere, the density claims the cosine",
         "directions follow the cosine, the density claims uniform ones",
@@ -41,6 +43,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
     let mut azimuths = Vec::new();
     let mut claims: Vec<Claim> = Vec::new();
     let mut first = None;
+    let implied_by_weights = implied_by_weights(traced);
     for it in leaving(traced).filter(|it| matches!(it.ray.kind, Some(Purpose::Diffuse))) {
         let Some(normal) = it.facing().and_then(Normal::new) else { continue };
         let cos = it.leaving.dot(normal);
@@ -53,13 +56,14 @@ fn check(traced: &Traced, asked: &mut LawReport) {
                     / factors.choice.unwrap_or(1.0),
             )
         };
-        let Some(pdf) = factors.pdf.or_else(implied) else { continue };
-        let is = |density: f64| (pdf - density).abs() <= 1e-3 * density;
-        let claim = match (is(cos / PI), is(0.5 / PI)) {
-            (true, false) => Claim::Cosine,
-            (false, true) => Claim::Uniform,
-            _ => continue,
+        let claim = match factors.pdf.or_else(implied) {
+            Some(pdf) => {
+                let is = |density: f64| (pdf - density).abs() <= 1e-3 * density;
+                either(is(cos / PI), is(0.5 / PI))
+            }
+            None => implied_by_weights.get(&it.parent.object).copied(),
         };
+        let Some(claim) = claim else { continue };
         first.get_or_insert(it.index);
         claims.push(claim);
         cosines.push(cos);
@@ -113,6 +117,33 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         short(polar.min(round))
     );
     asked.findings.push(BrokenRay { ray: first, words, causes: bits, follows: None });
+}
+
+fn either(is_cosine: bool, is_uniform: bool) -> Option<Claim> {
+    let claim = if is_cosine { Claim::Cosine } else { Claim::Uniform };
+    (is_cosine != is_uniform).then_some(claim)
+}
+
+/// What the weights of a matte object's rays claim: all are the same if the density follows the cosine, all are as the cosines if it
+/// is uniform.
+fn implied_by_weights(traced: &Traced) -> HashMap<Option<Arc<str>>, Claim> {
+    let mut objects: HashMap<_, Vec<[f64; 2]>> = HashMap::new();
+    for it in leaving(traced).filter(|it| matches!(it.ray.kind, Some(Purpose::Diffuse))) {
+        let weight = it.ray.factors.weight.map(|weight| weight.max()).filter(|it| *it > 0.0);
+        if let (Some(weight), Some(facing)) = (weight, it.facing()) {
+            let over_cosine = weight / facing.dot(it.leaving);
+            objects.entry(it.parent.object.clone()).or_default().push([weight, over_cosine]);
+        }
+    }
+    let claim = |weights: &Vec<[f64; 2]>| {
+        let is_even = |at: usize| {
+            let [least, most] = [f64::min, f64::max]
+                .map(|of| weights.iter().map(|it| it[at]).reduce(of).unwrap_or(0.0));
+            most - least <= 1e-3 * most
+        };
+        either(is_even(0), is_even(1)).filter(|_| weights.len() >= FEW / 10)
+    };
+    objects.into_iter().filter_map(|(object, weights)| Some((object, claim(&weights)?))).collect()
 }
 
 /// The azimuth as a part of the circle.

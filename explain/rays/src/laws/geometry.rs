@@ -1,6 +1,10 @@
 //! What several laws work out from a ray and the one that sent it.
 
+use std::collections::HashSet;
+use std::sync::Arc;
+
 use groundtruth::math::{Point, Vector};
+use groundtruth::printable;
 
 use crate::conventions::Normals;
 use crate::log::{Purpose, Ray};
@@ -93,4 +97,15 @@ pub fn refracted(d: Vector, n: Vector, ratio: f64) -> Option<Vector> {
     let cos = -d.dot(n);
     let sine_squared = ratio * ratio * (1.0 - cos * cos);
     (sine_squared <= 1.0).then(|| ratio * d + (ratio * cos - (1.0 - sine_squared).sqrt()) * n)
+}
+
+/// An object's name in quotes, or what stands for one that has none.
+pub fn quoted(name: Option<&Arc<str>>, otherwise: &str) -> String {
+    name.map_or(otherwise.to_owned(), |name| format!("\"{}\"", printable::name(name)))
+}
+
+/// The objects that rays pass.
+pub fn glass(traced: &Traced) -> HashSet<Arc<str>> {
+    let passed = traced.pairs().filter(|(ray, _)| traced.ray(*ray).is(&Purpose::Transmitted));
+    passed.filter_map(|(_, parent)| traced.ray(parent).object.clone()).collect()
 }

@@ -11,17 +11,20 @@ use text::digits::short;
 
 /// The part of a lamp's shadow rays that have to meet for it to be a point.
 const MEET: f64 = 0.6;
+/// The part of the way by which a shadow ray may end before its lamp, or behind it.
+const BEFORE: f64 = 2e-2;
 /// Fewer rays of a lamp without a place say nothing of where it is.
 const FEW: usize = 3;
 
 pub const LAW: RayLaw = RayLaw {
     name: "shadow-ray-to-lamp",
-    says: "a shadow ray goes to its lamp: those of a lamp that is a point meet there, those of one in infinity are parallel",
+    says: "a shadow ray goes to its lamp, and ends there: those of a lamp that is a point meet there, those of one in infinity are parallel",
     needs: &["kind", "light", "the lamp's place or several rays"],
     causes: &[
         "it goes from the wrong end: away from the lamp",
         "it goes towards the lamp's position as if that were a direction",
         "it goes from the camera, not from the point, to the lamp",
+        "the distance to the lamp is in other units than the direction, which is no unit vector, or is not the distance",
     ],
     check,
 };
@@ -31,6 +34,8 @@ struct Line {
     index: usize,
     from: Point,
     towards: Vector,
+    /// How far the lamp is, as its `end` says.
+    far: Option<f64>,
     eye: Point,
     slack: f64,
     tolerance: f64,
@@ -40,11 +45,13 @@ fn check(traced: &Traced, asked: &mut LawReport) {
     let mut lamps: BTreeMap<Option<Arc<str>>, Vec<Line>> = BTreeMap::new();
     for it in leaving(traced).filter(|it| it.ray.is(&crate::log::Purpose::Shadow)) {
         let turned = traced.conventions.shadow_from_lamp;
-        let way = traced.way_to_lamp(it.ray).unwrap_or(Vector::ZERO);
+        let far = traced.way_to_lamp(it.ray);
+        let way = far.unwrap_or(Vector::ZERO);
         let line = Line {
             index: it.index,
             from: if turned { it.ray.origin + way } else { it.ray.origin },
             towards: if turned { -it.leaving } else { it.leaving },
+            far: far.map(Vector::length).filter(|far| far.is_finite()),
             eye: it.parent.origin,
             // many aim from the hit point and start a little off it
             slack: it.slack(traced)
@@ -123,20 +130,32 @@ fn check_line(line: &Line, target: Target, name: Option<&str>, asked: &mut LawRe
         Target::Direction(_) => 8.0 * line.tolerance,
     };
     let miss = line.towards.cross(to).length();
-    let holds = miss <= slack && to.dot(line.towards) >= 0.0;
+    let far = line.far.filter(|_| !matches!(target, Target::Direction(_)));
+    // many end a little before the lamp
+    let is_at_lamp = far.is_none_or(|far| (far / to.length() - 1.0).abs() <= BEFORE);
+    let passes = miss <= slack && to.dot(line.towards) >= 0.0;
+    let holds = passes && is_at_lamp;
     asked.count(line.index, holds, || {
         let near = slack / to.length().max(slack);
-        let is = |v: Vector| v.unit().is_some_and(|v| (v - line.towards).length() <= near);
+        let is =
+            |v: Vector| !passes && v.unit().is_some_and(|v| (v - line.towards).length() <= near);
         let causes = match target {
             Target::Place(place) | Target::Found(place) => {
-                [is(-to), is(place.to_vector()), is(place - line.eye)]
+                [is(-to), is(place.to_vector()), is(place - line.eye), passes]
             }
-            Target::Direction(_) => [is(-to), false, false],
+            Target::Direction(_) => [is(-to), false, false, false],
         };
         let lamp =
             name.map_or("its lamp".to_owned(), |name| format!("\"{}\"", printable::name(name)));
         let angle = to_degrees(atan2(miss, to.dot(line.towards)));
-        (format!("goes {}° past {lamp}", short(angle)), causes)
+        let words = match far.filter(|_| passes) {
+            Some(far) => {
+                let [far, to] = [far, to.length()].map(short);
+                format!("ends {far} from its start, where {lamp} is {to} away")
+            }
+            None => format!("goes {}° past {lamp}", short(angle)),
+        };
+        (words, causes)
     });
 }
 
@@ -180,10 +199,16 @@ fn meeting_point(lines: &[Line]) -> Option<Point> {
     let passes = |line: &&Line| {
         let to = place - line.from;
         line.towards.cross(to).length() <= 64.0 * line.slack + 1e-4 * to.length()
-            && to.dot(line.towards) > 0.0
     };
-    let meeting = lines.iter().filter(passes).count();
-    (meeting as f64 >= MEET * lines.len() as f64).then_some(place)
+    let enough = |count: usize| count as f64 >= MEET * lines.len() as f64;
+    let ahead = |line: &&Line| (place - line.from).dot(line.towards) > 0.0;
+    let meeting = lines.iter().filter(passes).filter(ahead).count();
+    // rays that leave one lamp meet behind; but those of one point to a large lamp meet there
+    let apart = lines.iter().map(|line| line.from.distance(lines[0].from)).fold(0.0, f64::max);
+    let behind = |line: &&Line| !ahead(line) && line.from.distance(place) > 0.1 * apart;
+    let leaving = lines.iter().filter(passes).filter(behind).count();
+    let is_spread = apart > 0.1 * lines[0].from.distance(place);
+    (enough(meeting) || is_spread && enough(leaving)).then_some(place)
 }
 
 /// The middle of where two lines are nearest; `None` if they are nearly parallel.

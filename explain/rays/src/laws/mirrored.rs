@@ -21,6 +21,7 @@ pub const LAW: RayLaw = RayLaw {
         "the factor 2 of the cosine is missing",
         "the normal is no unit vector",
         "it goes on as it came",
+        "2 (d·n) n is added, not subtracted",
     ],
     check,
 };
@@ -42,17 +43,18 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             if shades { it.parent.shading_normal.or(it.parent.normal) } else { it.parent.normal };
         mirrored(it.arriving, n.and_then(Vector::unit).unwrap_or(Vector::ZERO))
     };
-    let mut deviations: HashMap<_, (Vector, f64, usize)> = HashMap::new();
+    // a wrong formula stays in the plane of the ray and the normal; what scatters leaves it
+    let mut planes: HashMap<_, [usize; 2]> = HashMap::new();
     for it in rays() {
-        let off = it.leaving - expected(&it);
-        let (sum, squares, count) =
-            deviations.entry(it.parent.object.clone()).or_insert((Vector::ZERO, 0.0, 0));
-        (*sum, *squares, *count) = (*sum + off, *squares + off.length_squared(), *count + 1);
+        let [all, outside] = planes.entry(it.parent.object.clone()).or_default();
+        let expected = expected(&it);
+        let off = it.leaving.dot(expected.cross(it.arriving));
+        let is_off = !is_near(it.leaving, expected, within(&it));
+        (*all, *outside) = (*all + 1, *outside + usize::from(is_off && off.abs() > within(&it)));
     }
-    // a mistake turns all rays alike; what scatters has no direction in common
     let scatters = |it: &Leaving<'_>| {
-        let (sum, squares, count) = deviations[&it.parent.object];
-        count >= ENOUGH && sum.length_squared() < 0.25 * squares * count as f64
+        let [all, outside] = planes[&it.parent.object];
+        all >= ENOUGH && 2 * outside > all
     };
     for it in rays() {
         let expected = expected(&it);
@@ -72,7 +74,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
     }
 }
 
-fn causes(it: &Leaving<'_>, tolerance: f64, shades: bool) -> [bool; 6] {
+fn causes(it: &Leaving<'_>, tolerance: f64, shades: bool) -> [bool; 7] {
     let is = |v: Vector| v.unit().is_some_and(|v| is_near(it.leaving, v, tolerance));
     let about =
         |n: Option<Vector>| n.and_then(Vector::unit).is_some_and(|n| is(mirrored(it.arriving, n)));
@@ -85,6 +87,7 @@ fn causes(it: &Leaving<'_>, tolerance: f64, shades: bool) -> [bool; 6] {
         is(d - d.dot(unit) * unit),
         is(mirrored(d, n)),
         is(d),
+        is(d + 2.0 * d.dot(unit) * unit),
     ]
 }
 

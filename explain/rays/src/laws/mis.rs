@@ -1,50 +1,147 @@
-use super::{LawReport, RayLaw};
+use std::collections::HashMap;
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use super::geometry::{Leaving, leaving};
+use super::{LawReport, RayLaw, lamps};
+use crate::log::Purpose;
 use crate::traced::Traced;
 use text::digits::short;
 
 pub const LAW: RayLaw = RayLaw {
     name: "mis-weights",
-    says: "the MIS weights of the two ways to draw a direction are 1 together: pdf / (pdf + other_pdf), or the same of their squares",
-    needs: &["mis", "pdf", "other_pdf"],
+    says: "the MIS weights of the two ways to draw a direction are 1 together: pdf / (pdf + other pdf), or the same of their squares, the same on both sides",
+    needs: &["mis and pdf", "other_pdf, or lamps that are understood and matte surfaces"],
     causes: &[
         "the weights of the two ways are exchanged",
         "a direction that only one way can draw is weighted all the same",
         "the weight is 1/2, whatever the densities",
+        "what is hit by chance counts in full, though lamps are sampled, too: light counts twice",
+        "what is hit by chance is left out, though samples are weighted as if it counted",
+        "the probability of having chosen this lamp is left out",
+        "one way has the balance heuristic, the other the power heuristic",
     ],
     check,
 };
 
+/// A MIS weight with the two densities that it is made of.
+struct Weighed {
+    index: usize,
+    mis: f64,
+    own: f64,
+    other: f64,
+    /// The choice of the lamp, within `other`.
+    choice: f64,
+    is_hit: bool,
+}
+
+/// Matte objects are told by so many rays.
+const FEW: usize = 8;
+
+fn balance(own: f64, other: f64) -> f64 {
+    own / (own + other)
+}
+
+fn power(own: f64, other: f64) -> f64 {
+    balance(own * own, other * other)
+}
+
 fn check(traced: &Traced, asked: &mut LawReport) {
-    let tolerance = 4.0 * traced.tolerance();
-    let told = || {
-        traced.log.rays.iter().enumerate().filter_map(|(index, ray)| {
-            let factors = &ray.factors;
-            let (mis, own, other) = (factors.mis?, factors.pdf?, factors.other_pdf?);
-            (mis.is_finite() && own.is_finite() && other.is_finite() && own > 0.0)
-                .then_some((index, mis, own, other))
-        })
-    };
-    let balance = |own: f64, other: f64| own / (own + other);
-    let power = |own: f64, other: f64| balance(own * own, other * other);
+    let tolerance = 64.0 * traced.tolerance() + 2e-4;
     let near = |a: f64, b: f64| (a - b).abs() <= tolerance;
+    let all = weighed(traced);
     let fits = |heuristic: &dyn Fn(f64, f64) -> f64| {
-        told().filter(|(_, mis, own, other)| near(*mis, heuristic(*own, *other))).count()
+        all.iter().filter(|it| near(it.mis, heuristic(it.own, it.other))).count()
     };
     let is_power = fits(&power) > fits(&balance);
-    let heuristic = |own, other| if is_power { power(own, other) } else { balance(own, other) };
-    for (index, mis, own, other) in told() {
-        let expected = heuristic(own, other);
-        asked.count(index, near(mis, expected), || {
-            let causes = [near(mis, 1.0 - expected), other == 0.0, near(mis, 0.5)];
-            let name = if is_power { "power" } else { "balance" };
+    // lamps may be sampled alone: then their samples count in full, and what is hit by chance not at all
+    let samples = || all.iter().filter(|it| !it.is_hit);
+    let full = samples().filter(|it| near(it.mis, 1.0)).count();
+    let is_alone = full > 0
+        && 2 * full > samples().count()
+        && 2 * fits(&power).max(fits(&balance)) < all.len();
+    for it in &all {
+        let [expected, unlike] = match (is_alone, is_power) {
+            (true, _) => [if it.is_hit { 0.0 } else { 1.0 }; 2],
+            (_, true) => [power(it.own, it.other), balance(it.own, it.other)],
+            _ => [balance(it.own, it.other), power(it.own, it.other)],
+        };
+        asked.count(it.index, near(it.mis, expected), || {
+            let without = it.other / it.choice;
+            let unchosen = if is_power { power(it.own, without) } else { balance(it.own, without) };
+            let causes = [
+                near(it.mis, 1.0 - expected) && !is_alone,
+                it.other == 0.0,
+                near(it.mis, 0.5),
+                it.is_hit && near(it.mis, 1.0),
+                it.is_hit && near(it.mis, 0.0),
+                it.choice != 1.0 && near(it.mis, unchosen),
+                near(it.mis, unlike),
+            ];
+            let [mis, expected] = [it.mis, expected].map(short);
+            let name = match (is_alone, is_power) {
+                (true, _) => "samples of lamps count in full",
+                (_, true) => "power heuristic",
+                _ => "balance heuristic",
+            };
             (
-                format!(
-                    "has the MIS weight {}, where its densities give {} ({name} heuristic)",
-                    short(mis),
-                    short(expected)
-                ),
+                format!("has the MIS weight {mis}, where its densities give {expected} ({name})"),
                 causes,
             )
         });
     }
+}
+
+/// All weights whose densities are known: as logged, or by the lamp and the surface.
+fn weighed(traced: &Traced) -> Vec<Weighed> {
+    let (matte, lamps) = (matte(traced), lamps::drawn(traced));
+    let of = |it: Leaving<'_>| {
+        let factors = &it.ray.factors;
+        let (index, mis) = (it.index, factors.mis.filter(|mis| mis.is_finite())?);
+        let is_hit = !it.ray.is_shadow();
+        let is_mirror = matches!(it.ray.kind, Some(Purpose::Reflected | Purpose::Transmitted));
+        if is_mirror && factors.pdf.is_none() {
+            return Some(Weighed { index, mis, own: 1.0, other: 0.0, choice: 1.0, is_hit });
+        }
+        let own = factors.pdf.filter(|pdf| pdf.is_finite() && *pdf > 0.0)?;
+        if let Some(other) = factors.other_pdf.filter(|pdf| pdf.is_finite()) {
+            return Some(Weighed { index, mis, own, other, choice: 1.0, is_hit });
+        }
+        if !is_hit {
+            let choice = factors.choice.unwrap_or(1.0);
+            let is_matte = matte.get(&it.parent.object).is_some_and(|is_matte| *is_matte);
+            let other = it.facing()?.dot(it.leaving).max(0.0) / PI;
+            return is_matte.then_some(Weighed {
+                index,
+                mis,
+                own: own * choice,
+                other,
+                choice: 1.0,
+                is_hit,
+            });
+        }
+        let is_lit = it.ray.emitted.is_some_and(|light| light.max() > 0.0);
+        let lamp = lamps.get(it.ray.object.as_ref()?).filter(|_| is_lit)?;
+        let far = traced.end_point(index)?.distance(it.ray.origin);
+        let other = lamp.choice * lamp.density(it.ray.origin, it.leaving, far);
+        Some(Weighed { index, mis, own, other, choice: lamp.choice, is_hit })
+    };
+    leaving(traced).filter_map(of).collect()
+}
+
+/// Whether all rays that an object scatters have the density cos/π.
+fn matte(traced: &Traced) -> HashMap<Option<Arc<str>>, bool> {
+    let mut objects: HashMap<_, (usize, bool)> = HashMap::new();
+    for it in leaving(traced).filter(|it| !it.ray.is_shadow()) {
+        let cosine = it.facing().map(|facing| facing.dot(it.leaving) / PI);
+        let is_cosine = it
+            .ray
+            .factors
+            .pdf
+            .zip(cosine)
+            .is_some_and(|(pdf, cosine)| (pdf - cosine).abs() <= 1e-3 * pdf);
+        let (count, is_matte) = objects.entry(it.parent.object.clone()).or_insert((0, true));
+        (*count, *is_matte) = (*count + 1, *is_matte && is_cosine);
+    }
+    objects.into_iter().map(|(name, (count, is_matte))| (name, is_matte && count >= FEW)).collect()
 }

@@ -2,31 +2,40 @@
 //!
 //! A cause is named only if it predicts what the log says, within the law's tolerance, for every ray that breaks the law.
 
+mod agreed;
 mod behind;
 mod camera;
+mod cosine;
 mod densities;
+mod energy;
+mod falloff;
 mod finite;
+mod fresnel;
 mod geometry;
 mod hit;
 mod lamp;
+mod lamps;
 mod mirrored;
 mod mis;
 mod nearest;
 mod normals;
 mod occluded;
 mod own_start;
+mod path_sum;
 mod radiance;
 mod refracted;
 mod samples;
 mod shares;
 mod side;
 mod starts;
+mod surface;
 mod throughput;
 mod tree;
 mod true_normal;
 mod weight;
 
 use crate::traced::Traced;
+pub use nearest::distance_to_truth;
 pub use weight::is_near;
 
 /// A law that the rays of a log are held to.
@@ -49,6 +58,7 @@ pub const LAWS: &[RayLaw] = &[
     tree::LAW,
     hit::LAW,
     nearest::LAW,
+    agreed::LAW,
     normals::LAW,
     true_normal::LAW,
     starts::LAW,
@@ -59,11 +69,17 @@ pub const LAWS: &[RayLaw] = &[
     own_start::LAW,
     behind::LAW,
     occluded::LAW,
+    falloff::LAW,
     shares::LAW,
+    fresnel::LAW,
+    energy::LAW,
+    lamps::LAW,
     mis::LAW,
+    cosine::LAW,
     weight::LAW,
     throughput::LAW,
     radiance::LAW,
+    path_sum::LAW,
     samples::LAW,
     densities::LAW,
     camera::LAW,

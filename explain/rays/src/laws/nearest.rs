@@ -109,7 +109,7 @@ impl<'a> Seen<'a> {
                 let off_unit = (length - 1.0).abs();
                 let off_unit = if off_unit <= 1e-3 { 4.0 * off_unit * t.abs() } else { 0.0 };
                 let off = (t - hit.t).abs() * length - off_unit - traced.slack_along(ray);
-                off * cosine(hit).max(GRAZING) <= 8.0 * traced.slack(sizes)
+                off * cosine(hit).max(GRAZING) <= 8.0 * traced.slack(sizes) + traced.hits_are_off
             }
             _ => false,
         };
@@ -142,4 +142,16 @@ pub fn start(traced: &Traced, index: usize) -> f64 {
     let moved = if moved < 0.1 * traced.scale { moved } else { 0.0 };
     let sizes = size(ray.origin) + traced.object_size(traced.ray(parent).object.as_ref());
     (4.0 * moved).max(1e-4 * traced.scale).max(traced.slack(64.0 * sizes))
+}
+
+/// How far a ray's hit is from the nearest surface, and how far rounding may move it.
+pub fn distance_to_truth(traced: &Traced, index: usize) -> Option<[f64; 2]> {
+    let (ray, world) = (traced.ray(index), traced.world.as_ref()?);
+    let end = traced.end_point(index).filter(|end| end.is_finite() && !ray.is_shadow())?;
+    let seen = Seen::of(traced, index, world)?;
+    let hit =
+        seen.ours.filter(|hit| ray.object.as_ref().is_none_or(|name| *name == hit.object.name))?;
+    let off = (hit.surface.point - end).dot(Vector::from(hit.surface.normal)).abs();
+    let sizes = size(ray.origin) + size(end) + traced.object_size(ray.object.as_ref());
+    Some([off, traced.slack(sizes) + traced.slack_along(ray)])
 }

@@ -71,7 +71,7 @@ fn words(it: &Leaving<'_>, facing: Vector, expected: Option<Vector>) -> String {
 }
 
 /// The index in front over the one behind, as the log says.
-fn logged(traced: &Traced, it: &Leaving<'_>) -> Option<f64> {
+pub fn logged(traced: &Traced, it: &Leaving<'_>) -> Option<f64> {
     let factors = &it.ray.factors;
     let indices = factors.eta_from.zip(factors.eta_to).map(|(from, to)| from / to);
     let is_inverse = traced.conventions.eta_is_front_over_behind;

@@ -1,4 +1,7 @@
-use super::geometry::leaving;
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use super::geometry::{Leaving, glass, leaving};
 use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
@@ -6,12 +9,13 @@ use text::digits::short;
 
 pub const LAW: RayLaw = RayLaw {
     name: "right-side",
-    says: "scattered rays leave to the viewer's side of a surface, transmitted ones to the other",
+    says: "scattered rays leave to the viewer's side of a surface, transmitted ones to the other; light of a lamp arrives on the viewer's side",
     needs: &["kind", "normal of its parent"],
     causes: &[
         "it leaves about the normal, which points away from the viewer: the normal is not turned to the viewer",
         "it leaves about the shading normal, below the true surface",
         "directions are drawn over the whole sphere",
+        "the lamp is behind the surface: its cosine counts without its sign",
     ],
     check,
 };
@@ -24,31 +28,51 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         .collect();
     let below = sides.iter().filter(|below| **below).count();
     let is_sphere = sides.len() >= 20 && (2 * below).abs_diff(sides.len()) < sides.len() / 2;
+    let glass = glass(traced);
     for it in leaving(traced) {
-        let should_pass = match it.ray.kind {
-            Some(Purpose::Diffuse | Purpose::Glossy) => false,
-            Some(Purpose::Transmitted) => true,
+        let (should_pass, is_lamp) = match it.ray.kind {
+            Some(Purpose::Diffuse | Purpose::Glossy) => (false, false),
+            Some(Purpose::Transmitted) => (true, false),
+            Some(Purpose::Shadow) if lights(&it, &glass) => (false, true),
             _ => continue,
         };
         let (Some(facing), Some(normal)) = (it.facing(), it.normal()) else { continue };
-        let cos = facing.dot(it.leaving);
-        // along the surface the side is a matter of rounding
-        let holds =
-            if should_pass { cos <= traced.tolerance() } else { cos >= -traced.tolerance() };
+        let is_turned = it.ray.is_shadow() && traced.conventions.shadow_from_lamp;
+        let cos = facing.dot(if is_turned { -it.leaving } else { it.leaving });
+        // along the surface the side is a matter of rounding, of a lamp one of the shading normal
+        let within = if is_lamp { BEHIND } else { traced.tolerance() };
+        let holds = if should_pass { cos <= within } else { cos >= -within };
         asked.count(it.index, holds, || {
             let about =
                 |n: Option<groundtruth::math::Vector>| n.is_some_and(|n| n.dot(it.leaving) > 0.0);
             let is_turned_away = normal.dot(it.arriving) > 0.0;
             let causes = [
-                !should_pass && is_turned_away,
+                !should_pass && !is_lamp && is_turned_away,
                 !should_pass
+                    && !is_lamp
                     && !is_turned_away
                     && it.parent.shading_normal.is_some()
                     && about(it.parent.shading_normal),
-                !should_pass && is_sphere,
+                !should_pass && !is_lamp && is_sphere,
+                is_lamp,
             ];
-            let side = if should_pass { "stays on the viewer's side of" } else { "goes below" };
+            let side = match (should_pass, is_lamp) {
+                (true, _) => "stays on the viewer's side of",
+                (_, true) => "brings light from behind",
+                _ => "goes below",
+            };
             (format!("{side} the surface that it leaves, at a cosine of {}", short(cos)), causes)
         });
     }
+}
+
+/// The sine below the surface that a smooth normal may turn a lamp to.
+const BEHIND: f64 = 0.05;
+
+/// Whether the ray of a lamp adds light to a surface that nothing passes.
+fn lights(it: &Leaving<'_>, glass: &HashSet<Arc<str>>) -> bool {
+    let [weight, radiance] = [it.ray.factors.weight, it.ray.radiance];
+    weight.zip(radiance).is_some_and(|(weight, light)| weight.max() > 0.0 && light.max() > 0.0)
+        && it.parent.object.as_ref().is_some_and(|name| !glass.contains(name))
+        && it.parent.shading_normal.is_none()
 }

@@ -8,7 +8,10 @@ pub const LAW: RayLaw = RayLaw {
     name: "true-normal",
     says: "the normal of a hit is that of the surface there",
     needs: &["objects or a scene", "normal"],
-    causes: &["the shading normal is written down as the normal"],
+    causes: &[
+        "the shading normal is written down as the normal",
+        "smooth normals are interpolated or transformed wrongly",
+    ],
     check,
 };
 
@@ -26,7 +29,9 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             continue;
         };
         // asked again around the point that it hit, so that a wrong hit is not blamed twice
-        let back = 64.0 * traced.slack(size(end) + size(ray.origin)) + 1e-6 * traced.scale;
+        let back = 64.0 * traced.slack(size(end) + size(ray.origin))
+            + 1e-6 * traced.scale
+            + 4.0 * traced.hits_are_off;
         let near = math::Ray::new(end - back * direction, direction);
         let hits = hits(world, &near, 2.0 * back);
         let Some(hit) = hits.first() else { continue };
@@ -38,16 +43,29 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             * traced.tolerance()
             * (1.0 + (size(end) + traced.object_size(ray.object.as_ref())) / traced.scale)
             / (cosine * cosine)
-            + 1e-5;
+            + 1e-5
+            + 64.0 * traced.hits_are_off / traced.scale;
         let angle = |n: Vector| n.cross(normal).length();
         // where two surfaces touch, either has hit
-        let holds = hits.iter().any(|hit| angle(Vector::from(hit.surface.normal)) <= tolerance);
-        asked.count(index, holds, || {
-            let off = atan2(angle(truth), truth.dot(normal).abs());
-            let causes = [angle(shading) <= tolerance];
+        let is_true = hits.iter().any(|hit| angle(Vector::from(hit.surface.normal)) <= tolerance);
+        // of a surface with smooth normals, unless the program bends them itself
+        let shown = ray.shading_normal.and_then(Vector::unit);
+        let shown = shown.filter(|_| shading.cross(truth).length() > tolerance);
+        let smooth = |shown: Vector| {
+            hits.iter()
+                .any(|hit| shown.cross(Vector::from(hit.shading_normal())).length() <= SMOOTH)
+        };
+        let is_smooth = shown.is_none_or(smooth);
+        asked.count(index, is_true && is_smooth, || {
+            let (kind, truth, normal) = match is_true {
+                true => ("shading normal", shading, shown.unwrap_or(normal)),
+                false => ("normal", truth, normal),
+            };
+            let off = atan2(normal.cross(truth).length(), truth.dot(normal).abs());
+            let causes = [!is_true && angle(shading) <= tolerance, is_true];
             (
                 format!(
-                    "has a normal {}° from that of \"{}\" there",
+                    "has a {kind} {}° from that of \"{}\" there",
                     short(to_degrees(off)),
                     groundtruth::printable::name(&hit.object.name)
                 ),
@@ -71,5 +89,8 @@ fn hits<'a>(world: &'a World, ray: &math::Ray, far: f64) -> Vec<Hit<'a>> {
     hits
 }
 
+/// The sine between smooth normals that are interpolated from unit vectors and from longer ones: for corners 60° apart
+/// of which one is half as long again, 6°.
+const SMOOTH: f64 = 0.17;
 /// So many surfaces may touch.
 const MOST_HITS: usize = 4;

@@ -1,0 +1,75 @@
+use std::collections::BTreeMap;
+
+use super::{LawReport, RayLaw};
+use crate::log::{Purpose, Ray};
+use crate::traced::Traced;
+use groundtruth::math::power;
+use text::digits::short;
+
+pub const LAW: RayLaw = RayLaw {
+    name: "falloff",
+    says: "the light of a point lamp falls with the square of the distance, or (by wish) not at all",
+    needs: &["radiance and end of 8 shadow rays of a lamp, from different distances"],
+    causes: &[
+        "it falls with 1/d: the square is missing",
+        "it falls with 1/d³",
+        "it falls with 1/d⁴: the distance is the square of it, its root is missing",
+    ],
+    check,
+};
+
+/// The powers of the distance that light falls with by mistake.
+const WRONG: [f64; 3] = [1.0, 3.0, 4.0];
+/// Fewer rays, and distances that differ less, show no power.
+const FEW: usize = 8;
+const RANGE: f64 = 1.2;
+/// How near to a power all rays of a lamp have to be: that of the next whole number is farther.
+const NEAR: f64 = 2e-3;
+
+fn check(traced: &Traced, asked: &mut LawReport) {
+    let mut lamps: BTreeMap<_, Vec<(usize, f64, f64)>> = BTreeMap::new();
+    for (index, ray) in traced.log.rays.iter().enumerate().filter(|(_, ray)| is_lit(ray)) {
+        let far = traced.way_to_lamp(ray).map(|way| way.length());
+        let light = ray.radiance.map(|light| light.max());
+        if let (Some(far), Some(light)) = (far.filter(|far| far.is_finite() && *far > 0.0), light) {
+            lamps.entry(&ray.light).or_default().push((index, far, light));
+        }
+    }
+    for rays in lamps.into_values() {
+        let range = |value: &dyn Fn(f64, f64) -> f64| {
+            let values = || rays.iter().map(|&(_, far, light)| value(far, light));
+            values().fold(0.0, f64::max) / values().fold(f64::INFINITY, f64::min)
+        };
+        if rays.len() < FEW || range(&|far, _| far) < RANGE {
+            continue;
+        }
+        let falls = |exponent: f64| range(&|far, light| light * power(far, exponent)) <= 1.0 + NEAR;
+        let wrong = WRONG.map(falls);
+        if !(falls(0.0) || falls(2.0) || wrong.contains(&true)) {
+            continue;
+        }
+        let ends =
+            [f64::min, f64::max].map(|of| rays.iter().map(|it| it.1).reduce(of).unwrap_or(1.0));
+        let at = |far: f64| rays.iter().find(|it| it.1 == far).map_or(1.0, |it| it.2);
+        for &(index, far, light) in &rays {
+            asked.count(index, !wrong.contains(&true), || {
+                let [near, distant] = ends;
+                let other = if far * far < near * distant { distant } else { near };
+                let part = short(light / at(other));
+                let [far, other] = [far, other].map(short);
+                (
+                    format!(
+                        "brings {part} times as much from a lamp {far} away as from {other} away"
+                    ),
+                    wrong,
+                )
+            });
+        }
+    }
+}
+
+/// Whether a ray reached its lamp and says what it brings.
+fn is_lit(ray: &Ray) -> bool {
+    let is_free = ray.t.is_none() && (ray.object.is_none() || ray.object == ray.light);
+    ray.is(&Purpose::Shadow) && is_free && ray.radiance.is_some_and(|light| light.max() > 0.0)
+}

@@ -1,0 +1,192 @@
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::geometry::quoted;
+use super::surface::Surface;
+use super::{LawReport, RayLaw};
+use crate::log::Purpose;
+use crate::traced::{Traced, median};
+use groundtruth::math::{Point, Vector};
+use text::digits::short;
+
+pub const LAW: RayLaw = RayLaw {
+    name: "lamp-density",
+    says: "the density of a direction to a lamp is that of the point on it, per steradian: d² / (cos · area), or that of the cone that a ball fills; and all lamps are drawn",
+    needs: &[
+        "pdf and end of 8 shadow rays of a lamp with an object, which is in the log or is hit",
+    ],
+    causes: &[
+        "a density per area is taken for one per steradian: d² / cos is missing",
+        "the cosine at the lamp is missing",
+        "it is so many times as large: twice, a half",
+        "the lamp shines to one side only: its cosine counts without the sign",
+        "one lamp is never drawn, though each is drawn with a probability below 1",
+    ],
+    check,
+};
+
+/// Fewer rays show no density.
+const FEW: usize = 8;
+/// How near densities have to be; and the part of them.
+const NEAR: f64 = 2e-3;
+const MOST: f64 = 0.9;
+
+/// How a program draws points of a lamp.
+#[derive(Clone, Copy, Debug)]
+pub struct Drawn {
+    surface: Surface,
+    model: usize,
+    /// The density that is logged over that of the model.
+    factor: f64,
+    /// The probability that this lamp is chosen.
+    pub choice: f64,
+}
+
+impl Drawn {
+    /// The density with which the program draws this direction to the lamp.
+    pub fn density(&self, from: Point, direction: Vector, far: f64) -> f64 {
+        self.factor * self.surface.densities(from, direction, far).0[self.model]
+    }
+}
+
+/// A shadow ray with a density: its index, where from and to, how far, its density.
+type Sample = (usize, Point, Vector, f64, f64);
+
+fn samples(traced: &Traced) -> BTreeMap<Arc<str>, Vec<Sample>> {
+    let mut lamps: BTreeMap<_, Vec<Sample>> = BTreeMap::new();
+    for (index, ray) in traced.log.rays.iter().enumerate().filter(|it| it.1.is(&Purpose::Shadow)) {
+        let (Some(way), Some(light)) = (traced.way_to_lamp(ray), &ray.light) else { continue };
+        let (Some(pdf), Some(direction)) = (ray.factors.pdf, ray.direction.unit()) else {
+            continue;
+        };
+        let is_told = way.is_finite() && pdf.is_finite() && pdf > 0.0;
+        if is_told && !traced.conventions.shadow_from_lamp {
+            let sample = (index, ray.origin, direction, way.length(), pdf);
+            lamps.entry(Arc::clone(light)).or_default().push(sample);
+        }
+    }
+    lamps.retain(|_, samples| samples.len() >= FEW);
+    lamps
+}
+
+fn surface(traced: &Traced, lamp: &Arc<str>) -> Option<Surface> {
+    let line = traced.log.lamps.iter().find(|line| line.name == *lamp);
+    let object = line.and_then(|line| line.fields.get("object")?.as_str()).unwrap_or(lamp);
+    Surface::of_line(traced, object).or_else(|| Surface::of_hits(traced, &object.into()))
+}
+
+/// The factor that all densities have beside a model, if they have one.
+fn factor(samples: &[Sample], model: impl Fn(&Sample) -> f64) -> Option<f64> {
+    let ratios: Vec<f64> = samples.iter().map(|it| it.4 / model(it)).collect();
+    let middle = median(ratios.clone())?;
+    let alike = ratios.iter().filter(|ratio| (**ratio - middle).abs() <= NEAR * middle).count();
+    (alike as f64 >= MOST * samples.len() as f64).then_some(middle)
+}
+
+fn drawn_one(traced: &Traced, lamp: &Arc<str>, samples: &[Sample]) -> Option<Drawn> {
+    let surface = surface(traced, lamp)?;
+    let choices = samples.iter().filter_map(|it| traced.ray(it.0).factors.choice).collect();
+    let choice = median(choices).unwrap_or(1.0);
+    (0..3).find_map(|model| {
+        let factor = factor(samples, |it| surface.densities(it.1, it.2, it.3).0[model])?;
+        Some(Drawn { surface, model, factor, choice })
+    })
+}
+
+/// How the points of each lamp are drawn, as far as it is understood.
+pub fn drawn(traced: &Traced) -> BTreeMap<Arc<str>, Drawn> {
+    let lamps = samples(traced);
+    lamps
+        .iter()
+        .filter_map(|(lamp, samples)| Some((Arc::clone(lamp), drawn_one(traced, lamp, samples)?)))
+        .collect()
+}
+
+fn check(traced: &Traced, asked: &mut LawReport) {
+    let lamps = samples(traced);
+    let is_part = |factor: f64| {
+        (1..=lamps.len().max(1)).any(|count| (factor * count as f64 - 1.0).abs() <= 2.0 * NEAR)
+    };
+    for (lamp, samples) in &lamps {
+        let Some(surface) = surface(traced, lamp) else { continue };
+        let drawn = drawn_one(traced, lamp, samples);
+        let wrong = [0, 1].map(|at| {
+            drawn.is_none()
+                && factor(samples, |it| surface.densities(it.1, it.2, it.3).1[at]).is_some()
+        });
+        let has_area = !matches!(surface, Surface::Flat { area: None, .. });
+        let is_scaled = drawn.is_some_and(|drawn| has_area && !is_part(drawn.factor));
+        if drawn.is_none() && !wrong.contains(&true) {
+            continue;
+        }
+        let is_dark = |towards: Vector| is_dark_side(traced, lamp, surface, towards);
+        for &(index, from, direction, far, pdf) in samples {
+            let is_lit = traced.ray(index).radiance.is_some_and(|light| light.max() > 0.0);
+            let is_behind = is_lit && is_dark(direction);
+            let holds = !(wrong.contains(&true) || is_scaled || is_behind);
+            asked.count(index, holds, || {
+                let should =
+                    surface.densities(from, direction, far).0[drawn.map_or(0, |it| it.model)];
+                let (lamp, pdf, should) = (quoted(Some(lamp), ""), short(pdf), short(should));
+                let words = match (is_behind, has_area) {
+                    (true, _) => format!(
+                        "brings light from the side of {lamp} that is dark to rays that hit it"
+                    ),
+                    (_, true) => {
+                        format!("has the density {pdf}, where a point of {lamp} has {should}")
+                    }
+                    _ => format!(
+                        "has the density {pdf}, which does not depend on {lamp} as a density does"
+                    ),
+                };
+                (words, [wrong[0], wrong[1], is_scaled, is_behind, false])
+            });
+        }
+    }
+    never_drawn(traced, &lamps, asked);
+}
+
+/// Whether what hits the lamp on the side that this direction meets is never lit.
+fn is_dark_side(traced: &Traced, lamp: &Arc<str>, surface: Surface, towards: Vector) -> bool {
+    let Surface::Flat { normal, .. } = surface else { return false };
+    let side = |direction: Vector| direction.dot(normal) > 0.0;
+    let mut on_side = traced.log.rays.iter().filter(|ray| {
+        !ray.is_shadow()
+            && ray.object.as_ref() == Some(lamp)
+            && side(ray.direction) == side(towards)
+    });
+    let mut has_any = false;
+    let is_dark = on_side.all(|ray| {
+        has_any = true;
+        ray.emitted.is_none_or(|light| light.max() == 0.0)
+    });
+    has_any && is_dark
+}
+
+/// A lamp that is hit by chance, and that no shadow ray goes to, though the others are chosen with probabilities that leave it one.
+fn never_drawn(traced: &Traced, lamps: &BTreeMap<Arc<str>, Vec<Sample>>, asked: &mut LawReport) {
+    let choice = |samples: &Vec<Sample>| {
+        median(samples.iter().filter_map(|it| traced.ray(it.0).factors.choice).collect())
+    };
+    let sum: Option<f64> = lamps.values().map(choice).sum();
+    let is_enough = lamps.values().map(Vec::len).sum::<usize>() >= 100;
+    let (Some(sum), Some(first)) =
+        (sum.filter(|sum| is_enough && *sum < 0.99), lamps.values().next())
+    else {
+        return;
+    };
+    let mut hits: BTreeMap<&Arc<str>, usize> = BTreeMap::new();
+    for ray in traced.log.rays.iter().filter(|ray| ray.factors.pdf.is_some() && !ray.is_shadow()) {
+        let is_lit = ray.emitted.is_some_and(|light| light.max() > 0.0);
+        let object = ray.object.as_ref().filter(|name| is_lit && !lamps.contains_key(*name));
+        object.map(|name| *hits.entry(name).or_default() += 1);
+    }
+    if let Some((lamp, _)) = hits.into_iter().find(|(_, count)| *count >= 3) {
+        let words = format!(
+            "is one of those that go to lamps chosen with the probability {} together: none goes to {}, which shines on rays that hit it",
+            short(sum),
+            quoted(Some(lamp), "")
+        );
+        asked.count(first[0].0, false, || (words, [false, false, false, false, true]));
+    }
+}

@@ -1,0 +1,111 @@
+use std::collections::HashMap;
+use std::sync::Arc;
+
+use super::weight::{is_finite, is_near};
+use super::{LawReport, RayLaw};
+use crate::log::Purpose;
+use crate::traced::Traced;
+use groundtruth::rgb::Rgb;
+use text::digits::three;
+
+pub const LAW: RayLaw = RayLaw {
+    name: "path-sum",
+    says: "the radiance of a camera ray is what all rays of its path bring: throughput · light each",
+    needs: &[
+        "radiance of camera rays alone",
+        "throughput of the others",
+        "emitted, and radiance of shadow rays",
+    ],
+    causes: &[
+        "direct light is added without the throughput of the path",
+        "the light of blocked shadow rays is added, too",
+        "light that is hit by chance is left out",
+        "direct light is left out",
+    ],
+    check,
+};
+
+/// What a ray adds to its camera ray.
+struct Part<'a> {
+    throughput: Rgb,
+    /// Its factor in its parent alone.
+    weight: Rgb,
+    light: Rgb,
+    mis: f64,
+    /// The lamp of a shadow ray, if it is blocked.
+    blocked: Option<Option<&'a Arc<str>>>,
+    is_shadow: bool,
+}
+
+fn check(traced: &Traced, asked: &mut LawReport) {
+    let tolerance = 64.0 * traced.tolerance();
+    let has_hit = |ray: usize| traced.end_point(ray).is_some();
+    let roots = || {
+        (0..traced.log.rays.len())
+            .filter(|&it| traced.parents[it].is_none() && traced.ray(it).is(&Purpose::Camera))
+    };
+    let is_dark = |it: usize| traced.ray(it).radiance.is_some_and(|light| light.max() == 0.0);
+    let is_black = roots().any(|it| !has_hit(it) && is_dark(it));
+    let mut lamps: HashMap<Option<&Arc<str>>, Rgb> = HashMap::new();
+    for ray in traced.log.rays.iter().filter(|ray| ray.is_shadow()) {
+        let light = ray.radiance.filter(|it| it.max() > 0.0);
+        light.map(|light| lamps.insert(ray.light.as_ref(), light));
+    }
+    for root in roots() {
+        let Some(radiance) = traced.ray(root).radiance.filter(|it| is_finite(*it)) else {
+            continue;
+        };
+        let Some(parts) = parts(traced, root, is_black) else { continue };
+        let sum = |value: &dyn Fn(&Part<'_>) -> Rgb| parts.iter().map(value).sum::<Rgb>();
+        let with_mis = |it: &Part<'_>| it.mis * it.throughput * it.light;
+        let expected = sum(&with_mis);
+        let without_mis = sum(&|it| it.throughput * it.light);
+        if !is_finite(expected) {
+            continue;
+        }
+        let is = |color: Rgb| is_near(radiance, color, tolerance);
+        asked.count(root, is(expected) || is(without_mis), || {
+            let of_lamp = |it: &Part<'_>| it.blocked.and_then(|lamp| lamps.get(&lamp).copied());
+            let only = |shadow: bool| {
+                sum(&|it| if it.is_shadow == shadow { with_mis(it) } else { Rgb::BLACK })
+            };
+            let causes = [
+                is(sum(&|it| if it.is_shadow { it.weight * it.light } else { with_mis(it) })),
+                is(sum(&|it| {
+                    with_mis(it) + of_lamp(it).map_or(Rgb::BLACK, |light| it.throughput * light)
+                })),
+                is(only(true)),
+                is(only(false)),
+            ];
+            let [is, should] = [radiance, expected].map(|it| three(it.to_array()));
+            (format!("brings {is}, where the rays of its path bring {should}"), causes)
+        });
+    }
+}
+
+/// What the rays of a path add, if the log has it all.
+fn parts(traced: &Traced, root: usize, is_black: bool) -> Option<Vec<Part<'_>>> {
+    let (mut parts, mut open) = (Vec::new(), vec![root]);
+    while let Some(index) = open.pop() {
+        let (ray, is_root) = (traced.ray(index), index == root);
+        if ray.direct.is_some() || !ray.is_shadow() && !is_root && ray.radiance.is_some() {
+            return None;
+        }
+        let weight = ray.factors.weight.or(is_root.then_some(Rgb::WHITE))?;
+        let own =
+            if traced.conventions.throughput_before && !is_root { weight } else { Rgb::WHITE };
+        let throughput = own * ray.factors.throughput.or(is_root.then_some(Rgb::WHITE))?;
+        // what comes from the background may not be in the log
+        let is_open = !ray.is_shadow() && traced.end_point(index).is_none() && !is_black;
+        let light = match ray.is_shadow() {
+            true => ray.radiance?,
+            false => ray.emitted.or((!is_open).then_some(Rgb::BLACK))?,
+        };
+        let mis = if ray.is_shadow() { 1.0 } else { ray.factors.mis.unwrap_or(1.0) };
+        let is_blocked = ray.is_shadow() && (ray.t.is_some() || ray.object.is_some());
+        let blocked = is_blocked.then_some(ray.light.as_ref());
+        parts.push(Part { throughput, weight, light, mis, blocked, is_shadow: ray.is_shadow() });
+        open.extend(&traced.children[index]);
+    }
+    (parts.len() > 1).then_some(parts)
+}

@@ -1,0 +1,199 @@
+//! Laws of light and of many rays, on logs that are worked out here; each with a mistake in it breaks its law alone.
+
+use std::f64::consts::PI;
+
+use super::laws::traced;
+use groundtruth::lobes::fresnel;
+use groundtruth::math::{cos, sin};
+use rays::{Outcome, RayVerdict};
+use serde_json::{Value, json};
+
+/// The laws that these lines break, with their causes.
+fn broken(lines: &[Value]) -> Vec<(&'static str, Option<&'static str>)> {
+    let traced = traced(&lines.iter().map(Value::to_string).collect::<Vec<_>>());
+    let verdict = RayVerdict::of(&traced);
+    let broken = verdict.of_outcome(Outcome::Broken);
+    broken.map(|(law, asked)| (law.name, law.cause(asked.roots()))).collect()
+}
+
+fn assert_law(lines: &dyn Fn(usize) -> Vec<Value>, law: &str, causes: &[&str]) {
+    assert_eq!(broken(&lines(0)), [], "honest");
+    for (at, cause) in causes.iter().enumerate() {
+        let found = broken(&lines(at + 1));
+        let named = found.iter().find(|(name, _)| *name == law);
+        let begins = named.is_some_and(|(_, named)| named.unwrap_or("").starts_with(cause));
+        assert!(begins, "mistake {}: {found:?}", at + 1);
+    }
+}
+
+/// A camera ray down to a floor, and what else is known of it.
+fn seen(at: usize, x: f64, more: Value) -> Value {
+    let mut line = json!({"pixel": [at, 0], "ray": 0, "kind": "camera", "origin": [x, 2, 0], "direction": [0, -1, 0], "t": 2, "normal": [0, 1, 0], "object": "floor"});
+    line.as_object_mut().expect("an object").extend(more.as_object().expect("an object").clone());
+    line
+}
+
+/// A shadow ray from there to a point, and what else is known of it.
+fn to_lamp(at: usize, x: f64, lamp: [f64; 3], more: Value) -> Value {
+    let way = [lamp[0] - x, lamp[1], lamp[2]];
+    let far = (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt();
+    let mut line = json!({"pixel": [at, 0], "ray": 1, "parent": 0, "kind": "shadow", "light": "lamp", "origin": [x, 0, 0], "direction": way.map(|it| it / far), "end": far});
+    line.as_object_mut().expect("an object").extend(more.as_object().expect("an object").clone());
+    line
+}
+
+/// Law: light falls with the square of the distance. Oracle: powers of the distance.
+#[test]
+fn light_falls_with_the_square() {
+    let lines = |mistake: usize| {
+        let rays = (0..10).flat_map(|at| {
+            let x = 0.5 * at as f64;
+            let square = x * x + 9.0;
+            let light = [1.0 / square, 1.0 / square.sqrt(), 1.0 / (square * square)][mistake];
+            [seen(at, x, json!({})), to_lamp(at, x, [0.0, 3.0, 0.0], json!({"radiance": light}))]
+        });
+        rays.collect()
+    };
+    assert_law(&lines, "falloff", &["it falls with 1/d:", "it falls with 1/d⁴"]);
+}
+
+/// Law: no surface sends on more light than arrives, with roulette or without. Oracle: a reflectance of 0.7, and π times that.
+#[test]
+fn no_surface_makes_light() {
+    let lines = |mistake: usize| {
+        let rays = (0..200).flat_map(|at| {
+            let weight = [0.7, 0.7 * PI][mistake];
+            let mut rays = vec![seen(at, 0.0, json!({}))];
+            // half of the paths end, the others count twice
+            if at % 2 == 0 {
+                rays.push(json!({"pixel": [at, 0], "ray": 1, "parent": 0, "kind": "path", "origin": [0, 0, 0], "direction": [0.6, 0.8, 0.002 * at as f64], "choice": 0.5, "weight": 2.0 * weight}));
+            }
+            rays
+        });
+        rays.collect()
+    };
+    assert_law(&lines, "energy", &["π is missing"]);
+}
+
+/// Law: the light of a path is the sum of what its rays bring. Oracle: sums of two rays.
+#[test]
+fn a_path_brings_the_sum() {
+    let lines = |mistake: usize| {
+        let rays = (0..4).flat_map(|at| {
+            let blocked = at % 2 == 1;
+            let (direct, second) = (0.5 * 3.0, if blocked { 0.0 } else { 0.25 * 3.0 });
+            let sum = [direct + second, direct + 2.0 * second, direct + 0.25 * 3.0][mistake];
+            let light = if blocked { json!({"radiance": 0, "t": 1, "object": "wall"}) } else { json!({"radiance": 3}) };
+            let mut last = to_lamp(at, 0.0, [0.0, 3.0, 0.0], json!({"ray": 3, "parent": 2, "origin": [0, 3, 0], "direction": [0, -0.6, 0.8], "end": 5, "weight": 0.5, "throughput": 0.25}));
+            last.as_object_mut().expect("an object").extend(light.as_object().expect("an object").clone());
+            [
+                seen(at, 0.0, json!({"radiance": sum, "throughput": 1})),
+                to_lamp(at, 0.0, [3.0, 3.0, 0.0], json!({"weight": 0.5, "throughput": 0.5, "radiance": 3})),
+                json!({"pixel": [at, 0], "ray": 2, "parent": 0, "kind": "path", "origin": [0, 0, 0], "direction": [0, 1, 0], "t": 3, "object": "wall", "weight": 0.5, "throughput": 0.5}),
+                last,
+            ]
+        });
+        rays.map(|mut line| {
+            line.as_object_mut().expect("an object").remove("light");
+            line
+        })
+        .collect()
+    };
+    assert_law(&lines, "path-sum", &["direct light is added without", "the light of blocked"]);
+}
+
+/// Law: shares follow Fresnel's equations, or a constant. Oracle: the library's Fresnel terms, which an own suite checks.
+#[test]
+fn shares_follow_fresnel() {
+    let lines = |mistake: usize| {
+        let rays = (1..12).flat_map(|at| {
+            let sine = 0.08 * at as f64;
+            let cosine = (1.0 - sine * sine).sqrt();
+            let part = fresnel(cosine, 1.5).transmitted;
+            let choice = [part, 2.0 * part - 1.0, part][mistake];
+            let weight = [1.0, 1.0, part][mistake];
+            let behind = sine / 1.5;
+            [
+                seen(at, 0.0, json!({"origin": [-2.0 * sine, 2.0 * cosine, 0], "direction": [sine, -cosine, 0]})),
+                json!({"pixel": [at, 0], "ray": 1, "parent": 0, "kind": "transmitted", "eta": 1.5, "origin": [0, 0, 0], "direction": [behind, -(1.0 - behind * behind).sqrt(), 0], "choice": choice, "weight": weight}),
+            ]
+        });
+        rays.collect()
+    };
+    assert_law(&lines, "fresnel", &["the mean of both", "the share counts twice"]);
+}
+
+/// A rectangle of area 1 above the floor, a point of it that shadow rays go to, and a matte floor.
+fn with_panel(mistake: usize) -> Vec<Value> {
+    let mut lines = vec![
+        json!({"object": "lamp", "rectangle": {"corner": [0, 3, 0], "a": [1, 0, 0], "b": [0, 0, 1]}}),
+    ];
+    for at in 0..12 {
+        let (x, place) = (0.4 * at as f64, [0.08 * at as f64, 3.0, 0.05 * at as f64]);
+        let square = (place[0] - x) * (place[0] - x) + 9.0 + place[2] * place[2];
+        let (far, up) = (square.sqrt(), 3.0 / square.sqrt());
+        let pdf =
+            [square / up, 1.0, square, 2.0 * square / up, square / up, square / up, square / up]
+                [mistake];
+        let (light, surface) = (square / up, up / PI);
+        let of = |own: f64, other: f64| own * own / (own * own + other * other);
+        let mis = [of(light, surface), of(light, surface), 1.0][usize::from(mistake == 6) * 2];
+        lines.push(seen(at, x, json!({})));
+        lines.push(to_lamp(at, x, place, json!({"pdf": pdf, "mis": mis})));
+        let hit = [of(surface, light), 1.0, 0.0][match mistake {
+            4 | 6 => 1,
+            5 => 2,
+            _ => 0,
+        }];
+        lines.push(json!({"pixel": [at, 0], "ray": 2, "parent": 0, "kind": "diffuse", "origin": [x, 0, 0], "direction": [(place[0] - x) / far, up, place[2] / far], "t": far, "object": "lamp", "normal": [0, -1, 0], "emitted": 5, "pdf": surface, "mis": hit}));
+    }
+    lines
+}
+
+/// Law: the density of a lamp's point is d² / (cos · area). Oracle: a rectangle.
+#[test]
+fn lamps_are_drawn_as_claimed() {
+    let lines = |mistake: usize| {
+        let mut lines = with_panel(mistake);
+        // what the weights would be is another law
+        lines
+            .iter_mut()
+            .for_each(|line| drop(line.as_object_mut().expect("an object").remove("mis")));
+        lines
+    };
+    let causes = ["a density per area", "the cosine at the lamp", "it is so many times"];
+    assert_law(&lines, "lamp-density", &causes);
+}
+
+/// Law: the weights of two ways are 1 together, though the log has no `other_pdf`. Oracle: the power heuristic of both densities.
+#[test]
+fn both_ways_are_weighted() {
+    let lines = |mistake: usize| with_panel([0, 4, 5, 6][mistake]);
+    let causes = [
+        "what is hit by chance counts in full",
+        "what is hit by chance is left out",
+        "what is hit by chance counts in full",
+    ];
+    assert_law(&lines, "mis-weights", &causes);
+}
+
+/// Law: a ball that some rays hit is there for others. Oracle: rays from the side towards its centre.
+#[test]
+fn surfaces_are_there_for_all_rays() {
+    let lines = |mistake: usize| {
+        let rays = (0..60).map(|at| {
+            // a spiral over a part of the ball around (0, 0, −5)
+            let (up, turn) = (1.0 - 0.004 * at as f64, 2.4 * at as f64);
+            let side = (1.0 - up * up).sqrt();
+            let n = [side * cos(turn), side * sin(turn), up];
+            let origin = [8.0 * n[0], 8.0 * n[1], 8.0 * n[2] - 5.0];
+            let mut line = json!({"pixel": [at, 0], "kind": "camera", "origin": origin, "direction": n.map(|x| -x), "t": 7, "normal": n, "object": "ball"});
+            if mistake == 1 && at == 5 {
+                line = json!({"pixel": [at, 0], "kind": "camera", "origin": origin, "direction": n.map(|x| -x), "t": 12, "normal": [0, 0, 1], "object": "wall"});
+            }
+            line
+        });
+        rays.collect()
+    };
+    assert_law(&lines, "surfaces-agree", &["a farther object is taken"]);
+}
