@@ -5,28 +5,36 @@ use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use ask::{JunitCase, JunitResult};
 use clap::Args;
 use groundtruth::scene::Scene;
 use groundtruth::world::{self, World};
-use rays::{RayVerdict, Traced, WriterLanguage};
+use rays::{LawReport, RayLaw, RayVerdict, Traced, WriterLanguage};
+use serde_json::Value;
 
 use super::{Exit, Outcome, print};
 
 #[derive(Args)]
 pub struct Rays {
-    /// What your program wrote of its rays; docs/rays.md has the format
+    /// What your program wrote of its rays, one log or several; docs/rays.md has the format
     #[arg(value_name = "LOG", required_unless_present_any = ["init", "laws"])]
-    log: Option<PathBuf>,
+    logs: Vec<PathBuf>,
     /// Print a file for your program that writes such a log
     #[arg(long, value_name = "LANGUAGE", value_parser = language, exclusive = true)]
     init: Option<WriterLanguage>,
     /// List the laws, what each needs, and its usual causes
     #[arg(long, exclusive = true)]
     laws: bool,
-    /// Write the verdict with the tree and drawings as a page (.html)
+    /// Print a line for each pixel, the worst last
+    #[arg(long, conflicts_with_all = ["json", "output"])]
+    pixels: bool,
+    /// Write the laws of each log for continuous integration (JUnit's XML)
+    #[arg(long, value_name = "FILE")]
+    junit: Option<PathBuf>,
+    /// Write the verdict on one log with the tree and drawings as a page (.html)
     #[arg(short, long, value_name = "FILE", conflicts_with = "json")]
     output: Option<PathBuf>,
-    /// Print JSON
+    /// Print JSON; of several logs, a list
     #[arg(long)]
     json: bool,
 }
@@ -39,25 +47,69 @@ impl Rays {
         if self.laws {
             return print(&rays::laws_text());
         }
-        let Some(path) = &self.log else { return Ok(Exit::Unanswered) };
-        let traced = read(path)?;
-        let verdict = RayVerdict::of(traced);
-        if let Some(output) = &self.output {
-            let name = path.file_name().unwrap_or_default().to_string_lossy();
-            super::output::write(output, verdict.page(&name).as_bytes())?;
-            print(&(verdict.sentence() + "\n"))?;
-            return Ok(exit(&verdict));
+        if self.output.is_some() && self.logs.len() > 1 {
+            return Err("--output: a page has one log".into());
         }
-        match self.json {
-            true => print(&(serde_json::to_string_pretty(&verdict.json())? + "\n"))?,
-            false => print(&verdict.text())?,
-        };
-        Ok(exit(&verdict))
+        super::output::once(self.output.iter().chain(&self.junit).map(PathBuf::as_path), "output")?;
+        let (mut exit, mut suites, mut told) = (Exit::Yes, Vec::new(), Vec::new());
+        for path in &self.logs {
+            let traced = read(path)?;
+            let verdict = RayVerdict::of(traced);
+            if verdict.is_broken() {
+                exit = Exit::No;
+            }
+            if self.json {
+                told.push(verdict.json());
+            } else {
+                print(&self.text(path, &verdict))?;
+            }
+            suites.extend(
+                self.junit.is_some().then(|| (path.display().to_string(), cases(&verdict))),
+            );
+            if let Some(output) = &self.output {
+                let name = path.file_name().unwrap_or_default().to_string_lossy();
+                super::output::write(output, verdict.page(&name).as_bytes())?;
+            }
+        }
+        if self.json {
+            let one = told.len() == 1;
+            let all = if one { told.swap_remove(0) } else { Value::Array(told) };
+            print(&(serde_json::to_string_pretty(&all)? + "\n"))?;
+        }
+        if let Some(file) = &self.junit {
+            super::output::write(file, ask::junit("rays", suites).as_bytes())?;
+        }
+        Ok(exit)
+    }
+
+    /// What is printed of a log: all of it, or a line if there are several logs or a page.
+    fn text(&self, path: &Path, verdict: &RayVerdict) -> String {
+        let name =
+            if self.logs.len() > 1 { format!("{}: ", path.display()) } else { String::new() };
+        match (self.pixels, self.logs.len() > 1 || self.output.is_some()) {
+            (true, _) => format!("{name}{}", verdict.pixels_text()),
+            (_, true) => format!("{name}{}\n", verdict.sentence()),
+            _ => verdict.text(),
+        }
     }
 }
 
-fn exit(verdict: &RayVerdict) -> Exit {
-    if verdict.is_broken() { Exit::No } else { Exit::Yes }
+/// The laws as cases.
+fn cases(verdict: &RayVerdict) -> Vec<JunitCase> {
+    let case = |(law, asked): &(&'static RayLaw, LawReport)| {
+        let result = match asked.outcome() {
+            rays::Outcome::Held => JunitResult::Success,
+            rays::Outcome::NotAsked => JunitResult::Skipped,
+            rays::Outcome::Broken => JunitResult::Failure,
+        };
+        let found = asked.roots().chain(&asked.findings).next();
+        let words = found.map_or(String::new(), |found| {
+            let cause = law.cause(asked.roots()).map_or(String::new(), |it| format!(": {it}"));
+            format!("{} {}{cause}", verdict.traced.name(found.ray), found.words)
+        });
+        (law.name.to_owned(), result, words)
+    };
+    verdict.asked.iter().map(case).collect()
 }
 
 fn read(path: &PathBuf) -> Result<Traced, Box<dyn Error>> {

@@ -31,5 +31,5 @@ pub use recorded::Recorded;
 pub use scene::{empty_scene, inline_scene, world_of};
 pub use text::laws_text;
 pub use traced::Traced;
-pub use verdict::{Outcome, RayVerdict};
+pub use verdict::{Outcome, PixelVerdict, RayVerdict};
 pub use written::log_of;

@@ -8,7 +8,7 @@ use groundtruth::rgb::Rgb;
 
 use crate::laws::{LAWS, LawReport, RayLaw};
 use crate::traced::Traced;
-use crate::verdict::{Outcome, RayVerdict};
+use crate::verdict::{Outcome, PixelVerdict, RayVerdict};
 
 /// The most rays of a tree that are printed.
 const MAX_PRINTED: usize = 200;
@@ -69,6 +69,27 @@ impl RayVerdict {
             laws.try_for_each(|(law, asked)| self.write_law(f, law, asked))?;
         }
         self.write_tree(f)
+    }
+
+    /// A line for each pixel, and the worst.
+    pub fn pixels_text(&self) -> String {
+        let line = |it: &PixelVerdict| {
+            let pixel = it.pixel.map_or("all".to_owned(), |[x, y]| format!("({x}, {y})"));
+            let found = it.first.map_or("breaks no law".to_owned(), |(law, ray)| {
+                format!(
+                    "{}, first by {} ({})",
+                    count(it.findings, "finding"),
+                    self.traced.name(ray),
+                    law.name
+                )
+            });
+            format!("pixel {pixel}: {}, {found}\n", count(it.rays, "ray"))
+        };
+        let pixels = self.pixels();
+        let worst = pixels.iter().rev().max_by_key(|it| it.findings).filter(|it| it.findings > 0);
+        let lines = pixels.iter().map(line).collect::<String>();
+        let worst = worst.map_or(String::new(), |it| format!("worst: {}", line(it)));
+        format!("{}\n{}", printable::text(&self.sentence()), lines + &worst)
     }
 
     /// What was taken from the log, guessed or left out, a sentence each.

@@ -19,6 +19,19 @@ pub struct RayVerdict {
     pub asked: Vec<(&'static RayLaw, LawReport)>,
 }
 
+/// What all laws found in a pixel.
+#[derive(Clone, Copy, Debug)]
+pub struct PixelVerdict {
+    /// Which; `None` of a log without pixels.
+    pub pixel: Option<[u32; 2]>,
+    /// Its rays.
+    pub rays: usize,
+    /// What they break, without what follows from another finding.
+    pub findings: usize,
+    /// The first broken law, and the ray that breaks it.
+    pub first: Option<(&'static RayLaw, usize)>,
+}
+
 /// What became of a law.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Outcome {
@@ -69,6 +82,26 @@ impl RayVerdict {
                 .take_while(move |finding| finding.ray == ray)
                 .map(|finding| (*law, finding))
         })
+    }
+
+    /// The pixels in the order of the log, each with its number of findings that follow from no other, and the first of them.
+    pub fn pixels(&self) -> Vec<PixelVerdict> {
+        let (mut pixels, mut places) = (Vec::<PixelVerdict>::new(), HashMap::new());
+        for ray in &self.traced.log.rays {
+            let place = *places.entry(ray.pixel).or_insert(pixels.len());
+            if place == pixels.len() {
+                pixels.push(PixelVerdict { pixel: ray.pixel, rays: 0, findings: 0, first: None });
+            }
+            pixels[place].rays += 1;
+        }
+        for (law, asked) in &self.asked {
+            for finding in asked.roots() {
+                let pixel = &mut pixels[places[&self.traced.ray(finding.ray).pixel]];
+                pixel.findings += 1;
+                pixel.first.get_or_insert((law, finding.ray));
+            }
+        }
+        pixels
     }
 
     /// The broken law that says most, with its first finding: of those that follow from no other, the first in the list that

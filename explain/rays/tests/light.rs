@@ -11,7 +11,7 @@ use serde_json::{Value, json};
 /// The laws that these lines break, with their causes.
 fn broken(lines: &[Value]) -> Vec<(&'static str, Option<&'static str>)> {
     let traced = traced(&lines.iter().map(Value::to_string).collect::<Vec<_>>());
-    let verdict = RayVerdict::of(&traced);
+    let verdict = RayVerdict::of(traced);
     let broken = verdict.of_outcome(Outcome::Broken);
     broken.map(|(law, asked)| (law.name, law.cause(asked.roots()))).collect()
 }

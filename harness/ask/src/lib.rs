@@ -17,7 +17,7 @@ mod subject;
 pub use draw::Draw;
 pub use guarded::guarded;
 pub use invocation::Invocation;
-pub use junit::{Result as JunitResult, junit};
+pub use junit::{JunitCase, Result as JunitResult, junit};
 pub use language::Language;
 pub use numbers::{nan_in, number, numbers, triple};
 pub use program::{Limits, MOST_FAULTS, Program, WINDOW};
