@@ -10,6 +10,8 @@ use groundtruth::rgb::Rgb;
 /// The part of the rays that has to do the same for it to be the program's habit.
 const NEARLY_ALL: f64 = 0.8;
 
+/// The rays that show what a program's habits are.
+const ENOUGH: usize = 1 << 15;
 /// The part of the normals that may face away though the program turns them.
 const FEW_AWAY: f64 = 2e-3;
 
@@ -73,6 +75,14 @@ fn nearly_all(answers: impl Iterator<Item = bool>) -> Option<bool> {
     (all > 0).then_some(yes as f64 >= NEARLY_ALL * all as f64)
 }
 
+/// Rays with their senders: all, or so many of them that a habit shows, drawn by a hash of their places.
+fn some_pairs(traced: &Traced) -> impl Iterator<Item = (usize, usize)> {
+    let part = (traced.log.rays.len() / ENOUGH).max(1);
+    let is_drawn =
+        move |at: usize| (at.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32).is_multiple_of(part);
+    traced.pairs().filter(move |(index, _)| is_drawn(*index))
+}
+
 impl Conventions {
     /// Those that say how long a ray is.
     pub fn of_lengths(traced: &Traced) -> Self {
@@ -97,7 +107,7 @@ impl Conventions {
 
     /// Whether `weight` is the product of all factors from the camera, not only that of the ray in its sender.
     pub fn are_weights_from_camera(traced: &Traced) -> bool {
-        let answers = traced.pairs().filter_map(|(index, parent)| {
+        let answers = some_pairs(traced).filter_map(|(index, parent)| {
             let Factors { weight, f, cos, pdf, choice, .. } = &traced.ray(index).factors;
             let part = cos.unwrap_or(1.0) / (pdf.unwrap_or(1.0) * choice.unwrap_or(1.0));
             let (weight, own) = ((*weight)?, part * (*f)?);
@@ -161,7 +171,7 @@ fn normals(traced: &Traced) -> Normals {
 }
 
 fn shadow_from_lamp(traced: &Traced) -> bool {
-    let answers = traced.pairs().filter_map(|(index, parent)| {
+    let answers = some_pairs(traced).filter_map(|(index, parent)| {
         let (ray, end) = (traced.ray(index), traced.end_point(parent)?);
         let far = traced.along(ray, ray.end.or(ray.t)?);
         ray.is_shadow().then(|| far.distance(end) < ray.origin.distance(end))
@@ -171,7 +181,7 @@ fn shadow_from_lamp(traced: &Traced) -> bool {
 
 /// For each refraction, whether its `eta` is the sine behind over the sine in front.
 fn ratios(traced: &Traced) -> impl Iterator<Item = bool> {
-    traced.pairs().filter_map(|(index, parent)| {
+    some_pairs(traced).filter_map(|(index, parent)| {
         let (ray, from) = (traced.ray(index), traced.ray(parent));
         let (eta, normal) = (ray.factors.eta?, from.normal?);
         let sine = |v: Vector| Some(v.unit()?.cross(normal.unit()?).length());
@@ -184,7 +194,7 @@ fn ratios(traced: &Traced) -> impl Iterator<Item = bool> {
 /// Whether the throughput of rays is that of their parent times the parent's weight.
 fn is_before(traced: &Traced) -> bool {
     let near = |a: Rgb, b: Rgb| is_near(a, b, 1e-4);
-    let answers = traced.pairs().filter_map(|(index, parent)| {
+    let answers = some_pairs(traced).filter_map(|(index, parent)| {
         let (ray, from) = (&traced.ray(index).factors, &traced.ray(parent).factors);
         let (own, before) = (ray.throughput?, from.throughput?);
         let after = before * ray.weight?;
@@ -198,7 +208,7 @@ fn is_before(traced: &Traced) -> bool {
 fn offset(traced: &Traced) -> Option<Offset> {
     let (mut along_normal, mut along_ray) = (Vec::new(), Vec::new());
     let mut lengths = Vec::new();
-    for (index, parent) in traced.pairs() {
+    for (index, parent) in some_pairs(traced) {
         let (ray, from) = (traced.ray(index), traced.ray(parent));
         let Some(end) = traced.end_point(parent) else { continue };
         let moved = ray.origin - end;
@@ -213,7 +223,7 @@ fn offset(traced: &Traced) -> Option<Offset> {
         along_normal.extend(from.normal.and_then(parallel));
         along_ray.extend(parallel(ray.direction));
     }
-    let enough = 2 * lengths.len() >= traced.pairs().count();
+    let enough = 2 * lengths.len() >= some_pairs(traced).count();
     let length = median(lengths).filter(|_| enough)?;
     let is = |answers: Vec<bool>| nearly_all(answers.into_iter()) == Some(true);
     let along = match (is(along_normal), is(along_ray)) {

@@ -11,6 +11,7 @@ mod laws;
 mod log;
 mod logged;
 mod page;
+mod placing;
 mod precision;
 mod recorded;
 mod scene;

@@ -9,8 +9,9 @@ use groundtruth::world::{PlacedObject, World};
 use rayon::prelude::*;
 
 use crate::conventions::Conventions;
-use crate::laws::distance_to_truth;
+use crate::laws::{Step, distance_to_truth};
 use crate::log::{Id, Log, Purpose, Ray};
+use crate::placing::Placing;
 use crate::precision::{add_ends, fixed, forget_marks, rounding};
 
 /// Roundings that a quantity of a log may have gone through.
@@ -52,6 +53,8 @@ pub struct Traced {
     pub world: Option<Arc<World>>,
     /// How far hits are off the true surfaces, if nearly all are by more than rounding: the threshold of a sphere tracer.
     pub hits_are_off: f64,
+    /// The rays that leave a known point.
+    pub(crate) steps: Vec<Step>,
 }
 
 /// A ray whose place in the tree is not known.
@@ -66,6 +69,9 @@ pub enum Orphan {
 impl Traced {
     /// Finds senders, precision and conventions.
     pub fn of(mut log: Log, world: Option<Arc<World>>) -> Self {
+        if let Some(placing) = Placing::of(&log) {
+            placing.apply(&mut log);
+        }
         forget_marks(&mut log);
         add_ends(&mut log);
         let rounding = rounding(&log);
@@ -85,6 +91,7 @@ impl Traced {
             conventions: Conventions::default(),
             world,
             hits_are_off: 0.0,
+            steps: Vec::new(),
         };
         traced.link(false);
         traced.conventions = Conventions::of_lengths(&traced);
@@ -98,6 +105,8 @@ impl Traced {
         let weight_from_camera = traced.conventions.weight_from_camera;
         traced.conventions = Conventions { weight_from_camera, ..Conventions::of_tree(&traced) };
         traced.hits_are_off = hits_are_off(&traced);
+        let all = (0..traced.log.rays.len()).into_par_iter();
+        traced.steps = all.filter_map(|index| Step::of(&traced, index)).collect();
         traced
     }
 

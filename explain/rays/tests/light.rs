@@ -197,3 +197,24 @@ fn surfaces_are_there_for_all_rays() {
     };
     assert_law(&lines, "surfaces-agree", &["a farther object is taken"]);
 }
+
+/// Law: rays whose space lies otherwise are told so, and the line that is named undoes it. Oracle: a ball, seen from the side, with
+/// an axis mirrored, and in another unit.
+#[test]
+fn another_space_is_told() {
+    let lines = |mistake: usize| {
+        let scale = [1.0, 1.0, 100.0][mistake];
+        let mut lines =
+            vec![json!({"object": "ball", "sphere": {"center": [0, 0, -5], "radius": 1}})];
+        lines.extend((0..10).map(|at| {
+            let (x, z) = (0.05 * at as f64, if mistake == 1 { 1.0 } else { -1.0 });
+            let t = 5.0 - (1.0 - x * x).sqrt();
+            json!({"pixel": [at, 0], "kind": "camera", "origin": [scale * x, 0, 0], "direction": [0, 0, z], "t": scale * t, "object": "ball"})
+        }));
+        lines
+    };
+    assert_law(&lines, "one-space", &["an axis is mirrored", "the unit of length"]);
+    let mut lines = lines(1);
+    lines.insert(0, json!({"rays": 1, "axes": ["x", "y", "-z"]}));
+    assert_eq!(broken(&lines), []);
+}

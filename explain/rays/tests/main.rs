@@ -3,6 +3,7 @@
 mod border;
 mod laws;
 mod light;
+mod questions;
 mod reading;
 mod statistics;
 mod writers;

@@ -17,7 +17,7 @@ const TRACERS: &[(WriterLanguage, &str, &str)] = &[
 /// Those that every machine has on which this is tested.
 const ALWAYS: [WriterLanguage; 3] = [WriterLanguage::C, WriterLanguage::Cpp, WriterLanguage::Rust];
 
-fn shell(folder: &Path, line: &str) -> bool {
+pub fn shell(folder: &Path, line: &str) -> bool {
     let run = Command::new("sh").args(["-c", line]).current_dir(folder).env("RAYS", "/16").output();
     let run = run.expect("a shell");
     let is_missing = run.status.code() == Some(127);
@@ -26,7 +26,7 @@ fn shell(folder: &Path, line: &str) -> bool {
 }
 
 /// The log at this path.
-fn traced(path: &Path) -> Traced {
+pub fn traced(path: &Path) -> Traced {
     let log = read(std::fs::File::open(path).expect("a log")).expect("a log");
     assert_eq!(log.damaged, [], "{}", path.display());
     let world = world_of(&log, Path::new(""), |name| Err(name.to_owned())).expect("objects");

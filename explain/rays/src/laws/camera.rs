@@ -31,10 +31,12 @@ struct Film {
 }
 
 fn check(traced: &Traced, asked: &mut LawReport) {
-    let is_camera = |ray: &&(usize, &Ray)| ray.1.is(&Purpose::Camera) && ray.1.pixel.is_some();
-    let rays: Vec<(usize, &Ray)> = traced.log.rays.iter().enumerate().collect();
-    let rays: Vec<&(usize, &Ray)> = rays
+    let is_camera = |ray: &(usize, &Ray)| ray.1.is(&Purpose::Camera) && ray.1.pixel.is_some();
+    let rays: Vec<(usize, &Ray)> = traced
+        .log
+        .rays
         .iter()
+        .enumerate()
         .filter(is_camera)
         .filter(|it| it.1.direction.is_finite() && it.1.origin.is_finite())
         .collect();
@@ -46,7 +48,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
     let is_square = (across / along - 1.0).abs() <= 0.02 + 4.0 / extent(&rays).max(1.0);
     for (index, ray) in rays {
         let off = film.off(ray);
-        asked.count(*index, off.is_some_and(|off| off <= WITHIN) && is_square, || {
+        asked.count(index, off.is_some_and(|off| off <= WITHIN) && is_square, || {
             let words = match off {
                 Some(off) if off > WITHIN => {
                     format!("is {} pixels from its place on the film", short(off))
@@ -63,7 +65,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
 }
 
 /// The number of columns or rows between the outermost pixels.
-fn extent(rays: &[&(usize, &Ray)]) -> f64 {
+fn extent(rays: &[(usize, &Ray)]) -> f64 {
     let of = |axis: usize| {
         let places = || rays.iter().filter_map(|it| Some(it.1.pixel?[axis]));
         f64::from(places().max().unwrap_or(0) - places().min().unwrap_or(0))

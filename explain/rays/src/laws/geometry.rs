@@ -10,6 +10,27 @@ use crate::conventions::Normals;
 use crate::log::{Purpose, Ray};
 use crate::traced::Traced;
 
+/// What is worked out once of a ray that left a known point, with finite numbers.
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
+    index: usize,
+    from: usize,
+    end: Point,
+    arriving: Vector,
+    leaving: Vector,
+}
+
+impl Step {
+    pub fn of(traced: &Traced, index: usize) -> Option<Self> {
+        let from = traced.parents[index]?;
+        let (ray, parent) = (traced.ray(index), traced.ray(from));
+        let end = traced.end_point(from).filter(|end| end.is_finite())?;
+        let [arriving, leaving] = [parent.direction.unit()?, ray.direction.unit()?];
+        let is_finite = ray.origin.is_finite() && parent.origin.is_finite();
+        is_finite.then_some(Self { index, from, end, arriving, leaving })
+    }
+}
+
 /// A ray that left a surface, with what is known there.
 pub struct Leaving<'a> {
     /// Its index.
@@ -29,12 +50,9 @@ pub struct Leaving<'a> {
 
 /// All rays that leave a known point, with finite numbers.
 pub fn leaving(traced: &Traced) -> impl Iterator<Item = Leaving<'_>> {
-    traced.pairs().filter_map(|(index, from)| {
+    traced.steps.iter().map(|&Step { index, from, end, arriving, leaving }| {
         let (ray, parent) = (traced.ray(index), traced.ray(from));
-        let end = traced.end_point(from).filter(|end| end.is_finite())?;
-        let [arriving, leaving] = [parent.direction.unit()?, ray.direction.unit()?];
-        let is_finite = ray.origin.is_finite() && parent.origin.is_finite();
-        is_finite.then_some(Leaving { index, ray, from, parent, end, arriving, leaving })
+        Leaving { index, ray, from, parent, end, arriving, leaving }
     })
 }
 

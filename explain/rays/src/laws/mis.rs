@@ -13,11 +13,11 @@ pub const LAW: RayLaw = RayLaw {
     says: "the MIS weights of the two ways to draw a direction are 1 together: pdf / (pdf + other pdf), or the same of their squares, the same on both sides",
     needs: &["mis and pdf", "other_pdf, or lamps that are understood and matte surfaces"],
     causes: &[
+        "what is hit by chance counts in full, though lamps are sampled, too: light counts twice",
+        "what is hit by chance is left out, though samples are weighted as if it counted",
         "the weights of the two ways are exchanged",
         "a direction that only one way can draw is weighted all the same",
         "the weight is 1/2, whatever the densities",
-        "what is hit by chance counts in full, though lamps are sampled, too: light counts twice",
-        "what is hit by chance is left out, though samples are weighted as if it counted",
         "the probability of having chosen this lamp is left out",
         "one way has the balance heuristic, the other the power heuristic",
     ],
@@ -70,11 +70,11 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let without = it.other / it.choice;
             let unchosen = if is_power { power(it.own, without) } else { balance(it.own, without) };
             let causes = [
+                it.is_hit && near(it.mis, 1.0) && !near(expected, 1.0),
+                it.is_hit && near(it.mis, 0.0),
                 near(it.mis, 1.0 - expected) && !is_alone,
                 it.other == 0.0,
                 near(it.mis, 0.5),
-                it.is_hit && near(it.mis, 1.0),
-                it.is_hit && near(it.mis, 0.0),
                 it.choice != 1.0 && near(it.mis, unchosen),
                 near(it.mis, unlike),
             ];

@@ -22,6 +22,7 @@ mod normals;
 mod occluded;
 mod own_start;
 mod path_sum;
+mod placed;
 mod radiance;
 mod refracted;
 mod samples;
@@ -35,6 +36,7 @@ mod true_normal;
 mod weight;
 
 use crate::traced::Traced;
+pub use geometry::Step;
 pub use nearest::distance_to_truth;
 pub use weight::is_near;
 
@@ -56,6 +58,7 @@ pub struct RayLaw {
 pub const LAWS: &[RayLaw] = &[
     finite::LAW,
     tree::LAW,
+    placed::LAW,
     hit::LAW,
     nearest::LAW,
     agreed::LAW,
