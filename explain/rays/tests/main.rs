@@ -5,5 +5,6 @@ mod laws;
 mod light;
 mod questions;
 mod reading;
+mod schema;
 mod statistics;
 mod writers;
