@@ -62,12 +62,13 @@ impl Leaving<'_> {
         self.parent.normal?.unit()
     }
 
-    /// How much the direction after a mirror may be off because the normal's length is not quite 1.
+    /// How much the direction may be off because the length of the normal, or of the arriving direction, is not quite 1: a
+    /// program that never normalises drifts.
     pub fn off_unit(&self) -> f64 {
-        let lengths = [self.parent.normal, self.parent.shading_normal];
-        let off = lengths.iter().flatten().map(|n| (n.length() - 1.0).abs()).fold(0.0, f64::max);
-        // what is no unit vector at all is told as such
-        if off <= 1e-3 { 4.0 * off } else { 0.0 }
+        let vectors = [self.parent.normal, self.parent.shading_normal, Some(self.parent.direction)];
+        let off = vectors.iter().flatten().map(|vector| (vector.length() - 1.0).abs());
+        // what is no unit vector at all is told as such, or is meant so
+        4.0 * off.filter(|off| *off <= 1e-3).fold(0.0, f64::max)
     }
 
     /// The normal turned to the side that the ray arrived from.

@@ -60,6 +60,14 @@ fn words(it: &Leaving<'_>, facing: Vector, expected: Option<Vector>) -> String {
     let angle = |v: Vector| short(to_degrees(atan2(v.cross(facing).length(), v.dot(facing).abs())));
     let [arriving, leaving] = [angle(it.arriving), angle(it.leaving)];
     match expected {
+        Some(expected) if angle(expected) == leaving => {
+            let apart =
+                to_degrees(atan2(expected.cross(it.leaving).length(), expected.dot(it.leaving)));
+            let apart = short(apart);
+            format!(
+                "goes on at Snell's angle, {leaving}°, but {apart}° from there: to another side"
+            )
+        }
         Some(expected) => format!(
             "arrives at {arriving}° and goes on at {leaving}°, where Snell's law gives {}°",
             angle(expected)
