@@ -1,4 +1,4 @@
-//! Pictures compared to the bit, up to drift, or with a tolerance.
+//! Pictures compared to the bit, or up to drift.
 
 use golden::compare::*;
 use groundtruth::film::Film;
@@ -45,25 +45,4 @@ fn what_is_not_a_number_is_never_drift_and_is_the_worst() {
 fn pictures_of_other_sizes_are_changed() {
     let other = Film::new(6, 8);
     assert_eq!(verdict(&Film::new(8, 6), &other), Comparison::Changed);
-    let tolerance = Tolerance { relative: 1.0, floor: 1.0, share: 1.0, cluster: u32::MAX };
-    assert!(!tolerance.accepts(&Film::new(8, 6), &other));
-}
-
-/// Law: the allowed difference is a part of the larger value, and of the floor where both are below it; which
-/// picture is expected makes no difference. Oracle: values to either side of the limits by hand.
-#[test]
-fn the_tolerance_is_symmetric_and_has_a_floor() {
-    let tolerance = Tolerance { relative: 0.25, floor: 0.5, share: 0.0, cluster: 0 };
-    // ¼ of 4 is 1; ¼ of the floor is 0.125
-    let pairs = [
-        (3.0, 4.0, true),
-        (2.9, 4.0, false),
-        (0.0, 0.125, true),
-        (0.0, 0.126, false),
-        (0.375, 0.5, true),
-    ];
-    for (a, b, agree) in pairs {
-        assert_eq!(tolerance.accepts(&grey(a), &grey(b)), agree, "{a} and {b}");
-        assert_eq!(tolerance.accepts(&grey(b), &grey(a)), agree, "{b} and {a}");
-    }
 }
