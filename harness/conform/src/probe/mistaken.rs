@@ -11,7 +11,7 @@ use groundtruth::rgb::Rgb;
 use groundtruth::trace::RayBudget;
 use groundtruth::world::World;
 use groundtruth::{render, trace};
-use judge::mistakes::{Mistake, Reweighing, pixel, scene as with_mistake};
+use judge::mistakes::{Mistake, Reweighing, built, pixel};
 
 /// The answer of a program with a known mistake.
 #[derive(Clone, Copy, Debug)]
@@ -41,12 +41,8 @@ fn of(asked: &Radiance, mistakes: &[&'static Mistake]) -> Option<Vec<WithMistake
         mistakes.iter().copied().partition(|mistake| mistake.is_reweighed());
     let mut all = heard(asked, world, &looks, &reweighed);
     for mistake in changed {
-        let other = with_mistake(mistake, &scene, Path::new(""));
-        let Some(mut world) =
-            other.and_then(|it| World::build_seeded(&it, Path::new(""), asked.seed()).ok())
-        else {
-            continue;
-        };
+        let other = built(mistake, &scene, Path::new(""), asked.seed());
+        let Ok(Some((_, mut world))) = other else { continue };
         let mut budget = RayBudget::up_to(MOST_RAYS);
         let values = asked.seeds().map(|seed| {
             world.reseed(seed);

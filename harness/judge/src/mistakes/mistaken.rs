@@ -12,7 +12,7 @@ use groundtruth::trace::{Budget, Outcome, RayKind, Recorder, ShadingPoint, Term}
 use groundtruth::world::{Search, World};
 
 use super::recorder::Reweighing;
-use super::{How, Mistake, scene};
+use super::{How, Mistake, built};
 
 /// A program with a mistake, and the scene that it renders.
 #[derive(Debug)]
@@ -35,13 +35,8 @@ impl Mistaken {
         folder: &Path,
         seed: u64,
     ) -> Result<Option<Self>, SceneError> {
-        let scene = match mistake.is_reweighed() {
-            true => Some(original.clone()),
-            false => scene(mistake, original, folder),
-        };
-        let Some(scene) = scene else { return Ok(None) };
-        let world = World::build_seeded(&scene, folder, seed)?;
-        Ok(Some(Self { scene, world, mistake: [mistake] }))
+        let built = built(mistake, original, folder, seed)?;
+        Ok(built.map(|(scene, world)| Self { scene, world, mistake: [mistake] }))
     }
 
     /// The mistake.
@@ -63,7 +58,7 @@ impl Renderer for Mistaken {
         budget: &mut B,
     ) -> Rgb {
         let world = &self.world;
-        if matches!(self.mistake[0].how, How::Edits(_) | How::Scene(_)) {
+        if matches!(self.mistake[0].how, How::Edits(_) | How::Scene(_) | How::World(_)) {
             return world.sample(pixel, index, recorder, budget);
         }
         let Some(camera) = render::camera_sample(world, pixel, index) else { return Rgb::BLACK };

@@ -3,7 +3,7 @@
 //! A picture that disagrees with ours may agree with that of a mistake, which is then named. No mistake is a switch
 //! of the tracer. Many change the values of the terms that a recorder hears ([`How::Term`], [`How::Factor`], [`How::Ray`]), so that one
 //! pass with the same random numbers renders the pictures of all of them. The others change the scene: by edits that the file
-//! says ([`How::Edits`]), or by code ([`How::Scene`]), with kinds of the harness that wrap a light, camera or material.
+//! says ([`How::Edits`]), or by code ([`How::Scene`], [`How::World`]), which wraps a light, camera or material.
 //! People make one mistake in several forms ([`Mistake::form`]); and a mistake of a scene may be in one material alone
 //! ([`local`]).
 
@@ -30,7 +30,8 @@ use std::path::Path;
 use std::sync::LazyLock;
 
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::Scene;
+use groundtruth::scene::{Scene, SceneError};
+use groundtruth::world::World;
 use known::KnownMistake;
 use serde_json::json;
 use text::shell::quoted;
@@ -73,9 +74,14 @@ pub enum How {
     /// The scene is another; `None` if the mistake does not apply to it. The files that the scene names are in the
     /// folder.
     Scene(fn(&Scene, &Path) -> Option<Scene>),
-    /// The scene is another, and in its picture terms have another value, as in [`How::Term`].
-    Both(fn(&Scene, &Path) -> Option<Scene>, Value),
+    /// The scene's world is another.
+    World(Rebuild),
+    /// The scene's world is another, and in its picture terms have another value, as in [`How::Term`].
+    Both(Rebuild, Value),
 }
+
+/// Changes the world of a scene, of which named files are in the folder; `None` if the mistake does not apply to it.
+type Rebuild = fn(&mut World, &Scene, &Path) -> Option<()>;
 
 /// The value of a term, if it is not that of ours.
 type Value = fn(&ObservedTerm<'_>) -> Option<Rgb>;
@@ -101,6 +107,10 @@ impl Mistake {
         Self::new(name, How::Scene(change))
     }
 
+    const fn world(name: &'static str, change: Rebuild) -> Self {
+        Self::new(name, How::World(change))
+    }
+
     /// The same mistake in another form.
     const fn in_form(self, form: &'static str, how: How) -> Self {
         Self { form: Some(form), how, ..self }
@@ -124,7 +134,7 @@ impl Mistake {
         let other = match self.how {
             How::Term(value) | How::Both(_, value) => value(term),
             How::Factor(factor) => factor(term).map(|factor| term.times(factor)),
-            How::Ray(_) | How::Edits(_) | How::Scene(_) => None,
+            How::Ray(_) | How::Edits(_) | How::Scene(_) | How::World(_) => None,
         };
         other.unwrap_or_else(|| term.value())
     }
@@ -213,14 +223,29 @@ pub fn is_file(scene: &str) -> bool {
     Path::new(scene).extension().is_some_and(|it| it == "toml")
 }
 
-/// The scene of which the picture of a mistake is made; `None` if the mistake does not apply to it, or
-/// is one of terms.
-pub fn scene(mistake: &Mistake, scene: &Scene, folder: &Path) -> Option<Scene> {
-    match mistake.how {
-        How::Edits(edits) => edited(scene, edits),
-        How::Scene(change) | How::Both(change, _) => change(scene, folder),
-        How::Term(_) | How::Factor(_) | How::Ray(_) => None,
-    }
+/// The scene and the world of which the picture of a mistake is made; `None` if the mistake does not apply to the scene. Of a
+/// mistake of terms they are ours.
+///
+/// # Errors
+/// If the scene has no world.
+pub fn built(
+    mistake: &Mistake,
+    original: &Scene,
+    folder: &Path,
+    seed: u64,
+) -> Result<Option<(Scene, World)>, SceneError> {
+    let scene = match mistake.how {
+        How::Edits(edits) => edited(original, edits),
+        How::Scene(change) => change(original, folder),
+        _ => Some(original.clone()),
+    };
+    let Some(scene) = scene else { return Ok(None) };
+    let mut world = World::build_seeded(&scene, folder, seed)?;
+    let applies = match mistake.how {
+        How::World(change) | How::Both(change, _) => change(&mut world, &scene, folder),
+        _ => Some(()),
+    };
+    Ok(applies.map(|()| (scene, world)))
 }
 
 /// The scene with these edits; `None` if they change nothing, or if the scene cannot be written to a file.

@@ -10,7 +10,7 @@ use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::scene::build::*;
-use groundtruth::world::World;
+use groundtruth::world::{DEFAULT_SEED, World};
 use judge::mistakes;
 
 use super::stage::*;
@@ -20,8 +20,8 @@ const WIDTH: u32 = 32;
 /// The camera's frame and the rays of the world with this mistake.
 fn changed_world(name: &str, scene: &Scene) -> World {
     let mistake = mistakes::find(name).expect("it is known");
-    let changed = mistakes::scene(mistake, scene, Path::new("")).expect("it applies");
-    World::build(&changed).expect("it is valid")
+    let built = mistakes::built(mistake, scene, Path::new(""), DEFAULT_SEED);
+    built.expect("it is valid").expect("it applies").1
 }
 
 /// Law: a camera that looks through the corners of pixels is one that stands half a pixel to the left and lower; of 16 samples in

@@ -1,4 +1,4 @@
-//! Mistakes of lights and shadows (Suffern, ch. 14, 16, 17).
+//! Mistakes of lights and shadows (Suffern, ch. 14, 16–18).
 
 use std::f64::consts::PI;
 use std::fmt;
@@ -6,24 +6,25 @@ use std::path::Path;
 use std::sync::Arc;
 
 use groundtruth::invalid::LENGTHS;
-use groundtruth::kinds::Custom;
+use groundtruth::kinds::Resources;
 use groundtruth::lights::{
-    AmbientOccluder, Context, Kind, Light, LightContext, LightSample, Segment, Target, Unlit,
+    AmbientOccluder, Kind, Light, LightContext, LightSample, Segment, Target, Unlit,
 };
-use groundtruth::math::{Frame, maps};
-use groundtruth::scene::{Intersect, Light as Lamp, Scene};
-use groundtruth::shapes;
+use groundtruth::math::{Frame, Point, Vector, maps};
+use groundtruth::scene::{Intersect, Scene};
+use groundtruth::shapes::{self, SampledSurface, Sampling};
+use groundtruth::world::{PlacedLight, World};
 
 use super::each;
-use super::lamps::lamp_light;
 use super::materials::is_transparent;
+use crate::mistakes::places::any;
 use crate::mistakes::{How, Mistake};
 
 const OFFSET_TOO_LARGE: Mistake =
     Mistake::scene("offset-too-large", |scene, _| with_least_distance(scene, 1.0));
 
 pub(super) const ALL: &[Mistake] = &[
-    Mistake::scene("lit-from-behind", lit_from_behind),
+    Mistake::world("lit-from-behind", lit_from_behind),
     Mistake::new(
         "highlight-direction-not-unit",
         // the longer direction is in the cosine of all direct light, too: there it is taken off
@@ -32,13 +33,14 @@ pub(super) const ALL: &[Mistake] = &[
             Some(term.times(1.0 / long.length()))
         }),
     ),
-    Mistake::scene("shadow-rays-without-end", shadow_rays_without_end),
+    Mistake::world("shadow-rays-without-end", shadow_rays_without_end),
     Mistake::scene("no-offset", |scene, _| with_least_distance(scene, *LENGTHS.start())),
     OFFSET_TOO_LARGE,
     OFFSET_TOO_LARGE.in_form("or than 0.1", How::Scene(|scene, _| with_least_distance(scene, 0.1))),
     OFFSET_TOO_LARGE
         .in_form("or than 0.01", How::Scene(|scene, _| with_least_distance(scene, 0.01))),
-    Mistake::scene("occluder-uniform", occluder_uniform),
+    Mistake::world("occluder-uniform", occluder_uniform),
+    Mistake::world("no-lamp-area", no_lamp_area),
 ];
 
 /// The scene as the book's program hits it, whose rays start on the surface and ignore all hits that are nearer. Where that is
@@ -71,20 +73,24 @@ fn is_plain(shape: &shapes::Kind) -> bool {
     )
 }
 
-/// The scene in which lamps that are on have other sources.
-pub(super) fn with_lights(scene: &Scene, other: impl Fn(&Lamp) -> Option<Kind>) -> Option<Scene> {
-    each(scene, super::lights, |light| {
-        light.source = other(light).filter(|_| light.enabled)?;
+/// Replaces lights that are on; each is given with what the scene says of it.
+fn with_lights(
+    world: &mut World,
+    scene: &Scene,
+    other: impl Fn(&PlacedLight, &Kind) -> Option<Arc<dyn Light>>,
+) -> Option<()> {
+    any(world.lights.iter_mut().filter_map(|placed| {
+        placed.light = other(placed, &scene.lights[placed.index as usize].source)?;
         Some(())
-    })
+    }))
 }
 
 /// Suns whose samples have the direction that the scene says, not made unit.
-fn longer_suns(scene: &Scene, _: &Path) -> Option<Scene> {
-    with_lights(scene, |light| {
-        let Kind::Directional(sun) = &light.source else { return None };
+fn longer_suns(world: &mut World, scene: &Scene, _: &Path) -> Option<()> {
+    with_lights(world, scene, |placed, source| {
+        let Kind::Directional(sun) = source else { return None };
         let length = sun.direction.length();
-        Some(with_samples(single(&light.source)?, move |_, sample| {
+        Some(with_samples(placed, move |_, sample| {
             let direction = length * sample.direction;
             LightSample { direction, ..sample }
         }))
@@ -118,37 +124,31 @@ impl<F: Fn(&LightContext, LightSample) -> LightSample + Send + Sync> Light for C
     }
 }
 
-/// The light with changed samples, as a kind.
-pub(super) fn with_samples(
-    light: Arc<dyn Light>,
+/// The light with changed samples.
+fn with_samples(
+    placed: &PlacedLight,
     change: impl Fn(&LightContext, LightSample) -> LightSample + Send + Sync + 'static,
-) -> Kind {
-    Kind::Custom(Custom(Arc::new(Changed { light, change })))
-}
-
-/// A light at a point or in one direction; `None` for other kinds.
-fn single(source: &Kind) -> Option<Arc<dyn Light>> {
-    match source {
-        Kind::PointLight(_) | Kind::Spot(_) | Kind::Directional(_) => {
-            source.build(&mut Context::default()).ok()
-        }
-        _ => None,
-    }
+) -> Arc<dyn Light> {
+    Arc::new(Changed { light: placed.light.clone(), change })
 }
 
 /// Light from behind is mirrored at the plane of the surface: it has the same cosine, without its sign.
-fn lit_from_behind(scene: &Scene, _: &Path) -> Option<Scene> {
-    with_lights(scene, |light| {
-        let built = single(&light.source).filter(|_| !light.shadows)?;
-        Some(with_samples(built, |from, sample| {
-            let cos_i = from.normal.dot(sample.direction);
-            let across = (2.0 * cos_i.min(0.0)) * from.normal;
-            LightSample { direction: sample.direction - across, ..sample }
-        }))
+fn lit_from_behind(world: &mut World, scene: &Scene, _: &Path) -> Option<()> {
+    with_lights(world, scene, |placed, source| {
+        // at a point or in one direction
+        let is_single =
+            matches!(source, Kind::PointLight(_) | Kind::Spot(_) | Kind::Directional(_));
+        (is_single && !placed.shadows).then(|| {
+            with_samples(placed, |from, sample| {
+                let cos_i = from.normal.dot(sample.direction);
+                let across = (2.0 * cos_i.min(0.0)) * from.normal;
+                LightSample { direction: sample.direction - across, ..sample }
+            })
+        })
     })
 }
 
-fn shadow_rays_without_end(scene: &Scene, folder: &Path) -> Option<Scene> {
+fn shadow_rays_without_end(world: &mut World, scene: &Scene, _: &Path) -> Option<()> {
     let absorbs = |material: &groundtruth::scene::Material| match &material.recipe {
         groundtruth::materials::Kind::Dielectric(it) => {
             !(it.inside.absorption.is_black() && it.outside.absorption.is_black())
@@ -159,19 +159,17 @@ fn shadow_rays_without_end(scene: &Scene, folder: &Path) -> Option<Scene> {
     if scene.materials.iter().any(absorbs) || !scene.camera.medium.absorption.is_black() {
         return None;
     }
-    with_lights(scene, |light| {
-        let built = match &light.source {
-            _ if !light.shadows => None,
-            Kind::PointLight(_) | Kind::Spot(_) | Kind::FakeSpherical(_) => {
-                light.source.build(&mut Context::default()).ok()
-            }
-            Kind::Area(area) => lamp_light(scene, folder, area),
-            _ => None,
-        };
-        Some(with_samples(built?, |_, sample| {
-            let segment = sample.segment.map(|_| Segment::Infinity);
-            LightSample { segment, ..sample }
-        }))
+    with_lights(world, scene, |placed, source| {
+        let ends = matches!(
+            source,
+            Kind::PointLight(_) | Kind::Spot(_) | Kind::FakeSpherical(_) | Kind::Area(_)
+        );
+        (ends && placed.shadows).then(|| {
+            with_samples(placed, |_, sample| {
+                let segment = sample.segment.map(|_| Segment::Infinity);
+                LightSample { segment, ..sample }
+            })
+        })
     })
 }
 
@@ -203,12 +201,41 @@ impl Light for Uniform {
     }
 }
 
-fn occluder_uniform(scene: &Scene, _: &Path) -> Option<Scene> {
-    with_lights(scene, |light| {
-        let Kind::AmbientOccluder(AmbientOccluder { max_distance, .. }) = light.source else {
+fn occluder_uniform(world: &mut World, scene: &Scene, _: &Path) -> Option<()> {
+    with_lights(world, scene, |placed, source| {
+        let Kind::AmbientOccluder(AmbientOccluder { max_distance, .. }) = *source else {
             return None;
         };
-        let light = light.source.build(&mut Context::default()).ok()?;
-        Some(Kind::Custom(Custom(Arc::new(Uniform { light, max_distance }))))
+        Some(Arc::new(Uniform { light: placed.light.clone(), max_distance }))
+    })
+}
+
+/// The area of a surface, from the density `d²/(A cosθ')` of a point that is drawn by area.
+fn area(surface: &dyn SampledSurface) -> Option<f64> {
+    /// Farther away than any lamp is large, in directions of which one sees a given point of it.
+    const FAR: f64 = 1e6;
+    let from =
+        [Vector::X, Vector::Y, Vector::Z].into_iter().flat_map(|axis| [FAR * axis, -FAR * axis]);
+    from.map(|vector| Point::ORIGIN + vector + 0.5 * FAR * Vector::new(0.3, 0.2, 0.1)).find_map(
+        |from| {
+            let (at, density) = surface.sample(from, [0.3, 0.6])?;
+            let way = from - at.point;
+            let cosine = at.normal.dot(way.unit()?).abs();
+            (cosine > 0.1).then(|| way.length_squared() / (cosine * density))
+        },
+    )
+}
+
+fn no_lamp_area(world: &mut World, scene: &Scene, folder: &Path) -> Option<()> {
+    with_lights(world, scene, |placed, source| {
+        let Kind::Area(lamp) = source else { return None };
+        let object = scene.objects.iter().find(|object| object.name == lamp.object)?;
+        let mut context = shapes::Context::new(Resources::new(folder), scene.accel);
+        let shape = object.shape.build(&mut context).ok()?;
+        let area = area(&*shape.sampled(Sampling::Area)?)?;
+        Some(with_samples(placed, move |_, sample| LightSample {
+            radiance: sample.radiance / area,
+            ..sample
+        }))
     })
 }

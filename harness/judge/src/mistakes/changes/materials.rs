@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use groundtruth::bumps::{self, Bump};
+use groundtruth::bumps::Bump;
 use groundtruth::kinds::{Custom, Resources};
 use groundtruth::lobes::Lobe;
 use groundtruth::materials::{
@@ -13,14 +13,16 @@ use groundtruth::math::{Normal, Point, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::textures::{self, Paint, Texel, Texture, TexturePoint};
+use groundtruth::world::World;
 
 use super::each;
 use crate::mistakes::glass_terms::{both_right, factor_right, fresnel_right, total_right};
+use crate::mistakes::places::any;
 use crate::mistakes::{How, Mistake};
 
 /// In refraction, in Fresnel's equations and in the factor 1/η².
 pub(in crate::mistakes) const NOT_INVERTED: Mistake =
-    Mistake::scene("eta-not-inverted", not_inverted);
+    Mistake::world("eta-not-inverted", not_inverted);
 
 pub(super) const ALL: &[Mistake] = &[
     NOT_INVERTED,
@@ -30,11 +32,11 @@ pub(super) const ALL: &[Mistake] = &[
     NOT_INVERTED.in_form("but right in the factor 1/η²", How::Both(not_inverted, factor_right)),
     NOT_INVERTED
         .in_form("but right where reflection is total", How::Both(not_inverted, total_right)),
-    Mistake::scene("eta-inverted", |scene, folder| with_response(scene, folder, eta_inverted)),
-    Mistake::scene("total-reflection-kr", |scene, folder| {
-        with_response(scene, folder, total_reflection_kr)
+    Mistake::world("eta-inverted", |world, scene, _| with_response(world, scene, eta_inverted)),
+    Mistake::world("total-reflection-kr", |world, scene, _| {
+        with_response(world, scene, total_reflection_kr)
     }),
-    Mistake::scene("bump-reversed", bump_reversed),
+    Mistake::world("bump-reversed", |world, _, _| bump_reversed(world)),
     Mistake::scene("checker-truncated", checker_truncated),
 ];
 
@@ -67,21 +69,17 @@ impl Material for Changed {
     }
 }
 
-/// The scene with another response of its transparent materials.
-fn with_response(scene: &Scene, folder: &Path, respond: Respond) -> Option<Scene> {
-    let mut resources = Resources::new(folder);
-    each(scene, super::materials, |material| {
-        if !is_transparent(&material.recipe) {
-            return None;
-        }
-        let changed = Changed { material: material.recipe.build(&mut resources).ok()?, respond };
-        material.recipe = Kind::Custom(Custom(Arc::new(changed)));
-        Some(())
-    })
+/// Gives transparent materials another response.
+fn with_response(world: &mut World, scene: &Scene, respond: Respond) -> Option<()> {
+    let materials = world.materials.iter_mut();
+    let glass = materials.filter(|it| is_transparent(&scene.materials[it.index as usize].recipe));
+    any(glass.map(|placed| {
+        placed.recipe = Arc::new(Changed { material: placed.recipe.clone(), respond });
+    }))
 }
 
-fn not_inverted(scene: &Scene, folder: &Path) -> Option<Scene> {
-    with_response(scene, folder, eta_not_inverted)
+fn not_inverted(world: &mut World, scene: &Scene, _: &Path) -> Option<()> {
+    with_response(world, scene, eta_not_inverted)
 }
 
 /// The lobes invert the index for rays inside; an index inverted before is then the one of rays from outside.
@@ -141,13 +139,9 @@ impl Bump for Reversed {
     }
 }
 
-fn bump_reversed(scene: &Scene, folder: &Path) -> Option<Scene> {
-    let mut resources = Resources::new(folder);
-    each(scene, super::materials, |material| {
-        let built = material.bump.as_ref()?.build(&mut resources).ok()?;
-        material.bump = Some(bumps::Kind::Custom(Custom(Arc::new(Reversed(built)))));
-        Some(())
-    })
+fn bump_reversed(world: &mut World) -> Option<()> {
+    let bumps = world.materials.iter_mut().filter_map(|placed| placed.bump.as_mut());
+    any(bumps.map(|bump| *bump = Arc::new(Reversed(bump.clone()))))
 }
 
 /// The borders of our cells are above the multiples of the size by this share of it.
@@ -194,13 +188,17 @@ fn diffuse_color(recipe: &mut Kind) -> Option<&mut Paint> {
 
 fn checker_truncated(scene: &Scene, folder: &Path) -> Option<Scene> {
     let mut resources = Resources::new(folder);
-    each(scene, super::materials, |material| {
-        let paint = diffuse_color(&mut material.recipe)?;
-        let Paint::Textured(texture) = paint else { return None };
-        let textures::Kind::Checker3d(data) = &**texture else { return None };
-        let checker = texture.build(&mut resources).ok()?;
-        let truncated = Truncated { checker, size: data.size };
-        **texture = textures::Kind::Custom(Custom(Arc::new(truncated)));
-        Some(())
-    })
+    each(
+        scene,
+        |scene| &mut scene.materials,
+        |material| {
+            let paint = diffuse_color(&mut material.recipe)?;
+            let Paint::Textured(texture) = paint else { return None };
+            let textures::Kind::Checker3d(data) = &**texture else { return None };
+            let checker = texture.build(&mut resources).ok()?;
+            let truncated = Truncated { checker, size: data.size };
+            **texture = textures::Kind::Custom(Custom(Arc::new(truncated)));
+            Some(())
+        },
+    )
 }

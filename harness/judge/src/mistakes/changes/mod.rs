@@ -1,5 +1,5 @@
-//! Mistakes that are a change of the scene which the file of mistakes cannot say: kinds of lights, cameras and materials that
-//! are wrong, around ours.
+//! Mistakes that are a change of the scene, or of its world, which the file of mistakes cannot say: lights, cameras and materials
+//! that are wrong, around ours.
 
 /// Methods that are those of the kind in a field.
 macro_rules! as_in {
@@ -10,19 +10,17 @@ macro_rules! as_in {
 
 mod cameras;
 mod instances;
-mod lamps;
 mod lights;
 mod materials;
 
-use groundtruth::scene::{Light, Material, Object, Scene};
+use groundtruth::scene::{Object, Scene};
 
 use super::Mistake;
 use super::places::any;
 
 pub(super) use materials::NOT_INVERTED;
 
-pub(super) const ALL: [&[Mistake]; 5] =
-    [cameras::ALL, instances::ALL, lamps::ALL, lights::ALL, materials::ALL];
+pub(super) const ALL: [&[Mistake]; 4] = [cameras::ALL, instances::ALL, lights::ALL, materials::ALL];
 
 /// A copy of which one of these items, or more, are changed.
 fn each<T>(
@@ -33,14 +31,6 @@ fn each<T>(
     let mut copy = scene.clone();
     any(items(&mut copy).iter_mut().filter_map(change))?;
     Some(copy)
-}
-
-fn lights(scene: &mut Scene) -> &mut Vec<Light> {
-    &mut scene.lights
-}
-
-fn materials(scene: &mut Scene) -> &mut Vec<Material> {
-    &mut scene.materials
 }
 
 fn objects(scene: &mut Scene) -> &mut Vec<Object> {
