@@ -33,13 +33,6 @@ const LEAST_GAIN: f64 = 1.0001;
 /// distance of our usual ones: a wrong picture is nearer to some of them by chance.
 const ALIKE: f64 = 0.9;
 
-/// A picture judged, its values stored in one of the ways that are possible.
-pub(super) struct Attempt {
-    pub finding: Finding,
-    /// Our replicas, stored alike.
-    pub known: Vec<Vec<f32>>,
-}
-
 /// How pictures are judged.
 #[derive(Clone, Copy)]
 pub(super) struct Judge<'a> {
@@ -115,7 +108,7 @@ impl Judge<'_> {
     }
 
     /// The picture judged, stored in the likeliest way; if it differs so, in the other ways that its values leave open.
-    pub fn judged(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> Option<Attempt> {
+    pub fn judged(&self, theirs: &Picture, replicas: &mut Replicas<'_, '_>) -> Option<Finding> {
         if replicas.films.len() < 3 {
             return None;
         }
@@ -133,7 +126,7 @@ impl Judge<'_> {
             .iter()
             .enumerate()
             .map_while(|(way, stored)| self.judged_as(theirs, *stored, replicas, !is_last(way)));
-        better(attempts, |attempt| attempt.finding.decision)
+        better(attempts, |finding| finding.decision)
     }
 
     /// The picture judged, stored in one way; `keeps` our films for the next.
@@ -143,7 +136,7 @@ impl Judge<'_> {
         stored: Stored,
         replicas: &mut Replicas<'_, '_>,
         keeps: bool,
-    ) -> Option<Attempt> {
+    ) -> Option<Finding> {
         let mut known = stored.all(&replicas.films);
         let slack = stored.slack(&replicas.films[0]);
         let mut values = read(theirs, stored);
@@ -163,7 +156,7 @@ impl Judge<'_> {
         let judged = Evaluation::of(&values, subject, self.strictness, &mut known, next)?;
         let shown = (read(theirs, stored), apart);
         let context = (self.areas, self.strictness);
-        Some(Attempt { finding: Finding::of(judged, context, shown, &slack, theirs), known })
+        Some(Finding::of(judged, context, shown, &slack, theirs))
     }
 
     /// The samples that are alike in all pixels with which ours are nearest to the picture, if it agrees with these.
@@ -215,8 +208,7 @@ impl Judge<'_> {
         replicas.fill(self.strictness.first);
         // what is known of an explanation is not what is known of the picture
         let silent = Self { case: Case { so_far: &|_| {}, ..self.case }, ..*self };
-        let attempt = silent.judged(theirs, replicas)?;
-        Some(attempt.finding.decision == Decision::Agrees)
+        Some(silent.judged(theirs, replicas)?.decision == Decision::Agrees)
     }
 
     /// Whether the picture is too far out to agree with more replicas, however its values are stored.
@@ -237,12 +229,10 @@ impl Judge<'_> {
     pub fn planted_defects(
         &self,
         replicas: &mut Replicas<'_, '_>,
-        known: &[Vec<f32>],
         judged: &Evaluation,
     ) -> Vec<PlantedDefect> {
-        let (areas, stored, from) =
-            (self.areas, judged.pool.stored, if judged.is_coarse { 2 } else { 0 });
-        let found = |film: &Film| planted(known, stored.values(film), (areas, &judged.pool), from);
+        let (areas, pool, from) = (self.areas, &judged.pool, if judged.is_coarse { 2 } else { 0 });
+        let found = |film: &Film| planted(pool.stored.values(film), pool, areas, from);
         let film = &replicas.films[0];
         let percent = |factor: f64| format!("{:.0} %", 100.0 * (factor - 1.0));
         let whole = Area::Tile { corner: [0, 0], side: areas.size[0].max(areas.size[1]) };

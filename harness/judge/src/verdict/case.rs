@@ -6,7 +6,7 @@ use groundtruth::film::{Film, OutOfGamut};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
-use super::attempt::{Attempt, Judge, better, read};
+use super::attempt::{Judge, better, read};
 use super::finding::{Finding, More};
 use super::lossy;
 use super::{
@@ -89,7 +89,7 @@ impl<'a> Case<'a> {
         let independent = judge
             .preliminary(theirs, &replicas)
             .is_some_and(|noise| judge.match_noise(theirs, &mut replicas, noise));
-        let Attempt { mut finding, known } = judge.judged(theirs, &mut replicas)?;
+        let mut finding = judge.judged(theirs, &mut replicas)?;
         let stored = finding.judged.pool.stored;
         let mut more = More::default();
         if let Some(equal) = equal_to(&replicas.films, theirs, stored) {
@@ -106,15 +106,15 @@ impl<'a> Case<'a> {
                 (self.so_far)(Progress::Explaining);
                 more.reason = judge.reason(theirs, &mut replicas, &finding.judged);
                 if let Some(way) = more.reason.way.filter(|way| *way != stored)
-                    && let Some(attempt) = judge.judged_as(theirs, way, &mut replicas, true)
-                    && attempt.finding.decision == Decision::Differs
+                    && let Some(other) = judge.judged_as(theirs, way, &mut replicas, true)
+                    && other.decision == Decision::Differs
                 {
-                    finding = attempt.finding;
+                    finding = other;
                 }
             }
             Decision::Agrees if !finding.judged.is_fixed => {
                 let judged = &finding.judged;
-                more.plants = judge.planted_defects(&mut replicas, &known, judged);
+                more.plants = judge.planted_defects(&mut replicas, judged);
                 more.gains = smallest_gains(&judged.pool, &areas, &judged.ranking);
             }
             _ => {}

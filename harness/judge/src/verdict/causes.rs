@@ -16,7 +16,8 @@ use serde::Serialize;
 use super::Evaluation;
 use super::areas::Areas;
 use super::attempt::{Judge, read};
-use super::evidence::Evidence;
+use super::evidence::{Evidence, finite};
+use super::linear::less;
 use super::numbers::Searched;
 use super::place::Place;
 use super::pool::Pool;
@@ -135,7 +136,7 @@ impl<'a> Inquiry<'a, '_, '_> {
     pub fn causes(&mut self, ways: &[Stored]) -> (Causes, Option<Stored>) {
         let (beside, areas) = ((self.theirs, self.judged), self.judge.areas);
         let films = &self.replicas.films;
-        let of = |way: &Stored| evidence(beside, films, areas, *way);
+        let of = |way: &Stored| evidence_of(beside, films, areas, *way);
         let mut evidence: Vec<Evidence<'_>> = ways.par_iter().map(of).collect();
         let scene = self.suspects.scene;
         let places: Vec<Place> = evidence.iter().filter_map(|it| Place::of(it, scene)).collect();
@@ -188,13 +189,9 @@ impl<'a> Inquiry<'a, '_, '_> {
         causes.is_unfinished = (self.suspects.is_over)();
         let near = hypotheses.first().filter(|it| it.part >= 1.0 - LITTLE);
         let chosen = found.first().or(near).map(|it| ways[it.reading]);
-        causes.place = Place::of(&self.evidence(chosen.unwrap_or(ways[0])), scene);
+        let way = chosen.unwrap_or(ways[0]);
+        causes.place = Place::of(&evidence_of(beside, &self.replicas.films, areas, way), scene);
         (causes, chosen)
-    }
-
-    /// The picture beside ours, read in one way.
-    fn evidence(&self, way: Stored) -> Evidence<'a> {
-        evidence((self.theirs, self.judged), &self.replicas.films, self.judge.areas, way)
     }
 
     /// Who, from this suspect on, may have made the picture, read in some way, with the least left of the difference first.
@@ -280,8 +277,7 @@ impl<'a> Reading<'a> {
         let (weights, noise) = (evidence.weights(), evidence.squares_of_noise());
         let changes = Vec::new();
         let mut reading = Self { evidence, index, weights, noise, before: 0.0, changes };
-        let Evidence { theirs, mean, .. } = &reading.evidence;
-        let difference = reading.evidence.tiles(|at| finite(theirs[at] - mean[at]));
+        let difference = reading.evidence.difference();
         reading.before = remainder([&difference; 2], &reading.weights, &reading.noise);
         reading.add(lineup, 0);
         reading
@@ -312,9 +308,8 @@ impl<'a> Reading<'a> {
         let change = |scene: &Scene| {
             Some(self.change(&suspects.pixels(scene, lineup.seeds[0], lineup)?, &lineup.ours[0]))
         };
-        let Evidence { theirs, mean, .. } = &self.evidence;
-        let difference = self.evidence.tiles(|at| finite(theirs[at] - mean[at]));
-        let (scene, difference, weights) = (&lineup.scene, &*difference, &*self.weights);
+        let (scene, weights, difference) =
+            (&lineup.scene, &*self.weights, &*self.evidence.difference());
         Searched { scene, change: &change, difference, weights }.scenes(count)
     }
 
@@ -327,7 +322,7 @@ impl<'a> Reading<'a> {
 
     /// The weighted squares that changes leave of a difference.
     fn left(&self, difference: &[f64], changes: &[Vec<f64>]) -> f64 {
-        let [first, last] = ends(changes).map(|change| difference_of(difference, change));
+        let [first, last] = ends(changes).map(|change| less(difference, change));
         let left = remainder([&first, &last], &self.weights, &self.noise);
         // far below 0, the changes of the two seeds are mostly noise
         if left < -self.before { left.abs() } else { left }
@@ -336,7 +331,7 @@ impl<'a> Reading<'a> {
     /// How much of the difference a hypothesis explains.
     fn share(&self, it: &Hypothesis, theirs: &Picture) -> Share {
         let difference = self.difference(&it.change.applied(theirs));
-        let of = |change: &Vec<f64>| difference_of(&difference, change);
+        let of = |change: &Vec<f64>| less(&difference, change);
         let [first, last] = ends(&self.changes[it.suspect]).map(of);
         Share::of(&difference, [&first, &last], &self.weights, &self.noise)
     }
@@ -345,7 +340,7 @@ impl<'a> Reading<'a> {
     fn are_alike(&self, a: usize, b: usize, most: f64) -> bool {
         let [a, b] = [a, b].map(|suspect| mean(&self.changes[suspect]));
         let squared = |values: &[f64]| remainder([values; 2], &self.weights, &[]);
-        squared(&difference_of(&a, &b)) <= most * squared(&a)
+        squared(&less(&a, &b)) <= most * squared(&a)
     }
 
     /// The causes that a scene cannot tell from this one, each mistake once.
@@ -368,7 +363,7 @@ impl<'a> Reading<'a> {
 }
 
 /// A picture beside ours, read in one way: as it was judged, or beside the first of ours.
-fn evidence<'a>(
+fn evidence_of<'a>(
     (theirs, judged): (&Picture, &Evaluation),
     films: &[Film],
     areas: &'a Areas,
@@ -392,11 +387,6 @@ impl Hypothesis {
     }
 }
 
-/// What is no number has no weight.
-pub(super) fn finite(value: f64) -> f64 {
-    if value.is_finite() { value } else { 0.0 }
-}
-
 /// The first and the last.
 fn ends(changes: &[Vec<f64>]) -> [&Vec<f64>; 2] {
     [&changes[0], &changes[changes.len() - 1]]
@@ -405,8 +395,4 @@ fn ends(changes: &[Vec<f64>]) -> [&Vec<f64>; 2] {
 fn mean(changes: &[Vec<f64>]) -> Vec<f64> {
     let [first, last] = ends(changes);
     first.iter().zip(last).map(|(a, b)| 0.5 * (a + b)).collect()
-}
-
-fn difference_of(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| a - b).collect()
 }

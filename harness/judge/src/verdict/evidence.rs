@@ -5,7 +5,6 @@ use std::mem::take;
 use pictures::compare::spread;
 
 use super::areas::Areas;
-use super::causes::finite;
 use super::pool::Pool;
 use super::residuals::{Residuals, around};
 use super::stored::Stored;
@@ -73,13 +72,6 @@ impl<'a> Evidence<'a> {
         Self { areas, stored, theirs, mean, variances, noise, has_noise, blocks: blocks.collect() }
     }
 
-    /// That of another picture with the same noise.
-    #[must_use]
-    pub fn with(&self, theirs: &[f32]) -> Self {
-        let theirs = theirs.iter().map(|value| f64::from(*value)).collect();
-        Self { theirs, ..self.clone() }
-    }
-
     /// The side of these tiles.
     pub fn side(&self) -> usize {
         1 << LEVEL.min(self.areas.levels() - 1)
@@ -96,13 +88,18 @@ impl<'a> Evidence<'a> {
             .collect()
     }
 
+    /// The picture less the mean of ours, over tiles.
+    pub fn difference(&self) -> Vec<f64> {
+        self.tiles(|at| finite(self.theirs[at] - self.mean[at]))
+    }
+
     /// Keeps about so many tiles: those in which the picture differs most, and as many that are evenly spread.
     pub fn keep(&mut self, most: usize) {
         if self.blocks.len() <= most {
             return;
         }
-        let difference = self.tiles(|at| finite(self.theirs[at] - self.mean[at]));
-        let (weights, count) = (self.weights(), self.blocks.len());
+        let (difference, weights) = (self.difference(), self.weights());
+        let count = self.blocks.len();
         let square = |tile: usize| -> f64 {
             let channels = (0..3).map(|channel| channel * count + tile);
             channels.map(|at| weights[at] * difference[at] * difference[at]).sum()
@@ -129,4 +126,9 @@ impl<'a> Evidence<'a> {
         let noise = self.tiles(|at| if self.theirs[at].is_finite() { self.noise[at] } else { 0.0 });
         noise.into_iter().zip(self.weights()).map(|(noise, weight)| noise * weight).collect()
     }
+}
+
+/// What is no number has no weight.
+pub(super) fn finite(value: f64) -> f64 {
+    if value.is_finite() { value } else { 0.0 }
 }

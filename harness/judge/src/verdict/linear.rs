@@ -1,5 +1,10 @@
 //! Weighted least squares.
 
+/// The differences of values.
+pub(super) fn less(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(a, b)| a - b).collect()
+}
+
 /// The weighted sum of products.
 pub(super) fn product(a: &[f64], b: &[f64], weights: &[f64]) -> f64 {
     a.iter().zip(b).zip(weights).map(|((a, b), weight)| weight * a * b).sum()

@@ -7,7 +7,7 @@ use groundtruth::scene::Scene;
 use serde_json::Value;
 use text::digits::short;
 
-use super::linear::{fitted, product};
+use super::linear::{fitted, less, product};
 use crate::mistakes::local::Local;
 
 /// Fields of materials and of lights that are tried.
@@ -71,13 +71,13 @@ impl Searched<'_> {
         let (mut values, mut tiles) = (number.values.clone(), vec![0.0; self.difference.len()]);
         let mut left = total;
         for step in 0..STEPS {
-            let rest = difference(self.difference, &tiles);
+            let rest = less(self.difference, &tiles);
             let scale = values.iter().fold(0.0, |most: f64, value| most.max(value.abs()));
             let small = SMALL * if scale > 0.0 { scale } else { 1.0 };
             let columns = (0..values.len()).map(|i| {
                 let mut moved = values.clone();
                 moved[i] += small;
-                Some(difference(&change(&moved)?, &tiles))
+                Some(less(&change(&moved)?, &tiles))
             });
             let columns = columns.collect::<Option<Vec<Vec<f64>>>>()?;
             let (multiples, explained) = fitted(&columns, &rest, self.weights)?;
@@ -88,7 +88,7 @@ impl Searched<'_> {
                 values.iter().zip(multiples).map(|(value, multiple)| value + small * multiple);
             let next: Vec<f64> = next.map(|value| near(value, scale)).collect();
             let Some(changed) = change(&next) else { break };
-            let rest = difference(self.difference, &changed);
+            let rest = less(self.difference, &changed);
             let rest = product(&rest, &rest, self.weights);
             if rest >= left {
                 break;
@@ -113,10 +113,6 @@ fn near(value: f64, scale: f64) -> f64 {
         true => value.clamp(-FARTHEST * scale, FARTHEST * scale),
         false => value,
     }
-}
-
-fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
-    a.iter().zip(b).map(|(a, b)| a - b).collect()
 }
 
 /// The numbers of a scene that are tried.

@@ -6,8 +6,8 @@ use groundtruth::scene::{Material, Scene};
 use serde::Serialize;
 use serde_json::Value;
 
-use super::causes::finite;
 use super::evidence::Evidence;
+use super::evidence::finite;
 
 /// The object to which a difference is confined, or the objects of one material.
 #[derive(Clone, Debug, Serialize)]

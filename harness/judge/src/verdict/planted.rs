@@ -16,14 +16,11 @@ pub struct PlantedDefect {
     pub found: bool,
 }
 
-/// Whether a changed film of ours, in the place of the first of our pictures, is the farthest out of all of ours.
-pub fn planted(
-    ours: &[Vec<f32>],
-    changed: Vec<f32>,
-    (areas, pool): (&Areas, &Pool),
-    from: usize,
-) -> bool {
-    let pictures = std::iter::once(changed).chain(ours[1..].iter().cloned()).collect();
+/// Whether a changed film of ours, in the place of the first of a pool, is the farthest out of all of ours: of all but the
+/// last.
+pub fn planted(changed: Vec<f32>, pool: &Pool, areas: &Areas, from: usize) -> bool {
+    let others = (1..pool.count() - 1).map(|index| pool.picture(index).to_vec());
+    let pictures = std::iter::once(changed).chain(others).collect();
     let pool = Pool::new(areas.size, pool.stored, pictures).against_mean(pool.reference().cloned());
     let ranking = Ranking::of(&pool, areas, from);
     ranking.as_far_as(0) == 0

@@ -4,6 +4,8 @@ use groundtruth::math::Pcg32;
 
 use statistics::quantile;
 
+use super::linear::product;
+
 /// The part of a squared difference that something explains, with its interval.
 #[derive(Clone, Copy, Debug)]
 pub struct Share {
@@ -49,6 +51,5 @@ impl Share {
 /// The weighted squares of a difference without those of its noise, from two of its values with independent noise of what
 /// explains it; without `noise`, with them.
 pub fn remainder(left: [&[f64]; 2], weights: &[f64], noise: &[f64]) -> f64 {
-    let squares = left[0].iter().zip(left[1]).zip(weights).map(|((a, b), weight)| weight * a * b);
-    squares.sum::<f64>() - noise.iter().sum::<f64>()
+    product(left[0], left[1], weights) - noise.iter().sum::<f64>()
 }
