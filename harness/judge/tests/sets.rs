@@ -1,5 +1,6 @@
 //! Two sets of pictures: false alarms, what is found, and what is said of it.
 
+mod divisions;
 mod exact;
 mod odd;
 mod other_noise;

@@ -68,19 +68,18 @@ impl<'a> SetEvidence<'a> {
     pub fn of(
         sets: &'a Sets,
         (pairs, noise): (&Pairs, &Noise),
-        level: f64,
-        watch: Watch<'a>,
+        limits @ (level, _): (f64, Watch<'a>),
     ) -> Self {
-        let most = (DIVISIONS / level).ceil() as usize;
         let sizes @ [n, m] = sets.sizes();
         if pairs.0.len() >= 2 {
-            return Self::of_pairs(sets, pairs, (level, most), watch);
+            return Self::of_pairs(sets, pairs, limits);
         }
         if n < 2 || m < 2 {
-            return Self::of_one(sets, level, watch);
+            return Self::of_one(sets, limits);
         }
-        let (least, design) = (1.0 / Divisions::of_sets(sizes), Design::means(sizes));
-        let divisions = (noise.is_alike && least <= level).then(|| Divisions::sets(sizes, most));
+        let least = 1.0 / Divisions::of_sets(sizes);
+        let divisions =
+            (noise.is_alike && least <= level).then(|| Divisions::sets(sizes, most(level)));
         let method = match &divisions {
             Some(divisions) => {
                 Method::Divisions { count: divisions.weights.len(), is_all: divisions.is_all }
@@ -90,42 +89,56 @@ impl<'a> SetEvidence<'a> {
         };
         let mean = sets.mean_of_all();
         let values = || sets.all().map(|picture| less(picture, &mean));
-        let variance = with_rounding(smoothed(values(), (n + m) as f64 - 1.0, sets), sets);
-        let pictures = SummedPictures { values: values(), mean: &mean, variance: &variance };
-        let all = (n + m) as f64;
+        let variance = smoothed(values(), (n + m) as f64 - 1.0, sets);
+        Self::new(sets, (values(), variance), sizes, (method, divisions), limits)
+    }
+
+    /// Of sums of these values: of so many pictures before and after, or of differences, 0 after.
+    fn new(
+        sets: &'a Sets,
+        (values, mut variance): (impl Iterator<Item = Vec<f64>>, Vec<f64>),
+        sizes @ [n, m]: [usize; 2],
+        (method, divisions): (Method, Option<Divisions>),
+        (level, watch): (f64, Watch<'a>),
+    ) -> Self {
+        // values that hardly vary show nothing of the variance of rounding
+        variance.iter_mut().zip(&sets.rounding).for_each(|(sum, rounding)| *sum += rounding);
+        let (one, other, all) = (n as f64, m as f64, (n + m) as f64);
         let both = |before: f64, after: f64| [vec![before; n], vec![after; m]].concat();
+        let (design, weights, of_change) = match m {
+            0 => (Design::differences(n), vec![1.0 / one; n], vec![-1.0; n]),
+            _ => {
+                let of_change = both(other / all, -one / all);
+                (Design::means(sizes), both(-1.0 / one, 1.0 / other), of_change)
+            }
+        };
+        let pictures = SummedPictures { values, mean: &sets.mean_of_all(), variance: &variance };
+        let (sums, correlation) = (AreaSums::of(pictures, &sets.areas, design), 1.0);
         Self {
-            sums: AreaSums::of(pictures, &sets.areas, design),
+            sums,
             method,
-            correlation: 1.0,
-            weights: both(-1.0 / n as f64, 1.0 / m as f64),
-            of_change: both(m as f64 / all, -(n as f64) / all),
+            weights,
+            of_change,
             sizes,
             design,
             divisions,
+            correlation,
             level,
             watch,
         }
     }
 
     /// Of pairs with equal seeds, whose differences have little noise.
-    fn of_pairs(
-        sets: &'a Sets,
-        pairs: &Pairs,
-        (level, most): (f64, usize),
-        watch: Watch<'a>,
-    ) -> Self {
-        let (count, mean) = (pairs.0.len(), sets.mean_of_all());
+    fn of_pairs(sets: &'a Sets, pairs: &Pairs, limits @ (level, _): (f64, Watch<'a>)) -> Self {
+        let count = pairs.0.len();
         let least = 1.0 / Divisions::of_signs(count);
-        let divisions = (least <= level).then(|| Divisions::signs(count, most));
+        let divisions = (least <= level).then(|| Divisions::signs(count, most(level)));
         let difference = |[a, b]: &[usize; 2]| {
             let both = sets.before[*a].iter().zip(&sets.after[*b]);
             both.map(|(before, after)| f64::from(*after) - f64::from(*before)).collect()
         };
         let values = || pairs.0.iter().map(difference);
-        let variance = with_rounding(smoothed(values(), count as f64, sets), sets);
-        let design = Design::differences(count);
-        let pictures = SummedPictures { values: values(), mean: &mean, variance: &variance };
+        let variance = smoothed(values(), count as f64, sets);
         let method = match &divisions {
             Some(divisions) => Method::Signs {
                 pairs: count,
@@ -134,23 +147,11 @@ impl<'a> SetEvidence<'a> {
             },
             None => Method::PairedAreas { pairs: count, because: Reason::Few(least) },
         };
-        Self {
-            sums: AreaSums::of(pictures, &sets.areas, design),
-            method,
-            correlation: 1.0,
-            weights: vec![1.0 / count as f64; count],
-            of_change: vec![-1.0; count],
-            sizes: [count, 0],
-            design,
-            divisions,
-            level,
-            watch,
-        }
+        Self::new(sets, (values(), variance), [count, 0], (method, divisions), limits)
     }
 
     /// Of one picture before or after: its noise is estimated from its finest details.
-    fn of_one(sets: &'a Sets, level: f64, watch: Watch<'a>) -> Self {
-        let mean = sets.mean_of_all();
+    fn of_one(sets: &'a Sets, limits: (f64, Watch<'a>)) -> Self {
         let [before, after] = [&sets.before, &sets.after].map(|set| sets.mean(set));
         let difference: Vec<f64> = after.iter().zip(&before).map(|(b, a)| b - a).collect();
         let own = match sets.areas.size.contains(&1) {
@@ -158,23 +159,9 @@ impl<'a> SetEvidence<'a> {
             // of one row or column there are no details
             true => [0; 3].map(|_| vec![f64::INFINITY; sets.areas.object_of.len()]),
         };
-        let variance = with_rounding(interleaved(&own), sets);
-        let values = std::iter::once(difference);
-        let pictures = SummedPictures { values, mean: &mean, variance: &variance };
-        let design = Design::differences(1);
-        let sums = AreaSums::of(pictures, &sets.areas, design);
-        Self {
-            correlation: correlation(&sums),
-            sums,
-            method: Method::OnePicture,
-            weights: vec![1.0],
-            of_change: vec![-1.0],
-            sizes: [1, 0],
-            design,
-            divisions: None,
-            level,
-            watch,
-        }
+        let values = (std::iter::once(difference), interleaved(&own));
+        let one = Self::new(sets, values, [1, 0], (Method::OnePicture, None), limits);
+        Self { correlation: correlation(&one.sums), ..one }
     }
 
     /// What is found if all pictures before are changed so.
@@ -281,6 +268,11 @@ impl<'a> SetEvidence<'a> {
     }
 }
 
+/// So many divisions are tried at most.
+fn most(level: f64) -> usize {
+    (DIVISIONS / level).ceil() as usize
+}
+
 /// One difference in standard deviations of its finest details.
 fn z_of_one(sums: &AreaSums<'_>) -> Vec<f64> {
     let differences = sums.differences(&[1.0]).into_iter().enumerate();
@@ -316,12 +308,6 @@ fn smoothed(pictures: impl Iterator<Item = Vec<f64>>, freedom: f64, sets: &Sets)
 fn interleaved(channels: &[Vec<f64>; 3]) -> Vec<f64> {
     let pixels = 0..channels[0].len();
     pixels.flat_map(|pixel| channels.each_ref().map(|channel| channel[pixel])).collect()
-}
-
-/// With the variance of rounding, of which values that hardly vary show nothing.
-fn with_rounding(mut variance: Vec<f64>, sets: &Sets) -> Vec<f64> {
-    variance.iter_mut().zip(&sets.rounding).for_each(|(sum, rounding)| *sum += rounding);
-    variance
 }
 
 fn less(picture: &[f32], mean: &[f64]) -> Vec<f64> {

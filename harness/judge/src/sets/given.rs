@@ -1,0 +1,141 @@
+//! The pictures that are given, and their regions.
+
+use std::collections::BTreeMap;
+
+use crate::verdict::Areas;
+use pictures::compare::{Decoded, Picture};
+
+/// The pictures of one scene before and after a change.
+#[derive(Clone, Debug)]
+pub struct Sets {
+    /// Their tiles, and the regions that the user gave.
+    pub areas: Areas,
+    /// The radiances of each picture before, three a pixel, row by row from the top left.
+    pub before: Vec<Vec<f32>>,
+    /// The same after.
+    pub after: Vec<Vec<f32>>,
+    /// The variance of each value by rounding when it was stored.
+    pub rounding: Vec<f64>,
+}
+
+/// More colours in a picture of regions are no regions.
+const MOST_REGIONS: usize = 4096;
+
+impl Sets {
+    /// The sets of these pictures, all of one size; `regions` has a colour for each region.
+    ///
+    /// # Errors
+    /// If it is of another size, or has too many colours.
+    pub fn new(
+        [before, after]: [Vec<Picture>; 2],
+        regions: Option<&Picture>,
+    ) -> Result<Self, String> {
+        let size = before[0].size.map(|side| side as usize);
+        let decoded = Decoded::new(&before[0]);
+        let rounding = |value: &f32| {
+            let [low, high] = decoded.interval(*value);
+            // evenly spread over the interval
+            Some((high - low) * (high - low) / 12.0).filter(|it| it.is_finite()).unwrap_or(0.0)
+        };
+        let rounding = before[0].values.as_flattened().iter().map(rounding).collect();
+        let areas = match regions {
+            None => Areas::tiles(size),
+            Some(regions) => regions_of(regions, before[0].size)?,
+        };
+        Ok(Self {
+            areas,
+            before: before.into_iter().map(radiances).collect(),
+            after: after.into_iter().map(radiances).collect(),
+            rounding,
+        })
+    }
+
+    /// The numbers of pictures before and after.
+    pub fn sizes(&self) -> [usize; 2] {
+        [self.before.len(), self.after.len()]
+    }
+
+    /// All pictures, those before first.
+    pub(super) fn all(&self) -> impl Iterator<Item = &Vec<f32>> {
+        self.before.iter().chain(&self.after)
+    }
+
+    /// The mean of a set.
+    pub(super) fn mean(&self, set: &[Vec<f32>]) -> Vec<f64> {
+        let mut mean = vec![0.0; self.rounding.len()];
+        for picture in set {
+            mean.iter_mut().zip(picture).for_each(|(sum, x)| *sum += f64::from(*x));
+        }
+        mean.iter_mut().for_each(|sum| *sum /= set.len() as f64);
+        mean
+    }
+
+    /// The same as a picture.
+    pub(super) fn mean_picture(&self, set: &[Vec<f32>]) -> Picture {
+        let mean: Vec<f32> = self.mean(set).into_iter().map(|value| value as f32).collect();
+        Picture::of_radiance(&mean, self.areas.size.map(|side| side as u32))
+    }
+
+    /// The mean of all pictures.
+    pub(super) fn mean_of_all(&self) -> Vec<f64> {
+        let [n, m] = self.sizes().map(|count| count as f64);
+        let [before, after] = [&self.before, &self.after].map(|set| self.mean(set));
+        before.iter().zip(after).map(|(a, b)| (n * a + m * b) / (n + m)).collect()
+    }
+
+    /// Values that are no numbers in some picture become 0 in all; whether all do.
+    pub(super) fn without_not_finite(mut self) -> (Self, bool) {
+        let is_finite = |index: usize| self.all().all(|picture| picture[index].is_finite());
+        let bad: Vec<usize> = (0..self.rounding.len()).filter(|index| !is_finite(*index)).collect();
+        for picture in self.before.iter_mut().chain(&mut self.after) {
+            bad.iter().for_each(|index| picture[*index] = 0.0);
+        }
+        let are_all = bad.len() == self.rounding.len();
+        (self, are_all)
+    }
+
+    /// Whether all pictures of each set have the same values: there is no noise, or only one picture.
+    pub(super) fn is_fixed(&self) -> bool {
+        let is_same = |set: &[Vec<f32>]| set.iter().all(|picture| *picture == set[0]);
+        is_same(&self.before) && is_same(&self.after)
+    }
+}
+
+/// The radiances of a picture, in the place of its values.
+fn radiances(mut picture: Picture) -> Vec<f32> {
+    if picture.step.is_some() {
+        let decoded = Decoded::new(&picture);
+        let linear = |color: &[f32; 3]| decoded.linear(*color).map(|value| value as f32);
+        picture.values = picture.values.iter().map(linear).collect();
+    }
+    picture.values.into_flattened()
+}
+
+/// The regions of a picture with a colour for each.
+fn regions_of(picture: &Picture, size: [u32; 2]) -> Result<Areas, String> {
+    let ([width, height], [w, h]) = (picture.size, size);
+    if picture.size != size {
+        return Err(format!(
+            "it has {width} × {height} pixels, the pictures {w} × {h}; each pixel has a region"
+        ));
+    }
+    let mut areas = Areas::tiles(size.map(|side| side as usize));
+    areas.objects.clear();
+    let mut known: BTreeMap<[u32; 3], u32> = BTreeMap::new();
+    for (pixel, color) in picture.values.iter().enumerate() {
+        let next = known.len() as u32;
+        let region = *known.entry(color.map(f32::to_bits)).or_insert(next);
+        if region == next {
+            if known.len() > MOST_REGIONS {
+                return Err(format!(
+                    "it has more than {MOST_REGIONS} colours; a picture of regions has one for each, without smooth edges"
+                ));
+            }
+            let [r, g, b] = color.map(|value| (255.0 * value).round() as u8);
+            areas.objects.push((format!("region #{r:02x}{g:02x}{b:02x}").into(), 0));
+        }
+        areas.objects[region as usize].1 += 1;
+        areas.object_of[pixel] = region;
+    }
+    Ok(areas)
+}
