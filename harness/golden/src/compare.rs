@@ -2,33 +2,24 @@
 
 use groundtruth::film::Film;
 
-/// How a picture compares with the one that was expected.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Comparison {
-    /// The same bits.
-    Same,
-    /// Every channel of every pixel is within [`DRIFT`], as after a change of the order of sums.
-    Drift,
-    /// A larger difference.
-    Changed,
-}
+use super::GoldenStatus;
 
 /// The largest relative difference of a channel that is still drift: about eight times the
 /// distance between neighbouring numbers of single precision.
 pub const DRIFT: f64 = 1e-6;
 
-/// Compares two pictures as files store them, in single precision.
-pub fn verdict(expected: &Film, got: &Film) -> Comparison {
+/// Compares two pictures as files store them, in single precision: the same, drift or changed.
+pub fn verdict(expected: &Film, got: &Film) -> GoldenStatus {
     if !same_size(expected, got) {
-        return Comparison::Changed;
+        return GoldenStatus::Changed;
     }
     let channels = || expected.to_f32().zip(got.to_f32()).flat_map(|(a, b)| a.into_iter().zip(b));
     if channels().all(|(a, b)| a.to_bits() == b.to_bits()) {
-        Comparison::Same
+        GoldenStatus::Same
     } else if channels().all(|(a, b)| a.to_bits() == b.to_bits() || within_drift(a, b)) {
-        Comparison::Drift
+        GoldenStatus::Drift
     } else {
-        Comparison::Changed
+        GoldenStatus::Changed
     }
 }
 

@@ -1,7 +1,8 @@
 //! Negative controls: known-bad variants of scenes, which a comparison of pictures must reject, and
 //! tiny differences, which it must call drift.
 
-use golden::compare::{Comparison, verdict};
+use golden::GoldenStatus;
+use golden::compare::verdict;
 use groundtruth::film::Film;
 use groundtruth::lights::Kind as LightKind;
 use groundtruth::materials::Kind as MaterialKind;
@@ -70,7 +71,7 @@ fn known_bad_variants_are_rejected() {
         let mut bad = good.clone();
         plant(&mut bad);
         let (good, bad) = (picture(&good), picture(&bad));
-        assert_eq!(verdict(&good, &bad), Comparison::Changed, "{name}: {what}");
+        assert_eq!(verdict(&good, &bad), GoldenStatus::Changed, "{name}: {what}");
     }
 }
 
@@ -79,7 +80,7 @@ fn a_tiny_difference_is_drift_and_a_picture_is_the_same_as_itself() {
     for name in ["ch24/hall-of-mirrors", "ch28/glass-sphere"] {
         let scene = small(name);
         let good = picture(&scene);
-        assert_eq!(verdict(&good, &picture(&scene)), Comparison::Same);
+        assert_eq!(verdict(&good, &picture(&scene)), GoldenStatus::Same);
         let times = |factor: f64| {
             let mut scene = scene.clone();
             scene.camera.exposure_time *= factor;
@@ -87,8 +88,8 @@ fn a_tiny_difference_is_drift_and_a_picture_is_the_same_as_itself() {
         };
         // rounding to single precision adds up to 1.2e-7
         for tiny in [1.0 + 2e-7, 1.0 - 5e-7, 1.0 + 8e-7] {
-            assert_eq!(verdict(&good, &times(tiny)), Comparison::Drift, "{name} times {tiny}");
+            assert_eq!(verdict(&good, &times(tiny)), GoldenStatus::Drift, "{name} times {tiny}");
         }
-        assert_eq!(verdict(&good, &times(1.0 + 1.2e-6)), Comparison::Changed);
+        assert_eq!(verdict(&good, &times(1.0 + 1.2e-6)), GoldenStatus::Changed);
     }
 }

@@ -1,5 +1,6 @@
 //! Pictures compared to the bit, or up to drift.
 
+use golden::GoldenStatus;
 use golden::compare::*;
 use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
@@ -14,17 +15,17 @@ fn grey(value: f64) -> Film {
 fn drift_ends_at_one_millionth_of_the_larger_value() {
     // single precision near 1 steps by 1.2e-7: eight steps are 9.5e-7, nine are 1.07e-6
     let step = f64::from(f32::EPSILON);
-    assert_eq!(verdict(&grey(1.0), &grey(1.0)), Comparison::Same);
-    assert_eq!(verdict(&grey(1.0), &grey(1.0 + step)), Comparison::Drift);
-    assert_eq!(verdict(&grey(1.0), &grey(1.0 + 8.0 * step)), Comparison::Drift);
-    assert_eq!(verdict(&grey(1.0), &grey(1.0 + 9.0 * step)), Comparison::Changed);
+    assert_eq!(verdict(&grey(1.0), &grey(1.0)), GoldenStatus::Same);
+    assert_eq!(verdict(&grey(1.0), &grey(1.0 + step)), GoldenStatus::Drift);
+    assert_eq!(verdict(&grey(1.0), &grey(1.0 + 8.0 * step)), GoldenStatus::Drift);
+    assert_eq!(verdict(&grey(1.0), &grey(1.0 + 9.0 * step)), GoldenStatus::Changed);
 }
 
 #[test]
 fn one_channel_of_one_pixel_decides() {
     let mut film = grey(0.5);
     film.set([7, 5], Rgb::new(0.5, 0.5, 0.5 + 1e-3));
-    assert_eq!(verdict(&grey(0.5), &film), Comparison::Changed);
+    assert_eq!(verdict(&grey(0.5), &film), GoldenStatus::Changed);
     let found = differences(&grey(0.5), &film);
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].pixel, [7, 5]);
@@ -35,8 +36,8 @@ fn what_is_not_a_number_is_never_drift_and_is_the_worst() {
     let mut film = grey(0.5);
     film.set([1, 2], Rgb::grey(9.0));
     film.set([3, 0], Rgb::new(0.5, f64::NAN, 0.5));
-    assert_eq!(verdict(&grey(0.5), &film), Comparison::Changed);
-    assert_eq!(verdict(&film, &film), Comparison::Same, "bits are compared, not values");
+    assert_eq!(verdict(&grey(0.5), &film), GoldenStatus::Changed);
+    assert_eq!(verdict(&film, &film), GoldenStatus::Same, "bits are compared, not values");
     let found: Vec<_> = differences(&grey(0.5), &film).iter().map(|d| d.pixel).collect();
     assert_eq!(found, [[3, 0], [1, 2]]);
 }
@@ -44,5 +45,5 @@ fn what_is_not_a_number_is_never_drift_and_is_the_worst() {
 #[test]
 fn pictures_of_other_sizes_are_changed() {
     let other = Film::new(6, 8);
-    assert_eq!(verdict(&Film::new(8, 6), &other), Comparison::Changed);
+    assert_eq!(verdict(&Film::new(8, 6), &other), GoldenStatus::Changed);
 }

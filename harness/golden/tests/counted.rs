@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use golden::compare::{Comparison, differences, verdict};
+use golden::compare::{differences, verdict};
 use golden::review::{DEFAULT_FOLDER, accept_command, told, words};
 use golden::{GoldenFinding, GoldenSettings, GoldenStatus, Goldens, View, leaf};
 use groundtruth::explain;
@@ -195,9 +195,9 @@ fn drift_is_relative_for_all_sizes_and_signs() {
         let b = if random.below(8) == 0 { -b } else { b };
         let [wide_a, wide_b] = [a, b].map(f64::from);
         let expected = match (a.to_bits() == b.to_bits(), (wide_a - wide_b).abs()) {
-            (true, _) => Comparison::Same,
-            (_, off) if off <= 1e-6 * wide_a.abs().max(wide_b.abs()) => Comparison::Drift,
-            _ => Comparison::Changed,
+            (true, _) => GoldenStatus::Same,
+            (_, off) if off <= 1e-6 * wide_a.abs().max(wide_b.abs()) => GoldenStatus::Drift,
+            _ => GoldenStatus::Changed,
         };
         let pictures =
             [wide_a, wide_b].map(|x| film(2, 1, |at, _| Rgb::grey(if at == 1 { x } else { 0.5 })));
