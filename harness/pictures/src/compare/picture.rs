@@ -32,23 +32,16 @@ pub struct Picture {
 impl Picture {
     /// A picture of radiance.
     pub fn of_film(film: &Film) -> Self {
-        let (size, transfer) = ([film.width(), film.height()], Transfer::Linear);
-        Self {
-            size,
-            values: film.to_f32().collect(),
-            transfer,
-            stated: None,
-            step: None,
-            notes: Vec::new(),
-            transparent: 0,
-            loss: None,
-        }
+        Self::of_colors(film.to_f32().collect(), [film.width(), film.height()])
     }
 
     /// A picture of radiance: three values a pixel, row by row from the top left.
     pub fn of_radiance(values: &[f32], size: [u32; 2]) -> Self {
-        let (values, transfer) = (values.as_chunks::<3>().0.to_vec(), Transfer::Linear);
-        let (notes, transparent, loss) = (Vec::new(), 0, None);
+        Self::of_colors(values.as_chunks::<3>().0.to_vec(), size)
+    }
+
+    fn of_colors(values: Vec<[f32; 3]>, size: [u32; 2]) -> Self {
+        let (transfer, notes, transparent, loss) = (Transfer::Linear, Vec::new(), 0, None);
         Self { size, values, transfer, stated: None, step: None, notes, transparent, loss }
     }
 

@@ -1,5 +1,7 @@
 //! Exact numbers: a pixel value as an integer, and the sums of these integers and of their squares.
 
+use groundtruth::math::power_of_two;
+
 /// A value `x` counts as the integer `k = x·2⁸⁰`.
 const FRACTION_BITS: i32 = 80;
 
@@ -175,9 +177,4 @@ fn rounded(words: [u64; 5]) -> f64 {
     let is_cut = words[..top - 1].iter().any(|&word| word != 0);
     let leading = u128::from(words[top]) << 64 | u128::from(words[top - 1]) | u128::from(is_cut);
     leading as f64 * power_of_two(64 * (top as i32 - 1))
-}
-
-/// `2^exponent`, for exponents from −1022 to 1023.
-fn power_of_two(exponent: i32) -> f64 {
-    f64::from_bits(((exponent + 1023) as u64) << 52)
 }
