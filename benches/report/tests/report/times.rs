@@ -2,20 +2,8 @@
 
 use serde_json::Value;
 
+use super::tables::table;
 use super::{REPORT, list};
-
-/// The cells of the rows of the table with this caption, and its headings first.
-fn table(caption: &str) -> Vec<Vec<String>> {
-    let (_, rest) = REPORT.html.split_once(&format!("<caption>{caption}")).expect("the table");
-    let (table, _) = rest.split_once("</table>").expect("it ends");
-    let text = |cell: &str| {
-        let (_, text) = cell.split_once('>').expect("a tag ends");
-        text.split('<').next().unwrap_or_default().to_owned()
-    };
-    let cells = |row: &str| row.split("<t").skip(1).map(text).collect::<Vec<_>>();
-    let rows = table.split("<tr").skip(1).map(|row| cells(&row.replace("<thead", "")));
-    rows.filter(|cells| !cells.is_empty()).collect()
-}
 
 /// The efficiency of a choice with the largest number of samples.
 fn efficiency(choice: &Value) -> f64 {
@@ -26,17 +14,17 @@ fn efficiency(choice: &Value) -> f64 {
 /// the ratio of efficiencies. Oracle: these ratios from the JSON, to the two digits that are printed.
 #[test]
 fn times_for_the_same_noise_are_ratios_to_the_best() {
-    let rows = table("Time for the same noise, as a multiple of the shortest");
+    let (heads, rows) = table("Time for the same noise, as a multiple of the shortest");
     let scenes = list(&REPORT.json["pages"]["light"]["scenes"]);
     let mut judged = 0;
     for (column, scene) in scenes.iter().enumerate() {
         let name = &scene["scene"];
-        assert_eq!(Some(rows[0][column + 1].as_str()), name.as_str());
+        assert_eq!(Some(heads[column + 1].as_str()), name.as_str());
         let choices = list(&scene["choices"]);
         let unbiased = choices.iter().filter(|choice| choice["unbiased"] == true);
         let best = unbiased.map(efficiency).fold(0.0, f64::max);
         let mut smallest = f64::INFINITY;
-        for row in &rows[1..] {
+        for row in &rows {
             let Some(choice) = choices.iter().find(|choice| choice["choice"] == row[0].as_str())
             else {
                 continue;
