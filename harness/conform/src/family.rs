@@ -5,6 +5,7 @@ use serde_json::Value;
 
 use super::judgement::{Judgement, Profile};
 use super::mistakes::Mistake;
+use super::values::Rules;
 
 /// Questions of one kind about one thing, of one difficulty.
 pub struct Family {
@@ -37,11 +38,14 @@ pub struct Namer {
     pub refutes: fn(&(Value, Value), &'static Mistake) -> bool,
 }
 
+/// Judges an answer to a question, by the rules of its family.
+pub type ByAnswer = fn(&Value, &Value, Profile, &Rules) -> Judgement;
+
 /// Who judges a case.
 #[derive(Clone, Copy)]
 pub enum Judge {
     /// From the answer to the question alone.
-    Answer(fn(&Value, &Value, Profile) -> Judgement),
+    Answer(ByAnswer, &'static Rules),
     /// A law: asks the question and others, and holds the answers against each other.
     Law(fn(&mut Asking<'_>, &Value, Profile) -> Result<Judgement, Stop>),
 }

@@ -31,3 +31,4 @@ pub use probe::ours;
 pub use run::{CASES, MOST_CASES, NoAnswer, Options, run};
 pub use scenes::first_difference;
 pub use subject::Ours;
+pub use values::{Rules, WHOLE};

@@ -182,7 +182,7 @@ impl<'a> Running<'a> {
         let to = to.min(self.cases.len());
         let cases: Vec<Value> = self.cases[from.min(to)..to].to_vec();
         match self.family.judge {
-            Judge::Answer(judge) => {
+            Judge::Answer(judge, rules) => {
                 let replies = subject.ask(&cases);
                 let judged: Vec<Judged> = cases
                     .par_iter()
@@ -190,7 +190,7 @@ impl<'a> Running<'a> {
                     .map(|(question, reply)| {
                         let judged = |profile| {
                             let answer = reply.as_ref().map_err(Stop::clone)?;
-                            guarded(|| judge(question, answer, profile)).map_err(Stop::Ours)
+                            guarded(|| judge(question, answer, profile, rules)).map_err(Stop::Ours)
                         };
                         Judged::of(judged, profile)
                     })

@@ -1,4 +1,4 @@
-//! Whole scenes: the first hit, what is in the way, and every ray that is cast for a ray.
+//! Every ray that is cast for a ray.
 
 use ask::{number, triple};
 use serde_json::Value;
@@ -8,29 +8,9 @@ use super::probe::ours;
 use super::values::{self, Rules};
 use groundtruth::math::Vector;
 
-const HITS: Rules = Rules {
-    needed: &["object", "t"],
-    free: &["error", "path", "shading_normal"],
-    questions: &[],
-    answers: &[],
-};
-
-/// The first hit of a scene, by our own answer.
-pub fn judge_hit(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    values::judge(question, answer, profile, &HITS)
-}
-
-/// Whether something is in the way, by our own answer.
-pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    const RULES: Rules = Rules { needed: &[], free: &[], questions: &[], answers: &[] };
-    values::judge(question, answer, profile, &RULES)
-}
-
 /// What arrives is judged; where it is wrong, the rays tell why, if the program logs them.
-pub fn judge_rays(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    const RULES: Rules =
-        Rules { needed: &["radiance"], free: &["rays"], questions: &[], answers: &[] };
-    let mut judgement = values::judge(question, answer, profile, &RULES);
+pub fn judge_rays(question: &Value, answer: &Value, profile: Profile, rules: &Rules) -> Judgement {
+    let mut judgement = values::judge(question, answer, profile, rules);
     if let Judgement::Wrong(wrong) = &mut judgement
         && let Some(theirs) = answer["rays"].as_array()
         && let Ok(right) = ours(question)

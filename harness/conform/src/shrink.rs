@@ -131,8 +131,8 @@ fn data_of(question: &Value) -> Option<&Value> {
 fn is_right_of_ours(judge: Judge, failure: &Failure, profile: Profile) -> bool {
     let question = &failure.question;
     match judge {
-        Judge::Answer(judge) => {
-            ours(question).is_ok_and(|answer| judge(question, &answer, profile).is_right())
+        Judge::Answer(judge, rules) => {
+            ours(question).is_ok_and(|answer| judge(question, &answer, profile, rules).is_right())
         }
         Judge::Law(law) => {
             let found = law(&mut Asking::new(&mut Ours), question, profile);
@@ -151,11 +151,13 @@ fn fails(
     let failure =
         |wrong: Box<Wrong>, asked| Failure { question: question.clone(), wrong: *wrong, asked };
     match judge {
-        Judge::Answer(judge) => {
+        Judge::Answer(judge, rules) => {
             let Some(Ok(answer)) = subject.ask(std::slice::from_ref(question)).pop() else {
                 return None;
             };
-            let Judgement::Wrong(wrong) = judge(question, &answer, profile) else { return None };
+            let Judgement::Wrong(wrong) = judge(question, &answer, profile, rules) else {
+                return None;
+            };
             Some(failure(wrong, vec![(question.clone(), answer.to_string())]))
         }
         Judge::Law(law) => {

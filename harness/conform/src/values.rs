@@ -11,25 +11,26 @@ use super::handed;
 use super::judgement::{Judgement, Profile, Wrong, first_wrong};
 use super::mistakes::{self, Mistake, clues, same};
 use super::probe::ours;
+use super::questions::{AsAnswer, Mistakes, mistakes as of_question};
 use groundtruth::math::UNIT_ROUNDOFF;
 
-/// A mistake that is another question: turns the question into it, if it applies.
-pub type AsQuestion = (&'static Mistake, fn(&mut Value) -> Option<()>);
-/// A mistake that is another value of a field: from question, field name and our answer.
-pub type AsAnswer = (&'static Mistake, fn(&Value, &str, &Value) -> Option<Vec<f64>>);
-
-/// How answers of one question are compared. Fields that ours do not have are not judged; a list has as many items as
+/// How answers of one family are compared. Fields that ours do not have are not judged; a list has as many items as
 /// ours.
-#[derive(Clone, Copy)]
+#[derive(Clone, Debug)]
 pub struct Rules {
     /// Fields of an answer of which at least these must be there; others are judged if they are.
-    pub needed: &'static [&'static str],
+    pub needed: Vec<String>,
     /// Fields that are not judged.
-    pub free: &'static [&'static str],
-    /// Mistakes that are another question: what our function answers to it is what they would.
-    pub questions: &'static [AsQuestion],
-    /// Mistakes that are another value of a field.
-    pub answers: &'static [AsAnswer],
+    pub free: Vec<String>,
+}
+
+/// All fields are needed, none is free.
+pub static WHOLE: Rules = Rules { needed: Vec::new(), free: Vec::new() };
+
+impl Rules {
+    fn is_free(&self, field: &str) -> bool {
+        self.free.iter().any(|it| it == field)
+    }
 }
 
 /// The relative move of each number; derivatives are right to half of the digits.
@@ -121,7 +122,7 @@ impl Leaf {
 fn leaves(answer: &Value, rules: &Rules) -> Vec<Leaf> {
     let mut all = Vec::new();
     collect(answer, "", &mut all);
-    let is_free = |leaf: &Leaf| leaf.field.split('.').any(|part| rules.free.contains(&part));
+    let is_free = |leaf: &Leaf| leaf.field.split('.').any(|part| rules.is_free(part));
     all.retain(|leaf| !is_free(leaf));
     all
 }
@@ -181,10 +182,10 @@ pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) 
 /// A field that is not needed may be left out, but not replaced by something else.
 fn missing(leaf: &Leaf, right: &Value, theirs: &Value, rules: &Rules) -> Found {
     let first = leaf.field.split('.').next().unwrap_or_default();
-    let is_needed = rules.needed.is_empty() || rules.needed.contains(&first);
+    let is_needed = rules.needed.is_empty() || rules.needed.iter().any(|it| it == first);
     if right.is_object() && theirs.is_object() && theirs.get(first).is_none() {
         // what is left out is named, if there is something else to judge
-        let is_judged = |field: &str| !rules.free.contains(&field) && theirs.get(field).is_some();
+        let is_judged = |field: &str| !rules.is_free(field) && theirs.get(field).is_some();
         match right.as_object().is_some_and(|all| all.keys().any(|field| is_judged(field))) {
             _ if !is_needed => return (Judgement::Right(0.0), true),
             true => return (Judgement::Lacks(first.to_owned()), true),
@@ -229,7 +230,7 @@ fn judge_leaf(
     }
     let is_list = matches!(leaf.right, Part::Numbers(_));
     if nan_in(their) && is_list == their.is_array() {
-        let causes = causes_of_nan(question, leaf, answer, rules);
+        let causes = causes_of_nan(question, leaf, answer);
         return (wrong(format!("{} is not a number", leaf.name())).with(causes), true);
     }
     let theirs = if is_list { numbers(their) } else { number(their).map(|x| vec![x]) };
@@ -279,7 +280,7 @@ fn explained(
     if by_handedness.iter().any(|other| same(theirs, other) && !same(right, other)) {
         found.push(&mistakes::LEFT_HANDED);
     }
-    for (mistake, change) in rules.questions {
+    for (mistake, change) in known(question).flat_map(|known| known.questions) {
         let mut changed = question.clone();
         if change(&mut changed).is_none() {
             continue;
@@ -292,7 +293,7 @@ fn explained(
             found.push(mistake);
         }
     }
-    for (mistake, alternative) in rules.answers {
+    for (mistake, alternative) in known(question).flat_map(|known| known.answers) {
         let Some(other) = alternative(question, &leaf.field, answer) else { continue };
         if same(theirs, &other) && !same(right, &other) {
             found.push(mistake);
@@ -302,17 +303,18 @@ fn explained(
 }
 
 /// The mistakes whose value is no number here, such as 0/0.
-fn causes_of_nan(
-    question: &Value,
-    leaf: &Leaf,
-    answer: &Value,
-    rules: &Rules,
-) -> Vec<&'static Mistake> {
+fn causes_of_nan(question: &Value, leaf: &Leaf, answer: &Value) -> Vec<&'static Mistake> {
     let is_cause = |(mistake, alternative): &AsAnswer| {
         let other = alternative(question, &leaf.field, answer)?;
         other.iter().any(|x| x.is_nan()).then_some(*mistake)
     };
-    rules.answers.iter().filter_map(is_cause).collect()
+    known(question).flat_map(|known| known.answers).filter_map(is_cause).collect()
+}
+
+/// The mistakes of a question.
+fn known(question: &Value) -> impl Iterator<Item = &'static Mistakes> {
+    let name = question.as_object().and_then(|it| it.keys().next());
+    of_question(name.map_or("", String::as_str)).iter().copied()
 }
 
 /// Whether the three numbers of a field are red, green and blue.

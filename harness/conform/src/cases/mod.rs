@@ -13,6 +13,8 @@ use serde_json::{Value, json};
 use toml::Table;
 
 use super::family::Family;
+use super::radiance::NAMER;
+use super::values::{Rules, WHOLE};
 use judges::judge;
 use kinds::kinds;
 use notation::Drawing;
@@ -43,6 +45,7 @@ pub struct Entry {
     /// As `radiance.mirror.ball.values`.
     pub name: String,
     fields: Table,
+    rules: Rules,
 }
 
 /// The families in a text.
@@ -109,7 +112,8 @@ fn join(fields: &mut Table, own: &Table) {
 }
 
 /// Fields that say how a family is asked.
-const KEYS: [&str; 8] = ["in", "each", "kinds", "about", "chapter", "judge", "cases", "shrunk"];
+const KEYS: [&str; 10] =
+    ["in", "each", "kinds", "about", "chapter", "judge", "needed", "free", "cases", "shrunk"];
 
 /// Whether a field says what is asked, or has its name in one that does.
 fn is_used(fields: &Table, name: &str, key: &str) -> bool {
@@ -136,11 +140,16 @@ impl Entry {
                 fields.insert(list.to_owned(), toml::Value::Array(items));
             }
         }
-        let entry = Self { name, fields };
+        let words = |key: &str| {
+            let words = fields.get(key).and_then(toml::Value::as_array).into_iter().flatten();
+            words.filter_map(toml::Value::as_str).map(str::to_owned).collect()
+        };
+        let rules = Rules { needed: words("needed"), free: words("free") };
+        let entry = Self { name, fields, rules };
         let has = |key: &&&str| entry.fields.get(**key).is_none_or(|it| it.as_str().is_none());
         match ["about", "chapter", "judge"].iter().find(has) {
             Some(key) => Err(format!("{}: no `{key}`", entry.name)),
-            None if judge(entry.word("judge")).is_none() => {
+            None if judge(entry.word("judge"), &WHOLE).is_none() => {
                 Err(format!("{}: no judge is called `{}`", entry.name, entry.word("judge")))
             }
             None => Ok(entry),
@@ -163,7 +172,8 @@ impl Entry {
     }
 
     fn family(&'static self) -> Family {
-        let (judge, namer) = judge(self.word("judge")).expect("read with the entry");
+        let judge = judge(self.word("judge"), &self.rules).expect("read with the entry");
+        let in_scene = ["radiance.", "trace."].iter().any(|it| self.name.starts_with(it));
         let case = |seed, index| self.case(seed, index).expect("a test draws of each family");
         Family {
             name: self.name.clone(),
@@ -173,7 +183,7 @@ impl Entry {
             share: self.fields.get("cases").and_then(|share| json!(share).as_f64()).unwrap_or(1.0),
             cases: Box::new(move |seed, n| (0..n).map(|index| case(seed, index)).collect()),
             judge,
-            namer,
+            namer: in_scene.then_some(NAMER),
             is_shrunk: self.fields.get("shrunk").and_then(toml::Value::as_bool).unwrap_or(true),
         }
     }

@@ -5,6 +5,7 @@ use serde_json::Value;
 
 use super::super::judgement::{Judgement, Profile, Wrong, first_wrong};
 use super::super::mistakes::{self, Mistake, clues};
+use super::super::values::Rules;
 use super::names;
 use super::other_shapes::of_other_shapes;
 use super::question::IntersectQuestion;
@@ -13,7 +14,7 @@ use groundtruth::math::{UNIT_ROUNDOFF, Vector};
 use oracle::{Root, Shape};
 
 /// Whether something is in the way.
-pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile, _: &Rules) -> Judgement {
     let Some(question) = IntersectQuestion::of(question) else { return Judgement::Undecided };
     let Some(exact) = question.answer() else { return Judgement::Undecided };
     if !question.is_decided(&exact, profile) {
@@ -32,7 +33,7 @@ pub fn judge_occluded(question: &Value, answer: &Value, profile: Profile) -> Jud
 }
 
 /// Judges hits.
-pub fn judge(asked: &Value, answer: &Value, profile: Profile) -> Judgement {
+pub fn judge(asked: &Value, answer: &Value, profile: Profile, _: &Rules) -> Judgement {
     let judged = hits(asked, answer, profile);
     if judged.is_wrong() { judged.with(of_other_shapes(asked, answer)) } else { judged }
 }

@@ -12,6 +12,7 @@ use serde_json::Value;
 
 use super::family::{Family, Judge};
 use super::laws;
+use super::values::WHOLE;
 use cases::{all_roots, around, changed, nearest, occlusion, within_a_turn};
 pub use judge::{judge, judge_occluded};
 use oracle::hard::{self, Family as Hard};
@@ -36,7 +37,7 @@ pub fn families() -> Vec<Family> {
                 is_shrunk: true,
             });
         };
-        let judge = Judge::Answer(judge);
+        let judge = Judge::Answer(judge, &WHOLE);
         for family in Hard::ALL {
             let cases = move |seed, n| nearest(kind, family, seed, n);
             add("intersect", &name_of(family), 1.0, judge, Box::new(cases));
@@ -57,7 +58,7 @@ pub fn families() -> Vec<Family> {
             add("intersect", "within_a_turn", 0.5, judge, Box::new(cases));
         }
         let occluded = move |seed, n| changed(kind, seed + 2, n, occlusion);
-        add("occluded", "segment", 1.0, Judge::Answer(judge_occluded), Box::new(occluded));
+        add("occluded", "segment", 1.0, Judge::Answer(judge_occluded, &WHOLE), Box::new(occluded));
     }
     families
 }

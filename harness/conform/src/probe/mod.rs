@@ -6,7 +6,7 @@
 //! same bits.
 //!
 //! Each question is a file with its data and a `Question` that answers it; its entry in the list below
-//! names it. A question about an internal structure (`grid`: its cells) reads the same structure that
+//! names it: all else that counts questions counts these. A question about an internal structure (`grid`: its cells) reads the same structure that
 //! renders.
 
 mod camera_ray;
@@ -63,8 +63,8 @@ struct Line {
 
 macro_rules! questions {
     ($($module:ident::$Question:ident),* $(,)?) => {
-        /// The questions by name.
-        const NAMES: &[&str] = &[$(stringify!($module)),*];
+        /// The names of the questions.
+        pub const QUESTIONS: &[&str] = &[$(stringify!($module)),*];
 
         enum AnyQuestion {
             $($Question(Box<$module::$Question>),)*
@@ -76,7 +76,7 @@ macro_rules! questions {
                 match name {
                     $(stringify!($module) => Ok(Self::$Question(map.next_value()?)),)*
                     _ => Err(de::Error::custom(format!(
-                        "no question `{name}`; there are: {}", NAMES.join(", ")
+                        "no question `{name}`; there are: {}", QUESTIONS.join(", ")
                     ))),
                 }
             }
@@ -149,7 +149,8 @@ impl<'de> Visitor<'de> for LineVisitor {
                 return Err(de::Error::custom("a second question; a line asks one"));
             }
         }
-        let missing = || de::Error::custom(format!("no question; there are: {}", NAMES.join(", ")));
+        let missing =
+            || de::Error::custom(format!("no question; there are: {}", QUESTIONS.join(", ")));
         Ok(Line { id, question: asked.ok_or_else(missing)? })
     }
 }

@@ -3,11 +3,9 @@
 use ask::{Draw, numbers, triple};
 use serde_json::{Value, json};
 
-use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
 use super::super::probe::ours;
-use super::super::values::{self, Rules};
-use super::{change, data, only, remove, round, swap};
+use super::{Mistakes, change, data, only, remove, round, swap};
 use groundtruth::math::Vector;
 
 /// Where a point is seen: most are on the ray of a pixel, some behind the camera, some beside.
@@ -162,67 +160,58 @@ fn lens_radius(question: &mut Value, by: f64) -> Option<()> {
     ["/lens/0", "/lens/1"].into_iter().try_for_each(|at| change(data, at, |x| by * x))
 }
 
-/// Judges by our own answer.
-pub fn camera_ray(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    const RULES: Rules = Rules {
-        needed: &["origin", "direction"],
-        free: &[],
-        questions: &[
-            (&m::UPSIDE_DOWN, UPSIDE_DOWN),
-            (&m::UPSIDE_DOWN, ROWS_FROM_BELOW),
-            (&m::MIRRORED, MIRRORED),
-            (&m::MIRRORED, COLUMNS_FROM_RIGHT),
-            (&m::MIRRORED, MIRRORED_LENS),
-            (&m::MIRRORED, MIRRORED_ROLL),
-            (&m::TURNED_BY_HALF, TURNED_BY_HALF),
-            (&m::AXES_SWAPPED, AXES_SWAPPED),
-            (&m::PIXEL_CORNER, CORNERS),
-            (&m::INTEGER_HALF, INTEGER_HALF),
-            (&m::PLACE_DOWN, |question| change(data(question)?, "/place/1", |v| 1.0 - v)),
-            (&m::NO_PIXEL_SIZE, NO_PIXEL_SIZE),
-            (&m::NO_ROLL, NO_ROLL),
-            (&m::ROLL_REVERSED, ROLL_REVERSED),
-            (&m::DEGREES, ROLL_IN_RADIANS),
-            (&m::NO_ZOOM, NO_ZOOM),
-            (&m::ZOOM_INVERTED, ZOOM_INVERTED),
-            (&m::LENS_POINT, |question| lens_radius(question, 0.0)),
-            (&m::LENS_DIAMETER, |question| lens_radius(question, 0.5)),
-            (&m::LENS_RADIUS_DOUBLED, |question| lens_radius(question, 2.0)),
-            (&m::LENS_UNSCALED, |question| {
-                let lens = data(question)?.pointer_mut("/camera/lens/thin_lens")?;
-                lens["focal_distance"] = lens["distance"].clone();
-                Some(())
-            }),
-        ],
-        answers: &[
-            (&m::WHOLE_FIELD_OF_VIEW, |question, field, right| {
-                with_angle(question, field, right, 2.0)
-            }),
-            (&m::HALF_FIELD_OF_VIEW, |question, field, right| {
-                with_angle(question, field, right, 0.5)
-            }),
-            (&m::DIVIDED_BY_ZERO_ANGLE, |question, field, right| {
-                question["camera_ray"]["camera"]["lens"].get("fisheye")?;
-                let is_middle = numbers(&right["film"])?.iter().all(|x| *x == 0.0);
-                (field == "direction" && is_middle).then(|| vec![f64::NAN; 3])
-            }),
-            (&m::BACKWARDS, |_, field, right| {
-                let backwards = triple(&right["direction"])?.map(|x| -x).to_vec();
-                (field == "direction").then_some(backwards)
-            }),
-            (&m::NOT_NORMALISED_LENGTH, |question, field, right| {
-                let lens = &question["camera_ray"]["camera"]["lens"]["pinhole"];
-                let (distance, zoom) =
-                    (lens["distance"].as_f64()?, lens["zoom"].as_f64().unwrap_or(1.0));
-                let [x, y] = numbers(&right["film"])?.try_into().ok()?;
-                let length = Vector::new(x / zoom, y / zoom, distance).length();
-                let scaled = triple(&right["direction"])?.map(|x| length * x).to_vec();
-                (field == "direction").then_some(scaled)
-            }),
-        ],
-    };
-    values::judge(question, answer, profile, &RULES)
-}
+/// Those of `camera_ray`.
+pub const CAMERA_RAY: Mistakes = Mistakes {
+    questions: &[
+        (&m::UPSIDE_DOWN, UPSIDE_DOWN),
+        (&m::UPSIDE_DOWN, ROWS_FROM_BELOW),
+        (&m::MIRRORED, MIRRORED),
+        (&m::MIRRORED, COLUMNS_FROM_RIGHT),
+        (&m::MIRRORED, MIRRORED_LENS),
+        (&m::MIRRORED, MIRRORED_ROLL),
+        (&m::TURNED_BY_HALF, TURNED_BY_HALF),
+        (&m::AXES_SWAPPED, AXES_SWAPPED),
+        (&m::PIXEL_CORNER, CORNERS),
+        (&m::INTEGER_HALF, INTEGER_HALF),
+        (&m::PLACE_DOWN, |question| change(data(question)?, "/place/1", |v| 1.0 - v)),
+        (&m::NO_PIXEL_SIZE, NO_PIXEL_SIZE),
+        (&m::NO_ROLL, NO_ROLL),
+        (&m::ROLL_REVERSED, ROLL_REVERSED),
+        (&m::DEGREES, ROLL_IN_RADIANS),
+        (&m::NO_ZOOM, NO_ZOOM),
+        (&m::ZOOM_INVERTED, ZOOM_INVERTED),
+        (&m::LENS_POINT, |question| lens_radius(question, 0.0)),
+        (&m::LENS_DIAMETER, |question| lens_radius(question, 0.5)),
+        (&m::LENS_RADIUS_DOUBLED, |question| lens_radius(question, 2.0)),
+        (&m::LENS_UNSCALED, |question| {
+            let lens = data(question)?.pointer_mut("/camera/lens/thin_lens")?;
+            lens["focal_distance"] = lens["distance"].clone();
+            Some(())
+        }),
+    ],
+    answers: &[
+        (&m::WHOLE_FIELD_OF_VIEW, |question, field, right| with_angle(question, field, right, 2.0)),
+        (&m::HALF_FIELD_OF_VIEW, |question, field, right| with_angle(question, field, right, 0.5)),
+        (&m::DIVIDED_BY_ZERO_ANGLE, |question, field, right| {
+            question["camera_ray"]["camera"]["lens"].get("fisheye")?;
+            let is_middle = numbers(&right["film"])?.iter().all(|x| *x == 0.0);
+            (field == "direction" && is_middle).then(|| vec![f64::NAN; 3])
+        }),
+        (&m::BACKWARDS, |_, field, right| {
+            let backwards = triple(&right["direction"])?.map(|x| -x).to_vec();
+            (field == "direction").then_some(backwards)
+        }),
+        (&m::NOT_NORMALISED_LENGTH, |question, field, right| {
+            let lens = &question["camera_ray"]["camera"]["lens"]["pinhole"];
+            let (distance, zoom) =
+                (lens["distance"].as_f64()?, lens["zoom"].as_f64().unwrap_or(1.0));
+            let [x, y] = numbers(&right["film"])?.try_into().ok()?;
+            let length = Vector::new(x / zoom, y / zoom, distance).length();
+            let scaled = triple(&right["direction"])?.map(|x| length * x).to_vec();
+            (field == "direction").then_some(scaled)
+        }),
+    ],
+};
 
 /// The direction of a fisheye whose angle from the axis is `factor` times the right one.
 fn with_angle(question: &Value, field: &str, right: &Value, factor: f64) -> Option<Vec<f64>> {
@@ -241,41 +230,36 @@ fn with_angle(question: &Value, field: &str, right: &Value, factor: f64) -> Opti
     (field == "direction").then(|| turned.to_array().to_vec())
 }
 
-/// Judges by our own answer.
-pub fn project(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    const RULES: Rules = Rules {
-        needed: &["image"],
-        free: &[],
-        questions: &[
-            (&m::NO_PIXEL_SIZE, NO_PIXEL_SIZE),
-            (&m::NO_ROLL, NO_ROLL),
-            (&m::ROLL_REVERSED, ROLL_REVERSED),
-            (&m::DEGREES, ROLL_IN_RADIANS),
-            (&m::NO_ZOOM, NO_ZOOM),
-            (&m::ZOOM_INVERTED, ZOOM_INVERTED),
-        ],
-        answers: &[
-            (&m::UPSIDE_DOWN, |question, field, right| {
-                let [x, y] = numbers(&right["image"])?.try_into().ok()?;
-                let height = question["project"]["image"]["height"].as_f64()?;
-                (field == "image").then(|| vec![x, height - y])
-            }),
-            (&m::MIRRORED, |question, field, right| {
-                let [x, y] = numbers(&right["image"])?.try_into().ok()?;
-                let width = question["project"]["image"]["width"].as_f64()?;
-                (field == "image").then(|| vec![width - x, y])
-            }),
-            (&m::TURNED_BY_HALF, |question, field, right| {
-                let [x, y] = numbers(&right["image"])?.try_into().ok()?;
-                let [width, height] =
-                    ["width", "height"].map(|it| question["project"]["image"][it].as_f64());
-                (field == "image").then(|| Some(vec![width? - x, height? - y]))?
-            }),
-            (&m::PIXEL_CORNER, |_, field, right| {
-                let moved = numbers(&right["image"])?.into_iter().map(|x| x - 0.5).collect();
-                (field == "image").then_some(moved)
-            }),
-        ],
-    };
-    values::judge(question, answer, profile, &RULES)
-}
+/// Those of `project`.
+pub const PROJECT: Mistakes = Mistakes {
+    questions: &[
+        (&m::NO_PIXEL_SIZE, NO_PIXEL_SIZE),
+        (&m::NO_ROLL, NO_ROLL),
+        (&m::ROLL_REVERSED, ROLL_REVERSED),
+        (&m::DEGREES, ROLL_IN_RADIANS),
+        (&m::NO_ZOOM, NO_ZOOM),
+        (&m::ZOOM_INVERTED, ZOOM_INVERTED),
+    ],
+    answers: &[
+        (&m::UPSIDE_DOWN, |question, field, right| {
+            let [x, y] = numbers(&right["image"])?.try_into().ok()?;
+            let height = question["project"]["image"]["height"].as_f64()?;
+            (field == "image").then(|| vec![x, height - y])
+        }),
+        (&m::MIRRORED, |question, field, right| {
+            let [x, y] = numbers(&right["image"])?.try_into().ok()?;
+            let width = question["project"]["image"]["width"].as_f64()?;
+            (field == "image").then(|| vec![width - x, y])
+        }),
+        (&m::TURNED_BY_HALF, |question, field, right| {
+            let [x, y] = numbers(&right["image"])?.try_into().ok()?;
+            let [width, height] =
+                ["width", "height"].map(|it| question["project"]["image"][it].as_f64());
+            (field == "image").then(|| Some(vec![width? - x, height? - y]))?
+        }),
+        (&m::PIXEL_CORNER, |_, field, right| {
+            let moved = numbers(&right["image"])?.into_iter().map(|x| x - 0.5).collect();
+            (field == "image").then_some(moved)
+        }),
+    ],
+};

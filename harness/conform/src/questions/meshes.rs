@@ -3,65 +3,58 @@
 use ask::triple;
 use serde_json::{Value, json};
 
-use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
-use super::super::values::{self, Rules};
-use super::{change, only, remove};
+use super::{Mistakes, change, only, remove};
 use groundtruth::math::{Vector, atan2};
 
-/// Judges by our own answer: texture coordinates and the normal for shading where they are answered.
-pub fn judge(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    const RULES: Rules = Rules {
-        needed: &["t", "normal"],
-        free: &["error", "path"],
-        questions: &[
-            (&m::MESH_SCALE, |question| {
-                change(only(&mut question["intersect"]["shape"])?, "/scale", |_| 1.0)
-            }),
-            (&m::NO_VERTEX_NORMALS, |question| {
-                remove(only(&mut question["intersect"]["shape"])?, "normals")
-            }),
-            (&m::LAST_TRIANGLE, |question| {
-                let mesh = &mut question["intersect"]["shape"]["mesh"];
-                mesh["triangles"].as_array_mut()?.pop().map(drop)
-            }),
-            (&m::FIRST_CORNER, |question| given_to(question, [0, 0, 0])),
-            (&m::FIRST_CORNER, |question| given_to(question, [1, 1, 1])),
-            (&m::FIRST_CORNER, |question| given_to(question, [2, 2, 2])),
-            (&m::AREA_WEIGHTED, |question| weighted(question, |_, cross| cross)),
-            (&m::ANGLE_WEIGHTED, |question| {
-                weighted(question, |[before, after], cross| {
-                    let angle = atan2(before.cross(after).length(), before.dot(after));
-                    angle * cross.unit().unwrap_or(cross)
-                })
-            }),
-            (&m::OTHER_CORNERS, |question| given_to(question, [0, 2, 1])),
-            (&m::OTHER_CORNERS, |question| given_to(question, [1, 2, 0])),
-            (&m::OTHER_CORNERS, |question| given_to(question, [2, 0, 1])),
-            (&m::OTHER_CORNERS, |question| given_to(question, [1, 0, 2])),
-            (&m::OTHER_CORNERS, |question| given_to(question, [2, 1, 0])),
-        ],
-        answers: &[
-            (&m::FLAT_SHADING, |_, field, right| {
-                (field == "shading_normal").then(|| triple(&right["normal"]).map(Vec::from))?
-            }),
-            (&m::REVERSED_FORGOTTEN, |question, field, right| {
-                question["intersect"]["shape"]["mesh"].get("reverse_normals")?;
-                let reversed = |name: &str| Some(triple(&right[name])?.map(|x| -x).to_vec());
-                (field == "normal" || field == "shading_normal").then(|| reversed(field))?
-            }),
-            (&m::SWAP_U, |_, field, right| {
-                let [u, v] = right["uv"].as_array()?.as_slice() else { return None };
-                (field == "uv").then(|| Some(vec![v.as_f64()?, u.as_f64()?]))?
-            }),
-            (&m::MIRROR_V, |_, field, right| {
-                let [u, v] = right["uv"].as_array()?.as_slice() else { return None };
-                (field == "uv").then(|| Some(vec![u.as_f64()?, 1.0 - v.as_f64()?]))?
-            }),
-        ],
-    };
-    values::judge(question, answer, profile, &RULES)
-}
+/// Those of `intersect` about meshes.
+pub const MESH: Mistakes = Mistakes {
+    questions: &[
+        (&m::MESH_SCALE, |question| {
+            change(only(&mut question["intersect"]["shape"])?, "/scale", |_| 1.0)
+        }),
+        (&m::NO_VERTEX_NORMALS, |question| {
+            remove(only(&mut question["intersect"]["shape"])?, "normals")
+        }),
+        (&m::LAST_TRIANGLE, |question| {
+            let mesh = &mut question["intersect"]["shape"]["mesh"];
+            mesh["triangles"].as_array_mut()?.pop().map(drop)
+        }),
+        (&m::FIRST_CORNER, |question| given_to(question, [0, 0, 0])),
+        (&m::FIRST_CORNER, |question| given_to(question, [1, 1, 1])),
+        (&m::FIRST_CORNER, |question| given_to(question, [2, 2, 2])),
+        (&m::AREA_WEIGHTED, |question| weighted(question, |_, cross| cross)),
+        (&m::ANGLE_WEIGHTED, |question| {
+            weighted(question, |[before, after], cross| {
+                let angle = atan2(before.cross(after).length(), before.dot(after));
+                angle * cross.unit().unwrap_or(cross)
+            })
+        }),
+        (&m::OTHER_CORNERS, |question| given_to(question, [0, 2, 1])),
+        (&m::OTHER_CORNERS, |question| given_to(question, [1, 2, 0])),
+        (&m::OTHER_CORNERS, |question| given_to(question, [2, 0, 1])),
+        (&m::OTHER_CORNERS, |question| given_to(question, [1, 0, 2])),
+        (&m::OTHER_CORNERS, |question| given_to(question, [2, 1, 0])),
+    ],
+    answers: &[
+        (&m::FLAT_SHADING, |_, field, right| {
+            (field == "shading_normal").then(|| triple(&right["normal"]).map(Vec::from))?
+        }),
+        (&m::REVERSED_FORGOTTEN, |question, field, right| {
+            question["intersect"]["shape"]["mesh"].get("reverse_normals")?;
+            let reversed = |name: &str| Some(triple(&right[name])?.map(|x| -x).to_vec());
+            (field == "normal" || field == "shading_normal").then(|| reversed(field))?
+        }),
+        (&m::SWAP_U, |_, field, right| {
+            let [u, v] = right["uv"].as_array()?.as_slice() else { return None };
+            (field == "uv").then(|| Some(vec![v.as_f64()?, u.as_f64()?]))?
+        }),
+        (&m::MIRROR_V, |_, field, right| {
+            let [u, v] = right["uv"].as_array()?.as_slice() else { return None };
+            (field == "uv").then(|| Some(vec![u.as_f64()?, 1.0 - v.as_f64()?]))?
+        }),
+    ],
+};
 
 /// Gives the corners of each triangle what belongs to others of its corners: normals, texture coordinates.
 fn given_to(question: &mut Value, order: [usize; 3]) -> Option<()> {

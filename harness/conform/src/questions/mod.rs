@@ -13,6 +13,41 @@ pub use optics::outside;
 
 use serde_json::{Value, json};
 
+use super::mistakes::Mistake;
+
+/// A mistake that is another question: turns the question into it, if it applies.
+pub type AsQuestion = (&'static Mistake, fn(&mut Value) -> Option<()>);
+/// A mistake that is another value of a field: from question, field name and our answer.
+pub type AsAnswer = (&'static Mistake, fn(&Value, &str, &Value) -> Option<Vec<f64>>);
+
+/// The mistakes that people make in answers to one question of the probe.
+#[derive(Clone, Copy)]
+pub struct Mistakes {
+    /// Those that are another question: what our function answers to it is what they would.
+    pub questions: &'static [AsQuestion],
+    /// Those that are another value of a field.
+    pub answers: &'static [AsAnswer],
+}
+
+/// The mistakes in answers to the question of this name.
+pub fn mistakes(question: &str) -> &'static [&'static Mistakes] {
+    match question {
+        "camera_ray" => &[&cameras::CAMERA_RAY],
+        "fresnel" => &[&optics::FRESNEL],
+        "grid" => &[&spaces::GRID],
+        "intersect" => &[&meshes::MESH],
+        "light" => &[&surfaces::LIGHT],
+        "lobe" => &[&optics::LOBE],
+        "map" => &[&sampling::MAP],
+        "mapping" => &[&surfaces::MAPPING],
+        "noise" => &[&noise::NOISE],
+        "project" => &[&cameras::PROJECT],
+        "texture" => &[&surfaces::TEXTURE, &images::IMAGE],
+        "transform" => &[&spaces::TRANSFORM],
+        _ => &[],
+    }
+}
+
 /// A number with few digits, so that it can be read.
 pub fn round(x: f64) -> f64 {
     (x * 1024.0).round() / 1024.0

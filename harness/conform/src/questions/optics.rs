@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
-use super::{data, only};
+use super::{Mistakes, data, only};
 use groundtruth::math::{Vector, cos, power, sin};
 
 /// A unit direction above the surface, as three numbers whose squares add up to 1 within rounding.
@@ -16,10 +16,8 @@ pub fn outside(draw: &mut Draw) -> [f64; 3] {
     [sine * cos(phi), sine * sin(phi), z]
 }
 
-/// How answers to `fresnel` are compared.
-const FRESNEL: Rules = Rules {
-    needed: &["reflected"],
-    free: &[],
+/// Those of `fresnel`.
+pub const FRESNEL: Mistakes = Mistakes {
     questions: &[(&m::ETA_INVERTED, |question| {
         super::change(data(question)?, "/eta", |eta| 1.0 / eta)
     })],
@@ -61,11 +59,6 @@ const FRESNEL: Rules = Rules {
         }),
     ],
 };
-
-/// Judges by our own answer.
-pub fn fresnel(question: &Value, answer: &Value, profile: Profile) -> Judgement {
-    values::judge(question, answer, profile, &FRESNEL)
-}
 
 /// `−η ωo − (cosθt − cosθi/η) n`, with both terms as the book has them but for the first factor, or with `η cosθi` in
 /// the second one, too.
@@ -119,10 +112,8 @@ fn schlick(question: &Value, field: &str) -> Option<Vec<f64>> {
     }
 }
 
-/// How answers to `lobe` are compared.
-const LOBE: Rules = Rules {
-    needed: &["f", "sample"],
-    free: &[],
+/// Those of `lobe`.
+pub const LOBE: Mistakes = Mistakes {
     questions: &[
         (&m::SWAPPED_DIRECTIONS, |question| super::swap(data(question)?, "/wi", "/wo")),
         (&m::ETA_INVERTED, |question| {
@@ -192,12 +183,12 @@ const LOBE: Rules = Rules {
 };
 
 /// Judges by our own answer.
-pub fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
+pub fn lobe(question: &Value, answer: &Value, profile: Profile, rules: &Rules) -> Judgement {
     if question["lobe"]["lobe"].to_string().contains("\"eta\"")
         && answer.get("sample").is_some_and(Value::is_null)
     {
         // a sample that is none: total reflection where there is none, as with an index of 0
-        return values::judge(question, answer, profile, &LOBE).with([&m::INDEX_ZERO]);
+        return values::judge(question, answer, profile, rules).with([&m::INDEX_ZERO]);
     }
     // only mirrors and refractions are asked for a sample here
     let is_specular = question["lobe"].get("u").is_some();
@@ -209,7 +200,7 @@ pub fn lobe(question: &Value, answer: &Value, profile: Profile) -> Judgement {
         // mirrors have no density: some programs say 1, some 0, ours that it is infinite
         *pdf = json!("inf");
     }
-    values::judge(question, &answer, profile, &LOBE)
+    values::judge(question, &answer, profile, rules)
 }
 
 /// The value times this power of the cosine of `wi`.

@@ -129,11 +129,13 @@ fn each_question_of_the_document_is_answered_wrongly() {
         let Ok(theirs) = reply else { panic!("{family}: {question}: {reply:?}") };
         assert!(is_like(&theirs, answer), "{family}: {question}: {theirs}, not {answer}");
         let of_name = families(&[family]);
-        let Judge::Answer(judge) = of_name[0].judge else { panic!("{family} is judged by a law") };
+        let Judge::Answer(judge, rules) = of_name[0].judge else {
+            panic!("{family} is judged by a law")
+        };
         for profile in Profile::ALL {
             let is_asked = profile == Profile::Careful || shown.by_the_book;
             for answer in [answer, &theirs] {
-                match judge(question, answer, profile) {
+                match judge(question, answer, profile, rules) {
                     Judgement::Wrong(wrong) => assert_eq!(&wrong.expected, right, "{family}"),
                     other => assert!(!is_asked, "{family}: {question}: {other:?}"),
                 }

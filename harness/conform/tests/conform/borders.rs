@@ -233,7 +233,7 @@ fn of_family(name: &str, question: &Value, answer: &Value, profile: Profile) -> 
     let family =
         all.iter().find(|family| family.name == name).unwrap_or_else(|| panic!("no {name}"));
     match family.judge {
-        Judge::Answer(judge) => judge(question, answer, profile),
+        Judge::Answer(judge, rules) => judge(question, answer, profile, rules),
         Judge::Law(_) => panic!("{name} is a law"),
     }
 }

@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use conform::card::{junit, page, told, verdict};
 use conform::family::{Family, Judge};
-use conform::{Card, Judgement, Options, Profile, Row, Status, run};
+use conform::{Card, Judgement, Options, Profile, Row, Rules, Status, WHOLE, run};
 use serde_json::{Value, json};
 
 /// What becomes of a case, written into its question.
@@ -55,7 +55,7 @@ fn error(question: &Value) -> f64 {
     data["error"].as_f64().expect("an error")
 }
 
-fn judge(question: &Value, _: &Value, profile: Profile) -> Judgement {
+fn judge(question: &Value, _: &Value, profile: Profile, _: &Rules) -> Judgement {
     match (outcome(question), profile) {
         (Outcome::Right, _) | (Outcome::Fair, Profile::Book) => Judgement::Right(error(question)),
         (Outcome::Undecided, _) => Judgement::Undecided,
@@ -108,7 +108,7 @@ impl Plan {
             ordinary: true,
             share: 1.0,
             cases: Box::new(move |_, n| cases[..n.min(cases.len())].to_vec()),
-            judge: Judge::Answer(judge),
+            judge: Judge::Answer(judge, &WHOLE),
             namer: None,
             is_shrunk: false,
         }

@@ -26,8 +26,8 @@ pub fn is_cheap(family: &Family) -> bool {
 /// The judge's word on a case.
 fn judged(family: &Family, subject: &mut dyn Subject, case: &Value) -> Option<Judgement> {
     match family.judge {
-        Judge::Answer(judge) => match subject.ask(std::slice::from_ref(case)).pop() {
-            Some(Ok(answer)) => Some(judge(case, &answer, Profile::Careful)),
+        Judge::Answer(judge, rules) => match subject.ask(std::slice::from_ref(case)).pop() {
+            Some(Ok(answer)) => Some(judge(case, &answer, Profile::Careful, rules)),
             _ => None,
         },
         Judge::Law(law) => law(&mut Asking::new(subject), case, Profile::Careful).ok(),

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 use conform::family::{Family, Judge};
-use conform::{Card, Judgement, NoAnswer, Options, Profile, Status, run, suite};
+use conform::{Card, Judgement, NoAnswer, Options, Profile, Status, WHOLE, run, suite};
 use serde_json::{Value, json};
 
 /// Keeps what it is asked, and answers by a function of the question and of how much was asked before.
@@ -72,7 +72,7 @@ fn family(name: &str, share: f64, judge: Judge) -> Family {
     }
 }
 
-const ANSWER: Judge = Judge::Answer(|_, _, _| Judgement::Right(0.0));
+const ANSWER: Judge = Judge::Answer(|_, _, _, _| Judgement::Right(0.0), &WHOLE);
 
 fn options(cases: usize) -> Options {
     let (profile, interrupted) = (Profile::Careful, Arc::default());

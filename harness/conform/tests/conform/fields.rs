@@ -14,7 +14,7 @@ fn cheap() -> Vec<Family> {
     let mut all = suite::all();
     all.retain(|family| {
         let is_exact = ["intersect", "occluded"].contains(&family.question());
-        let is_answered = matches!(family.judge, Judge::Answer(_));
+        let is_answered = matches!(family.judge, Judge::Answer(..));
         let has_scene = ["radiance", "trace"].contains(&family.question());
         family.ordinary
             && is_answered
@@ -24,9 +24,11 @@ fn cheap() -> Vec<Family> {
     all
 }
 
-fn judge(family: &Family) -> fn(&Value, &Value, Profile) -> Judgement {
+fn judge(family: &Family) -> impl Fn(&Value, &Value, Profile) -> Judgement {
     match family.judge {
-        Judge::Answer(judge) => judge,
+        Judge::Answer(judge, rules) => {
+            move |question: &Value, answer: &Value, profile| judge(question, answer, profile, rules)
+        }
         Judge::Law(_) => unreachable!("only judges of answers are left"),
     }
 }
@@ -225,7 +227,7 @@ fn each_part_of_an_answer_is_judged() {
         // exact answers take long, and have one judge
         let is_exact = ["intersect", "occluded"].contains(&family.question());
         let has_judge_of_another = is_exact && !family.name.ends_with(".ordinary");
-        let is_answered = matches!(family.judge, Judge::Answer(_));
+        let is_answered = matches!(family.judge, Judge::Answer(..));
         if !is_answered || has_judge_of_another && !lists.contains(&&*family.name) {
             continue;
         }

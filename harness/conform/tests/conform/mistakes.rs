@@ -80,8 +80,8 @@ fn found(planted: Vec<Planted>) {
 fn passes_when_right(family: &str, question: &Value) -> bool {
     let family = families(&[family]).into_iter().find(|it| it.name == family).expect("it is one");
     let found = match family.judge {
-        Judge::Answer(judge) => {
-            ours(question).map(|answer| judge(question, &answer, Profile::Careful)).ok()
+        Judge::Answer(judge, rules) => {
+            ours(question).map(|answer| judge(question, &answer, Profile::Careful, rules)).ok()
         }
         Judge::Law(law) => law(&mut Asking::new(&mut Ours), question, Profile::Careful).ok(),
     };
@@ -316,14 +316,14 @@ fn conventions_of_the_book_pass_by_the_book() {
 #[test]
 fn normals_by_the_inverse_are_named() {
     let family = families(&["intersect.instance.ordinary"]).pop().expect("it is one");
-    let Judge::Answer(judge) = family.judge else { panic!("it has answers") };
+    let Judge::Answer(judge, rules) = family.judge else { panic!("it has answers") };
     let question = json!({"intersect": {
         "shape": {"box": {"min": [-1, -1, -1], "max": [1, 1, 1]}}, "transform": [{"rotate_z": 30}],
         "ray": {"origin": [5, 0.1, 0.2], "direction": [-1, 0, 0]},
     }});
     let mut theirs = ours(&question).expect("a hit");
     theirs["normal"] = json!([0.866_025_403_784_438_7, -0.5, 0.0]);
-    match judge(&question, &theirs, Profile::Book) {
+    match judge(&question, &theirs, Profile::Book, rules) {
         Judgement::Wrong(wrong) => {
             assert!(wrong.clues.contains(&&m::NORMAL_BY_INVERSE), "{wrong:?}")
         }

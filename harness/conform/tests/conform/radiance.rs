@@ -207,7 +207,7 @@ fn no_constant_is_right_in_a_scene() {
     for family in families {
         for case in (family.cases)(7, 1) {
             let judgement = match family.judge {
-                Judge::Answer(judge) => judge(&case, &constant, Profile::Careful),
+                Judge::Answer(judge, rules) => judge(&case, &constant, Profile::Careful, rules),
                 Judge::Law(law) => {
                     let mut ask = Asking::new(&mut subject);
                     law(&mut ask, &case, Profile::Careful).expect("it answers")

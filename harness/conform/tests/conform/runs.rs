@@ -4,7 +4,7 @@ use ask::{Fault, Reply, Stop, Subject};
 use std::sync::Arc;
 
 use conform::family::{Family, Judge};
-use conform::{self, Card, Judgement, Ours, Profile, Row, Status, ours};
+use conform::{self, Card, Judgement, Ours, Profile, Row, Rules, Status, WHOLE, ours};
 use conform::{card as cards, suite};
 use serde_json::{Value, json};
 
@@ -52,7 +52,7 @@ fn fragile(name: &str, judge: Judge) -> Family {
     }
 }
 
-fn panics_at_three(question: &Value, _: &Value, _: Profile) -> Judgement {
+fn panics_at_three(question: &Value, _: &Value, _: Profile, _: &Rules) -> Judgement {
     assert_ne!(question["number"]["is"], 3, "three is too much");
     Judgement::Right(0.0)
 }
@@ -72,10 +72,12 @@ impl Subject for Null {
 fn a_judge_that_panics_costs_one_case() {
     let by_law = Judge::Law(|ask, case, profile| {
         let answer = ask.ask(case)?;
-        Ok(panics_at_three(case, &answer, profile))
+        Ok(panics_at_three(case, &answer, profile, &WHOLE))
     });
-    let families =
-        [fragile("number.answer", Judge::Answer(panics_at_three)), fragile("number.law", by_law)];
+    let families = [
+        fragile("number.answer", Judge::Answer(panics_at_three, &WHOLE)),
+        fragile("number.law", by_law),
+    ];
     let card = conform::run(&mut Null, &families, &options(10), &mut |_| ()).expect("it answers");
     for row in &card.rows {
         let counts = (row.count(Status::Pass), row.count(Status::Undecided), row.ours);
