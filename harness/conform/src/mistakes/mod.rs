@@ -1,7 +1,8 @@
 //! Mistakes that people make, each with its place in the book; and how wrong answers give them away.
 //!
 //! All are entries of the file of mistakes, [`judge::mistakes::known`]. Those that code names stand here by their names in
-//! capitals; the others change the scene or the shape of a question ([`CHANGES`]), and answers are compared with ours to that.
+//! capitals; the others change the scene or the shape of a question ([`CHANGES`]) or a question about a function
+//! ([`OF_FUNCTIONS`]), and answers are compared with ours to that.
 //!
 //! A judge lists, for one wrong answer, the mistakes that give exactly this answer. A family is named by the mistake that
 //! explains nearly all of its wrong answers, and would have changed none of the right ones.
@@ -79,6 +80,13 @@ pub static CHANGES: LazyLock<Vec<Mistake>> = LazyLock::new(|| {
     all.filter(|it| !is_made(it)).map(Mistake::of_scene).collect()
 });
 
+/// Those that change a question about a function, or our answer to it.
+pub static OF_FUNCTIONS: LazyLock<Vec<Mistake>> = LazyLock::new(|| {
+    let all = known::pictures().iter().chain(known::answers());
+    let is_one = |it: &&KnownMistake| !it.change.is_empty() || !it.asked.is_empty();
+    all.filter(is_one).map(|it| Mistake::of_function(it.name)).collect()
+});
+
 /// Mistakes by their names in capitals: `FAR_ROOT` is `far-root`.
 macro_rules! mistakes {
     ($($name:ident)*) => {
@@ -106,7 +114,7 @@ mistakes! {
     T_NOT_SET ALWAYS_NULL NO_SHADOW_HIT ALWAYS_BLOCKED CONE_NORMAL_SQUARE CONE_NORMAL_EQUAL
     CENTER_FORGOTTEN NEAREST_ONLY SPAN_IGNORED MISSED
     // numbers
-    ZERO BLACK CLAMPED GAMMA ALWAYS DIVIDED_BY_ZERO_ANGLE DIVIDED_BY_ZERO_AXIS NAN_AS_INTEGER
+    ZERO BLACK CLAMPED GAMMA ALWAYS DIVIDED_BY_ZERO_ANGLE DIVIDED_BY_ZERO_AXIS
     TIMES_PI OVER_PI TIMES_TWO HALF TIMES_2PI OVER_2PI TIMES_4PI OVER_4PI QUARTER_PI FOUR_OVER_PI
     OVER_PI_SQUARED PI_SQUARED TWO_THIRDS THREE_HALVES THREE_QUARTERS FOUR_THIRDS QUARTER FOUR
     DEGREES RADIANS SQUARED ROOT INVERSE COMPLEMENT
@@ -136,5 +144,5 @@ mistakes! {
     NOT_INTERPOLATED OTHER_FRACTIONS REVERSED_FRACTIONS SMOOTHED_FRACTIONS OTHER_PERMUTATION
     // lights and lenses
     LAMP_PER_AREA LAMP_INNER_AREA LAMP_ROUND_AREA LAMP_BY_AREA LEAST_WITHOUT_LS LENS_POINT
-    LENS_DIAMETER LENS_UNSCALED NO_SIZE ONE_CELL_LESS NO_MULTIPLIER IN_BLACK_SHADOW
+    LENS_DIAMETER NO_SIZE ONE_CELL_LESS NO_MULTIPLIER IN_BLACK_SHADOW
 }

@@ -1,21 +1,14 @@
 //! Answers about meshes whose corners the question lists (Suffern, ch. 23, 29).
 
-use ask::triple;
 use serde_json::{Value, json};
 
 use super::super::mistakes as m;
-use super::{Mistakes, change, only, remove};
+use super::Mistakes;
 use groundtruth::math::{Vector, atan2};
 
 /// Those of `intersect` about meshes.
 pub const MESH: Mistakes = Mistakes {
     questions: &[
-        (&m::MESH_SCALE, |question| {
-            change(only(&mut question["intersect"]["shape"])?, "/scale", |_| 1.0)
-        }),
-        (&m::NO_VERTEX_NORMALS, |question| {
-            remove(only(&mut question["intersect"]["shape"])?, "normals")
-        }),
         (&m::LAST_TRIANGLE, |question| {
             let mesh = &mut question["intersect"]["shape"]["mesh"];
             mesh["triangles"].as_array_mut()?.pop().map(drop)
@@ -36,24 +29,7 @@ pub const MESH: Mistakes = Mistakes {
         (&m::OTHER_CORNERS, |question| given_to(question, [1, 0, 2])),
         (&m::OTHER_CORNERS, |question| given_to(question, [2, 1, 0])),
     ],
-    answers: &[
-        (&m::FLAT_SHADING, |_, field, right| {
-            (field == "shading_normal").then(|| triple(&right["normal"]).map(Vec::from))?
-        }),
-        (&m::REVERSED_FORGOTTEN, |question, field, right| {
-            question["intersect"]["shape"]["mesh"].get("reverse_normals")?;
-            let reversed = |name: &str| Some(triple(&right[name])?.map(|x| -x).to_vec());
-            (field == "normal" || field == "shading_normal").then(|| reversed(field))?
-        }),
-        (&m::SWAP_U, |_, field, right| {
-            let [u, v] = right["uv"].as_array()?.as_slice() else { return None };
-            (field == "uv").then(|| Some(vec![v.as_f64()?, u.as_f64()?]))?
-        }),
-        (&m::MIRROR_V, |_, field, right| {
-            let [u, v] = right["uv"].as_array()?.as_slice() else { return None };
-            (field == "uv").then(|| Some(vec![u.as_f64()?, 1.0 - v.as_f64()?]))?
-        }),
-    ],
+    answers: &[],
 };
 
 /// Gives the corners of each triangle what belongs to others of its corners: normals, texture coordinates.

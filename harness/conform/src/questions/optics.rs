@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
 use super::super::values::{self, Rules};
-use super::{Mistakes, data, only};
+use super::Mistakes;
 use groundtruth::math::{Vector, cos, power, sin};
 
 /// A unit direction above the surface, as three numbers whose squares add up to 1 within rounding.
@@ -18,12 +18,8 @@ pub fn outside(draw: &mut Draw) -> [f64; 3] {
 
 /// Those of `fresnel`.
 pub const FRESNEL: Mistakes = Mistakes {
-    questions: &[(&m::ETA_INVERTED, |question| {
-        super::change(data(question)?, "/eta", |eta| 1.0 / eta)
-    })],
+    questions: &[],
     answers: &[
-        (&m::FRESNEL_PERPENDICULAR_ONLY, |_, field, right| component(field, right, "r_s", "t_s")),
-        (&m::FRESNEL_PARALLEL_ONLY, |_, field, right| component(field, right, "r_p", "t_p")),
         (&m::SCHLICK, |question, field, _| schlick(question, field)),
         (&m::MEAN_OF_AMPLITUDES, |_, field, right| {
             let mean = 0.5 * (number(&right["r_s"])?.sqrt() + number(&right["r_p"])?.sqrt());
@@ -51,11 +47,6 @@ pub const FRESNEL: Mistakes = Mistakes {
             let [wo, n] = ["wo", "n"].map(|it| triple(&asked[it]).map(Vector::from));
             let refracted = wrong_sign(wo?, n?, asked["eta"].as_f64()?)?;
             (field == "refracted").then_some(refracted)
-        }),
-        (&m::INDEX_ZERO, |_, field, _| match field {
-            "reflected" => Some(vec![1.0]),
-            "transmitted" => Some(vec![0.0]),
-            _ => None,
         }),
     ],
 };
@@ -85,16 +76,6 @@ fn lobe_eta_multiplied(question: &Value, field: &str, is_both: bool) -> Option<V
     (field == "sample.wi").then(|| eta_multiplied(wo, Vector::Z, lobe["eta"].as_f64()?, is_both))?
 }
 
-/// What one polarisation has in place of the mean.
-fn component(field: &str, right: &Value, r: &str, t: &str) -> Option<Vec<f64>> {
-    let name = match field {
-        "reflected" => r,
-        "transmitted" => t,
-        _ => return None,
-    };
-    Some(vec![number(&right[name])?])
-}
-
 fn schlick(question: &Value, field: &str) -> Option<Vec<f64>> {
     let asked = &question["fresnel"];
     let eta = asked["eta"].as_f64()?;
@@ -114,21 +95,7 @@ fn schlick(question: &Value, field: &str) -> Option<Vec<f64>> {
 
 /// Those of `lobe`.
 pub const LOBE: Mistakes = Mistakes {
-    questions: &[
-        (&m::SWAPPED_DIRECTIONS, |question| super::swap(data(question)?, "/wi", "/wo")),
-        (&m::ETA_INVERTED, |question| {
-            let lobe = only(&mut data(question)?["lobe"])?;
-            super::change(lobe, "/eta", |eta| 1.0 / eta)
-        }),
-        (&m::EXPONENT_OFF, |question| {
-            let lobe = only(&mut data(question)?["lobe"])?;
-            super::change(lobe, "/exponent", |e| e + 1.0)
-        }),
-        (&m::NO_HIGHLIGHT_EXPONENT, |question| {
-            let lobe = only(&mut data(question)?["lobe"])?;
-            super::change(lobe, "/exponent", |_| 1.0)
-        }),
-    ],
+    questions: &[],
     answers: &[
         (&m::WITH_COS, |question, field, right| by_cosine(question, field, right, 1.0)),
         (&m::WITHOUT_COS, |question, field, right| by_cosine(question, field, right, -1.0)),

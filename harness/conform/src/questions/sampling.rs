@@ -7,7 +7,7 @@ use super::super::judgement::{Judgement, Profile};
 use super::super::mistakes as m;
 use super::super::probe::ours;
 use super::super::values::Rules;
-use super::{Mistakes, change, data, swap};
+use super::{Mistakes, change, data};
 use groundtruth::math::UNIT_ROUNDOFF;
 
 /// Sets are compared as sets: the order of points is a program's own.
@@ -68,29 +68,11 @@ fn sorted_points(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
 
 /// Those of `map`.
 pub const MAP: Mistakes = Mistakes {
-    questions: &[
-        (&m::SWAP_U, |question| swap(data(question)?, "/u/0", "/u/1")),
-        (&m::COMPLEMENT_U, |question| change(data(question)?, "/u/1", |u| 1.0 - u)),
-        (&m::COMPLEMENT_U, |question| change(data(question)?, "/u/0", |u| 1.0 - u)),
-        (&m::EXPONENT_OFF, |question| {
-            change(data(question)?, "/to/hemisphere/exponent", |e| e + 1.0)
-        }),
-        (&m::NO_HIGHLIGHT_EXPONENT, |question| {
-            change(data(question)?, "/to/hemisphere/exponent", |_| 1.0)
-        }),
-        (&m::EXPONENT_LESS, |question| {
-            change(data(question)?, "/to/hemisphere/exponent", |e| (e - 1.0).max(0.0))
-        }),
-        (&m::HALF_TURN, |question| {
-            let turn = if data(question)?["to"].get("sphere").is_some() { "/u/1" } else { "/u/0" };
-            change(data(question)?, turn, |u| 0.5 * u)
-        }),
-        (&m::ANGLES_EVEN, |question| {
-            let data = data(question)?;
-            data["to"].get("sphere")?;
-            change(data, "/u/0", |u| 0.5 - 0.5 * groundtruth::math::cos(std::f64::consts::PI * u))
-        }),
-    ],
+    questions: &[(&m::ANGLES_EVEN, |question| {
+        let data = data(question)?;
+        data["to"].get("sphere")?;
+        change(data, "/u/0", |u| 0.5 - 0.5 * groundtruth::math::cos(std::f64::consts::PI * u))
+    })],
     answers: &[
         (&m::POLAR_DISK, |question, _, _| {
             question["map"]["to"].get("disk")?;

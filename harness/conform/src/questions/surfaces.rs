@@ -1,73 +1,22 @@
-//! Lights that are points or directions, textures and mappings (Suffern, ch. 14, 29, 30).
+//! Textures and mappings (Suffern, ch. 29, 30).
 
 use ask::{number, numbers, triple};
-use serde_json::{Value, json};
+use serde_json::Value;
 
 use super::super::mistakes as m;
-use super::{Mistakes, change, data, only, remove, swap};
-use groundtruth::math::power;
-
-/// Those of `light`.
-pub const LIGHT: Mistakes = Mistakes {
-    questions: &[(&m::NO_FALL_OFF, |question| {
-        let light = only(&mut data(question)?["light"])?;
-        change(light, "/attenuation", |_| 0.0)
-    })],
-    answers: &[
-        (&m::FROM_LIGHT, |_, field, right| {
-            (field == "direction").then(|| negated(&right["direction"]))?
-        }),
-        (&m::TIMES_DISTANCE, |_, field, right| {
-            let distance = number(&right["distance"])?;
-            let scaled = triple(&right["direction"])?.map(|x| distance * x);
-            (field == "direction").then(|| scaled.to_vec())
-        }),
-        (&m::SUN_NOT_NORMALISED, |question, field, _| {
-            let sun = triple(&question["light"]["light"]["directional"]["direction"])?;
-            (field == "direction").then(|| sun.to_vec())
-        }),
-        (&m::DISTANCE_SQUARED, |_, field, right| {
-            let distance = number(&right["distance"])?;
-            (field == "distance").then(|| vec![distance * distance])
-        }),
-        (&m::NO_FALL_OFF, |question, field, right| {
-            let light = question["light"]["light"].as_object()?.values().next()?;
-            let exponent = light["attenuation"].as_f64()?;
-            let factor = power(number(&right["distance"])?, exponent);
-            let all = numbers(&right["radiance"])?.into_iter().map(|x| factor * x).collect();
-            (field == "radiance").then_some(all)
-        }),
-    ],
-};
-
-fn negated(value: &Value) -> Option<Vec<f64>> {
-    Some(numbers(value)?.into_iter().map(|x| -x).collect())
-}
+use super::{Mistakes, change, data};
 
 /// Those of `texture`.
 pub const TEXTURE: Mistakes = Mistakes {
-    questions: &[
-        (&m::TEXTURE_COLOURS_EXCHANGED, |question| {
-            swap(only(&mut data(question)?["texture"])?, "/color1", "/color2")
-        }),
-        (&m::NO_SIZE, |question| change(only(&mut data(question)?["texture"])?, "/size", |_| 1.0)),
-        (&m::NAN_AS_INTEGER, |question| {
-            let data = data(question)?;
-            let mapping = &data["texture"]["image"]["mapping"];
-            let is_probe = mapping == "light_probe" || mapping == "panoramic";
-            let [x, y, _] = triple(&data["point"])?;
-            remove(data.pointer_mut("/texture/image")?, "mapping")?;
-            data["uv"] = json!([0.0, 0.0]);
-            (is_probe && x == 0.0 && y == 0.0).then_some(())
-        }),
-        (&m::SWAP_U, |question| swap(data(question)?, "/uv/0", "/uv/1")),
-        (&m::MIRROR_U, |question| change(data(question)?, "/uv/0", |u| 1.0 - u)),
-        (&m::MIRROR_V, |question| change(data(question)?, "/uv/1", |v| 1.0 - v)),
-        (&m::SWAP_YZ, |question| swap(data(question)?, "/point/1", "/point/2")),
-        (&m::FLIP_X, |question| change(data(question)?, "/point/0", |x| -x)),
-        (&m::FLIP_Y, |question| change(data(question)?, "/point/1", |x| -x)),
-        (&m::FLIP_Z, |question| change(data(question)?, "/point/2", |x| -x)),
-    ],
+    questions: &[(&m::NO_HALF_TEXEL, |question| {
+        let image = question.pointer("/texture/texture/image")?;
+        let rows = image["texels"].as_array()?;
+        let counts = [rows[0].as_array()?.len(), rows.len()].map(|n| n as f64);
+        let _ = image.get("filtering").filter(|it| *it == "bilinear")?;
+        let data = data(question)?;
+        change(data, "/uv/0", |u| u + 0.5 / counts[0])?;
+        change(data, "/uv/1", |v| v + 0.5 / counts[1])
+    })],
     answers: &[(&m::CHECKER_TRUNCATED, |question, _, _| {
         let asked = &question["texture"];
         truncated(&asked["texture"], triple(&asked["point"])?)
@@ -130,42 +79,16 @@ fn line(data: &Value, name: &str) -> f64 {
 
 /// Those of `mapping`.
 pub const MAPPING: Mistakes = Mistakes {
-    questions: &[
-        (&m::SWAP_YZ, |question| swap(data(question)?, "/point/1", "/point/2")),
-        (&m::SWAP_XZ, |question| swap(data(question)?, "/point/0", "/point/2")),
-        (&m::FLIP_X, |question| change(data(question)?, "/point/0", |x| -x)),
-        (&m::FLIP_Z, |question| change(data(question)?, "/point/2", |x| -x)),
-        (&m::AZIMUTH_FROM_X, |question| {
-            swap(data(question)?, "/point/0", "/point/2")?;
-            change(data(question)?, "/point/0", |x| -x)
-        }),
-    ],
+    questions: &[],
     answers: &[
-        (&m::MIRROR_U, |_, _, right| numbers(right).map(|uv| vec![1.0 - uv[0], uv[1]])),
-        (&m::MIRROR_V, |_, _, right| numbers(right).map(|uv| vec![uv[0], 1.0 - uv[1]])),
         (&m::AZIMUTH_OFF, |question, _, right| other_azimuth(question, right, 1.0)),
         (&m::AZIMUTH_OFF, |question, _, right| other_azimuth(question, right, 0.5)),
         (&m::HALF_TURN, |question, _, right| {
             is_around(question).then(|| numbers(right).map(|uv| vec![2.0 * uv[0], uv[1]]))?
         }),
-        (&m::HEIGHT_FOR_ANGLE, |question, _, right| {
-            let mapping = &question["mapping"];
-            let [_, y, _] = triple(&mapping["point"])?;
-            let v = match mapping["mapping"].as_str()? {
-                "spherical" => 0.5 * (y + 1.0),
-                "hemispherical" => y,
-                _ => return None,
-            };
-            Some(vec![numbers(right)?[0], v])
-        }),
         (&m::DIVIDED_BY_ZERO_AXIS, |question, _, _| {
             let [x, y, _] = triple(&question["mapping"]["point"])?;
             (x == 0.0 && y == 0.0).then(|| vec![f64::NAN; 2])
-        }),
-        (&m::PROBE_TWICE, |question, _, right| {
-            let mapping = &question["mapping"]["mapping"];
-            let is_probe = mapping == "light_probe" || mapping == "panoramic";
-            is_probe.then(|| numbers(right)?.into_iter().map(|x| Some(2.0 * x - 0.5)).collect())?
         }),
     ],
 };

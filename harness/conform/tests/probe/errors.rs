@@ -14,14 +14,8 @@ const LINES: &[(&str, &str)] = &[
         r#"[1]"#,
         r#"column 0: invalid type: list, expected an object with one question, as {"intersect": {…}}"#,
     ),
-    (
-        r#"{}"#,
-        "column 2: no question; there are: intersect, occluded, …",
-    ),
-    (
-        r#"{"id": 3}"#,
-        "column 9: no question; there are: intersect, occluded, …",
-    ),
+    (r#"{}"#, "column 2: no question; there are: intersect, occluded, …"),
+    (r#"{"id": 3}"#, "column 9: no question; there are: intersect, occluded, …"),
     (
         r#"{"intersekt": {}}"#,
         "column 12: no question `intersekt`; there are: intersect, occluded, …",

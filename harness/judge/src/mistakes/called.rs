@@ -185,7 +185,8 @@ fn move_by_half_a_cell(table: &mut Fields) -> Option<()> {
 
 /// Counts the pixel's columns or rows from the other end.
 fn from_other_end(question: &mut Fields, axis: usize, side: &str) -> Option<()> {
-    let size = question.get("scene")?["image"][side].as_u64()?;
+    let image = question.get("scene").unwrap_or(&Value::Null).get("image");
+    let size = image.or_else(|| question.get("image"))?.get(side)?.as_u64()?;
     let slot = question.get_mut("pixel")?.get_mut(axis)?;
     *slot = json!(size.checked_sub(1 + slot.as_u64()?)?);
     Some(())

@@ -10,7 +10,7 @@ use super::called::called;
 use super::places::{Fields, Place, any, inside, tracer};
 
 /// A change of tables of a scene: where, and what is done with the fields of each. The file says what the verbs mean. A field is
-/// a name, or names of tables and then of a field with dots between.
+/// a name, or names of tables and then of a field, or the index of an item of a list, with dots between.
 #[derive(Debug, Default, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 pub struct Edit {
@@ -23,6 +23,8 @@ pub struct Edit {
     not: Vec<String>,
     #[serde(deserialize_with = "one_or_many")]
     tracer: Vec<String>,
+    #[serde(deserialize_with = "one_or_many")]
+    has: Vec<String>,
     r#where: BTreeMap<String, Value>,
     above: BTreeMap<String, f64>,
     set: BTreeMap<String, Value>,
@@ -94,7 +96,11 @@ impl Edit {
         let is_above = |(path, least): (&String, &f64)| {
             get(fields, path).and_then(Value::as_f64).is_some_and(|it| it > *least)
         };
-        if !self.r#where.iter().all(is) || !self.above.iter().all(is_above) {
+        let has = |path: &String| get(fields, path).is_some();
+        if !self.has.iter().all(has)
+            || !self.r#where.iter().all(is)
+            || !self.above.iter().all(is_above)
+        {
             return None;
         }
         let times = |x, by| x * by;
@@ -127,19 +133,28 @@ fn all<T>(
 }
 
 /// The table that has a field, and the field's name in it.
-fn slot<'a>(fields: &'a mut Fields, path: &'a str) -> Option<(&'a mut Fields, &'a str)> {
+fn slot<'a, 'b>(fields: &'a mut Fields, path: &'b str) -> Option<(&'a mut Fields, &'b str)> {
     match path.split_once('.') {
         None => Some((fields, path)),
         Some((first, rest)) => slot(fields.get_mut(first)?.as_object_mut()?, rest),
     }
 }
 
-/// The value of a field.
+/// The value of a field, or of an item of a list.
 fn get<'a>(fields: &'a Fields, path: &str) -> Option<&'a Value> {
-    match path.split_once('.') {
-        None => fields.get(path),
-        Some((first, rest)) => get(fields.get(first)?.as_object()?, rest),
-    }
+    let mut keys = path.split('.');
+    let first = fields.get(keys.next()?)?;
+    keys.try_fold(first, |value, key| match value {
+        Value::Array(items) => items.get(key.parse::<usize>().ok()?),
+        value => value.get(key),
+    })
+}
+
+/// The place of an item of a list.
+fn item<'a>(fields: &'a mut Fields, path: &str) -> Option<&'a mut Value> {
+    let (list, index) = path.rsplit_once('.')?;
+    let (fields, name) = slot(fields, list)?;
+    fields.get_mut(name)?.as_array_mut()?.get_mut(index.parse::<usize>().ok()?)
 }
 
 /// Whether two values are the same; 1 is 1.0.
@@ -152,10 +167,14 @@ fn same(a: &Value, b: &Value) -> bool {
 
 /// Sets a field, if that changes it.
 pub(super) fn set(fields: &mut Fields, path: &str, value: &Value) -> Option<()> {
-    let (fields, name) = slot(fields, path)?;
-    if fields.get(name).is_some_and(|it| same(it, value)) {
+    if get(fields, path).is_some_and(|it| same(it, value)) {
         return None;
     }
+    if let Some(item) = item(fields, path) {
+        *item = value.clone();
+        return Some(());
+    }
+    let (fields, name) = slot(fields, path)?;
     fields.insert(name.to_owned(), value.clone());
     Some(())
 }

@@ -40,6 +40,10 @@ pub struct KnownMistake {
     /// and the change is another way to make it, which only answers tell.
     #[serde(default)]
     pub change: Vec<Edit>,
+    /// What it makes of a question that has no scene, and of our answer to it, which is then the question's field `answer`: a list
+    /// of edits for each way to make it.
+    #[serde(default)]
+    pub asked: Vec<Vec<Edit>>,
     /// Whether `verify` also tries the change in one material alone.
     #[serde(default)]
     pub in_one_material: bool,
@@ -75,6 +79,16 @@ impl KnownMistake {
     /// Makes the mistake in a question with a scene; `None` if there is nothing to change.
     pub fn change(&self, data: &mut Value) -> Option<()> {
         apply(&self.change, data)
+    }
+
+    /// A question that has no scene, with our answer as its field `answer`, as the change and each other way to make the mistake
+    /// make it; `None` where there is nothing to change.
+    pub fn ways(&self, data: &Value) -> Vec<Option<Value>> {
+        let way = |edits: &Vec<Edit>| {
+            let mut changed = data.clone();
+            apply(edits, &mut changed).map(|()| changed)
+        };
+        std::iter::once(&self.change).chain(&self.asked).map(way).collect()
     }
 }
 

@@ -1,5 +1,5 @@
 //! Where in a scene an edit changes tables: the scene is the tree of tables that its file would be, in the field `scene` of
-//! a value.
+//! a value, or of which the value has a part.
 
 use serde::Deserialize;
 use serde_json::{Map, Value, json};
@@ -41,8 +41,10 @@ pub(super) enum Place {
     Recipes,
     /// What is matte or shiny of each material: all of it, or what is under a mirror.
     Bases,
-    /// Each step of each instance, but not of those inside others.
+    /// Each step of each instance, but not of those inside others; or of the question.
     Steps,
+    /// The data of the kind of the question's lobe.
+    Lobe,
 }
 
 /// `Some` if anything was changed.
@@ -51,19 +53,25 @@ pub(super) fn any(changed: impl Iterator<Item = ()>) -> Option<()> {
 }
 
 impl Place {
-    /// Changes each table in this place.
+    /// Changes each table in this place. A question without a scene may have a part of one: a camera, a light, a texture.
     pub(super) fn each(self, data: &mut Value, change: Change<'_>) -> Option<()> {
         let one =
             |data: &mut Value, pointer| change("", data.pointer_mut(pointer)?.as_object_mut()?);
+        let is_part = data.get("scene").is_none();
+        let scene = if is_part { &mut *data } else { &mut data["scene"] };
         match self {
             Self::Question => one(data, ""),
             Self::Shape => of_kind(innermost(data.get_mut("shape")?), change),
-            Self::Scene => one(data, "/scene"),
-            Self::Image => one(data, "/scene/image"),
-            Self::Camera => one(data, "/scene/camera"),
+            Self::Scene => one(scene, ""),
+            Self::Image => one(scene, "/image"),
+            Self::Camera => one(scene, "/camera"),
             Self::Sky => one(data, "/scene/background/image"),
             Self::Transparency => one(data, "/scene/transparency"),
-            Self::Lens => of_kind(data.pointer_mut("/scene/camera/lens")?, change),
+            Self::Lobe => of_kind(data.get_mut("lobe")?, change),
+            Self::Sources if is_part => of_kind(data.get_mut("light")?, change),
+            Self::Materials if is_part => one(data, ""),
+            Self::Steps if is_part => steps(data.get_mut("steps")?, change),
+            Self::Lens => of_kind(scene.pointer_mut("/camera/lens")?, change),
             Self::Tracer => of_kind(data.pointer_mut("/scene/tracer")?, change),
             Self::Objects => items(data, "objects", |item| change(&kind(item, "shape"), item)),
             Self::Lights => items(data, "lights", |item| change(&kind(item, "source"), item)),
@@ -79,8 +87,7 @@ impl Place {
             }),
             Self::Steps => items(data, "objects", |item| {
                 inside(item, &["instance".to_owned()], &|instance| {
-                    let steps = instance.get_mut("transform")?.as_array_mut()?;
-                    any(steps.iter_mut().filter_map(|step| change("", step.as_object_mut()?)))
+                    steps(instance.get_mut("transform")?, change)
                 })
             }),
         }
@@ -95,6 +102,11 @@ pub(super) fn items(
 ) -> Option<()> {
     let items = data.get_mut("scene")?.get_mut(list)?.as_array_mut()?;
     any(items.iter_mut().filter_map(|item| change(item.as_object_mut()?)))
+}
+
+/// Changes each step of a list.
+fn steps(list: &mut Value, change: Change<'_>) -> Option<()> {
+    any(list.as_array_mut()?.iter_mut().filter_map(|step| change("", step.as_object_mut()?)))
 }
 
 /// Changes the data of a kind, the only entry of a table.

@@ -4,14 +4,14 @@
 //! function asked again. An error is judged in u·cond like those of intersections, where `cond` is the sum of all
 //! these changes over the relative move; an answer that jumps is not judged.
 
+mod clues;
+
 use ask::{nan_in, number, numbers};
 use serde_json::Value;
 
-use super::handed;
 use super::judgement::{Judgement, Profile, Wrong, first_wrong};
-use super::mistakes::{self, Mistake, clues, same};
+use super::mistakes;
 use super::probe::ours;
-use super::questions::{AsAnswer, Mistakes, mistakes as of_question};
 use groundtruth::math::UNIT_ROUNDOFF;
 
 /// How answers of one family are compared. Fields that ours do not have are not judged; a list has as many items as
@@ -44,9 +44,9 @@ const UNIT: f64 = 1.0;
 
 /// A part of an answer that is judged.
 #[derive(Clone, Debug)]
-struct Leaf {
+pub(super) struct Leaf {
     /// The path with dots, as `sample.wi`.
-    field: String,
+    pub(super) field: String,
     right: Part,
 }
 
@@ -72,7 +72,7 @@ impl Part {
 
 impl Leaf {
     /// What stands in another answer in its place.
-    fn of<'a>(&self, answer: &'a Value) -> Option<&'a Value> {
+    pub(super) fn of<'a>(&self, answer: &'a Value) -> Option<&'a Value> {
         let step = |value: &'a Value, key: &str| match value {
             Value::Array(items) => items.get(key.parse::<usize>().ok()?),
             other => other.get(key),
@@ -159,7 +159,7 @@ pub fn judge(question: &Value, theirs: &Value, profile: Profile, rules: &Rules) 
     let Ok(right) = ours(question) else { return Judgement::Undecided };
     let ours = leaves(&right, rules);
     let check = |(leaf, cond): (&Leaf, f64)| match leaf.of(theirs) {
-        Some(their) => judge_leaf(question, &right, leaf, their, cond, profile, rules),
+        Some(their) => judge_leaf(question, &right, leaf, their, cond, profile),
         None => missing(leaf, &right, theirs, rules),
     };
     // what is right for a condition of 1 needs no other: measuring it takes a call for each number
@@ -206,7 +206,6 @@ fn judge_leaf(
     their: &Value,
     cond: f64,
     profile: Profile,
-    rules: &Rules,
 ) -> Found {
     let wrong = |symptom: String| Judgement::wrong(&symptom, f64::INFINITY, leaf.shown());
     let of_other_type = || (wrong(leaf.name().to_owned()), !their.is_null());
@@ -230,7 +229,7 @@ fn judge_leaf(
     }
     let is_list = matches!(leaf.right, Part::Numbers(_));
     if nan_in(their) && is_list == their.is_array() {
-        let causes = causes_of_nan(question, leaf, answer);
+        let causes = clues::of_nan(question, leaf, answer);
         return (wrong(format!("{} is not a number", leaf.name())).with(causes), true);
     }
     let theirs = if is_list { numbers(their) } else { number(their).map(|x| vec![x]) };
@@ -251,77 +250,12 @@ fn judge_leaf(
         symptom,
         error,
         expected: leaf.shown(),
-        clues: explained(question, leaf, answer, (&theirs, right), rules),
+        clues: clues::of_numbers(question, leaf, answer, (&theirs, right)),
         ratio: mistakes::ratio(&theirs, right),
         // a list of another length has no meaning, and may be long
         theirs: if theirs.len() == right.len() { theirs } else { Vec::new() },
     };
     (Judgement::Wrong(Box::new(wrong)), false)
-}
-
-/// The mistakes that give just these numbers.
-fn explained(
-    question: &Value,
-    leaf: &Leaf,
-    answer: &Value,
-    (theirs, right): (&[f64], &[f64]),
-    rules: &Rules,
-) -> Vec<&'static Mistake> {
-    let mut found = match is_color(question, &leaf.field) {
-        // a wrong cell of a texture has another of its colours, whatever that looks like
-        _ if question.get("texture").is_some() => Vec::new(),
-        true => mistakes::clues_of_color(theirs, right),
-        false => clues(theirs, right),
-    };
-    let of_leaf =
-        |answer: &Value| leaf.of(answer).and_then(|it| number(it).map(|x| vec![x]).or(numbers(it)));
-    let by_handedness =
-        handed::answers(question, answer).iter().filter_map(of_leaf).collect::<Vec<_>>();
-    if by_handedness.iter().any(|other| same(theirs, other) && !same(right, other)) {
-        found.push(&mistakes::LEFT_HANDED);
-    }
-    for (mistake, change) in known(question).flat_map(|known| known.questions) {
-        let mut changed = question.clone();
-        if change(&mut changed).is_none() {
-            continue;
-        }
-        let Ok(other) = ours(&changed) else { continue };
-        let other = leaves(&other, rules).into_iter().find(|it| it.field == leaf.field);
-        let Some(other) = other else { continue };
-        let Some(other) = other.right.numbers() else { continue };
-        if same(theirs, other) && !same(right, other) {
-            found.push(mistake);
-        }
-    }
-    for (mistake, alternative) in known(question).flat_map(|known| known.answers) {
-        let Some(other) = alternative(question, &leaf.field, answer) else { continue };
-        if same(theirs, &other) && !same(right, &other) {
-            found.push(mistake);
-        }
-    }
-    found
-}
-
-/// The mistakes whose value is no number here, such as 0/0.
-fn causes_of_nan(question: &Value, leaf: &Leaf, answer: &Value) -> Vec<&'static Mistake> {
-    let is_cause = |(mistake, alternative): &AsAnswer| {
-        let other = alternative(question, &leaf.field, answer)?;
-        other.iter().any(|x| x.is_nan()).then_some(*mistake)
-    };
-    known(question).flat_map(|known| known.answers).filter_map(is_cause).collect()
-}
-
-/// The mistakes of a question.
-fn known(question: &Value) -> impl Iterator<Item = &'static Mistakes> {
-    let name = question.as_object().and_then(|it| it.keys().next());
-    of_question(name.map_or("", String::as_str)).iter().copied()
-}
-
-/// Whether the three numbers of a field are red, green and blue.
-fn is_color(question: &Value, field: &str) -> bool {
-    const COLORS: [&str; 7] = ["radiance", "mean", "f", "albedo", "weight", "ambient", "blocked"];
-    question.get("texture").is_some()
-        || field.rsplit('.').next().is_some_and(|last| COLORS.contains(&last))
 }
 
 fn largest(numbers: &[f64]) -> f64 {

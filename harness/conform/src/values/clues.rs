@@ -1,0 +1,87 @@
+//! The mistakes that explain a wrong number in an answer that ours is compared with: what our function gives for the question that
+//! they make of it, or what they make of our answer.
+
+use ask::{number, numbers};
+use serde_json::{Value, json};
+
+use super::super::handed;
+use super::super::mistakes::{self, Mistake, same};
+use super::super::probe::ours;
+use super::super::questions::{AsAnswer, mistakes as coded};
+use super::Leaf;
+
+/// The mistakes that give just these numbers.
+pub fn of_numbers(
+    question: &Value,
+    leaf: &Leaf,
+    answer: &Value,
+    (theirs, right): (&[f64], &[f64]),
+) -> Vec<&'static Mistake> {
+    let mut found = match is_color(question, &leaf.field) {
+        // a wrong cell of a texture has another of its colours, whatever that looks like
+        _ if question.get("texture").is_some() => Vec::new(),
+        true => mistakes::clues_of_color(theirs, right),
+        false => mistakes::clues(theirs, right),
+    };
+    let of_leaf =
+        |answer: &Value| leaf.of(answer).and_then(|it| number(it).map(|x| vec![x]).or(numbers(it)));
+    let by_handedness =
+        handed::answers(question, answer).iter().filter_map(of_leaf).collect::<Vec<_>>();
+    if by_handedness.iter().any(|other| same(theirs, other) && !same(right, other)) {
+        found.push(&mistakes::LEFT_HANDED);
+    }
+    let others = mistaken(question, answer);
+    let others = others.iter().filter_map(|(mistake, answer)| Some((*mistake, of_leaf(answer)?)));
+    let coded = coded(name(question)).answers.iter();
+    let coded =
+        coded.filter_map(|(mistake, of)| Some((*mistake, of(question, &leaf.field, answer)?)));
+    let gives = |other: &[f64]| same(theirs, other) && !same(right, other);
+    found.extend(others.chain(coded).filter(|(_, it)| gives(it)).map(|(mistake, _)| mistake));
+    found
+}
+
+/// The mistakes whose value is no number here, such as 0/0.
+pub fn of_nan(question: &Value, leaf: &Leaf, answer: &Value) -> Vec<&'static Mistake> {
+    let is_cause = |(mistake, alternative): &AsAnswer| {
+        let other = alternative(question, &leaf.field, answer)?;
+        other.iter().any(|x| x.is_nan()).then_some(*mistake)
+    };
+    coded(name(question)).answers.iter().filter_map(is_cause).collect()
+}
+
+/// The name of a question.
+fn name(question: &Value) -> &str {
+    question.as_object().and_then(|it| it.keys().next()).map_or("", String::as_str)
+}
+
+/// The answers of programs with one mistake. Those to whole scenes are looked for elsewhere.
+fn mistaken(question: &Value, right: &Value) -> Vec<(&'static Mistake, Value)> {
+    let name = name(question);
+    let data = &question[name];
+    if data.get("scene").is_some() || !data.is_object() {
+        return Vec::new();
+    }
+    let mut told = data.clone();
+    told["answer"] = right.clone();
+    let answered = |mut changed: Value| {
+        let answer = changed.as_object_mut()?.remove("answer")?;
+        if changed == *data { Some(answer) } else { ours(&json!({name: changed})).ok() }
+    };
+    let of = |mistake: &'static Mistake| {
+        let ways = mistake.known().ways(&told).into_iter().flatten();
+        ways.filter_map(answered).map(move |answer| (mistake, answer))
+    };
+    let by_code = coded(name).questions.iter().filter_map(|(mistake, change)| {
+        let mut changed = question.clone();
+        change(&mut changed)?;
+        Some((*mistake, ours(&changed).ok()?))
+    });
+    by_code.chain(mistakes::OF_FUNCTIONS.iter().flat_map(of)).collect()
+}
+
+/// Whether the three numbers of a field are red, green and blue.
+fn is_color(question: &Value, field: &str) -> bool {
+    const COLORS: [&str; 7] = ["radiance", "mean", "f", "albedo", "weight", "ambient", "blocked"];
+    question.get("texture").is_some()
+        || field.rsplit('.').next().is_some_and(|last| COLORS.contains(&last))
+}
