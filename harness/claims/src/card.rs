@@ -6,7 +6,8 @@ use std::fmt::{self, Write as _};
 use groundtruth::printable;
 use serde_json::{Value, json};
 use text::digits::shortened;
-use text::html::{self, escaped};
+use text::document::*;
+use text::html;
 use text::shell::quoted;
 use text::told::Told;
 
@@ -45,23 +46,19 @@ fn next(card: &ClaimsCard, invocation: &Invocation<'_>) -> String {
 
 /// The rows of all subjects, and what is wrong with each.
 fn rows(card: &ClaimsCard) -> String {
-    let mut text = "\n".to_owned();
-    let width = card.rows.iter().map(|row| shown(row).chars().count()).max().unwrap_or(0);
-    let word = word(&card.rows);
-    let width = width.max(word.len());
-    let _ = writeln!(text, "{word:width$}  held  undecided  broken");
-    for row in &card.rows {
-        let held = row.laws.iter().filter(|status| matches!(status, LawStatus::Holds(_))).count();
-        let open = row.laws.iter().filter(|it| matches!(it, LawStatus::Undecided(_))).count();
-        let broken: Vec<_> = row.broken().map(|(law, _)| law.name).collect();
-        let broken = if broken.is_empty() { "·".to_owned() } else { broken.join(", ") };
-        let open = if open == 0 { "·".to_owned() } else { open.to_string() };
-        let _ = writeln!(text, "{:width$}  {held:>4}  {open:>9}  {broken}", shown(row));
-    }
-    for row in &card.rows {
-        text += &details(row);
-    }
-    text + "\n"
+    let count =
+        |row: &SubjectRow, is: fn(&LawStatus) -> bool| row.laws.iter().filter(|it| is(it)).count();
+    let open = |row: &SubjectRow| count(row, |it| matches!(it, LawStatus::Undecided(_)));
+    let broken =
+        |row: &SubjectRow| row.broken().map(|(law, _)| law.name).collect::<Vec<_>>().join(", ");
+    let or_dot = |text: String| if text.is_empty() || text == "0" { "·".to_owned() } else { text };
+    let table = table(&card.rows)
+        .column(word(&card.rows), |row| shown(row))
+        .column("held", |row| count(row, |it| matches!(it, LawStatus::Holds(_))).to_string())
+        .column("undecided", |row| or_dot(open(row).to_string()))
+        .column("broken", |row| or_dot(broken(row)));
+    let details: String = card.rows.iter().map(details).collect();
+    format!("\n{}{details}\n", table.element().plain())
 }
 
 impl ClaimsCard {
@@ -195,46 +192,32 @@ fn details(row: &SubjectRow) -> String {
 
 /// The page for a program with this command line, of which this is told.
 pub fn page(card: &ClaimsCard, told: &Told, command: &str) -> String {
-    let mut html = String::new();
-    for kind in Kind::ALL {
-        html += &table(card, kind);
-    }
-    for row in &card.rows {
-        let details = details(row);
-        if !details.is_empty() {
-            let _ = writeln!(html, "<pre>{}</pre>", escaped(details.trim()));
-        }
-    }
+    let details = card.rows.iter().map(details).filter(|it| !it.is_empty());
+    let body = several()
+        .with_all(Kind::ALL.into_iter().map(|kind| of_kind(card, kind)))
+        .with_all(details.map(|details| lines(details.trim())));
     // the page has the details in its own form
     let told = Told { details: String::new(), ..told.clone() };
-    told.page(&format!("laws -- {command}"), &[html::LINES, html::CARD], &html)
+    told.page(&format!("laws -- {command}"), &[html::LINES, html::CARD], &body.html())
 }
 
 /// The table of a kind; nothing if there is none of it.
-fn table(card: &ClaimsCard, kind: Kind) -> String {
-    let mut rows = card.rows.iter().filter(|row| row.kind == kind).peekable();
-    if rows.peek().is_none() {
-        return String::new();
+fn of_kind(card: &ClaimsCard, kind: Kind) -> Element {
+    let rows: Vec<&SubjectRow> = card.rows.iter().filter(|row| row.kind == kind).collect();
+    if rows.is_empty() {
+        return several();
     }
-    let mut html = format!("<div class=\"wide\"><table>\n<tr><th>{}</th>", kind.word());
-    for law in Law::of(kind) {
-        let _ = write!(html, "<th title=\"{}\">{}</th>", escaped(law.sentence), law.name);
+    let mut table = table(rows).column(kind.word(), |row| shown(row));
+    for (index, law) in Law::of(kind).iter().enumerate() {
+        let heading = element("span").attribute("title", law.sentence).with(law.name);
+        table = table.column(heading, |row| match row.laws[index] {
+            LawStatus::Holds(_) => several().with("holds"),
+            LawStatus::Undecided(_) => span("quiet", "undecided"),
+            LawStatus::Broken(_) => span("failed", "broken"),
+            LawStatus::NotClaimed => span("quiet", "·"),
+        });
     }
-    html += "</tr>\n";
-    for row in rows {
-        let _ = write!(html, "<tr><td>{}</td>", escaped(&shown(row)));
-        for status in &row.laws {
-            let (class, word) = match status {
-                LawStatus::Holds(_) => ("", "holds"),
-                LawStatus::Undecided(_) => ("quiet", "undecided"),
-                LawStatus::Broken(_) => ("failed", "broken"),
-                LawStatus::NotClaimed => ("quiet", "·"),
-            };
-            let _ = write!(html, "<td class=\"{class}\">{word}</td>");
-        }
-        html += "</tr>\n";
-    }
-    html + "</table></div>\n"
+    table.element()
 }
 
 /// JUnit's XML: a suite for each subject, a case for each law.

@@ -186,8 +186,7 @@ fn says_the_same(card: &ClaimsCard) {
         for (word, expected) in
             [(">holds<", held), (">undecided<", open), (">broken<", broken), (">·<", unclaimed)]
         {
-            let line =
-                html.lines().find(|line| line.starts_with("<tr><td>") && line.contains(&row.name));
+            let line = html.lines().find(|line| line.contains(&format!("<tr><th>{}<", row.name)));
             let found = line.expect("a row").matches(word).count();
             assert_eq!(found, expected, "cells {word} of {} on the page", row.name);
         }
