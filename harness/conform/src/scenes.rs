@@ -1,4 +1,5 @@
-//! Every ray that is cast for a ray.
+//! Every ray that is cast for a ray, held against ours. The laws of the package `rays`, which need no right rays, cannot stand here: of
+//! 16 wrong indices and 80 rays with other objects or radiances they find none, because such logs agree with themselves.
 
 use ask::{number, triple};
 use serde_json::Value;
