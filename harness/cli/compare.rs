@@ -8,7 +8,7 @@ use clap::Args;
 use groundtruth::film::{self, Film};
 use groundtruth::printable;
 use groundtruth::render::{self, Canvas};
-use groundtruth::scene::{self, Scene};
+use groundtruth::scene::Scene;
 use groundtruth::world::{DEFAULT_SEED, World};
 use judge::verdict::{self, Areas, Case, Cause, Stored, Strictness};
 use pictures::compare::{self, Comparison, Hypothesis, Picture, Transfer};
@@ -16,6 +16,7 @@ use text::shell::quoted;
 use text::told::Told;
 
 use super::numbers::number;
+use super::scene::OpenedScene;
 use super::watch::Watch;
 use super::{Exit, Outcome, announce, output};
 
@@ -66,7 +67,7 @@ struct Why {
 /// One side of a comparison.
 enum Side {
     Picture(Picture),
-    Scene(Box<Scene>, Option<scene::Source>),
+    Scene(Box<OpenedScene>),
 }
 
 impl Compare {
@@ -94,15 +95,15 @@ impl Compare {
         for ((side, name), built) in sides.into_iter().zip([&self.a, &self.b]).zip(&mut worlds) {
             match side {
                 Side::Picture(picture) => pictures.push(picture),
-                Side::Scene(scene, source) => {
+                Side::Scene(opened) => {
                     let folder = film::folder_of(Path::new(name));
                     let named: Vec<_> =
-                        scene.files().iter().map(|file| folder.join(file)).collect();
+                        opened.scene.files().iter().map(|file| folder.join(file)).collect();
                     output::check_distinct(
                         self.output.as_deref(),
                         named.iter().map(|file| &**file),
                     )?;
-                    let (scene, world) = world_of(*scene, source, name, size)?;
+                    let (scene, world) = world_of(&opened, name, size)?;
                     announce::long_rendering(&world, &printable::text(name), 1);
                     films.push(render::render(&world));
                     pictures.push(Picture::of_film(&films[films.len() - 1]));
@@ -234,18 +235,11 @@ impl Compare {
 
     fn side(&self, name: &str) -> Result<Side, Box<dyn Error>> {
         let path = Path::new(name);
-        if let Some(entry) = gallery::find(name) {
-            return Ok(Side::Scene(Box::new((entry.build)()), None));
-        }
-        let may_be_scene = is_scene(name) || path.extension().is_none();
-        if may_be_scene && !path.exists() && !output::is_standard(path) {
-            return Err(gallery::unknown(name).into());
-        }
-        if is_scene(name) {
-            let (scene, source) = scene::open(path)?;
-            return Ok(Side::Scene(Box::new(scene), Some(source)));
-        }
-        Ok(Side::Picture(Picture::read(path, self.encoding)?))
+        let is_nothing = path.extension().is_none() && !path.exists() && !output::is_standard(path);
+        Ok(match is_scene(name) || is_nothing {
+            true => Side::Scene(Box::new(OpenedScene::of(name)?)),
+            false => Side::Picture(Picture::read(path, self.encoding)?),
+        })
     }
 
     /// The commands that explain a pixel of a scene whose image (of a stereo pair: each eye's) has this size.
@@ -308,21 +302,17 @@ impl Compare {
 
 /// Whether a size has the shape of the scene of this name; `false` if that cannot be said.
 fn has_shape(name: &str, size: [u32; 2]) -> bool {
-    let scene = match gallery::find(name) {
-        Some(entry) => Some((entry.build)()),
-        None => scene::open(Path::new(name)).ok().map(|(scene, _)| scene),
-    };
-    let Some(mut scene) = scene else { return false };
-    matches!(compare::fit(&mut scene, size), Ok(true))
+    let opened = OpenedScene::of(name);
+    opened.is_ok_and(|mut it| matches!(compare::fit(&mut it.scene, size), Ok(true)))
 }
 
 /// The scene at this size, and built.
 fn world_of(
-    mut scene: Scene,
-    source: Option<scene::Source>,
+    opened: &OpenedScene,
     name: &str,
     size: Option<[u32; 2]>,
 ) -> Result<(Scene, World), Box<dyn Error>> {
+    let mut scene = opened.scene.clone();
     if let Some(size) = size {
         let [w, h] = [scene.image.width, scene.image.height];
         if !compare::fit(&mut scene, size)? {
@@ -332,9 +322,6 @@ fn world_of(
             );
         }
     }
-    let world = match &source {
-        Some(source) => World::of_source(&scene, source, DEFAULT_SEED)?,
-        None => World::build_seeded(&scene, Path::new(""), DEFAULT_SEED)?,
-    };
+    let world = opened.world(&scene, DEFAULT_SEED)?;
     Ok((scene, world))
 }

@@ -45,17 +45,17 @@ pub struct SceneArguments {
 impl SceneArguments {
     /// The scene with these settings, and its world.
     pub fn load(&self) -> Result<(Scene, World), Box<dyn Error>> {
-        let (as_written, source) = self.open()?;
-        let mut scene = as_written.clone();
+        let opened = OpenedScene::of(&self.scene)?;
+        let mut scene = opened.scene.clone();
+        if let Some(Size { width, height }) = self.size {
+            scene.image.resize(width, height);
+        }
         self.change(&mut scene)?;
-        let build = |scene: &Scene| match &source {
-            Some(source) => World::of_source(scene, source, self.seed),
-            None => World::build_seeded(scene, Path::new(""), self.seed),
-        };
+        let build = |scene: &Scene| opened.world(scene, self.seed);
         let world = build(&scene).map_err(|error| match (error, self.size) {
             // the scene is valid with its own size, so the error is in --size, not in a line of the
             // file
-            (SceneError::Invalid { invalid, .. }, Some(size)) if build(&as_written).is_ok() => {
+            (SceneError::Invalid { invalid, .. }, Some(size)) if build(&opened.scene).is_ok() => {
                 let Size { width, height } = size;
                 format!("--size {width}x{height}: {}", invalid.problem).into()
             }
@@ -83,7 +83,8 @@ impl SceneArguments {
         if self.size.is_some() {
             return Err("--size: the size is that of the picture; leave it out".into());
         }
-        let (mut scene, source) = self.open()?;
+        let opened = OpenedScene::of(&self.scene)?;
+        let mut scene = opened.scene.clone();
         let [width, height] = [scene.image.width, scene.image.height];
         if !compare::fit(&mut scene, size)? {
             let [columns, rows] = size;
@@ -94,19 +95,14 @@ impl SceneArguments {
             )
             .into());
         }
-        if let Some(samples) = samples.or(self.samples) {
+        self.change(&mut scene)?;
+        if let Some(samples) = samples {
             scene.image.samples = samples;
         }
-        let own = self.sampler.as_deref().map(self::sampler).transpose()?;
-        if let Some(sampler) = sampler.cloned().or(own) {
-            scene.image.sampler = Some(sampler);
+        if let Some(sampler) = sampler {
+            scene.image.sampler = Some(sampler.clone());
         }
-        let changed = scene.tracer.change(self.tracer, self.max_depth);
-        changed.map_err(|problem| format!("--max-depth: {problem}"))?;
-        let world = match &source {
-            Some(source) => World::of_source(&scene, source, self.seed)?,
-            None => World::build_seeded(&scene, Path::new(""), self.seed)?,
-        };
+        let world = opened.world(&scene, self.seed)?;
         Ok((scene, world))
     }
 
@@ -137,11 +133,8 @@ impl SceneArguments {
         pictures::provenance((gallery::find(&self.scene), scene), (scene, world), folder)
     }
 
-    /// Changes a scene as the arguments say.
+    /// Changes a scene as the arguments say, but for its size.
     fn change(&self, scene: &mut Scene) -> Result<(), String> {
-        if let Some(Size { width, height }) = self.size {
-            scene.image.resize(width, height);
-        }
         if let Some(samples) = self.samples {
             scene.image.samples = samples;
         }
@@ -182,18 +175,34 @@ impl SceneArguments {
     pub fn has_seed(&self) -> bool {
         self.seed != DEFAULT_SEED
     }
+}
 
-    /// The scene of the gallery or of a file, with its source if it is a file.
-    fn open(&self) -> Result<(Scene, Option<Source>), Box<dyn Error>> {
-        if let Some(entry) = gallery::find(&self.scene) {
-            return Ok(((entry.build)(), None));
+/// A scene as it is written, of the gallery or of a file.
+pub struct OpenedScene {
+    pub scene: Scene,
+    source: Option<Source>,
+}
+
+impl OpenedScene {
+    /// The scene of this name or file.
+    pub fn of(name: &str) -> Result<Self, Box<dyn Error>> {
+        if let Some(entry) = gallery::find(name) {
+            return Ok(Self { scene: (entry.build)(), source: None });
         }
-        let path = Path::new(&self.scene);
-        if !path.exists() && self.scene != scene::STANDARD_INPUT {
-            return Err(gallery::unknown(&self.scene).into());
+        let path = Path::new(name);
+        if !path.exists() && name != scene::STANDARD_INPUT {
+            return Err(gallery::unknown(name).into());
         }
         let (scene, source) = scene::open(path)?;
-        Ok((scene, Some(source)))
+        Ok(Self { scene, source: Some(source) })
+    }
+
+    /// The world of the scene, perhaps changed, with this seed.
+    pub fn world(&self, scene: &Scene, seed: u64) -> Result<World, SceneError> {
+        match &self.source {
+            Some(source) => World::of_source(scene, source, seed),
+            None => World::build_seeded(scene, Path::new(""), seed),
+        }
     }
 }
 

@@ -54,8 +54,9 @@ impl Request<'_> {
         check_size((&before[0], &self.before[0]), (&after, self.after))?;
         let are_fixed = is_fixed(&before) && is_fixed(&after);
         if !are_fixed {
-            check_seeds(&before, self.before)?;
-            check_seeds(&after, self.after)?;
+            let why = "the pictures of a set have other seeds";
+            check_seeds(&before, self.before, why)?;
+            check_seeds(&after, self.after, why)?;
         }
         let regions = self.regions.map(|file| Picture::read(file, Some(Transfer::Linear)));
         let regions = regions.transpose()?;
@@ -134,15 +135,14 @@ fn is_fixed(pictures: &[Picture]) -> bool {
     pictures.iter().all(|picture| picture.values == pictures[0].values)
 }
 
-/// Fails if two pictures of a set with noise have the same values.
-fn check_seeds(pictures: &[Picture], files: &[PathBuf]) -> Result<(), String> {
+/// Fails if two pictures with noise have the same values, and says why they may not.
+pub fn check_seeds(pictures: &[Picture], files: &[PathBuf], why: &str) -> Result<(), String> {
     for (later, picture) in pictures.iter().enumerate() {
         if let Some(equal) = pictures[..later].iter().position(|it| it.values == picture.values) {
             let [file, other] =
                 [later, equal].map(|at| printable::name(&files[at].display().to_string()));
             return Err(format!(
-                "{file} has the same values as {other}; the pictures of a set have other seeds: leave one out, or render it \
-                 with another seed"
+                "{file} has the same values as {other}; {why}: leave one out, or render it with another seed"
             ));
         }
     }
@@ -150,7 +150,7 @@ fn check_seeds(pictures: &[Picture], files: &[PathBuf]) -> Result<(), String> {
 }
 
 /// Fails if a picture has another size than the first.
-fn check_size(
+pub fn check_size(
     (first, name): (&Picture, &Path),
     (pictures, files): (&[Picture], &[PathBuf]),
 ) -> Result<(), String> {

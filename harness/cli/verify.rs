@@ -270,25 +270,11 @@ impl Verify {
             if let Some(problem) = verdict::refusal(&picture) {
                 return Err(format!("{name}: {problem}").into());
             }
-            if let Some(first) = pictures.first().filter(|first| first.size != picture.size) {
-                let [[w, h], [width, height]] = [first.size, picture.size];
-                return Err(format!(
-                    "{name} has {width} × {height} pixels, {} has {w} × {h}; all pictures must have one size",
-                    self.images[0].display()
-                )
-                .into());
-            }
-            let is_equal = |other: &Picture| other.values == picture.values;
-            if let Some(equal) = pictures.iter().position(is_equal) {
-                return Err(format!(
-                    "{name} has the same values as {}; several pictures are of one program with other seeds: leave one \
-                     out, or render it with another seed",
-                    self.images[equal].display()
-                )
-                .into());
-            }
             pictures.push(picture);
         }
+        sets::check_size((&pictures[0], &self.images[0]), (&pictures, &self.images))?;
+        let why = "several pictures are of one program with other seeds";
+        sets::check_seeds(&pictures, &self.images, why)?;
         let names: Vec<_> = self.images.iter().map(|file| file.to_string_lossy()).collect();
         announce::notes(names.iter().map(|name| &**name).zip(&pictures));
         Ok(pictures)

@@ -84,7 +84,7 @@ const LONGEST_REASON: usize = 80;
 const MOST_REASONS: usize = 16;
 
 /// What became of a family.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Row {
     /// As `intersect.torus.grazing`.
     pub name: String,
@@ -122,24 +122,8 @@ pub struct Row {
 
 impl Row {
     pub(super) fn new(name: &str, about: &str, chapter: &'static str, cases: u64) -> Self {
-        Self {
-            name: name.to_owned(),
-            about: about.to_owned(),
-            chapter,
-            cases,
-            counts: [0; 8],
-            ours: 0,
-            fair: 0,
-            worst: 0.0,
-            failure: None,
-            names: Vec::new(),
-            conventions: Vec::new(),
-            lacks: BTreeMap::new(),
-            reasons: BTreeMap::new(),
-            is_left_handed: false,
-            messages: Vec::new(),
-            asked: Vec::new(),
-        }
+        let (name, about) = (name.to_owned(), about.to_owned());
+        Self { name, about, chapter, cases, ..Self::default() }
     }
 
     pub(super) fn count_convention(&mut self, mistake: &'static Mistake) {
