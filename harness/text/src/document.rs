@@ -1,5 +1,5 @@
-//! A document: a tree of elements with the names that HTML gives them. [`Element::html`] and [`Element::plain`] print it;
-//! nothing else writes markup.
+//! A document: a tree of elements with the names that HTML gives them. [`Element::html`], [`Element::plain`] and
+//! [`Element::markdown`] print it; nothing else writes markup.
 
 use groundtruth::film::{Film, Tone, data_uri};
 

@@ -1,4 +1,4 @@
-//! Documents in their two prints.
+//! Documents in their three prints.
 
 use text::document::*;
 
@@ -46,4 +46,21 @@ fn a_terminal_has_lines_and_columns() {
     let expected = "1 < 2\nUse a && b for this.\nThen that.\n  one\n  two\nTimes\n\
         shape     ns  good\nsphere  12.5  yes\na < b      3  no\nmore\na\n  b\na drawing\nthere";
     assert_eq!(document().plain(), expected);
+}
+
+/// Law: Markdown has the marks of each block, and no drawing. Oracle: by hand.
+#[test]
+fn markdown_has_its_marks() {
+    let page = several()
+        .with(heading(1, "Title"))
+        .with(prose("Use `a && b` for *this*."))
+        .with(list(["one", "two"]))
+        .with(
+            table([(1, 2)])
+                .column("a", |row| row.0.to_string())
+                .column("b", |row| code(row.1.to_string()))
+                .element(),
+        );
+    let expected = "# Title\n\nUse `a && b` for *this*.\n\n- one\n- two\n\n| a | b |\n| --- | --- |\n| 1 | `2` |\n\n";
+    assert_eq!(page.markdown(), expected);
 }
