@@ -230,7 +230,7 @@ impl Inspector {
     /// Explains the selected pixel of the picture that is shown.
     fn explain_selected(&mut self, ctx: &Context) {
         self.panel.making.refresh(ctx);
-        self.selection.refresh(ctx, &self.session.rendering, self.others.shown());
+        self.selection.refresh(ctx, &self.session.rendering, &self.others);
     }
 
     /// Shows the bars at the top and the bottom.
@@ -280,7 +280,8 @@ impl Inspector {
         let is_resampled = part(ui, "explanation", parts.explanation, margin, |ui| {
             let Session { rendering, wanted, .. } = &mut self.session;
             let (theirs, tone) = (self.others.shown(), &self.picture.tone);
-            let shown = Shown { rendering, theirs, tone, view: self.space.mode };
+            let (beside, view) = (self.others.beside(), self.space.mode);
+            let shown = Shown { rendering, theirs, beside, tone, view };
             self.panel.show(ui, &mut self.selection, &shown, wanted, &mut self.splits)
         });
         self.space.pointed = pointed;

@@ -12,6 +12,7 @@ use rays::{Logged, RayPlace};
 
 use crate::action::{Shows, With};
 use crate::comparison::opening;
+use crate::comparison::program::Program;
 use crate::comparison::recipe::{Made, Recipe};
 use crate::comparison::theirs::Theirs;
 use crate::picture::session::Session;
@@ -200,6 +201,18 @@ impl Others {
     /// The log of the picture that is held against ours, if it is known by one.
     pub fn log(&self) -> Option<&Logged> {
         self.shown()?.program.as_ref()?.log()
+    }
+
+    /// Whose rays stand beside those that are explained: ours if `None`; of a log that is alone those of another log that was
+    /// looked at. Nobody's, if there is only one picture.
+    pub fn beside(&self) -> Option<Option<&Arc<Program>>> {
+        let shown = self.shown()?;
+        let program = shown.program.as_ref()?;
+        if shown.is_twin() {
+            return Some(Some(program).filter(|_| shown.explained().is_none()));
+        }
+        let made = self.entries.iter().filter_map(|entry| entry.theirs.as_ref()?.program.as_ref());
+        Some(Some(made.filter(|it| it.log().is_some() && it.number != program.number).next_back()?))
     }
 
     /// Reads the logs again that were written again.

@@ -54,19 +54,19 @@ const GAP: f32 = 10.0;
 
 impl Beside {
     /// Shows the numbers of a ray of the tree that is shown and of its counterpart. The last argument says whether that tree
-    /// is ours, and the name of the other picture.
+    /// stands at the left, and the names of both.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         [this, other]: [(Question, &RecordedRay); 2],
         number: usize,
-        (is_ours, name): (bool, &str),
+        (is_left, names): (bool, [&str; 2]),
     ) {
         let of = [this.0, other.0];
         let (this, other) = (this.1, other.1);
         let selected = this.path_to(number).last().copied().unwrap_or(this);
         match counterpart(this, selected.number, other) {
-            Some(counterpart) => numbers(ui, [selected, counterpart], (is_ours, name)),
+            Some(counterpart) => numbers(ui, [selected, counterpart], (is_left, names)),
             None => {
                 ui.label(selected.line());
                 ui.label("The other tree has no ray in the place of the selected one.");
@@ -85,15 +85,14 @@ impl Beside {
         let lines = [(this, here), (other, there)].map(|(root, number)| {
             root.path_to(number).last().map_or(String::new(), |ray| ray.line())
         });
-        let [ours, theirs] = if is_ours { [0, 1] } else { [1, 0] };
-        for (whose, line) in [("ours", &lines[ours]), (name, &lines[theirs])] {
-            ui.label(format!("{whose}: {line}"));
+        for at in if is_left { [0, 1] } else { [1, 0] } {
+            ui.label(format!("{}: {}", names[at], lines[at]));
         }
     }
 }
 
 /// Shows the fields that differ in two columns, ours first, and names the others.
-fn numbers(ui: &mut Ui, [this, other]: [&RecordedRay; 2], (is_ours, name): (bool, &str)) {
+fn numbers(ui: &mut Ui, [this, other]: [&RecordedRay; 2], (is_left, names): (bool, [&str; 2])) {
     let (differing, equal): (Vec<_>, Vec<_>) =
         details::rows(this, other).into_iter().partition(|(_, [this, other])| this != other);
     // both in view, whatever their texts are
@@ -109,13 +108,14 @@ fn numbers(ui: &mut Ui, [this, other]: [&RecordedRay; 2], (is_ours, name): (bool
     let grid = Grid::new("beside").num_columns(3).striped(true).min_row_height(16.0);
     grid.min_col_width(0.0).spacing([GAP, 1.0]).show(ui, |ui| {
         ui.strong(format!("ray {}", this.number));
-        for whose in ["ours", name] {
-            cell(ui, RichText::new(whose).strong(), whose);
+        let order = if is_left { [0, 1] } else { [1, 0] };
+        for at in order {
+            cell(ui, RichText::new(names[at]).strong(), names[at]);
         }
         ui.end_row();
-        for (field, [this, other]) in &differing {
+        for (field, values) in &differing {
             ui.label(*field);
-            for value in if is_ours { [this, other] } else { [other, this] } {
+            for value in order.map(|at| &values[at]) {
                 cell(ui, RichText::new(shortened(value)).monospace().size(11.5), value);
             }
             ui.end_row();

@@ -81,6 +81,8 @@ pub struct Shown<'a> {
     pub rendering: &'a Rendering,
     /// The picture that ours is compared with.
     pub theirs: Option<&'a Theirs>,
+    /// Whose rays stand beside those that are explained, ours if nothing is inside.
+    pub beside: Option<Option<&'a Arc<Program>>>,
     /// The tone in which radiance is shown.
     pub tone: &'a Tone,
     /// What is shown where the picture is.

@@ -8,7 +8,6 @@ use groundtruth::film::Tone;
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 
-use crate::comparison::theirs::Theirs;
 use crate::explanation::asked::sample_of;
 use crate::explanation::beside::Beside;
 use crate::explanation::copying::Making;
@@ -93,7 +92,7 @@ impl Panel {
     ) -> bool {
         let verdict = shown.theirs.and_then(|theirs| theirs.judgement.verdict());
         let log = shown.subject().log();
-        let is_twin = shown.theirs.is_some_and(Theirs::is_twin);
+        let is_twin = shown.beside.is_some();
         ui.horizontal_wrapped(|ui| {
             for (tab, name, hint, is_there) in [
                 (Tab::Ray, "The ray", "", true),
@@ -164,11 +163,11 @@ impl Panel {
 
     /// Shows the selected ray of both pictures: ours at the left, whichever tree is above.
     fn side_by_side(&mut self, ui: &mut Ui, selection: &Selection, shown: &Shown<'_>) {
-        let program = shown.theirs.and_then(|theirs| theirs.program.as_ref());
-        let is_ours = shown.subject().program.is_none();
-        match (selection.root(), selection.root_beside(), program) {
-            (Some(this), Some(other), Some(program)) => {
-                let whose = (is_ours, &*program.name);
+        let programs = [shown.subject().program, shown.beside.flatten()];
+        let names = programs.map(|program| program.map_or("ours", |program| &program.name));
+        match (selection.root(), selection.root_beside()) {
+            (Some(this), Some(other)) => {
+                let whose = (programs[1].is_some(), names);
                 self.numbers.show(ui, [this, other], selection.tree.ray, whose);
             }
             _ => {

@@ -8,6 +8,7 @@ use groundtruth::explain::{PixelExplanation, RecordedRay};
 use groundtruth::world::World;
 use rays::{Logged, RayPlace};
 
+use crate::comparison::others::Others;
 use crate::comparison::theirs::Theirs;
 use crate::explanation::asked::{Asked, Question, sample_of};
 use crate::explanation::trail::{self, TrailPoint};
@@ -68,17 +69,18 @@ pub enum Tab {
 impl Selection {
     /// Starts to explain the selected pixel of the picture that is shown, and of the other one, unless that is done or under
     /// way. Waits for a short explanation.
-    pub fn refresh(&mut self, ctx: &Context, rendering: &Rendering, theirs: Option<&Theirs>) {
-        let shown = Subject { rendering, program: theirs.and_then(Theirs::explained) };
-        let program = theirs.and_then(|theirs| theirs.program.as_ref());
-        let other = Subject { rendering, program: program.filter(|_| shown.program.is_none()) };
+    pub fn refresh(&mut self, ctx: &Context, rendering: &Rendering, others: &Others) {
+        let shown = Subject { rendering, program: others.shown().and_then(Theirs::explained) };
+        let other = others.beside();
+        let (program, is_twin) = (other.flatten(), other.is_some());
+        let other = Subject { rendering, program };
         let asked = self.pixel.map(|pixel| (pixel, self.sample));
         if self.beside.version() == Some(shown.version()) {
             // the pictures were flipped
             std::mem::swap(&mut self.asked, &mut self.beside);
         }
         self.asked.refresh(ctx, &shown, asked);
-        self.beside.refresh(ctx, &other, asked.filter(|_| program.is_some()));
+        self.beside.refresh(ctx, &other, asked.filter(|_| is_twin));
         self.read_off(shown.log());
         if let Some(number) = self.sought.take_if(|_| self.asked.pixel() == self.pixel) {
             self.go_to(number);

@@ -176,3 +176,36 @@ fn what_is_no_log_is_refused() {
         assert!(problem_found.contains(problem), "{problem_found}");
     }
 }
+
+/// Law: two logs stand beside each other: O changes from one to the other at the same pixel and ray, and the tab has the numbers
+/// of both. Oracle: a log and the same with its mistake mended.
+#[test]
+fn two_logs_stand_beside_each_other() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mended =
+        LOG.replace("-0.6, 0], \"weight\"", "0.6, 0], \"weight\"").replace("a tracer", "mended");
+    let before = written(folder.path(), LOG);
+    let after = folder.path().join("after.jsonl");
+    fs::write(&after, mended).expect("written");
+    let mut window = started(&[
+        "--rays",
+        after.to_str().expect("a name"),
+        "--rays",
+        before.to_str().expect("a name"),
+    ]);
+    assert_eq!(selected(&window), (Some(BROKEN), 1));
+    let name = |window: &Window| {
+        let program = window.state().others.shown().and_then(|theirs| theirs.explained().cloned());
+        program.map(|program| program.name.clone())
+    };
+    assert_eq!(name(&window).as_deref(), Some("a tracer"));
+    window.key_press(Key::O);
+    settle(&mut window);
+    assert_eq!(name(&window).as_deref(), Some("mended"));
+    assert_eq!(selected(&window), (Some(BROKEN), 1));
+    window.state_mut().selection.tab = Tab::Beside;
+    settle(&mut window);
+    for text in ["mended", "a tracer", "(0.8, 0.6, 0.0)", "(0.8, -0.6, 0.0)"] {
+        assert!(window.query_all_by_label(text).next().is_some(), "{text}");
+    }
+}
