@@ -7,7 +7,6 @@ use groundtruth::film::Film;
 use groundtruth::render;
 use groundtruth::scene::{self, Scene};
 use inspector::action::Shows;
-use inspector::comparison::theirs::Theirs;
 use inspector::scene::fields::{self, Change};
 use std::path::Path;
 
@@ -25,7 +24,7 @@ fn water() -> Scene {
     scene::parse(text, Path::new("")).expect("valid").0
 }
 
-fn film(scene: &Scene) -> Film {
+fn rendered(scene: &Scene) -> Film {
     render::render(&built(scene))
 }
 
@@ -45,17 +44,13 @@ fn enter(window: &mut Window) {
     press(window, Key::Enter);
 }
 
-fn theirs(window: &Window) -> &Theirs {
-    window.state().others.shown().expect("it is made")
-}
-
 /// Law: a field that is chosen in the menu is put into its line, its value selected; the value that is typed over it gives
 /// another picture of the scene, with that value. A click explains the pixel in both: both values and their difference are
 /// shown, T flips the trees, and each adds up to its own pixel. Oracle: the scene changed as text, rendered and explained
 /// without a window.
 #[test]
 fn a_field_with_another_value_is_compared() {
-    let [ours, with_water] = [small_glass_sphere(), water()].map(|scene| film(&scene));
+    let [ours, with_water] = [small_glass_sphere(), water()].map(|scene| rendered(&scene));
     let mut window = glass_window_at(ON_GLASS);
     open_menu(&mut window);
     type_text(&mut window, "inside.eta");
@@ -114,7 +109,7 @@ fn the_selected_ray_is_shown_side_by_side() {
 fn a_kept_state_stays() {
     let mut kept = small_glass_sphere();
     kept.lights[2].enabled = false;
-    let before = film(&kept);
+    let before = rendered(&kept);
     let mut window = glass_window();
     push(&mut window, "front lamp");
     open_menu(&mut window);
@@ -124,7 +119,7 @@ fn a_kept_state_stays() {
     push(&mut window, "high lamp");
     let mut without = kept;
     without.lights[1].enabled = false;
-    assert_eq!(window.state().session.rendering.canvas.film().pixels(), film(&without).pixels());
+    assert_eq!(film(&window).pixels(), rendered(&without).pixels());
     for y in 0..48 {
         assert_eq!(theirs(&window).radiance([24, y]), Some(before.get([24, y])));
     }
@@ -147,10 +142,10 @@ fn another_scene_is_compared() {
     enter(&mut window);
     let mut other = (gallery::find("ch03/single-sphere").expect("in the gallery").build)();
     other.image.resize(48, 48);
-    let film = film(&other);
+    let other = rendered(&other);
     assert_eq!(theirs(&window).name, "ch03/single-sphere");
     for y in 0..48 {
-        assert_eq!(theirs(&window).radiance([24, y]), Some(film.get([24, y])));
+        assert_eq!(theirs(&window).radiance([24, y]), Some(other.get([24, y])));
     }
 
     open_menu(&mut window);

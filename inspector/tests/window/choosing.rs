@@ -96,11 +96,8 @@ fn arrow_keys_choose_a_scene_of_the_list() {
     let row = window.get_all_by_role_and_label(Role::Button, name).next().expect("in view").rect();
     assert!(row.top() > 40.0 && row.bottom() < 790.0, "{row}");
     window.key_press(Key::Enter);
-    let start = Instant::now();
-    while window.state().session.rendering.source.name() != all[at - 29] {
-        assert!(start.elapsed() < Duration::from_secs(60), "not opened");
-        window.step();
-    }
+    let name = |window: &Window| window.state().session.rendering.source.name();
+    wait_until(&mut window, "it is opened", |window| name(window) == all[at - 29]);
 }
 
 /// Law: after words that no scene has, the list has its height again. Oracle: the rows in view before.
@@ -177,7 +174,7 @@ fn size_depth_and_seed_are_followed() {
         whitted.max_depth = 2;
     }
     let world = World::build_seeded(&scene, "".as_ref(), seed).expect("the scene is valid");
-    let film = window.state().session.rendering.canvas.film();
+    let film = film(&window);
     assert_eq!(window.state().session.rendering.size(), [30, 20]);
     assert_eq!(film.pixels(), groundtruth::render::render(&world).pixels());
     type_into(&mut window, "Seed", "seven");
@@ -196,7 +193,7 @@ fn intersections_are_switched() {
         window.run_steps(3);
         push(&mut window, intersect.name());
         scene.set_intersections(intersect);
-        let film = window.state().session.rendering.canvas.film();
+        let film = film(&window);
         assert_eq!(film.pixels(), groundtruth::render::render(&built(&scene)).pixels());
         shown.push(film.pixels().to_vec());
     }

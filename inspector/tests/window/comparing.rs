@@ -9,7 +9,6 @@ use groundtruth::film::{self, Film, Tone};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use inspector::action::Shows;
-use inspector::comparison::theirs::Theirs;
 use inspector::window::arguments::Arguments;
 
 use crate::support::*;
@@ -31,12 +30,6 @@ fn films() -> [Film; 2] {
     [ours, theirs]
 }
 
-fn read(folder: &Path, film: &Film, name: &str) -> Theirs {
-    let path = folder.join(name);
-    film::write(film, &Tone::PLAIN, &path).expect("written");
-    Theirs::read(&path, None).expect("it is a picture")
-}
-
 /// A window on the small glass sphere that is compared with this picture.
 fn held_against(film: &Film) -> Window {
     let folder = tempfile::tempdir().expect("a temporary folder");
@@ -46,7 +39,7 @@ fn held_against(film: &Film) -> Window {
 }
 
 fn shows(window: &Window) -> Shows {
-    window.state().others.shown().expect("it was given").shows
+    theirs(window).shows
 }
 
 /// The colours of both marked pixels on the screen.
@@ -161,7 +154,7 @@ fn another_size_is_not_compared() {
     let mut window = held_against(&theirs);
     type_number(&mut window, "Width", "50");
     assert!(text_with(&window, "has 48 × 48 pixels").ends_with("our picture 50 × 48"));
-    let film = window.state().session.rendering.canvas.film();
+    let film = film(&window);
     let tone = window.state().picture.tone;
     assert_eq!(shown(&mut window, RIGHT), tone.to_bytes(film.get(RIGHT)));
     type_number(&mut window, "Width", "48");

@@ -1,7 +1,6 @@
 //! The verdict on another program's picture.
 
 use std::path::Path;
-use std::time::{Duration, Instant};
 
 use eframe::egui::Key;
 use egui_kittest::kittest::Queryable;
@@ -50,10 +49,6 @@ fn held_against(scene: Scene, theirs: Theirs) -> Window {
     let mut window = begin(scene, [900.0, 600.0]);
     window.state_mut().others.add_picture(theirs);
     window
-}
-
-fn theirs(window: &Window) -> &Theirs {
-    window.state().others.shown().expect("it was given")
 }
 
 /// The verdict of the command with its defaults.
@@ -190,13 +185,8 @@ fn a_stopped_judgement_says_so() {
     // 1 of 100 could be farther out by chance
     text_with(&window, " of at most 99 pictures of ours");
     window.get_by_label("Stop").click();
-    let start = Instant::now();
     window.run_steps(3);
-    while theirs(&window).judgement.is_busy() {
-        assert!(start.elapsed() < Duration::from_secs(60), "it does not stop");
-        std::thread::sleep(Duration::from_millis(5));
-        window.step();
-    }
+    wait_until(&mut window, "it is stopped", |window| !theirs(window).judgement.is_busy());
     window.run_steps(2);
     text_with(&window, "interrupted");
 }

@@ -1,22 +1,12 @@
 //! Layers in place of the picture.
 
 use std::sync::Arc;
-use std::time::{Duration, Instant};
 
-use eframe::egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::Tone;
 use layers::{Colors, Layer};
 
 use crate::support::*;
-
-/// Chooses a layer in the list.
-fn choose(window: &mut Window, name: &str) {
-    window.get_by_role_and_label(Role::ComboBox, "Layer").click();
-    window.run_steps(3);
-    window.get_by_role_and_label(Role::Button, name).click();
-    window.run_steps(3);
-}
 
 /// Law: where a layer is chosen, the screen has its colours, the legend its names, the status its value under the mouse,
 /// and a click explains the pixel as before. Oracle: the layer from the library, one pixel at a time.
@@ -26,8 +16,7 @@ fn a_chosen_layer_is_shown() {
     let mut window = glass_window();
     let world = built(&scene);
     let before = shown(&mut window, [40, 45]);
-    choose(&mut window, "object");
-    settle(&mut window);
+    choose(&mut window, "Layer", "object");
     let layer = Layer::named("object", &world).expect("a layer");
     let colors = Colors::of(&layer, std::iter::empty(), &world, Tone::PLAIN);
     let mut names = Vec::new();
@@ -51,8 +40,7 @@ fn a_chosen_layer_is_shown() {
     assert_eq!(window.state().selection.pixel, Some([24, 24]));
     assert!(window.query_all_by_label_contains(&root_line(&scene, [24, 24])).count() > 0);
 
-    choose(&mut window, "picture");
-    settle(&mut window);
+    choose(&mut window, "Layer", "picture");
     assert_eq!(shown(&mut window, [40, 45]), before);
 }
 
@@ -63,8 +51,7 @@ fn a_shown_layer_is_saved() {
     let folder = tempfile::tempdir().expect("a temporary folder");
     let world = built(&small_glass_sphere());
     let mut window = glass_window();
-    choose(&mut window, "object");
-    settle(&mut window);
+    choose(&mut window, "Layer", "object");
     assert_eq!(window.state().fields.save, "glass-sphere-object.png");
     let png = folder.path().join("object.png");
     type_into(&mut window, "Picture", png.to_str().expect("UTF-8"));
@@ -74,8 +61,7 @@ fn a_shown_layer_is_saved() {
     for (x, y, color) in image.enumerate_pixels() {
         assert_eq!(color.0, colors.color(layer.value(&world, [x, y])), "({x}, {y})");
     }
-    choose(&mut window, "normal");
-    settle(&mut window);
+    choose(&mut window, "Layer", "normal");
     assert_eq!(window.state().fields.save, png.display().to_string(), "typed");
     let exr = folder.path().join("normal.exr");
     type_into(&mut window, "Picture", exr.to_str().expect("UTF-8"));
@@ -102,22 +88,16 @@ fn a_layer_that_is_left_is_not_found_further() {
     let mut slow = begin(scene, [1280.0, 800.0]);
     slow.run_steps(3);
     slow.state_mut().session.rendering.canvas.cancel();
-    let start = Instant::now();
-    let wait_for = |window: &mut Window, wanted: &dyn Fn(usize) -> bool| {
-        while !wanted(count(window)) {
-            assert!(start.elapsed() < Duration::from_secs(60), "{} references", count(window));
-            std::thread::sleep(Duration::from_millis(5));
-            window.step();
-        }
-    };
     let idle = count(&window);
-    wait_for(&mut slow, &|count| count == idle);
+    let wait_for_idle =
+        |slow: &mut Window| wait_until(slow, "the work ends", |window| count(window) == idle);
+    wait_for_idle(&mut slow);
     let rays = Layer::named("rays", &slow.state().session.rendering.world).expect("a layer");
     slow.state_mut().picture.layer.chosen = Some(rays);
     slow.run_steps(2);
     assert!(count(&slow) > idle, "it is being found");
     slow.state_mut().picture.layer.chosen = None;
-    wait_for(&mut slow, &|count| count == idle);
+    wait_for_idle(&mut slow);
 }
 
 /// Law: values are written into pixels of 64 points and more, and not into smaller ones, for the picture and for a layer.
@@ -127,7 +107,7 @@ fn large_pixels_have_their_values_as_text() {
     let mut window = glass_window();
     let size = window.state().session.rendering.size();
     for layer in ["picture", "distance"] {
-        choose(&mut window, layer);
+        choose(&mut window, "Layer", layer);
         for (zoom, is_written) in [(60.0, false), (64.0, true)] {
             set(&mut window, |it| it.picture.set_zoom(size, zoom));
             let pixel = [24, 24];

@@ -131,7 +131,7 @@ fn large_pictures_are_shown_across_the_seams() {
         scene.image.pixel_size = 0.5;
         scene.image.samples = 1;
         let mut window = open(scene);
-        let film = window.state().session.rendering.canvas.film();
+        let film = film(&window);
         let tone = window.state().picture.tone;
         window.state_mut().picture.set_zoom(size, 10.0);
         for along in [5, 1000, 1023, 1024, 1055] {
@@ -155,7 +155,7 @@ fn nothing_of_the_old_picture_shines_through() {
         push(&mut window, light);
     }
     assert_eq!(shown(&mut window, ground), [0, 0, 0]);
-    let film = window.state().session.rendering.canvas.film();
+    let film = film(&window);
     let tone = window.state().picture.tone;
     for pixel in [[1, 1], [17, 19], [40, 46]] {
         assert_eq!(shown(&mut window, pixel), tone.to_bytes(film.get(pixel)), "{pixel:?}");
@@ -167,15 +167,15 @@ fn nothing_of_the_old_picture_shines_through() {
 #[test]
 fn exposure_changes_the_screen_and_not_the_picture() {
     let mut window = glass_window();
-    let (film, at) = (window.state().session.rendering.canvas.film(), [3, 3]);
+    let (before, at) = (film(&window), [3, 3]);
     let shown = |window: &mut Window| shown(window, at);
     let tone = window.state().picture.tone;
-    assert_eq!(shown(&mut window), tone.to_bytes(film.get(at)));
+    assert_eq!(shown(&mut window), tone.to_bytes(before.get(at)));
     let brighter = groundtruth::film::Tone { exposure: 2.5, gamma: 2.2, ..tone };
     set(&mut window, |it| it.picture.tone = brighter);
-    assert_eq!(shown(&mut window), brighter.to_bytes(film.get(at)));
-    assert_ne!(brighter.to_bytes(film.get(at)), tone.to_bytes(film.get(at)));
-    assert_eq!(window.state().session.rendering.canvas.film(), film);
+    assert_eq!(shown(&mut window), brighter.to_bytes(before.get(at)));
+    assert_ne!(brighter.to_bytes(before.get(at)), tone.to_bytes(before.get(at)));
+    assert_eq!(film(&window), before);
 }
 
 /// Law: the window shows the pixel under the mouse and its radiance.
@@ -237,7 +237,7 @@ fn a_histogram_counts_pixels_by_stops() {
 fn the_histogram_is_of_the_picture() {
     let mut window = glass_window();
     push(&mut window, "Histogram");
-    let film = window.state().session.rendering.canvas.film();
+    let film = film(&window);
     let black = film.pixels().iter().filter(|pixel| pixel.is_black()).count();
     let text = text_with(&window, "log₂ of the radiance");
     assert!(text.ends_with(&format!("; {black} black")), "{text}");

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use eframe::egui::{Key, accesskit::Role};
+use eframe::egui::Key;
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::Film;
 use groundtruth::render;
@@ -13,6 +13,7 @@ use judge::mistakes::{self, Mistaken};
 use crate::support::*;
 
 const NAME: &str = "no-cosine";
+const LIST: &str = "With the mistake";
 
 /// The picture of the small glass sphere by the program with the mistake.
 fn wrong() -> Film {
@@ -21,26 +22,19 @@ fn wrong() -> Film {
     render::render(&program.expect("valid").expect("it applies"))
 }
 
-/// Chooses an entry of the list of mistakes.
-fn choose(window: &mut Window, entry: &str) {
-    window.get_by_role_and_label(Role::ComboBox, "With the mistake").click();
-    window.run_steps(4);
-    push_button(window, entry);
-}
-
 /// Law: a mistake that is chosen in the list gives another picture; T flips between right and wrong, and what is shown is
 /// explained: the wrong program's tree adds up to its own pixel. Without the mistake there is one picture again. Oracle:
 /// the program with the mistake, rendered without a window.
 #[test]
 fn right_and_wrong_are_flipped_and_explained() {
     let mut window = glass_window();
-    let ours = window.state().session.rendering.canvas.film();
+    let ours = film(&window);
     let wrong = wrong();
     let pixels = (0..48).flat_map(|y| (0..48).map(move |x| [x, y]));
     let change = |at: &[u32; 2]| (wrong.get(*at) - ours.get(*at)).max();
     let pixel = pixels.max_by(|a, b| change(a).total_cmp(&change(b))).expect("there are pixels");
     assert!(change(&pixel) > 0.05);
-    choose(&mut window, NAME);
+    choose(&mut window, LIST, NAME);
     let theirs = window.state().others.shown().expect("it is rendered");
     assert_eq!((&*theirs.name, theirs.shows), (NAME, Shows::Swipe));
     press(&mut window, Key::T);
@@ -57,7 +51,7 @@ fn right_and_wrong_are_flipped_and_explained() {
         assert!(window.query_by_label_contains(equal).is_some());
         press(&mut window, Key::T);
     }
-    choose(&mut window, "none");
+    choose(&mut window, LIST, "none");
     assert!(window.state().others.shown().is_none());
 }
 

@@ -100,8 +100,7 @@ fn a_scene_file_is_opened() {
     let path = folder.path().join("small.toml");
     let mut scene = small_glass_sphere();
     scene.image.resize(20, 10);
-    let text = groundtruth::scene::to_toml(&scene).expect("plain data");
-    std::fs::write(&path, text).expect("writable");
+    write(&path, &scene);
     type_into(&mut window, "File", &path.display().to_string());
     assert_eq!(window.state().message, None);
     assert_eq!(window.state().session.rendering.size(), [20, 10]);
@@ -133,7 +132,7 @@ fn the_picture_is_saved_and_errors_are_shown() {
     type_into(&mut window, "Picture", &path.display().to_string());
     assert!(window.query_by_label(&format!("saved {}", path.display())).is_some());
     let saved = read_exr(&path).expect("a picture");
-    let expected = window.state().session.rendering.canvas.film();
+    let expected = film(&window);
     assert!(saved.to_f32().eq(expected.to_f32()));
 
     let path = folder.path().join("saved.bmp");
@@ -194,8 +193,7 @@ fn a_chosen_file_is_opened_or_saved() {
         ["small.toml", "saved.exr"].map(|name| folder.path().join(name));
     let mut scene = small_glass_sphere();
     scene.image.resize(20, 10);
-    let text = groundtruth::scene::to_toml(&scene).expect("plain data");
-    std::fs::write(&scene_file, text).expect("writable");
+    write(&scene_file, &scene);
     let mut window = glass_window();
     let ctx = window.ctx.clone();
     let choose = |window: &mut Window, purpose: Purpose, file: Option<PathBuf>| {
@@ -212,7 +210,7 @@ fn a_chosen_file_is_opened_or_saved() {
     assert_eq!(window.state().fields.open, scene_file.display().to_string());
     choose(&mut window, Purpose::Picture, Some(picture_file.clone()));
     let saved = read_exr(&picture_file).expect("a picture");
-    assert!(saved.to_f32().eq(window.state().session.rendering.canvas.film().to_f32()));
+    assert!(saved.to_f32().eq(film(&window).to_f32()));
     assert_eq!(window.state().fields.save, picture_file.display().to_string());
 }
 
@@ -273,12 +271,8 @@ fn the_window_does_not_wait_for_the_picture() {
     window.drop_at(at);
     window.step();
     assert_eq!(window.state().selection.pixel, Some([200, 240]));
-    let start = std::time::Instant::now();
-    while window.state().selection.explanation().is_none() {
-        assert!(start.elapsed().as_secs() < 60, "not explained");
-        std::thread::sleep(std::time::Duration::from_millis(5));
-        window.step();
-    }
+    let is_explained = |window: &Window| window.state().selection.explanation().is_some();
+    wait_until(&mut window, "it is explained", is_explained);
     assert!(running(&window) && !old.is_cancelled());
     let line = root_line_of(&scene, [200, 240], 0);
     window.run_steps(2);

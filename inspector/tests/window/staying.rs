@@ -2,12 +2,11 @@
 
 use std::collections::HashMap;
 use std::path::Path;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use clap::Parser;
 use eframe::egui::{Context, Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
-use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use inspector::app::Inspector;
 use inspector::scene::source::Source;
@@ -19,11 +18,6 @@ use crate::support::*;
 
 const ON_GLASS: [u32; 2] = [17, 19];
 
-fn write(path: &Path, scene: &Scene) {
-    let text = groundtruth::scene::to_toml(scene).expect("plain data");
-    std::fs::write(path, text).expect("writable");
-}
-
 /// A window on a scene file.
 fn window_on(path: &Path) -> Window {
     let loaded = Source::File(path.to_owned()).load().expect("the scene is valid");
@@ -32,14 +26,9 @@ fn window_on(path: &Path) -> Window {
     window
 }
 
-/// Draws frames until the condition holds; fails after a time much longer than the files' check interval.
-fn wait_until(window: &mut Window, is_so: impl Fn(&Window) -> bool) {
-    let start = Instant::now();
-    while !is_so(window) {
-        assert!(start.elapsed() < Duration::from_secs(30), "it did not happen");
-        std::thread::sleep(Duration::from_millis(20));
-        window.step();
-    }
+/// Waits until a changed file is read, and until it is shown.
+fn followed(window: &mut Window, is_so: impl Fn(&Window) -> bool) {
+    wait_until(window, "the file is followed", is_so);
     settle(window);
 }
 
@@ -59,11 +48,11 @@ fn a_changed_file_is_read_again_and_the_selection_stays() {
     scene.about = "told anew".to_owned();
     scene.background = groundtruth::rgb::Rgb::new(0.1, 0.2, 0.3).into();
     write(&path, &scene);
-    wait_until(&mut window, |window| window.state().session.rendering.scene.about == "told anew");
+    followed(&mut window, |window| window.state().session.rendering.scene.about == "told anew");
     assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
     scene.image.samples = 9;
     scene.lights.iter_mut().filter(|l| l.name == "high lamp").for_each(|l| l.enabled = false);
-    let film = window.state().session.rendering.canvas.film();
+    let film = film(&window);
     assert_eq!(film.pixels(), groundtruth::render::render(&built(&scene)).pixels());
     assert_eq!(window.state().message, None);
 }
@@ -77,15 +66,15 @@ fn a_broken_file_keeps_the_picture_until_it_is_mended() {
     let mut scene = small_glass_sphere();
     write(&path, &scene);
     let mut window = window_on(&path);
-    let before = window.state().session.rendering.canvas.film();
+    let before = film(&window);
     std::fs::write(&path, "about = \n").expect("writable");
     let error = groundtruth::world::read(&path).expect_err("it is broken").to_string();
-    wait_until(&mut window, |window| window.state().message.is_some());
+    followed(&mut window, |window| window.state().message.is_some());
     assert_eq!(window.state().message, Some((error, true)));
-    assert_eq!(window.state().session.rendering.canvas.film(), before);
+    assert_eq!(film(&window), before);
     scene.about = "mended".to_owned();
     write(&path, &scene);
-    wait_until(&mut window, |window| window.state().session.rendering.scene.about == "mended");
+    followed(&mut window, |window| window.state().session.rendering.scene.about == "mended");
     assert_eq!(window.state().message, None);
 }
 
@@ -112,12 +101,12 @@ fn a_broken_file_of_the_command_line_is_waited_for() {
 
     let mut scene = small_glass_sphere();
     write(&path, &scene);
-    wait_until(&mut window, |window| window.query_by_label("picture").is_some());
+    followed(&mut window, |window| window.query_by_label("picture").is_some());
     assert_eq!(window.state().message, None);
     scene.image.resize(30, 20);
     scene.image.samples = 9;
     let world = World::build_seeded(&scene, folder.path(), 5).expect("the scene is valid");
-    let film = window.state().session.rendering.canvas.film();
+    let film = film(&window);
     assert_eq!(film.pixels(), groundtruth::render::render(&world).pixels());
     assert!(window.query_by_label("Pixel (12, 9)").is_some());
     assert_eq!(window.state().selection.sample, 3);
@@ -127,9 +116,7 @@ fn a_broken_file_of_the_command_line_is_waited_for() {
     type_number(&mut window, "Samples", "16");
     scene.about = "changed again".to_owned();
     write(&path, &scene);
-    wait_until(&mut window, |window| {
-        window.state().session.rendering.scene.about == "changed again"
-    });
+    followed(&mut window, |window| window.state().session.rendering.scene.about == "changed again");
     assert_eq!(window.state().session.rendering.scene.image.samples, 16);
 }
 

@@ -1,14 +1,17 @@
 //! A window that exists only in memory: small scenes, and the actions of a user.
 
+use std::path::Path;
 use std::time::{Duration, Instant};
 
 use eframe::egui::{Context, Event, Key, Modifiers, PointerButton, Pos2, Theme, accesskit::Role};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::explain::{self, RecordedRay};
+use groundtruth::film::{self, Film, Tone};
 use groundtruth::scene::Scene;
 use groundtruth::world::World;
 use inspector::app::Inspector;
+use inspector::comparison::theirs::Theirs;
 use inspector::scene::source::{Loaded, Source};
 use inspector::window::style::set_style;
 
@@ -84,15 +87,50 @@ pub fn glass_window_at(pixel: [u32; 2]) -> Window {
 
 /// Draws frames until all background work is finished.
 pub fn settle(window: &mut Window) {
-    let start = Instant::now();
     // the work starts in the next frame
     window.run_steps(3);
-    while window.state().is_busy() {
-        assert!(start.elapsed() < PATIENCE, "the window is still busy");
+    wait_until(window, "it is finished", |window| !window.state().is_busy());
+    window.run_steps(3);
+}
+
+/// Draws frames until this is so.
+pub fn wait_until(window: &mut Window, what: &str, is_so: impl Fn(&Window) -> bool) {
+    let start = Instant::now();
+    while !is_so(window) {
+        assert!(start.elapsed() < PATIENCE, "long since not so: {what}");
         std::thread::sleep(Duration::from_millis(2));
         window.step();
     }
-    window.run_steps(3);
+}
+
+/// Our picture so far.
+pub fn film(window: &Window) -> Film {
+    window.state().session.rendering.canvas.film()
+}
+
+/// The picture that is held against ours.
+pub fn theirs(window: &Window) -> &Theirs {
+    window.state().others.shown().expect("there is one")
+}
+
+/// Chooses an entry of the list of this name.
+pub fn choose(window: &mut Window, list: &str, entry: &str) {
+    window.get_by_role_and_label(Role::ComboBox, list).click();
+    window.run_steps(4);
+    push_button(window, entry);
+}
+
+/// Writes a scene file.
+pub fn write(path: &Path, scene: &Scene) {
+    let text = groundtruth::scene::to_toml(scene).expect("plain data");
+    std::fs::write(path, text).expect("writable");
+}
+
+/// A picture as the program reads it from a file of this name.
+pub fn read(folder: &Path, film: &Film, name: &str) -> Theirs {
+    let path = folder.join(name);
+    film::write(film, &Tone::PLAIN, &path).expect("written");
+    Theirs::read(&path, None).expect("it is a picture")
 }
 
 /// The middle of a pixel on the screen.
