@@ -12,7 +12,7 @@ use crate::explanation::asked::sample_of;
 use crate::explanation::beside::Beside;
 use crate::explanation::copying::Making;
 use crate::explanation::pixel::{self, Order, SumList};
-use crate::explanation::samples::{Linked, Samples};
+use crate::explanation::samples::Samples;
 use crate::explanation::section::SectionView;
 use crate::explanation::selection::{Selection, Tab};
 use crate::explanation::tree::{Tree, legend, swatch};
@@ -134,7 +134,8 @@ impl Panel {
                 area.show(ui, values).inner.into_iter().for_each(|place| selection.seek(place));
             }
             Tab::Samples => {
-                let show = |ui: &mut Ui| self.samples_of(ui, selection, shown, answer, wanted);
+                let of = (shown, answer);
+                let show = |ui: &mut Ui| self.samples.show(ui, of, selection, wanted);
                 return area.show(ui, show).inner;
             }
         }
@@ -174,24 +175,6 @@ impl Panel {
                 ui.weak("One of the pictures has no ray here, or is not explained yet.");
             }
         }
-    }
-
-    /// Shows the samples of the pixel; returns whether `wanted` was changed.
-    fn samples_of(
-        &mut self,
-        ui: &mut Ui,
-        selection: &mut Selection,
-        shown: &Shown<'_>,
-        answer: &PixelExplanation,
-        wanted: &mut Scene,
-    ) -> bool {
-        let (root, mut chosen) = (selection.root().map(|(_, root)| root), selection.sample);
-        let mut linked = Linked { root, lit: selection.tree.lit, ..Linked::default() };
-        let changed = self.samples.show(ui, (shown, answer), &mut chosen, &mut linked, wanted);
-        let Linked { sample, ray, .. } = linked;
-        (selection.sample, selection.pointed) = (chosen, sample);
-        selection.tree.hovered = selection.tree.hovered.or(ray);
-        changed
     }
 
     fn section_of_ray(&mut self, ui: &mut Ui, selection: &mut Selection, world: &World) {

@@ -12,6 +12,7 @@ use groundtruth::trace::RayKind;
 use groundtruth::world::World;
 use statistics::chi_square;
 
+use crate::explanation::selection::Selection;
 use crate::explanation::{Shown, Subject, Version};
 use crate::picture::display;
 use crate::picture::worker::Rendering;
@@ -34,19 +35,6 @@ pub struct Samples {
     light: Option<u32>,
     /// The sample under the mouse in the last frame, whose points are lit in all plots.
     lit: Option<u32>,
-}
-
-/// The tree of the sample that is shown, and what is pointed at.
-#[derive(Default)]
-pub struct Linked<'a> {
-    /// The camera's ray.
-    pub root: Option<&'a RecordedRay>,
-    /// The ray that is pointed at elsewhere.
-    pub lit: Option<usize>,
-    /// The sample whose point is under the mouse.
-    pub sample: Option<u32>,
-    /// The ray of that point, as far as it is in the tree: the camera's, or the shadow ray to the light.
-    pub ray: Option<usize>,
 }
 
 /// The plots, by their place: the points of the pixel and of the lens are of the camera's ray, those of the light of a
@@ -172,20 +160,19 @@ impl Samples {
         plot.points.get(sample).map(|&point| plot.to_screen(point))
     }
 
-    /// Shows the samples of a pixel, each point in the colour of its sample; a click on a point chooses its `sample`.
-    /// Lights the points of the ray that is pointed at elsewhere, and notes the point that is pointed at. Returns whether
-    /// `wanted` was changed.
+    /// Shows the samples of a pixel, each point in the colour of its sample; a click on a point chooses its sample. Lights
+    /// the points of the ray that is pointed at elsewhere, and notes the point that is pointed at and its ray, as far as
+    /// that is in the tree. Returns whether `wanted` was changed.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         (shown, answer): (&Shown<'_>, &PixelExplanation),
-        sample: &mut u32,
-        linked: &mut Linked<'_>,
+        selection: &mut Selection,
         wanted: &mut Scene,
     ) -> bool {
         let rendering = shown.rendering;
         self.refresh(&shown.subject(), answer.pixel);
-        let rays = linked.root.map_or([None; 2], |root| self.rays(root));
+        let rays = selection.root().map_or([None; 2], |(_, root)| self.rays(root));
         let color = |i: u32| display::color(shown.tone, answer.radiances[i as usize]);
         let changed = choose(ui, rendering, wanted);
         // side by side if they fit
@@ -196,13 +183,14 @@ impl Samples {
             let lit = self.lit.take();
             for (index, plot) in self.plots.iter_mut().enumerate() {
                 let ray = rays[usize::from(index == LIGHT_PLOT)];
-                let is_pointed = ray.is_some() && ray == linked.lit;
-                let lit = lit.or(is_pointed.then_some(*sample));
-                if let Some(hovered) = plot.show(ui, side, &color, (sample, lit)) {
+                let is_pointed = ray.is_some() && ray == selection.tree.lit;
+                let lit = lit.or(is_pointed.then_some(selection.sample));
+                if let Some(hovered) = plot.show(ui, side, &color, (&mut selection.sample, lit)) {
                     let word = short(answer.radiances[hovered as usize]);
                     ui.ctx().request_repaint();
                     plot.say(ui, format!("sample {hovered}: {word}"));
-                    (self.lit, linked.sample, linked.ray) = (Some(hovered), Some(hovered), ray);
+                    (self.lit, selection.pointed) = (Some(hovered), Some(hovered));
+                    selection.tree.hovered = selection.tree.hovered.or(ray);
                 }
             }
         });
