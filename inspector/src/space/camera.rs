@@ -1,11 +1,10 @@
 //! The camera of the space view: the buttons, keys and drags that move it, and what it looks through.
 
 use eframe::egui::{EventFilter, Key, PointerButton, Response, Ui, Vec2};
+use groundtruth::explain::RecordedRay;
 use groundtruth::math::Vector;
 use groundtruth::world::World;
 use space::{Orbit, Segment};
-
-use crate::space::view::Traced;
 
 /// The turn of the camera, in degrees for a point of the screen.
 const TURN: f32 = 0.4;
@@ -39,8 +38,10 @@ const FIT: &str = "What the rays meet, across their plane, through what hides th
 pub struct Seen<'a> {
     /// The scene.
     pub world: &'a World,
-    /// The tree whose rays are drawn.
-    pub traced: Option<&'a Traced<'a>>,
+    /// The camera's ray of the tree whose rays are drawn.
+    pub root: Option<&'a RecordedRay>,
+    /// The number of the selected ray.
+    pub selected: usize,
     /// The pieces of its rays.
     pub segments: &'a [Segment],
 }
@@ -95,10 +96,8 @@ impl Camera {
                 *orbit = Orbit::around(space::of_scene(scene.world), orbit.yaw, orbit.pitch);
             }
             Look::AlongRay => {
-                let Seen { traced, segments, .. } = scene;
-                let is_selected =
-                    |piece: &&Segment| traced.is_some_and(|it| it.selected == piece.ray);
-                if let Some(Segment { from, to, .. }) = segments.iter().find(is_selected) {
+                let is_selected = |piece: &&Segment| piece.ray == scene.selected;
+                if let Some(Segment { from, to, .. }) = scene.segments.iter().find(is_selected) {
                     let along = Orbit::from_side((*to, 1.0), *from - *to);
                     *orbit = Orbit { distance: from.distance(*to), ..along };
                 }
@@ -109,12 +108,12 @@ impl Camera {
     /// Looks at the rays across the plane of the hit that says most, through what hides them; without a tree at the scene.
     fn face(&mut self, scene: &Seen<'_>) {
         let world = scene.world;
-        let Some(traced) = scene.traced else {
+        let Some(root) = scene.root else {
             self.orbit = Some(first_view(world));
             return;
         };
-        let orbit = space::orbit_of(world, traced.root);
-        self.faded = space::hiding(world, traced.root, &orbit);
+        let orbit = space::orbit_of(world, root);
+        self.faded = space::hiding(world, root, &orbit);
         self.orbit = Some(orbit);
     }
 

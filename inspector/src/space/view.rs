@@ -31,22 +31,6 @@ const MARGIN: Vec2 = vec2(6.0, 3.0);
 const FRUSTUM: f64 = 0.08;
 const NORMAL: f64 = 0.05;
 
-/// The tree whose rays are drawn.
-pub struct Traced<'a> {
-    /// The question that it answers.
-    pub question: Question,
-    /// The camera's ray.
-    pub root: &'a RecordedRay,
-    /// The number of the selected ray.
-    pub selected: usize,
-    /// The ray that is pointed at, here or elsewhere.
-    pub lit: Option<usize>,
-    /// What laws found of its rays, by their numbers.
-    pub found: Arc<BTreeMap<usize, Vec<String>>>,
-    /// The tree of the other picture, if both are shown.
-    pub other: Option<(Question, &'a RecordedRay)>,
-}
-
 /// What the mouse does in the view.
 #[derive(Default)]
 struct Pointed {
@@ -130,14 +114,7 @@ impl SpaceView {
         (subject, is_both): (&Subject<'_>, bool),
         selection: &mut Selection,
     ) {
-        let Selection { pixel, tree, .. } = &*selection;
-        let (pixel, selected, lit) = (*pixel, tree.ray, tree.lit);
-        let traced = selection.root();
-        let found = Arc::clone(&tree.found);
-        let other = selection.root_beside().filter(|_| is_both);
-        let traced =
-            traced.map(|(question, root)| Traced { question, root, selected, lit, found, other });
-        let pointed = self.show_rays(ui, area, subject, pixel, traced.as_ref());
+        let pointed = self.show_rays(ui, area, (subject, is_both), selection);
         if let Some(number) = pointed.clicked {
             selection.go_to(number);
         }
@@ -151,15 +128,16 @@ impl SpaceView {
         &mut self,
         ui: &mut Ui,
         area: Rect,
-        subject: &Subject<'_>,
-        pixel: Option<[u32; 2]>,
-        traced: Option<&Traced<'_>>,
+        (subject, is_both): (&Subject<'_>, bool),
+        selection: &Selection,
     ) -> Pointed {
         let world = &subject.built().world;
-        self.update_pieces(world, traced);
+        let tree = selection.root();
+        self.update_pieces(world, [tree, selection.root_beside().filter(|_| is_both)]);
         let segments =
             self.pieces.as_ref().map_or_else(Arc::default, |it| Arc::clone(&it.segments));
-        let scene = Seen { world, traced, segments: &segments };
+        let (root, selected) = (tree.map(|(_, root)| root), selection.tree.ray);
+        let scene = Seen { world, root, selected, segments: &segments };
         self.camera.start(&scene);
         let buttons = part(ui, "space buttons", area, MARGIN, |ui| self.buttons(ui, &scene));
         let view = area.with_min_y(buttons.bottom() + MARGIN.y);
@@ -177,13 +155,11 @@ impl SpaceView {
             segments: Arc::clone(&segments),
         };
         self.backdrop.refresh(ui.ctx(), world, request);
-        self.paint(ui, view, &response, (world, subject.has_camera()), pixel, traced)
+        self.paint(ui, view, &response, (world, subject.has_camera()), selection)
     }
 
     /// Works the pieces out again if the tree or the filter has changed.
-    fn update_pieces(&mut self, world: &World, traced: Option<&Traced<'_>>) {
-        let other = traced.and_then(|traced| traced.other);
-        let trees = [traced.map(|it| (it.question, it.root)), other];
+    fn update_pieces(&mut self, world: &World, trees: [Option<(Question, &RecordedRay)>; 2]) {
         for (pieces, tree) in [&mut self.pieces, &mut self.other].into_iter().zip(trees) {
             let is_same = |it: &Pieces| {
                 Some(it.question) == tree.map(|(question, _)| question) && it.filter == self.filter
@@ -198,8 +174,8 @@ impl SpaceView {
         let row = ui.horizontal_wrapped(|ui| {
             self.camera.buttons(ui, scene);
             ui.separator();
-            if let Some(traced) = scene.traced {
-                ui.menu_button("Rays", |ui| self.filter.show(ui, traced.root));
+            if let Some(root) = scene.root {
+                ui.menu_button("Rays", |ui| self.filter.show(ui, root));
             }
             ui.menu_button("Look through", |ui| self.fading(ui, scene.world));
         });
@@ -224,17 +200,16 @@ impl SpaceView {
         view: Rect,
         response: &Response,
         (world, has_camera): (&World, bool),
-        pixel: Option<[u32; 2]>,
-        traced: Option<&Traced<'_>>,
+        selection: &Selection,
     ) -> Pointed {
         let painter = ui.painter().with_clip_rect(view.intersect(ui.clip_rect()));
         let Some(orbit) = self.camera.orbit else { return Pointed::default() };
         let sight = orbit.sight([view.width(), view.height()].map(f64::from));
         let canvas = Canvas { painter: &painter, corner: view.min, sight };
-        let by_number: BTreeMap<usize, &RecordedRay> = traced
-            .map(|it| it.root.rays().into_iter().map(|ray| (ray.number, ray)).collect())
-            .unwrap_or_default();
-        let lit = traced.and_then(|it| it.lit);
+        let rays = selection.root().map_or(Vec::new(), |(_, root)| root.rays());
+        let by_number: BTreeMap<usize, &RecordedRay> =
+            rays.into_iter().map(|ray| (ray.number, ray)).collect();
+        let (selected, lit) = (selection.tree.ray, selection.tree.lit);
         let lit_ray = lit.and_then(|number| by_number.get(&number));
         let at = response.hover_pos();
         let object = at.and_then(|at| self.backdrop.object_at((at - view.min).into()));
@@ -244,13 +219,14 @@ impl SpaceView {
         let of_ray = of_ray.map(|object| object.index);
         self.backdrop.paint(&painter, view, self.pointed.or(of_ray).or(object));
         if has_camera {
-            canvas.frustum(world, pixel, FRUSTUM * orbit.distance);
+            canvas.frustum(world, selection.pixel, FRUSTUM * orbit.distance);
         }
         let mut pointed = Pointed::default();
-        if let (Some(pieces), Some(traced)) = (&self.pieces, traced) {
+        if let Some(pieces) = &self.pieces {
             let runs = self.backdrop.runs(&pieces.segments);
-            let lit: Vec<usize> = lit.into_iter().chain([traced.selected]).collect();
-            if let (Some(pieces), Some((_, other))) = (&self.other, traced.other) {
+            let all_lit: Vec<usize> = lit.into_iter().chain([selected]).collect();
+            let other = selection.root_beside().map(|(_, other)| other);
+            if let (Some(pieces), Some(other)) = (&self.other, other) {
                 canvas.rays(&Rays {
                     by_number: &other.rays().into_iter().map(|ray| (ray.number, ray)).collect(),
                     segments: &pieces.segments,
@@ -265,13 +241,15 @@ impl SpaceView {
                 by_number: &by_number,
                 segments: &pieces.segments,
                 runs: runs.as_deref().map(Vec::as_slice),
-                lit: if traced.lit.is_some() || traced.selected > 0 { &lit } else { &[] },
-                broken: &traced.found,
+                lit: if lit.is_some() || selected > 0 { &all_lit } else { &[] },
+                broken: &selection.tree.found,
                 dashed: false,
                 normals: self.filter.normals.then_some(NORMAL * orbit.distance),
             });
-            let other = traced.other.and_then(|(_, other)| beside::parting(traced.root, other));
-            other.into_iter().for_each(|rays| canvas.parting(rays));
+            let trees =
+                selection.root().map(|(_, root)| root).zip(other.filter(|_| self.other.is_some()));
+            let parted = trees.and_then(|(root, other)| beside::parting(root, other));
+            parted.into_iter().for_each(|rays| canvas.parting(rays));
             pointed.hovered = at.and_then(|at| pointing::nearest(&drawn, at));
             pointed.clicked = pointed.hovered.filter(|_| response.clicked());
             if pieces.left_out > 0 {
