@@ -1,7 +1,6 @@
 //! The backdrop of the space view: the scene as the orbiting camera sees it, coarse first, and which pieces of the rays
 //! it hides.
 
-use std::mem::take;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Duration;
@@ -53,10 +52,12 @@ struct Drawn {
     request: Request,
     /// The step, from 0, after which it is drawn in squares of `SIDES[step]`.
     step: usize,
-    image: ColorImage,
+    /// The colours of its squares, row by row.
+    colors: Vec<Color32>,
     /// The index of the object in each square.
     objects: Vec<Option<u32>>,
-    runs: Arc<Vec<Runs>>,
+    /// The runs of its segments, once they are found.
+    runs: Option<Arc<Vec<Runs>>>,
 }
 
 /// The scene from the orbiting camera.
@@ -99,13 +100,13 @@ impl Backdrop {
         self.step = step;
         self.cancelled = Arc::new(AtomicBool::new(false));
         let (world, cancelled) = (Arc::clone(world), Arc::clone(&self.cancelled));
-        let runs = self.drawn.as_ref().filter(|_| step > 0).map(|drawn| Arc::clone(&drawn.runs));
-        let mut drawing = Drawing { request, step, runs, colors: Vec::new(), objects: Vec::new() };
+        let runs = self.drawn.as_ref().filter(|_| step > 0).and_then(|drawn| drawn.runs.clone());
+        let drawn = Drawn { request, step, colors: Vec::new(), objects: Vec::new(), runs };
+        let mut drawing = Some(drawn);
         self.working.start_in_slices(ctx, move |slice| {
-            if cancelled.load(Ordering::Relaxed) {
-                return Some(None);
-            }
-            drawing.go_on(&world, slice, &cancelled)
+            let is_whole = drawing.as_mut()?.go_on(&world, slice, &cancelled);
+            let is_cancelled = cancelled.load(Ordering::Relaxed);
+            (is_whole || is_cancelled).then(|| drawing.take().filter(|_| is_whole))
         });
         if step == 0 {
             self.accept(ctx, MAX_WAIT);
@@ -114,7 +115,7 @@ impl Backdrop {
 
     fn accept(&mut self, ctx: &Context, wait: Duration) {
         if let Some(Ok(Some(drawn))) = self.working.wait(wait) {
-            let image = drawn.image.clone();
+            let image = ColorImage::new(drawn.size(), drawn.colors.clone());
             match &mut self.texture {
                 Some(texture) => texture.set(image, TextureOptions::LINEAR),
                 None => {
@@ -134,7 +135,7 @@ impl Backdrop {
     /// The hidden runs of the segments, if they are known for these.
     pub fn runs(&self, segments: &Arc<Vec<Segment>>) -> Option<Arc<Vec<Runs>>> {
         let drawn = self.drawn.as_ref()?;
-        Arc::ptr_eq(&drawn.request.segments, segments).then(|| Arc::clone(&drawn.runs))
+        drawn.runs.clone().filter(|_| Arc::ptr_eq(&drawn.request.segments, segments))
     }
 
     /// Draws it, with one object lit.
@@ -142,7 +143,7 @@ impl Backdrop {
         let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
         if let (Some(texture), Some(drawn)) = (&self.texture, &self.drawn) {
             // the last squares may reach beyond the area
-            let [width, height] = drawn.image.size.map(|count| (count * SIDES[drawn.step]) as f32);
+            let [width, height] = drawn.size().map(|count| (count * SIDES[drawn.step]) as f32);
             let place = Rect::from_min_size(area.min, [width, height].into());
             painter.image(texture.id(), place, whole, Color32::WHITE);
             if object.is_none() {
@@ -154,7 +155,7 @@ impl Backdrop {
                         Some(index) if *index == object => LIGHT,
                         _ => Color32::TRANSPARENT,
                     });
-                    let image = ColorImage::new(drawn.image.size, light.collect());
+                    let image = ColorImage::new(drawn.size(), light.collect());
                     let texture = painter.ctx().load_texture("lit", image, TextureOptions::LINEAR);
                     self.lit = Some((object, texture));
                 }
@@ -175,43 +176,28 @@ impl Backdrop {
         let drawn = self.drawn.as_ref()?;
         let side = SIDES[drawn.step];
         let [column, row] = [x, y].map(|along| along.max(0.0) as usize / side);
-        let [across, _] = drawn.image.size;
+        let [across, _] = drawn.size();
         (column < across).then(|| drawn.objects.get(row * across + column).copied().flatten())?
     }
 }
 
-/// A step of a view that is being drawn.
-struct Drawing {
-    request: Request,
-    step: usize,
-    /// Those of the steps before.
-    runs: Option<Arc<Vec<Runs>>>,
-    /// Of the squares so far, row by row.
-    colors: Vec<Color32>,
-    objects: Vec<Option<u32>>,
-}
+impl Drawn {
+    /// Squares across and down.
+    fn size(&self) -> [usize; 2] {
+        self.request.size.map(|along| along.div_ceil(SIDES[self.step]))
+    }
 
-impl Drawing {
-    /// Draws more rows; what is drawn once it is whole, nothing inside if it was cancelled.
-    fn go_on(
-        &mut self,
-        world: &World,
-        slice: &Slice,
-        cancelled: &AtomicBool,
-    ) -> Option<Option<Drawn>> {
-        let Self { request, step, runs, colors, objects } = self;
-        let side = SIDES[*step];
-        let size = request.size.map(|along| along.div_ceil(side));
+    /// Draws more rows; whether it is whole. It may be cancelled before.
+    fn go_on(&mut self, world: &World, slice: &Slice, cancelled: &AtomicBool) -> bool {
+        let (side, [columns, rows]) = (SIDES[self.step], self.size());
+        let Self { request, colors, objects, runs, .. } = self;
         let sight = request.orbit.sight(request.size.map(|along| along as f64));
         let scene = Scene { world, faded: &request.faded };
-        for row in colors.len() / size[0]..size[1] {
-            if cancelled.load(Ordering::Relaxed) {
-                return Some(None);
+        for row in colors.len() / columns..rows {
+            if slice.is_over() || cancelled.load(Ordering::Relaxed) {
+                return false;
             }
-            if slice.is_over() {
-                return None;
-            }
-            for column in 0..size[0] {
+            for column in 0..columns {
                 let middle = [column, row].map(|at| (at as f64 + 0.5) * side as f64);
                 let (radiance, object) = scene.seen(&sight.ray(middle));
                 let [r, g, b] = TONE.to_bytes(radiance);
@@ -221,10 +207,8 @@ impl Drawing {
         }
         let seen = Visibility { backdrop: scene, eye: sight.eye };
         let new = || hidden_runs(&seen, &request.segments, cancelled).map(Arc::new);
-        let Some(runs) = runs.clone().or_else(new) else { return Some(None) };
-        let image = ColorImage::new(size, take(colors));
-        let (request, objects) = (request.clone(), take(objects));
-        Some(Some(Drawn { request, step: *step, image, objects, runs }))
+        *runs = runs.take().or_else(new);
+        runs.is_some()
     }
 }
 
