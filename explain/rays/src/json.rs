@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::verdict::{Outcome, RayVerdict};
+use crate::verdict::RayVerdict;
 
 impl RayVerdict {
     /// All of it: each law with its outcome, each finding with its line.
@@ -24,13 +24,8 @@ impl RayVerdict {
                         })
                     })
                     .collect();
-                let outcome = match asked.outcome() {
-                    Outcome::Broken => "broken",
-                    Outcome::Held => "held",
-                    Outcome::NotAsked => "not asked",
-                };
                 json!({
-                    "law": law.name, "says": law.says, "outcome": outcome, "rays": asked.rays,
+                    "law": law.name, "says": law.says, "outcome": asked.outcome().name(), "rays": asked.rays,
                     "cause": law.cause(asked.roots()), "findings": findings, "notes": asked.notes,
                     "needs": law.needs,
                 })

@@ -56,15 +56,10 @@ impl RayVerdict {
     fn write(&self, f: &mut String) -> fmt::Result {
         writeln!(f, "{}", printable::text(&self.sentence()))?;
         self.remarks().iter().try_for_each(|line| writeln!(f, "{}", printable::text(line)))?;
-        let lists = [
-            (Outcome::Broken, "broken"),
-            (Outcome::Held, "held"),
-            (Outcome::NotAsked, "not asked"),
-        ];
-        for (outcome, title) in lists {
+        for outcome in Outcome::ALL {
             let mut laws = self.of_outcome(outcome).peekable();
             if laws.peek().is_some() {
-                writeln!(f, "\n{title}")?;
+                writeln!(f, "\n{}", outcome.name())?;
             }
             laws.try_for_each(|(law, asked)| self.write_law(f, law, asked))?;
         }

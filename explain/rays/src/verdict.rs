@@ -43,6 +43,20 @@ pub enum Outcome {
     NotAsked,
 }
 
+impl Outcome {
+    /// All of them, in the order in which they are told.
+    pub const ALL: [Self; 3] = [Self::Broken, Self::Held, Self::NotAsked];
+
+    /// Its word.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Broken => "broken",
+            Self::Held => "held",
+            Self::NotAsked => "not asked",
+        }
+    }
+}
+
 impl RayVerdict {
     /// Asks all laws.
     pub fn of(traced: Traced) -> Self {

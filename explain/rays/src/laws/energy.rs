@@ -24,18 +24,20 @@ const FEW: usize = 12;
 /// How many standard errors of the mean above 1 are no chance: beyond 1e-8 for a single object.
 const SURE: f64 = 6.0;
 
+/// A hit: its ray, the sum of the weights that leave it, and that without the lots that were drawn.
+type Hit = (usize, f64, f64);
+
 fn check(traced: &Traced, asked: &mut LawReport) {
-    let mut objects: BTreeMap<Option<&Arc<str>>, Vec<(usize, f64, f64)>> = BTreeMap::new();
+    let mut objects: BTreeMap<Option<&Arc<str>>, Vec<Hit>> = BTreeMap::new();
     for (parent, children) in traced.children.iter().enumerate() {
         let scattered = children.iter().map(|&it| traced.ray(it));
         let scattered = scattered.filter(|it| !it.is_shadow() && !it.is(&Purpose::Transmitted));
         // a hit that sends nothing on counts, too: roulette makes up for it in the others
-        let weights = scattered.map(|ray| {
+        let mut weights = scattered.map(|ray| {
             let weight = ray.factors.weight.filter(|it| is_finite(*it))?.max();
             Some([weight, weight * ray.factors.choice.unwrap_or(1.0)])
         });
-        let sum =
-            weights.fold(Some([0.0; 2]), |sum, it| Some([sum?[0] + it?[0], sum?[1] + it?[1]]));
+        let sum = weights.try_fold([0.0; 2], |sum, it| Some([sum[0] + it?[0], sum[1] + it?[1]]));
         let Some([weight, before]) = sum.filter(|_| traced.end_point(parent).is_some()) else {
             continue;
         };

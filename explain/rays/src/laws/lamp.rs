@@ -1,12 +1,11 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::geometry::leaving;
+use super::geometry::{leaving, quoted};
 use super::{LawReport, RayLaw};
 use crate::log::Named;
 use crate::traced::{Traced, median, size};
 use groundtruth::math::{Point, Vector, atan2, to_degrees};
-use groundtruth::printable;
 use text::digits::short;
 
 /// The part of a lamp's shadow rays that have to meet for it to be a point.
@@ -72,7 +71,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             continue;
         }
         if let Some(target) = target {
-            lines.iter().for_each(|line| check_line(line, target, name.as_deref(), asked));
+            lines.iter().for_each(|line| check_line(line, target, name.as_ref(), asked));
         }
     }
 }
@@ -118,7 +117,7 @@ fn is_soft(lines: &[Line], target: Target) -> bool {
 /// The radius of a soft sun, as a sine.
 const SOFT: f64 = 3e-2;
 
-fn check_line(line: &Line, target: Target, name: Option<&str>, asked: &mut LawReport) {
+fn check_line(line: &Line, target: Target, name: Option<&Arc<str>>, asked: &mut LawReport) {
     let to = match target {
         Target::Place(place) | Target::Found(place) => place - line.from,
         Target::Direction(direction) => direction,
@@ -145,8 +144,7 @@ fn check_line(line: &Line, target: Target, name: Option<&str>, asked: &mut LawRe
             }
             Target::Direction(_) => [is(-to), false, false, false],
         };
-        let lamp =
-            name.map_or("its lamp".to_owned(), |name| format!("\"{}\"", printable::name(name)));
+        let lamp = quoted(name, "its lamp");
         let angle = to_degrees(atan2(miss, to.dot(line.towards)));
         let words = match far.filter(|_| passes) {
             Some(far) => {

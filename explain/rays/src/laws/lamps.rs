@@ -179,7 +179,9 @@ fn never_drawn(traced: &Traced, lamps: &BTreeMap<Arc<str>, Vec<Sample>>, asked: 
     for ray in traced.log.rays.iter().filter(|ray| ray.factors.pdf.is_some() && !ray.is_shadow()) {
         let is_lit = ray.emitted.is_some_and(|light| light.max() > 0.0);
         let object = ray.object.as_ref().filter(|name| is_lit && !lamps.contains_key(*name));
-        object.map(|name| *hits.entry(name).or_default() += 1);
+        if let Some(name) = object {
+            *hits.entry(name).or_default() += 1;
+        }
     }
     if let Some((lamp, _)) = hits.into_iter().find(|(_, count)| *count >= 3) {
         let words = format!(

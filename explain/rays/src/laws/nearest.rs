@@ -1,10 +1,11 @@
 use std::collections::HashSet;
+use std::sync::Arc;
 
+use super::geometry::quoted;
 use super::{LawReport, RayLaw};
 use crate::log::{Purpose, Ray};
 use crate::traced::{Traced, size};
 use groundtruth::math::{self, Span, Vector};
-use groundtruth::printable::name;
 use groundtruth::world::{Hit, World};
 use text::digits::short;
 
@@ -117,11 +118,9 @@ impl<'a> Seen<'a> {
     }
 
     fn words(&self, ray: &Ray) -> String {
-        let object = |object: Option<&str>| {
-            object.map_or("a surface".to_owned(), |it| format!("\"{}\"", name(it)))
-        };
+        let object = |object: Option<&Arc<str>>| quoted(object, "a surface");
         let his = match self.his {
-            Some(t) => format!("hits {} at t {}", object(ray.object.as_deref()), short(t)),
+            Some(t) => format!("hits {} at t {}", object(ray.object.as_ref()), short(t)),
             None => "hits nothing".to_owned(),
         };
         match &self.ours {

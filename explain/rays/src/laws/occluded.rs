@@ -1,11 +1,11 @@
 use std::collections::HashSet;
 
+use super::geometry::{glass, quoted};
 use super::nearest::start;
 use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::{self, Span, Vector};
-use groundtruth::printable::name;
 use groundtruth::world::Hit;
 
 pub const LAW: RayLaw = RayLaw {
@@ -35,11 +35,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         .filter(|ray| ray.is(&Purpose::Shadow))
         .filter_map(|ray| ray.object.clone())
         .collect();
-    let glass: HashSet<_> = traced
-        .pairs()
-        .filter(|&(index, _)| traced.ray(index).is(&Purpose::Transmitted))
-        .filter_map(|(_, parent)| traced.ray(parent).object.clone())
-        .collect();
+    let glass = glass(traced);
     for (index, ray) in traced.log.rays.iter().enumerate() {
         let Some(parent) = traced.parent(index).filter(|_| ray.is(&Purpose::Shadow)) else {
             continue;
@@ -89,15 +85,13 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             continue;
         }
         asked.count(index, is_blocked == ours.is_some(), || {
-            let by = |object: &str| format!("\"{}\"", name(object));
-            let words = match &ours {
-                Some(hit) => {
-                    format!("reaches its lamp, though {} is in the way", by(&hit.object.name))
-                }
-                None => format!(
-                    "is blocked{}, though nothing is in the way",
-                    ray.object.as_ref().map_or(String::new(), |it| format!(" by {}", by(it)))
-                ),
+            let by = quoted(
+                ours.as_ref().map(|hit| &hit.object.name).or(ray.object.as_ref()),
+                "something",
+            );
+            let words = match ours.is_some() {
+                true => format!("reaches its lamp, though {by} is in the way"),
+                false => format!("is blocked by {by}, though nothing is in the way"),
             };
             let is_forgotten =
                 ours.as_ref().is_some_and(|hit| !blockers.contains(&hit.object.name));

@@ -1,9 +1,8 @@
-use super::geometry::leaving;
+use super::geometry::{leaving, quoted};
 use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::precision::SINGLE;
 use crate::traced::Traced;
-use groundtruth::printable::name;
 use text::digits::short;
 
 /// Roundings within which a ray meets the surface that it starts on by accident.
@@ -50,11 +49,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         asked.count(it.index, holds, || {
             let to_wrong_side =
                 (it.ray.origin - it.end).dot(facing) * cos < 0.0 && moved > it.slack(traced);
-            let what = it
-                .ray
-                .object
-                .as_ref()
-                .map_or("something".to_owned(), |object| format!("\"{}\"", name(object)));
+            let what = quoted(it.ray.object.as_ref(), "something");
             let verb = if it.ray.is_shadow() { "is blocked by" } else { "hits" };
             let own = if it.ray.object.is_some() && is_same { " itself" } else { "" };
             (

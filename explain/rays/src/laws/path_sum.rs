@@ -48,8 +48,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
     let is_black = roots().any(|it| !has_hit(it) && is_dark(it));
     let mut lamps: HashMap<Option<&Arc<str>>, Rgb> = HashMap::new();
     for ray in traced.log.rays.iter().filter(|ray| ray.is_shadow()) {
-        let light = ray.radiance.filter(|it| it.max() > 0.0);
-        light.map(|light| lamps.insert(ray.light.as_ref(), light));
+        lamps.extend(ray.radiance.filter(|it| it.max() > 0.0).map(|it| (ray.light.as_ref(), it)));
     }
     for root in roots() {
         let Some(radiance) = traced.ray(root).radiance.filter(|it| is_finite(*it)) else {

@@ -1,3 +1,4 @@
+use super::geometry::quoted;
 use super::{LawReport, RayLaw};
 use crate::traced::{Traced, size};
 use groundtruth::math::{self, Span, Vector, atan2, to_degrees};
@@ -65,9 +66,9 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let causes = [!is_true && angle(shading) <= tolerance, is_true];
             (
                 format!(
-                    "has a {kind} {}° from that of \"{}\" there",
+                    "has a {kind} {}° from that of {} there",
                     short(to_degrees(off)),
-                    groundtruth::printable::name(&hit.object.name)
+                    quoted(Some(&hit.object.name), "")
                 ),
                 causes,
             )

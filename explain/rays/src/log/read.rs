@@ -59,16 +59,19 @@ pub enum LogError {
     },
 }
 
-/// What a line is.
+/// What a line is that is no ray.
 enum Record {
     Head(Map<String, Value>),
     Object(Named),
     Lamp(Named),
-    Ray(Ray),
 }
 
-/// The lines of a part of a block, by their numbers.
-type Records = Vec<(usize, Result<Record, String>)>;
+/// The lines of a part of a block: its rays, and what else stands in lines by their numbers.
+#[derive(Default)]
+struct Part {
+    rays: Vec<Ray>,
+    others: Vec<(usize, Result<Record, String>)>,
+}
 
 /// Reads a log. Damaged lines are left out and named; so is one that is cut off at the end.
 ///
@@ -86,15 +89,16 @@ pub fn read(file: impl Read) -> Result<Log, LogError> {
         if lines < COUNTED {
             all.iter().take(COUNTED).for_each(|line| log.digits.add(line));
         }
-        let parts: Vec<Records> = all
+        let parts: Vec<Part> = all
             .par_chunks(PART)
             .enumerate()
-            .map(|(place, part)| records(part, lines + place * PART + 1))
+            .map(|(place, part)| Part::of(part, lines + place * PART + 1))
             .collect();
         lines += all.len();
         log.rays.reserve(all.len());
-        for (line, record) in parts.into_iter().flatten() {
-            log.add(line, record)?;
+        for mut part in parts {
+            log.rays.append(&mut part.rays);
+            part.others.into_iter().try_for_each(|(line, record)| log.add(line, record))?;
         }
         if log.rays.len() > MAX_RAYS {
             return Err(LogError::TooLarge(format!("{MAX_RAYS} rays")));
@@ -118,28 +122,38 @@ fn next_block(file: &mut impl Read, rest: &mut Vec<u8>) -> io::Result<Option<Vec
     Ok(Some(block))
 }
 
-/// What lines hold, the first of this number.
-fn records(lines: &[&[u8]], first: usize) -> Records {
-    let mut names = HashSet::new();
-    let numbered = lines.iter().enumerate().filter(|(_, line)| !line.trim_ascii().is_empty());
-    numbered.map(|(at, line)| (first + at, record(line, first + at, &mut names))).collect()
+impl Part {
+    /// What lines hold, the first of this number.
+    fn of(lines: &[&[u8]], first: usize) -> Self {
+        let (mut part, mut names) = (Self::default(), HashSet::new());
+        let numbered = lines.iter().enumerate().filter(|(_, line)| !line.trim_ascii().is_empty());
+        for (at, line) in numbered {
+            part.add(line, first + at, &mut names);
+        }
+        part
+    }
+
+    fn add(&mut self, line: &[u8], number: usize, names: &mut HashSet<Arc<str>>) {
+        let text = match std::str::from_utf8(line) {
+            _ if line.len() > MAX_LINE => Err("longer than 1 MiB".to_owned()),
+            text => text.map_err(|_| "not UTF-8".to_owned()),
+        };
+        let other = match text.map(|text| (text, ray_of(text, number, names))) {
+            Ok((_, Ok(Some(ray)))) => return self.rays.push(ray),
+            Ok((text, Ok(None))) => {
+                record(text, "neither a ray (`origin`, `direction`) nor `rays`, `object` or `lamp`")
+            }
+            Ok((text, Err(problem))) => record(text, &printable::text(&problem)),
+            Err(problem) => Err(problem),
+        };
+        self.others.push((number, other));
+    }
 }
 
-/// What a line holds.
-fn record(line: &[u8], number: usize, names: &mut HashSet<Arc<str>>) -> Result<Record, String> {
-    if line.len() > MAX_LINE {
-        return Err("longer than 1 MiB".to_owned());
-    }
-    let line = std::str::from_utf8(line).map_err(|_| "not UTF-8".to_owned())?;
-    let problem = match ray_of(line, number, names) {
-        Ok(Some(ray)) => return Ok(Record::Ray(ray)),
-        Ok(None) => {
-            "neither a ray (`origin`, `direction`) nor `rays`, `object` or `lamp`".to_owned()
-        }
-        Err(problem) => printable::text(&problem),
-    };
+/// What a line holds that is no ray; else the problem.
+fn record(line: &str, problem: &str) -> Result<Record, String> {
     let Ok(mut fields) = serde_json::from_str::<Map<String, Value>>(&quoted(line)) else {
-        return Err(problem);
+        return Err(problem.to_owned());
     };
     if fields.contains_key("rays") {
         return Ok(Record::Head(fields));
@@ -150,16 +164,18 @@ fn record(line: &[u8], number: usize, names: &mut HashSet<Arc<str>>) -> Result<R
         Some(Named { name, fields: std::mem::take(&mut fields) })
     };
     let lamp = named("lamp").map(Record::Lamp);
-    lamp.or_else(|| named("object").map(Record::Object)).ok_or(problem)
+    lamp.or_else(|| named("object").map(Record::Object)).ok_or_else(|| problem.to_owned())
 }
 
 impl Log {
     fn add(&mut self, line: usize, record: Result<Record, String>) -> Result<(), LogError> {
         match record {
-            Ok(Record::Ray(ray)) => self.rays.push(ray),
             Ok(Record::Object(object)) => self.objects.push(object),
             Ok(Record::Lamp(lamp)) => self.lamps.push(lamp),
-            Ok(Record::Head(_)) if !(self.rays.is_empty() && self.head.is_empty()) => {
+            Ok(Record::Head(_))
+                if !self.head.is_empty()
+                    || self.rays.first().is_some_and(|ray| ray.line < line) =>
+            {
                 let problem =
                     "a second head: only the first line has `rays`; is this two logs in one file?";
                 return Err(LogError::Head { line, problem: problem.to_owned() });
