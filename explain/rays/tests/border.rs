@@ -71,3 +71,24 @@ fn few_digits_are_no_acne() {
     let verdict = RayVerdict::of(traced);
     assert!(!verdict.is_broken(), "{}", verdict.text());
 }
+
+/// Law: each pixel has its own verdict, and the worst is named. Oracle: two pixels, of which one has two broken rays.
+#[test]
+fn each_pixel_is_judged() {
+    let line = |pixel: u32, ray: u32, point: f64| {
+        format!(
+            "{{\"pixel\": [{pixel}, 0], \"ray\": {ray}, \"kind\": \"camera\", \"origin\": [0, 0, 0], \"direction\": [0, 0, 1], \"t\": 1, \"point\": [{point}, 0, 1]}}"
+        )
+    };
+    let traced = traced(&[line(0, 0, 0.0), line(1, 0, 1.0), line(1, 1, 2.0), line(2, 0, 0.0)]);
+    let verdict = RayVerdict::of(&traced);
+    let found: Vec<_> = verdict.pixels().iter().map(|it| (it.rays, it.findings)).collect();
+    assert_eq!(found, [(1, 0), (2, 2), (1, 0)]);
+    let text = verdict.pixels_text();
+    assert!(
+        text.lines()
+            .last()
+            .is_some_and(|line| line.starts_with("worst: pixel (1, 0): 2 rays, 2 findings")),
+        "{text}"
+    );
+}
