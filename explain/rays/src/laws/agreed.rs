@@ -40,6 +40,8 @@ struct Seen {
     hits: Vec<(Point, bool)>,
     /// How far apart neighbouring hits are.
     spacing: f64,
+    /// The corners of a box around all places that have neighbours.
+    corners: [Vector; 2],
 }
 
 fn check(traced: &Traced, asked: &mut LawReport) {
@@ -110,7 +112,15 @@ fn seen(traced: &Traced) -> Vec<Seen> {
             others.map(|other| other.1.0.distance(hits[at].0)).fold(f64::INFINITY, f64::min)
         };
         let spacing = crate::traced::median((0..hits.len()).map(nearest).collect())?;
-        Some(Seen { name: Arc::clone(name), surface, hits, spacing })
+        let corner = |of: fn(f64, f64) -> f64, sign: f64| {
+            let along = |axis: usize| hits.iter().map(|hit| hit.0.along(axis)).reduce(of);
+            Some(
+                Vector::new(along(0)?, along(1)?, along(2)?)
+                    + 6.0 * sign * spacing * Vector::new(1.0, 1.0, 1.0),
+            )
+        };
+        let corners = [corner(f64::min, -1.0)?, corner(f64::max, 1.0)?];
+        Some(Seen { name: Arc::clone(name), surface, hits, spacing, corners })
     };
     objects.into_iter().filter_map(one).collect()
 }
@@ -121,7 +131,10 @@ impl Seen {
         if enters && matches!(self.surface, Surface::Ball { .. }) {
             return true;
         }
-        let Some(normal) = Normal::new(self.surface.normal(place)) else { return false };
+        let [low, high] = self.corners;
+        let is_inside = |axis| (low.along(axis)..=high.along(axis)).contains(&place.along(axis));
+        let normal = Normal::new(self.surface.normal(place)).filter(|_| (0..3).all(is_inside));
+        let Some(normal) = normal else { return false };
         let (frame, along) = (Frame::around(normal), Vector::from(normal).dot(direction) > 0.0);
         let near = self
             .hits

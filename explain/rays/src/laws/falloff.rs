@@ -48,14 +48,13 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         if !(falls(0.0) || falls(2.0) || wrong.contains(&true)) {
             continue;
         }
-        let ends =
-            [f64::min, f64::max].map(|of| rays.iter().map(|it| it.1).reduce(of).unwrap_or(1.0));
-        let at = |far: f64| rays.iter().find(|it| it.1 == far).map_or(1.0, |it| it.2);
+        let nearest = rays.iter().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(&rays[0]);
+        let farthest = rays.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(&rays[0]);
         for &(index, far, light) in &rays {
             asked.count(index, !wrong.contains(&true), || {
-                let [near, distant] = ends;
-                let other = if far * far < near * distant { distant } else { near };
-                let part = short(light / at(other));
+                let is_near = far * far < nearest.1 * farthest.1;
+                let &(_, other, brightness) = if is_near { farthest } else { nearest };
+                let part = short(light / brightness);
                 let [far, other] = [far, other].map(short);
                 (
                     format!(

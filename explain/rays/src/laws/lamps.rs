@@ -119,7 +119,11 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         if drawn.is_none() && !wrong.contains(&true) {
             continue;
         }
-        let is_dark = |towards: Vector| is_dark_side(traced, lamp, surface, towards);
+        let dark = dark_sides(traced, lamp, surface);
+        let is_dark = |towards: Vector| match surface {
+            Surface::Flat { normal, .. } => dark[usize::from(towards.dot(normal) > 0.0)],
+            Surface::Ball { .. } => false,
+        };
         for &(index, from, direction, far, pdf) in samples {
             let is_lit = traced.ray(index).radiance.is_some_and(|light| light.max() > 0.0);
             let is_behind = is_lit && is_dark(direction);
@@ -146,21 +150,16 @@ fn check(traced: &Traced, asked: &mut LawReport) {
     never_drawn(traced, &lamps, asked);
 }
 
-/// Whether what hits the lamp on the side that this direction meets is never lit.
-fn is_dark_side(traced: &Traced, lamp: &Arc<str>, surface: Surface, towards: Vector) -> bool {
-    let Surface::Flat { normal, .. } = surface else { return false };
-    let side = |direction: Vector| direction.dot(normal) > 0.0;
-    let mut on_side = traced.log.rays.iter().filter(|ray| {
-        !ray.is_shadow()
-            && ray.object.as_ref() == Some(lamp)
-            && side(ray.direction) == side(towards)
-    });
-    let mut has_any = false;
-    let is_dark = on_side.all(|ray| {
-        has_any = true;
-        ray.emitted.is_none_or(|light| light.max() == 0.0)
-    });
-    has_any && is_dark
+/// The sides of a flat lamp, against its normal and along it, on which rays hit it and are never lit.
+fn dark_sides(traced: &Traced, lamp: &Arc<str>, surface: Surface) -> [bool; 2] {
+    let Surface::Flat { normal, .. } = surface else { return [false; 2] };
+    let (mut hits, mut lit) = ([false; 2], [false; 2]);
+    for ray in traced.log.rays.iter().filter(|ray| ray.object.as_ref() == Some(lamp)) {
+        let side = usize::from(ray.direction.dot(normal) > 0.0);
+        hits[side] |= !ray.is_shadow();
+        lit[side] |= !ray.is_shadow() && ray.emitted.is_some_and(|light| light.max() > 0.0);
+    }
+    [hits[0] && !lit[0], hits[1] && !lit[1]]
 }
 
 /// A lamp that is hit by chance, and that no shadow ray goes to, though the others are chosen with probabilities that leave it one.
