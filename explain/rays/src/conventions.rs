@@ -77,9 +77,9 @@ fn nearly_all(answers: impl Iterator<Item = bool>) -> Option<bool> {
 
 /// Rays with their senders: all, or so many of them that a habit shows, drawn by a hash of their places.
 fn some_pairs(traced: &Traced) -> impl Iterator<Item = (usize, usize)> {
-    let part = (traced.log.rays.len() / ENOUGH).max(1);
-    let is_drawn =
-        move |at: usize| (at.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32).is_multiple_of(part);
+    let part = (traced.log.rays.len() / ENOUGH).max(1) as u64;
+    let hash = |at: usize| (at as u64).wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 32;
+    let is_drawn = move |at: usize| hash(at).is_multiple_of(part);
     traced.pairs().filter(move |(index, _)| is_drawn(*index))
 }
 
