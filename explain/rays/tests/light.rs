@@ -161,7 +161,7 @@ fn lamps_are_drawn_as_claimed() {
             .for_each(|line| drop(line.as_object_mut().expect("an object").remove("mis")));
         lines
     };
-    let causes = ["a density per area", "the cosine at the lamp", "it is so many times"];
+    let causes = ["a density per area", "the cosine at the lamp", "it is a constant times"];
     assert_law(&lines, "lamp-density", &causes);
 }
 

@@ -72,7 +72,15 @@ fn no_honest_habit_breaks_a_law() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/honest");
     let mut count = 0;
     for entry in std::fs::read_dir(folder).expect("logs").flatten() {
-        assert_holds(&entry.file_name().to_string_lossy(), traced(&entry.path()));
+        let name = entry.file_name().to_string_lossy().into_owned();
+        assert_holds(&name, traced(&entry.path()));
+        // and without the objects and the head
+        let text = std::fs::read_to_string(entry.path()).expect("a log");
+        let rays =
+            text.lines().filter(|line| line.contains("origin")).collect::<Vec<_>>().join("\n");
+        let bare = Traced::of(read(rays.as_bytes()).expect("a log"), None);
+        let verdict = RayVerdict::of(bare);
+        assert!(!verdict.is_broken(), "{name} without objects: {}", verdict.text());
         count += 1;
     }
     assert_eq!(count, 21);

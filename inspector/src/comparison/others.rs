@@ -211,8 +211,9 @@ impl Others {
         if shown.is_twin() {
             return Some(Some(program).filter(|_| shown.explained().is_none()));
         }
-        let made = self.entries.iter().filter_map(|entry| entry.theirs.as_ref()?.program.as_ref());
-        Some(Some(made.filter(|it| it.log().is_some() && it.number != program.number).next_back()?))
+        let mut made =
+            self.entries.iter().filter_map(|entry| entry.theirs.as_ref()?.program.as_ref());
+        Some(Some(made.rfind(|it| it.log().is_some() && it.number != program.number)?))
     }
 
     /// Reads the logs again that were written again.

@@ -18,7 +18,7 @@ pub const LAW: RayLaw = RayLaw {
     causes: &[
         "a density per area is taken for one per steradian: d² / cos is missing",
         "the cosine at the lamp is missing",
-        "it is so many times as large: twice, a half",
+        "it is a constant times what it should be",
         "the lamp shines to one side only: its cosine counts without the sign",
         "one lamp is never drawn, though each is drawn with a probability below 1",
     ],
