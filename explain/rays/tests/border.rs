@@ -81,7 +81,7 @@ fn each_pixel_is_judged() {
         )
     };
     let traced = traced(&[line(0, 0, 0.0), line(1, 0, 1.0), line(1, 1, 2.0), line(2, 0, 0.0)]);
-    let verdict = RayVerdict::of(&traced);
+    let verdict = RayVerdict::of(traced);
     let found: Vec<_> = verdict.pixels().iter().map(|it| (it.rays, it.findings)).collect();
     assert_eq!(found, [(1, 0), (2, 2), (1, 0)]);
     let text = verdict.pixels_text();
