@@ -47,6 +47,11 @@ impl Rays {
         if self.laws {
             return print(&rays::laws_text());
         }
+        if let Some(output) =
+            self.output.as_ref().filter(|it| it.extension().is_none_or(|end| end != "html"))
+        {
+            return Err(format!("{}: a page ends with .html", output.display()).into());
+        }
         if self.output.is_some() && self.logs.len() > 1 {
             return Err("--output: a page has one log".into());
         }
@@ -129,7 +134,8 @@ fn named_scene(name: &str, folder: &Path) -> Result<(Scene, World), String> {
         return Ok((scene, world));
     }
     let file = folder.join(name);
-    if !file.exists() {
+    // a log is somebody else's: it opens nothing but scenes
+    if !file.exists() || file.extension().is_none_or(|end| end != "toml") {
         return Err(gallery::unknown(name));
     }
     world::read(&file).map_err(|e| e.to_string())

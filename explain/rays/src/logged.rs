@@ -153,7 +153,7 @@ impl Logged {
         }
         Some(PixelExplanation {
             pixel,
-            notes: self.notes(roots),
+            notes: self.notes(roots, rays),
             samples_per_pixel: roots.len() as u32,
             exposure_time: 1.0,
             samples,
@@ -164,8 +164,15 @@ impl Logged {
         })
     }
 
-    fn notes(&self, roots: &[usize]) -> Vec<String> {
+    /// What a reader has to know of a pixel, of which this many rays are in trees.
+    fn notes(&self, roots: &[usize], shown: usize) -> Vec<String> {
         let ray = |&root: &usize| self.verdict.traced.ray(root);
+        let (mut open, mut all) = (roots.to_vec(), 0);
+        while let Some(ray) = open.pop() {
+            all += 1;
+            open.extend(&self.verdict.traced.children[ray]);
+        }
+        let cut = (shown < all).then(|| format!("{shown} of {} are shown", count(all, "ray")));
         let samples: BTreeSet<u32> = roots.iter().map(|root| ray(root).sample).collect();
         let trees = (samples.len() < roots.len()).then(|| {
             let (trees, samples) = (count(roots.len(), "tree"), count(samples.len(), "sample"));
@@ -174,7 +181,7 @@ impl Logged {
         let dark = roots.iter().all(|root| ray(root).radiance.is_none());
         let dark =
             dark.then(|| "the log has no `radiance` here, so that there is no sum".to_owned());
-        trees.into_iter().chain(dark).collect()
+        trees.into_iter().chain(dark).chain(cut).collect()
     }
 
     /// The numbers of a pixel's rays by name: the program's own first, then what all logs may have.

@@ -3,6 +3,7 @@
 mod border;
 mod laws;
 mod light;
+mod logged;
 mod questions;
 mod reading;
 mod schema;

@@ -26,6 +26,9 @@ impl WhyNotView {
         mut asked: Option<u32>,
     ) -> Option<u32> {
         let objects = &subject.built().world.names.objects;
+        if objects.is_empty() {
+            return None;
+        }
         let chosen = asked.and_then(|object| objects.get(object as usize));
         ui.horizontal(|ui| {
             let label = ui.label("Why does it not hit");

@@ -141,8 +141,10 @@ impl Source {
             Some(text) => World::of_source(&scene, &text, seed),
             None => World::build_seeded(&scene, self.folder(), seed),
         };
-        let world = Arc::new(world.map_err(|error| error.to_string())?);
         let rays = self.rays().map(Path::to_owned);
+        // the size of the picture stands in the log
+        let log = rays.as_ref().map_or(String::new(), |path| format!("{}: ", path.display()));
+        let world = Arc::new(world.map_err(|error| format!("{log}{error}"))?);
         let built = Built { source: self, read: read.into(), scene: scene.into(), world };
         Ok(Loaded { built, watch: Some(watch), rays })
     }
@@ -161,7 +163,12 @@ impl Source {
     /// If it is a gallery name that does not exist.
     pub fn beside(&self, name: &str) -> Result<Self, String> {
         let file = self.folder().join(name);
-        if file.exists() { Ok(Self::File(file)) } else { Self::named(name) }
+        let is_scene = file.exists() && file.extension().is_some_and(|end| end == "toml");
+        match gallery::find(name) {
+            None if is_scene => Ok(Self::File(file)),
+            Some(entry) => Ok(Self::Gallery(entry)),
+            None => Err(gallery::unknown(name)),
+        }
     }
 
     /// Builds a scene as one of this source.
