@@ -204,12 +204,12 @@ impl RayVerdict {
 /// The laws, with what each needs and its usual causes.
 pub fn laws_text() -> String {
     let mut text = String::new();
-    for law in LAWS {
+    for law in LAWS.iter() {
         let _ = writeln!(text, "{}: {}", law.name, law.says);
         if !law.needs.is_empty() {
             let _ = writeln!(text, "    needs {}", law.needs.join(", "));
         }
-        for cause in law.causes {
+        for (_, cause) in &law.causes {
             let _ = writeln!(text, "    cause: {cause}");
         }
     }

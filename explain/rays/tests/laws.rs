@@ -1,6 +1,7 @@
 use rays::{Outcome, RayVerdict, Traced, read, world_of};
 use serde::Deserialize;
 use serde_json::{Map, Value};
+use std::collections::BTreeSet;
 use std::path::Path;
 use std::sync::Arc;
 
@@ -81,4 +82,21 @@ fn each_law_has_a_case() {
     let missing: Vec<_> =
         missing.filter(|law| cases.case.iter().all(|case| case.law != *law)).collect();
     assert!(missing.is_empty(), "{missing:?}");
+}
+
+/// Law: the checks name the causes that have words, and no others. Oracle: the sources.
+#[test]
+fn causes_have_words() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("src/laws");
+    let files = std::fs::read_dir(folder).expect("files").flatten().map(|it| it.path());
+    let sources = files.filter(|path| path.extension().is_some_and(|it| it == "rs"));
+    let text: String = sources.map(|path| std::fs::read_to_string(path).expect("a file")).collect();
+    let is_key = |text: &&str| {
+        text.contains('-') && !text.contains(|c: char| !c.is_ascii_alphanumeric() && c != '-')
+    };
+    let mut named: BTreeSet<&str> = text.split('"').filter(is_key).collect();
+    rays::LAWS.iter().for_each(|law| drop(named.remove(law.name)));
+    let words: BTreeSet<&str> =
+        rays::LAWS.iter().flat_map(|law| &law.causes).map(|it| it.0).collect();
+    assert_eq!(named, words);
 }

@@ -2,26 +2,14 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use super::LawReport;
 use super::geometry::{glass, quoted};
 use super::nearest::start;
 use super::surface::Surface;
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::{Frame, Normal, Point, Vector, atan2};
 use text::digits::short;
-
-pub const LAW: RayLaw = RayLaw {
-    name: "surfaces-agree",
-    says: "a plane or a ball that some rays hit is there for all others that pass the same place from the same side, and for those that are in it",
-    needs: &["point, normal and object of 20 hits of it, and a log without objects"],
-    causes: &[
-        "a farther object is taken: the nearest is not kept",
-        "the farther root is not tried: what starts inside of a ball never meets it",
-        "the shadow ray is blocked by nothing there: the object is forgotten, or the ray ends too early",
-    ],
-    check,
-};
 
 /// Fewer hits do not show where a surface is.
 const FEW: usize = 20;
@@ -44,7 +32,7 @@ struct Seen {
     corners: [Vector; 2],
 }
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     if traced.world.is_some() {
         return;
     }
@@ -82,7 +70,14 @@ fn check(traced: &Traced, asked: &mut LawReport) {
                 quoted(Some(&it.name), ""),
                 short(at)
             );
-            (words, [!ray.is_shadow() && !enters && end.is_finite(), enters, ray.is_shadow()])
+            (
+                words,
+                [
+                    ("farther-object", !ray.is_shadow() && !enters && end.is_finite()),
+                    ("root-not-tried", enters),
+                    ("shadow-unblocked", ray.is_shadow()),
+                ],
+            )
         });
     }
 }

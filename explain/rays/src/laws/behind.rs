@@ -1,24 +1,10 @@
+use super::LawReport;
 use super::geometry::{glass, quoted};
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use text::digits::short;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "not-behind-the-lamp",
-    says: "what blocks a shadow ray is between the point and the lamp, and takes its light",
-    needs: &["kind", "t", "end"],
-    causes: &[
-        "the distance of the hit is compared with nothing: any hit blocks",
-        "distance and t are compared in different units: the direction is no unit vector",
-        "what is behind the point blocks: t is negative",
-        "the lamp blocks its own light: the ray has to end before it",
-        "the answer of the shadow ray is not used",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let glass = glass(traced);
     for (index, ray) in traced.log.rays.iter().enumerate() {
         let (true, Some(t), Some(end)) = (ray.is(&Purpose::Shadow), ray.t, ray.end) else {
@@ -54,11 +40,11 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             (
                 words,
                 [
-                    is_far && !is_scaled,
-                    is_far && is_scaled,
-                    is_behind && t < 0.0,
-                    is_own,
-                    is_unused,
+                    ("distance-not-compared", is_far && !is_scaled),
+                    ("distance-in-other-units", is_far && is_scaled),
+                    ("behind-start", is_behind && t < 0.0),
+                    ("lamp-blocks-itself", is_own),
+                    ("answer-not-used", is_unused),
                 ],
             )
         });

@@ -1,4 +1,4 @@
-use super::{LawReport, RayLaw};
+use super::LawReport;
 use crate::log::{Purpose, Ray};
 use crate::traced::{Traced, median};
 use groundtruth::math::{Point, Vector};
@@ -10,16 +10,6 @@ const WITHIN: f64 = 3.0;
 /// The part of the rays that has to fit for the film to be flat.
 const FIT: f64 = 0.9;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "one-camera",
-    says: "camera rays start at one eye and pass one flat film, whose pixels are squares",
-    needs: &["4 camera rays of pixels in two columns and two rows", "pixel"],
-    causes: &[
-        "pixels are no squares: the width or height of the film is not that of the picture (aspect)",
-    ],
-    check,
-};
-
 /// The part of a usual ray's length that a lens may be wide: what it moves rays by is less than `WITHIN`, or they pass no film.
 const LENS: f64 = 3e-2;
 
@@ -30,7 +20,7 @@ struct Film {
     down: Vector,
 }
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let is_camera = |ray: &(usize, &Ray)| ray.1.is(&Purpose::Camera) && ray.1.pixel.is_some();
     let rays: Vec<(usize, &Ray)> = traced
         .log
@@ -59,7 +49,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
                 ),
                 None => "does not pass the film".to_owned(),
             };
-            (words, [off.is_some_and(|off| off <= WITHIN) && !is_square])
+            (words, [("pixels-not-square", off.is_some_and(|off| off <= WITHIN) && !is_square)])
         });
     }
 }

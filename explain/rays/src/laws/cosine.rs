@@ -1,22 +1,10 @@
+use super::LawReport;
 use super::geometry::leaving;
-use super::{LawReport, RayLaw};
 use crate::traced::Traced;
 use groundtruth::math::Vector;
 use text::digits::short;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "cosine",
-    says: "the cosine that a ray counts with is that of its direction to the normal, and 0 behind the surface",
-    needs: &["cos", "normal of its parent"],
-    causes: &[
-        "the sign is lost: what comes from behind the surface counts, too",
-        "the direction is no unit vector",
-        "the normal is no unit vector",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     for it in leaving(traced) {
         let (Some(cos), Some(facing)) = (it.ray.factors.cos, it.facing()) else { continue };
         let towards = match it.ray.is_shadow() && traced.conventions.shadow_from_lamp {
@@ -40,7 +28,11 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let truth = facing.dot(towards);
             let lengths =
                 [it.ray.direction, it.parent.normal.unwrap_or(facing)].map(Vector::length);
-            let causes = [is(-truth), is(truth * lengths[0]), is(truth * lengths[1])];
+            let causes = [
+                ("sign-lost", is(-truth)),
+                ("direction-not-unit", is(truth * lengths[0])),
+                ("normal-not-unit", is(truth * lengths[1])),
+            ];
             let [cos, truth] = [cos, truth].map(short);
             (format!("counts with the cosine {cos}, where its direction has {truth}"), causes)
         });

@@ -2,8 +2,8 @@ use std::collections::HashMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use super::LawReport;
 use super::geometry::leaving;
-use super::{BrokenRay, LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::{Frame, Normal, Vector, acos, atan2};
@@ -17,20 +17,6 @@ const TESTS: f64 = 2.0;
 /// Fewer directions decide nothing.
 const FEW: usize = 200;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "drawn-as-claimed",
-    says: "directions are drawn with the density that they are divided by",
-    needs: &["200 diffuse rays with pdf, or with weight", "normal of their parents"],
-    causes: &[
-        "directions are uniform on the hemisphere, the density claims the cosine",
-        "directions follow the cosine, the density claims uniform ones",
-        "directions are clustered at the normal: the angle is uniform (a root is missing)",
-        "directions follow the square of the cosine",
-        "the azimuth covers a part of the circle",
-    ],
-    check,
-};
-
 /// What a density claims of the cosine to the normal: its distribution function.
 #[derive(Clone, Copy, PartialEq)]
 enum Claim {
@@ -38,7 +24,7 @@ enum Claim {
     Uniform,
 }
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let mut cosines = Vec::new();
     let mut azimuths = Vec::new();
     let mut claims: Vec<Claim> = Vec::new();
@@ -100,13 +86,12 @@ fn check(traced: &Traced, asked: &mut LawReport) {
     }
     let is = |distribution| polar < level && p(distribution) >= level;
     let causes = [
-        claim == Claim::Cosine && is(uniform),
-        claim == Claim::Uniform && is(cosine),
-        is(angle),
-        is(square),
-        round < level && polar >= level,
+        ("uniform-drawn", claim == Claim::Cosine && is(uniform)),
+        ("cosine-drawn", claim == Claim::Uniform && is(cosine)),
+        ("angle-drawn", is(angle)),
+        ("square-drawn", is(square)),
+        ("part-of-circle", round < level && polar >= level),
     ];
-    let bits = (0..causes.len()).filter(|&at| causes[at]).fold(0, |bits, at| bits | 1 << at);
     let mean = cosines.iter().sum::<f64>() / cosines.len() as f64;
     let should = if claim == Claim::Cosine { 2.0 / 3.0 } else { 0.5 };
     let words = format!(
@@ -116,7 +101,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         short(should),
         short(polar.min(round))
     );
-    asked.findings.push(BrokenRay { ray: first, words, causes: bits, follows: None });
+    asked.find(first, words, causes);
 }
 
 fn either(is_cosine: bool, is_uniform: bool) -> Option<Claim> {

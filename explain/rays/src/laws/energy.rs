@@ -2,22 +2,11 @@ use std::collections::BTreeMap;
 use std::f64::consts::PI;
 use std::sync::Arc;
 
+use super::LawReport;
 use super::weight::is_finite;
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use text::digits::short;
-
-pub const LAW: RayLaw = RayLaw {
-    name: "energy",
-    says: "a surface scatters no more light than arrives: the weights of the rays that it scatters at a hit are 1 in the mean, or less",
-    needs: &["weight of 12 rays that one object scatters"],
-    causes: &[
-        "the density leaves out a lobe that directions are drawn from, or the BRDF is not normalised",
-        "π is missing: the BRDF is not divided by it",
-    ],
-    check,
-};
 
 /// Fewer hits say nothing of a mean.
 const FEW: usize = 12;
@@ -27,7 +16,7 @@ const SURE: f64 = 6.0;
 /// A hit: its ray, the sum of the weights that leave it, and that without the lots that were drawn.
 type Hit = (usize, f64, f64);
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let mut objects: BTreeMap<Option<&Arc<str>>, Vec<Hit>> = BTreeMap::new();
     for (parent, children) in traced.children.iter().enumerate() {
         let scattered = children.iter().map(|&it| traced.ray(it));
@@ -64,7 +53,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let is_pi = if is_even { first.2 } else { mean } <= PI * (1.0 + error);
             (
                 format!("hits a surface that sends on {} times the light that arrives, in the mean of {} hits", short(mean), hits.len()),
-                [!is_even, is_pi],
+                [("density-leaves-out-lobe", !is_even), ("pi-missing", is_pi)],
             )
         });
     }

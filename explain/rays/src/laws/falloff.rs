@@ -1,32 +1,21 @@
 use std::collections::BTreeMap;
 
-use super::{LawReport, RayLaw};
+use super::LawReport;
 use crate::log::{Purpose, Ray};
 use crate::traced::Traced;
 use groundtruth::math::power;
 use text::digits::short;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "falloff",
-    says: "the light of a point lamp falls with the square of the distance, or (by wish) not at all",
-    needs: &["radiance and end of 8 shadow rays of a lamp, from different distances"],
-    causes: &[
-        "it falls with 1/d: the square is missing",
-        "it falls with 1/d³",
-        "it falls with 1/d⁴: the distance is the square of it, its root is missing",
-    ],
-    check,
-};
-
 /// The powers of the distance that light falls with by mistake.
-const WRONG: [f64; 3] = [1.0, 3.0, 4.0];
+const WRONG: [(&str, f64); 3] =
+    [("falls-with-1", 1.0), ("falls-with-3", 3.0), ("falls-with-4", 4.0)];
 /// Fewer rays, and distances that differ less, show no power.
 const FEW: usize = 8;
 const RANGE: f64 = 1.2;
 /// How near to a power all rays of a lamp have to be: that of the next whole number is farther.
 const NEAR: f64 = 2e-3;
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let mut lamps: BTreeMap<_, Vec<(usize, f64, f64)>> = BTreeMap::new();
     for (index, ray) in traced.log.rays.iter().enumerate().filter(|(_, ray)| is_lit(ray)) {
         let far = traced.way_to_lamp(ray).map(|way| way.length());
@@ -44,14 +33,15 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             continue;
         }
         let falls = |exponent: f64| range(&|far, light| light * power(far, exponent)) <= 1.0 + NEAR;
-        let wrong = WRONG.map(falls);
-        if !(falls(0.0) || falls(2.0) || wrong.contains(&true)) {
+        let wrong = WRONG.map(|(key, exponent)| (key, falls(exponent)));
+        let is_wrong = wrong.iter().any(|it| it.1);
+        if !(falls(0.0) || falls(2.0) || is_wrong) {
             continue;
         }
         let nearest = rays.iter().min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(&rays[0]);
         let farthest = rays.iter().max_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or(&rays[0]);
         for &(index, far, light) in &rays {
-            asked.count(index, !wrong.contains(&true), || {
+            asked.count(index, !is_wrong, || {
                 let is_near = far * far < nearest.1 * farthest.1;
                 let &(_, other, brightness) = if is_near { farthest } else { nearest };
                 let part = short(light / brightness);

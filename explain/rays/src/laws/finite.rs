@@ -1,22 +1,9 @@
-use super::{LawReport, RayLaw};
+use super::LawReport;
 use crate::log::Ray;
 use crate::traced::Traced;
 use groundtruth::rgb::Rgb;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "finite",
-    says: "numbers are finite, and light, densities and probabilities are not negative",
-    needs: &[],
-    causes: &[
-        "a pdf of 0 divides",
-        "a vector of length 0 is made a unit vector",
-        "the root of a negative number: a refraction beyond the critical angle",
-        "it was not a number in the ray before it",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     for (index, ray) in traced.log.rays.iter().enumerate() {
         let bad = first_bad(ray);
         asked.count(index, bad.is_none(), || {
@@ -26,10 +13,10 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let is_direction = field == "direction" && !is_inherited;
             let is_transmitted = ray.is(&crate::log::Purpose::Transmitted);
             let causes = [
-                ray.factors.pdf == Some(0.0),
-                field == "normal" || is_direction && !is_transmitted,
-                is_direction && is_transmitted,
-                is_inherited,
+                ("zero-pdf", ray.factors.pdf == Some(0.0)),
+                ("zero-vector", field == "normal" || is_direction && !is_transmitted),
+                ("negative-root", is_direction && is_transmitted),
+                ("inherited-from-sender", is_inherited),
             ];
             (format!("has a {field} that {what}"), causes)
         });

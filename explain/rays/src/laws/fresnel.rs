@@ -1,28 +1,14 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::LawReport;
 use super::geometry::{Leaving, leaving};
 use super::refracted::logged;
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::{Traced, median};
 use groundtruth::lobes::fresnel;
 use groundtruth::math::{Vector, power};
 use text::digits::short;
-
-pub const LAW: RayLaw = RayLaw {
-    name: "fresnel",
-    says: "the share of light that a surface transmits follows Fresnel's equations or Schlick's formula, times a constant, if it depends on the angle at all",
-    needs: &[
-        "8 transmitted rays of an object, with weight, and choice or a reflected ray beside each",
-        "normal",
-    ],
-    causes: &[
-        "the mean of both polarisations is missing: twice as much is reflected",
-        "the share counts twice: as the probability of the choice and as the weight",
-    ],
-    check,
-};
 
 /// Fewer rays show no function of the angle.
 const FEW: usize = 8;
@@ -38,7 +24,7 @@ struct Share {
     formulas: [f64; 3],
 }
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let mut groups: BTreeMap<(Option<&Arc<str>>, bool), Vec<Share>> = BTreeMap::new();
     for it in leaving(traced).filter(|it| it.ray.is(&Purpose::Transmitted)) {
         if let Some((enters, share)) = share(traced, &it) {
@@ -59,7 +45,10 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         let is = |of: &dyn Fn(f64) -> f64| {
             (0..3).any(|at| constant(&|it| of(it.formulas[at])).is_some())
         };
-        let causes = [is(&|part| 2.0 * part - 1.0), is(&|part| part * part)];
+        let causes = [
+            ("one-polarisation", is(&|part| 2.0 * part - 1.0)),
+            ("counts-twice", is(&|part| part * part)),
+        ];
         for share in &shares {
             let [part, should] = [share.part, share.formulas[0]].map(short);
             let is_off = !near(share.part, share.formulas[0]);

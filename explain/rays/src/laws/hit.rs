@@ -1,20 +1,8 @@
-use super::{LawReport, RayLaw};
+use super::LawReport;
 use crate::traced::{Traced, size};
 use text::digits::short;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "hit-on-ray",
-    says: "the point that a ray hit is on the ray, at t",
-    needs: &["t", "point"],
-    causes: &[
-        "t is measured along a unit vector, and the direction is none",
-        "t and point are exchanged with those of another length of the direction, as after a transform to object space",
-        "the point is on the other side of the origin: t is negative",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     for (index, ray) in traced.log.rays.iter().enumerate() {
         let (Some(t), Some(point)) = (ray.t, ray.point) else { continue };
         let at = traced.along(ray, t);
@@ -35,10 +23,13 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let is = |at: groundtruth::math::Point| (point - at).length() <= slack;
             let across = ray.direction.unit().map(|d| d.cross(point - ray.origin).length());
             let causes = [
-                is(ray.origin + (t / length) * ray.direction),
-                across.is_some_and(|across| across <= slack)
-                    && (point - ray.origin).dot(ray.direction) > 0.0,
-                is(ray.origin - t * ray.direction),
+                ("t-of-unit-vector", is(ray.origin + (t / length) * ray.direction)),
+                (
+                    "t-of-other-length",
+                    across.is_some_and(|across| across <= slack)
+                        && (point - ray.origin).dot(ray.direction) > 0.0,
+                ),
+                ("negative-t", is(ray.origin - t * ray.direction)),
             ];
             (format!("ends {} from the point at its t", short(away.length())), causes)
         });

@@ -1,8 +1,8 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::LawReport;
 use super::geometry::{leaving, quoted};
-use super::{LawReport, RayLaw};
 use crate::log::Named;
 use crate::traced::{Traced, median, size};
 use groundtruth::math::{Point, Vector, atan2, to_degrees};
@@ -14,19 +14,6 @@ const MEET: f64 = 0.6;
 const BEFORE: f64 = 2e-2;
 /// Fewer rays of a lamp without a place say nothing of where it is.
 const FEW: usize = 3;
-
-pub const LAW: RayLaw = RayLaw {
-    name: "shadow-ray-to-lamp",
-    says: "a shadow ray goes to its lamp, and ends there: those of a lamp that is a point meet there, those of one in infinity are parallel",
-    needs: &["kind", "light", "the lamp's place or several rays"],
-    causes: &[
-        "it goes from the wrong end: away from the lamp",
-        "it goes towards the lamp's position as if that were a direction",
-        "it goes from the camera, not from the point, to the lamp",
-        "the distance to the lamp is in other units than the direction, which is no unit vector, or is not the distance",
-    ],
-    check,
-};
 
 /// A shadow ray as a line.
 struct Line {
@@ -40,7 +27,7 @@ struct Line {
     tolerance: f64,
 }
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let mut lamps: BTreeMap<Option<Arc<str>>, Vec<Line>> = BTreeMap::new();
     for it in leaving(traced).filter(|it| it.ray.is(&crate::log::Purpose::Shadow)) {
         let turned = traced.conventions.shadow_from_lamp;
@@ -138,12 +125,18 @@ fn check_line(line: &Line, target: Target, name: Option<&Arc<str>>, asked: &mut 
         let near = slack / to.length().max(slack);
         let is =
             |v: Vector| !passes && v.unit().is_some_and(|v| (v - line.towards).length() <= near);
-        let causes = match target {
+        let [at_place, from_eye] = match target {
             Target::Place(place) | Target::Found(place) => {
-                [is(-to), is(place.to_vector()), is(place - line.eye), passes]
+                [place.to_vector(), place - line.eye].map(is)
             }
-            Target::Direction(_) => [is(-to), false, false, false],
+            Target::Direction(_) => [false; 2],
         };
+        let causes = [
+            ("wrong-end", is(-to)),
+            ("position-as-direction", at_place),
+            ("from-camera", from_eye),
+            ("distance-in-other-units", passes),
+        ];
         let lamp = quoted(name, "its lamp");
         let angle = to_degrees(atan2(miss, to.dot(line.towards)));
         let words = match far.filter(|_| passes) {

@@ -1,29 +1,13 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::LawReport;
 use super::geometry::quoted;
 use super::surface::Surface;
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::{Traced, median};
 use groundtruth::math::{Point, Vector};
 use text::digits::short;
-
-pub const LAW: RayLaw = RayLaw {
-    name: "lamp-density",
-    says: "the density of a direction to a lamp is that of the point on it, per steradian: d² / (cos · area), or that of the cone that a ball fills; and all lamps are drawn",
-    needs: &[
-        "pdf and end of 8 shadow rays of a lamp with an object, which is in the log or is hit",
-    ],
-    causes: &[
-        "a density per area is taken for one per steradian: d² / cos is missing",
-        "the cosine at the lamp is missing",
-        "it is a constant times what it should be",
-        "the lamp shines to one side only: its cosine counts without the sign",
-        "one lamp is never drawn, though each is drawn with a probability below 1",
-    ],
-    check,
-};
 
 /// Fewer rays show no density.
 const FEW: usize = 8;
@@ -102,7 +86,7 @@ pub fn drawn(traced: &Traced) -> BTreeMap<Arc<str>, Drawn> {
         .collect()
 }
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let lamps = samples(traced);
     let is_part = |factor: f64| {
         (1..=lamps.len().max(1)).any(|count| (factor * count as f64 - 1.0).abs() <= 2.0 * NEAR)
@@ -143,7 +127,15 @@ fn check(traced: &Traced, asked: &mut LawReport) {
                         "has the density {pdf}, which does not depend on {lamp} as a density does"
                     ),
                 };
-                (words, [wrong[0], wrong[1], is_scaled, is_behind, false])
+                (
+                    words,
+                    [
+                        ("per-area", wrong[0]),
+                        ("cosine-at-lamp-missing", wrong[1]),
+                        ("constant-factor", is_scaled),
+                        ("one-side-without-sign", is_behind),
+                    ],
+                )
             });
         }
     }
@@ -188,6 +180,6 @@ fn never_drawn(traced: &Traced, lamps: &BTreeMap<Arc<str>, Vec<Sample>>, asked: 
             short(sum),
             quoted(Some(lamp), "")
         );
-        asked.count(first[0].0, false, || (words, [false, false, false, false, true]));
+        asked.count(first[0].0, false, || (words, [("never-drawn", true)]));
     }
 }

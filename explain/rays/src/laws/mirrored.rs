@@ -1,7 +1,7 @@
 use std::collections::HashMap;
 
+use super::LawReport;
 use super::geometry::{Leaving, is_near, leaving, mirrored};
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::{Vector, atan2, to_degrees};
@@ -10,23 +10,7 @@ use text::digits::short;
 /// So many rays of an object show whether they scatter about the mirrored direction.
 const ENOUGH: usize = 8;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "mirrored",
-    says: "a reflected ray is the arriving one mirrored about the normal: d − 2 (d·n) n",
-    needs: &["kind", "normal of its parent"],
-    causes: &[
-        "it is mirrored about the shading normal, others about the true one",
-        "it is mirrored about the true normal, others about the shading normal",
-        "the sign of the viewer's direction: ω_o stands for −ω_o",
-        "the factor 2 of the cosine is missing",
-        "the normal is no unit vector",
-        "it goes on as it came",
-        "2 (d·n) n is added, not subtracted",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let rays =
         || leaving(traced).filter(|it| it.ray.is(&Purpose::Reflected) && it.normal().is_some());
     let within = |it: &Leaving<'_>| 2.0 * traced.tolerance() + it.off_unit();
@@ -60,7 +44,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         let expected = expected(&it);
         let causes = causes(&it, within(&it), shades);
         let holds = is_near(it.leaving, expected, within(&it));
-        if !holds && !causes.contains(&true) && scatters(&it) {
+        if !holds && causes.iter().all(|it| !it.1) && scatters(&it) {
             note_once(
                 asked,
                 "some reflected rays scatter about the mirrored direction; write `glossy` as their kind",
@@ -74,20 +58,20 @@ fn check(traced: &Traced, asked: &mut LawReport) {
     }
 }
 
-fn causes(it: &Leaving<'_>, tolerance: f64, shades: bool) -> [bool; 7] {
+fn causes(it: &Leaving<'_>, tolerance: f64, shades: bool) -> [(&'static str, bool); 7] {
     let is = |v: Vector| v.unit().is_some_and(|v| is_near(it.leaving, v, tolerance));
     let about =
         |n: Option<Vector>| n.and_then(Vector::unit).is_some_and(|n| is(mirrored(it.arriving, n)));
     let (d, n) = (it.arriving, it.parent.normal.unwrap_or(Vector::ZERO));
     let unit = n.unit().unwrap_or(Vector::ZERO);
     [
-        !shades && about(it.parent.shading_normal),
-        shades && about(it.parent.normal),
-        is(-mirrored(d, unit)),
-        is(d - d.dot(unit) * unit),
-        is(mirrored(d, n)),
-        is(d),
-        is(d + 2.0 * d.dot(unit) * unit),
+        ("about-shading-normal", !shades && about(it.parent.shading_normal)),
+        ("about-true-normal", shades && about(it.parent.normal)),
+        ("sign-of-viewer", is(-mirrored(d, unit))),
+        ("factor-2-missing", is(d - d.dot(unit) * unit)),
+        ("normal-not-unit", is(mirrored(d, n))),
+        ("straight-on", is(d)),
+        ("added-not-subtracted", is(d + 2.0 * d.dot(unit) * unit)),
     ]
 }
 

@@ -3,26 +3,10 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::geometry::{Leaving, leaving};
-use super::{LawReport, RayLaw, lamps};
+use super::{LawReport, lamps};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use text::digits::short;
-
-pub const LAW: RayLaw = RayLaw {
-    name: "mis-weights",
-    says: "the MIS weights of the two ways to draw a direction are 1 together: pdf / (pdf + other pdf), or the same of their squares, the same on both sides",
-    needs: &["mis and pdf", "other_pdf, or lamps that are understood and matte surfaces"],
-    causes: &[
-        "what is hit by chance counts in full, though lamps are sampled, too: light counts twice",
-        "what is hit by chance is left out, though samples are weighted as if it counted",
-        "the weights of the two ways are exchanged",
-        "a direction that only one way can draw is weighted all the same",
-        "the weight is 1/2, whatever the densities",
-        "the probability of having chosen this lamp is left out",
-        "one way has the balance heuristic, the other the power heuristic",
-    ],
-    check,
-};
 
 /// A MIS weight with the two densities that it is made of.
 struct Weighed {
@@ -46,7 +30,7 @@ fn power(own: f64, other: f64) -> f64 {
     balance(own * own, other * other)
 }
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 64.0 * traced.tolerance() + 2e-4;
     let near = |a: f64, b: f64| (a - b).abs() <= tolerance;
     let all = weighed(traced);
@@ -70,13 +54,13 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let without = it.other / it.choice;
             let unchosen = if is_power { power(it.own, without) } else { balance(it.own, without) };
             let causes = [
-                it.is_hit && near(it.mis, 1.0) && !near(expected, 1.0),
-                it.is_hit && near(it.mis, 0.0),
-                near(it.mis, 1.0 - expected) && !is_alone,
-                it.other == 0.0,
-                near(it.mis, 0.5),
-                it.choice != 1.0 && near(it.mis, unchosen),
-                near(it.mis, unlike),
+                ("hit-counts-in-full", it.is_hit && near(it.mis, 1.0) && !near(expected, 1.0)),
+                ("hit-left-out", it.is_hit && near(it.mis, 0.0)),
+                ("parts-exchanged", near(it.mis, 1.0 - expected) && !is_alone),
+                ("one-way-weighted", it.other == 0.0),
+                ("always-half", near(it.mis, 0.5)),
+                ("choice-left-out", it.choice != 1.0 && near(it.mis, unchosen)),
+                ("other-heuristic", near(it.mis, unlike)),
             ];
             let [mis, expected] = [it.mis, expected].map(short);
             let name = match (is_alone, is_power) {

@@ -35,58 +35,70 @@ mod tree;
 mod true_normal;
 mod weight;
 
+use std::sync::LazyLock;
+
 use crate::traced::Traced;
 pub use geometry::Step;
 pub use nearest::distance_to_truth;
 pub use weight::is_near;
 
 /// A law that the rays of a log are held to.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct RayLaw {
     /// A short name for scripts.
     pub name: &'static str,
     /// What holds, as a sentence.
     pub says: &'static str,
     /// The fields without which it cannot be asked.
-    pub needs: &'static [&'static str],
-    /// Usual causes: what is known to break it.
-    pub causes: &'static [&'static str],
-    check: fn(&Traced, &mut LawReport),
+    pub needs: Vec<&'static str>,
+    /// Usual causes, by their keys: what is known to break it.
+    pub causes: Vec<(&'static str, &'static str)>,
+    check: Check,
 }
 
-/// The laws, those first from whose breach the others follow.
-pub const LAWS: &[RayLaw] = &[
-    finite::LAW,
-    tree::LAW,
-    placed::LAW,
-    hit::LAW,
-    nearest::LAW,
-    agreed::LAW,
-    normals::LAW,
-    true_normal::LAW,
-    starts::LAW,
-    own_start::LAW,
-    side::LAW,
-    mirrored::LAW,
-    refracted::LAW,
-    lamp::LAW,
-    behind::LAW,
-    occluded::LAW,
-    falloff::LAW,
-    shares::LAW,
-    fresnel::LAW,
-    energy::LAW,
-    lamps::LAW,
-    mis::LAW,
-    cosine::LAW,
-    weight::LAW,
-    throughput::LAW,
-    radiance::LAW,
-    path_sum::LAW,
-    samples::LAW,
-    densities::LAW,
-    camera::LAW,
+type Check = fn(&Traced, &mut LawReport);
+
+/// What asks the rays, by the names of `laws.txt`, those laws first from whose breach the others follow.
+const CHECKS: &[(&str, Check)] = &[
+    ("finite", finite::check),
+    ("tree", tree::check),
+    ("one-space", placed::check),
+    ("hit-on-ray", hit::check),
+    ("nearest-hit", nearest::check),
+    ("surfaces-agree", agreed::check),
+    ("unit-normals", normals::check),
+    ("true-normal", true_normal::check),
+    ("starts-at-hit", starts::check),
+    ("not-its-own-start", own_start::check),
+    ("right-side", side::check),
+    ("mirrored", mirrored::check),
+    ("snell", refracted::check),
+    ("shadow-ray-to-lamp", lamp::check),
+    ("not-behind-the-lamp", behind::check),
+    ("truly-blocked", occluded::check),
+    ("falloff", falloff::check),
+    ("shares", shares::check),
+    ("fresnel", fresnel::check),
+    ("energy", energy::check),
+    ("lamp-density", lamps::check),
+    ("mis-weights", mis::check),
+    ("cosine", cosine::check),
+    ("weight", weight::check),
+    ("throughput", throughput::check),
+    ("radiance", radiance::check),
+    ("path-sum", path_sum::check),
+    ("samples-differ", samples::check),
+    ("drawn-as-claimed", densities::check),
+    ("one-camera", camera::check),
 ];
+
+/// The laws in this order, in the words of `laws.txt`: `name: sentence`, then what it needs, and its causes by their keys.
+pub static LAWS: LazyLock<Vec<RayLaw>> = LazyLock::new(|| {
+    let lines: Vec<&str> = include_str!("laws.txt").lines().collect();
+    let laws: Vec<&[&str]> = lines.split(|line| line.is_empty()).collect();
+    assert_eq!(laws.len(), CHECKS.len(), "a law has words and a check");
+    CHECKS.iter().zip(laws).map(|(check, words)| RayLaw::of(*check, words)).collect()
+});
 
 /// What a law found.
 #[derive(Clone, Debug, Default)]
@@ -108,13 +120,21 @@ pub struct BrokenRay {
     pub ray: usize,
     /// What is wrong, beginning after the ray's name: `starts 0.3 from where its parent ended`.
     pub words: String,
-    /// Which of the law's causes predict what the log says, a bit for each.
-    pub causes: u32,
+    /// The keys of the law's causes that predict what the log says.
+    pub causes: Vec<&'static str>,
     /// The ray on the same path from whose breach it follows.
     pub follows: Option<usize>,
 }
 
 impl RayLaw {
+    fn of((key, check): (&str, Check), words: &[&'static str]) -> Self {
+        let mut lines = words.iter().filter_map(|line| line.trim().split_once(": "));
+        let (name, says) = lines.next().expect("a law has words");
+        assert_eq!(name, key, "words and checks have one order");
+        let (needs, causes): (Vec<_>, Vec<_>) = lines.partition(|(key, _)| *key == "needs");
+        Self { name, says, needs: needs.into_iter().map(|it| it.1).collect(), causes, check }
+    }
+
     /// Asks all rays.
     pub fn ask(&self, traced: &Traced) -> LawReport {
         let mut asked = LawReport::default();
@@ -128,24 +148,35 @@ impl RayLaw {
         &self,
         findings: impl IntoIterator<Item = &'a BrokenRay>,
     ) -> Option<&'static str> {
-        let common = findings.into_iter().map(|finding| finding.causes).reduce(|a, b| a & b)?;
-        self.causes.get(common.trailing_zeros() as usize).copied()
+        let mut findings = findings.into_iter();
+        let mut common = findings.next()?.causes.clone();
+        findings.for_each(|it| common.retain(|cause| it.causes.contains(cause)));
+        self.causes.iter().find(|(key, _)| common.contains(key)).map(|(_, cause)| *cause)
     }
 }
 
 impl LawReport {
-    /// Counts a ray; if the law is broken, `found` says how, and whether each of the law's causes predicts it.
+    /// Counts a ray; if the law is broken, `found` says how, and whether causes predict it.
     fn count<const N: usize>(
         &mut self,
         ray: usize,
         holds: bool,
-        found: impl FnOnce() -> (String, [bool; N]),
+        found: impl FnOnce() -> (String, [(&'static str, bool); N]),
     ) {
         self.rays += 1;
         if !holds {
             let (words, causes) = found();
-            let causes = (0..N).filter(|&at| causes[at]).fold(0, |bits, at| bits | 1 << at);
-            self.findings.push(BrokenRay { ray, words, causes, follows: None });
+            self.find(ray, words, causes);
         }
+    }
+
+    fn find<const N: usize>(
+        &mut self,
+        ray: usize,
+        words: String,
+        causes: [(&'static str, bool); N],
+    ) {
+        let causes = causes.into_iter().filter_map(|(key, predicts)| predicts.then_some(key));
+        self.findings.push(BrokenRay { ray, words, causes: causes.collect(), follows: None });
     }
 }

@@ -1,8 +1,8 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use super::LawReport;
 use super::geometry::quoted;
-use super::{LawReport, RayLaw};
 use crate::log::{Purpose, Ray};
 use crate::traced::{Traced, size};
 use groundtruth::math::{self, Span, Vector};
@@ -12,22 +12,7 @@ use text::digits::short;
 /// Below this cosine a small error of the ray decides whether it hits.
 const GRAZING: f64 = 0.03;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "nearest-hit",
-    says: "a ray ends at the nearest surface in front of it",
-    needs: &["objects or a scene"],
-    causes: &[
-        "a nearer surface is missed: its object is never hit by any ray of the log",
-        "the farther root is taken: the ray goes through the nearer side of the same object",
-        "a farther object is taken: the nearest is not kept",
-        "what lies behind the origin counts: t is negative",
-        "a hit is lost that is near the start: the smallest t is too large",
-        "it hits what is not there",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
     let hit: HashSet<_> = traced.log.rays.iter().filter_map(|ray| ray.object.clone()).collect();
     for (index, ray) in traced.log.rays.iter().enumerate() {
@@ -44,12 +29,12 @@ fn check(traced: &Traced, asked: &mut LawReport) {
                 ours.is_some_and(|hit| hit.t * ray.direction.length() < 1e-2 * traced.scale);
             let is_behind = seen.his.is_some_and(|his| his < 0.0);
             let causes = [
-                is_nearer && never,
-                is_nearer && is_same && seen.his.is_some(),
-                is_nearer && !is_same && seen.his.is_some() && !never,
-                is_behind,
-                is_nearer && is_early && !never,
-                !is_nearer && !is_behind,
+                ("never-hit", is_nearer && never),
+                ("farther-root", is_nearer && is_same && seen.his.is_some()),
+                ("farther-object", is_nearer && !is_same && seen.his.is_some() && !never),
+                ("behind-origin", is_behind),
+                ("large-smallest-t", is_nearer && is_early && !never),
+                ("nothing-there", !is_nearer && !is_behind),
             ];
             (seen.words(ray), causes)
         });

@@ -1,4 +1,4 @@
-use super::{LawReport, RayLaw};
+use super::LawReport;
 use crate::traced::Traced;
 use text::digits::short;
 
@@ -6,18 +6,7 @@ use text::digits::short;
 /// radius; what is not made a unit vector at all is farther from it.
 const NEARLY: f64 = 1e-3;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "unit-normals",
-    says: "normals are unit vectors",
-    needs: &["normal"],
-    causes: &[
-        "all normals of the object have this length: it is scaled by a transform and not made a unit vector again",
-        "the normal is zero",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     // the length of the first normal of each object
     let mut lengths = std::collections::HashMap::new();
     for (index, ray) in traced.log.rays.iter().enumerate() {
@@ -35,8 +24,11 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         let first = *lengths.entry(ray.object.clone()).or_insert(worst);
         asked.count(index, (worst - 1.0).abs() <= NEARLY.max(traced.tolerance()), || {
             let causes = [
-                (worst - first).abs() <= 16.0 * traced.tolerance() * first && worst > 0.0,
-                worst == 0.0,
+                (
+                    "scaled-by-transform",
+                    (worst - first).abs() <= 16.0 * traced.tolerance() * first && worst > 0.0,
+                ),
+                ("zero-normal", worst == 0.0),
             ];
             (format!("hits a surface whose normal has the length {}", length_words(worst)), causes)
         });

@@ -1,32 +1,19 @@
 use std::collections::HashSet;
 
+use super::LawReport;
 use super::geometry::{glass, quoted};
 use super::nearest::start;
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::{self, Span, Vector};
 use groundtruth::world::Hit;
-
-pub const LAW: RayLaw = RayLaw {
-    name: "truly-blocked",
-    says: "a shadow ray is blocked if and only if something is between the point and the lamp",
-    needs: &["objects or a scene", "kind"],
-    causes: &[
-        "the blocking object is forgotten: no shadow ray of the log is blocked by it",
-        "what is behind the lamp blocks",
-        "what is behind the point blocks",
-        "nothing is there",
-    ],
-    check,
-};
 
 /// The part of the way at its ends where a hit may be the surface itself, or the lamp.
 const ENDS: f64 = 1e-3;
 /// Below this cosine a small error of the ray decides.
 const GRAZING: f64 = 0.03;
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
     let blockers: HashSet<_> = traced
         .log
@@ -95,7 +82,15 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             };
             let is_forgotten =
                 ours.as_ref().is_some_and(|hit| !blockers.contains(&hit.object.name));
-            (words, [is_forgotten, far, ray.t.is_some_and(|t| t < 0.0), ours.is_none() && !far])
+            (
+                words,
+                [
+                    ("forgotten-object", is_forgotten),
+                    ("behind-lamp", far),
+                    ("behind-start", ray.t.is_some_and(|t| t < 0.0)),
+                    ("nothing-there", ours.is_none() && !far),
+                ],
+            )
         });
     }
 }

@@ -1,5 +1,5 @@
+use super::LawReport;
 use super::geometry::{leaving, quoted};
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::precision::SINGLE;
 use crate::traced::Traced;
@@ -12,18 +12,7 @@ const FAR: f64 = 1e-2;
 /// The part of a usual ray's length that is too near for anything else.
 const NEAR: f64 = 1e-6;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "not-its-own-start",
-    says: "a ray does not meet the surface that it starts on, where it leaves that surface (acne)",
-    needs: &["t", "normal of its parent"],
-    causes: &[
-        "it starts on the surface or behind it by rounding: no offset, or no smallest t",
-        "the offset moves it to the wrong side of the surface",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     for it in leaving(traced) {
         let (Some(facing), Some(kind)) = (it.facing(), &it.ray.kind) else { continue };
         let cos = facing.dot(it.leaving);
@@ -54,7 +43,7 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let own = if it.ray.object.is_some() && is_same { " itself" } else { "" };
             (
                 format!("{verb} {what}{own} {} away from its start", short(near)),
-                [!to_wrong_side, to_wrong_side],
+                [("no-offset", !to_wrong_side), ("offset-to-wrong-side", to_wrong_side)],
             )
         });
     }

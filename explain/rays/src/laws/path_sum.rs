@@ -1,29 +1,12 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use super::LawReport;
 use super::weight::{is_finite, is_near};
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::rgb::Rgb;
 use text::digits::three;
-
-pub const LAW: RayLaw = RayLaw {
-    name: "path-sum",
-    says: "the radiance of a camera ray is what all rays of its path bring: throughput · light each",
-    needs: &[
-        "radiance of camera rays alone",
-        "throughput of the others",
-        "emitted, and radiance of shadow rays",
-    ],
-    causes: &[
-        "direct light is added without the throughput of the path",
-        "the light of blocked shadow rays is added, too",
-        "light that is hit by chance is left out",
-        "direct light is left out",
-    ],
-    check,
-};
 
 /// What a ray adds to its camera ray.
 struct Part<'a> {
@@ -37,7 +20,7 @@ struct Part<'a> {
     is_shadow: bool,
 }
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 64.0 * traced.tolerance();
     let has_hit = |ray: usize| traced.end_point(ray).is_some();
     let roots = || {
@@ -69,12 +52,18 @@ fn check(traced: &Traced, asked: &mut LawReport) {
                 sum(&|it| if it.is_shadow == shadow { with_mis(it) } else { Rgb::BLACK })
             };
             let causes = [
-                is(sum(&|it| if it.is_shadow { it.weight * it.light } else { with_mis(it) })),
-                is(sum(&|it| {
-                    with_mis(it) + of_lamp(it).map_or(Rgb::BLACK, |light| it.throughput * light)
-                })),
-                is(only(true)),
-                is(only(false)),
+                (
+                    "direct-without-throughput",
+                    is(sum(&|it| if it.is_shadow { it.weight * it.light } else { with_mis(it) })),
+                ),
+                (
+                    "blocked-added",
+                    is(sum(&|it| {
+                        with_mis(it) + of_lamp(it).map_or(Rgb::BLACK, |light| it.throughput * light)
+                    })),
+                ),
+                ("hits-left-out", is(only(true))),
+                ("direct-left-out", is(only(false))),
             ];
             let [is, should] = [radiance, expected].map(|it| three(it.to_array()));
             (format!("brings {is}, where the rays of its path bring {should}"), causes)

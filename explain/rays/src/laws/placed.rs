@@ -1,22 +1,14 @@
-use super::{LawReport, RayLaw};
+use super::LawReport;
 use crate::placing::Placing;
 use crate::traced::Traced;
 use groundtruth::math::{Ray, Span};
-
-pub const LAW: RayLaw = RayLaw {
-    name: "one-space",
-    says: "rays and objects are in one space, with the same axes and the same unit of length",
-    needs: &["objects or a scene", "t of 8 rays"],
-    causes: &["an axis is mirrored", "two axes are exchanged", "the unit of length is another"],
-    check,
-};
 
 /// The rays that are compared with the objects.
 const LOOKED_AT: usize = 400;
 /// Fewer say nothing.
 const FEW: usize = 8;
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
     let hits = traced.log.rays.iter().enumerate().filter(|(_, ray)| {
         let is_told = ray.t.is_some_and(|t| t.is_finite() && t > 1e-3 * traced.scale);
@@ -46,9 +38,9 @@ fn check(traced: &Traced, asked: &mut LawReport) {
     asked.count(some[0].0, other.is_none(), || {
         let placing = other.expect("it breaks the law");
         let causes = [
-            placing.is_mirrored() && placing.scale == 1.0,
-            !placing.is_mirrored() && placing.scale == 1.0,
-            placing.scale != 1.0,
+            ("mirrored-axis", placing.is_mirrored() && placing.scale == 1.0),
+            ("exchanged-axes", !placing.is_mirrored() && placing.scale == 1.0),
+            ("unit-of-length", placing.scale != 1.0),
         ];
         (
             format!(

@@ -1,30 +1,9 @@
+use super::LawReport;
 use super::weight::{is_finite, is_near};
-use super::{LawReport, RayLaw};
 use crate::log::Ray;
 use crate::traced::Traced;
 use groundtruth::rgb::Rgb;
 use text::digits::three;
-
-pub const LAW: RayLaw = RayLaw {
-    name: "radiance",
-    says: "the radiance of a ray is what is emitted at its hit, the direct light there, and what its children bring: weight · radiance each",
-    needs: &[
-        "radiance of it and of its children",
-        "weight of its children",
-        "emitted and direct, where there is any",
-    ],
-    causes: &[
-        "a child is left out",
-        "a child is added twice",
-        "the children's sum is divided by their number",
-        "it is clamped",
-        "emitted light is left out",
-        "direct light is left out",
-        "emitted light is added twice",
-        "a child's weight is left out",
-    ],
-    check,
-};
 
 /// What arrives at a hit: its parts.
 struct Parts {
@@ -33,7 +12,7 @@ struct Parts {
     children: Vec<(Rgb, Rgb)>,
 }
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 8.0 * traced.tolerance();
     let has_shadow_rays = direct_has_shadow_rays(traced, tolerance);
     for (index, ray) in traced.log.rays.iter().enumerate() {
@@ -63,14 +42,14 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let most = radiance.max();
             let count = parts.children.len().max(1) as f64;
             let causes = [
-                each().any(|child| child.max() > 0.0 && is(expected - child)),
-                each().any(|child| child.max() > 0.0 && is(expected + child)),
-                count > 1.0 && is(local + brought / count),
-                most < expected.max() && is(expected.map(|x| x.min(most))),
-                parts.emitted.max() > 0.0 && is(expected - parts.emitted),
-                parts.direct.max() > 0.0 && is(expected - parts.direct),
-                parts.emitted.max() > 0.0 && is(expected + parts.emitted),
-                unweighted().any(is),
+                ("child-left-out", each().any(|child| child.max() > 0.0 && is(expected - child))),
+                ("child-twice", each().any(|child| child.max() > 0.0 && is(expected + child))),
+                ("divided-by-children", count > 1.0 && is(local + brought / count)),
+                ("it-is-clamped", most < expected.max() && is(expected.map(|x| x.min(most)))),
+                ("emitted-left-out", parts.emitted.max() > 0.0 && is(expected - parts.emitted)),
+                ("direct-left-out", parts.direct.max() > 0.0 && is(expected - parts.direct)),
+                ("emitted-twice", parts.emitted.max() > 0.0 && is(expected + parts.emitted)),
+                ("child-weight-left-out", unweighted().any(is)),
             ];
             let [is, should] = [radiance, expected].map(|it| three(it.to_array()));
             (format!("brings {is}, where its parts give {should}"), causes)

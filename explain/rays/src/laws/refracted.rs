@@ -1,8 +1,8 @@
 use std::collections::HashMap;
 use std::sync::Arc;
 
+use super::LawReport;
 use super::geometry::{Leaving, is_near, leaving, refracted};
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::{Traced, median};
 use groundtruth::math::{Vector, atan2, to_degrees};
@@ -11,21 +11,7 @@ use text::digits::short;
 /// Sines below this say nothing of the ratio of indices.
 const STEEP: f64 = 1e-2;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "snell",
-    says: "a transmitted ray is the arriving one refracted by Snell's law: the sines to the normal are as the indices, in one plane",
-    needs: &["kind", "normal of its parent"],
-    causes: &[
-        "one ratio both ways: it is not inverted when the ray leaves the object",
-        "the ratio is inverted",
-        "the normal is not turned to the viewer inside of the object",
-        "it goes straight on",
-        "beyond the critical angle all light is reflected, and nothing is transmitted",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let usual = usual_ratios(traced);
     for it in leaving(traced).filter(|it| it.ray.is(&Purpose::Transmitted)) {
         let Some(facing) = it.facing() else { continue };
@@ -45,11 +31,14 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let is_inside = it.is_inside(traced) == Some(true);
             let normal = it.normal().unwrap_or(facing);
             let causes = [
-                is_inside && inverted,
-                inverted,
-                normal.dot(it.arriving) > 0.0 && is(refracted(it.arriving, normal, ratio)),
-                is(Some(it.arriving)),
-                expected.is_none(),
+                ("one-ratio", is_inside && inverted),
+                ("ratio-inverted", inverted),
+                (
+                    "normal-not-turned",
+                    normal.dot(it.arriving) > 0.0 && is(refracted(it.arriving, normal, ratio)),
+                ),
+                ("straight-on", is(Some(it.arriving))),
+                ("total-reflection", expected.is_none()),
             ];
             (words(&it, facing, expected), causes)
         });

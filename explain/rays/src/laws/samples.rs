@@ -1,32 +1,17 @@
 use std::collections::HashMap;
 
+use super::LawReport;
 use super::geometry::leaving;
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::Vector;
-
-pub const LAW: RayLaw = RayLaw {
-    name: "samples-differ",
-    says: "random directions differ from sample to sample, from pixel to pixel and from bounce to bounce",
-    needs: &[
-        "several diffuse or path rays, from several samples or pixels",
-        "normal of their parents",
-    ],
-    causes: &[
-        "each pixel draws the same random numbers: the generator is seeded anew",
-        "each sample of a pixel draws the same random numbers",
-        "each bounce of a path draws the same random numbers",
-    ],
-    check,
-};
 
 /// The cosines of two random rays that are nearer to each other than this are the same draw.
 const SAME: f64 = 1e-7;
 /// Fewer rays may agree by accident.
 const FEW: usize = 8;
 
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let mut drawn: Vec<(f64, usize, usize)> = Vec::new();
     for it in
         leaving(traced).filter(|it| matches!(it.ray.kind, Some(Purpose::Diffuse | Purpose::Path)))
@@ -57,9 +42,9 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let [ray, same] = [traced.ray(*index), traced.ray(other)];
             let other_depth = traced.way_up(other).count();
             let causes = [
-                ray.pixel != same.pixel,
-                ray.pixel == same.pixel && ray.sample != same.sample,
-                *depth != other_depth,
+                ("same-in-each-pixel", ray.pixel != same.pixel),
+                ("same-in-each-sample", ray.pixel == same.pixel && ray.sample != same.sample),
+                ("same-in-each-bounce", *depth != other_depth),
             ];
             (
                 format!(

@@ -1,8 +1,8 @@
 use std::collections::BTreeMap;
 
+use super::LawReport;
 use super::geometry::{Leaving, leaving};
 use super::weight::is_finite;
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::lobes::fresnel;
@@ -14,19 +14,7 @@ const NEAR: f64 = 1e-2;
 /// Sines below this say nothing of the ratio of indices.
 const STEEP: f64 = 1e-2;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "shares",
-    says: "a reflected and a transmitted ray share the light of their hit: without the factor 1/η² of radiance their weights are 1 together, or less",
-    needs: &["weight of a reflected and a transmitted ray of one hit", "normal"],
-    causes: &[
-        "the parts are exchanged: the transmitted ray has the share that Fresnel's equations give the reflected one",
-        "both rays have the whole light",
-        "the factor of radiance is that of the other direction: η² stands for 1/η²",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let mut pairs: BTreeMap<usize, [Option<Leaving<'_>>; 2]> = BTreeMap::new();
     for it in leaving(traced) {
         let place = match it.ray.kind {
@@ -71,7 +59,11 @@ fn judge(
         let [reflected, transmitted] = [reflected, transmitted].map(|it| short(it.max()));
         (
             format!("counts {reflected}, and the transmitted ray beside it {transmitted}"),
-            [is_exchanged, whole, is_other],
+            [
+                ("parts-exchanged", is_exchanged),
+                ("both-whole", whole),
+                ("other-eta-squared", is_other),
+            ],
         )
     });
 }

@@ -1,26 +1,13 @@
 use std::collections::HashSet;
 use std::sync::Arc;
 
+use super::LawReport;
 use super::geometry::{Leaving, glass, leaving};
-use super::{LawReport, RayLaw};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use text::digits::short;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "right-side",
-    says: "scattered rays leave to the viewer's side of a surface, transmitted ones to the other; light of a lamp arrives on the viewer's side",
-    needs: &["kind", "normal of its parent"],
-    causes: &[
-        "it leaves about the normal, which points away from the viewer: the normal is not turned to the viewer",
-        "it leaves about the shading normal, below the true surface",
-        "directions are drawn over the whole sphere",
-        "the lamp is behind the surface: its cosine counts without its sign",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     // whether directions below and above are as frequent: drawn over the whole sphere
     let sides: Vec<bool> = leaving(traced)
         .filter(|it| it.ray.is(&Purpose::Diffuse))
@@ -47,14 +34,17 @@ fn check(traced: &Traced, asked: &mut LawReport) {
                 |n: Option<groundtruth::math::Vector>| n.is_some_and(|n| n.dot(it.leaving) > 0.0);
             let is_turned_away = normal.dot(it.arriving) > 0.0;
             let causes = [
-                !should_pass && !is_lamp && is_turned_away,
-                !should_pass
-                    && !is_lamp
-                    && !is_turned_away
-                    && it.parent.shading_normal.is_some()
-                    && about(it.parent.shading_normal),
-                !should_pass && !is_lamp && is_sphere,
-                is_lamp,
+                ("normal-not-turned", !should_pass && !is_lamp && is_turned_away),
+                (
+                    "about-shading-normal",
+                    !should_pass
+                        && !is_lamp
+                        && !is_turned_away
+                        && it.parent.shading_normal.is_some()
+                        && about(it.parent.shading_normal),
+                ),
+                ("whole-sphere", !should_pass && !is_lamp && is_sphere),
+                ("lamp-behind-surface", is_lamp),
             ];
             let side = match (should_pass, is_lamp) {
                 (true, _) => "stays on the viewer's side of",

@@ -1,7 +1,7 @@
 use std::collections::HashMap;
 
+use super::LawReport;
 use super::geometry::{Leaving, leaving};
-use super::{LawReport, RayLaw};
 use crate::traced::Traced;
 use groundtruth::math::Vector;
 use text::digits::short;
@@ -11,20 +11,7 @@ const TOO_LARGE: f64 = 3e-2;
 /// Above this part it is no offset at all.
 const ELSEWHERE: f64 = 0.3;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "starts-at-hit",
-    says: "a ray starts where the ray that sent it ended, or a little off the surface on the side to which it goes",
-    needs: &["point or t of its parent"],
-    causes: &[
-        "the offset moves it to the side of the surface that it does not go to",
-        "the offset is too large for this scene",
-        "it starts at the camera",
-        "all rays that leave the object start off by the same vector: the point was not moved back from object space",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let elsewhere: Vec<Leaving<'_>> =
         leaving(traced).filter(|it| away(traced, it).length() > it.slack(traced)).collect();
     // the first of each object
@@ -49,10 +36,10 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let at_camera = (it.ray.origin - traced.ray(root).origin).length() <= slack;
             let is_offset = away.length() <= ELSEWHERE * traced.scale && !at_camera;
             let causes = [
-                is_wrong_side && is_offset,
-                is_offset && !is_wrong_side,
-                at_camera,
-                !at_camera && is_shift(&it),
+                ("offset-to-wrong-side", is_wrong_side && is_offset),
+                ("offset-too-large", is_offset && !is_wrong_side),
+                ("starts-at-camera", at_camera),
+                ("object-space", !at_camera && is_shift(&it)),
             ];
             let words = match is_wrong_side && is_offset {
                 true => {

@@ -1,23 +1,10 @@
+use super::LawReport;
 use super::weight::{is_finite, is_near};
-use super::{LawReport, RayLaw};
 use crate::traced::Traced;
 use groundtruth::rgb::Rgb;
 use text::digits::three;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "throughput",
-    says: "the throughput of a ray is the product of all weights from the camera to it",
-    needs: &["throughput", "weight"],
-    causes: &[
-        "it is not multiplied by what came before: it is its own weight",
-        "its own weight is multiplied twice",
-        "its own weight is left out",
-        "it is 1",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 4.0 * traced.tolerance();
     for (index, parent) in traced.pairs() {
         let (ray, from) = (&traced.ray(index).factors, &traced.ray(parent).factors);
@@ -36,7 +23,12 @@ fn check(traced: &Traced, asked: &mut LawReport) {
         }
         asked.count(index, is_near(throughput, expected, tolerance), || {
             let is = |color: Rgb| is_near(throughput, color, tolerance);
-            let causes = [is(own), is(before * own * own), is(before), is(Rgb::WHITE)];
+            let causes = [
+                ("own-weight-alone", is(own)),
+                ("own-weight-twice", is(before * own * own)),
+                ("own-weight-left-out", is(before)),
+                ("always-1", is(Rgb::WHITE)),
+            ];
             let [is, should] = [throughput, expected].map(|it| three(it.to_array()));
             (format!("has the throughput {is}, where the product is {should}"), causes)
         });

@@ -1,22 +1,11 @@
+use super::LawReport;
 use super::geometry::quoted;
-use super::{LawReport, RayLaw};
 use crate::traced::{Traced, size};
 use groundtruth::math::{self, Span, Vector, atan2, to_degrees};
 use groundtruth::world::{Hit, World};
 use text::digits::short;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "true-normal",
-    says: "the normal of a hit is that of the surface there",
-    needs: &["objects or a scene", "normal"],
-    causes: &[
-        "the shading normal is written down as the normal",
-        "smooth normals are interpolated or transformed wrongly",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
     for (index, ray) in traced.log.rays.iter().enumerate() {
         let (Some(normal), Some(end)) =
@@ -63,7 +52,10 @@ fn check(traced: &Traced, asked: &mut LawReport) {
                 false => ("normal", truth, normal),
             };
             let off = atan2(normal.cross(truth).length(), truth.dot(normal).abs());
-            let causes = [!is_true && angle(shading) <= tolerance, is_true];
+            let causes = [
+                ("shading-as-normal", !is_true && angle(shading) <= tolerance),
+                ("wrong-smooth-normals", is_true),
+            ];
             (
                 format!(
                     "has a {kind} {}° from that of {} there",

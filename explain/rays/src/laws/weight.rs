@@ -1,31 +1,13 @@
 use std::f64::consts::PI;
 
+use super::LawReport;
 use super::geometry::leaving;
-use super::{LawReport, RayLaw};
 use crate::log::Factors;
 use crate::traced::Traced;
 use groundtruth::rgb::Rgb;
 use text::digits::three;
 
-pub const LAW: RayLaw = RayLaw {
-    name: "weight",
-    says: "the weight of a ray is f · cos / (pdf · choice) · mis, of those factors that it has",
-    needs: &["weight", "f"],
-    causes: &[
-        "the cosine is missing",
-        "the cosine is there twice",
-        "the pdf is missing",
-        "π is missing: f is divided by it, the weight is π times as large",
-        "a π too much: the weight is 1/π of what it should be",
-        "the probability of having been chosen (lobe, lamp, roulette) is not made up for",
-        "the MIS weight is missing",
-        "it is divided by choice twice",
-        "the BRDF is missing",
-    ],
-    check,
-};
-
-fn check(traced: &Traced, asked: &mut LawReport) {
+pub fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 2.0 * traced.tolerance();
     let geometric: std::collections::HashMap<usize, f64> = leaving(traced)
         .filter_map(|it| Some((it.index, it.facing()?.dot(it.leaving).abs())))
@@ -60,15 +42,15 @@ fn check(traced: &Traced, asked: &mut LawReport) {
             let [pdf, choice] = [pdf, choice].map(|it| it.unwrap_or(1.0));
             let is_albedo = f.max() > 0.0 && is_near(*weight, Rgb::grey(factor), tolerance);
             let causes = [
-                cos.is_some() && is(1.0 / cosine),
-                is(cosine),
-                is(pdf),
-                is(PI),
-                is(1.0 / PI),
-                is(choice),
-                is_told(*mis) && is(1.0 / mis.unwrap_or(1.0)),
-                is(1.0 / choice),
-                is_albedo,
+                ("cosine-missing", cos.is_some() && is(1.0 / cosine)),
+                ("cosine-twice", is(cosine)),
+                ("pdf-missing", is(pdf)),
+                ("pi-missing", is(PI)),
+                ("pi-too-much", is(1.0 / PI)),
+                ("choice-missing", is(choice)),
+                ("mis-missing", is_told(*mis) && is(1.0 / mis.unwrap_or(1.0))),
+                ("choice-twice", is(1.0 / choice)),
+                ("brdf-missing", is_albedo),
             ];
             let [is, should] = [weight, &expected].map(|it| three(it.to_array()));
             (format!("counts {is}, where its factors give {should}"), causes)
