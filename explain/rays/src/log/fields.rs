@@ -1,13 +1,14 @@
 //! The fields of a ray's line: their names, what they mean, and where their values go.
 
-use std::collections::HashSet;
-use std::sync::Arc;
+use std::borrow::Cow;
+use std::fmt;
 
 use groundtruth::math::{Point, Vector};
+use serde::de::{Deserializer, Error, MapAccess, Visitor};
 use serde_json::Value;
+use text::loose::quoted;
 
-use super::scan::Scan;
-use super::{Purpose, Ray};
+use super::{Purpose, Ray, value};
 
 /// A field of a ray's line.
 #[derive(Clone, Copy, Debug)]
@@ -32,9 +33,11 @@ macro_rules! fields {
     ($($first:literal $(| $other:literal)*: $form:ident $($place:ident).+, $means:literal;)*) => {
         impl Line {
             /// Reads the value of the field of this name, if it is one of a ray.
-            fn read(&mut self, name: &str, scan: &mut Scan<'_, '_>) -> Result<bool, String> {
+            fn read<'de, A: MapAccess<'de>>(&mut self, name: &str, map: &mut A) -> Result<bool, A::Error> {
                 match name {
-                    $($first $(| $other)* => self.$($place).+ = scan.$form()?,)*
+                    $($first $(| $other)* => {
+                        self.$($place).+ = value::$form(map.next_value()?).map_err(A::Error::custom)?;
+                    })*
                     _ => return Ok(false),
                 }
                 Ok(true)
@@ -82,25 +85,46 @@ fields! {
     "radiance" | "L": color ray.radiance, "what it brings back to its origin";
 }
 
+#[derive(serde::Deserialize)]
+struct Name<'a>(#[serde(borrow)] Cow<'a, str>);
+
+impl<'de> Visitor<'de> for &mut Line {
+    type Value = ();
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("an object")
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, mut map: A) -> Result<(), A::Error> {
+        while let Some(Name(name)) = map.next_key()? {
+            let named = |e: A::Error| A::Error::custom(format!("`{name}`: {e}"));
+            if self.read(&name, &mut map).map_err(named)? {
+                continue;
+            }
+            match map.next_value().map_err(named)? {
+                Value::Object(values) if name == "values" => self.ray.others.extend(values),
+                value => drop(self.ray.others.insert(name.into_owned(), value)),
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Line {
+    fn of(text: &str) -> serde_json::Result<Self> {
+        let (mut line, mut json) = (Self::default(), serde_json::Deserializer::from_str(text));
+        json.deserialize_map(&mut line)?;
+        json.end().map(|()| line)
+    }
+}
+
 /// The ray of a line; `None` if it has neither origin nor direction.
 ///
 /// # Errors
 /// What is wrong with the line.
-pub(super) fn ray_of(
-    line: &str,
-    number: usize,
-    names: &mut HashSet<Arc<str>>,
-) -> Result<Option<Ray>, String> {
-    let mut it = Line::default();
-    Scan::of(line, names).object(|name, scan| {
-        if !it.read(name, scan)? {
-            match scan.any()? {
-                Value::Object(values) if name == "values" => it.ray.others.extend(values),
-                value => drop(it.ray.others.insert(name.to_owned(), value)),
-            }
-        }
-        Ok(())
-    })?;
+pub(super) fn ray_of(line: &str, number: usize) -> Result<Option<Ray>, String> {
+    let read = Line::of(line).or_else(|e| Line::of(&quoted(line)).map_err(|_| e));
+    let it = read.map_err(|e| e.to_string().replace(" at line 1 column", " at column"))?;
     let Line { mut ray, origin, direction, sample } = it;
     (ray.line, ray.sample) = (number, sample.unwrap_or(0));
     if ray.kind.is_none() && (ray.light.is_some() || ray.end.is_some()) {

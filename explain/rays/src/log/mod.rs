@@ -4,7 +4,7 @@ mod digits;
 mod fields;
 mod kind;
 mod read;
-mod scan;
+mod value;
 
 use std::fmt;
 use std::sync::Arc;

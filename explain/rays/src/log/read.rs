@@ -1,6 +1,5 @@
 //! Reads a log, block by block, so that neither a long line nor a long log fills the memory.
 
-use std::collections::HashSet;
 use std::io::{self, Read};
 use std::sync::Arc;
 
@@ -125,20 +124,20 @@ fn next_block(file: &mut impl Read, rest: &mut Vec<u8>) -> io::Result<Option<Vec
 impl Part {
     /// What lines hold, the first of this number.
     fn of(lines: &[&[u8]], first: usize) -> Self {
-        let (mut part, mut names) = (Self::default(), HashSet::new());
+        let mut part = Self::default();
         let numbered = lines.iter().enumerate().filter(|(_, line)| !line.trim_ascii().is_empty());
         for (at, line) in numbered {
-            part.add(line, first + at, &mut names);
+            part.add(line, first + at);
         }
         part
     }
 
-    fn add(&mut self, line: &[u8], number: usize, names: &mut HashSet<Arc<str>>) {
+    fn add(&mut self, line: &[u8], number: usize) {
         let text = match std::str::from_utf8(line) {
             _ if line.len() > MAX_LINE => Err("longer than 1 MiB".to_owned()),
             text => text.map_err(|_| "not UTF-8".to_owned()),
         };
-        let other = match text.map(|text| (text, ray_of(text, number, names))) {
+        let other = match text.map(|text| (text, ray_of(text, number))) {
             Ok((_, Ok(Some(ray)))) => return self.rays.push(ray),
             Ok((text, Ok(None))) => {
                 record(text, "neither a ray (`origin`, `direction`) nor `rays`, `object` or `lamp`")
