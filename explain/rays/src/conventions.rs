@@ -20,8 +20,6 @@ const FEW_AWAY: f64 = 2e-3;
 pub struct Conventions {
     /// Whether `t` is a length, though directions are no unit vectors.
     pub t_is_length: bool,
-    /// Whether directions are unit vectors.
-    pub unit_directions: bool,
     /// Where the normals point.
     pub normals: Normals,
     /// Whether a shadow ray runs from the lamp to the point.
@@ -32,8 +30,8 @@ pub struct Conventions {
     pub throughput_before: bool,
     /// Whether the log's `weight` was the product from the camera; [`Traced`] has made it the ray's own.
     pub weight_from_camera: bool,
-    /// How far from the surface rays start, and along what.
-    pub offset: Option<Offset>,
+    /// How far from the surface rays start (the median), and along what, in words.
+    pub offset: Option<(f64, &'static str)>,
 }
 
 /// Where normals point.
@@ -46,26 +44,6 @@ pub enum Normals {
     ToViewer,
     /// To the outside of the object, wherever the ray came from.
     Outward,
-}
-
-/// How rays leave the surface that they start on.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Offset {
-    /// Along what.
-    pub along: Along,
-    /// The median distance.
-    pub length: f64,
-}
-
-/// The line along which a start is moved.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Along {
-    /// The normal.
-    Normal,
-    /// The direction of the new ray.
-    Ray,
-    /// Neither.
-    Other,
 }
 
 /// Whether nearly all of the answers are yes; `None` without any.
@@ -88,7 +66,6 @@ impl Conventions {
     pub fn of_lengths(traced: &Traced) -> Self {
         let rays = &traced.log.rays;
         let is_unit = |v: Vector| (v.length() - 1.0).abs() <= traced.tolerance().max(1e-3);
-        let unit_directions = nearly_all(rays.iter().map(|ray| is_unit(ray.direction)));
         let told = (0..rays.len()).filter(|&index| !is_unit(rays[index].direction));
         let as_length = told.filter_map(|index| {
             let ray = &rays[index];
@@ -98,11 +75,7 @@ impl Conventions {
             let at = |step: f64| (ray.origin + step * ray.direction).distance(point);
             Some(at(t / ray.direction.length()) < at(t))
         });
-        Self {
-            unit_directions: unit_directions.unwrap_or(false),
-            t_is_length: nearly_all(as_length).unwrap_or(false),
-            ..Self::default()
-        }
+        Self { t_is_length: nearly_all(as_length).unwrap_or(false), ..Self::default() }
     }
 
     /// Whether `weight` is the product of all factors from the camera, not only that of the ray in its sender.
@@ -140,17 +113,10 @@ impl Conventions {
         say(self.eta_is_front_over_behind, "`eta` is the index in front over the one behind");
         say(self.weight_from_camera, "`weight` is the product from the camera");
         say(self.throughput_before, "`throughput` leaves out the ray's own weight");
-        if let Some(Offset { along, length }) = self.offset {
-            let along = match along {
-                Along::Normal => "along the normal",
-                Along::Ray => "along the new ray",
-                Along::Other => "neither along the normal nor along the new ray",
-            };
-            said.push(format!(
-                "rays start {} off the surface, {along}",
-                text::digits::short(length)
-            ));
-        }
+        let offset = self.offset.map(|(length, along)| {
+            format!("rays start {} off the surface, {along}", text::digits::short(length))
+        });
+        said.extend(offset);
         said
     }
 }
@@ -158,9 +124,9 @@ impl Conventions {
 fn normals(traced: &Traced) -> Normals {
     let hits = traced.log.rays.iter().filter(|ray| !ray.is_shadow());
     let facing = hits.filter_map(|ray| Some(ray.normal?.dot(ray.direction) <= 0.0));
-    let (away, toward) = facing.fold((0_u32, 0_u32), |(away, toward), faces| match faces {
-        true => (away, toward + 1),
-        false => (away + 1, toward),
+    let [away, toward] = facing.fold([0_u32; 2], |mut counts, faces| {
+        counts[usize::from(faces)] += 1;
+        counts
     });
     match (away, toward) {
         (0, 0) => Normals::Unknown,
@@ -205,7 +171,7 @@ fn is_before(traced: &Traced) -> bool {
 }
 
 /// How far rays start from the point that their parent hit.
-fn offset(traced: &Traced) -> Option<Offset> {
+fn offset(traced: &Traced) -> Option<(f64, &'static str)> {
     let (mut along_normal, mut along_ray) = (Vec::new(), Vec::new());
     let mut lengths = Vec::new();
     for (index, parent) in some_pairs(traced) {
@@ -227,9 +193,9 @@ fn offset(traced: &Traced) -> Option<Offset> {
     let length = median(lengths).filter(|_| enough)?;
     let is = |answers: Vec<bool>| nearly_all(answers.into_iter()) == Some(true);
     let along = match (is(along_normal), is(along_ray)) {
-        (true, _) => Along::Normal,
-        (false, true) => Along::Ray,
-        (false, false) => Along::Other,
+        (true, _) => "along the normal",
+        (false, true) => "along the new ray",
+        (false, false) => "neither along the normal nor along the new ray",
     };
-    Some(Offset { along, length })
+    Some((length, along))
 }

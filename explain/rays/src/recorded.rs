@@ -112,12 +112,10 @@ impl Builder<'_> {
         let number = self.indices.len();
         self.indices.push(index);
         let ray = self.traced.ray(index);
-        let light = ray
-            .light
-            .as_ref()
-            .and_then(|light| self.lights.get(light))
-            .copied()
-            .unwrap_or(u32::MAX);
+        let place = |places: &HashMap<Arc<str>, u32>, name: &Option<Arc<str>>| {
+            name.as_ref().and_then(|name| places.get(name)).copied().unwrap_or(u32::MAX)
+        };
+        let light = place(&self.lights, &ray.light);
         let kind = match ray.kind {
             Some(Purpose::Shadow | Purpose::Occlusion) => RayKind::Shadow { light },
             Some(Purpose::Transmitted) => RayKind::Transmitted,
@@ -125,12 +123,7 @@ impl Builder<'_> {
             _ => RayKind::Reflected,
         };
         let hit = self.hit(index);
-        let blocked_by = ray
-            .object
-            .as_ref()
-            .and_then(|object| self.objects.get(object))
-            .copied()
-            .unwrap_or(u32::MAX);
+        let blocked_by = place(&self.objects, &ray.object);
         let outcome = match (ray.is_shadow(), &hit) {
             (true, Some(_)) => Outcome::Blocked { blocked_by },
             (true, None) => Outcome::Unblocked { boundaries: 0 },

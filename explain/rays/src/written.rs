@@ -50,53 +50,39 @@ fn with_senders<'a>(
 }
 
 fn fields(ray: &RecordedRay, sender: Option<&RecordedRay>) -> Map<String, Value> {
-    let term =
-        sender.and_then(|sender| sender.terms.iter().find(|term| term.ray == Some(ray.number)));
-    let mut line = Map::new();
-    let mut put = |name: &str, value: Value| drop(line.insert(name.to_owned(), value));
-    put("ray", json!(ray.number));
-    if let Some(sender) = sender {
-        put("parent", json!(sender.number));
-    }
-    put("kind", json!(kind(ray, term)));
-    put("origin", json!(ray.ray.origin.to_array()));
-    put("direction", json!(ray.ray.direction.to_array()));
-    if let Some(light) = &ray.light {
-        put("light", json!(light));
-        // the way to a point lamp is the direction itself
-        if (ray.ray.direction.length() - 1.0).abs() > 1e-9 {
-            put("end", json!(1));
-        }
-    }
-    if let Outcome::Blocked { .. } = ray.outcome {
-        put("object", json!(ray.blocked_by));
-    }
-    if let Some(hit) = &ray.hit {
-        put("t", json!(hit.t));
-        put("point", json!(hit.point.to_array()));
-        put("object", json!(hit.object));
-        put("normal", json!(Vector::from(hit.normal).to_array()));
-        if hit.shading_normal != hit.normal {
-            put("shading_normal", json!(Vector::from(hit.shading_normal).to_array()));
-        }
-        put("front", json!(hit.front));
-    }
-    if let Some(sender) = sender {
-        let weights =
-            sender.terms.iter().filter(|term| term.ray == Some(ray.number)).map(|term| term.weight);
-        put("weight", json!((weights.sum::<Rgb>() * ray.transmittance).to_array()));
-    }
-    if let (RayKind::Transmitted, Some([front, behind])) = (ray.kind, media(sender)) {
-        put("eta_from", json!(front));
-        put("eta_to", json!(behind));
-    }
-    factors(&mut line, term);
-    if !matches!(ray.kind, RayKind::Shadow { .. }) {
-        add_light(&mut line, ray);
-    } else {
-        line.insert("radiance".to_owned(), json!(sum(ray, |_| true).to_array()));
-    }
-    line
+    let terms = || sender.iter().flat_map(|it| &it.terms).filter(|it| it.ray == Some(ray.number));
+    let weight = || (terms().map(|term| term.weight).sum::<Rgb>() * ray.transmittance).to_array();
+    // the way to a point lamp is the direction itself
+    let is_way = ray.light.is_some() && (ray.ray.direction.length() - 1.0).abs() > 1e-9;
+    let hit = ray.hit.as_ref();
+    let shading = hit.filter(|hit| hit.shading_normal != hit.normal);
+    let media = media(sender).filter(|_| ray.kind == RayKind::Transmitted);
+    let blocked_by = ray.blocked_by.as_ref();
+    let is_blocked = matches!(ray.outcome, Outcome::Blocked { .. });
+    let line = json!({
+        "ray": ray.number,
+        "parent": sender.map(|sender| sender.number),
+        "kind": kind(ray, terms().next()),
+        "origin": ray.ray.origin.to_array(),
+        "direction": ray.ray.direction.to_array(),
+        "light": ray.light,
+        "end": is_way.then_some(1),
+        "t": hit.map(|hit| hit.t),
+        "point": hit.map(|hit| hit.point.to_array()),
+        "object": hit.map(|hit| &hit.object).or(blocked_by.filter(|_| is_blocked)),
+        "normal": hit.map(|hit| Vector::from(hit.normal).to_array()),
+        "shading_normal": shading.map(|hit| Vector::from(hit.shading_normal).to_array()),
+        "front": hit.map(|hit| hit.front),
+        "weight": sender.map(|_| weight()),
+        "eta_from": media.map(|media| media[0]),
+        "eta_to": media.map(|media| media[1]),
+    });
+    let parts = [line, factors(terms().next()), light(ray)];
+    let fields = parts.into_iter().filter_map(|part| match part {
+        Value::Object(fields) => Some(fields),
+        _ => None,
+    });
+    fields.flatten().filter(|(_, value)| !value.is_null()).collect()
 }
 
 /// The indices of refraction on both sides of the surface that a ray met, its own side first.
@@ -106,21 +92,22 @@ fn media(sender: Option<&RecordedRay>) -> Option<[f64; 2]> {
 }
 
 /// What is emitted, what is added without a ray, and what leaves the surface in all.
-fn add_light(line: &mut Map<String, Value>, ray: &RecordedRay) {
+fn light(ray: &RecordedRay) -> Value {
+    let radiance = sum(ray, |_| true).to_array();
+    let is_shadow = |ray: &RecordedRay| matches!(ray.kind, RayKind::Shadow { .. });
+    if is_shadow(ray) {
+        return json!({"radiance": radiance});
+    }
     let is_emitted = |term: &RecordedTerm| {
         matches!(term.source, TermSource::Emission { .. } | TermSource::Background { .. })
     };
     let emitted = sum(ray, |term| term.ray.is_none() && is_emitted(term));
     let local = sum(ray, |term| term.ray.is_none() && !is_emitted(term));
-    let lit = ray.children.iter().filter(|child| matches!(child.kind, RayKind::Shadow { .. }));
+    let lit = ray.children.iter().filter(|child| is_shadow(child));
     let by_ray =
         lit.flat_map(|child| ray.terms.iter().filter(move |term| term.ray == Some(child.number)));
     let direct: Rgb = local + by_ray.map(|term| term.value).sum();
-    for (name, color) in
-        [("emitted", emitted), ("direct", direct), ("radiance", sum(ray, |_| true))]
-    {
-        line.insert(name.to_owned(), json!(color.to_array()));
-    }
+    json!({"emitted": emitted.to_array(), "direct": direct.to_array(), "radiance": radiance})
 }
 
 fn sum(ray: &RecordedRay, is_counted: impl Fn(&RecordedTerm) -> bool) -> Rgb {
@@ -142,23 +129,17 @@ fn kind(ray: &RecordedRay, term: Option<&RecordedTerm>) -> &'static str {
     }
 }
 
-fn factors(line: &mut Map<String, Value>, term: Option<&RecordedTerm>) {
-    let mut put = |name: &str, value: Option<Value>| {
-        drop(value.map(|value| line.insert(name.to_owned(), value)))
-    };
+fn factors(term: Option<&RecordedTerm>) -> Value {
     match term.map(|term| &term.source) {
         Some(TermSource::Traced { pdf, lobe_probability, survival, .. }) => {
-            put("pdf", pdf.map(|pdf| json!(pdf)));
             let choice = lobe_probability * survival;
-            put("choice", (choice != 1.0).then(|| json!(choice)));
+            json!({"pdf": pdf, "choice": (choice != 1.0).then_some(choice)})
         }
+        // one ray may serve several lobes: then the factors are those of the first, and only the weight is of all
         Some(TermSource::Direct { f, cos_i, pdf, mis, .. }) => {
-            // one ray may serve several lobes: then the factors are those of the first, and only the weight is of all
-            put("cos", Some(json!(cos_i)));
-            put("pdf", pdf.map(|pdf| json!(pdf)));
-            put("mis", mis.map(|mis| json!(mis)));
-            put("values", Some(json!({"f_of_first_lobe": f.to_array()})));
+            let f = f.to_array();
+            json!({"cos": cos_i, "pdf": pdf, "mis": mis, "values": {"f_of_first_lobe": f}})
         }
-        _ => {}
+        _ => Value::Null,
     }
 }
