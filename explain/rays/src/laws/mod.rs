@@ -1,4 +1,4 @@
-//! The laws: each a file with its sentence, what it needs, and its usual causes.
+//! The laws: each a file that asks the rays; its sentence, what it needs and its usual causes stand in `laws.txt`.
 //!
 //! A cause is named only if it predicts what the log says, within the law's tolerance, for every ray that breaks the law.
 
