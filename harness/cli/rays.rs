@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use ask::{JunitCase, JunitResult};
 use clap::Args;
+use groundtruth::printable;
 use groundtruth::scene::Scene;
 use groundtruth::world::{self, World};
 use rays::{LawReport, RayLaw, RayVerdict, Traced, WriterLanguage};
@@ -93,7 +94,7 @@ impl Rays {
             if self.logs.len() > 1 { format!("{}: ", path.display()) } else { String::new() };
         match (self.pixels, self.logs.len() > 1 || self.output.is_some()) {
             (true, _) => format!("{name}{}", verdict.pixels_text()),
-            (_, true) => format!("{name}{}\n", verdict.sentence()),
+            (_, true) => printable::text(&format!("{name}{}", verdict.sentence())) + "\n",
             _ => verdict.text(),
         }
     }

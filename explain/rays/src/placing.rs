@@ -1,9 +1,10 @@
 //! How the space of a log lies in that of its objects: other axes, another unit of length.
 
+use std::collections::BTreeSet;
 use std::fmt;
 
 use groundtruth::math::{Point, Vector};
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 use crate::log::Log;
 
@@ -38,6 +39,31 @@ impl Placing {
         let exchanged = signs.map(|[y, z]| Self { axes: [(0, 1.0), (2, y), (1, z)], scale: 1.0 });
         let scaled = SCALES.map(|scale| Self { scale, ..Self::default() });
         mirrored.chain(exchanged).chain(scaled)
+    }
+
+    /// Whether the fields of a head can say it.
+    ///
+    /// # Errors
+    /// What they should be.
+    pub fn check(fields: &Map<String, Value>) -> Result<(), String> {
+        let axis = |word: &Value| {
+            NAMES
+                .iter()
+                .position(|it| Some(*it) == word.as_str().map(|it| it.trim_start_matches('-')))
+        };
+        let axes = |it: &Vec<Value>| it.iter().map(axis).collect::<Option<BTreeSet<_>>>();
+        let is_whole = |it: &Value| {
+            it.as_array()
+                .is_some_and(|it| it.len() == 3 && axes(it).is_some_and(|it| it.len() == 3))
+        };
+        if fields.get("axes").is_some_and(|it| !is_whole(it)) {
+            return Err("`axes` are x, y and z in any order, each perhaps with a sign, as [\"x\", \"z\", \"-y\"]".to_owned());
+        }
+        let is_length = |it: &Value| it.as_f64().is_some_and(|it| it > 0.0 && it.is_normal());
+        match fields.get("scale").is_none_or(is_length) {
+            true => Ok(()),
+            false => Err("`scale` is a positive number".to_owned()),
+        }
     }
 
     /// What the head says of it: `"axes": ["x", "z", "-y"]`, `"scale": 0.01`.

@@ -39,8 +39,9 @@ impl RayVerdict {
                 count(rays, "ray")
             ),
             _ => format!(
-                "{} break none of the {} that could be asked",
+                "{} break{} none of the {} that could be asked",
                 count(rays, "ray"),
+                if rays == 1 { "s" } else { "" },
                 count(held, "law")
             ),
         }
@@ -84,7 +85,9 @@ impl RayVerdict {
         let worst = pixels.iter().rev().max_by_key(|it| it.findings).filter(|it| it.findings > 0);
         let lines = pixels.iter().map(line).collect::<String>();
         let worst = worst.map_or(String::new(), |it| format!("worst: {}", line(it)));
-        format!("{}\n{}", printable::text(&self.sentence()), lines + &worst)
+        let lines =
+            (lines + &worst).lines().map(|it| printable::text(it) + "\n").collect::<String>();
+        format!("{}\n{lines}", printable::text(&self.sentence()))
     }
 
     /// What was taken from the log, guessed or left out, a sentence each.
@@ -132,7 +135,8 @@ impl RayVerdict {
                     let follows = follows.map_or(String::new(), |from| {
                         format!(" (follows from {})", self.traced.name(from))
                     });
-                    writeln!(f, "    {} {}{follows}", printable::text(&ray), finding.words)?;
+                    let line = format!("{ray} {}{follows}", finding.words);
+                    writeln!(f, "    {}", printable::text(&line))?;
                 }
                 if broken > EXAMPLES {
                     writeln!(f, "    … and {}", count(broken - EXAMPLES, "more ray"))?;

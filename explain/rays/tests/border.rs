@@ -92,3 +92,24 @@ fn each_pixel_is_judged() {
         "{text}"
     );
 }
+
+/// Law: a direction that has drifted from length 1, as directions that are never normalised do, moves the hit of a program that
+/// takes it for a unit vector, and that is no finding; a hit by the other root is one, and no other is called so. Oracle: the
+/// roots with 60 digits.
+#[test]
+fn a_direction_that_drifted_is_no_finding() {
+    let hit = |t: &str| {
+        let lines = [
+            r#"{"object": "high", "sphere": {"center": [-3.0, 6.5, 1.0], "radius": 0.9}}"#
+                .to_owned(),
+            format!(
+                r#"{{"origin": [0.11302324568479842, 0.6138120790878434, 1.4130920954332635], "direction": [-0.4343672633396999, 0.9004726422895957, -0.02177386108860635], "t": {t}, "object": "high"}}"#
+            ),
+        ];
+        RayVerdict::of(super::laws::traced(&lines))
+    };
+    assert!(!hit("5.838519953977411").is_broken(), "{}", hit("5.838519953977411").text());
+    assert!(hit("5.839").is_broken());
+    let far = hit("7.5").sentence();
+    assert!(far.contains("the farther root is taken"), "{far}");
+}

@@ -121,3 +121,30 @@ fn senders_are_found() {
     let named = Traced::of(read(named.join("\n").as_bytes()).expect("a log"), None);
     assert_eq!(named.parents, [Some(1), None]);
 }
+
+/// Law: what would only turn laws off is refused: a lamp whose place is none is left out by its line, axes and scales that are none
+/// end the reading; the mark of UTF-8 at the beginning of a file is none of its first line. Oracle: the same line, right.
+#[test]
+fn what_would_turn_laws_off_is_refused() {
+    const RAY: &str = r#"{"origin": [0, 0, 0], "direction": [0, 0, 1]}"#;
+    let log = |line: &str| read(format!("{line}\n{RAY}\n").as_bytes());
+    for lamp in [r#"{"lamp": 5, "object": 1}"#, r#"{"lamp": "l", "point": [0, 5]}"#] {
+        let log = log(lamp).expect("a ray");
+        assert_eq!((log.lamps.len(), log.damaged.len()), (0, 1), "{lamp}");
+    }
+    for lamp in [r#"{"lamp": "l", "object": "ball"}"#, r#"{"lamp": 5, "directional": [0, 1, 0]}"#] {
+        assert_eq!(log(lamp).expect("a ray").lamps.len(), 1, "{lamp}");
+    }
+    for head in [r#""axes": ["x", "x", "y"]"#, r#""axes": 5"#, r#""scale": 0"#, r#""scale": -1"#] {
+        let refused = log(&format!("{{\"rays\": 1, {head}}}")).expect_err("refused").to_string();
+        assert!(refused.contains(&head[1..5]), "{refused}");
+    }
+    let head = r#"{"rays": 1, "axes": ["x", "-z", "y"], "scale": 0.01}"#;
+    for begin in ["", "\u{feff}"] {
+        assert_eq!(
+            log(&format!("{begin}{head}")).expect("a log").head.version,
+            Some(1),
+            "{begin:?}"
+        );
+    }
+}

@@ -16,6 +16,8 @@ const FEW: usize = 20;
 /// So many hits of an object are compared with, and so many objects.
 const MOST_HITS: usize = 400;
 const MOST_OBJECTS: usize = 64;
+/// The part of a ray's length at which it is at its end.
+const NEARLY: f64 = 0.9;
 /// The neighbours that a place has to have on all sides, and the largest angle between two of them.
 const NEIGHBOURS: usize = 5;
 const GAP: f64 = 2.0 * PI / 3.0;
@@ -58,7 +60,9 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             let sender = traced.parent(index).and_then(|parent| parent.object.as_ref());
             let enters = ray.is(&Purpose::Transmitted) && sender == Some(&it.name);
             let hits = it.surface.hits(ray.origin, direction).into_iter().filter(|_| !is_open);
-            let mut hits = hits.filter(|at| (span[0]..span[1]).contains(at));
+            // by rounding it ended on this very surface
+            let far = if ray.object.as_ref() == Some(&it.name) { NEARLY * end } else { span[1] };
+            let mut hits = hits.filter(|at| (span[0]..span[1].min(far)).contains(at));
             let at =
                 hits.find(|at| it.is_there(ray.origin + *at * direction, direction, enters))?;
             Some((it, at, enters))

@@ -17,11 +17,22 @@ const NEAR: f64 = 2e-3;
 /// The part of the rays that has to follow it: at grazing angles the indices are known badly.
 const MOST: f64 = 0.95;
 
-/// A transmitted ray: the part of the light that it has, and the parts that formulas give it.
+/// A transmitted ray: the part of the light that it has, or that which the ray reflected beside it has, and the parts that
+/// formulas give to what is transmitted.
 struct Share {
     index: usize,
     part: f64,
     formulas: [f64; 3],
+    /// Whether it is the part of the reflected ray: absorption behind the surface does not change it.
+    is_reflected: bool,
+}
+
+impl Share {
+    /// The part by a formula, if what is transmitted is this function of it.
+    fn by(&self, at: usize, of: &dyn Fn(f64) -> f64) -> f64 {
+        let transmitted = of(self.formulas[at]);
+        if self.is_reflected { 1.0 - transmitted } else { transmitted }
+    }
 }
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
@@ -33,30 +44,33 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
     }
     for shares in groups.into_values().filter(|shares| shares.len() >= FEW) {
         let near = |value: f64, middle: f64| (value - middle).abs() <= NEAR * middle.max(NEAR);
-        // what all parts are but for a constant, if a formula gives it
-        let constant = |of: &dyn Fn(&Share) -> f64| {
+        // whether all parts are these but for a constant, which is the colour of the surface
+        let are = |of: &dyn Fn(&Share) -> f64| {
             let ratios: Vec<f64> = shares.iter().map(|it| it.part / of(it)).collect();
-            let middle = median(ratios.clone())?;
+            let Some(middle) = median(ratios.clone()) else { return false };
             let alike = ratios.iter().filter(|ratio| near(**ratio, middle)).count();
-            (alike as f64 >= MOST * shares.len() as f64).then_some(middle)
+            // what is reflected is no more than all of it; what is transmitted may count its spread
+            let is_colour = shares.iter().all(|it| !it.is_reflected) || middle <= 1.0 + NEAR;
+            alike as f64 >= MOST * shares.len() as f64 && is_colour
         };
-        let is_even = constant(&|_| 1.0).is_some();
-        let holds = is_even || (0..3).any(|at| constant(&|it| it.formulas[at]).is_some());
-        let is = |of: &dyn Fn(f64) -> f64| {
-            (0..3).any(|at| constant(&|it| of(it.formulas[at])).is_some())
-        };
+        let is = |of: &dyn Fn(f64) -> f64| (0..3).any(|at| are(&|it: &Share| it.by(at, of)));
+        let holds = are(&|_| 1.0) || is(&|part| part);
         let causes = [
             ("one-polarisation", is(&|part| 2.0 * part - 1.0)),
             ("counts-twice", is(&|part| part * part)),
         ];
         for share in &shares {
-            let [part, should] = [share.part, share.formulas[0]].map(short);
-            let is_off = !near(share.part, share.formulas[0]);
-            asked.count(share.index, holds || !is_off, || {
-                (
-                    format!("has {part} of the light, where Fresnel's equations give it {should}"),
-                    causes,
-                )
+            let should = share.by(0, &|part| part);
+            asked.count(share.index, holds || near(share.part, should), || {
+                let [part, should] = [share.part, should].map(short);
+                let whose = match share.is_reflected {
+                    true => "has a reflected ray beside it with",
+                    false => "has",
+                };
+                let words = format!(
+                    "{whose} {part} of the light, where Fresnel's equations give it {should}"
+                );
+                (words, causes)
             });
         }
     }
@@ -68,8 +82,9 @@ fn share(traced: &Traced, it: &Leaving<'_>) -> Option<(bool, Share)> {
     let weight = it.ray.factors.weight?.max();
     let is_beside = |child: &&usize| traced.ray(**child).is(&Purpose::Reflected);
     let beside = traced.children[it.from].iter().find(is_beside);
+    let is_reflected = beside.is_some();
     let part = match (beside, it.ray.factors.choice) {
-        (Some(&beside), _) => 1.0 - traced.ray(beside).factors.weight?.max(),
+        (Some(&beside), _) => traced.ray(beside).factors.weight?.max(),
         (None, Some(choice)) => weight * choice,
         (None, None) => return None,
     };
@@ -80,6 +95,7 @@ fn share(traced: &Traced, it: &Leaving<'_>) -> Option<(bool, Share)> {
     let normal = fresnel(1.0, eta).reflected;
     let schlick = |cos: f64| (1.0 - normal) * (1.0 - power(1.0 - cos, 5.0));
     let formulas = [fresnel(cos, eta).transmitted, schlick(cos), schlick(cos.min(cos_behind))];
-    let is_told = part.is_finite() && formulas.iter().all(|part| *part > NEAR);
-    is_told.then_some((eta > 1.0, Share { index: it.index, part, formulas }))
+    let share = Share { index: it.index, part, formulas, is_reflected };
+    let is_told = part.is_finite() && (0..3).all(|at| share.by(at, &|part| part) > NEAR);
+    is_told.then_some((eta > 1.0, share))
 }

@@ -46,7 +46,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         && 2 * fits(&power).max(fits(&balance)) < all.len();
     for it in &all {
         let [expected, unlike] = match (is_alone, is_power) {
-            (true, _) => [if it.is_hit { 0.0 } else { 1.0 }; 2],
+            (true, _) => [if it.is_hit && it.other > 0.0 { 0.0 } else { 1.0 }; 2],
             (_, true) => [power(it.own, it.other), balance(it.own, it.other)],
             _ => [balance(it.own, it.other), power(it.own, it.other)],
         };
@@ -68,20 +68,28 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
                 (_, true) => "power heuristic",
                 _ => "balance heuristic",
             };
-            (
-                format!("has the MIS weight {mis}, where its densities give {expected} ({name})"),
-                causes,
-            )
+            let has = match traced.ray(it.index).factors.mis {
+                Some(_) => format!("has the MIS weight {mis}"),
+                None => "counts in full".to_owned(),
+            };
+            (format!("{has}, where its densities give {expected} ({name})"), causes)
         });
     }
 }
 
-/// All weights whose densities are known: as logged, or by the lamp and the surface.
+/// All weights whose densities are known: as logged, or by the lamp and the surface. In a log without any, what is emitted at a
+/// hit and brought back counts in full, as samples of lamps do.
 fn weighed(traced: &Traced) -> Vec<Weighed> {
     let (matte, lamps) = (matte(traced), lamps::drawn(traced));
+    let unweighed = traced.log.rays.iter().all(|ray| ray.factors.mis.is_none());
     let of = |it: Leaving<'_>| {
         let factors = &it.ray.factors;
-        let (index, mis) = (it.index, factors.mis.filter(|mis| mis.is_finite())?);
+        let counts = || {
+            let [emitted, brought] = [it.ray.emitted, it.ray.radiance].map(|it| Some(it?.max()));
+            let is_brought = brought? >= (1.0 - 1e-3) * emitted.unwrap_or(0.0);
+            (unweighed && is_brought).then_some(1.0)
+        };
+        let (index, mis) = (it.index, factors.mis.or_else(counts).filter(|mis| mis.is_finite())?);
         let is_hit = !it.ray.is_shadow();
         let is_mirror = matches!(it.ray.kind, Some(Purpose::Reflected | Purpose::Transmitted));
         if is_mirror && factors.pdf.is_none() {

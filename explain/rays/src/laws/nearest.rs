@@ -9,6 +9,8 @@ use groundtruth::math::{self, Span, Vector};
 use groundtruth::world::{Hit, World};
 use text::digits::short;
 
+/// The part of a distance within which it is the same root.
+const SAME: f64 = 1e-6;
 /// Below this cosine a small error of the ray decides whether it hits.
 const GRAZING: f64 = 0.03;
 
@@ -23,7 +25,9 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         asked.count(index, seen.holds, || {
             let ours = seen.ours.as_ref();
             let is_same = ours.is_some_and(|hit| ray.object.as_ref() == Some(&hit.object.name));
-            let is_nearer = ours.is_some_and(|hit| seen.his.is_none_or(|his| his > hit.t));
+            let is_beyond = |his: f64, t: f64| his - t > SAME * t.abs();
+            let is_nearer =
+                ours.is_some_and(|hit| seen.his.is_none_or(|his| is_beyond(his, hit.t)));
             let never = ours.is_some_and(|ours| !hit.contains(&ours.object.name));
             let is_early =
                 ours.is_some_and(|hit| hit.t * ray.direction.length() < 1e-2 * traced.scale);
@@ -91,11 +95,16 @@ impl<'a> Seen<'a> {
                 let sizes = size(ray.origin)
                     + size(hit.surface.point)
                     + traced.object_size(Some(&hit.object.name));
-                // a program that takes a direction for a unit vector errs by what it is not
+                // a program that takes a direction for a unit vector errs by what it is not: at a ball of radius r by
+                // ε t²/(2 r cosine), so that it counts with the object's size
                 let off_unit = (length - 1.0).abs();
-                let off_unit = if off_unit <= 1e-3 { 4.0 * off_unit * t.abs() } else { 0.0 };
-                let off = (t - hit.t).abs() * length - off_unit - traced.slack_along(ray);
-                off * cosine(hit).max(GRAZING) <= 8.0 * traced.slack(sizes) + traced.hits_are_off
+                let bounds = hit.object.bounds();
+                let radius = 0.5 * (bounds.max - bounds.min).max_abs();
+                let reach = t.abs() * (1.0 + t.abs() / radius.max(f64::MIN_POSITIVE));
+                let off_unit = if off_unit <= 1e-3 { 4.0 * off_unit * reach } else { 0.0 };
+                let off = (t - hit.t).abs() * length - traced.slack_along(ray);
+                let rounding = 8.0 * traced.slack(sizes) + traced.hits_are_off + off_unit;
+                off * cosine(hit).max(GRAZING) <= rounding
             }
             _ => false,
         };

@@ -68,7 +68,15 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             let name = &hit.object.name;
             !hit.casts_shadow() || glass.contains(name) && !blockers.contains(name)
         };
-        if ours.as_ref().is_some_and(passes) && !is_blocked {
+        // where its end is not known, it ends at its lamp
+        let shines = |hit: &Hit<'_>| {
+            let name = hit.object.name.as_ref();
+            let lamp = traced.log.lamps.iter().find(|lamp| Some(&lamp.name) == ray.light.as_ref());
+            let of_lamp = lamp.and_then(|lamp| lamp.fields.get("object")?.as_str());
+            ray.light.as_deref() == Some(name) || of_lamp == Some(name)
+        };
+        let at_lamp = ours.as_ref().is_some_and(|hit| ray.end.is_none() && shines(hit));
+        if (ours.as_ref().is_some_and(passes) || at_lamp) && !is_blocked {
             continue;
         }
         asked.count(index, is_blocked == ours.is_some(), || {

@@ -18,7 +18,8 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         let cos = facing.dot(it.leaving);
         let leaves = if *kind == Purpose::Transmitted { -cos } else { cos };
         // a lamp behind the surface is rightly hidden by it
-        if leaves <= 1e-3 || *kind == Purpose::Camera {
+        let starts_at_lamp = it.ray.is_shadow() && traced.conventions.shadow_from_lamp;
+        if leaves <= 1e-3 || *kind == Purpose::Camera || starts_at_lamp {
             continue;
         }
         let end = it.ray.t.map(|t| (traced.along(it.ray, t) - it.ray.origin).length());

@@ -8,6 +8,7 @@ use serde_json::{Map, Value};
 
 use super::fields::ray_of;
 use super::{Head, Log, Named, Precision, Ray};
+use crate::placing::Placing;
 use groundtruth::printable;
 use text::loose::quoted;
 
@@ -127,7 +128,9 @@ impl Part {
         let mut part = Self::default();
         let numbered = lines.iter().enumerate().filter(|(_, line)| !line.trim_ascii().is_empty());
         for (at, line) in numbered {
-            part.add(line, first + at);
+            // some programs mark the beginning of a file as UTF-8
+            let mark = line.strip_prefix(b"\xEF\xBB\xBF").filter(|_| first + at == 1);
+            part.add(mark.unwrap_or(line), first + at);
         }
         part
     }
@@ -162,8 +165,26 @@ fn record(line: &str, problem: &str) -> Result<Record, String> {
         let name: Arc<str> = name.as_str().map_or_else(|| name.to_string(), str::to_owned).into();
         Some(Named { name, fields: std::mem::take(&mut fields) })
     };
-    let lamp = named("lamp").map(Record::Lamp);
-    lamp.or_else(|| named("object").map(Record::Object)).ok_or_else(|| problem.to_owned())
+    match named("lamp") {
+        Some(lamp) => has_place(&lamp).map(|()| Record::Lamp(lamp)),
+        None => named("object").map(Record::Object).ok_or_else(|| problem.to_owned()),
+    }
+}
+
+/// What is written wrongly would only turn laws off; a lamp may be a name alone.
+fn has_place(lamp: &Named) -> Result<(), String> {
+    // or the words of scene files
+    let is_triple = |value: &Value| {
+        value.is_object() || serde_json::from_value::<[f64; 3]>(value.clone()).is_ok()
+    };
+    let is = |field: &str, fits: fn(&Value) -> bool| lamp.fields.get(field).is_none_or(fits);
+    if !is("point", is_triple) || !is("directional", is_triple) {
+        return Err("`point` and `directional` of a lamp are three numbers".to_owned());
+    }
+    match is("object", Value::is_string) {
+        true => Ok(()),
+        false => Err("`object` of a lamp is the name of the one that shines".to_owned()),
+    }
 }
 
 impl Log {
@@ -220,6 +241,7 @@ impl Head {
         let size = fields.remove("size").map(serde_json::from_value).transpose();
         let size = size.map_err(|_| "`size` is width and height in pixels".to_owned())?;
         let scene = fields.remove("scene");
+        Placing::check(&fields)?;
         Ok(Self { version: Some(1), program, precision, picture, size, scene, others: fields })
     }
 }
