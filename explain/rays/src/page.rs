@@ -57,7 +57,9 @@ impl RayVerdict {
             let told = |(law, asked): &(&'static RayLaw, &LawReport)| match outcome {
                 Outcome::Broken => self.findings(law, asked),
                 Outcome::Held => several().with(count(asked.rays, "ray")),
-                Outcome::NotAsked => several().with(format!("needs {}", law.needs.join(", "))),
+                Outcome::NotAsked => {
+                    several().with(format!("needs {}", self.missing(law).join(", ")))
+                }
             };
             let table = table(laws)
                 .column("law", |(law, _)| law.name)

@@ -114,7 +114,9 @@ impl RayVerdict {
 
     fn write_law(&self, f: &mut String, law: &RayLaw, asked: &LawReport) -> fmt::Result {
         match asked.outcome() {
-            Outcome::NotAsked => writeln!(f, "  {:<20} needs {}", law.name, law.needs.join(", "))?,
+            Outcome::NotAsked => {
+                writeln!(f, "  {:<20} needs {}", law.name, self.missing(law).join(", "))?
+            }
             Outcome::Held => {
                 writeln!(f, "  {:<20} {} ({})", law.name, law.says, count(asked.rays, "ray"))?
             }

@@ -1,6 +1,6 @@
 //! What all laws found in a log.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use rayon::prelude::*;
 
@@ -85,6 +85,20 @@ impl RayVerdict {
     /// What a law found.
     pub fn report(&self, law: &RayLaw) -> Option<&LawReport> {
         self.asked.iter().find(|(asked, _)| asked.name == law.name).map(|(_, report)| report)
+    }
+
+    /// What a law lacks that was not asked: of its needs those fields are there that some ray has, as far as the first ones show.
+    pub fn missing(&self, law: &RayLaw) -> Vec<&'static str> {
+        const LOOKED_AT: usize = 1000;
+        let rays = self.traced.log.rays.iter().take(LOOKED_AT);
+        let there: HashSet<String> =
+            rays.flat_map(|ray| ray.fields()).map(|(name, _)| name).collect();
+        let is_there = |need: &&&str| match **need {
+            "objects or a scene" => self.traced.world.is_some(),
+            need => there.contains(need.split(' ').next().unwrap_or_default()),
+        };
+        let (_, missing): (Vec<&str>, Vec<&str>) = law.needs.iter().partition(is_there);
+        if missing.is_empty() { law.needs.clone() } else { missing }
     }
 
     /// The findings about a ray, with their laws.

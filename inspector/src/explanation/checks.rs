@@ -48,7 +48,7 @@ pub fn show(ui: &mut Ui, log: &Logged) -> Option<RayPlace> {
                     ui.label(format!("{}: {}", law.name, rays)).on_hover_text(law.says);
                 }
                 Outcome::NotAsked => {
-                    let needs = law.needs.join(", ");
+                    let needs = verdict.missing(law).join(", ");
                     ui.weak(format!("{}: needs {needs}", law.name)).on_hover_text(law.says);
                 }
             }
