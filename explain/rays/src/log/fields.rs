@@ -118,7 +118,7 @@ impl Line {
     }
 }
 
-/// The ray of a line; `None` if it has neither origin nor direction.
+/// The ray that a line describes; `None` if the line is no ray, having neither origin nor direction.
 ///
 /// # Errors
 /// What is wrong with the line.
