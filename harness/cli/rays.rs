@@ -9,7 +9,8 @@ use ask::{JunitCase, JunitResult};
 use clap::Args;
 use groundtruth::printable;
 use groundtruth::scene::Scene;
-use groundtruth::world::{self, World};
+use groundtruth::world::{self, DEFAULT_SEED, World};
+use judge::mistakes::Mistaken;
 use rays::{LawReport, RayLaw, RayVerdict, Traced, WriterLanguage};
 use serde_json::Value;
 
@@ -59,8 +60,7 @@ impl Rays {
         super::output::once(self.output.iter().chain(&self.junit).map(PathBuf::as_path), "output")?;
         let (mut exit, mut suites, mut told) = (Exit::Yes, Vec::new(), Vec::new());
         for path in &self.logs {
-            let traced = read(path)?;
-            let verdict = RayVerdict::of(traced);
+            let verdict = judged(path)?;
             if verdict.is_broken() {
                 exit = Exit::No;
             }
@@ -118,13 +118,18 @@ fn cases(verdict: &RayVerdict) -> Vec<JunitCase> {
     verdict.asked.iter().map(case).collect()
 }
 
-fn read(path: &PathBuf) -> Result<Traced, Box<dyn Error>> {
+fn judged(path: &Path) -> Result<RayVerdict, Box<dyn Error>> {
     let named = |problem: String| format!("{}: {problem}", path.display());
     let file = File::open(path).map_err(|e| named(e.to_string()))?;
     let log = rays::read(file).map_err(|e| named(e.to_string()))?;
     let folder = path.parent().unwrap_or(Path::new(""));
-    let world = rays::world_of(&log, folder, |name| named_scene(name, folder)).map_err(named)?;
-    Ok(Traced::of(log, world.map(|(_, world)| Arc::new(world))))
+    let (scene, world) =
+        rays::world_of(&log, folder, |name| named_scene(name, folder)).map_err(named)?.unzip();
+    let mut verdict = RayVerdict::of(Traced::of(log, world.map(Arc::new)));
+    if let Some(scene) = scene {
+        verdict.name_mistakes(Mistaken::each(&scene, folder, DEFAULT_SEED));
+    }
+    Ok(verdict)
 }
 
 /// A scene of the gallery, or a file beside the log.

@@ -1,6 +1,6 @@
 //! Estimates the number of rays of a picture before it is rendered, by tracing some of its samples.
 
-use super::sample_within;
+use super::Renderer;
 use crate::math::Pcg32;
 use crate::trace::RayBudget;
 use crate::world::World;
@@ -45,7 +45,7 @@ impl RaysPerSample {
             let pixel = [random.below(width), random.below(height)];
             let index = random.below(world.samples_per_pixel());
             let before = budget.spent();
-            sample_within(world, pixel, index, &mut (), &mut budget);
+            world.sample(pixel, index, &mut (), &mut budget);
             (samples, of_last) = (samples + 1, budget.spent() - before);
         }
         let mean = budget.spent() as f64 / f64::from(samples.max(1));

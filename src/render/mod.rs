@@ -80,23 +80,7 @@ pub fn image_point(image: &Image, [x, y]: [f64; 2]) -> [f64; 2] {
 /// The radiance of one sample of one pixel (x right, y down, from 0 at the top left), weighed by the
 /// filter.
 pub fn sample<R: Recorder>(world: &World, pixel: [u32; 2], index: u32, recorder: &mut R) -> Rgb {
-    sample_within(world, pixel, index, recorder, &mut Unlimited)
-}
-
-/// As [`sample`], within a budget of rays; those beyond it are black.
-pub fn sample_within<R: Recorder, B: Budget>(
-    world: &World,
-    pixel: [u32; 2],
-    index: u32,
-    recorder: &mut R,
-    budget: &mut B,
-) -> Rgb {
-    match camera_sample_and_draws(world, pixel, index) {
-        Some((CameraSample { weight, ray: Some(ray), .. }, draws)) => {
-            weight * trace::radiance_within(world, &ray, draws, recorder, budget)
-        }
-        _ => Rgb::BLACK,
-    }
+    world.sample(pixel, index, recorder, &mut Unlimited)
 }
 
 /// What finds the radiance of samples: a world, or what stands before one and alters what it finds.
@@ -104,14 +88,30 @@ pub trait Renderer: Sync {
     /// The world.
     fn world(&self) -> &World;
 
-    /// The radiance of one sample, as [`sample_within`].
+    /// The radiance that arrives along a camera's ray, with the draws of its sample.
+    fn radiance<R: Recorder, B: Budget>(
+        &self,
+        ray: &Ray,
+        draws: Draws<'_>,
+        recorder: &mut R,
+        budget: &mut B,
+    ) -> Rgb;
+
+    /// The radiance of one sample, as [`sample`], within a budget of rays; those beyond it are black.
     fn sample<R: Recorder, B: Budget>(
         &self,
         pixel: [u32; 2],
         index: u32,
         recorder: &mut R,
         budget: &mut B,
-    ) -> Rgb;
+    ) -> Rgb {
+        match camera_sample_and_draws(self.world(), pixel, index) {
+            Some((CameraSample { weight, ray: Some(ray), .. }, draws)) => {
+                weight * self.radiance(&ray, draws, recorder, budget)
+            }
+            _ => Rgb::BLACK,
+        }
+    }
 
     /// A pixel: the mean of its samples times the exposure time; `None` if it was stopped.
     fn pixel(&self, at: [u32; 2], stop: &AtomicBool) -> Option<Rgb> {
@@ -124,14 +124,14 @@ impl Renderer for World {
         self
     }
 
-    fn sample<R: Recorder, B: Budget>(
+    fn radiance<R: Recorder, B: Budget>(
         &self,
-        pixel: [u32; 2],
-        index: u32,
+        ray: &Ray,
+        draws: Draws<'_>,
         recorder: &mut R,
         budget: &mut B,
     ) -> Rgb {
-        sample_within(self, pixel, index, recorder, budget)
+        trace::radiance_within(self, ray, draws, recorder, budget)
     }
 
     /// The same, but not generic: compiled once, beside the small functions it calls, instead of in

@@ -95,6 +95,11 @@ impl<'a> Draws<'a> {
         Self { sets, pixel: pixel_hash(seed, pixel), index }
     }
 
+    /// The sample of the pixel.
+    pub fn index(&self) -> u32 {
+        self.index
+    }
+
     /// Two numbers in `[0, 1)`.
     pub fn draw(&self, purpose: Purpose) -> [f64; 2] {
         self.sets.draw(Key { pixel: self.pixel, purpose }, self.index)

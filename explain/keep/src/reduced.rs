@@ -9,7 +9,7 @@ use std::path::Path;
 use groundtruth::background::Background;
 use groundtruth::lobes::Lobes;
 use groundtruth::math::Ray;
-use groundtruth::render;
+use groundtruth::render::{self, Renderer};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{self, Scene, SceneError};
 use groundtruth::trace::{
@@ -227,7 +227,7 @@ impl Touched {
             None => 0..world.samples_per_pixel(),
         };
         for index in samples {
-            render::sample_within(world, kept.pixel, index, &mut touched, &mut budget);
+            world.sample(kept.pixel, index, &mut touched, &mut budget);
             budget.check(|| format!("pixel ({}, {})", kept.pixel[0], kept.pixel[1]))?;
         }
         Ok(touched)

@@ -2,7 +2,7 @@
 
 use groundtruth::math::Vector;
 
-use crate::laws::is_near;
+use crate::laws::is_near_color as is_near;
 use crate::log::{Factors, Purpose};
 use crate::traced::{Traced, median, size};
 use groundtruth::rgb::Rgb;

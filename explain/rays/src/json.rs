@@ -38,7 +38,9 @@ impl RayVerdict {
             .iter()
             .map(|it| json!({"line": it.line, "problem": it.problem}))
             .collect();
+        let mistakes: Vec<&str> = self.mistakes.iter().map(|it| it[0]).collect();
         json!({
+            "mistakes": mistakes,
             "sentence": self.sentence(), "rays": self.traced.log.rays.len(), "laws": laws,
             "conventions": self.traced.conventions.sentences(), "damaged": damaged,
         })

@@ -14,6 +14,7 @@ mod page;
 mod placing;
 mod precision;
 mod recorded;
+mod replay;
 mod scene;
 mod text;
 mod traced;

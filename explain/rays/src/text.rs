@@ -95,6 +95,9 @@ impl RayVerdict {
         let Traced { log, guessed, conventions, .. } = &self.traced;
         let conventions = conventions.sentences();
         let mut said = Vec::new();
+        said.extend(self.mistakes.iter().take(EXAMPLES).map(|[name, words]| {
+            format!("a program with the known mistake \"{name}\" sends the same rays: {words}")
+        }));
         said.extend(
             (!conventions.is_empty())
                 .then(|| format!("taken from the log: {}", conventions.join("; "))),

@@ -138,6 +138,11 @@ impl Traced {
         std::iter::successors(Some(index), |&at| self.parents[at]).last().unwrap_or(index)
     }
 
+    /// The world of the scene that the head names, with its lamps, materials and camera.
+    pub fn scene_world(&self) -> Option<&World> {
+        self.world.as_deref().filter(|_| self.log.head.scene.is_some())
+    }
+
     /// The ray of this index.
     pub fn ray(&self, index: usize) -> &Ray {
         &self.log.rays[index]

@@ -2,9 +2,12 @@
 
 use std::collections::{HashMap, HashSet};
 
+use groundtruth::render::Renderer;
+use groundtruth::world::World;
 use rayon::prelude::*;
 
-use crate::laws::{BrokenRay, LAWS, LawReport, RayLaw};
+use crate::laws::{BrokenRay, LAWS, LawReport, Passes, RayLaw, partings};
+use crate::replay::{Parting, explains, parting};
 use crate::traced::Traced;
 
 /// The part of the rays of a law that is few.
@@ -17,6 +20,8 @@ pub struct RayVerdict {
     pub traced: Traced,
     /// Each law with what it found, in the order of [`LAWS`].
     pub asked: Vec<(&'static RayLaw, LawReport)>,
+    /// The known mistakes with which a tracer sends the same rays: their names, and what they do wrong.
+    pub mistakes: Vec<[&'static str; 2]>,
 }
 
 /// What all laws found in a pixel.
@@ -63,7 +68,32 @@ impl RayVerdict {
         let mut asked: Vec<(&'static RayLaw, LawReport)> =
             LAWS.par_iter().map(|law| (law, law.ask(&traced))).collect();
         follow(&traced, &mut asked);
-        Self { traced, asked }
+        Self { traced, asked, mistakes: Vec::new() }
+    }
+
+    /// Names the mistakes of some programs, each beside its name and what it does wrong, that send the rays of this log.
+    pub fn name_mistakes<R: Renderer>(
+        &mut self,
+        programs: impl Iterator<Item = ([&'static str; 2], R)>,
+    ) {
+        let Some(world) = self.traced.scene_world().filter(|_| self.is_broken()) else { return };
+        let trees = told_apart(partings(&self.traced, world));
+        let passes = |world: &World, root: usize| {
+            Passes::of(&self.traced, world, root).is_none_or(|it| it.holds())
+        };
+        if trees.iter().all(|(root, parted)| parted.is_none() && passes(world, *root)) {
+            return;
+        }
+        let sends = |program: &R| {
+            trees.par_iter().all(|(root, parted)| {
+                passes(program.world(), *root)
+                    && match parted {
+                        Some(parting) => explains(program, &self.traced, (*root, parting)),
+                        None => parting(&self.traced, *root, program).is_none(),
+                    }
+            })
+        };
+        self.mistakes = programs.filter(|(_, program)| sends(program)).map(|it| it.0).collect();
     }
 
     /// Whether some law is broken.
@@ -161,6 +191,17 @@ impl LawReport {
     pub fn roots(&self) -> impl Iterator<Item = &BrokenRay> {
         self.findings.iter().filter(|finding| finding.follows.is_none())
     }
+}
+
+/// Of camera rays, some of those that part and some of those that do not: they tell programs apart.
+fn told_apart(trees: Vec<(usize, Option<Parting>)>) -> Vec<(usize, Option<Parting>)> {
+    const OF_EACH: usize = 16;
+    let (parted, others): (Vec<_>, Vec<_>) = trees.into_iter().partition(|it| it.1.is_some());
+    let some = |trees: Vec<_>| {
+        let step = trees.len().div_ceil(OF_EACH).max(1);
+        trees.into_iter().step_by(step)
+    };
+    some(parted).chain(some(others)).collect()
 }
 
 /// Marks what follows from an earlier law that the ray itself or its sender breaks: from a normal that is none follows a

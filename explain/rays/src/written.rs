@@ -50,8 +50,7 @@ fn with_senders<'a>(
 }
 
 fn fields(ray: &RecordedRay, sender: Option<&RecordedRay>) -> Map<String, Value> {
-    let terms = || sender.iter().flat_map(|it| &it.terms).filter(|it| it.ray == Some(ray.number));
-    let weight = || (terms().map(|term| term.weight).sum::<Rgb>() * ray.transmittance).to_array();
+    let terms = || sender.into_iter().flat_map(|it| terms_of(it, ray));
     // the way to a point lamp is the direction itself
     let is_way = ray.light.is_some() && (ray.ray.direction.length() - 1.0).abs() > 1e-9;
     let hit = ray.hit.as_ref();
@@ -73,7 +72,7 @@ fn fields(ray: &RecordedRay, sender: Option<&RecordedRay>) -> Map<String, Value>
         "normal": hit.map(|hit| Vector::from(hit.normal).to_array()),
         "shading_normal": shading.map(|hit| Vector::from(hit.shading_normal).to_array()),
         "front": hit.map(|hit| hit.front),
-        "weight": sender.map(|_| weight()),
+        "weight": sender.map(|sender| weight(sender, ray).to_array()),
         "eta_from": media.map(|media| media[0]),
         "eta_to": media.map(|media| media[1]),
     });
@@ -85,15 +84,34 @@ fn fields(ray: &RecordedRay, sender: Option<&RecordedRay>) -> Map<String, Value>
     fields.flatten().filter(|(_, value)| !value.is_null()).collect()
 }
 
+/// The terms of a ray whose light comes along one that it sent.
+pub fn terms_of<'a>(
+    sender: &'a RecordedRay,
+    ray: &RecordedRay,
+) -> impl Iterator<Item = &'a RecordedTerm> {
+    let number = ray.number;
+    sender.terms.iter().filter(move |term| term.ray == Some(number))
+}
+
+/// What the light that leaves a ray's hit is multiplied by in its sender.
+pub fn weight(sender: &RecordedRay, ray: &RecordedRay) -> Rgb {
+    terms_of(sender, ray).map(|term| term.weight).sum::<Rgb>() * ray.transmittance
+}
+
+/// The light that leaves the hit of a ray towards its origin.
+pub fn leaving(ray: &RecordedRay) -> Rgb {
+    sum(ray, |_| true)
+}
+
 /// The indices of refraction on both sides of the surface that a ray met, its own side first.
-fn media(sender: Option<&RecordedRay>) -> Option<[f64; 2]> {
+pub fn media(sender: Option<&RecordedRay>) -> Option<[f64; 2]> {
     let optics = sender?.hit.as_ref()?.optics.as_ref()?;
     optics.media.map(|media| media.map(|medium| medium.eta))
 }
 
 /// What is emitted, what is added without a ray, and what leaves the surface in all.
 fn light(ray: &RecordedRay) -> Value {
-    let radiance = sum(ray, |_| true).to_array();
+    let radiance = leaving(ray).to_array();
     let is_shadow = |ray: &RecordedRay| matches!(ray.kind, RayKind::Shadow { .. });
     if is_shadow(ray) {
         return json!({"radiance": radiance});

@@ -6,6 +6,7 @@ mod light;
 mod logged;
 mod questions;
 mod reading;
+mod replay;
 mod schema;
 mod statistics;
 mod writers;

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
+use groundtruth::render::{self, Renderer};
 use groundtruth::scene::to_toml;
+use groundtruth::trace;
 use groundtruth::trace::RayBudget;
 use groundtruth::world::from_toml;
-use groundtruth::{render, trace};
 
 /// Rows and columns of pixels that are sampled in each world.
 const CORNERS: u32 = 2;
@@ -35,7 +36,7 @@ pub fn run(data: &[u8]) {
     for y in 0..CORNERS.min(height) {
         for x in 0..CORNERS.min(width) {
             let mut budget = RayBudget::up_to(max_rays);
-            render::sample_within(&world, [x, y], 0, &mut (), &mut budget);
+            world.sample([x, y], 0, &mut (), &mut budget);
             if budget.is_exceeded() {
                 return;
             }

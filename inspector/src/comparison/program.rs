@@ -5,12 +5,14 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use groundtruth::film::Film;
+use groundtruth::math::Ray;
 use groundtruth::printable;
 use groundtruth::render::Renderer;
 use groundtruth::rgb::Rgb;
+use groundtruth::samplers::Draws;
 use groundtruth::scene::Scene;
 use groundtruth::trace::{Budget, Recorder};
-use groundtruth::world::World;
+use groundtruth::world::{DEFAULT_SEED, World};
 use judge::mistakes::{Mistake, Mistaken};
 use rays::{Logged, RayVerdict, Traced};
 
@@ -54,7 +56,7 @@ impl Program {
     /// The log cannot be read.
     pub fn of_log(path: &Path, mut built: Built) -> Result<Self, String> {
         let named = |problem: String| format!("{}: {problem}", path.display());
-        let log = platform::at_once(|| platform::read_log(path))
+        let mut log = platform::at_once(|| platform::read_log(path))
             .map_err(|error| named(error.to_string()))?;
         let is_alone = built.source.rays().is_some() && log.head.scene.is_none();
         let folder = path.parent().unwrap_or(Path::new(""));
@@ -67,10 +69,17 @@ impl Program {
         if let Some((scene, world)) = own {
             (built.scene, built.world) = (Arc::new(scene), Arc::new(world));
         }
+        if !is_alone {
+            log.head.scene.get_or_insert_with(|| built.source.name().into());
+        }
         let known = is_known.then(|| Arc::clone(&built.world));
         let picture = log.head.picture.as_ref().map(|file| folder.join(file));
         let name = log.head.program.as_ref().map_or("yours".to_owned(), |it| printable::name(it));
-        let logged = platform::at_once(|| Logged::of(RayVerdict::of(Traced::of(log, known))));
+        let logged = platform::at_once(|| {
+            let mut verdict = RayVerdict::of(Traced::of(log, known));
+            verdict.name_mistakes(Mistaken::each(&built.scene, folder, DEFAULT_SEED));
+            Logged::of(verdict)
+        });
         let by = By::Logged { path: path.to_owned(), log: Box::new(logged), picture };
         Ok(Self { number: 0, name, built, by })
     }
@@ -137,6 +146,20 @@ impl Renderer for Program {
         match &self.by {
             By::Mistaken(program) => program.world(),
             By::Ours | By::Logged { .. } => &self.built.world,
+        }
+    }
+
+    fn radiance<R: Recorder, B: Budget>(
+        &self,
+        ray: &Ray,
+        draws: Draws<'_>,
+        recorder: &mut R,
+        budget: &mut B,
+    ) -> Rgb {
+        match &self.by {
+            By::Mistaken(program) => program.radiance(ray, draws, recorder, budget),
+            // of a log nothing but its pixels is known
+            By::Ours | By::Logged { .. } => self.built.world.radiance(ray, draws, recorder, budget),
         }
     }
 

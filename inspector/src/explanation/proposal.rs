@@ -1,6 +1,6 @@
 //! A pixel that is worth explaining, before the user selects one.
 
-use groundtruth::render;
+use groundtruth::render::Renderer;
 use groundtruth::trace::RayBudget;
 use groundtruth::world::World;
 
@@ -20,7 +20,7 @@ pub fn interesting(world: &World) -> [u32; 2] {
     };
     let rays = |pixel: [u32; 2]| {
         let mut budget = RayBudget::up_to(MAX_RAYS);
-        render::sample_within(world, pixel, 0, &mut (), &mut budget);
+        world.sample(pixel, 0, &mut (), &mut budget);
         budget.spent().min(MAX_RAYS)
     };
     let from_middle = |[column, row]: [u32; 2]| {

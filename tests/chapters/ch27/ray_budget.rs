@@ -1,5 +1,5 @@
 //! The ray budget: the number of rays of a picture is estimated before it is rendered.
-use groundtruth::render::{MAX_COUNTED, RaysPerSample};
+use groundtruth::render::{MAX_COUNTED, RaysPerSample, Renderer};
 use groundtruth::trace::{Outcome, RayBudget};
 
 use super::glass;
@@ -178,7 +178,7 @@ fn a_budget_is_exceeded_by_one_ray_too_many() {
     let world = built(&scene);
     let traced = |most: u64| {
         let (mut tree, mut budget) = (RayTree::of(&world), RayBudget::up_to(most));
-        let radiance = render::sample_within(&world, [12, 8], 0, &mut tree, &mut budget);
+        let radiance = world.sample([12, 8], 0, &mut tree, &mut budget);
         (radiance, tree, budget)
     };
     let mut counts = RayCounts::default();

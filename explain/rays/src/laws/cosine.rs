@@ -18,7 +18,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         let normals = [Some(facing), shading.map(|n| turned(n, n)), with_normal];
         // many take the direction from the hit, and start a little off it
         let far = traced.way_to_lamp(it.ray).map_or(traced.scale, Vector::length);
-        let moved = (it.ray.origin - it.end).length() / far;
+        let moved = ((it.ray.origin - it.end).length() + it.slack(traced)) / far;
         let within = 4.0 * traced.tolerance() + it.off_unit() + 2.0 * moved;
         let is = |x: f64| (cos - x).abs() <= within;
         let passes = !it.ray.is_shadow() && facing.dot(it.leaving) < 0.0;

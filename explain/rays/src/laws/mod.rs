@@ -3,6 +3,7 @@
 //! A cause is named only if it predicts what the log says, within the law's tolerance, for every ray that breaks the law.
 
 mod agreed;
+mod as_ours;
 mod behind;
 mod camera;
 mod cosine;
@@ -22,6 +23,7 @@ mod normals;
 mod occluded;
 mod own_start;
 mod path_sum;
+mod pixel;
 mod placed;
 mod radiance;
 mod refracted;
@@ -38,9 +40,11 @@ mod weight;
 use std::sync::LazyLock;
 
 use crate::traced::Traced;
+pub use as_ours::partings;
 pub use geometry::Step;
 pub use nearest::distance_to_truth;
-pub use weight::is_near;
+pub use pixel::Passes;
+pub use weight::is_near as is_near_color;
 
 /// A law that the rays of a log are held to.
 #[derive(Clone, Debug)]
@@ -87,8 +91,10 @@ const CHECKS: &[(&str, Check)] = &[
     ("throughput", throughput::check),
     ("radiance", radiance::check),
     ("path-sum", path_sum::check),
+    ("as-ours", as_ours::check),
     ("samples-differ", samples::check),
     ("drawn-as-claimed", densities::check),
+    ("through-its-pixel", pixel::check),
     ("one-camera", camera::check),
 ];
 

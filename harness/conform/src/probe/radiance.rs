@@ -7,10 +7,11 @@ use super::source::{Built, Source};
 use super::{camera_ray, limits};
 use groundtruth::invalid::Invalid;
 use groundtruth::math::Ray;
+use groundtruth::render::{self, Renderer};
 use groundtruth::rgb::Rgb;
+use groundtruth::trace;
 use groundtruth::trace::RayBudget;
 use groundtruth::world::{DEFAULT_SEED, MAX_PIXELS, World};
-use groundtruth::{render, trace};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -85,7 +86,7 @@ pub(super) enum Looks {
 impl Looks {
     fn sample(&self, world: &World, index: u32, budget: &mut RayBudget) -> Rgb {
         match self {
-            Self::AtPixel(pixel) => render::sample_within(world, *pixel, index, &mut (), budget),
+            Self::AtPixel(pixel) => world.sample(*pixel, index, &mut (), budget),
             Self::Along(ray) => {
                 trace::radiance_within(world, ray, world.draws([0, 0], index), &mut (), budget)
             }

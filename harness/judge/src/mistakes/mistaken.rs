@@ -5,14 +5,15 @@ use std::path::Path;
 use groundtruth::lights::Unlit;
 use groundtruth::lobes::Lobes;
 use groundtruth::math::{Ray, Span};
-use groundtruth::render::{self, Renderer};
+use groundtruth::render::Renderer;
 use groundtruth::rgb::Rgb;
+use groundtruth::samplers::Draws;
 use groundtruth::scene::{Scene, SceneError};
 use groundtruth::trace::{Budget, Outcome, RayKind, Recorder, ShadingPoint, Term};
 use groundtruth::world::{Search, World};
 
 use super::recorder::Reweighing;
-use super::{How, Mistake, built};
+use super::{How, Mistake, all, built};
 
 /// A program with a mistake, and the scene that it renders.
 #[derive(Debug)]
@@ -39,6 +40,18 @@ impl Mistaken {
         Ok(built.map(|(scene, world)| Self { scene, world, mistake: [mistake] }))
     }
 
+    /// The programs with each known mistake that applies to a scene, beside its name and what it does wrong.
+    pub fn each<'a>(
+        original: &'a Scene,
+        folder: &'a Path,
+        seed: u64,
+    ) -> impl Iterator<Item = ([&'static str; 2], Self)> + 'a {
+        all().into_iter().filter_map(move |mistake| {
+            let program = Self::new(mistake, original, folder, seed).ok()??;
+            Some(([mistake.name, mistake.known().words], program))
+        })
+    }
+
     /// The mistake.
     pub fn mistake(&self) -> &'static Mistake {
         self.mistake[0]
@@ -50,24 +63,23 @@ impl Renderer for Mistaken {
         &self.world
     }
 
-    fn sample<R: Recorder, B: Budget>(
+    fn radiance<R: Recorder, B: Budget>(
         &self,
-        pixel: [u32; 2],
-        index: u32,
+        ray: &Ray,
+        draws: Draws<'_>,
         recorder: &mut R,
         budget: &mut B,
     ) -> Rgb {
         let world = &self.world;
         if matches!(self.mistake[0].how, How::Edits(_) | How::Scene(_) | How::World(_)) {
-            return world.sample(pixel, index, recorder, budget);
+            return world.radiance(ray, draws, recorder, budget);
         }
-        let Some(camera) = render::camera_sample(world, pixel, index) else { return Rgb::BLACK };
         let mut found = Reweighing::new(world, &self.mistake);
         let count = world.samples_per_pixel();
-        found.begin(count > 1 && index + 1 == count);
+        found.begin(count > 1 && draws.index() + 1 == count);
         let mut altered = Altered { found, recorder };
-        render::sample_within(world, pixel, index, &mut altered, budget);
-        camera.weight * altered.found.radiance()[1]
+        world.radiance(ray, draws, &mut altered, budget);
+        altered.found.radiance()[1]
     }
 }
 

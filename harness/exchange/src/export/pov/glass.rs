@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use groundtruth::materials::{Dielectric, Kind, Phong, Transparent};
-use groundtruth::render;
+use groundtruth::render::Renderer;
 use groundtruth::scene::{Tracer, TransparentShadows};
 use groundtruth::textures::Amount;
 use groundtruth::trace::RayBudget;
@@ -112,7 +112,7 @@ impl Writer<'_> {
         let [width, height] = world.picture_size();
         for pixel in (0..height).flat_map(|y| (0..width).map(move |x| [x, y])) {
             walk.pixel = pixel;
-            render::sample_within(&world, pixel, 0, &mut walk, &mut RayBudget::up_to(MOST_RAYS));
+            world.sample(pixel, 0, &mut walk, &mut RayBudget::up_to(MOST_RAYS));
         }
         for ((body, difference), [x, y]) in walk.differences {
             let path = item("materials", body, &self.scene.materials[body].name);
