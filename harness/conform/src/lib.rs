@@ -29,6 +29,5 @@ pub use judgement::{Judgement, Profile, Wrong};
 pub use known::{KnownError, KnownFailures};
 pub use probe::ours;
 pub use run::{CASES, MOST_CASES, NoAnswer, Options, run};
-pub use scenes::first_difference;
 pub use subject::Ours;
 pub use values::{Rules, WHOLE};

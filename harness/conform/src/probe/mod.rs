@@ -39,6 +39,7 @@ use serde_json::Value;
 
 use groundtruth::invalid::{Invalid, plain_words};
 use groundtruth::printable;
+use groundtruth::world::World;
 
 pub use limits::{LONGEST_LINE, MAX_POINTS, MAX_TRIANGLES, MAX_WORK};
 pub use lines::serve;
@@ -188,6 +189,12 @@ pub fn ours(question: &Value) -> Result<Value, String> {
     let Line { question, .. } =
         Line::deserialize(question).map_err(|e| printable::text(&located(&e)))?;
     question.value().map_err(|invalid| printable::text(&invalid.to_string()))
+}
+
+/// The world of a question `trace`.
+pub fn traced_world(question: &Value) -> Option<World> {
+    let asked = trace::Trace::deserialize(&question["trace"]).ok()?;
+    Some(asked.built().ok()?.world)
 }
 
 /// The answer, or the refusal.

@@ -8,7 +8,7 @@ use super::limits::{self, MAX_POINTS};
 use super::numbers::{RayData, Real, Triple, color, triple};
 use super::source::{Built, Source};
 use groundtruth::invalid::Invalid;
-use groundtruth::trace::{self, RayBudget, RayKind, RayTree, RecordedRay};
+use groundtruth::trace::{self, Outcome, RayBudget, RayKind, RayTree, RecordedRay};
 use groundtruth::world::DEFAULT_SEED;
 
 #[derive(Deserialize)]
@@ -52,15 +52,22 @@ struct Logged {
     light: Option<Arc<str>>,
 }
 
+impl Trace {
+    /// The scene that its rays meet.
+    pub fn built(&self) -> Result<Built, Invalid> {
+        self.scene.built(self.seed, |scene| {
+            let changed = scene.tracer.change(None, self.max_depth);
+            changed.map_err(|problem| Invalid::field("max_depth", problem))
+        })
+    }
+}
+
 impl super::Question for Trace {
     type Answer = TraceAnswer;
 
     fn answer(&self) -> Result<TraceAnswer, Invalid> {
         let ray = self.ray.unit_ray()?;
-        let Built { scene, world, primitives } = self.scene.built(self.seed, |scene| {
-            let changed = scene.tracer.change(None, self.max_depth);
-            changed.map_err(|problem| Invalid::field("max_depth", problem))
-        })?;
+        let Built { scene, world, primitives } = self.built()?;
         let draws = world.draws([0, 0], 0);
         limits::traceable(&scene, &world, primitives, 1.0, |world, budget| {
             trace::radiance_within(world, &ray, draws, &mut (), budget)
@@ -69,15 +76,19 @@ impl super::Question for Trace {
         let mut budget = RayBudget::up_to(u64::from(MAX_POINTS));
         let radiance = trace::radiance_within(&world, &ray, draws, &mut tree, &mut budget);
         budget.check(|| "a log of this ray".to_owned()).map_err(|e| Invalid::new(e.to_string()))?;
-        let rays = tree.rays().into_iter().map(logged).collect();
+        let is_cast = |ray: &&RecordedRay| ray.outcome != Outcome::TooDeep;
+        let rays: Vec<&RecordedRay> = tree.rays().into_iter().filter(is_cast).collect();
+        let place = |number: usize| rays.binary_search_by_key(&number, |ray| ray.number).ok();
+        let logged = |ray: &&RecordedRay| logged(ray, ray.parent.and_then(place));
+        let rays = rays.iter().map(logged).collect();
         Ok(TraceAnswer { radiance: color(radiance), rays })
     }
 }
 
-fn logged(ray: &RecordedRay) -> Logged {
+fn logged(ray: &RecordedRay, parent: Option<usize>) -> Logged {
     Logged {
         kind: ray.kind,
-        parent: ray.parent,
+        parent,
         depth: ray.depth,
         origin: triple(ray.ray.origin),
         direction: triple(ray.ray.direction),
