@@ -126,7 +126,8 @@ impl Comparison<'_> {
         }
         self.agreed.push((index, Part::End));
         let mut is_whole = self.are_decided(&ours.terms);
-        for child in ours.children.iter().filter(|child| !is_shadow(child)) {
+        let mut most: Option<(f64, Parting)> = None;
+        for child in ours.children.iter().filter(|child| !is_shadow(child) && is_cast(child)) {
             let compared = match self.is_sent_alike(ours, child) {
                 true => self.child(index, (ours, child), times),
                 false => Compared::Unknown,
@@ -134,8 +135,14 @@ impl Comparison<'_> {
             match compared {
                 Compared::Same => {}
                 Compared::Unknown => is_whole = false,
-                Compared::Parted(_) => return compared,
+                Compared::Parted(parting) => {
+                    let light = (weight(ours, child) * child.radiance).average();
+                    most = most.filter(|it| it.0 >= light).or(Some((light, parting)));
+                }
             }
+        }
+        if let Some((_, parting)) = most {
+            return Compared::Parted(parting);
         }
         let parted = self.shadow_ray(index, ours).or_else(|| self.too_much(index, ours));
         if let Some(parting) = parted {
@@ -244,7 +251,7 @@ impl Comparison<'_> {
     /// Whether no draw decides where a ray of ours goes and whether it is sent at all.
     fn is_sent_alike(&self, ours: &RecordedRay, child: &RecordedRay) -> bool {
         let has_terms = terms_of(ours, child).next().is_some();
-        is_cast(child) && has_terms && self.are_decided(terms_of(ours, child))
+        has_terms && self.are_decided(terms_of(ours, child))
     }
 
     fn are_decided<'t>(&self, terms: impl IntoIterator<Item = &'t RecordedTerm>) -> bool {

@@ -28,7 +28,13 @@ impl RayVerdict {
             _ => format!("; {} of {} do so", roots, count(asked.rays, "ray")),
         };
         let cause = law.cause(asked.roots()).map_or(String::new(), |cause| format!(": {cause}"));
-        format!("{ray}{from} {}{cause}{others}", finding.words)
+        let names: Vec<String> = self.mistakes.iter().map(|it| format!("\"{}\"", it[0])).collect();
+        let is_ours = law.needs.contains(&"a scene") && !names.is_empty();
+        let known = match is_ours {
+            true => format!(", as with the known mistake {}", names.join(" or ")),
+            false => String::new(),
+        };
+        format!("{ray}{from} {}{cause}{others}{known}", finding.words)
     }
 
     fn held(&self) -> String {

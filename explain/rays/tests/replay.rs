@@ -23,7 +23,7 @@ fn the_ray_that_parts_is_the_first_that_the_difference_reaches() {
             "/materials/3/recipe/dielectric/inside/eta",
             json!(1.33),
             "as-ours",
-            ["(reflected)", "where ours counts"],
+            ["(transmitted)", "beside ours"],
         ),
         (
             "/materials/2/recipe/reflective/kr",
