@@ -11,14 +11,14 @@ use groundtruth::printable;
 use groundtruth::scene::Scene;
 use groundtruth::world::{self, DEFAULT_SEED, World};
 use judge::mistakes::Mistaken;
-use rays::{LawReport, RayLaw, RayVerdict, Traced, WriterLanguage};
+use rays::{LawReport, LogError, RayLaw, RayVerdict, Traced, WriterLanguage};
 use serde_json::Value;
 
 use super::{Exit, Outcome, print};
 
 #[derive(Args)]
 pub struct Rays {
-    /// What your program wrote of its rays, one log or several; docs/rays.md has the format
+    /// What your program wrote of its rays, one log or several; - is the standard input; docs/rays.md has the format
     #[arg(value_name = "LOG", required_unless_present_any = ["init", "laws"])]
     logs: Vec<PathBuf>,
     /// Print a file for your program that writes such a log
@@ -57,6 +57,7 @@ impl Rays {
         if self.output.is_some() && self.logs.len() > 1 {
             return Err("--output: a page has one log".into());
         }
+        super::output::once(self.logs.iter().map(PathBuf::as_path), "input")?;
         super::output::once(self.output.iter().chain(&self.junit).map(PathBuf::as_path), "output")?;
         let (mut exit, mut suites, mut told) = (Exit::Yes, Vec::new(), Vec::new());
         for path in &self.logs {
@@ -120,8 +121,11 @@ fn cases(verdict: &RayVerdict) -> Vec<JunitCase> {
 
 fn judged(path: &Path) -> Result<RayVerdict, Box<dyn Error>> {
     let named = |problem: String| format!("{}: {problem}", path.display());
-    let file = File::open(path).map_err(|e| named(e.to_string()))?;
-    let log = rays::read(file).map_err(|e| named(e.to_string()))?;
+    let log = match super::output::is_standard(path) {
+        true => rays::read(std::io::stdin().lock()),
+        false => File::open(path).map_err(LogError::from).and_then(rays::read),
+    };
+    let log = log.map_err(|e| named(e.to_string()))?;
     let folder = path.parent().unwrap_or(Path::new(""));
     let (scene, world) =
         rays::world_of(&log, folder, |name| named_scene(name, folder)).map_err(named)?.unzip();

@@ -72,15 +72,18 @@ fn what_is_no_log_is_refused() {
     assert!(matches!(read("".as_bytes()), Err(LogError::NoRay(None))));
 }
 
-/// Law: a line longer than a mebibyte is named and passed over, whatever stands in it. Oracle: the rays beside it.
+/// Law: a line longer than a mebibyte is named and passed over, whatever stands in it, and is one line, even if it is read in
+/// several blocks. Oracle: the rays beside it, and the number of the damaged line after it.
 #[test]
 fn a_long_line_is_passed_over() {
     let good = "{\"origin\": [1, 2, 3], \"direction\": [0, 0, 1]}\n";
-    let text = format!("{good}\"{}\"\n{good}", "x".repeat(3 << 20));
-    let log = read(text.as_bytes()).expect("a log");
-    assert_eq!(log.rays.len(), 2);
-    assert_eq!(log.damaged[0].line, 2);
-    assert!(log.damaged[0].problem.contains("1 MiB"));
+    for length in [3 << 20, 70 << 20] {
+        let text = format!("{good}\"{}\"\n{good}rubbish\n", "x".repeat(length));
+        let log = read(text.as_bytes()).expect("a log");
+        assert_eq!(log.rays.iter().map(|ray| ray.line).collect::<Vec<_>>(), [1, 3]);
+        assert_eq!(log.damaged.iter().map(|it| it.line).collect::<Vec<_>>(), [2, 4]);
+        assert!(log.damaged[0].problem.contains("1 MiB"));
+    }
 }
 
 /// Law: the precision of a program is found by its numbers, or taken from the head. Oracle: the rounding of the type.
@@ -135,9 +138,11 @@ fn what_would_turn_laws_off_is_refused() {
     for lamp in [r#"{"lamp": "l", "object": "ball"}"#, r#"{"lamp": 5, "directional": [0, 1, 0]}"#] {
         assert_eq!(log(lamp).expect("a ray").lamps.len(), 1, "{lamp}");
     }
-    for head in [r#""axes": ["x", "x", "y"]"#, r#""axes": 5"#, r#""scale": 0"#, r#""scale": -1"#] {
+    let axes = [r#""axes": ["x", "x", "y"]"#, r#""axes": 5"#];
+    let sizes = [r#""size": [0, 0]"#, r#""size": [4, 0]"#, r#""size": [1e9, 1e9]"#, r#""size": 5"#];
+    for head in axes.iter().chain(&sizes).chain(&[r#""scale": 0"#, r#""scale": -1"#]) {
         let refused = log(&format!("{{\"rays\": 1, {head}}}")).expect_err("refused").to_string();
-        assert!(refused.contains(&head[1..5]), "{refused}");
+        assert!(refused.starts_with(&format!("line 1: `{}", &head[1..5])), "{refused}");
     }
     let head = r#"{"rays": 1, "axes": ["x", "-z", "y"], "scale": 0.01}"#;
     for begin in ["", "\u{feff}"] {

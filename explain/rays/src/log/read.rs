@@ -10,6 +10,7 @@ use super::fields::ray_of;
 use super::{Head, Log, Named, Precision, Ray};
 use crate::placing::Placing;
 use groundtruth::printable;
+use groundtruth::world::MAX_PIXELS;
 use text::loose::quoted;
 
 /// The most rays of a log.
@@ -113,13 +114,15 @@ pub fn read(file: impl Read) -> Result<Log, LogError> {
 /// Whole lines; `rest` is the beginning of the next one, of which no more is kept than shows that it is too long.
 fn next_block(file: &mut impl Read, rest: &mut Vec<u8>) -> io::Result<Option<Vec<u8>>> {
     let mut block = std::mem::take(rest);
-    if file.by_ref().take(BLOCK).read_to_end(&mut block)? == 0 {
-        return Ok((!block.is_empty()).then_some(block));
+    while file.by_ref().take(BLOCK).read_to_end(&mut block)? > 0 {
+        if let Some(end) = block.iter().rposition(|byte| *byte == b'\n') {
+            *rest = block.split_off(end + 1);
+            rest.truncate(MAX_LINE + 1);
+            return Ok(Some(block));
+        }
+        block.truncate(MAX_LINE + 1);
     }
-    let end = block.iter().rposition(|byte| *byte == b'\n').map_or(0, |at| at + 1);
-    *rest = block.split_off(end);
-    rest.truncate(MAX_LINE + 1);
-    Ok(Some(block))
+    Ok((!block.is_empty()).then_some(block))
 }
 
 impl Part {
@@ -238,10 +241,17 @@ impl Head {
             Some("double" | "f64") => Some(Precision::Double),
             Some(other) => return Err(format!("`precision` is single or double, not {other}")),
         };
-        let size = fields.remove("size").map(serde_json::from_value).transpose();
-        let size = size.map_err(|_| "`size` is width and height in pixels".to_owned())?;
+        let size = fields.remove("size").map(size).transpose()?;
         let scene = fields.remove("scene");
         Placing::check(&fields)?;
         Ok(Self { version: Some(1), program, precision, picture, size, scene, others: fields })
     }
+}
+
+fn size(value: Value) -> Result<[u32; 2], String> {
+    let size = serde_json::from_value::<[u32; 2]>(value).ok();
+    let is_picture =
+        |size: &[u32; 2]| (1..=MAX_PIXELS).contains(&size.map(u64::from).iter().product());
+    size.filter(is_picture)
+        .ok_or_else(|| format!("`size` is width and height, from 1 to {MAX_PIXELS} pixels in all"))
 }
