@@ -6,7 +6,9 @@ use groundtruth::render::Renderer;
 use groundtruth::world::World;
 use rayon::prelude::*;
 
-use crate::laws::{BrokenRay, LAWS, LawReport, Passes, RayLaw, partings};
+use crate::laws::{
+    BrokenRay, LAWS, LawReport, OF_HITS, OF_LEAVING, Passes, RayLaw, partings,
+};
 use crate::replay::{Parting, explains, parting};
 use crate::traced::Traced;
 
@@ -125,7 +127,7 @@ impl RayVerdict {
             rays.flat_map(|ray| ray.fields()).map(|(name, _)| name).collect();
         let is_there = |need: &&&str| match **need {
             "objects or a scene" => self.traced.world.is_some(),
-            need => there.contains(need.split(' ').next().unwrap_or_default()),
+            need => there.contains(need.split([' ', ',']).next().unwrap_or_default()),
         };
         let (_, missing): (Vec<&str>, Vec<&str>) = law.needs.iter().partition(is_there);
         if missing.is_empty() { law.needs.clone() } else { missing }
@@ -204,24 +206,29 @@ fn told_apart(trees: Vec<(usize, Option<Parting>)>) -> Vec<(usize, Option<Partin
     some(parted).chain(some(others)).collect()
 }
 
-/// Marks what follows from an earlier law that the ray itself or its sender breaks: from a normal that is none follows a
-/// wrong mirrored direction, from a start behind the surface that the surface is hit again.
+/// Marks what follows from what comes before it on the path: from an earlier law that the ray itself or its sender breaks, and from
+/// a wrong hit of the sender. From a normal that is none follows a wrong mirrored direction, from that a wrong hit.
 fn follow(traced: &Traced, asked: &mut [(&'static RayLaw, LawReport)]) {
     let mut first: HashMap<usize, usize> = HashMap::new();
-    for (place, (_, asked)) in asked.iter().enumerate() {
+    let mut wrong_hits = HashSet::new();
+    for (place, (law, asked)) in asked.iter().enumerate() {
         for finding in &asked.findings {
             first.entry(finding.ray).or_insert(place);
+            wrong_hits.extend(OF_HITS.contains(&law.name).then_some(finding.ray));
         }
     }
-    for (place, (_, asked)) in asked.iter_mut().enumerate() {
+    for (place, (law, asked)) in asked.iter_mut().enumerate() {
+        let is_leaving = OF_LEAVING.contains(&law.name);
         for finding in &mut asked.findings {
             let breaks_earlier = |ray: &usize| first.get(ray).is_some_and(|&law| law < place);
             // what is no number makes all after it no number
             let is_inherited = |ray: &usize| place == 0 && first.get(ray) == Some(&0);
+            let leaves_wrong_hit = |ray: &usize| is_leaving && wrong_hits.contains(ray);
             let sender = traced.parents[finding.ray];
-            finding.follows = Some(finding.ray)
-                .filter(breaks_earlier)
-                .or_else(|| sender.filter(|ray| breaks_earlier(ray) || is_inherited(ray)));
+            finding.follows = Some(finding.ray).filter(breaks_earlier).or_else(|| {
+                sender
+                    .filter(|ray| breaks_earlier(ray) || is_inherited(ray) || leaves_wrong_hit(ray))
+            });
         }
     }
 }

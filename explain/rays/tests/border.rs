@@ -43,6 +43,20 @@ fn what_follows_is_said_so() {
     assert_eq!(follows, Some(1));
 }
 
+/// Law: what is wrong with how a ray leaves follows from what is wrong with the hit that it leaves. Oracle: a normal of length 2, and a
+/// ray mirrored about it.
+#[test]
+fn a_wrong_hit_comes_before_what_leaves_it() {
+    let lines = [
+        r#"{"ray": 0, "kind": "camera", "origin": [-3, 4, 0], "direction": [0.6, -0.8, 0], "t": 5, "normal": [0, 2, 0]}"#,
+        r#"{"ray": 1, "parent": 0, "kind": "reflected", "origin": [0, 0, 0], "direction": [0.6, 5.6, 0]}"#,
+    ];
+    let verdict = RayVerdict::of(traced(&lines.map(str::to_owned)));
+    assert_eq!(verdict.first().map(|(law, ..)| law.name), Some("unit-normals"));
+    let mirrored = verdict.asked.iter().find(|(law, _)| law.name == "mirrored");
+    assert_eq!(mirrored.map(|(_, asked)| asked.findings[0].follows), Some(Some(0)));
+}
+
 /// Law: what a log calls things stands on the page as text, and the page begins with the sentence. Oracle: names of markup.
 #[test]
 fn names_are_text_on_the_page() {

@@ -62,22 +62,23 @@ pub struct RayLaw {
 
 type Check = fn(&Traced, &mut LawReport);
 
-/// What asks the rays, by the names of `laws.txt`, those laws first from whose breach the others follow.
+/// What asks the rays, by the names of `laws.txt`, those laws first from whose breach the others follow: how a ray leaves, what it
+/// hits, what it brings.
 const CHECKS: &[(&str, Check)] = &[
     ("finite", finite::check),
     ("tree", tree::check),
     ("one-space", placed::check),
+    ("starts-at-hit", starts::check),
+    ("mirrored", mirrored::check),
+    ("snell", refracted::check),
+    ("right-side", side::check),
+    ("shadow-ray-to-lamp", lamp::check),
     ("hit-on-ray", hit::check),
     ("nearest-hit", nearest::check),
     ("surfaces-agree", agreed::check),
     ("unit-normals", normals::check),
     ("true-normal", true_normal::check),
-    ("starts-at-hit", starts::check),
     ("not-its-own-start", own_start::check),
-    ("right-side", side::check),
-    ("mirrored", mirrored::check),
-    ("snell", refracted::check),
-    ("shadow-ray-to-lamp", lamp::check),
     ("not-behind-the-lamp", behind::check),
     ("truly-blocked", occluded::check),
     ("falloff", falloff::check),
@@ -96,6 +97,18 @@ const CHECKS: &[(&str, Check)] = &[
     ("drawn-as-claimed", densities::check),
     ("through-its-pixel", pixel::check),
     ("one-camera", camera::check),
+];
+
+/// The laws of how a ray leaves its sender's hit, and those of what it hits, which decides how the next rays leave.
+pub const OF_LEAVING: [&str; 5] =
+    ["starts-at-hit", "mirrored", "snell", "right-side", "shadow-ray-to-lamp"];
+pub const OF_HITS: [&str; 6] = [
+    "hit-on-ray",
+    "nearest-hit",
+    "surfaces-agree",
+    "unit-normals",
+    "true-normal",
+    "not-its-own-start",
 ];
 
 /// The laws in this order, in the words of `laws.txt`: `name: sentence`, then what it needs, and its causes by their keys.

@@ -2,6 +2,7 @@ use std::collections::HashMap;
 
 use super::LawReport;
 use super::geometry::{Leaving, leaving};
+use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::Vector;
 use text::digits::short;
@@ -68,7 +69,14 @@ fn is_wrong_side(it: &Leaving<'_>, away: Vector, slack: f64) -> bool {
     let (moved, goes) = (away.dot(normal), it.leaving.dot(normal));
     // a lamp below the horizon is hidden by the surface itself: such a ray may start on the viewer's side
     let is_hidden = it.ray.is_shadow() && goes <= 0.0;
-    moved.abs() > slack && moved * goes < 0.0 && goes.abs() > 1e-3 && !is_hidden
+    // where it goes by mistake is for another law to say: its kind tells the side, too
+    let side = match it.ray.kind {
+        Some(Purpose::Transmitted) => -1.0,
+        Some(Purpose::Reflected | Purpose::Diffuse | Purpose::Glossy) => 1.0,
+        _ => goes,
+    };
+    let is_wrong = moved * goes < 0.0 && moved * side < 0.0;
+    moved.abs() > slack && is_wrong && goes.abs() > 1e-3 && !is_hidden
 }
 
 fn root_of(traced: &Traced, index: usize) -> usize {
