@@ -68,7 +68,7 @@ pub fn forget_marks(log: &mut Log) {
 }
 
 /// Gives shadow rays without `end` the end 1 where the direction reaches the lamp: where those to one lamp have different
-/// lengths.
+/// lengths. Rays without `light` may be of several lamps: among them a unit vector is none that reaches its lamp.
 pub fn add_ends(log: &mut Log) {
     let mut lengths: HashMap<Option<Arc<str>>, [f64; 2]> = HashMap::new();
     let is_open = |ray: &Ray| ray.is(&Purpose::Shadow) && ray.end.is_none();
@@ -77,15 +77,20 @@ pub fn add_ends(log: &mut Log) {
         let [least, most] = lengths.entry(ray.light.clone()).or_insert([length; 2]);
         (*least, *most) = (least.min(length), most.max(length));
     }
-    let differ = |light: &Option<Arc<str>>| {
-        lengths.get(light).is_some_and(|[least, most]| most - least > 1e-3 * most)
+    let reaches = |ray: &Ray| {
+        let is_unit = (ray.direction.length() - 1.0).abs() <= UNIT;
+        let differ =
+            lengths.get(&ray.light).is_some_and(|[least, most]| most - least > 1e-3 * most);
+        differ && !(is_unit && ray.light.is_none())
     };
     for ray in log.rays.iter_mut().filter(|ray| is_open(ray)) {
-        if differ(&ray.light) {
+        if reaches(ray) {
             ray.end = Some(1.0);
         }
     }
 }
 
+/// What single precision leaves of a unit vector's length.
+const UNIT: f64 = 1e-6;
 /// No scene is so large that a ray of it is this long.
 const FAR: f64 = 1e8;

@@ -8,8 +8,9 @@ use crate::traced::{Traced, median, size};
 use groundtruth::math::{Point, Vector, atan2, to_degrees};
 use text::digits::short;
 
-/// The part of a lamp's shadow rays that have to meet for it to be a point.
+/// The part of a lamp's shadow rays that have to meet for it to be a point; of those that name no lamp nearly all, to be of one.
 const MEET: f64 = 0.6;
+const MEET_UNNAMED: f64 = 0.98;
 /// The part of the way by which a shadow ray may end before its lamp, or behind it.
 const BEFORE: f64 = 2e-2;
 /// Fewer rays of a lamp without a place say nothing of where it is.
@@ -51,8 +52,15 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         let named = traced.log.lamps.iter().find(|lamp| Some(&lamp.name) == name.as_ref());
         let target = match named {
             Some(lamp) => target(lamp).map(|target| turned(target, &lines, asked)),
-            None => meeting_point(&lines).map(Target::Found).or_else(|| common_direction(&lines)),
+            None => {
+                let most = if name.is_some() { MEET } else { MEET_UNNAMED };
+                let point = meeting_point(&lines, most).map(Target::Found);
+                point.or_else(|| common_direction(&lines, most))
+            }
         };
+        if name.is_none() && target.is_none() && lines.len() >= FEW {
+            asked.notes.push("shadow rays without `light` are not of one lamp: it names which lamp each is aimed at".to_owned());
+        }
         if target.is_some_and(|target| is_soft(&lines, target)) {
             asked.notes.push("the directions to a lamp scatter about that of its line: a soft sun, which is not judged".to_owned());
             continue;
@@ -163,20 +171,20 @@ fn target(lamp: &Named) -> Option<Target> {
     triple("point").map(|place| Target::Place(Point::from(place))).or_else(direction)
 }
 
-/// The direction of most of the lines, if they have one.
-fn common_direction(lines: &[Line]) -> Option<Target> {
+/// The direction that this part of the lines has, if they have one.
+fn common_direction(lines: &[Line], most: f64) -> Option<Target> {
     let middle = |axis: usize| median(lines.iter().map(|line| line.towards.along(axis)).collect());
     let direction = Vector::new(middle(0)?, middle(1)?, middle(2)?).unit()?;
     let along = lines
         .iter()
         .filter(|line| line.towards.cross(direction).length() <= line.tolerance)
         .count();
-    (lines.len() >= FEW && along as f64 >= MEET * lines.len() as f64)
+    (lines.len() >= FEW && along as f64 >= most * lines.len() as f64)
         .then_some(Target::Direction(direction))
 }
 
-/// The point that most of the lines pass, if they do: the median of where pairs of them are nearest.
-fn meeting_point(lines: &[Line]) -> Option<Point> {
+/// The point that this part of the lines passes, if they do: the median of where pairs of them are nearest.
+fn meeting_point(lines: &[Line], most: f64) -> Option<Point> {
     if lines.len() < FEW {
         return None;
     }
@@ -191,7 +199,7 @@ fn meeting_point(lines: &[Line]) -> Option<Point> {
         let to = place - line.from;
         line.towards.cross(to).length() <= 64.0 * line.slack + 1e-4 * to.length()
     };
-    let enough = |count: usize| count as f64 >= MEET * lines.len() as f64;
+    let enough = |count: usize| count as f64 >= most * lines.len() as f64;
     let ahead = |line: &&Line| (place - line.from).dot(line.towards) > 0.0;
     let meeting = lines.iter().filter(passes).filter(ahead).count();
     // rays that leave one lamp meet behind; but those of one point to a large lamp meet there
