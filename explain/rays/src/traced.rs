@@ -18,6 +18,8 @@ use crate::precision::{add_ends, fixed, forget_marks, rounding};
 const STEPS: f64 = 32.0;
 /// The rays that show how far hits are off.
 const LOOKED_AT: usize = 2000;
+/// The part of a camera ray's usual length below which a program may look for no hits.
+const LEAST: f64 = 1e-3;
 /// How far away in the log the sender of a ray without `parent` is looked for.
 const LOOKED_AROUND: usize = 256;
 
@@ -53,6 +55,8 @@ pub struct Traced {
     pub world: Option<Arc<World>>,
     /// How far hits are off the true surfaces, if nearly all are by more than rounding: the threshold of a sphere tracer.
     pub hits_are_off: f64,
+    /// The least `t` of a ray that another sent, as far as it is small in this scene: nearer hits may not be looked for.
+    pub least_t: f64,
     /// The rays that leave a known point.
     pub(crate) steps: Vec<Step>,
 }
@@ -75,7 +79,7 @@ impl Traced {
         forget_marks(&mut log);
         add_ends(&mut log);
         let rounding = rounding(&log);
-        let scale = scale(&log);
+        let scale = scale(&log, |ray| !ray.is_shadow()).unwrap_or(1.0);
         let (fixed, sizes) = (fixed(&log), sizes(world.as_deref()));
         let mut traced = Self {
             log,
@@ -91,6 +95,7 @@ impl Traced {
             conventions: Conventions::default(),
             world,
             hits_are_off: 0.0,
+            least_t: 0.0,
             steps: Vec::new(),
         };
         traced.link(false);
@@ -105,6 +110,7 @@ impl Traced {
         let weight_from_camera = traced.conventions.weight_from_camera;
         traced.conventions = Conventions { weight_from_camera, ..Conventions::of_tree(&traced) };
         traced.hits_are_off = hits_are_off(&traced);
+        traced.least_t = least_t(&traced);
         let all = (0..traced.log.rays.len()).into_par_iter();
         traced.steps = all.filter_map(|index| Step::of(&traced, index)).collect();
         traced
@@ -338,6 +344,14 @@ fn hits_are_off(traced: &Traced) -> f64 {
     if is_habit { 2.0 * most } else { 0.0 }
 }
 
+fn least_t(traced: &Traced) -> f64 {
+    let sent = traced.pairs().map(|(index, _)| traced.ray(index)).filter(|ray| !ray.is_shadow());
+    let least = sent.filter_map(|ray| ray.t).filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min);
+    // rays that bounce within an object say nothing of the scene's size
+    let from_camera = |ray: &Ray| ray.is(&Purpose::Camera);
+    least.min(LEAST * scale(&traced.log, from_camera).unwrap_or(traced.scale))
+}
+
 fn sizes(world: Option<&World>) -> HashMap<Arc<str>, f64> {
     let size_of = |object: &PlacedObject| {
         let bounds = object.bounds();
@@ -349,14 +363,11 @@ fn sizes(world: Option<&World>) -> HashMap<Arc<str>, f64> {
     world.map_or(HashMap::new(), |world| world.objects().iter().filter_map(size_of).collect())
 }
 
-/// The median: a single far point does not change it.
-fn scale(log: &Log) -> f64 {
-    let lengths = log
-        .rays
-        .iter()
-        .filter(|ray| !ray.is_shadow())
-        .filter_map(|ray| Some(ray.end_point()?.distance(ray.origin)));
-    median(lengths.filter(|length| length.is_finite() && *length > 0.0).collect()).unwrap_or(1.0)
+/// The median of the lengths of such rays: a single far point does not change it.
+fn scale(log: &Log, counts: impl Fn(&Ray) -> bool) -> Option<f64> {
+    let rays = log.rays.iter().filter(|ray| counts(ray));
+    let lengths = rays.filter_map(|ray| Some(ray.end_point()?.distance(ray.origin)));
+    median(lengths.filter(|length| length.is_finite() && *length > 0.0).collect())
 }
 
 /// The middle one; of an even number the lower of the two.

@@ -88,7 +88,11 @@ impl<'a> Seen<'a> {
         }
         let cosine =
             |hit: &Hit<'_>| Vector::from(hit.surface.normal).dot(ray.direction).abs() / length;
-        let is_grazing = ours.as_ref().is_some_and(|hit| cosine(hit) < GRAZING);
+        let grazes =
+            |n: Vector| n.unit().is_some_and(|n| n.dot(ray.direction).abs() < GRAZING * length);
+        let is_nearer = his.is_some_and(|t| ours.as_ref().is_none_or(|hit| t < hit.t));
+        let is_grazing = ours.as_ref().is_some_and(|hit| cosine(hit) < GRAZING)
+            || is_nearer && ray.normal.is_some_and(grazes);
         let holds = match (his, &ours) {
             (None, None) => true,
             (Some(t), Some(hit)) => {
@@ -134,7 +138,8 @@ pub fn start(traced: &Traced, index: usize) -> f64 {
     let moved = traced.end_point(parent).map_or(0.0, |end| (ray.origin - end).length());
     let moved = if moved < 0.1 * traced.scale { moved } else { 0.0 };
     let sizes = size(ray.origin) + traced.object_size(traced.ray(parent).object.as_ref());
-    (4.0 * moved).max(1e-4 * traced.scale).max(traced.slack(64.0 * sizes))
+    let least = (traced.along(ray, traced.least_t) - ray.origin).length();
+    (4.0 * moved).max(1e-4 * traced.scale).max(traced.slack(64.0 * sizes)).max(least)
 }
 
 /// How far a ray's hit is from the nearest surface, and how far rounding may move it.
