@@ -3,7 +3,7 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::LawReport;
-use super::geometry::leaving;
+use super::geometry::{leaving, spread};
 use crate::log::Purpose;
 use crate::traced::Traced;
 use groundtruth::math::{Frame, Normal, Vector, acos, atan2};
@@ -121,11 +121,7 @@ fn implied_by_weights(traced: &Traced) -> HashMap<Option<Arc<str>>, Claim> {
         }
     }
     let claim = |weights: &Vec<[f64; 2]>| {
-        let is_even = |at: usize| {
-            let [least, most] = [f64::min, f64::max]
-                .map(|of| weights.iter().map(|it| it[at]).reduce(of).unwrap_or(0.0));
-            most - least <= 1e-3 * most
-        };
+        let is_even = |at: usize| spread(weights.iter().map(|it| it[at])) <= 1e-3;
         either(is_even(0), is_even(1)).filter(|_| weights.len() >= FEW / 10)
     };
     objects.into_iter().filter_map(|(object, weights)| Some((object, claim(&weights)?))).collect()

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::LawReport;
 use super::weight::is_finite;
-use crate::log::Purpose;
+use crate::log::{Purpose, Ray};
 use crate::traced::Traced;
 use text::digits::short;
 
@@ -12,6 +12,9 @@ use text::digits::short;
 const FEW: usize = 12;
 /// How many standard errors of the mean above 1 are no chance: beyond 1e-8 for a single object.
 const SURE: f64 = 6.0;
+
+/// What a largest value may be above that of its formula.
+const ROUND: f64 = 1.0 + 1e-3;
 
 /// A hit: its ray, the sum of the weights that leave it, and that without the lots that were drawn.
 type Hit = (usize, f64, f64);
@@ -50,10 +53,28 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             // without the lots that were drawn
             let mut before = hits.iter().map(|it| it.2).filter(|sum| *sum > 0.0);
             let is_even = before.all(|sum| (sum - first.2).abs() <= 1e-3 * sum);
-            let is_pi = if is_even { first.2 } else { mean } <= PI * (1.0 + error);
+            let is_within = |most: f64| match is_even {
+                true => first.2 <= most * ROUND,
+                false => mean <= most * (1.0 + error),
+            };
+            // the factors that are logged there decide between π and the cosine
+            let largest = |of: &dyn Fn(&Ray) -> Option<f64>| {
+                let rays = hits.iter().flat_map(|it| &traced.children[it.0]);
+                rays.filter_map(|&ray| of(traced.ray(ray))).reduce(f64::max)
+            };
+            let has_pi = largest(&|ray| Some(ray.factors.f?.max())).is_some_and(|f| f <= ROUND / PI);
+            let pdf = largest(&|ray| ray.factors.pdf.filter(|_| !ray.is_shadow()));
+            let is_uniform = pdf.map(|pdf| pdf <= 0.5 * ROUND / PI);
+            let lacks_pi = is_within(PI) && !has_pi && !(is_even && is_uniform == Some(true));
+            let lacks_cosine = is_even && is_within(2.0) && is_uniform != Some(false);
             (
                 format!("hits a surface that sends on {} times the light that arrives, in the mean of {} hits", short(mean), hits.len()),
-                [("density-leaves-out-lobe", !is_even), ("pi-missing", is_pi)],
+                [
+                    ("density-leaves-out-lobe", !is_even),
+                    ("pi-or-cosine-missing", lacks_pi && lacks_cosine),
+                    ("cosine-missing", lacks_cosine && !lacks_pi),
+                    ("pi-missing", lacks_pi && !lacks_cosine),
+                ],
             )
         });
     }

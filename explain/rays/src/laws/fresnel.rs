@@ -2,8 +2,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::LawReport;
-use super::geometry::{Leaving, leaving};
-use super::refracted::logged;
+use super::geometry::{Leaving, is_near, leaving, mirrored, spread};
+use super::refracted::{Ratios, logged, ratio, usual_ratios};
 use crate::log::Purpose;
 use crate::traced::{Traced, median};
 use groundtruth::lobes::fresnel;
@@ -16,86 +16,147 @@ const FEW: usize = 8;
 const NEAR: f64 = 2e-3;
 /// The part of the rays that has to follow it: at grazing angles the indices are known badly.
 const MOST: f64 = 0.95;
+/// By how much numbers have to differ to be said to.
+const DIFFER: f64 = 5e-2;
 
-/// A transmitted ray: the part of the light that it has, or that which the ray reflected beside it has, and the parts that
-/// formulas give to what is transmitted.
+/// What a share of light is: that of a transmitted ray; of the ray reflected beside one, which absorption behind the surface does not
+/// change; or of a ray reflected in place of one, or by a mirror.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Of {
+    Transmitted,
+    Beside,
+    Instead,
+}
+
 struct Share {
     index: usize,
+    /// The part of the light that it has, with its probability.
     part: f64,
+    choice: f64,
+    cos: f64,
+    /// What [`transmitted`] gives.
     formulas: [f64; 3],
-    /// Whether it is the part of the reflected ray: absorption behind the surface does not change it.
-    is_reflected: bool,
+    of: Of,
 }
 
 impl Share {
     /// The part by a formula, if what is transmitted is this function of it.
     fn by(&self, at: usize, of: &dyn Fn(f64) -> f64) -> f64 {
         let transmitted = of(self.formulas[at]);
-        if self.is_reflected { 1.0 - transmitted } else { transmitted }
+        if self.of == Of::Transmitted { transmitted } else { 1.0 - transmitted }
     }
 }
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
-    let mut groups: BTreeMap<(Option<&Arc<str>>, bool), Vec<Share>> = BTreeMap::new();
-    for it in leaving(traced).filter(|it| it.ray.is(&Purpose::Transmitted)) {
-        if let Some((enters, share)) = share(traced, &it) {
-            groups.entry((it.parent.object.as_ref(), enters)).or_default().push(share);
+    let usual = usual_ratios(traced);
+    let mut groups: BTreeMap<(Option<&Arc<str>>, bool, Of), Vec<Share>> = BTreeMap::new();
+    for it in leaving(traced) {
+        if let Some((enters, share)) = share(traced, &it, &usual) {
+            let group = (it.parent.object.as_ref(), enters, share.of);
+            groups.entry(group).or_default().push(share);
         }
     }
     for shares in groups.into_values().filter(|shares| shares.len() >= FEW) {
-        let near = |value: f64, middle: f64| (value - middle).abs() <= NEAR * middle.max(NEAR);
-        // whether all parts are these but for a constant, which is the colour of the surface
-        let are = |of: &dyn Fn(&Share) -> f64| {
-            let ratios: Vec<f64> = shares.iter().map(|it| it.part / of(it)).collect();
-            let Some(middle) = median(ratios.clone()) else { return false };
-            let alike = ratios.iter().filter(|ratio| near(**ratio, middle)).count();
-            // what is reflected is no more than all of it; what is transmitted may count its spread
-            let is_colour = shares.iter().all(|it| !it.is_reflected) || middle <= 1.0 + NEAR;
-            alike as f64 >= MOST * shares.len() as f64 && is_colour
-        };
-        let is = |of: &dyn Fn(f64) -> f64| (0..3).any(|at| are(&|it: &Share| it.by(at, of)));
-        let holds = are(&|_| 1.0) || is(&|part| part);
-        let causes = [
-            ("one-polarisation", is(&|part| 2.0 * part - 1.0)),
-            ("counts-twice", is(&|part| part * part)),
-        ];
-        for share in &shares {
-            let should = share.by(0, &|part| part);
-            asked.count(share.index, holds || near(share.part, should), || {
-                let [part, should] = [share.part, should].map(short);
-                let whose = match share.is_reflected {
-                    true => "has a reflected ray beside it with",
-                    false => "has",
-                };
-                let words = format!(
+        judge(&shares, 16.0 * traced.tolerance(), asked);
+    }
+}
+
+/// Whether nearly all parts are these but for a constant, which is the colour of the surface.
+fn are(shares: &[Share], error: f64, of: impl Fn(&Share) -> f64) -> bool {
+    let near = |value: f64, middle: f64| (value - middle).abs() <= error * middle.max(NEAR);
+    let ratios: Vec<f64> = shares.iter().map(|it| it.part / of(it)).collect();
+    let Some(middle) = median(ratios.clone()) else { return false };
+    let alike = ratios.iter().filter(|ratio| near(**ratio, middle)).count();
+    // what is reflected is no more than all of it; what is transmitted may count its spread
+    let is_colour = shares[0].of != Of::Beside || middle <= 1.0 + NEAR;
+    alike as f64 >= MOST * shares.len() as f64 && is_colour
+}
+
+fn judge(shares: &[Share], rounding: f64, asked: &mut LawReport) {
+    let same = |part: f64| part;
+    let is = |of: &dyn Fn(f64) -> f64| (0..2).any(|at| are(shares, NEAR, |it| it.by(at, of)));
+    let differ = |of: fn(&Share) -> f64| spread(shares.iter().map(of)) > DIFFER;
+    let is_undivided = differ(|it| it.choice)
+        && (0..2).any(|at| are(shares, NEAR, |it| it.choice * it.by(at, &same)));
+    let is_cosine =
+        shares[0].of == Of::Instead && differ(|it| it.part) && are(shares, NEAR, |it| it.cos);
+    // inside it hardly depends on the angle, but by more than rounding
+    let is_dense = are(shares, rounding, |it| it.by(2, &same))
+        && !are(shares, rounding, |_| 1.0)
+        && !is(&same);
+    let holds = match shares[0].of {
+        // what else a surface reflects may depend on the angle in other ways
+        Of::Instead => !(is_undivided || is_cosine || is_dense),
+        _ => !is_dense && (are(shares, NEAR, |_| 1.0) || is(&same)),
+    };
+    let causes = [
+        ("other-cosine", is_dense),
+        ("one-polarisation", is(&|part| 2.0 * part - 1.0)),
+        ("counts-twice", is(&|part| part * part)),
+        ("choice-missing", is_undivided),
+        ("mirror-cosine", is_cosine),
+    ];
+    for share in shares {
+        let should = share.by(0, &same);
+        let is_near = (share.part - should).abs() <= NEAR * should.max(NEAR);
+        asked.count(share.index, holds || is_near, || {
+            let [part, should, cos] = [share.part, should, share.cos].map(short);
+            let whose = match share.of {
+                Of::Beside => "has a reflected ray beside it with",
+                _ => "has",
+            };
+            let words = match is_cosine {
+                true => format!("has {part} of the light, as the cosine to its normal, {cos}"),
+                false => format!(
                     "{whose} {part} of the light, where Fresnel's equations give it {should}"
-                );
-                (words, causes)
-            });
-        }
+                ),
+            };
+            (words, causes)
+        });
     }
 }
 
 /// Whether the ray enters a denser medium, and its share.
-fn share(traced: &Traced, it: &Leaving<'_>) -> Option<(bool, Share)> {
+fn share(traced: &Traced, it: &Leaving<'_>, usual: &Ratios) -> Option<(bool, Share)> {
     let facing = it.facing()?;
-    let weight = it.ray.factors.weight?.max();
-    let is_beside = |child: &&usize| traced.ray(**child).is(&Purpose::Reflected);
-    let beside = traced.children[it.from].iter().find(is_beside);
-    let is_reflected = beside.is_some();
-    let part = match (beside, it.ray.factors.choice) {
-        (Some(&beside), _) => traced.ray(beside).factors.weight?.max(),
-        (None, Some(choice)) => weight * choice,
-        (None, None) => return None,
+    let factors = &it.ray.factors;
+    let (weight, choice) = (factors.weight?.max(), factors.choice);
+    let beside = |kind: &Purpose| {
+        traced.children[it.from].iter().map(|&it| traced.ray(it)).find(|ray| ray.is(kind))
     };
-    let [front, behind] = [it.arriving, it.leaving].map(|v: Vector| v.cross(facing).length());
-    let seen = (front > 0.05 && behind > 0.05).then(|| front / behind);
-    let eta = logged(traced, it).map(|ratio| 1.0 / ratio).or(seen)?;
-    let [cos, cos_behind] = [it.arriving, it.leaving].map(|v| v.dot(facing).abs());
+    let (of, part, eta) = match it.ray.kind {
+        Some(Purpose::Transmitted) => {
+            let [front, behind] =
+                [it.arriving, it.leaving].map(|v: Vector| v.cross(facing).length());
+            let seen = (front > 0.05 && behind > 0.05).then(|| front / behind);
+            let eta = logged(traced, it).map(|ratio| 1.0 / ratio).or(seen)?;
+            match beside(&Purpose::Reflected) {
+                Some(ray) => (Of::Beside, ray.factors.weight?.max(), Some(eta)),
+                None => (Of::Transmitted, weight * choice?, Some(eta)),
+            }
+        }
+        Some(Purpose::Reflected) if beside(&Purpose::Transmitted).is_none() => {
+            let eta = ratio(traced, it, usual).map(|ratio| 1.0 / ratio);
+            // what scatters is no mirror
+            let is_mirrored = is_near(it.leaving, mirrored(it.arriving, facing), NEAR);
+            (Of::Instead, is_mirrored.then_some(weight * choice.unwrap_or(1.0))?, eta)
+        }
+        _ => return None,
+    };
+    let cos = it.arriving.dot(facing).abs();
+    let formulas = eta.map_or([0.0; 3], |eta| transmitted(cos, eta));
+    // the lots of a ray beside another one, or of a mirror, may depend on anything
+    let choice = choice.filter(|_| of != Of::Beside && eta.is_some()).unwrap_or(1.0);
+    let share = Share { index: it.index, part, choice, cos, formulas, of };
+    let is_told = part.is_finite() && (0..3).all(|at| share.by(at, &|part| part) > NEAR);
+    is_told.then_some((eta.is_some_and(|eta| eta > 1.0), share))
+}
+
+/// What is transmitted: by Fresnel's equations, by Schlick's formula with the cosine in the thinner medium, and with the other.
+fn transmitted(cos: f64, eta: f64) -> [f64; 3] {
+    let cos_behind = (1.0 - (1.0 - cos * cos) / (eta * eta)).max(0.0).sqrt();
     let normal = fresnel(1.0, eta).reflected;
     let schlick = |cos: f64| (1.0 - normal) * (1.0 - power(1.0 - cos, 5.0));
-    let formulas = [fresnel(cos, eta).transmitted, schlick(cos), schlick(cos.min(cos_behind))];
-    let share = Share { index: it.index, part, formulas, is_reflected };
-    let is_told = part.is_finite() && (0..3).all(|at| share.by(at, &|part| part) > NEAR);
-    is_told.then_some((eta > 1.0, share))
+    let [thin, dense] = [cos.min(cos_behind), cos.max(cos_behind)];
+    [fresnel(cos, eta).transmitted, schlick(thin), schlick(dense)]
 }

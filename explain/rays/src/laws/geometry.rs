@@ -106,6 +106,13 @@ pub fn is_near(a: Vector, b: Vector, tolerance: f64) -> bool {
     (a - b).length() <= tolerance * b.length()
 }
 
+/// By which part of the largest of these positive numbers they differ.
+pub fn spread(numbers: impl Iterator<Item = f64>) -> f64 {
+    let (least, most) =
+        numbers.fold((f64::INFINITY, 0.0_f64), |(least, most), x| (least.min(x), most.max(x)));
+    if most > 0.0 { 1.0 - least / most } else { 0.0 }
+}
+
 /// The mirrored direction, `d − 2 (d·n) n`, for a unit normal.
 pub fn mirrored(d: Vector, n: Vector) -> Vector {
     d - 2.0 * d.dot(n) * n

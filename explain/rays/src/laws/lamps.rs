@@ -11,6 +11,8 @@ use text::digits::short;
 
 /// Fewer rays show no density.
 const FEW: usize = 8;
+/// The part of a lamp's size within which points are the same.
+const SAME_POINT: f64 = 1e-3;
 /// How near densities have to be; and the part of them.
 const NEAR: f64 = 2e-3;
 const MOST: f64 = 0.9;
@@ -100,7 +102,8 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         });
         let has_area = !matches!(surface, Surface::Flat { area: None, .. });
         let is_scaled = drawn.is_some_and(|drawn| has_area && !is_part(drawn.factor));
-        if drawn.is_none() && !wrong.contains(&true) {
+        let is_point = is_one_point(surface, samples);
+        if drawn.is_none() && !wrong.contains(&true) && !is_point {
             continue;
         }
         let dark = dark_sides(traced, lamp, surface);
@@ -111,12 +114,15 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         for &(index, from, direction, far, pdf) in samples {
             let is_lit = traced.ray(index).radiance.is_some_and(|light| light.max() > 0.0);
             let is_behind = is_lit && is_dark(direction);
-            let holds = !(wrong.contains(&true) || is_scaled || is_behind);
+            let holds = !(wrong.contains(&true) || is_scaled || is_behind || is_point);
             asked.count(index, holds, || {
                 let should =
                     surface.densities(from, direction, far).0[drawn.map_or(0, |it| it.model)];
                 let (lamp, pdf, should) = (quoted(Some(lamp), ""), short(pdf), short(should));
                 let words = match (is_behind, has_area) {
+                    _ if is_point => {
+                        format!("goes to the one point of {lamp} that all go to, though it has a density")
+                    }
                     (true, _) => format!(
                         "brings light from the side of {lamp} that is dark to rays that hit it"
                     ),
@@ -132,6 +138,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
                     [
                         ("per-area", wrong[0]),
                         ("cosine-at-lamp-missing", wrong[1]),
+                        ("one-point", is_point),
                         ("constant-factor", is_scaled),
                         ("one-side-without-sign", is_behind),
                     ],
@@ -140,6 +147,17 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         }
     }
     never_drawn(traced, &lamps, asked);
+}
+
+/// Whether all samples of a lamp go to the same point of it: that of a ball to its centre.
+fn is_one_point(surface: Surface, samples: &[Sample]) -> bool {
+    let end = |&(_, from, direction, far, _): &Sample| from + far * direction;
+    let (point, size) = match surface {
+        Surface::Ball { center, radius } => (center, radius),
+        Surface::Flat { area, .. } => (end(&samples[0]), area.map_or(0.0, f64::sqrt)),
+    };
+    let passes = |it: &Sample| it.2.cross(point - it.1).length() <= SAME_POINT * size;
+    samples.iter().all(passes)
 }
 
 /// The sides of a flat lamp, against its normal and along it, on which rays hit it and are never lit.

@@ -1,10 +1,11 @@
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
 use super::geometry::{Leaving, leaving};
 use super::{LawReport, lamps};
-use crate::log::Purpose;
+use crate::conventions::Normals;
+use crate::log::{Purpose, Ray};
 use crate::traced::Traced;
 use text::digits::short;
 
@@ -19,6 +20,8 @@ struct Weighed {
     is_hit: bool,
 }
 
+/// A lamp that mirrors do not show is told by so many rays.
+const SEEN: usize = 3;
 /// Matte objects are told by so many rays.
 const FEW: usize = 8;
 
@@ -55,6 +58,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             let unchosen = if is_power { power(it.own, without) } else { balance(it.own, without) };
             let causes = [
                 ("hit-counts-in-full", it.is_hit && near(it.mis, 1.0) && !near(expected, 1.0)),
+                ("mirror-shows-no-lamp", it.mis == 0.0 && it.other == 0.0 && !is_alone),
                 ("hit-left-out", it.is_hit && near(it.mis, 0.0)),
                 ("parts-exchanged", near(it.mis, 1.0 - expected) && !is_alone),
                 ("one-way-weighted", it.other == 0.0),
@@ -70,6 +74,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             };
             let has = match traced.ray(it.index).factors.mis {
                 Some(_) => format!("has the MIS weight {mis}"),
+                None if it.mis == 0.0 => "does not count at the lamp that it hits".to_owned(),
                 None => "counts in full".to_owned(),
             };
             (format!("{has}, where its densities give {expected} ({name})"), causes)
@@ -82,6 +87,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
 fn weighed(traced: &Traced) -> Vec<Weighed> {
     let (matte, lamps) = (matte(traced), lamps::drawn(traced));
     let unweighed = traced.log.rays.iter().all(|ray| ray.factors.mis.is_none());
+    let unmirrored = unmirrored(traced);
     let of = |it: Leaving<'_>| {
         let factors = &it.ray.factors;
         let counts = || {
@@ -91,8 +97,9 @@ fn weighed(traced: &Traced) -> Vec<Weighed> {
         };
         let (index, mis) = (it.index, factors.mis.or_else(counts).filter(|mis| mis.is_finite())?);
         let is_hit = !it.ray.is_shadow();
-        let is_mirror = matches!(it.ray.kind, Some(Purpose::Reflected | Purpose::Transmitted));
-        if is_mirror && factors.pdf.is_none() {
+        if is_mirrored(it.ray) && factors.pdf.is_none() {
+            let is_left_out = lamp_side(traced, it.ray).is_some_and(|it| unmirrored.contains(&it));
+            let mis = if is_left_out && it.ray.emitted.is_some() { 0.0 } else { mis };
             return Some(Weighed { index, mis, own: 1.0, other: 0.0, choice: 1.0, is_hit });
         }
         let own = factors.pdf.filter(|pdf| pdf.is_finite() && *pdf > 0.0)?;
@@ -119,6 +126,41 @@ fn weighed(traced: &Traced) -> Vec<Weighed> {
         Some(Weighed { index, mis, own, other, choice: lamp.choice, is_hit })
     };
     leaving(traced).filter_map(of).collect()
+}
+
+fn is_mirrored(ray: &Ray) -> bool {
+    matches!(ray.kind, Some(Purpose::Reflected | Purpose::Transmitted))
+}
+
+/// What a ray hits, and whether it hits the outside of it, if the log says so.
+fn lamp_side<'a>(traced: &Traced, ray: &'a Ray) -> Option<(Option<&'a Arc<str>>, bool)> {
+    let is_outward = traced.conventions.normals == Normals::Outward;
+    let outside = || Some(ray.normal.filter(|_| is_outward)?.dot(ray.direction) < 0.0);
+    Some((ray.object.as_ref(), ray.front.or_else(outside)?))
+}
+
+/// The sides of lamps that shine on all camera rays, and on none that mirrors alone send there.
+fn unmirrored(traced: &Traced) -> HashSet<(Option<&Arc<str>>, bool)> {
+    let mut sides: HashMap<_, [Vec<bool>; 2]> = HashMap::new();
+    let is_sampled = |it: usize| traced.children[it].iter().any(|it| traced.ray(*it).is_shadow());
+    for (index, ray) in traced.log.rays.iter().enumerate() {
+        let mut before = traced.way_up(index).skip(1);
+        let is_camera = ray.is(&Purpose::Camera);
+        let is_seen = is_mirrored(ray)
+            && before.all(|it| {
+                (is_mirrored(traced.ray(it)) || traced.parents[it].is_none()) && !is_sampled(it)
+            });
+        let side = lamp_side(traced, ray).filter(|_| is_camera || is_seen);
+        if let (Some(light), Some(side)) = (ray.emitted, side) {
+            sides.entry(side).or_default()[usize::from(is_seen)].push(light.max() > 0.0);
+        }
+    }
+    sides.retain(|_, seen| {
+        let [camera, mirrored] = seen;
+        let is_told = camera.len() >= SEEN && mirrored.len() >= SEEN;
+        is_told && camera.iter().all(|it| *it) && !mirrored.contains(&true)
+    });
+    sides.into_keys().collect()
 }
 
 /// Whether all rays that an object scatters have the density cos/π.

@@ -11,6 +11,9 @@ use text::digits::short;
 /// Sines below this say nothing of the ratio of indices.
 const STEEP: f64 = 1e-2;
 
+/// The index of each object over the one around it.
+pub type Ratios = HashMap<Option<Arc<str>>, f64>;
+
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let usual = usual_ratios(traced);
     for it in leaving(traced).filter(|it| it.ray.is(&Purpose::Transmitted)) {
@@ -77,7 +80,7 @@ pub fn logged(traced: &Traced, it: &Leaving<'_>) -> Option<f64> {
 
 /// The index in front over the one behind that a ray should have met. Leaving an object it is the inverse of entering it,
 /// whatever the program used.
-fn ratio(traced: &Traced, it: &Leaving<'_>, usual: &HashMap<Option<Arc<str>>, f64>) -> Option<f64> {
+pub fn ratio(traced: &Traced, it: &Leaving<'_>, usual: &Ratios) -> Option<f64> {
     let usual = usual.get(&it.parent.object).copied();
     match it.is_inside(traced) {
         Some(true) => usual.or_else(|| logged(traced, it)),
@@ -87,7 +90,7 @@ fn ratio(traced: &Traced, it: &Leaving<'_>, usual: &HashMap<Option<Arc<str>>, f6
 }
 
 /// The index of each object over the one around it, by the rays that enter it: as logged, or else as they are refracted.
-fn usual_ratios(traced: &Traced) -> HashMap<Option<Arc<str>>, f64> {
+pub fn usual_ratios(traced: &Traced) -> Ratios {
     let mut ratios: HashMap<Option<Arc<str>>, Vec<f64>> = HashMap::new();
     let entering = leaving(traced)
         .filter(|it| it.ray.is(&Purpose::Transmitted) && it.is_inside(traced) == Some(false));
