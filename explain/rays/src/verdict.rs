@@ -165,12 +165,23 @@ impl RayVerdict {
     }
 
     /// The broken law that says most, with its first finding: of those that follow from no other, the first in the list that
-    /// more than a few rays break; where only few do, the first.
+    /// more than a few rays break, of laws of directions and hits that which is broken earliest on a path; where only few do, the
+    /// first.
     pub fn first(&self) -> Option<(&'static RayLaw, &LawReport, &BrokenRay)> {
         let broken = || {
             self.asked.iter().filter_map(|(law, asked)| Some((*law, asked, asked.roots().next()?)))
         };
-        broken().find(|(_, asked, _)| asked.is_common()).or_else(|| broken().next())
+        let mut common = broken().filter(|(_, asked, _)| asked.is_common()).peekable();
+        let is_of_way =
+            |law: &RayLaw| OF_LEAVING.contains(&law.name) || OF_HITS.contains(&law.name);
+        if common.peek().is_none_or(|(law, ..)| !is_of_way(law)) {
+            return common.next().or_else(|| broken().next());
+        }
+        let depth = |finding: &&BrokenRay| self.traced.way_up(finding.ray).count();
+        let of_way = common
+            .filter(|(law, ..)| is_of_way(law))
+            .filter_map(|(law, asked, _)| Some((law, asked, asked.roots().min_by_key(depth)?)));
+        of_way.min_by_key(|(_, _, finding)| depth(finding))
     }
 }
 

@@ -43,6 +43,20 @@ fn what_follows_is_said_so() {
     assert_eq!(follows, Some(1));
 }
 
+/// Law: of directions and hits that are wrong on different paths the one nearest to the camera is told first. Oracle: a camera ray whose
+/// point is off it, and, in another sample, a ray that goes straight on from a mirror.
+#[test]
+fn what_is_nearest_to_the_camera_comes_first() {
+    let camera = r#""ray": 0, "kind": "camera", "origin": [-3, 4, 0], "direction": [0.6, -0.8, 0], "t": 5, "normal": [0, 1, 0]"#;
+    let lines = [
+        format!(r#"{{"sample": 0, {camera}, "point": [0, 0, 0]}}"#),
+        r#"{"sample": 0, "ray": 1, "parent": 0, "kind": "reflected", "origin": [0, 0, 0], "direction": [0.6, -0.8, 0]}"#.to_owned(),
+        format!(r#"{{"sample": 1, {camera}, "point": [0, 0, 1]}}"#),
+    ];
+    let verdict = RayVerdict::of(traced(&lines));
+    assert_eq!(verdict.first().map(|(law, ..)| law.name), Some("hit-on-ray"));
+}
+
 /// Law: what is wrong with how a ray leaves follows from what is wrong with the hit that it leaves. Oracle: a normal of length 2, and a
 /// ray mirrored about it.
 #[test]

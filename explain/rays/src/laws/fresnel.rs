@@ -80,6 +80,10 @@ fn judge(shares: &[Share], rounding: f64, asked: &mut LawReport) {
         && (0..2).any(|at| are(shares, NEAR, |it| it.choice * it.by(at, &same)));
     let is_cosine =
         shares[0].of == Of::Instead && differ(|it| it.part) && are(shares, NEAR, |it| it.cos);
+    let is_twice = match shares[0].of {
+        Of::Instead => (0..2).any(|at| are(shares, NEAR, |it| power(it.by(at, &same), 2.0))),
+        _ => is(&|part| part * part),
+    };
     // inside it hardly depends on the angle, but by more than rounding
     let is_dense = are(shares, rounding, |it| it.by(2, &same))
         && !are(shares, rounding, |_| 1.0)
@@ -92,7 +96,7 @@ fn judge(shares: &[Share], rounding: f64, asked: &mut LawReport) {
     let causes = [
         ("other-cosine", is_dense),
         ("one-polarisation", is(&|part| 2.0 * part - 1.0)),
-        ("counts-twice", is(&|part| part * part)),
+        ("counts-twice", is_twice),
         ("choice-missing", is_undivided),
         ("mirror-cosine", is_cosine),
     ];

@@ -63,7 +63,7 @@ pub struct RayLaw {
 type Check = fn(&Traced, &mut LawReport);
 
 /// What asks the rays, by the names of `laws.txt`, those laws first from whose breach the others follow: how a ray leaves, what it
-/// hits, what it brings.
+/// hits, what it brings, and at last what a picture hardly shows.
 const CHECKS: &[(&str, Check)] = &[
     ("finite", finite::check),
     ("tree", tree::check),
@@ -83,7 +83,6 @@ const CHECKS: &[(&str, Check)] = &[
     ("truly-blocked", occluded::check),
     ("falloff", falloff::check),
     ("shares", shares::check),
-    ("fresnel", fresnel::check),
     ("energy", energy::check),
     ("lamp-density", lamps::check),
     ("mis-weights", mis::check),
@@ -97,19 +96,14 @@ const CHECKS: &[(&str, Check)] = &[
     ("drawn-as-claimed", densities::check),
     ("through-its-pixel", pixel::check),
     ("one-camera", camera::check),
+    ("fresnel", fresnel::check),
 ];
 
 /// The laws of how a ray leaves its sender's hit, and those of what it hits, which decides how the next rays leave.
 pub const OF_LEAVING: [&str; 5] =
     ["starts-at-hit", "mirrored", "snell", "right-side", "shadow-ray-to-lamp"];
-pub const OF_HITS: [&str; 6] = [
-    "hit-on-ray",
-    "nearest-hit",
-    "surfaces-agree",
-    "unit-normals",
-    "true-normal",
-    "not-its-own-start",
-];
+pub const OF_HITS: [&str; 5] =
+    ["hit-on-ray", "nearest-hit", "surfaces-agree", "unit-normals", "true-normal"];
 
 /// The laws in this order, in the words of `laws.txt`: `name: sentence`, then what it needs, and its causes by their keys.
 pub static LAWS: LazyLock<Vec<RayLaw>> = LazyLock::new(|| {
