@@ -104,7 +104,8 @@ static Vec radiance(const char* kind, Vec o, Vec d, int depth, Factors by) {
             sum = sum + at.ball->color * radiance("reflected", at.point, d - n * (2 * dot(d, n)), depth - 1, {at.ball->color, 0, 0, 1, 0, {}});
         } else {
             float ratio = inside ? 1.5f : 1 / 1.5f, sine = ratio * std::sqrt(std::max(0.0f, 1 - cosine * cosine));
-            float r0 = 0.04f, schlick = r0 + (1 - r0) * std::pow(1 - cosine, 5.0f);
+            float outside = inside ? std::sqrt(std::max(0.0f, 1 - sine * sine)) : cosine;
+            float r0 = 0.04f, schlick = r0 + (1 - r0) * std::pow(1 - outside, 5.0f);
             Vec one = {1, 1, 1};
             if (sine >= 1 || random01() < schlick) {
                 sum = sum + radiance("reflected", at.point, d - n * (2 * dot(d, n)), depth - 1, {one, 0, 0, schlick, 0, {}});
