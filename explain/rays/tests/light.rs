@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use super::laws::traced;
 use groundtruth::lobes::fresnel;
-use groundtruth::math::{cos, sin};
+use groundtruth::math::{cos, power, sin};
 use rays::{Outcome, RayVerdict};
 use serde_json::{Value, json};
 
@@ -174,7 +174,7 @@ fn schlick_has_the_cosine_outside() {
             let inside = 0.05 * at as f64;
             let sine = 1.5 * inside;
             let cosine = [(1.0 - sine * sine).sqrt(), (1.0 - inside * inside).sqrt()][mistake];
-            let part = 0.96 * (1.0 - (1.0 - cosine).powi(5));
+            let part = 0.96 * (1.0 - power(1.0 - cosine, 5.0));
             let glass = json!({"object": "glass", "front": false});
             let through = json!({"kind": "transmitted", "eta_from": 1.5, "eta_to": 1, "choice": part, "weight": 1});
             meets(at, inside, [sine, -(1.0 - sine * sine).sqrt()], [glass, through])

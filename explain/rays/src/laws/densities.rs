@@ -47,7 +47,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
                 let is = |density: f64| (pdf - density).abs() <= 1e-3 * density;
                 either(is(cos / PI), is(0.5 / PI))
             }
-            None => implied_by_weights.get(&it.parent.object).copied(),
+            None => implied_by_weights.get(&it.parent.object.as_ref()).copied(),
         };
         let Some(claim) = claim else { continue };
         first.get_or_insert(it.index);
@@ -111,13 +111,13 @@ fn either(is_cosine: bool, is_uniform: bool) -> Option<Claim> {
 
 /// What the weights of a matte object's rays claim: all are the same if the density follows the cosine, all are as the cosines if it
 /// is uniform.
-fn implied_by_weights(traced: &Traced) -> HashMap<Option<Arc<str>>, Claim> {
+fn implied_by_weights(traced: &Traced) -> HashMap<Option<&Arc<str>>, Claim> {
     let mut objects: HashMap<_, Vec<[f64; 2]>> = HashMap::new();
     for it in leaving(traced).filter(|it| matches!(it.ray.kind, Some(Purpose::Diffuse))) {
         let weight = it.ray.factors.weight.map(|weight| weight.max()).filter(|it| *it > 0.0);
         if let (Some(weight), Some(facing)) = (weight, it.facing()) {
             let over_cosine = weight / facing.dot(it.leaving);
-            objects.entry(it.parent.object.clone()).or_default().push([weight, over_cosine]);
+            objects.entry(it.parent.object.as_ref()).or_default().push([weight, over_cosine]);
         }
     }
     let claim = |weights: &Vec<[f64; 2]>| {

@@ -39,6 +39,9 @@ struct Share {
     of: Of,
 }
 
+/// The object, whether the ray meets it from the thinner medium, and what the share is.
+type Group<'a> = (Option<&'a Arc<str>>, bool, Of);
+
 impl Share {
     /// The part by a formula, if what is transmitted is this function of it.
     fn by(&self, at: usize, of: &dyn Fn(f64) -> f64) -> f64 {
@@ -49,7 +52,7 @@ impl Share {
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let usual = usual_ratios(traced);
-    let mut groups: BTreeMap<(Option<&Arc<str>>, bool, Of), Vec<Share>> = BTreeMap::new();
+    let mut groups: BTreeMap<Group<'_>, Vec<Share>> = BTreeMap::new();
     for it in leaving(traced) {
         if let Some((enters, share)) = share(traced, &it, &usual) {
             let group = (it.parent.object.as_ref(), enters, share.of);

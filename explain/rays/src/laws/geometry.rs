@@ -131,7 +131,7 @@ pub fn quoted(name: Option<&Arc<str>>, otherwise: &str) -> String {
 }
 
 /// The objects that rays pass.
-pub fn glass(traced: &Traced) -> HashSet<Arc<str>> {
+pub fn glass(traced: &Traced) -> HashSet<&Arc<str>> {
     let passed = traced.pairs().filter(|(ray, _)| traced.ray(*ray).is(&Purpose::Transmitted));
-    passed.filter_map(|(_, parent)| traced.ray(parent).object.clone()).collect()
+    passed.filter_map(|(_, parent)| traced.ray(parent).object.as_ref()).collect()
 }

@@ -29,7 +29,7 @@ struct Line {
 }
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
-    let mut lamps: BTreeMap<Option<Arc<str>>, Vec<Line>> = BTreeMap::new();
+    let mut lamps: BTreeMap<Option<&Arc<str>>, Vec<Line>> = BTreeMap::new();
     for it in leaving(traced).filter(|it| it.ray.is(&crate::log::Purpose::Shadow)) {
         let turned = traced.conventions.shadow_from_lamp;
         let far = traced.way_to_lamp(it.ray);
@@ -46,10 +46,10 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
                 + traced.slack(size(way)),
             tolerance: traced.tolerance(),
         };
-        lamps.entry(it.ray.light.clone()).or_default().push(line);
+        lamps.entry(it.ray.light.as_ref()).or_default().push(line);
     }
     for (name, lines) in lamps {
-        let named = traced.log.lamps.iter().find(|lamp| Some(&lamp.name) == name.as_ref());
+        let named = traced.log.lamps.iter().find(|lamp| Some(&lamp.name) == name);
         let target = match named {
             Some(lamp) => target(lamp).map(|target| turned(target, &lines, asked)),
             None => {
@@ -66,7 +66,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             continue;
         }
         if let Some(target) = target {
-            lines.iter().for_each(|line| check_line(line, target, name.as_ref(), asked));
+            lines.iter().for_each(|line| check_line(line, target, name, asked));
         }
     }
 }

@@ -30,14 +30,14 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
     // a wrong formula stays in the plane of the ray and the normal; what scatters leaves it
     let mut planes: HashMap<_, [usize; 2]> = HashMap::new();
     for it in rays() {
-        let [all, outside] = planes.entry(it.parent.object.clone()).or_default();
+        let [all, outside] = planes.entry(it.parent.object.as_ref()).or_default();
         let expected = expected(&it);
         let off = it.leaving.dot(expected.cross(it.arriving));
         let is_off = !is_near(it.leaving, expected, within(&it));
         (*all, *outside) = (*all + 1, *outside + usize::from(is_off && off.abs() > within(&it)));
     }
     let scatters = |it: &Leaving<'_>| {
-        let [all, outside] = planes[&it.parent.object];
+        let [all, outside] = planes[&it.parent.object.as_ref()];
         all >= ENOUGH && 2 * outside > all
     };
     for it in rays() {

@@ -108,7 +108,7 @@ fn weighed(traced: &Traced) -> Vec<Weighed> {
         }
         if !is_hit {
             let choice = factors.choice.unwrap_or(1.0);
-            let is_matte = matte.get(&it.parent.object).is_some_and(|is_matte| *is_matte);
+            let is_matte = matte.get(&it.parent.object.as_ref()).is_some_and(|is_matte| *is_matte);
             let other = it.facing()?.dot(it.leaving).max(0.0) / PI;
             return is_matte.then_some(Weighed {
                 index,
@@ -164,7 +164,7 @@ fn unmirrored(traced: &Traced) -> HashSet<(Option<&Arc<str>>, bool)> {
 }
 
 /// Whether all rays that an object scatters have the density cos/π.
-fn matte(traced: &Traced) -> HashMap<Option<Arc<str>>, bool> {
+fn matte(traced: &Traced) -> HashMap<Option<&Arc<str>>, bool> {
     let mut objects: HashMap<_, (usize, bool)> = HashMap::new();
     for it in leaving(traced).filter(|it| !it.ray.is_shadow()) {
         let cosine = it.facing().map(|facing| facing.dot(it.leaving) / PI);
@@ -174,7 +174,7 @@ fn matte(traced: &Traced) -> HashMap<Option<Arc<str>>, bool> {
             .pdf
             .zip(cosine)
             .is_some_and(|(pdf, cosine)| (pdf - cosine).abs() <= 1e-3 * pdf);
-        let (count, is_matte) = objects.entry(it.parent.object.clone()).or_insert((0, true));
+        let (count, is_matte) = objects.entry(it.parent.object.as_ref()).or_insert((0, true));
         (*count, *is_matte) = (*count + 1, *is_matte && is_cosine);
     }
     objects.into_iter().map(|(name, (count, is_matte))| (name, is_matte && count >= FEW)).collect()

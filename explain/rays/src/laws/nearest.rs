@@ -1,3 +1,4 @@
+use std::cell::LazyCell;
 use std::collections::HashSet;
 use std::sync::Arc;
 
@@ -16,7 +17,8 @@ const GRAZING: f64 = 0.03;
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let Some(world) = &traced.world else { return };
-    let hit: HashSet<_> = traced.log.rays.iter().filter_map(|ray| ray.object.clone()).collect();
+    let objects = || traced.log.rays.iter().filter_map(|ray| ray.object.as_ref());
+    let hit: LazyCell<HashSet<_>, _> = LazyCell::new(|| objects().collect());
     for (index, ray) in traced.log.rays.iter().enumerate() {
         if ray.is_shadow() || !(ray.origin.is_finite() && ray.direction.is_finite()) {
             continue;

@@ -21,7 +21,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             .into_iter()
             .max_by(|a, b| (a - 1.0).abs().total_cmp(&(b - 1.0).abs()))
             .unwrap_or(1.0);
-        let first = *lengths.entry(ray.object.clone()).or_insert(worst);
+        let first = *lengths.entry(ray.object.as_ref()).or_insert(worst);
         asked.count(index, (worst - 1.0).abs() <= NEARLY.max(traced.tolerance()), || {
             let causes = [
                 (

@@ -20,7 +20,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
         .rays
         .iter()
         .filter(|ray| ray.is(&Purpose::Shadow))
-        .filter_map(|ray| ray.object.clone())
+        .filter_map(|ray| ray.object.as_ref())
         .collect();
     let glass = glass(traced);
     for (index, ray) in traced.log.rays.iter().enumerate() {

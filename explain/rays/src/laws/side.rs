@@ -60,7 +60,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
 const BEHIND: f64 = 0.05;
 
 /// Whether the ray of a lamp adds light to a surface that nothing passes.
-fn lights(it: &Leaving<'_>, glass: &HashSet<Arc<str>>) -> bool {
+fn lights(it: &Leaving<'_>, glass: &HashSet<&Arc<str>>) -> bool {
     let [weight, radiance] = [it.ray.factors.weight, it.ray.radiance];
     weight.zip(radiance).is_some_and(|(weight, light)| weight.max() > 0.0 && light.max() > 0.0)
         && it.parent.object.as_ref().is_some_and(|name| !glass.contains(name))

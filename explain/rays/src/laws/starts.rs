@@ -18,10 +18,10 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
     // the first of each object
     let mut shifts: HashMap<_, Vec<Vector>> = HashMap::new();
     for it in &elsewhere {
-        shifts.entry(it.parent.object.clone()).or_default().push(away(traced, it));
+        shifts.entry(it.parent.object.as_ref()).or_default().push(away(traced, it));
     }
     let is_shift = |it: &Leaving<'_>| {
-        let of_object = &shifts[&it.parent.object];
+        let of_object = &shifts[&it.parent.object.as_ref()];
         let slack = 8.0 * it.slack(traced);
         of_object.len() > 1
             && of_object.iter().all(|other| (*other - of_object[0]).length() <= slack)

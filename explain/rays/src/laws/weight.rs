@@ -1,4 +1,4 @@
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::{BTreeMap, HashSet};
 use std::f64::consts::PI;
 use std::sync::Arc;
 
@@ -20,8 +20,8 @@ type Left<'a> = Option<&'a Arc<str>>;
 
 pub fn check(traced: &Traced, asked: &mut LawReport) {
     let tolerance = 2.0 * traced.tolerance();
-    let cosines: HashMap<usize, f64> =
-        leaving(traced).filter_map(|it| Some((it.index, cosine(&it)?))).collect();
+    let mut cosines = vec![None; traced.log.rays.len()];
+    leaving(traced).for_each(|it| cosines[it.index] = cosine(&it));
     let matte = matte(traced, &cosines);
     for (index, ray) in traced.log.rays.iter().enumerate() {
         let Factors { weight: Some(weight), f: Some(f), cos, pdf, choice, mis, .. } = &ray.factors
@@ -37,7 +37,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             [1.0, apart, 1.0 / parts].iter().any(|it| is_near(*weight, *it * expected, tolerance))
         };
         // a cosine that is not logged may be within f, unless f is the same in all directions
-        let own = cosines.get(&index).copied();
+        let own = cosines[index];
         let unlogged =
             own.filter(|own| cos.is_none() && fits(*own, tolerance / own.max(tolerance)));
         let is_matte =
@@ -87,14 +87,14 @@ fn alike(traced: &Traced, index: usize) -> f64 {
 }
 
 /// The objects whose `f` is the same in all directions, by rays that log a density on the hemisphere and no cosine.
-fn matte<'a>(traced: &'a Traced, cosines: &HashMap<usize, f64>) -> HashSet<Left<'a>> {
+fn matte<'a>(traced: &'a Traced, cosines: &[Option<f64>]) -> HashSet<Left<'a>> {
     let mut objects: BTreeMap<Left<'a>, Vec<[f64; 2]>> = BTreeMap::new();
     for (index, parent) in traced.pairs().filter(|it| !traced.ray(it.0).is_shadow()) {
         let Factors { f, pdf, cos, .. } = &traced.ray(index).factors;
         let is_told = cos.is_none() && pdf.is_some_and(|pdf| pdf <= (1.0 + EVEN) / PI);
-        if let (Some(f), Some(cosine), true) = (f, cosines.get(&index), is_told) {
+        if let (Some(f), Some(cosine), true) = (f, cosines[index], is_told) {
             let object = traced.ray(parent).object.as_ref();
-            objects.entry(object).or_default().push([f.max(), *cosine]);
+            objects.entry(object).or_default().push([f.max(), cosine]);
         }
     }
     objects.retain(|_, rays| {
