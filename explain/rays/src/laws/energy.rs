@@ -70,7 +70,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             (
                 format!("hits a surface that sends on {} times the light that arrives, in the mean of {} hits", short(mean), hits.len()),
                 [
-                    ("density-leaves-out-lobe", !is_even),
+                    ("density-leaves-out-lobe", !is_even && is_uniform != Some(true)),
                     ("pi-or-cosine-missing", lacks_pi && lacks_cosine),
                     ("cosine-missing", lacks_cosine && !lacks_pi),
                     ("pi-missing", lacks_pi && !lacks_cosine),
