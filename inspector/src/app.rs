@@ -174,6 +174,7 @@ impl Inspector {
     /// Explains the pixel that is clicked, stepped to, or proposed.
     fn follow_pointing(&mut self, ui: &Ui) {
         if let Some(pixel) = self.picture.clicked(ui.ctx(), self.session.rendering.size()) {
+            self.others.run_again();
             self.select(pixel);
         }
         if let Some(pixel) = self.stepped(ui) {
@@ -214,15 +215,21 @@ impl Inspector {
     fn start_wanted(&mut self, ctx: &Context) {
         let rendering = &self.session.rendering;
         self.picture.refresh(ctx, rendering);
+        let selected = self.selection.pixel;
+        self.others.pixel = selected;
         if let Some(problem) = self.others.refresh(ctx, rendering) {
             self.message = Some((problem, true));
         }
         if let Some(theirs) = self.others.shown_mut() {
             theirs.refresh(ctx, rendering, self.picture.tone);
         }
-        if let Some(place) = self.others.first_ray().filter(|_| self.selection.pixel.is_none()) {
-            self.seek(place);
-            self.space.restart();
+        match self.others.first_ray() {
+            Some(place) if selected.is_none() => {
+                self.seek(place);
+                self.space.restart();
+            }
+            Some(place) if selected == Some(place.pixel) => self.selection.seek(place),
+            _ => {}
         }
         self.explain_selected(ctx);
     }

@@ -61,6 +61,12 @@ impl Start {
         self.theirs.into_iter().for_each(|theirs| inspector.others.add_picture(theirs));
         inspector.others.choose(0);
         logs.into_iter().for_each(|path| inspector.others.add_log(path));
+        if let Some(mut command) = arguments.rays_from.clone() {
+            // a log does not say how its picture encodes radiance
+            let picture = arguments.compare.first().filter(|_| arguments.encoding.is_none());
+            command.picture = picture.cloned();
+            inspector.others.add_run(command);
+        }
         (inspector.space.mode, inspector.selection.tab) = (arguments.view, arguments.tab);
         let stored = StoredSettings::read(storage);
         let ground = arguments.theme.unwrap_or(stored.ground);

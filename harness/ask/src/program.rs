@@ -12,6 +12,7 @@ use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, Instant};
 
+use pictures::running::{kill_group, put_into_group};
 use serde_json::Value;
 
 use super::lines::{line, read};
@@ -302,30 +303,6 @@ impl Running {
         }
         Fault::Died("the program closed its output".to_owned())
     }
-}
-
-/// A process group of its own: the program's children can be ended with it.
-#[cfg(unix)]
-fn put_into_group(command: &mut Command) {
-    use std::os::unix::process::CommandExt;
-    command.process_group(0);
-}
-
-/// Other systems have no process groups.
-#[cfg(not(unix))]
-fn put_into_group(_: &mut Command) {}
-
-#[cfg(unix)]
-fn kill_group(child: &mut Child) {
-    use rustix::process::{Pid, Signal, kill_process_group};
-    if let Some(group) = Pid::from_raw(child.id().cast_signed()) {
-        let _ = kill_process_group(group, Signal::KILL);
-    }
-}
-
-#[cfg(not(unix))]
-fn kill_group(child: &mut Child) {
-    let _ = child.kill();
 }
 
 /// Sends each line until the output ends; blank lines are skipped.

@@ -1,5 +1,5 @@
 //! What all that judges pictures shares: [`compare`] holds two pictures against each other, [`sums`] adds replicas
-//! exactly, and [`running`] runs another renderer with a time limit.
+//! exactly, and [`running`] runs another program with a time limit.
 
 pub mod compare;
 mod pixel;

@@ -64,8 +64,7 @@ impl Inspector {
 
     /// Selects a pixel, if the picture has it.
     pub(super) fn select(&mut self, pixel: [u32; 2]) {
-        let log = self.others.shown().and_then(|theirs| theirs.explained()?.log());
-        let pixel @ [x, y] = log.and_then(|log| log.nearest(pixel)).unwrap_or(pixel);
+        let pixel @ [x, y] = self.others.nearest(pixel).unwrap_or(pixel);
         let selected = self.selection.select(pixel, self.session.rendering.size());
         if selected.is_ok() {
             self.fields.pixel = format!("{x}, {y}");

@@ -47,7 +47,10 @@ pub fn show(ui: &mut Ui, others: &mut Others, rendering: &Rendering) -> Option<A
         match others.shown_mut() {
             Some(theirs) => chosen.or(views(ui, theirs, rendering)),
             None => {
-                ui.spinner();
+                match others.is_making() {
+                    true => drop(ui.spinner()),
+                    false => drop(ui.weak("a click on a pixel runs the program for it")),
+                }
                 chosen
             }
         }

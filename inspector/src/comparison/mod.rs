@@ -2,11 +2,13 @@
 //! scenes; their layers over our picture, their bar, and the verdict on them.
 
 pub mod bar;
+pub mod entry;
 pub mod judgement;
 pub mod menu;
 pub mod mistake;
 pub mod opening;
 pub mod others;
+pub mod pixel_command;
 pub mod program;
 pub mod recipe;
 pub mod theirs;

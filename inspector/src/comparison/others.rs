@@ -2,16 +2,19 @@
 //! held against ours.
 
 use std::collections::VecDeque;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::Duration;
 
 use eframe::egui::Context;
 use judge::mistakes::Mistake;
 use rays::{Logged, RayPlace};
 
 use crate::action::{Shows, With};
+use crate::comparison::entry::{Entry, MadeBeside};
 use crate::comparison::opening;
+use crate::comparison::pixel_command::PixelCommand;
 use crate::comparison::program::Program;
 use crate::comparison::recipe::{Made, Recipe};
 use crate::comparison::theirs::Theirs;
@@ -28,8 +31,10 @@ pub struct Others {
     chosen: usize,
     /// The number of the next entry or program.
     next_number: u32,
-    /// The entry that is being made, and for which rendering of ours.
-    asked: Option<(u32, u64)>,
+    /// The selected pixel, for which a program is run.
+    pub pixel: Option<[u32; 2]>,
+    /// The entry that is being made, and beside what.
+    asked: Option<(u32, MadeBeside)>,
     is_stopped: Arc<AtomicBool>,
     working: Background<Made>,
     /// The view of the picture before.
@@ -46,31 +51,6 @@ pub struct Others {
 
 /// What the user must know, and whether it is an error.
 pub type Message = (String, bool);
-
-/// A picture, or how it is made.
-struct Entry {
-    number: u32,
-    /// How it is made; nothing for a file.
-    recipe: Option<Recipe>,
-    /// The rendering of ours beside which it was made.
-    made_beside: Option<u64>,
-    theirs: Option<Theirs>,
-}
-
-impl Entry {
-    /// The file, if it is made from a log of rays.
-    fn log(&self) -> Option<&Path> {
-        match &self.recipe {
-            Some(Recipe::Scene(source)) => source.rays(),
-            _ => None,
-        }
-    }
-
-    fn name(&self) -> String {
-        let of_recipe = self.recipe.as_ref().map(Recipe::name);
-        of_recipe.or(self.theirs.as_ref().map(|it| it.name.clone())).unwrap_or_default()
-    }
-}
 
 impl Others {
     /// The picture that is held against ours, once it is made.
@@ -185,6 +165,29 @@ impl Others {
             }
         }
         self.shows = Shows::Theirs;
+    }
+
+    /// Runs this program for each selected pixel, and shows its rays.
+    pub fn add_run(&mut self, command: PixelCommand) {
+        self.add(Recipe::Run(command));
+        self.shows = Shows::Theirs;
+    }
+
+    /// Runs the program again that is shown, although it was run for this pixel.
+    pub fn run_again(&mut self) {
+        let run = self.entries.get_mut(self.chosen).filter(|entry| entry.is_run());
+        run.into_iter().for_each(|entry| entry.made_beside = None);
+    }
+
+    /// The pixel that is explained if this one is asked for: the nearest one of a log.
+    pub fn nearest(&self, pixel: [u32; 2]) -> Option<[u32; 2]> {
+        let entry = self.entries.get(self.chosen).filter(|entry| !entry.is_run())?;
+        entry.theirs.as_ref()?.explained()?.log()?.nearest(pixel)
+    }
+
+    /// Whether the one that is held against ours is being made.
+    pub fn is_making(&self) -> bool {
+        self.asked.is_some()
     }
 
     /// Lets the logs go: they were of another scene.
@@ -303,13 +306,15 @@ impl Others {
     }
 
     /// What must be made: the entry, and the rendering of ours.
-    fn wanted(&self, rendering: &Rendering) -> Option<(u32, u64)> {
-        let entry = self.entries.get(self.chosen)?;
-        let is_made = entry.recipe.is_none() || entry.made_beside == Some(rendering.generation);
-        (!is_made).then_some((entry.number, rendering.generation))
+    fn wanted(&self, rendering: &Rendering) -> Option<(u32, MadeBeside)> {
+        let entry = self.entries.get(self.chosen).filter(|entry| entry.recipe.is_some())?;
+        let pixel = if entry.is_run() { Some(self.pixel?) } else { None };
+        let beside = (rendering.generation, pixel);
+        (entry.made_beside != Some(beside)).then_some((entry.number, beside))
     }
 
-    /// Starts to make the picture that is chosen, and holds it against ours once it is made. Returns why there is none.
+    /// Starts to make the picture that is chosen, and holds it against ours once it is made. Returns why there is none, or
+    /// not all of it.
     pub fn refresh(&mut self, ctx: &Context, rendering: &Rendering) -> Option<String> {
         self.follow_logs(ctx);
         let wanted = self.wanted(rendering);
@@ -321,15 +326,17 @@ impl Others {
             }
         }
         let made = self.working.poll()?.unwrap_or_else(|lost| Err(lost.to_string()));
-        let (_, generation) = self.asked.take()?;
+        let (_, beside) = self.asked.take()?;
         let problem = match made {
             Ok(Some((mut program, film))) => {
                 program.number = self.number();
-                self.first = program.log().and_then(Logged::first_place);
+                let first = program.log().and_then(Logged::first_place);
+                let problem = program.problem.take();
                 let theirs = Theirs::of_program(program, film, self.shows);
                 let entry = self.entries.get_mut(self.chosen)?;
-                (entry.theirs, entry.made_beside) = (Some(theirs), Some(generation));
-                return None;
+                self.first = first.filter(|_| entry.theirs.is_none());
+                (entry.theirs, entry.made_beside) = (Some(theirs), Some(beside));
+                return problem;
             }
             Ok(None) => self.mistake().map_or(String::new(), |mistake| {
                 let (name, words) = (mistake.name, mistake.words);
@@ -337,14 +344,15 @@ impl Others {
             }),
             Err(error) => error,
         };
-        if let Some(entry) = self.entries.get_mut(self.chosen)
-            && entry.log().is_some()
-            && entry.theirs.is_some()
-        {
-            entry.made_beside = Some(generation);
-            return Some(problem);
+        match self.entries.get_mut(self.chosen) {
+            Some(entry) if entry.is_run() => {
+                (entry.theirs, entry.made_beside) = (None, Some(beside));
+            }
+            Some(entry) if entry.log().is_some() && entry.theirs.is_some() => {
+                entry.made_beside = Some(beside);
+            }
+            _ => self.let_go(),
         }
-        self.let_go();
         Some(problem)
     }
 
@@ -352,12 +360,15 @@ impl Others {
         let Some(entry) = self.entries.get_mut(self.chosen) else { return };
         let Some(recipe) = &entry.recipe else { return };
         self.is_stopped = Arc::default();
-        self.working.start_in_slices(ctx, recipe.work(rendering, Arc::clone(&self.is_stopped)));
-        if entry.log().is_some() {
+        let (pixel, is_stopped) = (self.pixel.unwrap_or_default(), Arc::clone(&self.is_stopped));
+        self.working.start_in_slices(ctx, recipe.work(rendering, pixel, is_stopped));
+        let log = entry.theirs.as_ref().and_then(|theirs| theirs.program.as_ref()?.log());
+        let has_pixel = log.is_some_and(|log| log.nearest(pixel) == Some(pixel));
+        if entry.log().is_some() || has_pixel {
             // shown until the program has written a whole one
             return;
         }
-        // one beside an earlier picture of ours
+        // one beside an earlier picture of ours, or of another pixel
         self.shows = entry.theirs.take().map_or(self.shows, |theirs| theirs.shows);
     }
 }
@@ -365,5 +376,9 @@ impl Others {
 impl Drop for Others {
     fn drop(&mut self) {
         self.is_stopped.store(true, Ordering::Relaxed);
+        if self.entries.get(self.chosen).is_some_and(Entry::is_run) {
+            // the program ends before the window does
+            let _ = self.working.wait(Duration::from_secs(1));
+        }
     }
 }

@@ -15,7 +15,9 @@ use groundtruth::trace::{Budget, Recorder};
 use groundtruth::world::{DEFAULT_SEED, World};
 use judge::mistakes::{Mistake, Mistaken};
 use rays::{Logged, RayVerdict, Traced};
+use text::shell::quoted;
 
+use crate::comparison::pixel_command::PixelRun;
 use crate::platform;
 use crate::scene::source::Built;
 
@@ -28,6 +30,8 @@ pub struct Program {
     pub name: String,
     /// Its scene and its world: ours, if it makes a mistake.
     pub built: Built,
+    /// Why its log may not be all of it.
+    pub problem: Option<String>,
     by: By,
 }
 
@@ -35,36 +39,45 @@ pub struct Program {
 enum By {
     Mistaken(Box<Mistaken>),
     Ours,
-    Logged { path: PathBuf, log: Box<Logged>, picture: Option<PathBuf> },
+    Logged { command: String, log: Box<Logged>, picture: Option<PathBuf> },
 }
 
 impl Program {
     /// A program with a mistake.
     pub fn with_mistake(program: Mistaken, built: Built) -> Self {
         let name = program.mistake().name.to_owned();
-        Self { number: 0, name, built, by: By::Mistaken(Box::new(program)) }
+        Self { number: 0, name, built, problem: None, by: By::Mistaken(Box::new(program)) }
     }
 
     /// Ours, with another scene and its world.
     pub fn ours(name: String, built: Built) -> Self {
-        Self { number: 0, name, built, by: By::Ours }
+        Self { number: 0, name, built, problem: None, by: By::Ours }
     }
 
     /// One that wrote a log of its rays, in our world, unless the log is all there is.
     ///
     /// # Errors
     /// The log cannot be read.
-    pub fn of_log(path: &Path, mut built: Built) -> Result<Self, String> {
+    pub fn of_log(path: &Path, built: Built) -> Result<Self, String> {
         let named = |problem: String| format!("{}: {problem}", path.display());
-        let mut log = platform::at_once(|| platform::read_log(path))
+        let log = platform::at_once(|| platform::read_log(path))
             .map_err(|error| named(error.to_string()))?;
-        let is_alone = built.source.rays().is_some() && log.head.scene.is_none();
+        let command = format!("groundtruth rays {}", quoted(&path.display().to_string()));
         let folder = path.parent().unwrap_or(Path::new(""));
+        Self::of_run(PixelRun { log, command, problem: None }, folder, built).map_err(named)
+    }
+
+    /// One that wrote a log in this folder.
+    ///
+    /// # Errors
+    /// The log names objects that cannot be built.
+    pub fn of_run(run: PixelRun, folder: &Path, mut built: Built) -> Result<Self, String> {
+        let PixelRun { mut log, command, problem } = run;
+        let is_alone = built.source.rays().is_some() && log.head.scene.is_none();
         let own = match is_alone {
-            true => rays::world_of(&log, folder, |_| unreachable!("the head names no scene")),
-            false => Ok(None),
+            true => rays::world_of(&log, folder, |_| unreachable!("the head names no scene"))?,
+            false => None,
         };
-        let own = own.map_err(named)?;
         let is_known = own.is_some() || !is_alone;
         if let Some((scene, world)) = own {
             (built.scene, built.world) = (Arc::new(scene), Arc::new(world));
@@ -80,8 +93,8 @@ impl Program {
             verdict.name_mistakes(Mistaken::each(&built.scene, folder, DEFAULT_SEED));
             Logged::of(verdict)
         });
-        let by = By::Logged { path: path.to_owned(), log: Box::new(logged), picture };
-        Ok(Self { number: 0, name, built, by })
+        let by = By::Logged { command, log: Box::new(logged), picture };
+        Ok(Self { number: 0, name, built, by, problem })
     }
 
     /// Whether all of its picture is known: of a log beside ours only some pixels are.
@@ -111,10 +124,10 @@ impl Program {
         }
     }
 
-    /// The file of that log.
-    pub fn log_path(&self) -> Option<&Path> {
+    /// The command that judges that log.
+    pub fn log_command(&self) -> Option<&str> {
         match &self.by {
-            By::Logged { path, .. } => Some(path),
+            By::Logged { command, .. } => Some(command),
             By::Mistaken(_) | By::Ours => None,
         }
     }

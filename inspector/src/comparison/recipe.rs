@@ -9,9 +9,10 @@ use groundtruth::scene::Scene;
 use judge::mistakes::{Mistake, Mistaken};
 use pictures::compare;
 
+use crate::comparison::pixel_command::PixelCommand;
 use crate::comparison::program::Program;
 use crate::picture::worker::Rendering;
-use crate::platform::{Slice, watched};
+use crate::platform::{self, Slice, watched};
 use crate::scene::fields::Change;
 use crate::scene::source::{Built, Source};
 
@@ -26,6 +27,8 @@ pub enum Recipe {
     Scene(Source),
     /// The scene as it was shown once, kept under a name while ours is changed.
     State(String, Built),
+    /// A program that is run for the selected pixel.
+    Run(PixelCommand),
 }
 
 /// The program and its picture; `None` if the mistake changes nothing of the scene.
@@ -39,6 +42,7 @@ impl Recipe {
             Self::Field(change) => change.short(),
             Self::Scene(source) => source.name(),
             Self::State(name, _) => name.clone(),
+            Self::Run(command) => command.line.clone(),
         }
     }
 
@@ -49,13 +53,16 @@ impl Recipe {
             Self::Field(change) => change.to_string(),
             Self::Scene(source) => source.name(),
             Self::State(_, kept) => format!("{} as it was kept", kept.source.name()),
+            Self::Run(command) => format!("{}, run for the selected pixel", command.line),
         }
     }
 
-    /// The work that makes the picture beside this one of ours, in its size; `is_stopped` ends it early.
+    /// The work that makes the picture beside this one of ours, in its size; `is_stopped` ends it early. A program is run
+    /// for `pixel`.
     pub fn work(
         &self,
         rendering: &Rendering,
+        pixel: [u32; 2],
         is_stopped: Arc<AtomicBool>,
     ) -> impl FnMut(&Slice) -> Option<Made> + Send + 'static {
         let (recipe, ours, size) = (self.clone(), rendering.built.clone(), rendering.size());
@@ -63,7 +70,7 @@ impl Recipe {
         move |slice| {
             let (program, canvas) = match made.take() {
                 Some(made) => made,
-                None => match recipe.program(&ours, size) {
+                None => match recipe.program(&ours, size, (pixel, &is_stopped)) {
                     Ok(Some(program)) if program.log().is_some() => {
                         let film = program.picture(size);
                         return Some(Ok(Some((program, film))));
@@ -91,7 +98,12 @@ impl Recipe {
         }
     }
 
-    fn program(&self, ours: &Built, size: [u32; 2]) -> Result<Option<Program>, String> {
+    fn program(
+        &self,
+        ours: &Built,
+        size: [u32; 2],
+        (pixel, is_stopped): ([u32; 2], &AtomicBool),
+    ) -> Result<Option<Program>, String> {
         let (name, seed) = (self.name(), ours.world.seed);
         let fit = |mut scene: Scene| match compare::fit(&mut scene, size) {
             Ok(_) => Ok(scene),
@@ -103,6 +115,10 @@ impl Recipe {
                 let program = Mistaken::new(mistake, &ours.scene, ours.source.folder(), seed);
                 let program = program.map_err(|error| error.to_string())?;
                 return Ok(program.map(|program| Program::with_mistake(program, ours)));
+            }
+            Self::Run(command) => {
+                let run = platform::at_once(|| command.run(pixel, is_stopped))?;
+                return Program::of_run(run, &command.folder, ours).map(Some);
             }
             Self::Scene(Source::Rays(path)) => return Program::of_log(path, ours).map(Some),
             Self::Field(change) => {

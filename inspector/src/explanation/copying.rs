@@ -81,8 +81,8 @@ impl Making {
 /// The command that explains a sample of a pixel in a terminal.
 pub fn explain_command(shown: &Shown<'_>, [x, y]: [u32; 2], sample: u32) -> String {
     let subject = shown.subject();
-    if let Some(log) = subject.program.and_then(|program| program.log_path()) {
-        return format!("groundtruth rays {}", quoted(&log.display().to_string()));
+    if let Some(command) = subject.program.and_then(|program| program.log_command()) {
+        return command.to_owned();
     }
     let mistake = subject.program.and_then(|program| program.mistake());
     let mistake = mistake.map_or(String::new(), |it| format!(" --mistake {}", it.name));

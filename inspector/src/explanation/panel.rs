@@ -93,6 +93,8 @@ impl Panel {
         let verdict = shown.theirs.and_then(|theirs| theirs.judgement.verdict());
         let log = shown.subject().log();
         let is_twin = shown.beside.is_some();
+        // one that is not there now is shown when it is there again
+        let mut shown_tab = Tab::default();
         ui.horizontal_wrapped(|ui| {
             for (tab, name, hint, is_there) in [
                 (Tab::Ray, "The ray", "", true),
@@ -108,14 +110,13 @@ impl Panel {
                     if !hint.is_empty() {
                         entry.on_hover_text(hint);
                     }
-                } else if selection.tab == tab {
-                    selection.tab = Tab::default();
+                    shown_tab = if selection.tab == tab { tab } else { shown_tab };
                 }
             }
         });
         let area = ScrollArea::both().id_salt("details").auto_shrink(false);
         let area = area.min_scrolled_height(MIN_HEIGHT);
-        match selection.tab {
+        match shown_tab {
             Tab::Ray => drop(area.show(ui, |ui| self.ray(ui, selection, shown))),
             Tab::Checks => {
                 let place = area.show(ui, |ui| log.and_then(|log| checks::show(ui, log))).inner;

@@ -8,6 +8,7 @@ use groundtruth::scene::{Scene, Tracer};
 use groundtruth::world::{DEFAULT_SEED, MAX_DEPTH};
 use pictures::compare::{self, Transfer};
 
+use crate::comparison::pixel_command::PixelCommand;
 use crate::comparison::theirs::Theirs;
 use crate::explanation::selection::Tab;
 use crate::scene::source::{Loaded, Source};
@@ -64,6 +65,10 @@ pub struct Arguments {
     /// each of several logs
     #[arg(long, value_name = "FILE")]
     pub rays: Vec<PathBuf>,
+    /// Run this program for each selected pixel, where the window was started and without a shell, and explain the pixel by
+    /// its rays (docs/rays.md); {x} and {y} stand for the pixel, which RAYS in its environment says, too
+    #[arg(long, value_name = "COMMAND", value_parser = PixelCommand::parse)]
+    pub rays_from: Option<PixelCommand>,
     /// How a PNG, JPEG or PPM file encodes radiance: srgb (if left out), linear, or gamma=2.2
     #[arg(long, value_name = "CURVE", requires = "compare")]
     pub encoding: Option<Transfer>,
@@ -86,14 +91,18 @@ impl Arguments {
     /// `ch28/glass-sphere&pixel=282,244&view=both`.
     ///
     /// # Errors
-    /// As on a command line.
+    /// As on a command line; it asks for a program to be run.
     pub fn of_link(link: &str) -> Result<Self, String> {
         let mut parts = link.split('&').filter(|part| !part.is_empty());
         let scene = parts.next().map(str::to_owned);
         let options = parts.map(|part| format!("--{part}"));
         let words = ["inspector".to_owned()].into_iter().chain(options);
         let words = words.chain(["--".to_owned()]).chain(scene);
-        Self::try_parse_from(words).map_err(|error| error.to_string())
+        let arguments = Self::try_parse_from(words).map_err(|error| error.to_string())?;
+        match arguments.rays_from {
+            Some(_) => Err("a link runs no program (--rays-from)".to_owned()),
+            None => Ok(arguments),
+        }
     }
 
     /// Where the scene is from.

@@ -15,6 +15,7 @@ mod looking;
 mod mistaken;
 mod noise;
 mod rays;
+mod rays_from;
 mod renderer;
 mod room;
 mod sampling;

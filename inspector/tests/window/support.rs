@@ -158,7 +158,7 @@ pub fn click_at(window: &mut Window, at: Pos2) {
     settle(window);
 }
 
-fn point_and_press(window: &mut Window, at: Pos2) {
+pub fn point_and_press(window: &mut Window, at: Pos2) {
     window.hover_at(at);
     window.drag_at(at);
     window.drop_at(at);
