@@ -1,5 +1,7 @@
 //! The verdict as one HTML file, for a class or a forum.
 
+use std::collections::HashMap;
+
 use groundtruth::explain::count;
 use groundtruth::printable::text as printable;
 use groundtruth::world::World;
@@ -101,7 +103,10 @@ impl RayVerdict {
             let is_shadow = self.traced.ray(finding.ray).is_shadow();
             let sender = self.traced.parents[finding.ray].filter(|_| !is_shadow);
             let number = recorded.number(sender.unwrap_or(finding.ray))?;
-            Section::of(world, &recorded.root, number)
+            let mut section = Section::of(world, &recorded.root, number)?;
+            let indices: HashMap<usize, usize> = recorded.by_number().collect();
+            section.expect(|number| self.expected(*indices.get(&number)?));
+            Some(section)
         });
         let section =
             section.map(|it| figure(Node::Drawing(it.drawing.svg()), it.drawing.title.clone()));

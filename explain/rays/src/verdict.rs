@@ -2,6 +2,7 @@
 
 use std::collections::{HashMap, HashSet};
 
+use groundtruth::math::Vector;
 use groundtruth::render::Renderer;
 use groundtruth::world::World;
 use rayon::prelude::*;
@@ -142,6 +143,11 @@ impl RayVerdict {
                 .take_while(move |finding| finding.ray == ray)
                 .map(|finding| (*law, finding))
         })
+    }
+
+    /// The unit direction that a ray should have had, if it breaks a law of directions.
+    pub fn expected(&self, ray: usize) -> Option<Vector> {
+        self.of_ray(ray).find_map(|(_, finding)| finding.expected)
     }
 
     /// The pixels in the order of the log, each with its number of findings that follow from no other, and the first of them.

@@ -70,6 +70,26 @@ fn a_mistake_breaks_its_law() {
     }
 }
 
+/// Law: a ray that breaks a law of directions should go where the law gives, whatever it does. Oracle: the honest logs.
+#[test]
+fn a_broken_ray_should_go_as_the_honest_one() {
+    let cases: Cases = toml::from_str(include_str!("laws.toml")).expect("cases");
+    let of_directions =
+        cases.case.iter().filter(|case| ["mirrored", "snell"].contains(&&*case.law));
+    let mut found = 0;
+    for case in of_directions {
+        let (honest, verdict) = (traced(&case.log), RayVerdict::of(traced(&edited(case))));
+        let broken = verdict.asked.iter().find(|(law, _)| law.name == case.law);
+        for finding in broken.map(|(_, asked)| &asked.findings).expect("asked") {
+            let expected = verdict.expected(finding.ray).expect("a direction");
+            let right = honest.ray(finding.ray).direction.unit().expect("not zero");
+            assert!((expected - right).length() <= 1e-9, "{}: {expected:?}", case.law);
+            found += 1;
+        }
+    }
+    assert!(found >= 7, "{found} rays");
+}
+
 /// Law: each law has a case that breaks it, but those of many rays, which have tests of their own. Oracle: the list of laws.
 #[test]
 fn each_law_has_a_case() {

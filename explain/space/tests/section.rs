@@ -1,11 +1,11 @@
 //! Sections against the recorded directions, Snell's law, closed forms of shapes and the world's distances.
 
 use groundtruth::explain::{self, RecordedRay};
-use groundtruth::math::{Pcg32, Point, Vector, sin_degrees};
+use groundtruth::math::{Pcg32, Point, Vector, cos_degrees, sin_degrees};
 use groundtruth::world::World;
-use space::{Role, Section, Stroke, Window, outlines};
+use space::{RayAngle, Role, Section, Stroke, Window, outlines};
 
-use super::support::{FRONT, WHITE, light, object, traced};
+use super::support::{FRONT, WHITE, built, light, object, traced};
 use super::why_not::BALL;
 
 /// Of an angle whose cosine is rounded to a few u: its error is that over the sine, and no angle is below 1° here.
@@ -34,6 +34,38 @@ pub fn tree(name: &'static str, [x, y]: [u32; 2]) -> (&'static str, World, Recor
     let [width, height] = world.picture_size();
     let root = explain::sample(&scene, &world, [width / x, height / y], 0).ray.expect("a ray");
     (name, world, root)
+}
+
+/// Law: where a ray should go is drawn dashed from the hit, as long as the longest ray, and with its angle to the normal on that side; the
+/// rays stay. Oracle: directions made of angles; and of a hit on what the world does not have, the rays alone are drawn.
+#[test]
+fn where_a_ray_should_go_is_dashed() {
+    let (_, world, root) = super::incidence::block(30.0);
+    let section = Section::of(&world, &root, 0).expect("it hits");
+    let sent = section.angles[1..].to_vec();
+    assert_eq!(sent.len(), 2, "reflected and refracted");
+    for (degrees, up) in [(50.0, 1.0), (12.5, -1.0)] {
+        for RayAngle { ray, .. } in &sent {
+            let mut told = section.clone();
+            let way = [sin_degrees(degrees), up * cos_degrees(degrees)];
+            told.expect(|number| (number == *ray).then(|| section.plane.vector(way)));
+            let (stroke, rest) = told.drawing.strokes.split_last().expect("lines");
+            assert_eq!(rest, section.drawing.strokes);
+            let length = |[x, y]: [f64; 2]| (x * x + y * y).sqrt();
+            let drawn = rest.iter().filter(|stroke| stroke.ray.is_some());
+            let lengths = drawn.flat_map(|stroke| &stroke.points).map(|it| length(*it));
+            let off = length(stroke.points[1]) - lengths.fold(0.0, f64::max);
+            assert!(stroke.dashed && stroke.ray.is_none() && off.abs() < ANGLE, "{off}");
+            let [x, y] = stroke.points[1].map(|it| it / length(stroke.points[1]));
+            assert!((x - way[0]).abs() + (y - way[1]).abs() < ANGLE, "({x}, {y})");
+            let label = told.drawing.labels.last().expect("words");
+            assert_eq!(label.text, format!("ray {ray} should go\n{degrees}°"));
+        }
+    }
+
+    let alone = Section::of(&built(FRONT).1, &root, 0).expect("it hits");
+    assert!(alone.drawing.strokes.iter().all(|stroke| stroke.role != Role::Outline));
+    assert_eq!(alone.angles, section.angles);
 }
 
 /// Law: the angles of rays are those of the recorded directions. Oracle: the recorded directions

@@ -6,7 +6,6 @@ use eframe::egui::{self, Frame, Key, Margin, ScrollArea, Ui, vec2};
 use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::scene::Scene;
-use groundtruth::world::World;
 
 use crate::explanation::asked::sample_of;
 use crate::explanation::beside::Beside;
@@ -18,7 +17,7 @@ use crate::explanation::selection::{Selection, Tab};
 use crate::explanation::tree::{Tree, legend, swatch};
 use crate::explanation::values::ValuesView;
 use crate::explanation::why_not::WhyNotView;
-use crate::explanation::{Shown, checks, details, verdict_text};
+use crate::explanation::{Shown, Subject, checks, details, verdict_text};
 use crate::picture::display;
 use crate::splits::{Splits, part};
 
@@ -124,7 +123,7 @@ impl Panel {
             }
             Tab::Beside => drop(area.show(ui, |ui| self.side_by_side(ui, selection, shown))),
             Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|it| verdict_text::show(ui, it)))),
-            Tab::Section => self.section_of_ray(ui, selection, &shown.subject().built().world),
+            Tab::Section => self.section_of_ray(ui, selection, &shown.subject()),
             Tab::Sum => {
                 let (tone, order) = (shown.tone, &mut self.order);
                 let (chosen, pointed) = (&mut selection.sample, &mut selection.pointed);
@@ -178,7 +177,7 @@ impl Panel {
         }
     }
 
-    fn section_of_ray(&mut self, ui: &mut Ui, selection: &mut Selection, world: &World) {
+    fn section_of_ray(&mut self, ui: &mut Ui, selection: &mut Selection, subject: &Subject<'_>) {
         let (broken, mut hovered) = (Arc::clone(&selection.tree.found), selection.tree.hovered);
         match selection.root() {
             Some(tree) => {
@@ -186,7 +185,12 @@ impl Panel {
                 // where it leaves a surface both it and the ray that sent it are seen
                 let leaves = broken.contains_key(&ray.number) && ray.light.is_none();
                 let number = ray.parent.filter(|_| leaves).unwrap_or(ray.number);
-                self.section.show(ui, world, tree, number, &broken, &mut hovered);
+                let expected = |number: usize| {
+                    let (_, indices) = selection.logged.as_ref()?;
+                    subject.log()?.verdict.expected(*indices.get(&number)?)
+                };
+                let (world, told) = (&subject.built().world, (&*broken, expected));
+                self.section.show(ui, world, tree, number, told, &mut hovered);
             }
             None => drop(ui.weak("no ray")),
         }

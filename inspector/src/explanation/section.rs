@@ -7,6 +7,7 @@ use eframe::egui::{
     WidgetInfo, accesskit::Role as NodeRole, vec2,
 };
 use groundtruth::explain::RecordedRay;
+use groundtruth::math::Vector;
 use groundtruth::world::World;
 use space::{Drawing, Label, Role, Section, arrowhead};
 
@@ -95,18 +96,21 @@ impl Place {
 }
 
 impl SectionView {
-    /// Shows the section of a ray of this tree, if it has one; notes the ray that is pointed at.
+    /// Shows the section of a ray of this tree, if it has one, with what is broken by number and where that should go; notes
+    /// the ray that is pointed at.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         world: &World,
         (question, root): (Question, &RecordedRay),
         ray: usize,
-        broken: &BTreeMap<usize, Vec<String>>,
+        (broken, expected): (&BTreeMap<usize, Vec<String>>, impl Fn(usize) -> Option<Vector>),
         hovered: &mut Option<usize>,
     ) {
         if self.drawn.as_ref().is_none_or(|(of, number, _)| (*of, *number) != (question, ray)) {
-            self.drawn = Some((question, ray, Section::of(world, root, ray)));
+            let mut section = Section::of(world, root, ray);
+            section.iter_mut().for_each(|section| section.expect(&expected));
+            self.drawn = Some((question, ray, section));
             self.view = View::default();
         }
         let Some((.., section)) = &self.drawn else { return };

@@ -14,6 +14,7 @@ use inspector::start::Start;
 use inspector::window::arguments::Arguments;
 
 use crate::support::*;
+use crate::tree::copied;
 
 /// A mirror above a floor in two pixels: one ray is mirrored, the other goes on as it came.
 const LOG: &str = r#"{"rays": 1, "program": "a tracer", "size": [40, 20]}
@@ -74,6 +75,26 @@ fn a_log_opens_at_its_broken_ray() {
     set(&mut window, |it| it.selection.go_to(1));
     assert!(window.query_by_label("roughness").is_some(), "a field of one's own");
     assert!(window.query_by_label("0.25").is_some());
+}
+
+/// Law: the section of the hit that a broken ray leaves draws where it should go, with its angle, whether the log names its
+/// objects or not. Oracle: the mirrored direction, by hand.
+#[test]
+fn the_section_shows_where_a_ray_should_go() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let rays = LOG.lines().filter(|line| !line.contains("plane"));
+    let without: String = rays.map(|line| line.to_owned() + "\n").collect();
+    for log in [LOG, &without] {
+        let mut window = open_log(folder.path(), log);
+        set(&mut window, |it| it.selection.tab = Tab::Section);
+        let drawing = copied(&mut window, "Copy as SVG");
+        for words in ["reflected ray 1", "ray 1 should go", "53.13°"] {
+            assert!(drawing.contains(words), "{words}: {drawing}");
+        }
+        click(&mut window, HELD);
+        set(&mut window, |it| it.selection.go_to(0));
+        assert!(!copied(&mut window, "Copy as SVG").contains("should go"));
+    }
 }
 
 /// Law: N goes from one broken ray to the next; the tab of checks has each law in one of three lists, and a click on a ray

@@ -154,7 +154,7 @@ fn each_line_tells_parent_and_depth() {
 }
 
 /// What a click on a button puts on the clipboard; the window says so.
-fn copied(window: &mut Window, button: &str) -> String {
+pub fn copied(window: &mut Window, button: &str) -> String {
     window.run_steps(3);
     if window.query_by_label(button).is_none() {
         window.get_by_label("Copy").click();
@@ -173,7 +173,7 @@ fn copied(window: &mut Window, button: &str) -> String {
         });
         if let Some(text) = text {
             window.run_steps(2);
-            window.get_by_label("copied");
+            assert!(window.query_all_by_label("copied").next().is_some());
             return text;
         }
     }

@@ -55,6 +55,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             let angle = atan2(expected.cross(it.leaving).length(), expected.dot(it.leaving));
             (format!("leaves {}° from the mirrored direction", short(to_degrees(angle))), causes)
         });
+        asked.expect(it.index, expected.unit());
     }
 }
 

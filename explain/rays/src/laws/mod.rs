@@ -39,6 +39,8 @@ mod weight;
 
 use std::sync::LazyLock;
 
+use groundtruth::math::Vector;
+
 use crate::traced::Traced;
 pub use as_ours::partings;
 pub use geometry::Step;
@@ -135,6 +137,8 @@ pub struct BrokenRay {
     pub words: String,
     /// The keys of the law's causes that predict what the log says.
     pub causes: Vec<&'static str>,
+    /// The unit direction that the law gives for the numbers of the log, if it is one of directions.
+    pub expected: Option<Vector>,
     /// The ray on the same path from whose breach it follows.
     pub follows: Option<usize>,
 }
@@ -190,6 +194,13 @@ impl LawReport {
         causes: [(&'static str, bool); N],
     ) {
         let causes = causes.into_iter().filter_map(|(key, predicts)| predicts.then_some(key));
-        self.findings.push(BrokenRay { ray, words, causes: causes.collect(), follows: None });
+        let (causes, expected, follows) = (causes.collect(), None, None);
+        self.findings.push(BrokenRay { ray, words, causes, expected, follows });
+    }
+
+    /// Notes where a ray should have gone that was counted last, if it breaks the law.
+    fn expect(&mut self, ray: usize, direction: Option<Vector>) {
+        let last = self.findings.last_mut().filter(|finding| finding.ray == ray);
+        last.into_iter().for_each(|finding| finding.expected = direction);
     }
 }

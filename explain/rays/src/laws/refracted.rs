@@ -45,6 +45,7 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
             ];
             (words(&it, facing, expected), causes)
         });
+        asked.expect(it.index, expected);
     }
 }
 

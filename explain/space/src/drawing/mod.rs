@@ -66,7 +66,7 @@ pub struct Stroke {
     pub points: Vec<[f64; 2]>,
     /// Whether an arrowhead in its middle shows its direction.
     pub arrow: bool,
-    /// Whether it is dashed: the projection of what is not in the plane.
+    /// Whether it is dashed: the projection of what is not in the plane, or where a ray should go.
     pub dashed: bool,
     /// The number of the ray that it is.
     pub ray: Option<usize>,

@@ -31,13 +31,14 @@ pub fn section(world: &World, ray: &RecordedRay) -> Option<Section> {
     let incoming = ray.ray.direction.unit()?;
     let normal = if incoming.dot(hit.normal) > 0.0 { -hit.normal } else { hit.normal };
     let plane = SectionPlane::of(hit.point, normal, incoming);
-    let (index, size) = object(world, &hit.object)?;
-    let half = half_side(ray, hit, size);
+    // a log may name none of its objects
+    let (index, size) = object(world, &hit.object).unzip();
+    let half = half_side(ray, hit, size.unwrap_or(f64::INFINITY));
     let window = Window { center: [0.0; 2], half };
     let at = Incidence { ray, hit, incoming, normal: normal.into(), plane, length: CUT * half };
     let mut drawing = Drawing {
         title: format!("Ray {} at \"{}\": plane of incidence", ray.number, name(&hit.object)),
-        strokes: outline_strokes(world, &plane, window, &[index]),
+        strokes: outline_strokes(world, &plane, window, index.as_slice()),
         ..Drawing::default()
     };
     let refraction = at.refraction();
@@ -214,6 +215,20 @@ impl Incidence<'_> {
         let at = [0.0, -0.4 * self.length];
         drawing.labels.push(label(at, format!("n₂ = {behind}"), Role::Outline, [-1, 0]));
     }
+}
+
+/// Adds the unit direction that a ray should have had, as long as the longest ray that is drawn, with its angle to the normal.
+pub fn add_expected(section: &mut Section, number: usize, direction: Vector) {
+    let rays = || section.drawing.strokes.iter().filter(|stroke| stroke.ray.is_some());
+    let Some(role) = rays().find(|it| it.ray == Some(number)).map(|it| it.role) else { return };
+    let lengths = rays().flat_map(|it| &it.points).map(|[x, y]| (x * x + y * y).sqrt());
+    let to = section.plane.along(lengths.fold(0.0, f64::max) * direction);
+    let stroke = Stroke::new(role, vec![[0.0; 2], to]);
+    section.drawing.strokes.push(Stroke { arrow: true, dashed: true, ..stroke });
+    let up = section.plane.vector([0.0, if to[1] < 0.0 { -1.0 } else { 1.0 }]);
+    let degrees = short(angle_between(direction, up));
+    let text = format!("ray {number} should go\n{degrees}°");
+    section.drawing.labels.push(label(to, text, role, [sign(to[0]), sign(to[1])]));
 }
 
 fn label(at: [f64; 2], text: String, role: Role, side: [i8; 2]) -> Label {

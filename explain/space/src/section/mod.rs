@@ -65,6 +65,15 @@ impl Section {
         }
     }
 
+    /// Adds, dashed, where rays that the hit sends should go, by their numbers: unit directions.
+    pub fn expect(&mut self, direction: impl Fn(usize) -> Option<Vector>) {
+        let sent = self.angles.iter().skip(1);
+        let wrong: Vec<_> = sent.filter_map(|it| Some((it.ray, direction(it.ray)?))).collect();
+        for (number, direction) in wrong {
+            incidence::add_expected(self, number, direction);
+        }
+    }
+
     /// The ray of a tree whose section says most: the camera's, unless its hit sends only shadow rays; then the first of these.
     /// `None` if nothing is hit.
     pub fn first(root: &RecordedRay) -> Option<usize> {
