@@ -32,12 +32,7 @@ const MAX_DEPTH: usize = 512;
 impl Recorded {
     /// The ray of this index with all after it.
     pub fn of(traced: &Traced, index: usize) -> Self {
-        let lights = names(traced.log.rays.iter().filter_map(|ray| ray.light.as_ref()));
-        let objects =
-            traced.world.as_ref().map(|world| world.names.objects.clone()).unwrap_or_default();
-        let objects =
-            objects.into_iter().enumerate().map(|(place, name)| (name, place as u32)).collect();
-        let mut builder = Builder { traced, lights, objects, indices: Vec::new() };
+        let mut builder = Builder { traced, indices: Vec::new() };
         let mut root = builder.ray(index, None, 0, Rgb::WHITE);
         let whole = root.radiance.average();
         shares(&mut root, whole);
@@ -71,16 +66,6 @@ impl Recorded {
     }
 }
 
-/// Names in the order in which they come, with their places.
-pub fn names<'a>(all: impl Iterator<Item = &'a Arc<str>>) -> HashMap<Arc<str>, u32> {
-    let mut places = HashMap::new();
-    for name in all {
-        let next = places.len() as u32;
-        places.entry(Arc::clone(name)).or_insert(next);
-    }
-    places
-}
-
 /// Gives each ray, now counted from 0, its number.
 fn renumber(ray: &mut RecordedRay, numbers: &[usize]) {
     ray.number = numbers[ray.number];
@@ -96,8 +81,6 @@ fn shares(ray: &mut RecordedRay, whole: f64) {
 
 struct Builder<'a> {
     traced: &'a Traced,
-    lights: HashMap<Arc<str>, u32>,
-    objects: HashMap<Arc<str>, u32>,
     indices: Vec<usize>,
 }
 
@@ -115,7 +98,8 @@ impl Builder<'_> {
         let place = |places: &HashMap<Arc<str>, u32>, name: &Option<Arc<str>>| {
             name.as_ref().and_then(|name| places.get(name)).copied().unwrap_or(u32::MAX)
         };
-        let light = place(&self.lights, &ray.light);
+        let [lights, objects] = &self.traced.places;
+        let light = place(lights, &ray.light);
         let kind = match ray.kind {
             Some(Purpose::Shadow | Purpose::Occlusion) => RayKind::Shadow { light },
             Some(Purpose::Transmitted) => RayKind::Transmitted,
@@ -123,7 +107,7 @@ impl Builder<'_> {
             _ => RayKind::Reflected,
         };
         let hit = self.hit(index);
-        let blocked_by = place(&self.objects, &ray.object);
+        let blocked_by = place(objects, &ray.object);
         let outcome = match (ray.is_shadow(), &hit) {
             (true, Some(_)) => Outcome::Blocked { blocked_by },
             (true, None) => Outcome::Unblocked { boundaries: 0 },

@@ -59,6 +59,8 @@ pub struct Traced {
     pub least_t: f64,
     /// The rays that leave a known point.
     pub(crate) steps: Vec<Step>,
+    /// The lamps that rays are aimed at, and the objects of the world, each with its place.
+    pub(crate) places: [HashMap<Arc<str>, u32>; 2],
 }
 
 /// A ray whose place in the tree is not known.
@@ -81,6 +83,9 @@ impl Traced {
         let rounding = rounding(&log);
         let scale = scale(&log, |ray| !ray.is_shadow()).unwrap_or(1.0);
         let (fixed, sizes) = (fixed(&log), sizes(world.as_deref()));
+        let lamps = places(log.rays.iter().filter_map(|ray| ray.light.as_ref()));
+        let objects = world.iter().flat_map(|world| world.names.objects.iter().cloned().zip(0..));
+        let places = [lamps, objects.collect()];
         let mut traced = Self {
             log,
             parents: Vec::new(),
@@ -97,6 +102,7 @@ impl Traced {
             hits_are_off: 0.0,
             least_t: 0.0,
             steps: Vec::new(),
+            places,
         };
         traced.link(false);
         traced.conventions = Conventions::of_lengths(&traced);
@@ -379,4 +385,14 @@ pub fn median(mut numbers: Vec<f64>) -> Option<f64> {
 /// The largest coordinate.
 pub fn size(vector: impl Into<[f64; 3]>) -> f64 {
     Vector::from(vector.into()).max_abs()
+}
+
+/// Names in the order in which they come, with their places.
+fn places<'a>(all: impl Iterator<Item = &'a Arc<str>>) -> HashMap<Arc<str>, u32> {
+    let mut places = HashMap::new();
+    for name in all {
+        let next = places.len() as u32;
+        places.entry(Arc::clone(name)).or_insert(next);
+    }
+    places
 }

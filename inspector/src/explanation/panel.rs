@@ -7,7 +7,7 @@ use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::scene::Scene;
 
-use crate::explanation::asked::sample_of;
+use crate::explanation::asked::{Question, sample_of};
 use crate::explanation::beside::Beside;
 use crate::explanation::copying::Making;
 use crate::explanation::pixel::{self, Order, SumList};
@@ -130,7 +130,9 @@ impl Panel {
                 SumList { answer, tone, order, chosen, pointed }.show(ui, area);
             }
             Tab::Samples if log.is_some() => {
-                let values = |ui: &mut Ui| self.values.show(ui, log?, answer.pixel);
+                let question =
+                    Question { version: shown.subject().version(), pixel: answer.pixel, sample: 0 };
+                let values = |ui: &mut Ui| self.values.show(ui, log?, question);
                 area.show(ui, values).inner.into_iter().for_each(|place| selection.seek(place));
             }
             Tab::Samples => {

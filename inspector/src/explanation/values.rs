@@ -1,8 +1,12 @@
 //! The values that a log has of a pixel, a program's own among them: plotted over the samples, and sorted.
 
+use std::collections::{BTreeMap, HashSet};
+
 use eframe::egui::{Align2, Color32, ComboBox, FontId, Pos2, Rect, Sense, Stroke, Ui, pos2, vec2};
 use groundtruth::explain::brief;
 use rays::{Logged, LoggedValue, RayPlace};
+
+use crate::explanation::asked::Question;
 
 /// The height of the plot and of a line of the list, in points of the screen.
 const HEIGHT: f32 = 130.0;
@@ -10,19 +14,28 @@ const LINE: f32 = 18.0;
 /// The room for the numbers beside and below the plot.
 const LEFT: f32 = 64.0;
 const BELOW: f32 = 14.0;
+/// Points that are nearer to each other cover each other.
+const APART: f32 = 4.0;
 /// The farthest click from a point that selects its ray.
 const REACH: f32 = 12.0;
+
+/// The values of a pixel by their names.
+type Values = BTreeMap<(bool, String), Vec<LoggedValue>>;
 
 /// The value that is shown.
 #[derive(Default)]
 pub struct ValuesView {
     name: (bool, String),
+    /// All values of a pixel, as they were looked up last.
+    found: Option<(Question, Values)>,
 }
 
 impl ValuesView {
     /// Shows the values of a pixel by name. Returns where the ray stands that was clicked.
-    pub fn show(&mut self, ui: &mut Ui, log: &Logged, pixel: [u32; 2]) -> Option<RayPlace> {
-        let all = log.values(pixel);
+    pub fn show(&mut self, ui: &mut Ui, log: &Logged, question: Question) -> Option<RayPlace> {
+        let found = self.found.take_if(|(of, _)| *of == question);
+        let (_, all) =
+            self.found.insert(found.unwrap_or_else(|| (question, log.values(question.pixel))));
         if !all.contains_key(&self.name) {
             self.name = all.keys().next()?.clone();
         }
@@ -38,12 +51,19 @@ impl ValuesView {
             ui.weak("of each ray that has it, over the samples");
         });
         let values = all.get(&self.name)?;
-        let plotted = plot(ui, values, log.trees_of(pixel));
+        let plotted = plot(ui, values, log.trees_of(question.pixel));
         let mut sorted: Vec<&LoggedValue> = values.iter().collect();
-        sorted.sort_by(|a, b| b.value.total_cmp(&a.value));
+        let order = |a: &&LoggedValue, b: &&LoggedValue| {
+            b.value.total_cmp(&a.value).then(a.ray.cmp(&b.ray))
+        };
+        if sorted.len() > MAX_LISTED {
+            sorted.select_nth_unstable_by(MAX_LISTED, order);
+            sorted.truncate(MAX_LISTED);
+        }
+        sorted.sort_by(order);
         let mut clicked = plotted;
         ui.spacing_mut().interact_size.y = LINE;
-        for value in sorted.into_iter().take(MAX_LISTED) {
+        for value in sorted {
             let name = log.verdict.traced.name(value.ray);
             let line = format!("{}  sample {}, {name}", brief(value.value), value.sample);
             if ui.link(line).clicked() {
@@ -74,9 +94,13 @@ fn plot(ui: &mut Ui, values: &[LoggedValue], samples: u32) -> Option<usize> {
         pos2(x, area.bottom() - 4.0 - (area.height() - 8.0) * part as f32)
     };
     let shown = || values.iter().filter(|it| it.value.is_finite());
-    for value in shown() {
-        let edge = Stroke::new(0.7, Color32::from_gray(30));
-        painter.circle(on_screen(value), 2.5, Color32::from_rgb(120, 180, 255), edge);
+    // of points that cover each other only one is drawn
+    let mut drawn = HashSet::new();
+    for at in shown().map(on_screen) {
+        if drawn.insert([at.x, at.y].map(|it| (it / APART) as i32)) {
+            let edge = Stroke::new(0.7, Color32::from_gray(30));
+            painter.circle(at, 2.5, Color32::from_rgb(120, 180, 255), edge);
+        }
     }
     let font = FontId::proportional(11.0);
     let grey = ui.visuals().weak_text_color();

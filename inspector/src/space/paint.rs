@@ -36,8 +36,8 @@ pub struct Canvas<'a> {
 
 /// What is drawn of a tree.
 pub struct Rays<'a> {
-    /// The rays by their numbers.
-    pub by_number: &'a BTreeMap<usize, &'a RecordedRay>,
+    /// The rays, in the order of their numbers.
+    pub by_number: &'a [&'a RecordedRay],
     /// Their pieces.
     pub segments: &'a [Segment],
     /// The runs of each piece that are hidden, once they are known.
@@ -50,6 +50,11 @@ pub struct Rays<'a> {
     pub dashed: bool,
     /// The length of normals, in world units; no normals if `None`.
     pub normals: Option<f64>,
+}
+
+/// The ray of this number among those of a tree.
+pub fn numbered<'a>(rays: &[&'a RecordedRay], number: usize) -> Option<&'a RecordedRay> {
+    rays.binary_search_by_key(&number, |ray| ray.number).ok().map(|at| rays[at])
 }
 
 impl Canvas<'_> {
@@ -74,7 +79,7 @@ impl Canvas<'_> {
     pub fn rays(&self, rays: &Rays<'_>) -> Vec<(usize, [Pos2; 2])> {
         let mut drawn = Vec::new();
         for (index, segment) in rays.segments.iter().enumerate() {
-            let Some(ray) = rays.by_number.get(&segment.ray) else { continue };
+            let Some(ray) = numbered(rays.by_number, segment.ray) else { continue };
             let is_lit = rays.lit.contains(&segment.ray);
             let is_broken = rays.broken.contains_key(&segment.ray);
             let dimmed = if rays.lit.is_empty() || is_lit { 1.0 } else { DIMMED };

@@ -19,7 +19,7 @@ use crate::explanation::{beside, pointing};
 use crate::space::backdrop::{Backdrop, Request};
 use crate::space::camera::{Camera, Seen};
 use crate::space::filter::Filter;
-use crate::space::paint::{Canvas, Rays};
+use crate::space::paint::{Canvas, Rays, numbered};
 use crate::splits::{Mode, part};
 
 /// The most pieces of rays that are drawn.
@@ -206,11 +206,9 @@ impl SpaceView {
         let Some(orbit) = self.camera.orbit else { return Pointed::default() };
         let sight = orbit.sight([view.width(), view.height()].map(f64::from));
         let canvas = Canvas { painter: &painter, corner: view.min, sight };
-        let rays = selection.root().map_or(Vec::new(), |(_, root)| root.rays());
-        let by_number: BTreeMap<usize, &RecordedRay> =
-            rays.into_iter().map(|ray| (ray.number, ray)).collect();
+        let by_number = selection.root().map_or(Vec::new(), |(_, root)| root.rays());
         let (selected, lit) = (selection.tree.ray, selection.tree.lit);
-        let lit_ray = lit.and_then(|number| by_number.get(&number));
+        let lit_ray = lit.and_then(|number| numbered(&by_number, number));
         let at = response.hover_pos();
         let object = at.and_then(|at| self.backdrop.object_at((at - view.min).into()));
         let of_ray = lit_ray.and_then(|ray| Some(&*ray.hit.as_ref()?.object));
@@ -228,7 +226,7 @@ impl SpaceView {
             let other = selection.root_beside().map(|(_, other)| other);
             if let (Some(pieces), Some(other)) = (&self.other, other) {
                 canvas.rays(&Rays {
-                    by_number: &other.rays().into_iter().map(|ray| (ray.number, ray)).collect(),
+                    by_number: &other.rays(),
                     segments: &pieces.segments,
                     runs: None,
                     lit: &[],
@@ -257,7 +255,7 @@ impl SpaceView {
                 self.write(&painter, view, Align2::RIGHT_BOTTOM, &text);
             }
         }
-        let under = pointed.hovered.and_then(|number| by_number.get(&number));
+        let under = pointed.hovered.and_then(|number| numbered(&by_number, number));
         let object_name = object.and_then(|index| world.names.objects.get(index as usize));
         let text = match (under.or(lit_ray), object_name) {
             (Some(ray), _) => ray.line(),

@@ -151,7 +151,7 @@ fn a_log_stands_beside_our_rays() {
     assert_eq!(window.state().others.shown().map(|theirs| theirs.shows), Some(Shows::Ours));
 }
 
-/// Law: a log that is written again is read again and stays at its pixel; one that is being written, and has no ray yet, is
+/// Law: a log that is written again is read again, its values too, and stays at its pixel; one that is being written, and has no ray yet, is
 /// waited for. Oracle: the log with its mistake mended.
 #[test]
 fn a_log_is_followed() {
@@ -160,10 +160,16 @@ fn a_log_is_followed() {
     let is_broken =
         |window: &Window| window.state().others.log().map(|log| log.verdict.is_broken());
     assert_eq!(is_broken(&window), Some(true));
+    set(&mut window, |it| it.selection.tab = Tab::Samples);
+    let has_value = |window: &Window, value: &str| {
+        window.query_by_label(&format!("{value}  sample 0, ray 0 (camera)")).is_some()
+    };
+    assert!(has_value(&window, "0.25"));
     let mended = LOG.replace(
         r#""direction": [0.8, -0.6, 0], "weight""#,
         r#""direction": [0.8, 0.6, 0], "weight""#,
     );
+    let mended = mended.replace(": 0.25", ": 0.75");
     for text in ["", &mended] {
         written(folder.path(), text);
         let waited = std::time::Instant::now();
@@ -176,6 +182,7 @@ fn a_log_is_followed() {
     }
     assert_eq!(is_broken(&window), Some(false));
     assert_eq!(window.state().selection.pixel, Some(BROKEN));
+    assert!(has_value(&window, "0.75") && !has_value(&window, "0.25"));
 }
 
 /// Law: a log without a ray is refused with what is wrong, and a log that names an unknown scene, too. Oracle: the messages of
