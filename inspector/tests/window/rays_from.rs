@@ -7,6 +7,7 @@ use std::time::Duration;
 use clap::Parser;
 use eframe::egui::Key;
 use egui_kittest::kittest::Queryable;
+use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
 use inspector::action::Shows;
 use inspector::explanation::selection::Tab;
@@ -20,10 +21,15 @@ const RAY: &str = r#"{"origin": [0, 0, 5], "direction": [0, 0, -1], "radiance": 
 
 /// A window on a scene of ours, for whose pixels a script of `sh` is run in this folder.
 fn window_with(folder: &Path, words: &str, script: &str) -> Window {
+    window_sized(folder, ["--size", "48x48"], (words, script))
+}
+
+/// The same, with what gives it its size.
+fn window_sized(folder: &Path, size: [&str; 2], (words, script): (&str, &str)) -> Window {
     fs::write(folder.join("my tracer.sh"), script).expect("written");
     let command = format!("sh 'my tracer.sh' {words}");
-    let scene = ["inspector", "ch28/glass-sphere", "--size", "48x48", "--samples", "1"];
-    let words = [&scene[..], &["--pixel", "1,1", "--rays-from", &command]].concat();
+    let scene = ["inspector", "ch28/glass-sphere", "--samples", "1"];
+    let words = [&scene[..], &size, &["--pixel", "1,1", "--rays-from", &command]].concat();
     let mut arguments = Arguments::parse_from(words);
     let command = arguments.rays_from.as_mut().expect("there is one");
     (command.folder, command.limit) = (folder.to_owned(), Duration::from_millis(1500));
@@ -84,6 +90,22 @@ fn a_new_file_of_rays_is_read() {
     click(&mut window, [6, 7]);
     let message = window.state().message.clone().expect("an error");
     assert!(message.1 && message.0.contains("no new rays.jsonl"), "{message:?}");
+}
+
+/// Law: the picture that is compared is the one under the program's rays. Oracle: a picture of one white pixel.
+#[test]
+fn its_picture_is_under_its_rays() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut film = Film::new(48, 48);
+    film.set([3, 3], Rgb::WHITE);
+    read(folder.path(), &film, "mine.png");
+    let picture = folder.path().join("mine.png").display().to_string();
+    let script = format!("echo '{}'", RAY.replace(": 1}", ": 0.5}"));
+    let mut window = window_sized(folder.path(), ["--compare", &picture], ("", &script));
+    click(&mut window, [5, 7]);
+    assert_eq!(radiance(&window), Some(Rgb::grey(0.5)));
+    let of_picture = [[3, 3], [5, 7]].map(|pixel| theirs(&window).radiance(pixel));
+    assert_eq!(of_picture, [Some(Rgb::WHITE), Some(Rgb::BLACK)]);
 }
 
 /// Law: a program that fails is told with its command, how it ended, and its messages, and ours is explained; rays that it wrote
