@@ -20,6 +20,25 @@ fn main() -> ExitCode {
     }
 }
 
+/// Ends the program that runs for a pixel with the window: it is in a process group of its own, which Ctrl-C does not reach.
+#[cfg(unix)]
+fn end_program_with_window() -> Result<(), Box<dyn Error>> {
+    use signal_hook::consts::{SIGINT, SIGTERM};
+    let mut signals = signal_hook::iterator::Signals::new([SIGINT, SIGTERM])?;
+    std::thread::spawn(move || {
+        for signal in signals.forever() {
+            inspector::comparison::pixel_command::end_all();
+            let _ = signal_hook::low_level::emulate_default_handler(signal);
+        }
+    });
+    Ok(())
+}
+
+#[cfg(not(unix))]
+fn end_program_with_window() -> Result<(), Box<dyn Error>> {
+    Ok(())
+}
+
 fn report(error: &str) {
     eprintln!("error: {}", groundtruth::printable::text(error));
 }
@@ -30,6 +49,9 @@ fn open(start: Start, arguments: Arguments) -> Result<(), Box<dyn Error>> {
     }
     for note in start.theirs.iter().flat_map(Theirs::notes) {
         eprintln!("note: {}", groundtruth::printable::text(note));
+    }
+    if arguments.rays_from.is_some() {
+        end_program_with_window()?;
     }
     let viewport = egui::ViewportBuilder::default()
         .with_title("Groundtruth inspector")

@@ -7,9 +7,7 @@ use groundtruth::render::Renderer;
 use groundtruth::world::World;
 use rayon::prelude::*;
 
-use crate::laws::{
-    BrokenRay, LAWS, LawReport, OF_HITS, OF_LEAVING, Passes, RayLaw, partings,
-};
+use crate::laws::{BrokenRay, LAWS, LawReport, OF_HITS, OF_LEAVING, Passes, RayLaw, partings};
 use crate::replay::{Parting, explains, parting};
 use crate::traced::Traced;
 

@@ -10,7 +10,7 @@ use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 use pictures::running::{last_lines, last_written, put_into_group, run_until};
-use rays::Log;
+use rays::{Log, LogError};
 use text::shell;
 use web_time::Instant;
 
@@ -23,6 +23,14 @@ const FILE: &str = "rays.jsonl";
 const LIMIT: Duration = Duration::from_secs(10);
 /// Only one program runs at a time: all write the same file.
 static RUNNING: Mutex<()> = Mutex::new(());
+/// Whether none runs any more.
+static ENDED: AtomicBool = AtomicBool::new(false);
+
+/// Ends the program that runs, if one does, and lets no other begin.
+pub fn end_all() {
+    ENDED.store(true, Ordering::Relaxed);
+    drop(RUNNING.lock());
+}
 
 /// How a program is run for a pixel. Nothing but the command line of the window says it: no scene, log or link.
 #[derive(Clone, Debug)]
@@ -75,7 +83,8 @@ impl PixelCommand {
         let mut watch = Watch::default();
         watch.add(self.folder.join(FILE));
         let begun = Instant::now();
-        let is_over = || begun.elapsed() >= self.limit || is_stopped.load(Ordering::Relaxed);
+        let is_stopped = || is_stopped.load(Ordering::Relaxed) || ENDED.load(Ordering::Relaxed);
+        let is_over = || begun.elapsed() >= self.limit || is_stopped();
         let ended = run_until(&mut command, [&output, &messages], is_over).map_err(no_start)?;
         let said = last_lines(&last_written(&mut messages));
         let told = |problem: String| match &*said {
@@ -110,7 +119,15 @@ impl PixelCommand {
         } else {
             return Err(format!("it wrote no log to its standard output, and no new {FILE}"));
         };
-        let mut log = log.map_err(|error| error.to_string())?;
+        let mut log = log.map_err(|error| match error {
+            LogError::NoRay(None) => {
+                let [x, y] = pixel;
+                format!(
+                    "it logged no ray of pixel ({x}, {y}): is its picture smaller than this one?"
+                )
+            }
+            error => error.to_string(),
+        })?;
         let pixels = log.rays.iter_mut().map(|ray| *ray.pixel.get_or_insert(pixel));
         let pixels: BTreeSet<[u32; 2]> = pixels.collect();
         if let Some([x, y]) = pixels.first().filter(|_| !pixels.contains(&pixel)) {

@@ -90,6 +90,7 @@ impl Program {
         let name = log.head.program.as_ref().map_or("yours".to_owned(), |it| printable::name(it));
         let logged = platform::at_once(|| {
             let mut verdict = RayVerdict::of(Traced::of(log, known));
+            let folder = built.source.folder();
             verdict.name_mistakes(Mistaken::each(&built.scene, folder, DEFAULT_SEED));
             Logged::of(verdict)
         });

@@ -4,10 +4,10 @@ use std::sync::Arc;
 use super::LawReport;
 use super::geometry::{Leaving, is_near, leaving, mirrored, spread};
 use super::refracted::{Ratios, logged, ratio, usual_ratios};
-use crate::log::Purpose;
+use crate::log::{Purpose, Ray};
 use crate::traced::{Traced, median};
 use groundtruth::lobes::fresnel;
-use groundtruth::math::{Vector, power};
+use groundtruth::math::{Vector, ln, power};
 use text::digits::short;
 
 /// Fewer rays show no function of the angle.
@@ -34,6 +34,8 @@ struct Share {
     part: f64,
     choice: f64,
     cos: f64,
+    /// How far the ray goes that has this part.
+    far: f64,
     /// What [`transmitted`] gives.
     formulas: [f64; 3],
     of: Of,
@@ -75,6 +77,21 @@ fn are(shares: &[Share], error: f64, of: impl Fn(&Share) -> f64) -> bool {
     alike as f64 >= MOST * shares.len() as f64 && is_colour
 }
 
+/// Whether the parts are those of a formula but for a constant and for what a medium absorbs: Beer's law, the same share of light
+/// over each unit of length.
+fn are_absorbed(shares: &[Share], at: usize) -> bool {
+    let known = shares.iter().filter(|it| it.far.is_finite());
+    let points = known.map(|it| (it.far, ln(it.part / it.by(at, &|part| part))));
+    let points: Vec<(f64, f64)> = points.collect();
+    let least = points.iter().min_by(|a, b| a.0.total_cmp(&b.0));
+    let most = points.iter().max_by(|a, b| a.0.total_cmp(&b.0));
+    let Some((&(near, first), &(far, last))) = least.zip(most) else { return false };
+    let absorption = (first - last) / (far - near);
+    let is_on = |&&(t, y): &&(f64, f64)| (y - first + absorption * (t - near)).abs() <= 2.0 * NEAR;
+    let on = points.iter().filter(is_on).count();
+    absorption > 0.0 && on as f64 >= MOST * shares.len() as f64
+}
+
 fn judge(shares: &[Share], rounding: f64, asked: &mut LawReport) {
     let same = |part: f64| part;
     let is = |of: &dyn Fn(f64) -> f64| (0..2).any(|at| are(shares, NEAR, |it| it.by(at, of)));
@@ -94,7 +111,10 @@ fn judge(shares: &[Share], rounding: f64, asked: &mut LawReport) {
     let holds = match shares[0].of {
         // what else a surface reflects may depend on the angle in other ways
         Of::Instead => !(is_undivided || is_cosine || is_dense),
-        _ => !is_dense && (are(shares, NEAR, |_| 1.0) || is(&same)),
+        _ => {
+            let is_absorbed = (0..2).any(|at| are_absorbed(shares, at));
+            !is_dense && (are(shares, NEAR, |_| 1.0) || is(&same) || is_absorbed)
+        }
     };
     let causes = [
         ("other-cosine", is_dense),
@@ -131,22 +151,24 @@ fn share(traced: &Traced, it: &Leaving<'_>, usual: &Ratios) -> Option<(bool, Sha
     let beside = |kind: &Purpose| {
         traced.children[it.from].iter().map(|&it| traced.ray(it)).find(|ray| ray.is(kind))
     };
-    let (of, part, eta) = match it.ray.kind {
+    let length = |ray: &Ray| ray.end_point().map_or(f64::INFINITY, |end| end.distance(ray.origin));
+    let (of, part, eta, far) = match it.ray.kind {
         Some(Purpose::Transmitted) => {
             let [front, behind] =
                 [it.arriving, it.leaving].map(|v: Vector| v.cross(facing).length());
             let seen = (front > 0.05 && behind > 0.05).then(|| front / behind);
             let eta = logged(traced, it).map(|ratio| 1.0 / ratio).or(seen)?;
             match beside(&Purpose::Reflected) {
-                Some(ray) => (Of::Beside, ray.factors.weight?.max(), Some(eta)),
-                None => (Of::Transmitted, weight * choice?, Some(eta)),
+                Some(ray) => (Of::Beside, ray.factors.weight?.max(), Some(eta), length(ray)),
+                None => (Of::Transmitted, weight * choice?, Some(eta), length(it.ray)),
             }
         }
         Some(Purpose::Reflected) if beside(&Purpose::Transmitted).is_none() => {
             let eta = ratio(traced, it, usual).map(|ratio| 1.0 / ratio);
             // what scatters is no mirror
             let is_mirrored = is_near(it.leaving, mirrored(it.arriving, facing), NEAR);
-            (Of::Instead, is_mirrored.then_some(weight * choice.unwrap_or(1.0))?, eta)
+            let part = is_mirrored.then_some(weight * choice.unwrap_or(1.0))?;
+            (Of::Instead, part, eta, length(it.ray))
         }
         _ => return None,
     };
@@ -154,7 +176,7 @@ fn share(traced: &Traced, it: &Leaving<'_>, usual: &Ratios) -> Option<(bool, Sha
     let formulas = eta.map_or([0.0; 3], |eta| transmitted(cos, eta));
     // the lots of a ray beside another one, or of a mirror, may depend on anything
     let choice = choice.filter(|_| of != Of::Beside && eta.is_some()).unwrap_or(1.0);
-    let share = Share { index: it.index, part, choice, cos, formulas, of };
+    let share = Share { index: it.index, part, choice, cos, far, formulas, of };
     let is_told = part.is_finite() && (0..3).all(|at| share.by(at, &|part| part) > NEAR);
     is_told.then_some((eta.is_some_and(|eta| eta > 1.0), share))
 }
