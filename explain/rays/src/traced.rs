@@ -55,7 +55,9 @@ pub struct Traced {
     pub world: Option<Arc<World>>,
     /// How far hits are off the true surfaces, if nearly all are by more than rounding: the threshold of a sphere tracer.
     pub hits_are_off: f64,
-    /// The least `t` of a ray that another sent, as far as it is small in this scene: nearer hits may not be looked for.
+    /// A length that is small beside those of camera rays.
+    pub small: f64,
+    /// The least `t` of a ray that another sent, up to [`Self::small`]: nearer hits may not be looked for. 0 if none was sent.
     pub least_t: f64,
     /// The rays that leave a known point.
     pub(crate) steps: Vec<Step>,
@@ -81,6 +83,8 @@ impl Traced {
         forget_marks(&mut log);
         add_ends(&mut log);
         let rounding = rounding(&log);
+        // rays that bounce within an object say nothing of the scene's size
+        let seen = scale(&log, |ray| ray.is(&Purpose::Camera));
         let scale = scale(&log, |ray| !ray.is_shadow()).unwrap_or(1.0);
         let (fixed, sizes) = (fixed(&log), sizes(world.as_deref()));
         let lamps = places(log.rays.iter().filter_map(|ray| ray.light.as_ref()));
@@ -100,6 +104,7 @@ impl Traced {
             conventions: Conventions::default(),
             world,
             hits_are_off: 0.0,
+            small: LEAST * seen.unwrap_or(scale),
             least_t: 0.0,
             steps: Vec::new(),
             places,
@@ -353,9 +358,7 @@ fn hits_are_off(traced: &Traced) -> f64 {
 fn least_t(traced: &Traced) -> f64 {
     let sent = traced.pairs().map(|(index, _)| traced.ray(index)).filter(|ray| !ray.is_shadow());
     let least = sent.filter_map(|ray| ray.t).filter(|t| *t > 0.0).fold(f64::INFINITY, f64::min);
-    // rays that bounce within an object say nothing of the scene's size
-    let from_camera = |ray: &Ray| ray.is(&Purpose::Camera);
-    least.min(LEAST * scale(&traced.log, from_camera).unwrap_or(traced.scale))
+    if least.is_finite() { least.min(traced.small) } else { 0.0 }
 }
 
 fn sizes(world: Option<&World>) -> HashMap<Arc<str>, f64> {

@@ -41,8 +41,8 @@ struct Share {
     of: Of,
 }
 
-/// The object, whether the ray meets it from the thinner medium, and what the share is.
-type Group<'a> = (Option<&'a Arc<str>>, bool, Of);
+/// The object, the ratio of its indices in hundredths, and what the share is: a vessel has several.
+type Group<'a> = (Option<&'a Arc<str>>, i64, Of);
 
 impl Share {
     /// The part by a formula, if what is transmitted is this function of it.
@@ -56,8 +56,8 @@ pub fn check(traced: &Traced, asked: &mut LawReport) {
     let usual = usual_ratios(traced);
     let mut groups: BTreeMap<Group<'_>, Vec<Share>> = BTreeMap::new();
     for it in leaving(traced) {
-        if let Some((enters, share)) = share(traced, &it, &usual) {
-            let group = (it.parent.object.as_ref(), enters, share.of);
+        if let Some((eta, share)) = share(traced, &it, &usual) {
+            let group = (it.parent.object.as_ref(), (100.0 * eta).round() as i64, share.of);
             groups.entry(group).or_default().push(share);
         }
     }
@@ -143,8 +143,8 @@ fn judge(shares: &[Share], rounding: f64, asked: &mut LawReport) {
     }
 }
 
-/// Whether the ray enters a denser medium, and its share.
-fn share(traced: &Traced, it: &Leaving<'_>, usual: &Ratios) -> Option<(bool, Share)> {
+/// The index behind the surface over that in front, 0 if it is not known, and the share.
+fn share(traced: &Traced, it: &Leaving<'_>, usual: &Ratios) -> Option<(f64, Share)> {
     let facing = it.facing()?;
     let factors = &it.ray.factors;
     let (weight, choice) = (factors.weight?.max(), factors.choice);
@@ -178,7 +178,7 @@ fn share(traced: &Traced, it: &Leaving<'_>, usual: &Ratios) -> Option<(bool, Sha
     let choice = choice.filter(|_| of != Of::Beside && eta.is_some()).unwrap_or(1.0);
     let share = Share { index: it.index, part, choice, cos, far, formulas, of };
     let is_told = part.is_finite() && (0..3).all(|at| share.by(at, &|part| part) > NEAR);
-    is_told.then_some((eta.is_some_and(|eta| eta > 1.0), share))
+    is_told.then_some((eta.unwrap_or(0.0), share))
 }
 
 /// What is transmitted: by Fresnel's equations, by Schlick's formula with the cosine in the thinner medium, and with the other.

@@ -140,7 +140,8 @@ pub fn start(traced: &Traced, index: usize) -> f64 {
     let moved = traced.end_point(parent).map_or(0.0, |end| (ray.origin - end).length());
     let moved = if moved < 0.1 * traced.scale { moved } else { 0.0 };
     let sizes = size(ray.origin) + traced.object_size(traced.ray(parent).object.as_ref());
-    let least = (traced.along(ray, traced.least_t) - ray.origin).length();
+    // the direction of a shadow ray may be the whole way to the lamp
+    let least = (traced.along(ray, traced.least_t) - ray.origin).length().min(traced.small);
     (4.0 * moved).max(1e-4 * traced.scale).max(traced.slack(64.0 * sizes)).max(least)
 }
 
