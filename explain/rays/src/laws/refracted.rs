@@ -1,4 +1,4 @@
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use std::sync::Arc;
 
 use super::LawReport;
@@ -93,9 +93,14 @@ pub fn ratio(traced: &Traced, it: &Leaving<'_>, usual: &Ratios) -> Option<f64> {
 /// The index of each object over the one around it, by the rays that enter it: as logged, or else as they are refracted.
 pub fn usual_ratios(traced: &Traced) -> Ratios {
     let mut ratios: HashMap<Option<Arc<str>>, Vec<f64>> = HashMap::new();
-    let entering = leaving(traced)
-        .filter(|it| it.ray.is(&Purpose::Transmitted) && it.is_inside(traced) == Some(false));
-    for it in entering {
+    let mut media: HashMap<Option<Arc<str>>, HashSet<u64>> = HashMap::new();
+    for it in leaving(traced).filter(|it| it.ray.is(&Purpose::Transmitted)) {
+        let of_object = media.entry(it.parent.object.clone()).or_default();
+        let indices = [it.ray.factors.eta_from, it.ray.factors.eta_to];
+        of_object.extend(indices.into_iter().flatten().map(f64::to_bits));
+        if it.is_inside(traced) != Some(false) {
+            continue;
+        }
         let seen = it.normal().and_then(|normal| {
             let [front, behind] = [it.arriving, it.leaving].map(|v| v.cross(normal).length());
             (front > STEEP && behind > STEEP).then(|| front / behind)
@@ -109,5 +114,6 @@ pub fn usual_ratios(traced: &Traced) -> Ratios {
         let alike = ratios.iter().filter(|ratio| (**ratio - median).abs() <= 1e-3 * median).count();
         (20 * alike >= 19 * ratios.len()).then_some(median)
     };
+    ratios.retain(|object, _| media.get(object).is_none_or(|indices| indices.len() <= 2));
     ratios.into_iter().filter_map(|(object, ratios)| Some((object, one(ratios)?))).collect()
 }
