@@ -3,7 +3,8 @@
 //! Random directions are the program's own. So only those rays are compared that no draw decides, and what is added up of
 //! draws is not compared at all; a difference that the rounding of the camera's ray makes, too, is none.
 
-use groundtruth::explain::{RecordedRay, RecordedTerm};
+use groundtruth::explain::{RecordedRay, RecordedTerm, UnlitLight};
+use groundtruth::lights::Unlit;
 use groundtruth::math::{Frame, Normal, Ray, Vector, atan2, power, to_degrees};
 use groundtruth::render::Renderer;
 use groundtruth::rgb::Rgb;
@@ -125,7 +126,7 @@ impl Comparison<'_> {
             return Compared::Parted(Parting { ray: index, what: Part::End, words });
         }
         self.agreed.push((index, Part::End));
-        let mut is_whole = self.are_decided(&ours.terms);
+        let mut is_whole = self.are_decided(&ours.terms) && self.are_lamps_decided(ours);
         let mut most: Option<(f64, Parting)> = None;
         for child in ours.children.iter().filter(|child| !is_shadow(child) && is_cast(child)) {
             let compared = match self.is_sent_alike(ours, child) {
@@ -252,6 +253,22 @@ impl Comparison<'_> {
     fn is_sent_alike(&self, ours: &RecordedRay, child: &RecordedRay) -> bool {
         let has_terms = terms_of(ours, child).next().is_some();
         has_terms && self.are_decided(terms_of(ours, child))
+    }
+
+    /// Whether no draw decides that a lamp adds nothing at a hit.
+    fn are_lamps_decided(&self, ours: &RecordedRay) -> bool {
+        // what the light's kind, the tracer, the viewer or the material says is so for all its points
+        let is_of_point = |unlit: &&UnlitLight| match unlit.reason {
+            Unlit::SwitchedOff | Unlit::LeftOut | Unlit::NotSampled | Unlit::FirstHitOnly => false,
+            Unlit::TooDeep | Unlit::NoAmbientReflectance | Unlit::ViewerBehind { .. } => false,
+            Unlit::NoLobes | Unlit::TracedLobesOnly => false,
+            _ => true,
+        };
+        let unlit = ours.unlit.iter().filter(is_of_point).map(|unlit| &unlit.light);
+        let asked = ours.children.iter().filter_map(|child| child.light.as_ref());
+        let mut lights = self.world.lights.iter().filter(|it| it.light.draws() > 0);
+        let names: Vec<_> = unlit.chain(asked).collect();
+        !lights.any(|it| names.contains(&&it.name))
     }
 
     fn are_decided<'t>(&self, terms: impl IntoIterator<Item = &'t RecordedTerm>) -> bool {

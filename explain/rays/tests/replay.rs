@@ -1,3 +1,8 @@
+use std::collections::BTreeSet;
+
+use groundtruth::explain::{self, SampleExplanation};
+use groundtruth::scene::Scene;
+use groundtruth::world::World;
 use rays::RayVerdict;
 use serde_json::{Value, json};
 
@@ -102,4 +107,37 @@ fn the_square_of_the_indices_may_be_left_out() {
         let verdict = RayVerdict::of(traced(&lines));
         assert!(!verdict.is_broken(), "{}", verdict.text());
     }
+}
+
+/// Law: what draws decide parts no program from ours, neither the light of a lamp that stands partly below the horizon nor that it
+/// adds nothing. Oracle: our own samples, each with its own draws.
+#[test]
+fn what_is_drawn_is_no_difference() {
+    let scene = json!({
+        "image": {"width": 9, "height": 9, "samples": 64},
+        "camera": {"eye": [0, 3, 5], "look_at": [0, 0, 0], "lens": {"pinhole": {"distance": 20}}},
+        "lights": [
+            {"name": "ambient", "source": {"ambient": {}}},
+            {"name": "lamp", "source": {"area": {"object": "lamp"}}},
+        ],
+        "materials": [
+            {"name": "chalk", "recipe": {"matte": {"ka": 0.1, "kd": 0.8, "cd": 1}}},
+            {"name": "glow", "recipe": {"emissive": {"ls": 5}}},
+        ],
+        "objects": [
+            {"name": "floor", "material": "chalk", "shape": {"disk": {"center": [0, 0, 0], "normal": [0, 1, 0], "radius": 1}}},
+            {"name": "lamp", "material": "glow", "shape": {"rectangle": {"corner": [-2, -1, -2], "a": [0, 2, 0], "b": [0, 0, 4]}}},
+        ],
+    });
+    let built: Scene = serde_json::from_value(scene.clone()).expect("a scene");
+    let world = World::build(&built).expect("a world");
+    let explained = explain::pixel(&built, &world, [4, 4], None).expect("few rays");
+    let unlit = |sample: &SampleExplanation| sample.ray.as_ref().map(|ray| ray.unlit.len());
+    let lights: BTreeSet<_> = explained.samples.iter().map(unlit).collect();
+    assert!(lights.len() > 1, "the lamp is below the horizon in some samples: {lights:?}");
+    let log = rays::log_of(&explained, ("", [9, 9]), None);
+    let mut lines: Vec<String> = log.lines().map(str::to_owned).collect();
+    lines[0] = json!({"rays": 1, "size": [9, 9], "scene": scene}).to_string();
+    let verdict = RayVerdict::of(traced(&lines));
+    assert!(!verdict.is_broken(), "{}", verdict.text());
 }
