@@ -258,11 +258,19 @@ impl Comparison<'_> {
     /// Whether no draw decides that a lamp adds nothing at a hit.
     fn are_lamps_decided(&self, ours: &RecordedRay) -> bool {
         // what the light's kind, the tracer, the viewer or the material says is so for all its points
-        let is_of_point = |unlit: &&UnlitLight| match unlit.reason {
-            Unlit::SwitchedOff | Unlit::LeftOut | Unlit::NotSampled | Unlit::FirstHitOnly => false,
-            Unlit::TooDeep | Unlit::NoAmbientReflectance | Unlit::ViewerBehind { .. } => false,
-            Unlit::NoLobes | Unlit::TracedLobesOnly => false,
-            _ => true,
+        let is_of_point = |unlit: &&UnlitLight| {
+            !matches!(
+                unlit.reason,
+                Unlit::SwitchedOff
+                    | Unlit::LeftOut
+                    | Unlit::NotSampled
+                    | Unlit::FirstHitOnly
+                    | Unlit::TooDeep
+                    | Unlit::NoAmbientReflectance
+                    | Unlit::ViewerBehind { .. }
+                    | Unlit::NoLobes
+                    | Unlit::TracedLobesOnly
+            )
         };
         let unlit = ours.unlit.iter().filter(is_of_point).map(|unlit| &unlit.light);
         let asked = ours.children.iter().filter_map(|child| child.light.as_ref());
