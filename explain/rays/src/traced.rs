@@ -22,7 +22,6 @@ const LOOKED_AT: usize = 2000;
 const LEAST: f64 = 1e-3;
 /// How far away in the log the sender of a ray without `parent` is looked for.
 const LOOKED_AROUND: usize = 256;
-
 /// The longest way up that is looked at for each ray: a log of one chain would take its length squared.
 const LONGEST_WAY: usize = 1000;
 

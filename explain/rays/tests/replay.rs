@@ -109,8 +109,8 @@ fn the_square_of_the_indices_may_be_left_out() {
     }
 }
 
-/// Law: what draws decide parts no program from ours, neither the light of a lamp that stands partly below the horizon nor that it
-/// adds nothing. Oracle: our own samples, each with its own draws.
+/// Law: what random numbers decide is no difference: of a lamp that stands partly below the horizon some samples bring light, and
+/// others none. Oracle: our own samples, each with its own random numbers.
 #[test]
 fn what_is_drawn_is_no_difference() {
     let scene = json!({

@@ -104,6 +104,7 @@ fn judge(shares: &[Share], rounding: f64, asked: &mut LawReport) {
         Of::Instead => (0..2).any(|at| are(shares, NEAR, |it| power(it.by(at, &same), 2.0))),
         _ => is(&|part| part * part),
     };
+    let is_single = is(&|part| 2.0 * part - 1.0);
     // inside it hardly depends on the angle, but by more than rounding
     let is_dense = are(shares, rounding, |it| it.by(2, &same))
         && !are(shares, rounding, |_| 1.0)
@@ -112,13 +113,15 @@ fn judge(shares: &[Share], rounding: f64, asked: &mut LawReport) {
         // what else a surface reflects may depend on the angle in other ways
         Of::Instead => !(is_undivided || is_cosine || is_dense),
         _ => {
-            let is_absorbed = (0..2).any(|at| are_absorbed(shares, at));
+            // a mistake that predicts the numbers is no absorption that happens to be near them
+            let is_absorbed = !(is_single || is_twice || is_undivided)
+                && (0..2).any(|at| are_absorbed(shares, at));
             !is_dense && (are(shares, NEAR, |_| 1.0) || is(&same) || is_absorbed)
         }
     };
     let causes = [
         ("other-cosine", is_dense),
-        ("one-polarisation", is(&|part| 2.0 * part - 1.0)),
+        ("one-polarisation", is_single),
         ("counts-twice", is_twice),
         ("choice-missing", is_undivided),
         ("mirror-cosine", is_cosine),
