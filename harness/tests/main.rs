@@ -6,6 +6,7 @@ mod asserts;
 #[path = "../../tests/properties.rs"]
 mod properties;
 
+mod book;
 mod cases;
 mod cli;
 mod compare;

@@ -24,7 +24,7 @@ fn read(path: &Path) -> String {
 }
 
 /// The Rust files of a folder and its subfolders.
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
+pub fn rust_files(folder: &Path) -> Vec<PathBuf> {
     let mut files = Vec::new();
     for entry in fs::read_dir(folder).expect("the folder is there") {
         let path = entry.expect("its entries can be read").path();

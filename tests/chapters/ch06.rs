@@ -1,4 +1,7 @@
 //! Chapter 6: mapping samples to a disk.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 use crate::properties::*;
 use groundtruth::math::{ONE_MINUS, maps};

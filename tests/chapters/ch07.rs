@@ -1,4 +1,7 @@
 //! Chapter 7: mapping samples to a hemisphere, and to a sphere.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 use crate::properties::*;
 use groundtruth::math::{ONE_MINUS, maps};

@@ -1,4 +1,7 @@
 //! Chapter 8: perspective viewing.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 use crate::properties::*;
 use groundtruth::cameras::{View, ViewPlane};

@@ -1,4 +1,7 @@
 //! Chapter 9: a practical viewing system.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 use crate::properties::*;
 use groundtruth::cameras::{Handedness, View};

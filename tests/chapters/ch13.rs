@@ -1,4 +1,7 @@
 //! Chapter 13: theoretical foundations.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 pub mod albedo;
 

@@ -1,4 +1,7 @@
 //! Chapter 14: lights and materials.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod sources;
 

@@ -1,4 +1,7 @@
 //! Chapter 15: specular reflection.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 use std::f64::consts::FRAC_PI_2;
 

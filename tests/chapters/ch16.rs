@@ -1,4 +1,7 @@
 //! Chapter 16: shadows.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod acne;
 mod media;

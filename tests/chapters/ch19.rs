@@ -1,4 +1,7 @@
 //! Chapter 19: ray-object intersections.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod algebraic;
 mod bounding;

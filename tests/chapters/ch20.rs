@@ -1,4 +1,7 @@
 //! Chapter 20: affine transformations.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod matrix;
 

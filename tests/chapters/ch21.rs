@@ -1,4 +1,7 @@
 //! Chapter 21: transforming objects.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod beveled;
 mod bevels;

@@ -1,4 +1,7 @@
 //! Chapter 23: triangle meshes.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod bumps;
 mod files;

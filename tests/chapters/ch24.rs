@@ -1,4 +1,21 @@
 //! Chapter 24: mirror reflection.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
+//! | the direction of reflection | the direction of a reflected ray has length 1, is in the plane of incidence, and is as steep as the incoming one: `d' × n = d × n` and `d'·n = −d·n` | `a_mirror_turns_rays_at_the_angle_they_came_in` |
+//! |  | reflected twice, a direction is itself again, bit for bit | `reflecting_twice_changes_nothing` |
+//! | the reflected radiance: k_r c_r L | one reflection of a uniform background is `k_r c_r B`, seen from outside and from inside (where the book's mirrors are negative), and black at depth 0 | `one_reflection_of_the_background_is_kr_cr_b` |
+//! |  | a perfect mirror ball in a uniform background cannot be seen: L = B, bit for bit | `a_perfect_mirror_ball_in_uniform_light_is_invisible` |
+//! |  | an emitter seen by way of k mirrors has the weight `(k_r c_r)ᵏ`: after two mirrors the tint is squared | `an_emitter_over_k_mirrors_weighs_the_kth_power` |
+//! | Whitted's tracer and the greatest depth | between two parallel mirrors with the radiance a of their own, depth N gives `Σ_{k≤N} a (k_r c_r)ᵏ`, whatever the angle; beyond N it is black; N + 1 rays are cast | `parallel_mirrors_give_a_geometric_sum` |
+//! |  | in a closed room of one material the radiance is `Σ_{k≤N} a k_rᵏ` at every point and in every direction | `a_closed_mirror_room_is_a_furnace` |
+//! |  | at depth 0 a reflective surface is its Phong base, and ray casting sees no mirrors either | `without_depth_a_mirror_is_its_base` |
+//! |  | a mirror is not a light and does not light the surfaces that face it: only paths from the eye are followed | `a_mirror_lights_no_other_surface` |
+//! | images in plane mirrors | what a plane mirror shows is what the mirrored eye sees without it | `a_plane_mirror_shows_what_the_mirrored_eye_sees` |
+//! | figs. 24.17 and 24.18, the hall of mirrors | three mirrors at right angles send each ray back where it came from | `a_corner_of_mirrors_sends_rays_back` |
+//! |  | three mirrors at right angles show seven more images of the room, mirrored along one, two or three axes and dimmed by one, two or three mirrors | `pictures::a_corner_of_mirrors_shows_eight_rooms` |
+//! |  | two facing mirrors show an endless row of rooms; every second one is mirrored, and the k-th is dimmed k times | `pictures::facing_mirrors_show_a_row_of_rooms` |
+//! | figs. 24.30 to 24.32, reflective meshes | a smooth mesh reflects about its interpolated normal, and about the flat normal where the interpolated one would send the ray into the mesh | `a_smooth_mirror_sends_no_ray_inside` |
 
 mod leaning;
 mod pictures;
@@ -49,6 +66,7 @@ proptest! {
     /// Law: the direction of a reflected ray has length 1, is in the plane of incidence, and is as steep
     /// as the incoming one: `d' × n = d × n` and `d'·n = −d·n`. Oracle: products the code does not use
     /// (ch. 24).
+    /// Book: the direction of reflection.
     #[test]
     fn a_mirror_turns_rays_at_the_angle_they_came_in((n, wo) in normal_and_direction_above()) {
         let mut scene = deep_stage(BACKGROUND, 1);
@@ -62,6 +80,7 @@ proptest! {
     }
 
     /// Law: reflected twice, a direction is itself again, bit for bit. Oracle: itself.
+    /// Book: the direction of reflection.
     #[test]
     fn reflecting_twice_changes_nothing(wo in unit()) {
         let lobe = Lobe::from(PerfectSpecular { reflectance: Rgb::WHITE });
@@ -73,6 +92,7 @@ proptest! {
 
     /// Law: one reflection of a uniform background is `k_r c_r B`, seen from outside and from inside
     /// (where the book's mirrors are negative), and black at depth 0. Oracle: the product.
+    /// Book: the reflected radiance: k_r c_r L.
     #[test]
     fn one_reflection_of_the_background_is_kr_cr_b(
         (n, wo) in normal_and_direction_above(),
@@ -96,6 +116,7 @@ proptest! {
     /// Law: between two parallel mirrors with the radiance a of their own, depth N gives
     /// `Σ_{k≤N} a (k_r c_r)ᵏ`, whatever the angle; beyond N it is black; N + 1 rays are cast. Oracle:
     /// the geometric sum, by channel.
+    /// Book: Whitted's tracer and the greatest depth.
     #[test]
     fn parallel_mirrors_give_a_geometric_sum(
         depth in 0..40_u32,
@@ -124,6 +145,7 @@ proptest! {
     /// every direction. So with depth it tends to `a/(1 − k_r)`, and `a k_r^(N+1)/(1 − k_r)` of that is
     /// missing. Oracle: the furnace (ch. 13, 24). With k_r = 1 and without radiance of its own the room
     /// is black, after N + 1 rays.
+    /// Book: Whitted's tracer and the greatest depth.
     #[test]
     fn a_closed_mirror_room_is_a_furnace(
         depth in 0..60_u32,
@@ -153,6 +175,7 @@ proptest! {
     }
 
     /// Law: a perfect mirror ball in a uniform background cannot be seen: L = B, bit for bit. Oracle: B.
+    /// Book: the reflected radiance: k_r c_r L.
     #[test]
     fn a_perfect_mirror_ball_in_uniform_light_is_invisible(to_eye in unit(), target in point(1.2)) {
         let mut scene = deep_stage(BACKGROUND, 1);
@@ -163,6 +186,7 @@ proptest! {
 
     /// Law: what a plane mirror shows is what the mirrored eye sees without it. Oracle: that eye, below
     /// the ground.
+    /// Book: images in plane mirrors.
     #[test]
     fn a_plane_mirror_shows_what_the_mirrored_eye_sees(eye in point(3.0), spot in point(2.0)) {
         let eye = eye.with(1, eye.y().abs() + 0.5);
@@ -215,6 +239,7 @@ proptest! {
 
     /// Law: at depth 0 a reflective surface is its Phong base, and ray casting sees no mirrors either.
     /// Oracle: the Phong material, bit for bit (ch. 24).
+    /// Book: Whitted's tracer and the greatest depth.
     #[test]
     fn without_depth_a_mirror_is_its_base((n, wo) in normal_and_direction_above(), sun in unit()) {
         let base = Phong {
@@ -250,6 +275,7 @@ proptest! {
 
     /// Law: three mirrors at right angles send each ray back where it came from. Oracle: −d (the corner
     /// reflector).
+    /// Book: figs. 24.17 and 24.18, the hall of mirrors.
     #[test]
     fn a_corner_of_mirrors_sends_rays_back(from in point(1.0), d in unit()) {
         let d = Vector::new(-d.x().abs(), -d.y().abs(), -d.z().abs());
@@ -271,6 +297,7 @@ proptest! {
     /// Law: a smooth mesh reflects about its interpolated normal, and about the flat normal where the
     /// interpolated one would send the ray into the mesh. No ray goes inside, and every hit has a
     /// reflected ray. Oracle: the mirror directions about both normals.
+    /// Book: figs. 24.30 to 24.32, reflective meshes.
     #[test]
     fn a_smooth_mirror_sends_no_ray_inside(
         to_eye in unit(),
@@ -305,6 +332,7 @@ proptest! {
 
 /// Law: an emitter seen by way of k mirrors has the weight `(k_r c_r)ᵏ`: after two mirrors the tint is
 /// squared. Oracle: the product along a zigzag between two mirrors that ends on an emitter.
+/// Book: the reflected radiance: k_r c_r L.
 #[test]
 fn an_emitter_over_k_mirrors_weighs_the_kth_power() {
     let cr = Rgb::new(0.9, 0.5, 0.25);
@@ -326,6 +354,7 @@ fn an_emitter_over_k_mirrors_weighs_the_kth_power() {
 
 /// Law: a mirror is not a light and does not light the surfaces that face it: only paths from the eye
 /// are followed. Oracle: the matte ground without the mirror, at a point without shadow.
+/// Book: Whitted's tracer and the greatest depth.
 #[test]
 fn a_mirror_lights_no_other_surface() {
     let mut scene = deep_stage(Rgb::BLACK, 5);

@@ -1,4 +1,7 @@
-//! Glossy reflection (Suffern, ch. 25).
+//! Chapter 25: glossy reflection.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod pictures;
 

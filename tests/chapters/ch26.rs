@@ -1,4 +1,9 @@
-//! Global illumination (Suffern, ch. 26): path tracers, against closed forms and each other.
+//! Chapter 26: global illumination.
+//!
+//! Path tracers, against closed forms and each other.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod cornell;
 mod direct;

@@ -1,4 +1,7 @@
 //! Chapter 27: simple transparency.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod pictures;
 mod ray_budget;

@@ -1,4 +1,7 @@
 //! Chapter 28: realistic transparency.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod fresnel;
 mod pictures;

@@ -1,4 +1,7 @@
 //! Chapter 31: noise-based textures.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod bump_cases;
 mod bumps;

@@ -1,4 +1,7 @@
 //! Chapter 2: some essential mathematics.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod angles;
 mod frames;

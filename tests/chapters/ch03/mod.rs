@@ -1,4 +1,7 @@
 //! Chapter 3: bare-bones ray tracing.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod film;
 mod hits;

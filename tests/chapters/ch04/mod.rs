@@ -1,4 +1,7 @@
 //! Chapter 4: antialiasing.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod edges;
 mod filters;

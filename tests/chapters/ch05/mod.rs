@@ -1,4 +1,7 @@
 //! Chapter 5: sampling techniques.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod convergence;
 mod discrepancy;

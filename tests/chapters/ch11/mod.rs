@@ -1,4 +1,7 @@
 //! Chapter 11: nonlinear projections.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod directions;
 mod fisheye;

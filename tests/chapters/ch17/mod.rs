@@ -1,4 +1,7 @@
 //! Chapter 17: ambient occlusion.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod exact;
 mod mean;

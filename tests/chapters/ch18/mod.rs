@@ -1,4 +1,7 @@
 //! Chapter 18: area lights.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod draws;
 mod errors;

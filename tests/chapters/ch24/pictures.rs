@@ -51,6 +51,7 @@ fn assert_same_picture(mirrored: &Scene, unfolded: &Scene) {
 /// Law: three mirrors at right angles show seven more images of the room, mirrored along one, two or three
 /// axes and dimmed by one, two or three mirrors. Oracle: a scene without mirrors that contains all eight sets
 /// of lamps.
+/// Book: figs. 24.17 and 24.18, the hall of mirrors.
 #[test]
 fn a_corner_of_mirrors_shows_eight_rooms() {
     let empty = seen_from(Point::new(0.9, 0.8, 1.1), Point::new(-1.0, -1.0, -1.0));
@@ -73,6 +74,7 @@ fn a_corner_of_mirrors_shows_eight_rooms() {
 
 /// Law: two facing mirrors show an endless row of rooms; every second one is mirrored, and the k-th is
 /// dimmed k times. Oracle: the row of lamps without mirrors.
+/// Book: figs. 24.17 and 24.18, the hall of mirrors.
 #[test]
 fn facing_mirrors_show_a_row_of_rooms() {
     let empty = seen_from(Point::new(0.5, 0.75, 0.9), Point::new(-1.0, -0.1, 0.1));

@@ -1,4 +1,7 @@
 //! Chapter 29: images on surfaces and as skies.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod mappings;
 mod materials;

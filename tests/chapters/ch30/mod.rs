@@ -1,4 +1,7 @@
 //! Chapter 30: procedural textures.
+//!
+//! | of the book | what is held | by the law |
+//! | --- | --- | --- |
 
 mod checkers;
 mod instances;
