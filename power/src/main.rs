@@ -4,6 +4,7 @@
 //! and notes which changes it reaches; then each change is on for the tests that reach it, laws first, until one fails.
 
 mod change;
+mod matrix;
 mod mutants;
 mod planted;
 mod run;
@@ -17,6 +18,7 @@ use std::path::{Path, PathBuf};
 use anyhow::{Context, Result, ensure};
 use clap::{Args, Parser, Subcommand};
 use rayon::prelude::*;
+use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 
 use crate::change::Change;
@@ -36,22 +38,9 @@ struct Arguments {
 #[derive(Subcommand)]
 enum What {
     /// Plants each mistake and decoy of the repository, and says what finds it.
-    Run {
-        /// Only this part, as 2/8: the second of eight.
-        #[arg(default_value = "1/1")]
-        part: String,
-        /// Only those whose name, or file, holds this text.
-        #[arg(long, default_value = "")]
-        only: String,
-        /// A change is given up when the tests that it passed take this many seconds together, without the change.
-        #[arg(long, default_value_t = f64::INFINITY)]
-        budget: f64,
-        /// Test programs that are left out, as `report,window`: each of their tests takes long alone.
-        #[arg(long, value_delimiter = ',')]
-        without: Vec<String>,
-        #[command(flatten)]
-        mutants: Sample,
-    },
+    Run(Asking),
+    /// Runs every test on each change that it reaches, and writes what each finds: alone, with others, or nothing.
+    Matrix(Asking),
     /// Runs the laws that found something once more, with other tolerances: which still find it, and which fail with
     /// nothing planted.
     Again {
@@ -71,6 +60,25 @@ enum What {
     Check,
     /// The tables of all that was found so far.
     Score,
+}
+
+/// Which changes are asked of which tests.
+#[derive(Args)]
+struct Asking {
+    /// Only this part, as 2/8: the second of eight.
+    #[arg(default_value = "1/1")]
+    part: String,
+    /// Only those whose name, or file, holds this text.
+    #[arg(long, default_value = "")]
+    only: String,
+    /// A change is given up when the tests that it passed take this many seconds together, without the change.
+    #[arg(long, default_value_t = f64::INFINITY)]
+    budget: f64,
+    /// Test programs that are left out, as `report,window`: each of their tests takes long alone.
+    #[arg(long, value_delimiter = ',')]
+    without: Vec<String>,
+    #[command(flatten)]
+    mutants: Sample,
 }
 
 /// A sample of mutants.
@@ -109,10 +117,15 @@ fn main() -> Result<()> {
     ensure!(root.join("power/planted").is_dir(), "run this in the root of the repository");
     let folder = root.join(&arguments.folder);
     match arguments.what {
-        What::Run { part, only, budget, without, mutants } => {
-            let asked = asked(&root, &mutants)?;
-            let known = known(&root, &folder, &asked, &without)?;
-            measure(&root, &folder, &asked, &known, &part, &only, budget)
+        What::Run(asking) => {
+            let asked = asked(&root, &asking.mutants)?;
+            let known = known(&root, &folder, &asked, &asking.without)?;
+            measure(&root, &folder, &asked, &known, &asking)
+        }
+        What::Matrix(asking) => {
+            let asked = asked(&root, &asking.mutants)?;
+            let known = known(&root, &folder, &asked, &asking.without)?;
+            fill_matrix(&folder, &asked, &known, &asking)
         }
         What::Again { tolerance, mutants } => {
             again(&root, &folder, &asked(&root, &mutants)?, tolerance)
@@ -207,43 +220,61 @@ fn measure(
     folder: &Path,
     asked: &[Asked],
     known: &Known,
-    part: &str,
-    only: &str,
-    budget: f64,
+    asking: &Asking,
 ) -> Result<()> {
-    let (k, n) = part.split_once('/').with_context(|| format!("{part} is no part, as 2/8"))?;
-    let (k, n): (usize, usize) = (k.parse()?, n.parse()?);
-    ensure!(1 <= k && k <= n, "{part} is no part: the first number is from 1 to the second");
     let texts = std::fs::read_to_string(root.join("power/texts"))?;
     let texts: Vec<&str> =
         texts.lines().filter(|it| !it.starts_with('#') && !it.is_empty()).collect();
-    let found = folder.join("found");
-    std::fs::create_dir_all(&found)?;
-    let chosen: Vec<usize> = (0..asked.len())
-        .filter(|k| {
-            (asked[*k].change.name.contains(only) || asked[*k].change.file.contains(only))
-                && !known.refused.contains(k)
-        })
-        .collect();
-    let chosen: Vec<usize> = chosen
-        .into_iter()
-        .enumerate()
-        .filter(|(at, _)| at % n == k - 1)
-        .map(|(_, it)| it)
-        .collect();
-    chosen.par_iter().try_for_each(|&index| -> Result<()> {
-        let file = found.join(format!("{index}.json"));
-        if file.exists() {
-            return Ok(());
-        }
-        let row = ask(&asked[index], index, &known.tests, &texts, budget)?;
+    for_each(&folder.join("found"), asked, known, asking, |index| {
+        let row = ask(&asked[index], index, &known.tests, &texts, asking.budget)?;
         let by = row.law.as_ref().or(row.text.as_ref()).map_or("nothing", String::as_str);
         println!("{}: {by}", row.name);
-        std::fs::write(&file, serde_json::to_vec_pretty(&row)?)?;
-        Ok(())
+        Ok(row)
     })?;
     print!("\n{}", score::tables(&rows(folder)?));
     Ok(())
+}
+
+/// Runs all tests on each change of the part, writes a file a change, and the table of all that are there.
+fn fill_matrix(folder: &Path, asked: &[Asked], known: &Known, asking: &Asking) -> Result<()> {
+    for_each(&folder.join("kills"), asked, known, asking, |index| {
+        let name = &asked[index].change.name;
+        let kills = matrix::kills(name, index + 1, &known.tests, asking.budget)?;
+        println!("{name}: {} tests, {} not tried", kills.by.len(), kills.left);
+        Ok(kills)
+    })?;
+    let table = folder.join("matrix.csv");
+    std::fs::write(&table, matrix::table(&read(&folder.join("kills"))?, &known.tests))?;
+    println!("\n{}", table.display());
+    Ok(())
+}
+
+/// What `ask` says of each change of the part, in a file each in `folder`; those that are there are not asked again.
+fn for_each<T: Serialize>(
+    folder: &Path,
+    asked: &[Asked],
+    known: &Known,
+    asking: &Asking,
+    ask: impl Fn(usize) -> Result<T> + Sync,
+) -> Result<()> {
+    let Asking { part, only, .. } = asking;
+    let (k, n) = part.split_once('/').with_context(|| format!("{part} is no part, as 2/8"))?;
+    let (k, n): (usize, usize) = (k.parse()?, n.parse()?);
+    ensure!(1 <= k && k <= n, "{part} is no part: the first number is from 1 to the second");
+    std::fs::create_dir_all(folder)?;
+    let is_of = |change: &Change| change.name.contains(only) || change.file.contains(only);
+    let chosen: Vec<usize> = (0..asked.len())
+        .filter(|index| is_of(&asked[*index].change) && !known.refused.contains(index))
+        .collect();
+    let chosen: Vec<usize> = chosen.into_iter().skip(k - 1).step_by(n).collect();
+    chosen.par_iter().try_for_each(|&index| -> Result<()> {
+        let file = folder.join(format!("{index}.json"));
+        if file.exists() {
+            return Ok(());
+        }
+        std::fs::write(&file, serde_json::to_vec_pretty(&ask(index)?)?)?;
+        Ok(())
+    })
 }
 
 fn git(root: &Path, arguments: &[&str]) -> Result<std::process::Output> {
@@ -282,9 +313,10 @@ fn known(root: &Path, folder: &Path, asked: &[Asked], without: &[String]) -> Res
     built.programs.retain(|program| !without.contains(&program.name));
     let tests = run::reach(&built.programs, &folder.join("reached"))?;
     let known = Known { of, refused: built.refused, tests };
-    let found = folder.join("found");
-    if found.exists() {
-        std::fs::remove_dir_all(&found)?;
+    for before in ["found", "kills"].map(|it| folder.join(it)) {
+        if before.exists() {
+            std::fs::remove_dir_all(&before)?;
+        }
     }
     std::fs::write(&file, serde_json::to_vec(&known)?)?;
     Ok(known)
@@ -336,8 +368,13 @@ fn ask(asked: &Asked, index: usize, tests: &[Test], texts: &[&str], budget: f64)
 }
 
 fn rows(folder: &Path) -> Result<Vec<Row>> {
+    read(&folder.join("found"))
+}
+
+/// The files of a folder, in order.
+fn read<T: DeserializeOwned>(folder: &Path) -> Result<Vec<T>> {
     let mut files: Vec<PathBuf> =
-        std::fs::read_dir(folder.join("found"))?.map(|it| Ok(it?.path())).collect::<Result<_>>()?;
+        std::fs::read_dir(folder)?.map(|it| Ok(it?.path())).collect::<Result<_>>()?;
     files.sort();
     files.iter().map(|file| Ok(serde_json::from_slice(&std::fs::read(file)?)?)).collect()
 }

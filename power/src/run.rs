@@ -96,13 +96,14 @@ impl Test {
         let program = name.split(' ').next().unwrap_or("");
         let program = programs.iter().find(|it| it.name == program);
         let program = program.with_context(|| format!("no program of the test {name}"))?;
-        Ok(Self {
-            name: name.to_owned(),
-            program: program.path.clone(),
-            folder: program.folder.clone(),
-            seconds: 60.0,
-            reached: BTreeSet::new(),
-        })
+        let (folder, path) = (program.folder.clone(), program.path.clone());
+        Ok(Self { folder, program: path, ..Self::timed(name, 60.0) })
+    }
+
+    /// A test of no program that takes so many seconds.
+    pub fn timed(name: &str, seconds: f64) -> Self {
+        let (program, folder) = (PathBuf::new(), PathBuf::new());
+        Self { name: name.to_owned(), program, folder, seconds, reached: BTreeSet::new() }
     }
 
     /// Runs the test while change `number` is on; a test that takes 20 times as long as it did is taken to have failed.

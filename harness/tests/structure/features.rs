@@ -6,10 +6,11 @@ use std::process::Command;
 use serde_json::Value;
 
 /// The README's commands, as builds.
-const COMMANDS: [&[&str]; 4] = [
+const COMMANDS: [&[&str]; 5] = [
     &["build", "--bin", "groundtruth"],
     &["build", "--bin", "inspector"],
     &["build", "--example", "sphere"],
+    &["chapter"],
     &["test", "--workspace"],
 ];
 
