@@ -2,6 +2,19 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | points, vectors and homogeneous matrices | vectors ignore translation, points do not, and `M p − M q = M (p − q)` | `vectors_ignore_translation` |
+//! |  | a matrix is written row by row, with the translation in the last column | `matrix::a_matrix_has_its_entries_in_rows` |
+//! |  | affine maps keep parallels, ratios and midpoints | `midpoints_stay_midpoints` |
+//! | the basic transformations | determinants: rotation +1, reflection −1, translation 1, scale `abc`, shear `1 − df − ac − be + ade + bcf`; of a composition their product | `determinants_are_those_of_the_steps` |
+//! |  | quarter turns map the axes to axes exactly: about x from y to z, about y from z to x, about z from x to y | `quarter_turns_send_axes_to_axes` |
+//! |  | a reflection is its own inverse and negates one coordinate | `reflections_turn_one_coordinate` |
+//! |  | the six factors a to f of a shear are in the rows `(1, a, b)`, `(c, 1, d)` and `(e, f, 1)` of its matrix | `shears_have_their_factors_in_rows` |
+//! | composition of transformations | steps are applied first to last, `M = Tₙ … T₂ T₁` | `steps_are_applied_in_their_order` |
+//! |  | the order of steps matters: to rotate and then move differs from moving and then rotating | `order_matters` |
+//! | inverse transformations | `M M⁻¹ = M⁻¹ M = I` to 1e-12 for steps of every kind, shears included, whose inverse some copies of the book's code have wrong | `a_map_and_its_inverse_cancel` |
+//! |  | `(A B)⁻¹ = B⁻¹ A⁻¹`, and `A.after(B)` is `A B` | `the_inverse_of_a_product_is_the_product_of_inverses_turned_round` |
+//! | rotation about a line | a rotation about a line fixes the points of the line, keeps distances from it and turns by its angle, counter-clockwise if the direction points at the viewer; a rotation by 360° more is the same | `a_turn_about_a_line_keeps_it` |
+//! | normals under transformations | a normal stays perpendicular to what moves with its surface: `(M⁻ᵀ n)·(M v) = n·v` | `covectors_pair_with_vectors_as_before` |
 
 mod matrix;
 
@@ -76,8 +89,9 @@ fn size(t: &Transform) -> f64 {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: `M M⁻¹ = M⁻¹ M = I` to 1e-12 for steps of every kind, shears included. Oracle: the
-    /// schoolbook product. (Invariant 1; the book's errata have a wrong shear inverse.)
+    /// Law: `M M⁻¹ = M⁻¹ M = I` to 1e-12 for steps of every kind, shears included, whose inverse some
+    /// copies of the book's code have wrong. Oracle: the schoolbook product.
+    /// Book: inverse transformations.
     #[test]
     fn a_map_and_its_inverse_cancel(steps in steps()) {
         let t = transform(&steps);
@@ -88,6 +102,7 @@ proptest! {
     }
 
     /// Law: steps are applied first to last, `M = Tₙ … T₂ T₁`. Oracle: a point moved step by step.
+    /// Book: composition of transformations.
     #[test]
     fn steps_are_applied_in_their_order(steps in steps(), p in point(3.0)) {
         let one_by_one =
@@ -98,7 +113,8 @@ proptest! {
         at_most!(one_by_one.distance(at_once), COMPOSED * stretch * 10.0);
     }
 
-    /// Law: `(A B)⁻¹ = B⁻¹ A⁻¹`, and `after` composes. Oracle: the schoolbook product.
+    /// Law: `(A B)⁻¹ = B⁻¹ A⁻¹`, and `A.after(B)` is `A B`. Oracle: the schoolbook product.
+    /// Book: inverse transformations.
     #[test]
     fn the_inverse_of_a_product_is_the_product_of_inverses_turned_round(
         a in steps(),
@@ -114,6 +130,7 @@ proptest! {
 
     /// Law: determinants: rotation +1, reflection −1, translation 1, scale `abc`, shear
     /// `1 − df − ac − be + ade + bcf`; of a composition their product. Oracle: those formulas.
+    /// Book: the basic transformations.
     #[test]
     fn determinants_are_those_of_the_steps(steps in steps()) {
         let of = |step: &Step| match *step {
@@ -129,6 +146,7 @@ proptest! {
     }
 
     /// Law: vectors ignore translation, points do not, and `M p − M q = M (p − q)`.
+    /// Book: points, vectors and homogeneous matrices.
     #[test]
     fn vectors_ignore_translation(
         steps in steps(),
@@ -148,6 +166,7 @@ proptest! {
     }
 
     /// Law: affine maps keep parallels, ratios and midpoints. Oracle: the midpoint moved.
+    /// Book: points, vectors and homogeneous matrices.
     #[test]
     fn midpoints_stay_midpoints(
         steps in steps(),
@@ -161,9 +180,10 @@ proptest! {
         at_most!(between.distance(moved), COMPOSED * 10.0 * size(&t));
     }
 
-    /// Law: a rotation about a line fixes the points of the line and keeps distances from it. It turns
-    /// by its angle, counter-clockwise if the direction points at the viewer; a rotation by 360° more is
-    /// the same. Oracle: geometry.
+    /// Law: a rotation about a line fixes the points of the line, keeps distances from it and turns by
+    /// its angle, counter-clockwise if the direction points at the viewer; a rotation by 360° more is the
+    /// same. Oracle: geometry.
+    /// Book: rotation about a line.
     #[test]
     fn a_turn_about_a_line_keeps_it(
         q in point(3.0),
@@ -187,7 +207,8 @@ proptest! {
         near!(sine, square * sin_degrees(degrees), COMPOSED * 100.0);
     }
 
-    /// Law: a covector stays perpendicular to what moves with the surface: `(M⁻ᵀ n)·(M v) = n·v`.
+    /// Law: a normal stays perpendicular to what moves with its surface: `(M⁻ᵀ n)·(M v) = n·v`.
+    /// Book: normals under transformations.
     #[test]
     fn covectors_pair_with_vectors_as_before(steps in steps(), n in unit(), v in point(3.0)) {
         let (t, v) = (transform(&steps), v.to_vector());
@@ -288,7 +309,9 @@ proptest! {
     }
 }
 
-/// Law: quarter turns map the axes to axes exactly, as printed in the book. (Invariant 3.)
+/// Law: quarter turns map the axes to axes exactly: about x from y to z, about y from z to x, about z
+/// from x to y. Oracle: worked by hand; a third of a turn about (1, 1, 1).
+/// Book: the basic transformations.
 #[test]
 fn quarter_turns_send_axes_to_axes() {
     let turned = |step, v: Vector| transform(&[step]).vector(v);
@@ -304,6 +327,7 @@ fn quarter_turns_send_axes_to_axes() {
 }
 
 /// Law: a reflection is its own inverse and negates one coordinate. Oracle: the coordinates.
+/// Book: the basic transformations.
 #[test]
 fn reflections_turn_one_coordinate() {
     let p = Point::new(2.0, 3.0, 5.0);
@@ -319,8 +343,9 @@ fn reflections_turn_one_coordinate() {
     }
 }
 
-/// Law: the six factors of a shear are at the matrix positions that the documentation states. Oracle:
-/// worked by hand.
+/// Law: the six factors a to f of a shear are in the rows `(1, a, b)`, `(c, 1, d)` and `(e, f, 1)` of its
+/// matrix. Oracle: worked by hand.
+/// Book: the basic transformations.
 #[test]
 fn shears_have_their_factors_in_rows() {
     let t = transform(&[Step::Shear([0.5, 0.25, -0.5, 0.125, 0.75, -0.25])]);
@@ -329,6 +354,7 @@ fn shears_have_their_factors_in_rows() {
 }
 
 /// Law: the order of steps matters: to rotate and then move differs from moving and then rotating.
+/// Book: composition of transformations.
 #[test]
 fn order_matters() {
     let (turn, shift) = (Step::RotateZ(90.0), Step::Translate(Vector::X));

@@ -2,6 +2,16 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | the reflected radiance: k_r c_r L | by the book's rule uniform surroundings of radiance L are reflected as `k_r L`, by each sample exactly and at every angle | `uniform_surroundings_are_seen_times_the_reflectance` |
+//! |  | by the book's rule, no pixel of a glossy surface whose `k_r` is at most 1 is brighter than the brightest object around it, at any angle | `pictures::gloss_is_not_brighter_than_what_it_reflects` |
+//! | sampling around the mirror direction | every sampled direction of gloss is above the surface, also at grazing angles; by the book's rule no sample is lost | `every_direction_is_above_the_surface` |
+//! |  | the mean of `r·ω_i`, with the mirror direction r, is `(e + 1)/(e + 2)`; rotation about r does not change it | `the_mean_cosine_to_the_mirror_direction_is_that_of_the_power` |
+//! |  | seen from straight above, the blur is the same in all directions around the mirror direction: the mean of x, y and xy is 0, and x² and y² have one mean | `the_blur_is_round` |
+//! |  | seen straight on, a lamp of angular radius α in the mirror direction is reflected with `kr (1 − cos^(e+1) α)` of its radiance by the book's rule, and with `kr (1 − cos^(e+2) α)` by the normalised one, in every pixel and with every tracer that follows the glossy ray | `pictures::a_moon_is_blurred_as_the_integral_of_the_lobe_says` |
+//! | the exponent of the reflection | with a growing exponent the reflection tends to the mirror's, at the edge of a reflected ball too | `a_large_exponent_is_a_mirror` |
+//! |  | highlight and reflection each have their own exponent: neither changes the other | `highlight_and_reflection_have_exponents_of_their_own` |
+//! | the material GlossyReflector and the tracers | a glossy hit casts one ray and draws one pair of numbers; ray casting neither | `a_glossy_hit_costs_one_ray_and_one_draw` |
+//! |  | where only emitters are seen, Whitted's tracer and the three path tracers have the same mean, by both rules | `all_tracers_see_the_same_reflection` |
 
 mod pictures;
 
@@ -62,8 +72,9 @@ fn samples_of(lobe: GlossyReflection, wo: Vector, count: u32) -> Vec<Vector> {
     (0..count).filter_map(one).collect()
 }
 
-/// Law: by the book's rule uniform surroundings of radiance L are reflected as `kr L`, by each sample
+/// Law: by the book's rule uniform surroundings of radiance L are reflected as `k_r L`, by each sample
 /// exactly and at every angle. Oracle: the product.
+/// Book: the reflected radiance: k_r c_r L.
 #[test]
 fn uniform_surroundings_are_seen_times_the_reflectance() {
     for exponent in [0.0, 1.0, 10.0, 1000.0, 1e5, 1e10, 1e15] {
@@ -113,8 +124,9 @@ fn the_normalised_rule_is_darker_away_from_the_normal() {
     }
 }
 
-/// Law: every sampled direction is above the surface, also at grazing angles; by the book's rule no
-/// sample is lost. Oracle: the sign of z.
+/// Law: every sampled direction of gloss is above the surface, also at grazing angles; by the book's rule
+/// no sample is lost. Oracle: the sign of z.
+/// Book: sampling around the mirror direction.
 #[test]
 fn every_direction_is_above_the_surface() {
     for rule in [GlossyRule::Book, GlossyRule::Normalised] {
@@ -128,8 +140,9 @@ fn every_direction_is_above_the_surface() {
     }
 }
 
-/// Law: the mean of `r·ω_i` is `(e + 1)/(e + 2)`; rotation about r does not change it. Oracle: that
-/// integral; t test of batches.
+/// Law: the mean of `r·ω_i`, with the mirror direction r, is `(e + 1)/(e + 2)`; rotation about r does not
+/// change it. Oracle: that integral; t test of batches.
+/// Book: sampling around the mirror direction.
 #[test]
 fn the_mean_cosine_to_the_mirror_direction_is_that_of_the_power() {
     for (wo, exponent) in viewers().zip([1.0, 3.0, 10.0, 100.0, 1000.0]) {
@@ -143,8 +156,9 @@ fn the_mean_cosine_to_the_mirror_direction_is_that_of_the_power() {
     }
 }
 
-/// Law: seen from straight above, the blur is the same in all directions: the mean of x, y and xy is 0, and
-/// x² and y² have one mean. Oracle: symmetry; t tests of batches.
+/// Law: seen from straight above, the blur is the same in all directions around the mirror direction: the
+/// mean of x, y and xy is 0, and x² and y² have one mean. Oracle: symmetry; t tests of batches.
+/// Book: sampling around the mirror direction.
 #[test]
 fn the_blur_is_round() {
     let lobe = GlossyReflection { reflectance: Rgb::WHITE, exponent: 20.0, rule: GlossyRule::Book };
@@ -171,6 +185,7 @@ fn under_a_ball(finish: impl Into<groundtruth::materials::Kind>) -> Scene {
 
 /// Law: with a growing exponent the reflection tends to the mirror's, at the edge of a reflected ball too.
 /// Oracle: the mirror of chapter 24; the distance falls at each step.
+/// Book: the exponent of the reflection.
 #[test]
 fn a_large_exponent_is_a_mirror() {
     let mirror = Reflective { phong: Phong::default(), kr: 0.8.into(), cr: Rgb::WHITE.into() };
@@ -196,6 +211,7 @@ fn a_large_exponent_is_a_mirror() {
 
 /// Law: highlight and reflection each have their own exponent: neither changes the other. Oracle: the
 /// same scene without the other.
+/// Book: the exponent of the reflection.
 #[test]
 fn highlight_and_reflection_have_exponents_of_their_own() {
     let highlight = Phong { ks: 0.5.into(), exponent: 30.0.into(), ..Phong::default() };
@@ -229,6 +245,7 @@ fn highlight_and_reflection_have_exponents_of_their_own() {
 }
 
 /// Law: a glossy hit casts one ray and draws one pair of numbers; ray casting neither. Oracle: counting.
+/// Book: the material GlossyReflector and the tracers.
 #[test]
 fn a_glossy_hit_costs_one_ray_and_one_draw() {
     let scene = under_a_ball(glossy(0.8, 10.0, GlossyRule::Book));
@@ -255,6 +272,7 @@ fn other_lobes_do_not_move_the_reflection() {
 
 /// Law: where only emitters are seen, Whitted's tracer and the three path tracers have the same mean, by
 /// both rules. Oracle: each other (Welch's t).
+/// Book: the material GlossyReflector and the tracers.
 #[test]
 fn all_tracers_see_the_same_reflection() {
     for rule in [GlossyRule::Book, GlossyRule::Normalised] {

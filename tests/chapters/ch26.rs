@@ -4,6 +4,23 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | path tracing | a path does not branch: at most one ray continues from a hit, so N + 1 rays are cast in a closed room of depth N, and one more is too deep | `a_path_is_a_line` |
+//! |  | path tracers leave out ambient light and report it; path trace reports that it leaves out a point light, and global trace that it counts one at the first hit only | `what_is_left_out_is_said` |
+//! |  | a convex matte body in uniform light shows `ρ L`: each sample of a path trace is that value, as its weight is ρ in every direction and nothing hides the light | `a_convex_body_in_uniform_light_shows_its_reflectance` |
+//! |  | inside a closed sphere that emits E and reflects ρ, the radiance is `E (1 − ρ^(N+1))/(1 − ρ)` with N edges after the camera's; every sample of a path trace is that value | `a_closed_sphere_that_emits_and_reflects_sums_the_series` |
+//! |  | in uniform light every material shows the albedo that its parameters define, under every tracer, seen straight on and at an angle: ρ if it is matte, and for a ball of glass everything except the part that the depth cuts off | `furnace::every_material_shows_its_albedo_under_every_tracer` |
+//! |  | radiance is linear in the emission of the lamps: twice the emission gives the same picture twice as bright, bit for bit, under every tracer; the random choices do not depend on it | `paths::twice_the_light_is_twice_the_picture` |
+//! | listing 26.5, paths over mirrors | a path over a mirror draws no random numbers: two rays are cast, and uniform light is weighted by k_r exactly | `paths::a_path_over_a_mirror_draws_nothing` |
+//! | the noise of path tracing | the error of independent paths falls as 1/√N, and its size is that of a lamp that each path hits or misses | `paths::the_error_of_paths_falls_as_the_root_of_their_number` |
+//! | the Cornell box | `path` and `global_trace` render the same Cornell box as `path_trace`, which never samples a light | `cornell::the_cornell_box_is_the_reference` |
+//! |  | if the Cornell box is mirrored (red and green wall swapped; blocks, lamp and eye mirrored), its picture is mirrored | `cornell::swapped_walls_show_the_mirrored_picture` |
+//! |  | the floor of the Cornell box is redder beside the red wall than beside the green one | `walls_bleed_their_colour` |
+//! | listings 26.6 to 26.8, global tracing | where `global_trace` meets a lamp whose light was sampled at the hit before, the ray tree has the lamp's emission with the weight 0, so that a reader sees why it is not counted | `paths::a_lamp_that_was_sampled_is_a_term_of_weight_zero` |
+//! |  | direct light gives the same picture whether the lamps are sampled by area or by solid angle, by ray casting or at the first hit of a path, whether scattered rays hit the lamps, or whether both are combined with weights (multiple importance sampling) | `direct::direct_light_is_one_picture_in_all_ways` |
+//! |  | path trace, global trace and path have one mean, at every depth: light found by sampling a lamp and light found by hitting it are the same light, and are counted once | `the_three_path_tracers_agree` |
+//! |  | inside a closed sphere that emits E and reflects ρ the radiance is `E (1 − ρ^(N+1))/(1 − ρ)` by every path tracer, whether or not the wall is a light that is sampled: each edge counts once | `furnace::a_closed_sphere_sums_the_series_under_every_path_tracer` |
+//! |  | the three path tracers have one mean where light comes over mirrors, through glass and from glossy surfaces too: a light that only a single direction reaches counts in full, and one that could also have been sampled counts once | `paths::path_tracers_agree_over_mirrors_glass_and_gloss` |
+//! |  | sampling a small lamp is better than hitting it by chance: with equally many samples the variance of `global_trace` and `path` is far below that of `path_trace` | `paths::sampling_a_small_lamp_lowers_the_variance` |
 
 mod cornell;
 mod direct;
@@ -68,6 +85,7 @@ fn replicas(scene: &Scene, rays: &[(Point, Vector)]) -> Vec<Vec<f64>> {
 /// Law: path trace, global trace and path have one mean, at every depth: light found by sampling a lamp and
 /// light found by hitting it are the same light, and are counted once. Oracle: each other (Welch's t over
 /// replicas).
+/// Book: listings 26.6 to 26.8, global tracing.
 #[test]
 fn the_three_path_tracers_agree() {
     let eye = Point::new(0.5, 2.0, 6.0);
@@ -92,6 +110,7 @@ fn the_three_path_tracers_agree() {
 
 /// Law: inside a closed sphere that emits E and reflects ρ, the radiance is `E (1 − ρ^(N+1))/(1 − ρ)` with N
 /// edges after the camera's; every sample of a path trace is that value. Oracle: the sum of the series.
+/// Book: path tracing.
 #[test]
 fn a_closed_sphere_that_emits_and_reflects_sums_the_series() {
     /// A few roundings for each of up to 20 bounces.
@@ -135,6 +154,7 @@ fn roulette_keeps_the_mean() {
 
 /// Law: a convex matte body in uniform light shows `ρ L`: each sample of a path trace is that value, as its
 /// weight is ρ in every direction and nothing hides the light. Oracle: the furnace.
+/// Book: path tracing.
 #[test]
 fn a_convex_body_in_uniform_light_shows_its_reflectance() {
     let mut scene = stage(Rgb::grey(2.0));
@@ -147,6 +167,7 @@ fn a_convex_body_in_uniform_light_shows_its_reflectance() {
 
 /// Law: a path does not branch: at most one ray continues from a hit, so N + 1 rays are cast in a closed room
 /// of depth N, and one more is too deep. Oracle: counting.
+/// Book: path tracing.
 #[test]
 fn a_path_is_a_line() {
     for n in [0, 3, 9] {
@@ -164,6 +185,7 @@ fn a_path_is_a_line() {
 /// Law: path tracers leave out ambient light and report it; path trace reports that it leaves out a point
 /// light, and global trace that it counts one at the first hit only. Oracle: the recorded terms, and the
 /// texts of the reports.
+/// Book: path tracing.
 #[test]
 fn what_is_left_out_is_said() {
     let mut scene = room();
@@ -203,6 +225,7 @@ fn what_is_left_out_is_said() {
 
 /// Law: the floor of the Cornell box is redder beside the red wall than beside the green one. Oracle: the
 /// ratios of channels, the lamp's colour divided out.
+/// Book: the Cornell box.
 #[test]
 fn walls_bleed_their_colour() {
     let mut scene = (gallery::find("ch26/cornell-box").expect("in the gallery").build)();

@@ -2,6 +2,23 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | Snell's law and the refracted direction | a refracted direction t obeys `ω_o × n = −η (t × n)`, Snell's angle, plane and sense in one; it has length 1 and is behind the surface | `refraction_obeys_snell` |
+//! |  | refraction is reversible: refracted in and then, from the inside, out again, a direction is the original one | `refraction_can_be_reversed` |
+//! |  | straight on, a ray goes straight through, whatever η; so does each ray for η = 1 | `nothing_bends_a_ray_at_normal_incidence_or_between_equal_media` |
+//! | total internal reflection | a ray from the rarer side is never totally reflected; one from the denser side is, beyond `asin(1/η)` exactly | `total_reflection_needs_the_denser_side` |
+//! |  | total reflection begins at 41.8103° in glass, 48.7535° in water, 24.4075° in diamond, and from glass to water at 62.457° | `critical_angles_are_those_of_the_table` |
+//! | the transmitted radiance: k_t/η² | an eye inside the dense medium sees `η² k_t B` through its surface: radiance is squeezed into a smaller cone | `radiance_grows_by_eta_squared_in_the_denser_medium` |
+//! |  | a ray leaves a slab in its original direction, displaced by `s = T sin(θ_i − θ_t)/cosθ_t`, with the weight `k_t²` (the two η² cancel) | `a_slab_shifts_a_ray_and_weighs_it_kt_squared` |
+//! |  | a slab 1 thick of index 1.5 refracts a ray at 45° to 28.1255° and shifts it by 0.329142 | `a_slab_of_glass_shifts_by_a_third_at_45_degrees` |
+//! |  | a wall seen at an angle through a slab is the same picture, moved by `s = T sin(θ_i − θ_t)/cosθ_t` towards the foot of the normal, and `k_t²` times as bright | `pictures::a_wall_behind_a_slab_is_seen_shifted` |
+//! | the material Transparent and its tree of rays | a body of η = 1, k_r = 0, k_t = 1 cannot be seen, at any depth from 2 on; at a smaller depth it looks black | `a_body_of_index_one_is_invisible` |
+//! |  | a glass ball in a uniform background B, depth N ≥ 1, k_r + k_t = 1: it shows `B (1 − k_t k_rᴺ⁻¹)`: `k_r B` at depth 1, `(k_r + k_t²) B` at depth 2, increasing towards B; at depth 0 it is black | `a_glass_ball_adds_up_its_inner_reflections` |
+//! |  | among glass bodies one sample casts at most `2^(depth+1) − 1` rays, however many bodies there are | `glass_casts_no_more_rays_than_a_binary_tree` |
+//! |  | where every ray hits glass that sends out two further rays, `2ᴺ⁺¹ − 1` rays are cast at depth N, and the two of each of the `2ᴺ` last ones are too deep: `too_deep` counts those, and `reflected` and `transmitted` count them too | `ray_budget::the_last_rays_of_a_full_binary_tree_are_too_deep` |
+//! | equation 27.15 and fig. 27.15, total reflection from outside | a bubble (η < 1) reflects everything, with weight 1 and not k_r, where the ray passes the centre at a distance above η r; nearer, it reflects k_r | `the_rim_of_a_bubble_is_a_perfect_mirror` |
+//! | the image in a glass ball | a glass ball focuses a distant light at `η r/(2(η − 1))` from its centre: 1.5 r for 1.5 | `a_glass_ball_focuses_at_one_and_a_half_radii` |
+//! |  | a ball of glass shows the wall behind it upside down | `pictures::a_ball_of_glass_turns_the_wall_behind_it_around` |
+//! | shadows of transparent objects | glass blocks light like any other object, unless it casts no shadows; only rays that lead to the eye are refracted | `glass_casts_a_full_shadow_unless_it_casts_none` |
 
 mod pictures;
 mod ray_budget;
@@ -52,8 +69,10 @@ fn through(tree: &RayTree) -> Vec<&RecordedRay> {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: `ω_o × n = −η (t × n)` (Snell's angle, plane and sense in one), `t` unit and behind the
-    /// surface. Oracle: cross products, which the code under test does not use.
+    /// Law: a refracted direction t obeys `ω_o × n = −η (t × n)`, Snell's angle, plane and sense in one;
+    /// it has length 1 and is behind the surface. Oracle: cross products, which the code under test does
+    /// not use.
+    /// Book: Snell's law and the refracted direction.
     #[test]
     fn refraction_obeys_snell((n, wo) in normal_and_direction_above(), eta in 0.4..2.5_f64) {
         let Some(t) = refract(wo, n, eta) else {
@@ -68,6 +87,7 @@ proptest! {
     /// Law: refraction is reversible: refracted in and then, from the inside, out again, a direction is the
     /// original one. Oracle: that direction; near the critical angle the way out is as steep as a square
     /// root.
+    /// Book: Snell's law and the refracted direction.
     #[test]
     fn refraction_can_be_reversed((n, wo) in normal_and_direction_above(), eta in 0.4..2.5_f64) {
         let Some(t) = refract(wo, n, eta) else { return Ok(()) };
@@ -79,8 +99,9 @@ proptest! {
         }
     }
 
-    /// Law: straight on, a ray goes straight through, whatever η; so does each ray for η = 1, to a few
-    /// u. Oracle: −ω_o.
+    /// Law: straight on, a ray goes straight through, whatever η; so does each ray for η = 1. Oracle:
+    /// −ω_o, to a few u.
+    /// Book: Snell's law and the refracted direction.
     #[test]
     fn nothing_bends_a_ray_at_normal_incidence_or_between_equal_media(
         (n, wo) in normal_and_direction_above(),
@@ -92,8 +113,9 @@ proptest! {
         prop_assert!((same + wo).length() <= 4.0 * U, "{same:?}");
     }
 
-    /// Law: the rarer side never sees total reflection; the denser one beyond `asin(1/η)` exactly.
-    /// Oracle: the sine of the angle against the ratio of the indices.
+    /// Law: a ray from the rarer side is never totally reflected; one from the denser side is, beyond
+    /// `asin(1/η)` exactly. Oracle: the sine of the angle against the ratio of the indices.
+    /// Book: total internal reflection.
     #[test]
     fn total_reflection_needs_the_denser_side(cos_o in cosine(), eta in 1.0..3.0_f64) {
         let lobe = PerfectTransmitter { transmittance: 1.0, eta };
@@ -107,6 +129,7 @@ proptest! {
 
     /// Law: a ray leaves a slab in its original direction, displaced by `s = T sin(θ_i − θ_t)/cosθ_t`, with
     /// the weight `k_t²` (the two η² cancel). Oracle: the closed form in the two angles (ch. 27).
+    /// Book: the transmitted radiance: k_t/η².
     #[test]
     fn a_slab_shifts_a_ray_and_weighs_it_kt_squared(
         theta in 0.0..1.4_f64,
@@ -134,6 +157,7 @@ proptest! {
 
     /// Law: a body of η = 1, k_r = 0, k_t = 1 cannot be seen, at any depth from 2 on; at a smaller depth it
     /// looks black. Oracle: the scene without it (ch. 27).
+    /// Book: the material Transparent and its tree of rays.
     #[test]
     fn a_body_of_index_one_is_invisible(
         to_eye in unit(),
@@ -177,6 +201,7 @@ proptest! {
     /// `B (1 − k_t k_rᴺ⁻¹)`: `k_r B` at depth 1, `(k_r + k_t²) B` at depth 2, increasing towards B; at depth
     /// 0 it is black. There is no total reflection inside. Oracle: the geometric series of inner reflections
     /// (ch. 27).
+    /// Book: the material Transparent and its tree of rays.
     #[test]
     fn a_glass_ball_adds_up_its_inner_reflections(
         to_eye in unit(),
@@ -203,6 +228,7 @@ proptest! {
 
     /// Law: a bubble (η < 1) reflects everything, with weight 1 and not k_r, where the ray passes the centre
     /// at a distance above η r; nearer, it reflects k_r. Oracle: the impact parameter (equation 27.15).
+    /// Book: equation 27.15 and fig. 27.15, total reflection from outside.
     #[test]
     fn the_rim_of_a_bubble_is_a_perfect_mirror(
         to_eye in unit(),
@@ -224,6 +250,7 @@ proptest! {
 
     /// Law: an eye inside the dense medium sees `η² k_t B` through its surface: radiance is squeezed
     /// into a smaller cone. Oracle: the product; outside, looking in, it is `1/η²` (ch. 27).
+    /// Book: the transmitted radiance: k_t/η².
     #[test]
     fn radiance_grows_by_eta_squared_in_the_denser_medium(d in unit(), eta in 1.0..2.5_f64) {
         let mut scene = deep_stage(BACKGROUND, 1);
@@ -235,8 +262,10 @@ proptest! {
     }
 }
 
-/// Law: total reflection begins at 41.8103°, 48.7535°, 24.4075°, and from glass to water at 62.457°.
-/// Oracle: the table of ch. 27, against the angle found by halving an interval.
+/// Law: total reflection begins at 41.8103° in glass, 48.7535° in water, 24.4075° in diamond, and from
+/// glass to water at 62.457°. Oracle: the table of ch. 27, against the angle found by halving an
+/// interval.
+/// Book: total internal reflection.
 #[test]
 fn critical_angles_are_those_of_the_table() {
     for (eta, degrees) in [(1.5, 41.8103), (1.33, 48.7535), (2.42, 24.4075), (1.5 / 1.33, 62.457)] {
@@ -250,8 +279,9 @@ fn critical_angles_are_those_of_the_table() {
     }
 }
 
-/// Law: a slab 1 thick of index 1.5 met at 45° refracts to 28.1255° and shifts by 0.329142. Oracle:
+/// Law: a slab 1 thick of index 1.5 refracts a ray at 45° to 28.1255° and shifts it by 0.329142. Oracle:
 /// those numbers (ch. 27).
+/// Book: the transmitted radiance: k_t/η².
 #[test]
 fn a_slab_of_glass_shifts_by_a_third_at_45_degrees() {
     let mut scene = deep_stage(BACKGROUND, 2);
@@ -264,8 +294,9 @@ fn a_slab_of_glass_shifts_by_a_third_at_45_degrees() {
     assert!((angle - 28.1255).abs() < 5e-5 && (aside - 0.329142).abs() < 5e-7, "{angle} {aside}");
 }
 
-/// Law: a distant light is focused at `η r/(2(η − 1))` from the centre of a glass ball: 1.5 r for 1.5.
-/// Oracle: the paraxial formula; a ray at height h misses it by order h².
+/// Law: a glass ball focuses a distant light at `η r/(2(η − 1))` from its centre: 1.5 r for 1.5. Oracle:
+/// the paraxial formula; a ray at height h misses it by order h².
+/// Book: the image in a glass ball.
 #[test]
 fn a_glass_ball_focuses_at_one_and_a_half_radii() {
     for eta in [1.5, 1.8] {
@@ -279,8 +310,9 @@ fn a_glass_ball_focuses_at_one_and_a_half_radii() {
     }
 }
 
-/// Law: one sample casts at most `2^(depth+1) − 1` rays, however many glass bodies there are. Oracle: the
-/// full binary tree, over random rays among three glass bodies.
+/// Law: among glass bodies one sample casts at most `2^(depth+1) − 1` rays, however many bodies there
+/// are. Oracle: the full binary tree, over random rays among three glass bodies.
+/// Book: the material Transparent and its tree of rays.
 #[test]
 fn glass_casts_no_more_rays_than_a_binary_tree() {
     let mut scene = deep_stage(BACKGROUND, 7);
@@ -301,6 +333,7 @@ fn glass_casts_no_more_rays_than_a_binary_tree() {
 
 /// Law: glass blocks light like any other object, unless it casts no shadows; only rays that lead to the eye
 /// are refracted. Oracle: black, and the light without the ball (ch. 27).
+/// Book: shadows of transparent objects.
 #[test]
 fn glass_casts_a_full_shadow_unless_it_casts_none() {
     let mut scene = deep_stage(Rgb::BLACK, 5);

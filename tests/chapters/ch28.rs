@@ -2,6 +2,39 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | Fresnel's equations | R is half the sum of `sin²(θ_i − θ_t)/sin²(θ_i + θ_t)` and `tan²(θ_i − θ_t)/tan²(θ_i + θ_t)`, for unpolarised light, and T the rest | `fresnel::reflection_is_fresnels_in_terms_of_angles` |
+//! |  | of light in the plane of incidence the square of `(η cosθ_i − cosθ_t)/(η cosθ_i + cosθ_t)` is reflected, of light across it that of `(cosθ_i − η cosθ_t)/(cosθ_i + η cosθ_t)`; the rest is transmitted | `polarised::each_polarisation_divides_as_fresnel_says` |
+//! |  | R and T of unpolarised light are the means of both polarisations, of each of which they add up to 1 | `polarised::unpolarised_light_is_the_mean` |
+//! |  | light that is not reflected is transmitted: R + T = 1 within 8u, and both are from 0 to 1 | `fresnel::reflected_and_transmitted_light_add_up_to_all` |
+//! |  | straight on, R is .04 between air and glass, .020059 air and water, .172395 air and diamond, .003608 water and glass, .055081 glass and diamond, .084487 water and diamond, the same for `1/η`, and T is `4η/(η + 1)²` | `fresnel::normal_incidence_reflects_as_in_the_table` |
+//! |  | between equal media nothing is reflected, also at grazing incidence; between other media grazing light is reflected entirely | `fresnel::equal_media_reflect_nothing_and_grazing_light_is_reflected_whole` |
+//! |  | at the critical angle R is continuous: beyond it 1, before it `1 − R = T ≤ 2 (1 + η²)/(η cosθ_i) √margin`, margin the distance of `sin²θ_i/η²` from 1 | `fresnel::reflection_is_continuous_at_the_critical_angle` |
+//! |  | R and T from the other side, at the refracted angle and with `1/η`, are the same | `fresnel::reflection_is_the_same_from_the_other_side` |
+//! |  | light polarised in the plane of incidence is not reflected at Brewster's angle, where tan θ = η; straight on, both polarisations are equal | `polarised::light_in_the_plane_passes_whole_at_brewsters_angle` |
+//! |  | at Brewster's angle, 56.3099° for glass, only one polarisation is reflected: R = .073964, half of .147929 | `fresnel::at_brewsters_angle_half_of_the_light_is_never_reflected` |
+//! | the material Dielectric | the weights of the two lobes are Fresnel's R and, as radiance, `T/η²`; seen from the inner side with `1/η` | `fresnel::the_lobes_weigh_light_by_fresnels_shares` |
+//! |  | a body with the same medium on both sides cannot be seen | `equal_media_have_no_boundary` |
+//! |  | straight on, a slab of glass transmits `(1 − R)/(1 + R)` and reflects `2R/(1 + R)`: .923077 and .076923 | `a_slab_divides_light_as_all_its_inner_reflections_do` |
+//! | fig. 28.6, a glass ball before white | a glass ball before uniform white, depth N ≥ 1, shows `1 − (1 − R) R^(N−1)` in each pixel, R the Fresnel value of its angle: the angles inside are all equal | `each_pixel_of_a_glass_ball_is_a_geometric_series` |
+//! |  | the centre of a glass ball before uniform white is .04, .9616, .998464 and .99993856 at depths 1 to 4 | `the_centre_of_a_glass_ball_has_the_values_of_the_book` |
+//! |  | a path that takes one of two branches at each surface has the mean of the ray tree: in uniform white a glass ball shows `1 − (1 − R) R^(N−1)` at depth N by every path tracer, here at depths 1 to 4 | `pictures::a_glass_ball_is_the_same_by_paths_as_by_trees` |
+//! | fig. 28.7, the world seen from under water | under water the sky is seen within 48.7535° of straight up only, as `η² (1 − R)` times itself; outside that cone, the surface is a perfect mirror of the ground | `snells_window_is_a_cone` |
+//! |  | a fisheye that looks straight up from under water sees the whole sky in a disc of 48.7535° of its 90°, as `1 − R` with the exposure `1/η²`, and around it the ground, mirrored in the surface | `pictures::a_fisheye_under_water_sees_snells_window` |
+//! | 28.4, colour filtering | transmittances multiply over lengths; each channel by itself | `fresnel::transmittances_multiply` |
+//! |  | the transmittance is 1 wherever σ or t is 0, also if the other is ∞; otherwise an infinite σ or t is black | `fresnel::transmittance_is_one_without_medium_or_without_length` |
+//! |  | a tinted ball of index 1 lets `cf^(2√(r² − p²))` through at distance p from its centre, by Beer's law | `a_tinted_ball_filters_by_the_length_of_its_chord` |
+//! |  | the filters of two slabs multiply: `cf^(t₁ + t₂)`, at an angle `cf^((t₁ + t₂)/cosθ)`; and lengths times s equal `cf^s` | `tinted_slabs_multiply` |
+//! |  | Beer's law on a wedge: across an edge of an absorbing medium of index 1, whose thickness grows by 2 for each unit, a row of pixels falls exponentially, each channel by its own σ, and each pixel is the mean over its width | `pictures::a_wedge_dims_a_row_of_pixels_as_beer_says` |
+//! |  | each ray is dimmed by the medium it is in, over its own length, also after total reflection and between nested bodies | `each_ray_is_dimmed_by_its_own_medium` |
+//! |  | in a medium that absorbs, what is infinitely far away is black, in the channels that it absorbs only; clear channels pass unchanged | `the_background_behind_an_absorbing_medium_is_black` |
+//! |  | a slab transmits `(1 − R)² a/(1 − R² a²)` and reflects `R + (1 − R)² R a²/(1 − R² a²)`, `a = exp(−σ T/cosθ_t)`, at every angle and under every tracer that follows glass: exactly with ray trees, and in the mean with paths | `pictures::an_absorbing_slab_sums_the_series_under_every_tracer` |
+//! | 28.5, nested dielectrics | only the ratio of the indices bends light: glass in water is η = 1.5/1.33, with R = .003608 straight on, on whichever side the eye is | `glass_in_water_hardly_reflects` |
+//! | fig. 28.20, a glass box | a ray that enters a box of η > √2 never leaves through a face at right angles to the first; with 1.33 some do | `no_light_leaves_a_glass_block_by_the_next_face` |
+//! | 28.6.3, views from inside | an eye in glass looking straight out at uniform light 1, depth 1, sees `η² (1 − R) = 2.16`; with the exposure `1/η²` it sees .96 | `an_eye_in_glass_sees_2_16` |
+//! | 28.7 and 28.8, a glass of water and a fish bowl | along every ray through a glass of water, which has 8 parts, or a fish bowl, which has 7, the medium behind a boundary is the one before the next, from air to air: no gap, no overlap, no normal on the wrong side | `vessels::media_follow_one_another_along_every_ray` |
+//! |  | with all indices 1 and nothing absorbed a vessel is invisible | `vessels::vessels_of_one_medium_are_invisible` |
+//! |  | straight down through the water of the glass, light passes 1.2 of water and, in the base, .3 of glass, and the reflections are those of water, water to glass, and glass to air | `vessels::straight_down_a_glass_of_water_light_passes_three_boundaries` |
+//! |  | the meniscus of the fish bowl is tangent to the water's level and to the glass: x_c = .901388, y_c = .3, β = 18.408° | `vessels::the_meniscus_touches_level_and_glass_without_an_angle` |
 
 mod fresnel;
 mod pictures;
@@ -50,6 +83,7 @@ fn child(node: &RecordedRay, kind: RayKind) -> Option<&RecordedRay> {
 /// Law: a glass ball before uniform white, depth N ≥ 1, shows `1 − (1 − R) R^(N−1)` in each pixel, R the
 /// Fresnel value of its angle: the angles inside are all equal. Oracle: that series, with R in terms of
 /// sines and tangents, from the pixel's distance to the centre (ch. 28).
+/// Book: fig. 28.6, a glass ball before white.
 #[test]
 fn each_pixel_of_a_glass_ball_is_a_geometric_series() {
     for depth in [0, 1, 2, 3, 4, 6] {
@@ -77,8 +111,9 @@ fn each_pixel_of_a_glass_ball_is_a_geometric_series() {
     }
 }
 
-/// Law: the centre of that ball is .04, .9616, .998464, .99993856 at depths 1 to 4. Oracle: those
-/// numbers (ch. 28).
+/// Law: the centre of a glass ball before uniform white is .04, .9616, .998464 and .99993856 at depths 1
+/// to 4. Oracle: those numbers (ch. 28).
+/// Book: fig. 28.6, a glass ball before white.
 #[test]
 fn the_centre_of_a_glass_ball_has_the_values_of_the_book() {
     for (depth, expected) in [(1, 0.04), (2, 0.9616), (3, 0.998464), (4, 0.99993856)] {
@@ -91,6 +126,7 @@ fn the_centre_of_a_glass_ball_has_the_values_of_the_book() {
 
 /// Law: straight on, a slab of glass transmits `(1 − R)/(1 + R)` and reflects `2R/(1 + R)`: .923077 and
 /// .076923. Oracle: the sum over all inner reflections; an emitter on one side only separates the two.
+/// Book: the material Dielectric.
 #[test]
 fn a_slab_divides_light_as_all_its_inner_reflections_do() {
     for (height, normal, expected) in
@@ -110,6 +146,7 @@ proptest! {
 
     /// Law: a body with the same medium on both sides cannot be seen. Oracle: the background, exact;
     /// no ray is reflected.
+    /// Book: the material Dielectric.
     #[test]
     fn equal_media_have_no_boundary(to_eye in unit(), target in point(0.9), eta in 0.5..3.0_f64) {
         let mut scene = deep_stage(BACKGROUND, 4);
@@ -121,8 +158,9 @@ proptest! {
         prop_assert_eq!(counted(&built(&scene), eye, target - eye).reflected, 0);
     }
 
-    /// Law: Beer: a tinted ball of index 1 lets `cf^(2√(r² − p²))` through at distance p from its centre.
-    /// Oracle: the chord, by Pythagoras (ch. 28).
+    /// Law: a tinted ball of index 1 lets `cf^(2√(r² − p²))` through at distance p from its centre, by
+    /// Beer's law. Oracle: the chord, by Pythagoras (ch. 28).
+    /// Book: 28.4, colour filtering.
     #[test]
     fn a_tinted_ball_filters_by_the_length_of_its_chord(
         to_eye in unit(),
@@ -142,8 +180,9 @@ proptest! {
         close!(seen, expected, tolerance);
     }
 
-    /// Law: two slabs multiply: `cf^(t₁ + t₂)`, at an angle `cf^((t₁ + t₂)/cosθ)`; and lengths times s equal
-    /// `cf^s`. Oracle: one exponential (Beer; ch. 28).
+    /// Law: the filters of two slabs multiply: `cf^(t₁ + t₂)`, at an angle `cf^((t₁ + t₂)/cosθ)`; and
+    /// lengths times s equal `cf^s`. Oracle: one exponential (Beer; ch. 28).
+    /// Book: 28.4, colour filtering.
     #[test]
     fn tinted_slabs_multiply(
         (t1, t2) in (0.0..2.0_f64, 0.0..2.0_f64),
@@ -172,6 +211,7 @@ proptest! {
     /// Law: each ray is dimmed by the medium it is in, over its own length, also after total reflection and
     /// between nested bodies. Oracle: for each ray of the tree, the balls that contain its midpoint, and the
     /// exponential of its length (ch. 28: `t` of the secondary ray, not of the hit before).
+    /// Book: 28.4, colour filtering.
     #[test]
     fn each_ray_is_dimmed_by_its_own_medium(
         from in point(3.0),
@@ -209,6 +249,7 @@ proptest! {
     /// Law: under water the sky is seen within 48.7535° of straight up only, as `η² (1 − R)` times itself;
     /// outside that cone, the surface is a perfect mirror of the ground. Oracle: the critical angle, and
     /// black or an emitter beneath (the Snell window; ch. 28).
+    /// Book: fig. 28.7, the world seen from under water.
     #[test]
     fn snells_window_is_a_cone(degrees in 0.0..89.9_f64, phi in 0.0..TAU) {
         let theta = groundtruth::math::to_radians(degrees);
@@ -238,6 +279,7 @@ proptest! {
 
 /// Law: an eye in glass looking straight out at uniform light 1, depth 1, sees `η² (1 − R) = 2.16`; with
 /// the exposure `1/η²` it sees .96. Oracle: those numbers (ch. 28).
+/// Book: 28.6.3, views from inside.
 #[test]
 fn an_eye_in_glass_sees_2_16() {
     let mut scene = deep_stage(Rgb::WHITE, 1);
@@ -255,6 +297,7 @@ fn an_eye_in_glass_sees_2_16() {
 
 /// Law: in a medium that absorbs, what is infinitely far away is black, in the channels that it absorbs
 /// only; clear channels pass unchanged. Oracle: the limit of `exp(−σt)`.
+/// Book: 28.4, colour filtering.
 #[test]
 fn the_background_behind_an_absorbing_medium_is_black() {
     let mut scene = deep_stage(BACKGROUND, 3);
@@ -265,6 +308,7 @@ fn the_background_behind_an_absorbing_medium_is_black() {
 
 /// Law: a ray that enters a box of η > √2 never leaves through a face at right angles to the first; with 1.33
 /// some do. Oracle: the inequality `sin² ≥ 1 − 1/η² > 1/η²`, counted over 10⁴ random rays (ch. 28).
+/// Book: fig. 28.20, a glass box.
 #[test]
 fn no_light_leaves_a_glass_block_by_the_next_face() {
     let escapes = |eta: f64| {
@@ -290,6 +334,7 @@ fn no_light_leaves_a_glass_block_by_the_next_face() {
 
 /// Law: only the ratio of the indices bends light: glass in water is η = 1.5/1.33, with R = .003608
 /// straight on, on whichever side the eye is. Oracle: the table of ch. 28.
+/// Book: 28.5, nested dielectrics.
 #[test]
 fn glass_in_water_hardly_reflects() {
     let mut scene = deep_stage(Rgb::WHITE, 1);

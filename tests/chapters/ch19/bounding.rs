@@ -52,6 +52,7 @@ fn a_line_may_meet_a_box_up_to_its_corner_and_no_farther() {
 
 /// Law: a ray may meet a box if it starts before the point where it leaves the box, and not if it starts
 /// beyond that, up to rounding. Oracle: worked by hand.
+/// Book: listing 19.1, the bounding box.
 #[test]
 fn a_ray_may_meet_a_box_up_to_where_it_leaves_it() {
     let unit = Aabb { min: Point::ORIGIN, max: Point::new(1.0, 1.0, 1.0) };
@@ -66,8 +67,9 @@ fn a_ray_may_meet_a_box_up_to_where_it_leaves_it() {
     }
 }
 
-/// Law: the answer is right for rays along an axis, in the plane of a face and beside it, with zeros of
-/// either sign; also for empty and infinite boxes. Oracle: worked by hand.
+/// Law: the test of a box is right for rays along an axis, in the plane of a face and beside it, with
+/// zeros of either sign; also for empty and infinite boxes. Oracle: worked by hand.
+/// Book: listing 19.1, the bounding box.
 #[test]
 fn zeros_and_infinite_boxes_are_handled() {
     let unit = Aabb { min: Point::ORIGIN, max: Point::new(1.0, 1.0, 1.0) };

@@ -39,6 +39,7 @@ fn at_parts() -> [(&'static str, Ray); 4] {
 
 /// Law: a part that is named in `materials` has that material; every other part has the material of the
 /// whole solid (`None`). Oracle: the list itself.
+/// Book: compound objects.
 #[test]
 fn each_part_of_a_solid_has_its_material() {
     for (part, _) in at_parts() {

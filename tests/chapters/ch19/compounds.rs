@@ -9,7 +9,9 @@ use groundtruth::shapes::{
     ThickRing,
 };
 
-/// Law and oracle: as [`check_pieces`]; the equation of a cone (Suffern, ch. 19).
+/// Law: a solid cone is closed; its inside is where `0 ≤ y` and `√(x² + z²) ≤ r (1 − y/h)`. Oracle: those
+/// inequalities, between the hits of a line (`check_pieces`).
+/// Book: compound objects.
 #[test]
 fn a_solid_cone_is_closed_and_obeys_its_inequality() {
     let mut draw = Draw::new(1930);
@@ -22,7 +24,10 @@ fn a_solid_cone_is_closed_and_obeys_its_inequality() {
     }
 }
 
-/// Law and oracle: as [`check_pieces`]; the cylinders and planes of the ring (Suffern, ch. 19).
+/// Law: a thick ring and a solid cylinder are closed; the inside of the cylinder is where `y0 ≤ y ≤ y1`
+/// and `√(x² + z²) ≤ r`, that of the ring is between two such walls. Oracle: those inequalities, between
+/// the hits of a line (`check_pieces`).
+/// Book: compound objects.
 #[test]
 fn a_thick_ring_and_a_solid_cylinder_are_closed_and_obey_their_inequalities() {
     let mut draw = Draw::new(1931);
@@ -49,8 +54,10 @@ fn bowl(draw: &mut Draw) -> ([f64; 2], f64) {
     ([outer * draw.between(0.7, 0.98), outer], opening)
 }
 
-/// Law and oracle: as [`check_pieces`]; two spheres, and the plane of the rim, where the inner sphere
-/// opens at the given angle.
+/// Law: a flat-rimmed bowl is closed; its inside is between two spheres and below the plane of the rim,
+/// where the inner sphere opens at the given angle. Oracle: those inequalities, between the hits of a
+/// line (`check_pieces`).
+/// Book: exercise 19.25, the flat-rimmed bowl.
 #[test]
 fn a_flat_rimmed_bowl_is_closed_and_lies_between_its_spheres_below_its_rim() {
     let mut draw = Draw::new(1932);
@@ -69,8 +76,10 @@ fn a_flat_rimmed_bowl_is_closed_and_lies_between_its_spheres_below_its_rim() {
     }
 }
 
-/// Law and oracle: as [`check_pieces`]; two spheres up to the cone of the opening, and a tube whose
-/// centre circle is on that cone, half-way between the spheres.
+/// Law: a round-rimmed bowl is closed; its inside is between two spheres up to the cone of the opening,
+/// and in a tube whose centre circle is on that cone, half-way between the spheres. Oracle: those
+/// inequalities, between the hits of a line (`check_pieces`).
+/// Book: compound objects.
 #[test]
 fn a_round_rimmed_bowl_is_closed_and_ends_in_a_tube() {
     let mut draw = Draw::new(1933);
@@ -93,8 +102,9 @@ fn a_round_rimmed_bowl_is_closed_and_ends_in_a_tube() {
     }
 }
 
-/// Law: the rim joins both spheres smoothly: at the seam points and normals agree. Oracle: the direction
-/// from the centre, which is the direction of both spheres' normals.
+/// Law: the rim of a round-rimmed bowl joins both spheres smoothly: at the seam points and normals agree.
+/// Oracle: the direction from the centre, which is the direction of both spheres' normals.
+/// Book: compound objects.
 #[test]
 fn the_rim_of_a_bowl_touches_both_spheres() {
     /// Tolerance for the direction of a normal, 1e-9 degrees from the seam, where the curvature is
@@ -126,8 +136,11 @@ fn the_rim_of_a_bowl_touches_both_spheres() {
     }
 }
 
-/// Law and oracle: as [`check_pieces`]; the spheres through three known points of each hollow. The
-/// radius for (4, 2, 0.35) is worked by hand: (0.825² + 4²)/(2·0.825) = 10.10947.
+/// Law: a concave lens is closed; its inside is a disk without two balls, of the radius `ρ = (d² +
+/// R²)/2d` if each hollow is d deep: 10.10947 for (4, 2, 0.35). Oracle: the spheres through three known
+/// points of each hollow, between the hits of a line (`check_pieces`); the radius worked by hand: (0.825²
+/// + 4²)/(2·0.825).
+/// Book: compound objects.
 #[test]
 fn a_concave_lens_is_a_disk_without_two_balls() {
     let mut draw = Draw::new(1934);
@@ -177,8 +190,9 @@ fn the_hollows_of_flat_lenses_end_at_the_rim() {
     }
 }
 
-/// Law: a cut face is hit where its inequalities hold, and its normal is (0, 1, 0). Oracle: the point
-/// aimed at.
+/// Law: a cut face is the square of side `size` in the plane y = 0 without the disk `x² + z² < radius²`
+/// about its centre, and its normal is (0, 1, 0). Oracle: the point aimed at.
+/// Book: compound objects.
 #[test]
 fn a_cut_face_is_a_square_without_a_disk() {
     let mut draw = Draw::new(1935);

@@ -7,6 +7,7 @@ use crate::prelude::*;
 
 /// Law: convex and concave twins are hit at the same points, with opposite normals. Oracle: each
 /// other, bit for bit.
+/// Book: spheres, cylinders and cones, convex and concave.
 #[test]
 fn inward_twins_have_the_same_hits_and_opposite_normals() {
     let twins = |inward: bool| -> [Arc<dyn Shape>; 6] {

@@ -63,7 +63,9 @@ fn together(a: &Kind, b: &Kind, ray: &Ray) -> Vec<f64> {
     all
 }
 
-/// Law: a part and its complement are the whole, bit for bit. Oracle: the whole.
+/// Law: a part of a sphere, cylinder or annulus and its complement are the whole, bit for bit. Oracle:
+/// the whole.
+/// Book: part objects.
 #[test]
 fn a_part_and_its_complement_are_the_whole() {
     let mut draw = Draw::new(1930);
@@ -114,7 +116,9 @@ fn in_range(phi: f64, [from, to]: [f64; 2]) -> bool {
     phi <= if to < from { to + 360.0 } else { to }
 }
 
-/// Law: a point of the whole is hit exactly if its angles are in the range. Oracle: degrees compared.
+/// Law: a point of a sphere, cylinder or annulus is hit on its part exactly if its angles are in the
+/// range. Oracle: degrees compared.
+/// Book: part objects.
 #[test]
 fn a_point_is_hit_if_its_angles_are_in_range() {
     let mut draw = Draw::new(1932);
@@ -162,6 +166,7 @@ fn a_point_is_hit_if_its_angles_are_in_range() {
 
 /// Law: the ranges 350 to 360 and 0 to 10 meet at +z without a gap, each covers only its own side, and
 /// 350 to 10 covers both. Oracle: the azimuths aimed at.
+/// Book: part objects.
 #[test]
 fn ranges_meet_at_azimuth_zero() {
     let ranges = [[350.0, 360.0], [0.0, 10.0], [350.0, 10.0], [-10.0, 10.0]];
@@ -203,6 +208,7 @@ fn ranges_with_a_common_end_leave_no_gap() {
 }
 
 /// Law: azimuths run from +z to +x, polar angles from +y. Oracle: worked by hand.
+/// Book: part objects.
 #[test]
 fn azimuths_run_from_z_to_x_and_polar_angles_from_y() {
     let hit = |phi, theta, toward: Vector| {
@@ -225,7 +231,9 @@ fn azimuths_run_from_z_to_x_and_polar_angles_from_y() {
     }
 }
 
-/// Law: where the first root is outside the range, the second is found. Oracle: worked by hand.
+/// Law: where the first root is outside the range of a part, as at the opening of a bowl, the second is
+/// found. Oracle: worked by hand.
+/// Book: part objects.
 #[test]
 fn the_inside_of_a_bowl_is_seen_from_above() {
     let bowl = PartSphere {
@@ -250,6 +258,7 @@ fn the_inside_of_a_bowl_is_seen_from_above() {
 }
 
 /// Law: hits of part spheres have their angles in range. Oracle: angles by atan2 and acos.
+/// Book: part objects.
 #[test]
 fn hits_of_part_spheres_have_angles_in_range() {
     const CLOSE: f64 = 1e-9;

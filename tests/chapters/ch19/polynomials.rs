@@ -8,7 +8,9 @@ use crate::prelude::*;
 /// different coefficients (`numerics.md`).
 const RESIDUAL: f64 = 8.0 * U;
 
-/// Law: the solver's textbook examples. Oracle: the polynomials are made from their roots.
+/// Law: the roots of known quartics are found: 1, 2, 3 and 4; ±1 and ±2 of `x⁴ − 5x² + 4`; ±1 of `x⁴ −
+/// 1`; none of `x⁴ + 1`. Oracle: the polynomials are made from their roots.
+/// Book: tori and their quartic equation.
 #[test]
 fn the_textbook_quartics_have_their_roots() {
     let examples: [(&[f64], &[f64]); 6] = [
@@ -79,8 +81,10 @@ fn any(draw: &mut Draw) -> Vec<f64> {
     c
 }
 
-/// Law: all roots are found and no others, unless a change of the coefficients by 16u changes their
-/// number. Each root has a residual of at most 8u of its terms. Oracle: 512-bit arithmetic.
+/// Law: all real roots of a polynomial are found and no others, unless a change of the coefficients by
+/// 16u changes their number. Each root has a residual of at most 8u of its terms. Oracle: 512-bit
+/// arithmetic.
+/// Book: tori and their quartic equation.
 #[test]
 fn every_root_of_an_interval_is_found() {
     let mut draw = Draw::new(1941);

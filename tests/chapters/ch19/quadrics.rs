@@ -13,6 +13,7 @@ const CLOSE: f64 = 1e-13;
 /// Law: every hit of a cone obeys `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`; the normal is
 /// perpendicular to the generator through the point, in the plane of the axis, and outward. Oracle:
 /// the equation, and the line to the apex.
+/// Book: spheres, cylinders and cones, convex and concave.
 #[test]
 fn cone_hits_obey_its_equation_and_normals_are_perpendicular_to_generators() {
     let mut draw = Draw::new(1940);
@@ -38,8 +39,9 @@ fn cone_hits_obey_its_equation_and_normals_are_perpendicular_to_generators() {
     assert!(hits > 5_000, "{hits}");
 }
 
-/// Law: a point of the wall is hit; a point on the other half of the double cone or below the base is
-/// not. Oracle: the point aimed at.
+/// Law: a point of the wall of a cone is hit; a point on the other half of the double cone or below the
+/// base is not. Oracle: the point aimed at.
+/// Book: spheres, cylinders and cones, convex and concave.
 #[test]
 fn a_point_of_the_wall_is_hit_and_one_beyond_its_ends_is_not() {
     let mut draw = Draw::new(1941);
@@ -79,6 +81,7 @@ impl Across for Normal {
 
 /// Law: a line parallel to a generator meets the cone once; a steep line meets this half once; a level
 /// line above the apex does not meet it. Oracle: worked by hand (`|x| = 1 − y`).
+/// Book: spheres, cylinders and cones, convex and concave.
 #[test]
 fn rays_along_generators_and_down_the_axis_meet_a_cone_once() {
     let cone = built(Cone { height: 1.0, radius: 1.0, inward: false });
@@ -99,6 +102,7 @@ fn rays_along_generators_and_down_the_axis_meet_a_cone_once() {
 
 /// Law: a cone with the disk of its base, and a paraboloid with its lid, are closed: every line meets
 /// them an even number of times. Oracle: topology.
+/// Book: compound objects.
 #[test]
 fn a_cone_and_its_base_are_closed() {
     let cone = built(Cone { height: 0.8, radius: 0.6, inward: false });

@@ -28,6 +28,7 @@ const CLOSE: f64 = 1e-13;
 
 /// Law: every hit of a cylinder obeys `x² + z² = r²`, `y0 ≤ y ≤ y1`, and the normal is `(x, 0, z)/r`.
 /// Oracle: the equation.
+/// Book: spheres, cylinders and cones, convex and concave.
 #[test]
 fn cylinder_hits_obey_its_equation() {
     let cylinder = built(OpenCylinder { y0: -0.5, y1: 1.25, radius: 0.75, inward: false });
@@ -51,6 +52,7 @@ fn cylinder_hits_obey_its_equation() {
 
 /// Law: where the near root is beyond an end of the cylinder, the far one is found. Oracle: worked by
 /// hand.
+/// Book: spheres, cylinders and cones, convex and concave.
 #[test]
 fn the_far_wall_of_a_cylinder_is_seen_through_its_open_end() {
     let cylinder = built(OpenCylinder { y0: 0.0, y1: 1.0, radius: 1.0, inward: false });
@@ -60,7 +62,9 @@ fn the_far_wall_of_a_cylinder_is_seen_through_its_open_end() {
     assert_eq!(cylinder.roots(&ray, Span::AHEAD).len(), 1);
 }
 
-/// Law: a box is its six rectangles. Oracle: the rectangles, one by one.
+/// Law: a box has the hits and the outward normals of its six rectangles, from outside and from inside.
+/// Oracle: the rectangles, one by one.
+/// Book: boxes, triangles, rectangles and disks.
 #[test]
 fn a_box_equals_its_six_rectangles() {
     let (min, max) = (Point::new(-0.5, -1.0, 0.25), Point::new(1.0, 0.5, 1.5));
@@ -92,6 +96,7 @@ fn a_box_equals_its_six_rectangles() {
 
 /// Law: barycentric coordinates reproduce the hit, and lie in [0, 1] with a sum up to 1. Oracle:
 /// the vertices weighted.
+/// Book: boxes, triangles, rectangles and disks.
 #[test]
 fn barycentric_coordinates_reproduce_the_hit() {
     let mut draw = Draw::new(1922);
@@ -118,6 +123,7 @@ fn barycentric_coordinates_reproduce_the_hit() {
 }
 
 /// Law: a disk and a rectangle are hit inside their border and not outside. Oracle: the point aimed at.
+/// Book: boxes, triangles, rectangles and disks.
 #[test]
 fn disks_and_rectangles_end_at_their_borders() {
     let mut draw = Draw::new(1923);
@@ -150,6 +156,7 @@ fn disks_and_rectangles_end_at_their_borders() {
 
 /// Law: two triangles that share an edge leave no gap, whichever way they are wound. Oracle: the
 /// points of the edge that rays are aimed at.
+/// Book: boxes, triangles, rectangles and disks.
 #[test]
 fn two_triangles_that_share_an_edge_leave_no_gap() {
     let mut draw = Draw::new(1924);
@@ -244,7 +251,9 @@ fn a_ray_in_the_plane_misses() {
     }
 }
 
-/// Law: bounds contain every hit. Oracle: comparison, with a margin of a few roundings.
+/// Law: the bounding box of a shape contains every hit. Oracle: comparison, with a margin of a few
+/// roundings.
+/// Book: listing 19.1, the bounding box.
 #[test]
 fn bounds_contain_every_hit() {
     let mut draw = Draw::new(1927);
@@ -261,6 +270,7 @@ fn bounds_contain_every_hit() {
 }
 
 /// Law: the normal of a sphere is the gradient of `|p − c|²`. Oracle: central differences.
+/// Book: spheres, cylinders and cones, convex and concave.
 #[test]
 fn normals_of_spheres_are_gradients() {
     let mut draw = Draw::new(1928);

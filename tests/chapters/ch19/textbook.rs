@@ -35,6 +35,7 @@ pub fn easy_rays(shape: &dyn Shape, count: usize) -> Vec<Ray> {
 /// distance, part and normal. Oracle: the library's routines, which other tests compare with exact
 /// answers. A few rays may differ: those that pass an edge within rounding and, for algebraic surfaces,
 /// those with two roots between two samples.
+/// Book: the hit functions of objects.
 #[test]
 fn textbook_and_robust_agree_on_easy_rays() {
     const RAYS: usize = 400;
@@ -81,6 +82,7 @@ fn ball(whole: Intersect, own: Option<Intersect>, epsilon: Option<f64>) -> Scene
 /// Law: hits within epsilon of a ray's origin do not count, for camera rays and for shadow rays. Epsilon
 /// is a distance, whatever the length of the direction; its default is a thousandth. Oracle: the
 /// distance to the sphere of radius 1 is 1 from the centre, and the gap from a point near the surface.
+/// Book: the hit functions of objects.
 #[test]
 fn epsilon_is_a_distance() {
     for length in [0.25, 1.0, 8.0] {
@@ -101,6 +103,7 @@ fn epsilon_is_a_distance() {
 
 /// Law: with the textbook's routine a ray leaves a surface from the hit point itself, `o + t d`. Oracle:
 /// that formula.
+/// Book: the hit functions of objects.
 #[test]
 fn rays_start_at_the_hit_point() {
     let world = built(&ball(Intersect::Textbook, None, None));
@@ -134,6 +137,7 @@ fn the_objects_choice_has_priority_over_the_scenes() {
 
 /// Law: from far away the book's quartic loses many hits of a torus and finds false ones; the library's
 /// routine does neither. Oracle: steps along the ray as long as the torus's distance function allows.
+/// Book: tori and their quartic equation.
 #[test]
 fn quartics_lose_the_roots_of_a_far_torus() {
     /// Of 6144 pixels: about one in a hundred, which is plainly visible.

@@ -24,6 +24,7 @@ fn alone(kind: &Kind, intersect: Intersect) -> World {
 /// there, for finite spans that end before, between and behind the hits, and for directions of length 10⁻³ to
 /// 10³, of which t is measured in lengths. Oracle: `hit` over the same span, of the shape and of a whole
 /// object.
+/// Book: the hit functions of objects.
 #[test]
 fn the_books_shadow_rays_hit_what_its_rays_hit() {
     for (module, kinds) in specimens() {

@@ -23,7 +23,9 @@ fn assert_close(found: &[f64], expected: &[f64], tolerance: f64, case: &str) {
     assert!(equal, "{case}: {found:?}, not {expected:?}");
 }
 
-/// Law: the torus of radii 2 and 0.5 is hit at known distances. Oracle: worked by hand.
+/// Law: the torus of radii 2 and 0.5 is met at t = 2.5, 3.5, 6.5 and 7.5 along x from x = −5, at 4.5 and
+/// 5.5 straight down from (0, 5, 2), and nowhere along its axis. Oracle: worked by hand.
+/// Book: tori and their quartic equation.
 #[test]
 fn a_torus_is_hit_where_arithmetic_says() {
     let shape = built(torus(2.0, 0.5));
@@ -42,6 +44,7 @@ fn a_torus_is_hit_where_arithmetic_says() {
 
 /// Law: rays through the hole of the torus of radii 0.9 and 0.1, on the axis and beside it, miss; a
 /// quartic solver finds false roots there. Oracle: the radius of the hole.
+/// Book: tori and their quartic equation.
 #[test]
 fn rays_through_the_hole_miss() {
     let mut draw = Draw::new(1950);
@@ -74,6 +77,7 @@ fn allowed(size: f64, away: f64, half: f64) -> f64 {
 
 /// Law: the plane of its centre circle cuts a torus in two circles; a plane through its axis cuts it in
 /// the circle of the tube. Thin tubes and thick ones, from near and far. Oracle: Pythagoras.
+/// Book: tori and their quartic equation.
 #[test]
 fn a_torus_is_two_circles_across_and_along() {
     let mut draw = Draw::new(1951);
@@ -132,8 +136,9 @@ fn tangent_rays_hit_inside_and_miss_outside() {
     }
 }
 
-/// Law: every hit obeys the book's equation, and its normal is the gradient of it. Oracle: the quartic,
-/// and its central differences.
+/// Law: every hit of a torus obeys the book's equation, `(x² + y² + z² − a² − b²)² = 4a² (b² − y²)`, and
+/// its normal is the gradient of it. Oracle: the quartic, and its central differences.
+/// Book: tori and their quartic equation.
 #[test]
 fn hits_obey_the_quartic_and_normals_are_its_gradient() {
     let mut draw = Draw::new(1953);
@@ -167,6 +172,7 @@ fn hits_obey_the_quartic_and_normals_are_its_gradient() {
 /// Law: a ray from outside crosses a torus an even number of times, one from inside the tube an odd
 /// number. Oracle: topology; the distance of the origin from the centre circle tells whether it is
 /// inside.
+/// Book: tori and their quartic equation.
 #[test]
 fn outside_rays_cross_a_torus_an_even_number_of_times() {
     let mut draw = Draw::new(1954);
@@ -186,6 +192,7 @@ fn outside_rays_cross_a_torus_an_even_number_of_times() {
 
 /// Law: a torus whose normals point inward is hit at the same points, with opposite normals. Oracle: the
 /// torus with outward normals.
+/// Book: tori and their quartic equation.
 #[test]
 fn an_inward_torus_has_opposite_normals() {
     let mut draw = Draw::new(1955);

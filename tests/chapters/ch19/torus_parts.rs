@@ -18,8 +18,10 @@ fn some_ray(draw: &mut Draw) -> Ray {
     Ray::new(origin, target - origin)
 }
 
-/// Law: a hit of the part is a hit of the whole whose angles are in the ranges. Oracle: the arc
-/// tangent, in degrees, with ranges that wrap.
+/// Law: a part of a torus has the hits of the whole whose azimuth and whose angle around the tube,
+/// `atan2(y, √(x² + z²) − a)`, are in its ranges, which may pass through 360°. Oracle: the arc tangent,
+/// in degrees, with ranges that wrap.
+/// Book: part objects.
 #[test]
 fn a_part_has_the_hits_whose_angles_are_in_its_ranges() {
     let mut draw = Draw::new(1960);
@@ -54,9 +56,10 @@ fn a_part_has_the_hits_whose_angles_are_in_its_ranges() {
     assert!(kept > 5_000 && dropped > 5_000, "{kept} {dropped}");
 }
 
-/// Law: a part and its complement are the whole: each hit of the whole is a hit of one of them, bit for
-/// bit. This holds also for rays aimed at the ends of the range, where both may have the hit. Oracle:
-/// the whole.
+/// Law: a part of a torus and its complement are the whole: each hit of the whole is a hit of one of
+/// them, bit for bit. This holds also for rays aimed at the ends of the range, where both may have the
+/// hit. Oracle: the whole.
+/// Book: part objects.
 #[test]
 fn a_part_and_the_rest_are_the_whole() {
     let mut draw = Draw::new(1961);
@@ -96,8 +99,9 @@ fn a_part_and_the_rest_are_the_whole() {
     assert!(hits > 10_000 && shared > 50, "{hits} hits, {shared} of both parts");
 }
 
-/// Law: the azimuths 350°…360° and 0°…10° meet at +z without a gap, and 350°…10° covers both. Oracle:
-/// points aimed at.
+/// Law: parts of a torus with the azimuths 350°…360° and 0°…10° meet at +z without a gap, and 350°…10°
+/// covers both. Oracle: points aimed at.
+/// Book: part objects.
 #[test]
 fn the_seam_at_azimuth_zero_has_no_gap() {
     let parts = [[350.0, 360.0], [0.0, 10.0], [350.0, 10.0], [-10.0, 10.0]]
@@ -115,7 +119,9 @@ fn the_seam_at_azimuth_zero_has_no_gap() {
     }
 }
 
-/// Law: where the near hit is outside the ranges, the far one is found. Oracle: by hand.
+/// Law: where the near hit of a torus is outside the ranges of its part, the far one is found. Oracle: by
+/// hand.
+/// Book: part objects.
 #[test]
 fn the_far_side_is_seen_through_the_missing_part() {
     let ray = Ray::new(Point::new(-5.0, 0.0, 0.0), Vector::X);
@@ -171,7 +177,9 @@ fn the_box_of_a_part_is_tight() {
     }
 }
 
-/// Law: an inward part has the hits of the outward one, with opposite normals. Oracle: the outward part.
+/// Law: an inward part of a torus has the hits of the outward one, with opposite normals. Oracle: the
+/// outward part.
+/// Book: part objects.
 #[test]
 fn an_inward_part_has_opposite_normals() {
     let mut draw = Draw::new(1964);

@@ -13,6 +13,7 @@ fn as_matrix(t: &Transform) -> Step {
 }
 
 /// Law: a matrix is written row by row, with the translation in the last column. Oracle: worked by hand.
+/// Book: points, vectors and homogeneous matrices.
 #[test]
 fn a_matrix_has_its_entries_in_rows() {
     let t = transform(&[Step::Matrix([

@@ -6,8 +6,10 @@ use super::bevels::{Case, KINDS};
 use crate::prelude::*;
 use crate::support::solids::{built, check_pieces, line};
 
-/// Law: along a line, inside and outside alternate exactly as the distance from the smaller solid is at
-/// most the bevel or larger. Oracle: that distance in closed form.
+/// Law: a beveled box, cylinder, ring or wedge is closed; its inside is what is at most the bevel away
+/// from the solid that is smaller by the bevel on each side. Oracle: that distance in closed form,
+/// between the hits of a line (`check_pieces`).
+/// Book: 21.5, beveled objects.
 #[test]
 fn a_beveled_solid_is_what_is_within_the_bevel_of_a_smaller_one() {
     let mut draw = Draw::new(2130);
@@ -19,8 +21,9 @@ fn a_beveled_solid_is_what_is_within_the_bevel_of_a_smaller_one() {
     }
 }
 
-/// Law: every point of the surface is as far from the smaller solid as the bevel. Oracle: the
-/// distance in closed form.
+/// Law: every point of the surface of a beveled solid is as far from the smaller solid as the bevel.
+/// Oracle: the distance in closed form.
+/// Book: 21.5, beveled objects.
 #[test]
 fn points_of_a_beveled_solid_are_at_the_bevel_from_the_smaller_one() {
     /// Some tens of roundings of coordinates up to 4.
@@ -95,8 +98,9 @@ fn volume(shape: &dyn Shape, n: u32) -> f64 {
     cell * sum
 }
 
-/// Law: volumes are those of the closed forms (Steiner's formula for box and cylinder, Pappus's for
-/// the ring), and so tend to the plain solids' as the square of the bevel. Oracle: those formulas.
+/// Law: volumes of beveled solids are those of the closed forms, and so tend to the plain solids' as the
+/// square of the bevel. Oracle: Steiner's formula for box and cylinder, Pappus's for the ring.
+/// Book: 21.5, beveled objects.
 #[test]
 fn the_volume_of_a_beveled_solid_is_known_and_tends_to_the_plain_one() {
     /// The error of the midpoint rule with 128² cells: part of a cell along borders that are parallel to
@@ -138,8 +142,9 @@ fn the_volume_of_a_beveled_solid_is_known_and_tends_to_the_plain_one() {
     }
 }
 
-/// Law: a beveled cylinder whose bevel is its radius and half its height is a sphere: the unit sphere of
-/// figure 21.13. Oracle: that sphere.
+/// Law: a beveled cylinder whose bevel is its radius and half its height is a sphere, here the unit
+/// sphere. Oracle: that sphere.
+/// Book: fig. 21.13, a beveled cylinder that is a sphere.
 #[test]
 fn the_cylinder_of_figure_21_13_is_a_unit_sphere() {
     let materials = Materials::new();
@@ -165,9 +170,10 @@ fn the_cylinder_of_figure_21_13_is_a_unit_sphere() {
     above!(hits, 15_000);
 }
 
-/// Law: scaling after beveling distorts the bevel (figure 21.12): a cylinder that is beveled and then
-/// stretched is not the stretched cylinder beveled, though both have the same bounding box. Oracle: the
-/// cross-sections of their edges, an ellipse and a circle, at 45°.
+/// Law: scaling after beveling distorts the bevel: a cylinder that is beveled and then stretched is not
+/// the stretched cylinder beveled, though both have the same bounding box. Oracle: the cross-sections of
+/// their edges, an ellipse and a circle, at 45°.
+/// Book: fig. 21.12, scaled bevels.
 #[test]
 fn stretching_a_beveled_cylinder_stretches_its_bevel() {
     let cylinder = |y: f64, bevel| {

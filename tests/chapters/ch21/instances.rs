@@ -38,6 +38,7 @@ const CLOSE: f64 = 1e-9;
 /// Law: an instance of a sphere is the analytic ellipsoid `|A⁻¹(p − b)| = 1`: every hit lies on it,
 /// and a line hits it exactly when the quadratic has roots. Oracle: Cramer's rule on the rows of
 /// the forward matrix, and the textbook quadratic.
+/// Book: ray tracing transformed objects.
 #[test]
 fn an_instance_of_a_sphere_is_the_analytic_ellipsoid() {
     let mut draw = Draw::new(2120);
@@ -83,6 +84,7 @@ fn an_instance_of_a_sphere_is_the_analytic_ellipsoid() {
 
 /// Law: `t` is the same in world space and in object space: a rotated and moved sphere is hit at the `t`
 /// of the moved sphere, whatever the length of the direction. Oracle: the sphere placed there.
+/// Book: ray tracing transformed objects.
 #[test]
 fn an_instance_keeps_t() {
     let mut draw = Draw::new(2121);
@@ -106,8 +108,9 @@ fn an_instance_keeps_t() {
     }
 }
 
-/// Law: stretched by (1, 2, 1), a sphere's normal at 45° tilts to (2, 1)/√5, away from the
-/// stretch. Oracle: worked by hand.
+/// Law: the normal of a sphere stretched by (1, 2, 1), where it was at 45°, tilts to (2, 1)/√5, away from
+/// the stretch. Oracle: worked by hand.
+/// Book: transforming normals.
 #[test]
 fn normals_tilt_by_the_inverse_transpose() {
     let shape = built(instance(unit_sphere(), vec![Step::Scale(Vector::new(1.0, 2.0, 1.0))]));
@@ -121,6 +124,7 @@ fn normals_tilt_by_the_inverse_transpose() {
 }
 
 /// Law: an instance of an instance is the instance of the product. Oracle: the steps in one list.
+/// Book: nested objects and their materials.
 #[test]
 fn an_instance_of_an_instance_is_the_instance_of_the_product() {
     let mut draw = Draw::new(2122);
@@ -150,8 +154,9 @@ fn an_instance_of_an_instance_is_the_instance_of_the_product() {
     above!(hits, 1_000);
 }
 
-/// Law: mirrored in each axis, outward normals stay outward and hits are mirror images. Oracle: the
-/// mirrored ray on the shape itself.
+/// Law: of an object mirrored in an axis the outward normals stay outward, and hits are mirror images.
+/// Oracle: the mirrored ray on the shape itself.
+/// Book: transforming normals.
 #[test]
 fn a_reflection_keeps_outward_normals_outward() {
     let mut draw = Draw::new(2123);
@@ -179,6 +184,7 @@ fn a_reflection_keeps_outward_normals_outward() {
 }
 
 /// Law: every hit lies in the padded bounds of the instance. Oracle: comparison.
+/// Book: 21.4, instances.
 #[test]
 fn the_bounds_of_an_instance_contain_its_hits() {
     let mut draw = Draw::new(2124);
@@ -210,6 +216,7 @@ fn the_bounds_of_an_instance_contain_its_hits() {
 
 /// Law: the local point is in the space of the innermost shape, where textures are evaluated: the
 /// forward map takes it to the hit point. Oracle: the forward map.
+/// Book: the texture of an instance.
 #[test]
 fn the_local_point_stays_in_object_space() {
     let mut draw = Draw::new(2125);

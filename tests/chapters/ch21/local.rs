@@ -50,8 +50,9 @@ impl Aimed for Ray {
 /// Points are within 50 of the origin and pass two maps that stretch at most fourfold.
 const CLOSE: f64 = 50.0 * 256.0 * U;
 
-/// Law: with and without `transform_texture` only the local point differs, and that by `M⁻¹`
-/// exactly (invariant 8). Oracle: the forward map.
+/// Law: with and without `transform_texture` only the local point differs, and that by `M⁻¹` exactly.
+/// Oracle: the forward map.
+/// Book: the texture of an instance.
 #[test]
 fn untransformed_textures_differ_by_the_map_of_the_local_point_alone() {
     let mut draw = Draw::new(2190);
@@ -67,9 +68,9 @@ fn untransformed_textures_differ_by_the_map_of_the_local_point_alone() {
     }
 }
 
-/// Law: of two nested instances an inner `transform_texture = false` undoes the inner map alone:
-/// the texture still moves with the outer one; an outer one undoes both (the book's nested
-/// instances). Oracle: the two forward maps.
+/// Law: of two nested instances an inner `transform_texture = false` undoes the inner map alone: the
+/// texture still moves with the outer one; an outer one undoes both. Oracle: the two forward maps.
+/// Book: the texture of an instance.
 #[test]
 fn a_nested_instance_undoes_its_own_map_alone() {
     let mut draw = Draw::new(2191);
@@ -110,8 +111,9 @@ fn copies_and_parts_keep_their_own_local_points() {
     }
 }
 
-/// Law: a million copies share one mesh (invariant 9). Oracle: the reference count of the mesh; and the
-/// budget of triangles, which 10⁴ separate meshes of 9800 triangles would exceed.
+/// Law: a million copies share one mesh. Oracle: the reference count of the mesh; and the budget of
+/// triangles, which 10⁴ separate meshes of 9800 triangles would exceed.
+/// Book: 21.4, instances.
 #[test]
 fn a_million_copies_hold_one_mesh() {
     let mesh = Kind::from(TessellatedSphere::new(20, 10, false));

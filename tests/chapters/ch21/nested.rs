@@ -115,6 +115,7 @@ fn the_innermost_material_says_whether_a_part_casts_a_shadow() {
 
 /// Law: a material of a compound applies to all its parts, but a part's own material has priority; a
 /// part without any material leaves the choice to the scene. Oracle: worked by hand.
+/// Book: nested objects and their materials.
 #[test]
 fn the_innermost_of_three_materials_wins() {
     let row = Compound {

@@ -38,6 +38,7 @@ fn stones(shape: &dyn Shape, rays: impl Iterator<Item = Ray>, top: f64) -> usize
 
 /// Law: the rings of a rosette have 10, 12, 15, 18, 24 and 36 wedges. Oracle: the grooves that a
 /// circle of rays from above falls into, once around each ring.
+/// Book: fig. 21.11, the rosette and the archway.
 #[test]
 fn the_rings_of_a_rosette_have_the_books_numbers_of_wedges() {
     let shape = built(&rosette(6, 0.05, None).into());
@@ -59,6 +60,7 @@ fn the_rings_of_a_rosette_have_the_books_numbers_of_wedges() {
 /// Law: an archway has the given number of blocks in each column and of wedges over them, and fills the
 /// box of its width, height and depth from the ground up. Oracle: the grooves that rays from the front
 /// fall into, up along each column and around the arch.
+/// Book: fig. 21.11, the rosette and the archway.
 #[test]
 fn an_archway_has_its_blocks_and_wedges_in_its_box() {
     for (blocks, wedges) in [(6, 10), (1, 1), (4, 7)] {
@@ -87,6 +89,7 @@ fn an_archway_has_its_blocks_and_wedges_in_its_box() {
 /// Law: a rosette and an archway are closed and lie inside the plain rings, columns and arch; they fill
 /// these except for grooves and joints. Oracle: the plain solids, and the distance of a point from the
 /// planes and cylinders between stones.
+/// Book: fig. 21.11, the rosette and the archway.
 #[test]
 fn stones_fill_the_plain_solid_but_for_grooves_and_joints() {
     /// In units of the bevel; more than twice the width of the widest joint here.

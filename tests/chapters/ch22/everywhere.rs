@@ -78,8 +78,9 @@ fn balls(draw: &mut Draw, count: usize) -> Vec<Kind> {
     (0..count).map(sphere).map(Kind::from).collect()
 }
 
-/// Law: nested compounds, lattices, meshes, random spheres and instances of all of them have the
-/// same hits, leaves, surfaces and shadows by list, grid and tree (invariant 4). Oracle: the list.
+/// Law: nested compounds, lattices, meshes, random spheres and instances of all of them have the same
+/// hits, leaves, surfaces and shadows by list, grid and tree. Oracle: the list.
+/// Book: nested grids and grids of transformed objects.
 #[test]
 fn nested_grids_and_grids_of_instances_equal_the_list() {
     let mut draw = Draw::new(2290);
@@ -111,8 +112,9 @@ fn nested_grids_and_grids_of_instances_equal_the_list() {
     assert!(hits > 300, "only {hits} hits");
 }
 
-/// Law: planes, which have no bounds, are kept outside the cells of a compound, at any level, and are
-/// hit as in a list (invariant 8). Oracle: the list; for the ray straight down, worked by hand.
+/// Law: planes, which have no bounds, are kept outside the cells of a compound, at any level, and are hit
+/// as in a list. Oracle: the list; for the ray straight down, worked by hand.
+/// Book: setting up the grid.
 #[test]
 fn planes_in_grids_are_hit_as_in_lists() {
     let mut draw = Draw::new(2293);
@@ -139,9 +141,10 @@ fn planes_in_grids_are_hit_as_in_lists() {
     }
 }
 
-/// Law: a hit on an object that covers many cells does not hide a nearer hit in a later cell (the book's
-/// test `t < next`, invariant 6). Oracle: worked by hand: a slanted disk that is found at once but hit
-/// last, with balls before it in later cells, in each direction along each axis.
+/// Law: a hit on an object that covers many cells does not hide a nearer hit in a later cell: a hit
+/// counts only if `t` is below that of the next cell. Oracle: worked by hand: a slanted disk that is
+/// found at once but hit last, with balls before it in later cells, in each direction along each axis.
+/// Book: grid traversal.
 #[test]
 fn a_hit_far_beyond_a_cell_does_not_hide_nearer_ones() {
     for axis in 0..3 {
@@ -171,8 +174,9 @@ fn a_hit_far_beyond_a_cell_does_not_hide_nearer_ones() {
 }
 
 /// Law: rays that start on the boundary of a grid, on its corners and edges, in its last cell, or along
-/// its outer faces with zeros of either sign, find what a list finds (invariant 2). Oracle: the list; a
-/// block of eight touching boxes.
+/// its outer faces with zeros of either sign, find what a list finds. Oracle: the list; a block of eight
+/// touching boxes.
+/// Book: grid traversal.
 #[test]
 fn rays_that_start_on_the_boundary_of_a_grid_equal_the_list() {
     let mut parts = Vec::new();

@@ -74,6 +74,7 @@ fn a_lattice_is_a_compound_of_moved_copies() {
 /// Law: in a lattice of lattices of 10¹⁶ balls the ball aimed at is found, with its leaf number and the
 /// distance to it. Oracle: the leaf number, computed here from its digits; the distance to a single
 /// sphere.
+/// Book: nested grids and grids of transformed objects.
 #[test]
 fn a_ball_among_ten_to_the_sixteenth_is_found() {
     let mut kind = ball(0.375);
@@ -167,8 +168,9 @@ fn spheres(count: u32, radius: f64, seed: u64) -> RandomSpheres {
     RandomSpheres { count, radius, half_side: 1.5, seed, accel: None }
 }
 
-/// Law: random spheres are the compound of their list: `t`, normals and points, bit for bit, and
-/// the leaf is the sphere's number; all methods agree. Oracle: a compound of spheres.
+/// Law: random spheres are the compound of their list, whichever method searches them: `t`, normals and
+/// points, bit for bit, and the leaf is the sphere's number. Oracle: a compound of spheres.
+/// Book: fig. 22.11, random spheres.
 #[test]
 fn random_spheres_equal_a_compound_of_spheres() {
     for (count, radius) in [(1, 1.0), (40, 0.4), (500, 0.1)] {
@@ -196,6 +198,7 @@ fn random_spheres_equal_a_compound_of_spheres() {
 
 /// Law: the same seed gives the same centres, another seed gives others, and a larger count begins with
 /// the same ones. Scaling by 2ᵏ scales every centre exactly. Oracle: each other.
+/// Book: fig. 22.11, random spheres.
 #[test]
 fn a_seed_determines_the_centres_of_random_spheres() {
     let centers = |data: &RandomSpheres| -> Vec<Point> {
@@ -214,6 +217,7 @@ fn a_seed_determines_the_centres_of_random_spheres() {
 
 /// Law: centres are uniform in the cube `[−half_side, half_side]³`: none is outside, and each octant has
 /// its share within five standard deviations. Oracle: the binomial distribution.
+/// Book: fig. 22.11, random spheres.
 #[test]
 fn centres_of_random_spheres_fill_the_cube() {
     let mut octants = [0_u32; 8];

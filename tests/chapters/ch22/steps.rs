@@ -32,9 +32,10 @@ fn cost(method: Method, count: u32, radius: f64) -> [f64; 3] {
     [counts.steps as f64, counts.tests as f64, planes].map(|sum| sum / RAYS as f64)
 }
 
-/// Law: a ray past small spheres passes as many cells as it crosses planes, so that steps and tests
-/// grow like `n^(1/3)` (invariant 7); the list tests all. Oracle: the planes between cells by the
-/// book's formula; twice as many for eight times as many spheres.
+/// Law: a ray past small spheres passes as many cells as it crosses planes, so that steps and tests grow
+/// like `n^(1/3)`; the list tests all. Oracle: the planes between cells by the book's formula; twice as
+/// many for eight times as many spheres.
+/// Book: rendering times.
 #[test]
 fn a_grid_takes_as_many_steps_as_planes_are_crossed() {
     let costs = [1_000, 8_000, 64_000].map(|n| cost(Method::Grid, n, 1e-9));
@@ -50,10 +51,11 @@ fn a_grid_takes_as_many_steps_as_planes_are_crossed() {
     assert_eq!(cost(Method::List, 1_000, 1e-9)[1], 1_000.0);
 }
 
-/// Law: in the book's scene the spheres fill the same share of the cube, however many they are. There
+/// Law: in the book's scene, where the spheres fill the same share of the cube however many they are,
 /// steps grow more slowly than `n^0.3`, because rays end sooner, and few spheres are tested. Oracle:
 /// eight times as many spheres may take 8^0.3 = 1.866 times as many steps; tests of a thousandth of all
 /// spheres.
+/// Book: rendering times.
 #[test]
 fn steps_grow_slowly_in_the_books_scene() {
     let radius = |n: u32| cbrt(0.75 * 0.1 / (std::f64::consts::PI * f64::from(n)));

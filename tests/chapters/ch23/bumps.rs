@@ -24,8 +24,8 @@ fn volume([a, b, c]: [Vector; 3]) -> f64 {
     a.dot(b.cross(c))
 }
 
-/// Law: a mesh with bumps is closed: every edge is shared by exactly two faces in opposite directions
-/// (invariant 3), none is lost, and vertices minus edges plus faces are two. Oracle: counting.
+/// Law: a mesh with bumps is closed: every edge is shared by exactly two faces in opposite directions,
+/// none is lost, and vertices minus edges plus faces are two. Oracle: counting.
 #[test]
 fn bumpy_spheres_are_closed() {
     for mesh in some() {

@@ -7,6 +7,7 @@ use crate::prelude::*;
 /// Law: the three encodings of PLY give the same mesh, and the same hits and shading normals, bit
 /// for bit, with the file's normals and with mean ones. Oracle: each other, and the mesh that was
 /// written.
+/// Book: PLY files.
 #[test]
 fn the_three_encodings_of_ply_give_the_same_hits() {
     let mesh = TessellatedSphere { radius: 1.3, ..TessellatedSphere::new(12, 8, true) }.mesh();

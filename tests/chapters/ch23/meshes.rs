@@ -25,7 +25,9 @@ fn rays(seed: u64, count: usize) -> Vec<Ray> {
     (0..count).map(&mut ray).collect()
 }
 
-/// Law: `2 h (v − 1)` triangles. Oracle: the formula; 3×2 → 6, 4×2 → 8, 100×50 → 9800.
+/// Law: a sphere tessellated in h steps around and v steps along has `2 h (v − 1)` triangles: 6 for 3×2,
+/// 8 for 4×2, 9800 for 100×50. Oracle: the formula.
+/// Book: fig. 23.1, tessellated spheres.
 #[test]
 fn a_tessellated_sphere_has_2h_times_v_minus_1_triangles() {
     for (h, v, count) in [(3, 2, 6), (4, 2, 8), (100, 50, 9800), (5, 4, 30), (7, 3, 28)] {
@@ -34,8 +36,9 @@ fn a_tessellated_sphere_has_2h_times_v_minus_1_triangles() {
     }
 }
 
-/// Law: the area is below 4π and nears it as the square of the steps. Oracle: the sum of triangle areas
-/// by vector products; halving the steps quarters the difference.
+/// Law: the area of a tessellated sphere is below 4π and nears it as the square of the steps. Oracle: the
+/// sum of triangle areas by vector products; halving the steps quarters the difference.
+/// Book: fig. 23.1, tessellated spheres.
 #[test]
 fn the_area_of_a_tessellated_sphere_nears_four_pi_quadratically() {
     let missing = |n: u32| {
@@ -53,6 +56,7 @@ fn the_area_of_a_tessellated_sphere_nears_four_pi_quadratically() {
 }
 
 /// Law: in a closed mesh every edge is passed once in each direction. Oracle: counting.
+/// Book: the mesh and its triangles.
 #[test]
 fn every_edge_of_a_closed_mesh_is_passed_once_each_way() {
     for mesh in [sphere(3, 2, false), sphere(4, 2, false), sphere(17, 9, true), knot()] {
@@ -69,6 +73,7 @@ fn every_edge_of_a_closed_mesh_is_passed_once_each_way() {
 }
 
 /// Law: normals of a tessellated sphere point outward, flat and smooth. Oracle: the centre.
+/// Book: fig. 23.1, tessellated spheres.
 #[test]
 fn normals_of_a_tessellated_sphere_point_outward() {
     for smooth in [false, true] {
@@ -85,6 +90,7 @@ fn normals_of_a_tessellated_sphere_point_outward() {
 }
 
 /// Law: smooth shading changes the shading normal and nothing else. Oracle: the flat mesh.
+/// Book: smooth shading.
 #[test]
 fn flat_and_smooth_meshes_have_the_same_hits() {
     let [flat, smooth] = [false, true].map(|s| sphere(10, 6, s).accelerated(Method::Bvh));
@@ -101,8 +107,9 @@ fn flat_and_smooth_meshes_have_the_same_hits() {
     above!(turned, 1_000);
 }
 
-/// Law: interpolated normals differ from the sphere's own by less than the square of the angle of an
-/// edge. Oracle: `p/|p|`.
+/// Law: interpolated normals of a tessellated sphere differ from the sphere's own by less than the square
+/// of the angle of an edge. Oracle: `p/|p|`.
+/// Book: smooth shading.
 #[test]
 fn smooth_normals_of_a_sphere_are_nearly_its_own() {
     let worst = |n: u32| {
@@ -126,6 +133,7 @@ fn smooth_normals_of_a_sphere_are_nearly_its_own() {
 
 /// Law: a vertex normal is the mean of the normals of its faces, each counted once; (0, 1, 0) where
 /// that is zero or no face touches it. Oracle: brute force over all faces.
+/// Book: normals at the vertices.
 #[test]
 fn vertex_normals_are_the_mean_of_the_adjacent_faces() {
     let mut draw = Draw::new(2333);
@@ -154,6 +162,7 @@ fn vertex_normals_are_the_mean_of_the_adjacent_faces() {
 }
 
 /// Law: on a planar mesh the vertex normals are the face normal. Oracle: the normal of the plane.
+/// Book: normals at the vertices.
 #[test]
 fn vertex_normals_of_a_plane_mesh_are_the_planes() {
     let v = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 3.0], [1.0, 1.0]];
@@ -167,6 +176,7 @@ fn vertex_normals_of_a_plane_mesh_are_the_planes() {
 
 /// Law: reversing a mesh negates every normal and keeps every distance; reversing it twice changes
 /// nothing. Oracle: the mesh before.
+/// Book: reversed normals.
 #[test]
 fn reversing_twice_changes_nothing() {
     for smooth in [false, true] {
@@ -193,6 +203,7 @@ fn reversing_twice_changes_nothing() {
 
 /// Law: a mesh is its triangles: the same hits and normals as loose ones, the nearest of them
 /// first, bit for bit. Oracle: loose triangles one by one.
+/// Book: the mesh and its triangles.
 #[test]
 fn a_mesh_equals_its_loose_triangles() {
     for mesh in [sphere(8, 5, false), knot()] {
@@ -218,6 +229,7 @@ fn a_mesh_equals_its_loose_triangles() {
 
 /// Law: triangles of area zero change neither hits nor mean normals, nor are they counted. Oracle: the
 /// mesh without them.
+/// Book: the mesh and its triangles.
 #[test]
 fn triangles_of_area_zero_change_nothing() {
     let whole = knot();
@@ -244,6 +256,7 @@ fn triangles_of_area_zero_change_nothing() {
 /// and whether they have normals and texture coordinates or not; it does not grow faster than the number
 /// of triangles. Oracle: the same triangles with vertices of their own, with normals and uv, and a
 /// hundred times as many.
+/// Book: the mesh and its triangles.
 #[test]
 fn memory_for_each_triangle_does_not_depend_on_vertices() {
     for method in Method::ALL {
@@ -266,6 +279,7 @@ fn memory_for_each_triangle_does_not_depend_on_vertices() {
 }
 
 /// Law: rays from outside cross a closed mesh an even number of times. Oracle: topology.
+/// Book: the mesh and its triangles.
 #[test]
 fn rays_from_outside_cross_a_closed_mesh_evenly() {
     for mesh in [sphere(16, 9, false), knot()] {

@@ -20,6 +20,7 @@ fn smooth(normals: Option<[Vector; 3]>) -> std::sync::Arc<dyn Shape> {
 /// Law: shading uses the normal `(1 − β − γ) n₀ + β n₁ + γ n₂` of the unit normals, geometry stays
 /// flat. Oracle: the formula at points that are aimed at, and the smooth mesh of one triangle, bit
 /// for bit.
+/// Book: smooth shading.
 #[test]
 fn a_smooth_triangle_is_a_smooth_mesh_of_one_triangle() {
     let (flat, round) = (smooth(None), smooth(Some(normals())));
@@ -97,10 +98,11 @@ fn a_normal_on_the_other_side_is_not_used() {
     assert!(beside > 50, "{beside}");
 }
 
-/// Law: near the outline of a smooth mesh, the interpolated normal may face away from the viewer though
-/// the triangle does not. There a matte or glossy surface is as bright as its interpolated normal says,
-/// as in the book, whose BRDFs do not test on which side of it the viewer is. Oracle: Lambert's cosine
-/// over π; Phong's `(r·ω_o)^e` times the cosine.
+/// Law: near the outline of a smooth mesh, where the interpolated normal may face away from the viewer
+/// though the triangle does not, a matte or glossy surface is as bright as that normal says, as in the
+/// book, whose BRDFs do not test on which side of it the viewer is. Oracle: Lambert's cosine over π;
+/// Phong's `(r·ω_o)^e` times the cosine.
+/// Book: smooth shading.
 #[test]
 fn the_outline_of_a_smooth_mesh_is_shaded_as_the_rest() {
     let mut draw = Draw::new(2333);

@@ -27,6 +27,7 @@ fn uv_at(x: f64, z: f64) -> [f64; 2] {
 /// Law: if u and v of the vertices are affine functions of their position, u and v of a hit are the same
 /// functions; also through instances, compounds and lattices. Other meshes and other shapes have no u and
 /// v. Oracle: the affine functions of the hit's point, moved back by hand.
+/// Book: meshes with texture coordinates.
 #[test]
 fn texture_coordinates_are_interpolated_where_the_file_has_them() {
     /// Twenty roundings of coordinates up to 4 and of coefficients up to 1.

@@ -28,6 +28,7 @@ fn under_a_moon(finish: GlossyReflector, degrees: f64, tracer: Tracer) -> Scene 
 /// `kr (1 − cos^(e+1) α)` of its radiance by the book's rule, and with `kr (1 − cos^(e+2) α)` by the
 /// normalised one, in every pixel and with every tracer that follows the glossy ray. Oracle: the
 /// integral of the lobe over the cone; means of 24 replicas.
+/// Book: sampling around the mirror direction.
 #[test]
 fn a_moon_is_blurred_as_the_integral_of_the_lobe_says() {
     let depth = Depth { max_depth: 1 };
@@ -54,9 +55,10 @@ fn a_moon_is_blurred_as_the_integral_of_the_lobe_says() {
     }
 }
 
-/// Law: by the book's rule, no pixel of a glossy surface whose `kr` is at most 1 is brighter than the
+/// Law: by the book's rule, no pixel of a glossy surface whose `k_r` is at most 1 is brighter than the
 /// brightest object around it, at any angle. Oracle: the lamp's radiance, for each sample by itself; and
 /// some samples must see the lamp.
+/// Book: the reflected radiance: k_r c_r L.
 #[test]
 fn gloss_is_not_brighter_than_what_it_reflects() {
     for exponent in [0.0, 1.0, 30.0] {

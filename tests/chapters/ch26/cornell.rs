@@ -80,6 +80,7 @@ fn assert_agree(what: &str, a: &[Vec<f64>], b: &[Vec<f64>], tests: usize) {
 /// Law: `path` and `global_trace` render the same Cornell box as `path_trace`, which never samples a light.
 /// Oracle: the committed picture, by `path_trace` with 2¹⁴ samples and other seeds, and its variance; Welch's
 /// t of each pixel and of the whole, which is known to 0.5 %.
+/// Book: the Cornell box.
 #[test]
 fn the_cornell_box_is_the_reference() {
     let (reference, depth) = (reference(), Depth { max_depth: 10 });
@@ -132,8 +133,9 @@ fn mirrored(mut scene: Scene) -> Scene {
     scene
 }
 
-/// Law: if the scene is mirrored (red and green wall swapped; blocks, lamp and eye mirrored), the picture is
-/// mirrored. Oracle: the mirrored picture; Welch's t of each pixel and of the whole.
+/// Law: if the Cornell box is mirrored (red and green wall swapped; blocks, lamp and eye mirrored), its
+/// picture is mirrored. Oracle: the mirrored picture; Welch's t of each pixel and of the whole.
+/// Book: the Cornell box.
 #[test]
 fn swapped_walls_show_the_mirrored_picture() {
     let scene = cornell_box(Tracer::Path(Depth { max_depth: 10 }), 16);

@@ -48,6 +48,7 @@ fn lit(tracer: Tracer, sampling: Option<Sampling>) -> Scene {
 /// casting or at the first hit of a path, whether scattered rays hit the lamps, or whether both are combined
 /// with weights (multiple importance sampling). Oracle: each other; Welch's t over 24 replicas of each pixel,
 /// and of the sum of all, which is known to 1 %.
+/// Book: listings 26.6 to 26.8, global tracing.
 #[test]
 fn direct_light_is_one_picture_in_all_ways() {
     let deep = Depth { max_depth: 1 };

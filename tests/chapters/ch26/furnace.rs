@@ -128,6 +128,7 @@ fn widened(mut kind: Kind) -> Kind {
 /// straight on and at an angle: ρ if it is matte, and for a ball of glass everything except the part that the
 /// depth cuts off. Oracle: closed forms in the parameters, Fresnel's equations in angles, quadrature of
 /// highlights; means of 24 replicas.
+/// Book: path tracing.
 #[test]
 fn every_material_shows_its_albedo_under_every_tracer() {
     let specimens = Kind::ENTRIES.iter().flat_map(|entry| (entry.specimens)());
@@ -162,6 +163,7 @@ fn a_broad_highlight_sends_back_more_than_arrives() {
 /// Law: inside a closed sphere that emits E and reflects ρ the radiance is `E (1 − ρ^(N+1))/(1 − ρ)` by every
 /// path tracer, whether or not the wall is a light that is sampled: each edge counts once. Oracle: the
 /// series; means of 24 replicas.
+/// Book: listings 26.6 to 26.8, global tracing.
 #[test]
 fn a_closed_sphere_sums_the_series_under_every_path_tracer() {
     let mut random = Pcg32::new(26, 1);

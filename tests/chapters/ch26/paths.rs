@@ -53,6 +53,7 @@ fn furnished_room() -> Scene {
 /// Law: the three path tracers have one mean where light comes over mirrors, through glass and from glossy
 /// surfaces too: a light that only a single direction reaches counts in full, and one that could also have
 /// been sampled counts once. Oracle: each other; Welch's t over 24 replicas.
+/// Book: listings 26.6 to 26.8, global tracing.
 #[test]
 fn path_tracers_agree_over_mirrors_glass_and_gloss() {
     let eye = Point::new(0.5, 2.0, 6.0);
@@ -103,6 +104,7 @@ fn paths_shadow_what_they_can_hit() {
 /// Law: radiance is linear in the emission of the lamps: twice the emission gives the same picture twice as
 /// bright, bit for bit, under every tracer; the random choices do not depend on it. Oracle: the picture times
 /// two.
+/// Book: path tracing.
 #[test]
 fn twice_the_light_is_twice_the_picture() {
     for tracer in Tracer::ALL {
@@ -128,6 +130,7 @@ fn twice_the_light_is_twice_the_picture() {
 /// Law: where `global_trace` meets a lamp whose light was sampled at the hit before, the ray tree has the
 /// lamp's emission with the weight 0, so that a reader sees why it is not counted. Oracle: the emission of
 /// the lamp, a sphere around the floor, which each reflected ray meets.
+/// Book: listings 26.6 to 26.8, global tracing.
 #[test]
 fn a_lamp_that_was_sampled_is_a_term_of_weight_zero() {
     let mut scene = stage(Rgb::BLACK);
@@ -163,9 +166,10 @@ fn floor_seen(world: &groundtruth::world::World) -> f64 {
     view(world, Point::new(1.0, 0.5, 0.0), Vector::new(0.1, -1.0, 0.0)).g
 }
 
-/// Law: sampling a small lamp is better than hitting it by chance: with equally many samples the variance of
-/// `global_trace` and `path` is far below that of `path_trace`, which meets this lamp with one ray in 65.
-/// Oracle: `p (1 − p)/n` of a lamp met or missed, and Welch's t for the means.
+/// Law: sampling a small lamp is better than hitting it by chance: with equally many samples the variance
+/// of `global_trace` and `path` is far below that of `path_trace`. Oracle: `p (1 − p)/n` of a lamp that
+/// one ray in 65 meets; Welch's t for the means.
+/// Book: listings 26.6 to 26.8, global tracing.
 #[test]
 fn sampling_a_small_lamp_lowers_the_variance() {
     let [met, first, path] = tracers(2).map(|tracer| {
@@ -183,6 +187,7 @@ fn sampling_a_small_lamp_lowers_the_variance() {
 
 /// Law: the error of independent paths falls as 1/√N, and its size is that of a lamp that each path hits or
 /// misses. Oracle: the slope −½ of standard deviations over replicas, and the binomial deviation at each N.
+/// Book: the noise of path tracing.
 #[test]
 fn the_error_of_paths_falls_as_the_root_of_their_number() {
     const SEEDS: u64 = 128;
@@ -214,8 +219,9 @@ fn the_error_of_paths_falls_as_the_root_of_their_number() {
     assert!((law.exponent + 0.5).abs() < 0.1, "{law:?} of {deviations:?}");
 }
 
-/// Law: a path over a mirror draws no random numbers: it casts two rays, and uniform light is weighted by k_r
-/// exactly. Oracle: counting; the product.
+/// Law: a path over a mirror draws no random numbers: two rays are cast, and uniform light is weighted by
+/// k_r exactly. Oracle: counting; the product.
+/// Book: listing 26.5, paths over mirrors.
 #[test]
 fn a_path_over_a_mirror_draws_nothing() {
     for tracer in tracers(4) {

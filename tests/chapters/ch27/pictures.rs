@@ -21,6 +21,7 @@ fn picture(scene: &mut Scene, side: u32, pixel_size: f64) {
 /// Law: a wall seen at an angle through a slab is the same picture, moved by `s = T sin(θ_i − θ_t)/cosθ_t`
 /// towards the foot of the normal, and `k_t²` times as bright. Oracle: the picture without glass, four rows
 /// further down, with pixels of the side s/4.
+/// Book: the transmitted radiance: k_t/η².
 #[test]
 fn a_wall_behind_a_slab_is_seen_shifted() {
     const ROWS: u32 = 4;
@@ -51,6 +52,7 @@ fn a_wall_behind_a_slab_is_seen_shifted() {
 /// meets the wall at `sin(2θ_t − θ_i) − tanδ (D − cos(2θ_t − θ_i))`, and has the weight k_t². Oracle: the
 /// wall at that point, without glass; near the axis the point is on the other side, as D lies beyond the
 /// focus at 1.5 radii.
+/// Book: the image in a glass ball.
 #[test]
 fn a_ball_of_glass_turns_the_wall_behind_it_around() {
     const D: f64 = 2.5;

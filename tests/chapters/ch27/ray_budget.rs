@@ -96,6 +96,7 @@ fn the_estimate_is_that_of_the_picture() {
 /// the two of each of the `2ᴺ` last ones are too deep: `too_deep` counts those, and `reflected` and
 /// `transmitted` count them too. Oracle: the full binary tree. The rays start at the centre of N + 1 nested
 /// balls, none of which bends a ray, so that none gets out within N edges.
+/// Book: the material Transparent and its tree of rays.
 #[test]
 fn the_last_rays_of_a_full_binary_tree_are_too_deep() {
     for depth in [0, 1, 2, 6, 10] {

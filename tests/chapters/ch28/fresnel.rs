@@ -25,6 +25,7 @@ proptest! {
 
     /// Law: light that is not reflected is transmitted: R + T = 1 within 8u, and both are from 0 to 1. T is
     /// computed from the transmitted amplitudes, not as 1 − R. Oracle: conservation of energy (numerics).
+    /// Book: Fresnel's equations.
     #[test]
     fn reflected_and_transmitted_light_add_up_to_all(cos_i in cosine(), eta in eta()) {
         let f = fresnel(cos_i, eta);
@@ -33,8 +34,9 @@ proptest! {
         prop_assert!((0.0..=1.0 + SUM).contains(&f.transmitted), "{f:?}");
     }
 
-    /// Law: R is Fresnel's, for unpolarised light, and T the rest. Oracle: the form with sums and
-    /// differences of angles.
+    /// Law: R is half the sum of `sin²(θ_i − θ_t)/sin²(θ_i + θ_t)` and `tan²(θ_i − θ_t)/tan²(θ_i + θ_t)`,
+    /// for unpolarised light, and T the rest. Oracle: those sums and differences of angles.
+    /// Book: Fresnel's equations.
     #[test]
     fn reflection_is_fresnels_in_terms_of_angles(sine in 0.001..0.999_f64, eta in 1.01..4.0_f64) {
         let cos_i = ((1.0 - sine) * (1.0 + sine)).sqrt();
@@ -50,6 +52,7 @@ proptest! {
 
     /// Law: between equal media nothing is reflected, also at grazing incidence; between other media grazing
     /// light is reflected entirely. Both hold exactly. Oracle: 0 and 1 (numerics).
+    /// Book: Fresnel's equations.
     #[test]
     fn equal_media_reflect_nothing_and_grazing_light_is_reflected_whole(
         cos_i in cosine(),
@@ -67,6 +70,7 @@ proptest! {
     /// `1 − R = T ≤ 2 (1 + η²)/(η cosθ_i) √margin`, margin the distance of `sin²θ_i/η²` from 1. Oracle: T is
     /// `2 η cosθ_i cosθ_t` times the inverse squares of sums of positive terms, each sum at least its term
     /// without cosθ_t. (The factor is 4√2 at least: 4 itself, as sometimes stated, is too little for any η.)
+    /// Book: Fresnel's equations.
     #[test]
     fn reflection_is_continuous_at_the_critical_angle(
         eta in 0.2..0.99_f64,
@@ -93,6 +97,7 @@ proptest! {
 
     /// Law: R and T from the other side, at the refracted angle and with `1/η`, are the same.
     /// Oracle: that exchange (Helmholtz; numerics). cosθ_t is known to u over its square.
+    /// Book: Fresnel's equations.
     #[test]
     fn reflection_is_the_same_from_the_other_side(cos_i in 0.01..1.0_f64, eta in 0.4..2.5_f64) {
         let wo = at_angle(Normal::Z, cos_i, 0.5);
@@ -116,6 +121,7 @@ proptest! {
 
     /// Law: the weights of the two lobes are Fresnel's R and, as radiance, `T/η²`; seen from the inner side
     /// with `1/η`. Oracle: the values of R and T.
+    /// Book: the material Dielectric.
     #[test]
     fn the_lobes_weigh_light_by_fresnels_shares(
         wo in local(),
@@ -133,6 +139,7 @@ proptest! {
 
     /// Law: transmittances multiply over lengths; each channel by itself. Oracle: one exponential of the
     /// sum, which errs by u of its exponent.
+    /// Book: 28.4, colour filtering.
     #[test]
     fn transmittances_multiply(sigma in color(), a in 0.0..50.0_f64, b in 0.0..50.0_f64) {
         let product = sigma.transmittance(a) * sigma.transmittance(b);
@@ -157,6 +164,7 @@ proptest! {
 
 /// Law: the transmittance is 1 wherever σ or t is 0, also if the other is ∞; otherwise an infinite σ or t is
 /// black. Oracle: the limits (numerics).
+/// Book: 28.4, colour filtering.
 #[test]
 fn transmittance_is_one_without_medium_or_without_length() {
     let inf = f64::INFINITY;
@@ -169,8 +177,10 @@ fn transmittance_is_one_without_medium_or_without_length() {
     close!(half.transmittance(3.0), Rgb::grey(0.125), 8.0 * U);
 }
 
-/// Law: straight on, R is .04, .020059, .172395, .003608, .055081, .084487, the same for `1/η`, and
+/// Law: straight on, R is .04 between air and glass, .020059 air and water, .172395 air and diamond,
+/// .003608 water and glass, .055081 glass and diamond, .084487 water and diamond, the same for `1/η`, and
 /// T is `4η/(η + 1)²`. Oracle: the table of ch. 28, and the closed form.
+/// Book: Fresnel's equations.
 #[test]
 fn normal_incidence_reflects_as_in_the_table() {
     let table = [
@@ -199,6 +209,7 @@ fn normal_incidence_reflects_as_in_the_table() {
 
 /// Law: at Brewster's angle, 56.3099° for glass, only one polarisation is reflected: R = .073964, half of
 /// .147929. Oracle: those numbers (ch. 28); the tangent of the angle is η.
+/// Book: Fresnel's equations.
 #[test]
 fn at_brewsters_angle_half_of_the_light_is_never_reflected() {
     let cos_i = 1.0 / (1.0 + 1.5 * 1.5_f64).sqrt();

@@ -16,6 +16,7 @@ fn path_tracers(max_depth: u32) -> [Tracer; 3] {
 /// Law: a fisheye that looks straight up from under water sees the whole sky in a disc of 48.7535° of its
 /// 90°, as `1 − R` with the exposure `1/η²`, and around it the ground, mirrored in the surface. Oracle: in
 /// each pixel the critical angle and Fresnel's equations in angles, from its distance to the middle.
+/// Book: fig. 28.7, the world seen from under water.
 #[test]
 fn a_fisheye_under_water_sees_snells_window() {
     const SIDE: u32 = 61;
@@ -56,6 +57,7 @@ fn a_fisheye_under_water_sees_snells_window() {
 /// Law: Beer's law on a wedge: across an edge of an absorbing medium of index 1, whose thickness grows by 2
 /// for each unit, a row of pixels falls exponentially, each channel by its own σ, and each pixel is the mean
 /// over its width. Oracle: `cf^(2(√2 − |x|))` at the middle and its integral over the pixel; replicas.
+/// Book: 28.4, colour filtering.
 #[test]
 fn a_wedge_dims_a_row_of_pixels_as_beer_says() {
     const SIDE: f64 = 0.2;
@@ -97,6 +99,7 @@ fn a_wedge_dims_a_row_of_pixels_as_beer_says() {
 /// Law: a slab transmits `(1 − R)² a/(1 − R² a²)` and reflects `R + (1 − R)² R a²/(1 − R² a²)`,
 /// `a = exp(−σ T/cosθ_t)`, at every angle and under every tracer that follows glass: exactly with ray trees,
 /// and in the mean with paths. Oracle: the series summed, with R in terms of angles; means of 24 replicas.
+/// Book: 28.4, colour filtering.
 #[test]
 fn an_absorbing_slab_sums_the_series_under_every_tracer() {
     const T: f64 = 0.8;
@@ -135,6 +138,7 @@ fn an_absorbing_slab_sums_the_series_under_every_tracer() {
 /// Law: a path that takes one of two branches at each surface has the mean of the ray tree: in uniform white
 /// a glass ball shows `1 − (1 − R) R^(N−1)` at depth N by every path tracer, here at depths 1 to 4. Oracle:
 /// the series of all inner reflections; means of 24 replicas.
+/// Book: fig. 28.6, a glass ball before white.
 #[test]
 fn a_glass_ball_is_the_same_by_paths_as_by_trees() {
     for (b, depth) in [(0.0, 1), (0.3, 2), (0.9, 2), (0.9, 3), (0.97, 4)] {

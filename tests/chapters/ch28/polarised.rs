@@ -41,9 +41,11 @@ fn shares(cos_i: f64, eta: f64) -> [f64; 4] {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: reflectances and transmittances of both polarisations are Fresnel's, to a dozen roundings over
-    /// cos²θ_t, the relative precision of cosθ_t. Oracle: the textbook's form in rational numbers, with a
-    /// root to 200 bits.
+    /// Law: of light in the plane of incidence the square of `(η cosθ_i − cosθ_t)/(η cosθ_i + cosθ_t)` is
+    /// reflected, of light across it that of `(cosθ_i − η cosθ_t)/(cosθ_i + η cosθ_t)`; the rest is
+    /// transmitted. Oracle: these equations in rational numbers, with a root to 200 bits; a dozen
+    /// roundings over cos²θ_t are allowed, the relative precision of cosθ_t.
+    /// Book: Fresnel's equations.
     #[test]
     fn each_polarisation_divides_as_fresnel_says(cos_i in 0.001..=1.0_f64, eta in 0.3..4.0_f64) {
         let sine_squared = (1.0 - cos_i) * (1.0 + cos_i);
@@ -59,8 +61,9 @@ proptest! {
         }
     }
 
-    /// Law: unpolarised light is the mean of both polarisations, each of which adds up to 1. Oracle:
-    /// those sums.
+    /// Law: R and T of unpolarised light are the means of both polarisations, of each of which they add
+    /// up to 1. Oracle: those sums.
+    /// Book: Fresnel's equations.
     #[test]
     fn unpolarised_light_is_the_mean(cos_i in 0.0..=1.0_f64, eta in 0.1..10.0_f64) {
         let (mean, each) = (fresnel(cos_i, eta), polarised(cos_i, eta));
@@ -76,8 +79,9 @@ proptest! {
         }
     }
 
-    /// Law: light polarised in the plane of incidence is not reflected at Brewster's angle, tan θ = η;
-    /// straight on, both polarisations are equal. Oracle: that angle; `((η − 1)/(η + 1))²`.
+    /// Law: light polarised in the plane of incidence is not reflected at Brewster's angle, where tan θ =
+    /// η; straight on, both polarisations are equal. Oracle: that angle; `((η − 1)/(η + 1))²`.
+    /// Book: Fresnel's equations.
     #[test]
     fn light_in_the_plane_passes_whole_at_brewsters_angle(exponent in -0.5..0.5_f64) {
         let eta = power(10.0, exponent);

@@ -80,9 +80,10 @@ fn rays(seed: u64) -> impl Iterator<Item = Ray> {
     })
 }
 
-/// Law: along every ray the medium behind a boundary is the one before the next, from air to air: no
-/// gap, no overlap, no normal on the wrong side. Oracle: topology, over 10⁵ random rays for each
-/// vessel; and each part is met.
+/// Law: along every ray through a glass of water, which has 8 parts, or a fish bowl, which has 7, the
+/// medium behind a boundary is the one before the next, from air to air: no gap, no overlap, no normal on
+/// the wrong side. Oracle: topology, over 10⁵ random rays for each vessel; and each part is met.
+/// Book: 28.7 and 28.8, a glass of water and a fish bowl.
 #[test]
 fn media_follow_one_another_along_every_ray() {
     type Build = fn(BoundaryMaterials) -> Kind;
@@ -105,6 +106,7 @@ fn media_follow_one_another_along_every_ray() {
 }
 
 /// Law: with all indices 1 and nothing absorbed a vessel is invisible. Oracle: the background, exactly.
+/// Book: 28.7 and 28.8, a glass of water and a fish bowl.
 #[test]
 fn vessels_of_one_medium_are_invisible() {
     let background = Rgb::new(0.25, 0.5, 1.0);
@@ -120,6 +122,7 @@ fn vessels_of_one_medium_are_invisible() {
 /// glass, and the reflections are those of water, water to glass, and glass to air. Oracle:
 /// `(1 − R₁)(1 − R₂)(1 − R₃) exp(−1.2 σ_w − .3 σ_g)`, and what the level and the base reflect at depth 3,
 /// from the table of ch. 28.
+/// Book: 28.7 and 28.8, a glass of water and a fish bowl.
 #[test]
 fn straight_down_a_glass_of_water_light_passes_three_boundaries() {
     let absorbing = |eta, sigma: f64| Medium { eta, absorption: Rgb::grey(sigma) };
@@ -138,6 +141,7 @@ fn straight_down_a_glass_of_water_light_passes_three_boundaries() {
 /// Law: the meniscus of the fish bowl is tangent to the water's level and to the glass: x_c = .901388,
 /// y_c = .3, β = 18.408°. Oracle: those numbers (ch. 28), from the surface's heights and normals along
 /// vertical rays at both ends.
+/// Book: 28.7 and 28.8, a glass of water and a fish bowl.
 #[test]
 fn the_meniscus_touches_level_and_glass_without_an_angle() {
     /// The distance from a seam, as small as the precision of the book's numbers allows.

@@ -42,8 +42,10 @@ fn point_at(mapping: Mapping, [u, v]: [f64; 2]) -> Point {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: each mapping undoes the parametrisation of its generic object. Oracle: that parametrisation,
-    /// `(sinθ sinφ, cosθ, sinθ cosφ)` with θ = π (1 − v), φ = 2π u, and those of the other mappings.
+    /// Law: each mapping undoes the parametrisation of its generic object: of the sphere u = φ/2π and v =
+    /// 1 − θ/π at `(sinθ sinφ, cosθ, sinθ cosφ)`, likewise of square, cylinder, hemisphere and light
+    /// probe. Oracle: the parametrisations.
+    /// Book: mappings from points to texture coordinates.
     #[test]
     fn mappings_invert_the_parametrisation((u, v) in (0.01..0.99_f64, 0.1..0.9_f64)) {
         for mapping in ALL {
@@ -72,8 +74,9 @@ proptest! {
         }
     }
 
-    /// Law: coordinates are within 0 and 1, on the object and within rounding of it, at poles and on seams
-    /// too. Oracle: the range itself.
+    /// Law: texture coordinates are within 0 and 1, on the object and within rounding of it, at poles and
+    /// on seams too. Oracle: the range itself.
+    /// Book: mappings from points to texture coordinates.
     #[test]
     fn coordinates_are_between_0_and_1(
         corner in prop::array::uniform3(prop::sample::select(vec![
@@ -94,8 +97,9 @@ proptest! {
     }
 }
 
-/// Law: the book's reference points: the north pole is the top row; +z is u = 0, +x a quarter, −z a half, −x
-/// three quarters; the equator is v = ½. Oracle: those numbers, exactly.
+/// Law: on a sphere +z is u = 0, +x a quarter, −z a half, −x three quarters, the equator is v = ½, and
+/// the north pole is the top row. Oracle: the book's reference points, exactly.
+/// Book: mappings from points to texture coordinates.
 #[test]
 fn the_sphere_is_mapped_as_in_the_book() {
     let uv = |x, y, z| Mapping::Spherical.uv(Point::new(x, y, z));
@@ -116,6 +120,7 @@ fn the_sphere_is_mapped_as_in_the_book() {
 
 /// Law: the centre of a light probe is +z, the plane z = 0 is a circle of half the radius, and −z is the rim;
 /// the panoramic kind has z the other way round. Oracle: those distances from the middle.
+/// Book: light probes.
 #[test]
 fn a_light_probe_is_mapped_by_the_angle_to_its_axis() {
     let from_middle = |mapping: Mapping, x, y, z| {
@@ -144,6 +149,7 @@ fn a_light_probe_is_mapped_by_the_angle_to_its_axis() {
 
 /// Law: around an object there is one seam, at φ = 0: a step of a thousandth of a turn changes u by as
 /// much, but across the seam by 1 less. Oracle: the angle that was stepped.
+/// Book: mappings from points to texture coordinates.
 #[test]
 fn there_is_one_seam() {
     const STEPS: i32 = 1000;

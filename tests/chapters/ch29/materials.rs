@@ -43,6 +43,7 @@ fn lit(recipe: impl Into<Kind>) -> Scene {
 
 /// Law: an image of one colour is the constant of that colour, bit for bit, in every field of every
 /// material, nearest and bilinear. Oracle: the picture with the plain colour or number.
+/// Book: spatially varying materials and lights.
 #[test]
 fn an_image_of_one_colour_is_the_constant() {
     let file = image_file([3, 2], |_, _| [0x9a57, 0x3111, 0x5bcd]);
@@ -202,6 +203,7 @@ fn shown(shape: impl Into<shapes::Kind>, cd: impl Into<Paint>) -> World {
 
 /// Law: a mesh's texture coordinates are those given at its corners, and affine between. Oracle: the affine
 /// function by hand, at 400 points of two triangles; the texel there by its number.
+/// Book: texture coordinates of triangle meshes.
 #[test]
 fn an_image_lies_on_a_mesh_by_its_corners() {
     const N: u32 = 8;
@@ -218,6 +220,7 @@ fn an_image_lies_on_a_mesh_by_its_corners() {
 
 /// Law: turning a textured instance about y by a column's width shifts its image by a column; the texture
 /// goes with the object. Oracle: the unturned picture, one column on.
+/// Book: spatially varying materials and lights.
 #[test]
 fn a_turned_globe_shows_the_next_column() {
     const N: u32 = 24;
@@ -246,6 +249,7 @@ fn a_turned_globe_shows_the_next_column() {
 
 /// Law: a lamp emits the colour of its image at the sampled point, by the coordinates of a mesh or by a
 /// mapping, also in an instance. Oracle: Lambert's formula for each half of an image of two colours.
+/// Book: spatially varying materials and lights.
 #[test]
 fn a_lamp_with_an_image_gives_the_light_of_its_parts() {
     const SAMPLES: u32 = 256;

@@ -85,6 +85,7 @@ pub fn texel(dome: Dome, direction: Vector) -> Option<[u32; 2]> {
 
 /// Law: the colour seen in a direction is that of its texel, times `ls`; below the horizon of a hemispherical
 /// sky it is black. Oracle: the texel by the book's mapping.
+/// Book: fig. 29.27, a sky by an image.
 #[test]
 fn each_direction_shows_its_texel() {
     for dome in DOMES {

@@ -52,6 +52,7 @@ fn filtered(file: &tempfile::NamedTempFile, filtering: Filtering, rule: Rule) ->
 
 /// Law: by the even rule each texel covers 1/n of the image, and rows count from the bottom. Oracle: the
 /// borders k/n, from both sides.
+/// Book: from texture coordinates to texels.
 #[test]
 fn each_texel_covers_an_equal_part_by_the_even_rule() {
     let file = numbered();
@@ -71,6 +72,7 @@ fn each_texel_covers_an_equal_part_by_the_even_rule() {
 
 /// Law: by the book's rule a texel covers 1/(n − 1), and the last column and row are reached at 1 only.
 /// Oracle: `trunc((n − 1) u)` by counting over 400 equal steps: 100 each for the first four of five.
+/// Book: from texture coordinates to texels.
 #[test]
 fn the_books_rule_reaches_the_last_texel_at_1_only() {
     let file = numbered();
@@ -166,6 +168,7 @@ proptest! {
     /// Law: bilinear look-up is the sum of tents around the centres of the texels, by either rule and at
     /// every border; therefore it is exact at centres, reproduces affine images and stays between its
     /// neighbours. Oracle: that sum over all texels.
+    /// Book: fig. 29.19, bilinear interpolation.
     #[test]
     fn bilinear_look_up_is_a_sum_of_tents((u, v) in (0.0..=1.0_f64, 0.0..=1.0_f64)) {
         let (file, exact) = random_colors();

@@ -111,6 +111,7 @@ proptest! {
     /// line's width of 0 or 1 (vertical lines border columns, horizontal ones rows), and else the first
     /// colour if i + j is even; also in negative rows, and for any unit. Oracle: the parametrisation of each
     /// shape, which gives the point for i, j, s and t with sines and cosines.
+    /// Book: two-dimensional checkers with outlines.
     #[test]
     fn checkers_show_cells_and_lines(
         which in 0..5_usize,
@@ -167,6 +168,7 @@ proptest! {
 
     /// Law: of the textures of a sphere, the checker in column i and row j has number `j n_h + i`, modulo the
     /// length of the list; lines lie over all. Oracle: the parametrisation of the sphere.
+    /// Book: exercise 30.4, textures and materials for each checker of a sphere.
     #[test]
     fn each_checker_of_a_sphere_has_its_texture(
         (columns, rows) in (1..12_u32, 1..12_u32),
@@ -201,6 +203,7 @@ const FIVE_SIGMA: f64 = 5.0 * 0.5 / 200.0;
 /// between `j + h/2` and `j + 1 − h/2` rows, and for an even number of columns the two colours share that
 /// equally. Oracle: closed forms of the areas of zones, rings and bands, by counting uniformly distributed
 /// points on each surface (15 shares, five standard deviations: significance 1e-5).
+/// Book: two-dimensional checkers with outlines.
 #[test]
 fn lines_cover_their_share_of_each_surface() {
     let mut random = Pcg32::new(30, 2);
@@ -230,6 +233,7 @@ fn lines_cover_their_share_of_each_surface() {
 /// Law: a sphere has `n_h n_v` regions of one colour if n_h is even: its seam is a border like all others.
 /// With an odd n_h > 1 the two checkers at the seam have one colour, so there are `(n_h − 1) n_v`. Oracle:
 /// points on a fine grid around the whole sphere, joined with their neighbours of the same colour.
+/// Book: two-dimensional checkers with outlines.
 #[test]
 fn a_sphere_has_as_many_regions_as_checkers() {
     /// Points across a checker.
@@ -270,6 +274,7 @@ fn a_sphere_has_as_many_regions_as_checkers() {
 /// Law: a point just before the seam is in the last column, however close it is, and the poles are in the
 /// first and the last row: no point belongs to a checker that does not exist. Oracle: one grey for each
 /// checker, read back.
+/// Book: two-dimensional checkers with outlines.
 #[test]
 fn seam_and_poles_belong_to_checkers_that_are_there() {
     for columns in 1..25_u32 {
@@ -306,6 +311,7 @@ fn seam_and_poles_belong_to_checkers_that_are_there() {
 /// Law: with the defaults a sphere, cylinder, cone and disk have the book's 20 checkers around and 10 along;
 /// white and half grey, without lines. Oracle: changes of colour counted along a circle and a
 /// meridian.
+/// Book: two-dimensional checkers with outlines.
 #[test]
 fn the_defaults_are_the_books() {
     let defaults: [Texture; 5] = [

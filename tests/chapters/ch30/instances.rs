@@ -64,8 +64,9 @@ fn textures() -> Vec<Texture> {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: without steps, or with steps that do nothing, an instance is the texture itself, bit for bit.
-    /// Oracle: every kind of texture, without an instance.
+    /// Law: without steps, or with steps that do nothing, a texture instance is the texture itself, bit
+    /// for bit. Oracle: every kind of texture, without an instance.
+    /// Book: intrinsic transformations: texture instances.
     #[test]
     fn an_identical_instance_is_the_texture(p in point(10.0)) {
         for texture in textures() {
@@ -78,8 +79,9 @@ proptest! {
         }
     }
 
-    /// Law: `g(p) = f(M⁻¹ p)`: scaled by s, f(p/s) component-wise; moved by t, f(p − t); turned and sheared
-    /// likewise. Oracle: each inverse written out by hand (ch. 30).
+    /// Law: a texture instance of f has `g(p) = f(M⁻¹ p)`: scaled by s, f(p/s) component-wise; moved by
+    /// t, f(p − t); turned and sheared likewise. Oracle: each inverse written out by hand (ch. 30).
+    /// Book: intrinsic transformations: texture instances.
     #[test]
     fn each_step_is_undone(
         p in point(10.0),
@@ -118,8 +120,10 @@ proptest! {
         assert_close("shear z by y", asked(sheared), Point::new(x, y, z - a * y))?;
     }
 
-    /// Law: the step applied last is outermost, whether the steps are in one list or in nested instances.
-    /// Oracle: two steps that do not commute, by hand; each instance's own map, undone from outside in.
+    /// Law: the step of a texture instance that is applied last is outermost, whether the steps are in
+    /// one list or in nested instances. Oracle: two steps that do not commute, by hand; each instance's
+    /// own map, undone from outside in.
+    /// Book: intrinsic transformations: texture instances.
     #[test]
     fn the_last_step_is_outermost(
         (p, by) in (point(10.0), point(10.0)),
@@ -146,8 +150,9 @@ proptest! {
         prop_assert!(asked.distance(nested) < 1e-9, "in one list: {asked:?}, nested: {nested:?}");
     }
 
-    /// Law: an instance inside an instance of the inverse map is the texture itself, to 1e-12 for a
+    /// Law: a texture instance inside one of the inverse map is the texture itself, to 1e-12 for a
     /// continuous one. Oracle: the ramp without instances.
+    /// Book: intrinsic transformations: texture instances.
     #[test]
     fn an_instance_and_its_inverse_are_the_texture((p, steps) in (point(1.0), steps())) {
         let colors = [ONE, TWO, LINE].map(Paint::from).to_vec();
@@ -163,10 +168,11 @@ proptest! {
         prop_assert!(apart.iter().all(|&apart| apart <= 1e-12), "{found:?}, expected {expected:?}");
     }
 
-    /// Law: an object with `transform_texture = false` moves through its texture, which stays fixed in the
-    /// world: the texture is evaluated at the world point, whatever the object's transformation is; inside
-    /// another instance it stays fixed in that one's coordinates. Oracle: the point of the world's own hit
-    /// (invariant 10).
+    /// Law: an object with `transform_texture = false` moves through its texture, which stays fixed in
+    /// the world: the texture is evaluated at the world point, whatever the object's transformation is;
+    /// inside another instance it stays fixed in that one's coordinates. Oracle: the point of the world's
+    /// own hit.
+    /// Book: extrinsic transformations: textures of instances.
     #[test]
     fn a_texture_stays_in_the_world_while_the_object_moves(
         (moves, outer) in (steps(), steps()),
@@ -209,8 +215,9 @@ fn at_hit(world: &groundtruth::world::World, ray: &groundtruth::math::Ray) -> Po
     Point::from(response.ambient.to_array())
 }
 
-/// Law: a box stretched twofold along x, with its texture halved along x, has the checker of an unstretched
-/// one (figure 30.11). Oracle: the long box with the plain texture, pixel by pixel, bit for bit.
+/// Law: a box stretched twofold along x, with its texture halved along x, has the checker of an
+/// unstretched one. Oracle: the long box with the plain texture, pixel by pixel, bit for bit.
+/// Book: fig. 30.11, a stretched box with an unstretched checker.
 #[test]
 fn a_texture_instance_undoes_the_stretch_of_its_object() {
     let picture = |shape: Kind, texture: Texture| {

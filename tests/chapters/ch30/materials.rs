@@ -50,6 +50,7 @@ proptest! {
     /// Law: where the checker in column i and row j is seen, a ball looks like one of that checker's material
     /// alone, which has number `j n_h + i`, modulo the length of the list; bit for bit, with lights, mirrors
     /// and textures, and on an instance. Oracle: the ball of that material.
+    /// Book: exercise 30.4, textures and materials for each checker of a sphere.
     #[test]
     fn each_checker_of_a_sphere_has_its_material(
         (columns, rows) in (1..12_u32, 1..12_u32),

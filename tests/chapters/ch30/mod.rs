@@ -2,6 +2,28 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | listing 30.2, the solid checker | the solid checker has two colours, by the parity of the cell; the cell at the origin has the first | `the_solid_checker_shows_the_parity_of_its_cell` |
+//! |  | a step of one size along an axis swaps the colours, two steps or one along each of two axes keep them, one along all three swaps (three is odd) | `the_solid_checker_is_periodic` |
+//! |  | along an axis from −10 to 10 every run of one colour of the solid checker is one size long: none is doubled at the origin | `runs_of_colour_are_one_size_long_on_both_sides_of_the_origin` |
+//! |  | over whole periods each colour fills one half of space, and every point's neighbour one size away along an axis has the other colour, which is not so for stripes or columns | `each_colour_of_the_solid_checker_fills_one_half` |
+//! |  | the plane y = 0, which lies on borders of the solid checker, has no speckle: each square is of one colour, and so are the faces of a box on borders | `a_plane_on_the_borders_of_the_checker_has_no_speckle` |
+//! |  | each face of a box whose sides lie on borders of the solid checker is a clean checker | `faces_of_a_box_on_borders_have_no_speckle` |
+//! | two-dimensional checkers with outlines | the plane checker shows line, first or second colour by the distance to the nearest border and the parity of the square; y does not matter | `the_plane_checker_has_squares_and_lines` |
+//! |  | lines of width w cover `1 − (1 − w/size)²` of the plane checker, its squares share the rest equally | `outlines_cover_their_share_of_the_plane` |
+//! |  | at a share s of column i and t of row j a checker shows the line if s or t is within half the line's width of 0 or 1 (vertical lines border columns, horizontal ones rows), and else the first colour if i + j is even; also in negative rows, and for any unit | `checkers::checkers_show_cells_and_lines` |
+//! |  | lines of widths h and v leave `(1 − v) Σ A_j` of the surface, where `A_j` is the share of its area between `j + h/2` and `j + 1 − h/2` rows, and for an even number of columns the two colours share that equally | `checkers::lines_cover_their_share_of_each_surface` |
+//! |  | a sphere has `n_h n_v` regions of one colour if n_h is even: its seam is a border like all others | `checkers::a_sphere_has_as_many_regions_as_checkers` |
+//! |  | a point just before the seam is in the last column, however close it is, and the poles are in the first and the last row: no point belongs to a checker that does not exist | `checkers::seam_and_poles_belong_to_checkers_that_are_there` |
+//! |  | with the defaults a sphere, cylinder, cone and disk have the book's 20 checkers around and 10 along; white and half grey, without lines | `checkers::the_defaults_are_the_books` |
+//! | exercise 30.4, textures and materials for each checker of a sphere | of the textures of a sphere, the checker in column i and row j has number `j n_h + i`, modulo the length of the list; lines lie over all | `checkers::each_checker_of_a_sphere_has_its_texture` |
+//! |  | where the checker in column i and row j is seen, a ball looks like one of that checker's material alone, which has number `j n_h + i`, modulo the length of the list; bit for bit, with lights, mirrors and textures, and on an instance | `materials::each_checker_of_a_sphere_has_its_material` |
+//! | intrinsic transformations: texture instances | without steps, or with steps that do nothing, a texture instance is the texture itself, bit for bit | `instances::an_identical_instance_is_the_texture` |
+//! |  | a texture instance of f has `g(p) = f(M⁻¹ p)`: scaled by s, f(p/s) component-wise; moved by t, f(p − t); turned and sheared likewise | `instances::each_step_is_undone` |
+//! |  | the step of a texture instance that is applied last is outermost, whether the steps are in one list or in nested instances | `instances::the_last_step_is_outermost` |
+//! |  | a texture instance inside one of the inverse map is the texture itself, to 1e-12 for a continuous one | `instances::an_instance_and_its_inverse_are_the_texture` |
+//! | extrinsic transformations: textures of instances | an instance carries its texture with it: it looks like the plain shape seen by an eye that is moved back | `an_instance_carries_its_texture` |
+//! |  | an object with `transform_texture = false` moves through its texture, which stays fixed in the world: the texture is evaluated at the world point, whatever the object's transformation is; inside another instance it stays fixed in that one's coordinates | `instances::a_texture_stays_in_the_world_while_the_object_moves` |
+//! | fig. 30.11, a stretched box with an unstretched checker | a box stretched twofold along x, with its texture halved along x, has the checker of an unstretched one | `instances::a_texture_instance_undoes_the_stretch_of_its_object` |
 
 mod checkers;
 mod instances;
@@ -94,6 +116,7 @@ proptest! {
 
     /// Law: the solid checker has two colours, by the parity of the cell; the cell at the origin has the
     /// first. Oracle: borders counted one by one outward, so negative cells are like the others.
+    /// Book: listing 30.2, the solid checker.
     #[test]
     fn the_solid_checker_shows_the_parity_of_its_cell(p in point(10.0), size in 0.1..3.0_f64) {
         prop_assume!(clear_of_borders(p, size));
@@ -103,6 +126,7 @@ proptest! {
 
     /// Law: a step of one size along an axis swaps the colours, two steps or one along each of two axes keep
     /// them, one along all three swaps (three is odd). Oracle: the colour at the original point.
+    /// Book: listing 30.2, the solid checker.
     #[test]
     fn the_solid_checker_is_periodic(p in point(20.0), size in 0.1..3.0_f64, axis in 0..3_usize) {
         prop_assume!(clear_of_borders(p, size));
@@ -118,6 +142,7 @@ proptest! {
     /// Law: the plane checker shows line, first or second colour by the distance to the nearest border
     /// and the parity of the square; y does not matter. Oracle: borders counted one by one, and the
     /// distance to the nearest multiple of the size.
+    /// Book: two-dimensional checkers with outlines.
     #[test]
     fn the_plane_checker_has_squares_and_lines(
         p in point(10.0),
@@ -158,6 +183,7 @@ proptest! {
     /// Law: an instance carries its texture with it: it looks like the plain shape seen by an eye that is
     /// moved back. Oracle: rotation, scaling and shift applied by hand (ch. 30: textures are evaluated in the
     /// innermost coordinates).
+    /// Book: extrinsic transformations: textures of instances.
     #[test]
     fn an_instance_carries_its_texture(eye in unit(), target in point(0.5), by in point(3.0)) {
         let turned = |v: Vector| Vector::new(v.z(), v.y(), -v.x());
@@ -197,8 +223,9 @@ proptest! {
     }
 }
 
-/// Law: along an axis from −10 to 10 every run of one colour is one size long: none is doubled at the
-/// origin. Oracle: the changes, found by scanning.
+/// Law: along an axis from −10 to 10 every run of one colour of the solid checker is one size long: none
+/// is doubled at the origin. Oracle: the changes, found by scanning.
+/// Book: listing 30.2, the solid checker.
 #[test]
 fn runs_of_colour_are_one_size_long_on_both_sides_of_the_origin() {
     // the plane checker does not depend on y
@@ -229,6 +256,7 @@ const HALF_ERROR: f64 = 0.0056;
 /// Law: over whole periods each colour fills one half of space, and every point's neighbour one size away
 /// along an axis has the other colour, which is not so for stripes or columns. Oracle: one half and one, by
 /// counting random points (one test, five standard deviations: significance 6e-7).
+/// Book: listing 30.2, the solid checker.
 #[test]
 fn each_colour_of_the_solid_checker_fills_one_half() {
     let texture = solid(0.5).build(&mut Resources::default()).expect("valid");
@@ -255,8 +283,9 @@ fn each_colour_of_the_solid_checker_fills_one_half() {
     );
 }
 
-/// Law: lines of width w cover `1 − (1 − w/size)²` of the plane, the squares share the rest equally. Oracle:
-/// the closed form, by counting on a grid whose points avoid all edges: exact (ch. 30).
+/// Law: lines of width w cover `1 − (1 − w/size)²` of the plane checker, its squares share the rest
+/// equally. Oracle: the closed form, by counting on a grid whose points avoid all edges: exact (ch. 30).
+/// Book: two-dimensional checkers with outlines.
 #[test]
 fn outlines_cover_their_share_of_the_plane() {
     for tenths in 0..=10_u32 {
@@ -278,6 +307,7 @@ fn outlines_cover_their_share_of_the_plane() {
 /// Law: the plane y = 0, which lies on borders of the solid checker, has no speckle: each square is of
 /// one colour, and so are the faces of a box on borders. Oracle: the squares' parity, in each pixel of
 /// pictures from straight above and at an angle.
+/// Book: listing 30.2, the solid checker.
 #[test]
 fn a_plane_on_the_borders_of_the_checker_has_no_speckle() {
     for eye in [Point::new(0.0, 10.0, 0.0), Point::new(3.0, 7.0, 5.0)] {
@@ -302,8 +332,9 @@ fn a_plane_on_the_borders_of_the_checker_has_no_speckle() {
     }
 }
 
-/// Law: each face of a box whose sides lie on borders is a clean checker. Oracle: in each square of a
-/// face all points seen have one colour, and its neighbour the other.
+/// Law: each face of a box whose sides lie on borders of the solid checker is a clean checker. Oracle: in
+/// each square of a face all points seen have one colour, and its neighbour the other.
+/// Book: listing 30.2, the solid checker.
 #[test]
 fn faces_of_a_box_on_borders_have_no_speckle() {
     let mut scene = gallery();

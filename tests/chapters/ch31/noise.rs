@@ -21,6 +21,7 @@ proptest! {
 
     /// Law: at points with integer coordinates, also negative ones, noise of both kinds is the entry of the
     /// table at `PERM(ix + PERM(iy + PERM(iz)))`, to the last bit. Oracle: the index in signed numbers.
+    /// Book: lattice noise and its tables.
     #[test]
     fn noise_at_lattice_points_is_in_the_tables(
         knot in prop::array::uniform3(-3000..3000_i64),
@@ -37,6 +38,7 @@ proptest! {
 
     /// Law: between lattice points noise is the sum of its knots with linear (tent) or Catmull–Rom weights,
     /// clamped to −1 … 1. Oracle: all products of weights in Hermite's form, one by one.
+    /// Book: linear and cubic interpolation.
     #[test]
     fn noise_is_the_weighted_sum_of_its_knots(p in point(700.0), noise in oracle::noises()) {
         let it = built(noise);
@@ -60,6 +62,7 @@ proptest! {
 
     /// Law: noise has the period 256 along each axis, bit for bit where the sum is exact, up to 2⁴¹ periods
     /// away on either side. Oracle: the noise at the first point.
+    /// Book: lattice noise and its tables.
     #[test]
     fn noise_repeats_after_256_cells(
         eighths in prop::array::uniform3(-4096..4096_i32),
@@ -77,9 +80,10 @@ proptest! {
         }
     }
 
-    /// Law: cubic noise has a slope at the planes of its lattice: the difference quotients of both sides
-    /// agree. Linear noise is continuous there, and its slope jumps by `k₋₁ − 2k₀ + k₁` of the knots, if
-    /// the other coordinates are whole. Oracle: difference quotients; the second difference of the table.
+    /// Law: cubic noise has the same slope on both sides of a plane of its lattice; linear noise is
+    /// continuous there, and its slope jumps by `k₋₁ − 2k₀ + k₁` of the knots, if the other coordinates
+    /// are whole. Oracle: difference quotients of both sides; the second difference of the table.
+    /// Book: linear and cubic interpolation.
     #[test]
     fn cubic_noise_is_smooth_and_linear_noise_is_continuous(
         p in point(100.0),
@@ -120,6 +124,7 @@ proptest! {
 
 /// Law: cubic noise overshoots its knots at some points, and is clamped there; linear noise never overshoots.
 /// Oracle: the sum of weighted knots before the clamp, at random points.
+/// Book: linear and cubic interpolation.
 #[test]
 fn cubic_noise_overshoots_and_is_clamped() {
     let noise = Noise::default();
@@ -159,8 +164,9 @@ fn huge_coordinates_have_noise_too() {
     }
 }
 
-/// Law: the same seed gives the same tables, and another seed gives others; the permutation is the same for
-/// all seeds, and is one of 0 … 255. The book's seed is 253.
+/// Law: the same seed gives the same tables, and another seed gives others; the permutation is the same
+/// for all seeds, and is one of 0 … 255; the default seed is the book's, 253.
+/// Book: lattice noise and its tables.
 #[test]
 fn tables_are_made_of_their_seed() {
     let (one, again, other) = (Lattice::new(253), Lattice::new(253), Lattice::new(254));
@@ -193,8 +199,9 @@ fn tables_are_made_as_the_probes_page_says() {
     assert_eq!(permutation, lattice.permutation());
 }
 
-/// Law: the vectors are unit and evenly spread: of the 16 bands of equal height and the 16 sectors of equal
-/// angle each has 16, as multi-jittered samples do, and their sum is nearly zero.
+/// Law: the vectors of the table are unit and evenly spread: of the 16 bands of equal height and the 16
+/// sectors of equal angle each has 16, as multi-jittered samples do, and their sum is nearly zero.
+/// Book: lattice noise and its tables.
 #[test]
 fn vectors_are_spread_over_the_sphere() {
     for seed in [253, 0, 7] {

@@ -15,6 +15,7 @@ fn moments(values: &[f64]) -> [f64; 2] {
 /// Law: along any axis a row of 256 lattice points has each entry of the table once. Therefore mean and
 /// variance there are those of the table, about 0 and 1/3. Oracle: the sorted table; the variance of a
 /// uniform number, within five standard deviations of 256: √(1/3/256) and √((1/5 − 1/9)/256).
+/// Book: lattice noise and its tables.
 #[test]
 fn a_row_of_lattice_points_has_each_entry_once() {
     let noise = built(Noise::default());
@@ -38,6 +39,7 @@ fn a_row_of_lattice_points_has_each_entry_once() {
 /// linear noise, (164/256)³ for cubic; the mean of linear noise is the table's. Oracle: sums of independent
 /// knots, within 25 %, as some knots of a cell may be the same entry (simulated for linear noise: 0.86 to
 /// 1.09 of the expected variance). The mean over whole periods is exact: weights add up to 1.
+/// Book: linear and cubic interpolation.
 #[test]
 fn noise_varies_less_in_the_middle_of_cells() {
     for (noise, share) in [(linear(1), 0.125), (Noise::default(), oracle::power(164.0 / 256.0, 3))]

@@ -16,6 +16,7 @@ proptest! {
     /// Law: fBm, fractal sum and turbulence, and the sums of vectors, follow their formulas, for any gain and
     /// lacunarity; fractal sum and turbulence have a gain of 1/2 and a lacunarity of 2, whatever those of fBm
     /// are. Oracle: explicit sums of the second implementation, the bounds in closed form.
+    /// Book: fractal sums, turbulence and fBm.
     #[test]
     fn octaves_add_up_as_the_formulas_say(p in point(20.0), noise in oracle::noises()) {
         let it = built(noise);
@@ -43,6 +44,7 @@ proptest! {
 
     /// Law: fBm, fractal sum and turbulence are from 0 to 1, to the last bit, for any number of octaves
     /// and any gain and lacunarity, near and far.
+    /// Book: fractal sums, turbulence and fBm.
     #[test]
     fn sums_are_from_0_to_1(
         p in prop_oneof![point(10.0), point(1e6), point(1e300)],
@@ -60,6 +62,7 @@ proptest! {
     /// Law: with gain 1/2 and lacunarity 2 fBm is the fractal sum, bit for bit; of one octave it is
     /// `(noise + 1)/2`, whatever the gain; and as the gain goes to 0 one octave is left. Oracle: the other
     /// sum.
+    /// Book: fractal sums, turbulence and fBm.
     #[test]
     fn sums_meet_where_their_formulas_do(p in point(50.0), noise in oracle::noises()) {
         let half = built(Noise { gain: 0.5, lacunarity: 2.0, ..noise });
@@ -77,6 +80,7 @@ proptest! {
 /// Law: the bounds of fBm are 1, 1.5, 1.875, 1.96875, 1.9921875 for 1, 2, 4, 6, 8 octaves of gain 1/2, and 63
 /// for 6 of gain 2; n for gain 1. Oracle: those numbers; at integer points, which lacunarity 2 keeps on the
 /// lattice, the sum is one of table entries.
+/// Book: fractal sums, turbulence and fBm.
 #[test]
 fn bounds_are_the_books() {
     for (gain, octaves, max) in [

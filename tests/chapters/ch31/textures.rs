@@ -75,6 +75,7 @@ proptest! {
     /// Law: fBm and turbulence textures are `min + (max − min) noise` times the colour, in local
     /// coordinates divided by the size; fBm is red where that is not from 0 to 1. Oracle: the second
     /// implementation.
+    /// Book: fBm textures and wrapped noise.
     #[test]
     fn noise_is_brightness(
         p in point(5.0),
@@ -103,6 +104,7 @@ proptest! {
     /// Law: wrapped noise is the fractional part of the expanded noise, in `[0, 1)`, mapped to min … max, in
     /// the colour of the first threshold above the noise. The second colour may be another texture. With
     /// expansion 1 it is fBm. Oracle: the second implementation; 1 is subtracted until the number is below 1.
+    /// Book: fBm textures and wrapped noise.
     #[test]
     fn wrapped_noise_starts_again_at_whole_numbers(
         p in point(5.0),
@@ -157,6 +159,7 @@ proptest! {
     /// Law: marble is the ramp at `(1 + sin(y + a fBm))/2`, and a wrapped ramp is the ramp at the fractional
     /// part of the noise, by both rules for columns: `⌊n u⌋` and the book's `trunc(u (n − 1))`. Oracle: the
     /// second implementation; the number of column edges up to that value.
+    /// Book: ramps: marble and sandstone.
     #[test]
     fn ramps_are_asked_as_images_of_one_row(
         p in point(5.0),
@@ -198,6 +201,7 @@ fn layers(rule: Rule) -> RampFbm {
 /// Law: unperturbed marble depends on y alone, has the period 2π times the size, and the same colour at y and
 /// π − y. It has the first column where the sine is −1 (never column −1), the last where it is 1, by both
 /// rules.
+/// Book: fig. 31.32, marble without perturbation.
 #[test]
 fn unperturbed_marble_has_layers() {
     for (rule, size) in [(Rule::Even, 1.0), (Rule::Book, 0.3)] {
