@@ -2,6 +2,20 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | rejection sampling | rejection keeps `π/4 = 78.5 %` of random points | `rejection_keeps_a_quarter_of_pi` |
+//! |  | rejection keeps the points that are in the disk, unchanged and in their order, and no others; the circle itself is outside | `rejection_moves_nothing` |
+//! |  | rejection keeps an unpredictable number of the points of a stratified set, and leaves strata of the disk empty; the map does neither | `rejection_loses_count_and_strata` |
+//! | the concentric map: r and φ in four sectors | along the side of a square the angle grows evenly: φ = π/4 times the book's `b/a`, `2 − a/b`, `4 + b/a`, `6 − a/b` | `angles_are_those_of_the_four_sectors` |
+//! |  | concentric squares become concentric circles, `r = max(\|a\|, \|b\|)`, at every point: finite, inside the disk | `squares_become_circles` |
+//! |  | each eighth of the square, between an axis and a diagonal, becomes the same eighth of the disk | `each_eighth_stays_itself` |
+//! |  | the centre maps to the centre, without 0/0; the middles of the sides map to the axes; corners, as near as they come, to odd multiples of 45°; the ends of the range give points of the disk | `special_points_have_known_images` |
+//! | the concentric map: symmetry, continuity, inverse | turning the square by 90° turns the disk, and exchanging its axes mirrors it in the diagonal: bit for bit off the diagonals | `quarter_turns_and_mirrors_carry_over` |
+//! |  | the map is continuous and so is its inverse, across the seams too: a step of the square is at most 2.8 times as long on the disk, and at least 1.1 times | `small_steps_stay_small` |
+//! |  | the inverse recovers the point of the square, and the map the point of the disk | `the_inverse_undoes_the_map` |
+//! | the concentric map: uniform points of the disk | the ratio of areas is the same at every point: `\|∂(x, y)/∂(a, b)\| = π/4` | `the_jacobian_is_a_quarter_of_pi` |
+//! |  | random points of the square become uniform points of the disk: `P(r < R) = R²`, the angle uniform, the two independent | `disk_points_are_uniform` |
+//! |  | on average `r` is 2/3, `r²` 1/2, `x²` and `y²` 1/4, and x, y and `x y` are 0 | `moments_are_those_of_the_disk` |
+//! |  | strata of the square stay strata: the image of each jittered point lies in the image of its cell | `strata_stay_strata` |
 
 use crate::properties::*;
 use groundtruth::math::{ONE_MINUS, maps};
@@ -47,6 +61,7 @@ proptest! {
 
     /// Law: concentric squares become concentric circles, `r = max(|a|, |b|)`, at every point: finite, inside
     /// the disk. Oracle: the closed form.
+    /// Book: the concentric map: r and φ in four sectors.
     #[test]
     fn squares_become_circles(u in square_point()) {
         let [a, b] = centered(u);
@@ -58,6 +73,7 @@ proptest! {
 
     /// Law: along the side of a square the angle grows evenly: φ = π/4 times the book's `b/a`,
     /// `2 − a/b`, `4 + b/a`, `6 − a/b`. Oracle: the book's table, and the arc tangent.
+    /// Book: the concentric map: r and φ in four sectors.
     #[test]
     fn angles_are_those_of_the_four_sectors(u in square_point()) {
         let [a, b] = centered(u);
@@ -76,6 +92,7 @@ proptest! {
 
     /// Law: each eighth of the square, between an axis and a diagonal, becomes the same eighth of the
     /// disk. Oracle: signs and comparisons.
+    /// Book: the concentric map: r and φ in four sectors.
     #[test]
     fn each_eighth_stays_itself(u in square_point()) {
         let ([a, b], [x, y]) = (centered(u), maps::disk(u));
@@ -87,6 +104,7 @@ proptest! {
     /// Law: turning the square by 90° turns the disk, and exchanging its axes mirrors it in the
     /// diagonal: bit for bit off the diagonals. Oracle: coordinates exchanged; those of multiples of
     /// 2⁻²⁰ are exact.
+    /// Book: the concentric map: symmetry, continuity, inverse.
     #[test]
     fn quarter_turns_and_mirrors_carry_over(i in 1..(1_u32 << 20), j in 1..(1_u32 << 20)) {
         let part = |i: u32| f64::from(i) / f64::from(1_u32 << 20);
@@ -106,6 +124,7 @@ proptest! {
     /// is at most 2.8 times as long on the disk, and at least 1.1 times. Oracle: the largest
     /// singular value of `∂(x, y)/∂(a, b)` is below 1.4, at the diagonals, and the smallest is the
     /// Jacobian π/4 over it; `a = 2 u − 1` doubles both.
+    /// Book: the concentric map: symmetry, continuity, inverse.
     #[test]
     fn small_steps_stay_small(
         u in square_point(),
@@ -123,6 +142,7 @@ proptest! {
 
     /// Law: the ratio of areas is the same at every point: `|∂(x, y)/∂(a, b)| = π/4`. Oracle: central
     /// differences, whose error is `h²` and `U/h`.
+    /// Book: the concentric map: uniform points of the disk.
     #[test]
     fn the_jacobian_is_a_quarter_of_pi([u1, u2] in [0.001..0.999_f64, 0.001..0.999_f64]) {
         const H: f64 = 1e-5;
@@ -141,6 +161,7 @@ proptest! {
 
     /// Law: the inverse recovers the point of the square, and the map the point of the disk. Oracle: the
     /// point itself; near the centre the angle is that of a short vector, so the tolerance is absolute.
+    /// Book: the concentric map: symmetry, continuity, inverse.
     #[test]
     fn the_inverse_undoes_the_map(u in square_point(), [x, y] in [-0.7..0.7_f64, -0.7..0.7_f64]) {
         let back = maps::disk_inverse(maps::disk(u));
@@ -152,6 +173,7 @@ proptest! {
 
 /// Law: the centre maps to the centre, without 0/0; the middles of the sides map to the axes; corners, as
 /// near as they come, to odd multiples of 45°; the ends of the range give points of the disk.
+/// Book: the concentric map: r and φ in four sectors.
 #[test]
 fn special_points_have_known_images() {
     assert_eq!(maps::disk([0.5; 2]), [0.0; 2]);
@@ -178,6 +200,7 @@ fn special_points_have_known_images() {
 /// Law: random points of the square become uniform points of the disk: `P(r < R) = R²`, the angle uniform,
 /// the two independent. Oracle: Kolmogorov–Smirnov and χ² tests of `r²` and the angle, which do not depend on
 /// the map; they detect a density that is off by 3 %.
+/// Book: the concentric map: uniform points of the disk.
 #[test]
 fn disk_points_are_uniform() {
     let points = random_points(100_000, 61).into_iter().map(|u| {
@@ -196,9 +219,10 @@ fn the_inverse_makes_disk_points_uniform_in_the_square() {
     assert_uniform("points", &points.collect::<Vec<_>>(), 1);
 }
 
-/// Law: `E[r] = 2/3`, `E[r²] = 1/2`, `E[x²] = E[y²] = 1/4`, `E[x] = E[y] = E[x y] = 0`. Oracle: these
-/// integrals over the disk; the map is averaged over a grid of 400² centres. Each 200th cell is on a
-/// diagonal, where r has a kink and is off by a sixth of a side, 1/1200; the odd means are exact.
+/// Law: on average `r` is 2/3, `r²` 1/2, `x²` and `y²` 1/4, and x, y and `x y` are 0. Oracle: these integrals
+/// over the disk; the map is averaged over a grid of 400² centres. Each 200th cell is on a diagonal, where r
+/// has a kink and is off by a sixth of a side, 1/1200; the odd means are exact.
+/// Book: the concentric map: uniform points of the disk.
 #[test]
 fn moments_are_those_of_the_disk() {
     const SIDE: u32 = 400;
@@ -220,6 +244,7 @@ fn moments_are_those_of_the_disk() {
 
 /// Law: strata of the square stay strata: the image of each jittered point lies in the image of its cell.
 /// Oracle: the cells by the inverse map.
+/// Book: the concentric map: uniform points of the disk.
 #[test]
 fn strata_stay_strata() {
     let mut random = Pcg32::new(63, 0);
@@ -232,6 +257,7 @@ fn strata_stay_strata() {
 
 /// Law: rejection keeps `π/4 = 78.5 %` of random points. Oracle: the binomial distribution, four
 /// standard deviations.
+/// Book: rejection sampling.
 #[test]
 fn rejection_keeps_a_quarter_of_pi() {
     let n = 1_000_000;
@@ -243,6 +269,7 @@ fn rejection_keeps_a_quarter_of_pi() {
 
 /// Law: rejection keeps the points that are in the disk, unchanged and in their order, and no others; the
 /// circle itself is outside. Oracle: points given by hand.
+/// Book: rejection sampling.
 #[test]
 fn rejection_moves_nothing() {
     let points = [[0.5, 0.5], [0.0, 0.0], [0.75, 0.25], [0.0, 0.5], [0.95, 0.9], [0.25, 0.25]];
@@ -253,6 +280,7 @@ fn rejection_moves_nothing() {
 /// Law: rejection keeps an unpredictable number of the points of a stratified set, and leaves strata of the
 /// disk empty; the map does neither. Oracle: 256 jittered points in 14 × 14 cells of equal area of the disk,
 /// about as many as are kept, by the inverse map.
+/// Book: rejection sampling.
 #[test]
 fn rejection_loses_count_and_strata() {
     let (sampler, mut random) = (built(Jittered {}), Pcg32::new(65, 0));

@@ -2,6 +2,16 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | the cosine power distribution | an element of the square maps to a solid angle in inverse proportion to the density `(e + 1) cosᵉθ/2π` on the hemisphere, `1/4π` on the sphere | `solid_angles_are_those_of_the_density` |
+//! |  | of the directions of exponent e the share `1 − c^(e+1)` has `cosθ > c`; the angle about z is uniform, and the two are independent | `directions_have_their_density` |
+//! |  | on average `cosθ` is `(e + 1)/(e + 2)` and `cos²θ` is `(e + 1)/(e + 3)`: 1/2 and 1/3 for e = 0, 2/3 and 1/2 for 1, 11/12 and 11/13 for 10; x and y are 0, and `x² + y²` is `2/(e + 3)` | `moments_are_those_of_the_density` |
+//! |  | as the exponent grows all directions approach the pole; the mean polar angle tends to `√(π/(2e))` | `large_exponents_gather_at_the_pole` |
+//! |  | the mean of `cosⁿθ/p` over directions of the density p is `∫ cosⁿθ dω = 2π/(n + 1)` | `importance_sampling_integrates_powers_of_the_cosine` |
+//! | from the unit square to the hemisphere | directions have length 1 and are above the surface, for every exponent and at the ends of the range | `directions_are_unit_and_above` |
+//! |  | the point `u₁ = u₂ = 0` maps to the pole, `u₂ → 1` to the horizon, at every exponent; the first coordinate turns from x to y; an infinite exponent gives only the pole | `special_points_have_known_directions` |
+//! | uniform and cosine distributions: e = 0 and e = 1 | exponent 0 is uniform in `cosθ = 1 − u₂` exactly, exponent 1 has `cosθ = √(1 − u₂)`, `sinθ = √u₂` | `whole_exponents_have_their_closed_forms` |
+//! |  | for e = 1 the directions, projected along z, fill the disk uniformly; and a uniform disk lifted to the hemisphere has the density `cosθ/π` (Malley) | `the_cosine_density_is_a_lifted_disk` |
+//! | mapping samples to a sphere | a sphere's points have uniform z and a uniform angle, independent of each other: `E[z] = 0`, `E[z²] = 1/3`, and the same for x and y | `sphere_points_are_uniform` |
 
 use crate::properties::*;
 use groundtruth::math::{ONE_MINUS, maps};
@@ -60,6 +70,7 @@ proptest! {
 
     /// Law: directions have length 1 and are above the surface, for every exponent and at the ends of the
     /// range. Oracle: Pythagoras.
+    /// Book: from the unit square to the hemisphere.
     #[test]
     fn directions_are_unit_and_above(u in square_point(), e in exponent()) {
         for direction in [maps::hemisphere(u, e), maps::sphere(u)] {
@@ -68,9 +79,10 @@ proptest! {
         at_least!(maps::hemisphere(u, e).z(), 0.0);
     }
 
-    /// Law: an element of the square maps to a solid angle in inverse proportion to the density, `|∂ω/∂u₁ ×
-    /// ∂ω/∂u₂| = 2π / ((e + 1) cos^e θ)`, and `4π` on the sphere. Oracle: central differences; the
-    /// neighbourhoods of the pole and of `cosθ = 0`, where the third derivatives are large, are left out.
+    /// Law: an element of the square maps to a solid angle in inverse proportion to the density `(e + 1)
+    /// cosᵉθ/2π` on the hemisphere, `1/4π` on the sphere. Oracle: `|∂ω/∂u₁ × ∂ω/∂u₂|` by central differences;
+    /// the neighbourhoods of the pole and of `cosθ = 0`, where the third derivatives are large, are left out.
+    /// Book: the cosine power distribution.
     #[test]
     fn solid_angles_are_those_of_the_density(
         u1 in 0.01..0.99_f64, u2 in 0.05..0.95_f64, e in 0.0..20.0_f64
@@ -144,8 +156,10 @@ proptest! {
     }
 }
 
-/// Law: `u₁ = u₂ = 0` is the pole, `u₂ → 1` the horizon, at every exponent; the first coordinate turns from x
-/// to y; an infinite exponent gives only the pole. The sphere starts at its upper pole.
+/// Law: the point `u₁ = u₂ = 0` maps to the pole, `u₂ → 1` to the horizon, at every exponent; the first
+/// coordinate turns from x to y; an infinite exponent gives only the pole. The sphere starts at its upper
+/// pole.
+/// Book: from the unit square to the hemisphere.
 #[test]
 fn special_points_have_known_directions() {
     for e in EXPONENTS {
@@ -164,8 +178,9 @@ fn special_points_have_known_directions() {
     assert_eq!(maps::sphere_inverse(Vector::new(0.0, 0.0, -1.0))[0], ONE_MINUS);
 }
 
-/// Law: `P(cosθ > c) = 1 − c^(e+1)`, the angle about z is uniform, and the two are independent. Oracle:
-/// Kolmogorov–Smirnov and χ² tests of `cos^(e+1) θ` and the angle.
+/// Law: of the directions of exponent e the share `1 − c^(e+1)` has `cosθ > c`; the angle about z is uniform,
+/// and the two are independent. Oracle: Kolmogorov–Smirnov and χ² tests of `cos^(e+1) θ` and the angle.
+/// Book: the cosine power distribution.
 #[test]
 fn directions_have_their_density() {
     for (seed, e) in (70..).zip(EXPONENTS) {
@@ -178,9 +193,10 @@ fn directions_have_their_density() {
     }
 }
 
-/// Law: the book's means: `E[cosθ] = (e + 1)/(e + 2)` and `E[cos²θ] = (e + 1)/(e + 3)`: 1/2 and 1/3 for
-/// e = 0, 2/3 and 1/2 for 1, 11/12 and 11/13 for 10; `E[x] = E[y] = 0`, `E[x² + y²] = 2/(e + 3)`.
-/// Oracle: these integrals of the density.
+/// Law: on average `cosθ` is `(e + 1)/(e + 2)` and `cos²θ` is `(e + 1)/(e + 3)`: 1/2 and 1/3 for e = 0, 2/3
+/// and 1/2 for 1, 11/12 and 11/13 for 10; x and y are 0, and `x² + y²` is `2/(e + 3)`. Oracle: these
+/// integrals of the density.
+/// Book: the cosine power distribution.
 #[test]
 fn moments_are_those_of_the_density() {
     for e in EXPONENTS {
@@ -192,8 +208,9 @@ fn moments_are_those_of_the_density() {
     }
 }
 
-/// Law: the density integrates `∫ cosⁿθ dω = 2π/(n + 1)`: the mean of `cosⁿθ / p`. Oracle: the closed
-/// form; for n ≥ e the quotient is bounded.
+/// Law: the mean of `cosⁿθ/p` over directions of the density p is `∫ cosⁿθ dω = 2π/(n + 1)`. Oracle: the
+/// closed form; for n ≥ e the quotient is bounded.
+/// Book: the cosine power distribution.
 #[test]
 fn importance_sampling_integrates_powers_of_the_cosine() {
     for (e, n) in [(0.0, 1.0), (0.0, 7.0), (0.5, 0.5), (1.0, 1.0), (1.0, 2.0), (10.0, 12.5)] {
@@ -206,9 +223,10 @@ fn importance_sampling_integrates_powers_of_the_cosine() {
     }
 }
 
-/// Law (Malley): for e = 1 the directions, projected along z, fill the disk uniformly; and a uniform disk
-/// lifted to the hemisphere has the density `cosθ/π`. Oracle: each map's inverse after the other map; and
+/// Law: for e = 1 the directions, projected along z, fill the disk uniformly; and a uniform disk lifted to
+/// the hemisphere has the density `cosθ/π` (Malley). Oracle: each map's inverse after the other map; and
 /// rejection instead of the map to the disk.
+/// Book: uniform and cosine distributions: e = 0 and e = 1.
 #[test]
 fn the_cosine_density_is_a_lifted_disk() {
     let lift = |[x, y]: [f64; 2]| {
@@ -248,6 +266,7 @@ fn directions_from_a_ball_are_uniform_in_the_square() {
 /// Law: as the exponent grows all directions approach the pole; the mean polar angle tends to `√(π/(2e))`.
 /// Oracle: with `cosθ ≈ exp(−θ²/2)` the angle is a Rayleigh variable; the relative error of this is of the
 /// order 1/e.
+/// Book: the cosine power distribution.
 #[test]
 fn large_exponents_gather_at_the_pole() {
     for e in [1e2, 1e4, 1e6, 1e9, 1e12] {
@@ -263,6 +282,7 @@ fn large_exponents_gather_at_the_pole() {
 
 /// Law: a sphere's points have uniform z and a uniform angle, independent of each other:
 /// `E[z] = 0`, `E[z²] = 1/3`, and the same for x and y. Oracle: Archimedes, and moments.
+/// Book: mapping samples to a sphere.
 #[test]
 fn sphere_points_are_uniform() {
     let points = random_points(100_000, 85).into_iter().map(|u| {
@@ -293,6 +313,7 @@ fn strata_stay_strata() {
 
 /// Law: exponent 0 is uniform in `cosθ = 1 − u₂` exactly, exponent 1 has `cosθ = √(1 − u₂)`,
 /// `sinθ = √u₂`. Oracle: the square root, which is correctly rounded.
+/// Book: uniform and cosine distributions: e = 0 and e = 1.
 #[test]
 fn whole_exponents_have_their_closed_forms() {
     for u2 in [0.0, 1e-9, 0.1, 0.25, 0.5, 0.75, 0.9, ONE_MINUS] {

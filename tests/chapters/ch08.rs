@@ -2,6 +2,17 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | centre of projection and view plane | a point X to the right at the depth D is seen at `d X/D` | `points_are_seen_by_similar_triangles` |
+//! |  | twice the distance of the view plane makes the picture twice as large, to the bit; so does any factor up to rounding | `size_is_proportional_to_the_distance` |
+//! |  | objects between eye and view plane are drawn larger than they are; those behind the eye are not drawn | `objects_in_front_of_the_view_plane_are_drawn` |
+//! | the field of view | the field of view is `2 atan(w/2d)`: 300 pixels of side 1 at the distance 400 make 41.11° | `the_field_of_view_is_twice_the_arc_tangent` |
+//! | properties of perspective projections | straight lines are seen straight: rays through three points of a line of the view plane lie in a plane through the eye | `straight_lines_stay_straight` |
+//! |  | parallel lines meet in the vanishing point `(d x/−z, d y/−z)` of their direction | `parallel_lines_meet_in_their_vanishing_point` |
+//! |  | as the eye goes to infinity together with the distance, rays become those of the orthographic camera: where they meet a plane at height h they differ by `h \|x\|/eye` | `from_infinity_perspective_is_parallel` |
+//! |  | from a distance of 1e8 all pixels of a picture are those of the orthographic picture | `from_far_away_the_picture_is_orthographic` |
+//! | spheres in perspective, and their distortion | a sphere of radius R at the axial distance D is seen as a disc of radius `d R/√(D² − R²)` | `a_sphere_on_the_axis_is_seen_as_a_disc` |
+//! |  | off the axis a sphere is seen as an ellipse, drawn out away from the centre: from `d tan(α − β)` to `d tan(α + β)`, `sin β = R/D` | `a_sphere_off_the_axis_is_drawn_out` |
+//! | rays from the eye | every ray starts at the eye, has length 1, and goes forward, so that objects between eye and view plane are seen, and nothing behind the eye | `rays_start_at_the_eye_and_are_unit` |
 
 use crate::properties::*;
 use groundtruth::cameras::{View, ViewPlane};
@@ -23,8 +34,9 @@ fn hits(view: &View, sphere: Sphere, film: [f64; 2]) -> bool {
     shape.expect("a valid sphere").hit(&view.seen(film), Span::AHEAD).is_some()
 }
 
-/// Law: 300 pixels of side 1 at the distance 400 make a field of view of 41.11°. Oracle: 2 atan(w/2d),
-/// and the book's figure.
+/// Law: the field of view is `2 atan(w/2d)`: 300 pixels of side 1 at the distance 400 make 41.11°. Oracle:
+/// the formula, and the book's figure.
+/// Book: the field of view.
 #[test]
 fn the_field_of_view_is_twice_the_arc_tangent() {
     for (width, d) in [(300.0, 400.0), (2.0, 1.0), (500.0, 73.0)] {
@@ -42,6 +54,7 @@ proptest! {
 
     /// Law: every ray starts at the eye, has length 1, and goes forward, so that objects between eye and view
     /// plane are seen, and nothing behind the eye.
+    /// Book: rays from the eye.
     #[test]
     fn rays_start_at_the_eye_and_are_unit(
         x in -1e3..1e3_f64,
@@ -56,6 +69,7 @@ proptest! {
 
     /// Law: a point X to the right at the depth D is seen at `d X/D`. Oracle: similar triangles; the
     /// ray through there passes the point.
+    /// Book: centre of projection and view plane.
     #[test]
     fn points_are_seen_by_similar_triangles(
         p in point(50.0), depth in 0.1..500.0_f64, d in 0.5..500.0_f64, eye in -100.0..100.0_f64,
@@ -67,8 +81,9 @@ proptest! {
         above!(to.dot(ray.direction), 0.0);
     }
 
-    /// Law: twice the distance makes the picture twice as large, to the bit; so does any factor up to
-    /// rounding.
+    /// Law: twice the distance of the view plane makes the picture twice as large, to the bit; so does any
+    /// factor up to rounding.
+    /// Book: centre of projection and view plane.
     #[test]
     fn size_is_proportional_to_the_distance(
         x in -200.0..200.0_f64, y in -200.0..200.0_f64, d in 1.0..500.0_f64, k in 0.1..10.0_f64,
@@ -81,6 +96,7 @@ proptest! {
 
     /// Law: a sphere of radius R at the axial distance D is seen as a disc of radius `d R/√(D² − R²)`.
     /// Oracle: the tangent's right triangle; rays a billionth inside hit, outside miss.
+    /// Book: spheres in perspective, and their distortion.
     #[test]
     fn a_sphere_on_the_axis_is_seen_as_a_disc(
         radius in 0.1..10.0_f64,
@@ -100,6 +116,7 @@ proptest! {
 
     /// Law: off the axis a sphere is seen as an ellipse, drawn out away from the centre: from `d tan(α
     /// − β)` to `d tan(α + β)`, `sin β = R/D`. Oracle: the tangents in the plane of axis and centre.
+    /// Book: spheres in perspective, and their distortion.
     #[test]
     fn a_sphere_off_the_axis_is_drawn_out(
         alpha in 0.3..0.9_f64, beta in 0.01..0.25_f64, away in 1.0..50.0_f64, d in 0.5..50.0_f64,
@@ -124,6 +141,7 @@ proptest! {
 
     /// Law: parallel lines meet in the vanishing point `(d x/−z, d y/−z)` of their direction. Oracle:
     /// the ray there is parallel to them, and points far along any of them are seen next to it.
+    /// Book: properties of perspective projections.
     #[test]
     fn parallel_lines_meet_in_their_vanishing_point(
         (x, y, z) in (-3.0..3.0_f64, -3.0..3.0_f64, -3.0..-0.1_f64),
@@ -140,6 +158,7 @@ proptest! {
 
     /// Law: straight lines are seen straight: rays through three points of a line of the view plane lie in a
     /// plane through the eye. Oracle: the determinant.
+    /// Book: properties of perspective projections.
     #[test]
     fn straight_lines_stay_straight(a in point(50.0), b in point(50.0), s in -2.0..3.0_f64) {
         let view = pinhole(7.0, 60.0);
@@ -150,6 +169,7 @@ proptest! {
 
     /// Law: as the eye goes to infinity together with the distance, rays become those of the orthographic
     /// camera: where they meet a plane at height h they differ by `h |x|/eye`. Oracle: similar triangles.
+    /// Book: properties of perspective projections.
     #[test]
     fn from_infinity_perspective_is_parallel(
         x in -100.0..100.0_f64,
@@ -166,7 +186,8 @@ proptest! {
     }
 }
 
-/// Law: the whole picture too: from a distance of 1e8 all pixels are those of the orthographic picture.
+/// Law: from a distance of 1e8 all pixels of a picture are those of the orthographic picture.
+/// Book: properties of perspective projections.
 #[test]
 fn from_far_away_the_picture_is_orthographic() {
     let mut scene = from_front(64, 64, 1.0);
@@ -189,6 +210,7 @@ fn from_far_away_the_picture_is_orthographic() {
 
 /// Law: objects between eye and view plane are drawn larger than they are; those behind the eye are not
 /// drawn. Oracle: similar triangles: at half the plane's distance twice the size.
+/// Book: centre of projection and view plane.
 #[test]
 fn objects_in_front_of_the_view_plane_are_drawn() {
     let view = pinhole(0.0, 100.0);

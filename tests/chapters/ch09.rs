@@ -2,6 +2,16 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | the viewing axes u, v and w | u, v, w are orthonormal and right-handed, for every view, also straight up and down and rolled | `axes_are_orthonormal` |
+//! |  | `up` reversed turns the picture by 180°, to the bit; its length does not matter, nor how much of it is along the view | `up_is_a_direction` |
+//! |  | the point looked at is in the middle of the picture: the ray there is −w from the eye | `the_middle_shows_the_point_looked_at` |
+//! |  | another point looked at on the same line of sight changes nothing; nor does moving eye and point together, but for the origin | `only_the_line_of_sight_matters` |
+//! | singular views: straight down and straight up | straight down u is z and v is x; straight up u is x and v is z (the book's frames) | `straight_down_and_up_have_the_books_frames` |
+//! | the pinhole camera: directions of primary rays | the pixel (x, y) looks along `x u + y v − d w`; x to the right, y up | `rays_follow_the_axes` |
+//! | zoom | zooming by k is the same as k times the distance, or pixels of size 1/k; to the bit for powers of two | `zoom_is_distance` |
+//! | exposure time | the exposure time multiplies every pixel, before any tone mapping | `exposure_time_multiplies` |
+//! | exercise 9.6, roll angle | a roll of 360° changes no bit; 180° turns the picture upside down; 90° turns it clockwise by a quarter: what was at the right is at the bottom | `rolls_turn_the_picture` |
+//! | the orthographic camera (an exercise) | the orthographic camera looks along −w from `eye + x u + y v` | `parallel_rays_start_beside_the_eye` |
 
 use crate::properties::*;
 use groundtruth::cameras::{Handedness, View};
@@ -43,6 +53,7 @@ proptest! {
 
     /// Law: u, v, w are orthonormal and right-handed, for every view, also straight up and down and rolled. w
     /// points from the point looked at to the eye.
+    /// Book: the viewing axes u, v and w.
     #[test]
     fn axes_are_orthonormal(viewpoint in viewpoint()) {
         let view = view(&viewpoint);
@@ -83,6 +94,7 @@ proptest! {
     }
 
     /// Law: the point looked at is in the middle of the picture: the ray there is −w from the eye.
+    /// Book: the viewing axes u, v and w.
     #[test]
     fn the_middle_shows_the_point_looked_at(viewpoint in viewpoint()) {
         let view = view(&viewpoint);
@@ -94,6 +106,7 @@ proptest! {
     }
 
     /// Law: the pixel (x, y) looks along `x u + y v − d w`; x to the right, y up. Oracle: the formula.
+    /// Book: the pinhole camera: directions of primary rays.
     #[test]
     fn rays_follow_the_axes(viewpoint in viewpoint(), [x, y] in film()) {
         let view = view(&viewpoint);
@@ -105,6 +118,7 @@ proptest! {
 
     /// Law: zooming by k is the same as k times the distance, or pixels of size 1/k; to the bit for
     /// powers of two. For the orthographic camera as for the pinhole.
+    /// Book: zoom.
     #[test]
     fn zoom_is_distance(viewpoint in viewpoint(), [x, y] in film(), k in 0.1..10.0_f64) {
         let with = |lens: Pinhole| view(&Viewpoint { lens: lens.into(), ..viewpoint.clone() });
@@ -120,6 +134,7 @@ proptest! {
     }
 
     /// Law: the orthographic camera looks along −w from `eye + x u + y v`.
+    /// Book: the orthographic camera (an exercise).
     #[test]
     fn parallel_rays_start_beside_the_eye(viewpoint in viewpoint(), [x, y] in film()) {
         let lens = Orthographic { zoom: 1.0 }.into();
@@ -132,6 +147,7 @@ proptest! {
 
     /// Law: a roll of 360° changes no bit; 180° turns the picture upside down; 90° turns it clockwise
     /// by a quarter: what was at the right is at the bottom.
+    /// Book: exercise 9.6, roll angle.
     #[test]
     fn rolls_turn_the_picture(viewpoint in viewpoint(), [x, y] in film(), turns in -3..4_i32) {
         let rolled = |roll: f64, at| view(&Viewpoint { roll, ..viewpoint.clone() }).seen(at);
@@ -147,6 +163,7 @@ proptest! {
 
     /// Law: `up` reversed turns the picture by 180°, to the bit; its length does not matter, nor how
     /// much of it is along the view.
+    /// Book: the viewing axes u, v and w.
     #[test]
     fn up_is_a_direction([x, y] in film(), eye in point(100.0), along in -2.0..2.0_f64) {
         let viewpoint = Viewpoint::new(eye, Point::ORIGIN, LENS);
@@ -162,6 +179,7 @@ proptest! {
 
     /// Law: another point looked at on the same line of sight changes nothing; nor does moving eye and
     /// point together, but for the origin.
+    /// Book: the viewing axes u, v and w.
     #[test]
     fn only_the_line_of_sight_matters(viewpoint in viewpoint(), at in film(), k in 0.01..50.0_f64) {
         prop_assume!(Vector::new(viewpoint.eye.x(), 0.0, viewpoint.eye.z()).length() > 1.0);
@@ -205,6 +223,7 @@ proptest! {
 
 /// Law: straight down u is z and v is x; straight up u is x and v is z (the book's frames). Oracle: by
 /// hand: both are right-handed.
+/// Book: singular views: straight down and straight up.
 #[test]
 fn straight_down_and_up_have_the_books_frames() {
     for (y, u, v) in [(2.0, Vector::Z, Vector::X), (-2.0, Vector::X, Vector::Z)] {
@@ -254,6 +273,7 @@ fn things_appear_where_they_are() {
 
 /// Law: the exposure time multiplies every pixel, before any tone mapping. Oracle: the product, exact for
 /// powers of two, otherwise rounded once.
+/// Book: exposure time.
 #[test]
 fn exposure_time_multiplies() {
     let mut scene = small("ch28/glass-sphere", 12, 12, 4);

@@ -2,6 +2,17 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | radiance and irradiance | radiance does not change along a ray: an emitter is as bright from any distance and at any angle, to the last bit | `radiance_is_constant_along_a_ray` |
+//! |  | uniform radiance within half angle α of the normal has the irradiance `π L sin²α`; a white diffuse surface reflects the radiance `L sin²α` | `a_cone_of_light_gives_the_irradiance_of_its_projected_solid_angle` |
+//! | properties of BRDFs: reciprocity and energy | `f(ω_i, ω_o) = f(ω_o, ω_i)` and `f ≥ 0`, for each lobe that claims reciprocity | `reflection_is_reciprocal_and_never_negative` |
+//! |  | a lobe's albedo is the share of uniform light that it scatters, and a lobe that claims to conserve energy scatters no more than arrives | `albedo::no_lobe_that_conserves_energy_reflects_more_than_all` |
+//! | reflectance | the `albedo` of the glossy lobe is the integral of its BRDF, also where the lobe is cut off by the horizon | `glossy_albedo_is_the_integral_of_its_brdf` |
+//! | the perfect diffuse BRDF | the BRDF `f = k_d c_d/π` has the reflectance `∫ f cosθ dω = k_d c_d`, and `albedo` returns the same | `lambertian_reflectance_is_the_integral_of_its_brdf` |
+//! | the reflection equation in uniform light | a convex body of albedo ρ in uniform light L reflects ρL everywhere: each point is lit from its whole hemisphere, and no part of the body shades another | `a_convex_body_in_a_furnace_shines_with_its_albedo` |
+//! | Monte Carlo integration | a sample of a BRDF has the weight `f cosθ_i / pdf` | `a_sample_weighs_its_brdf_by_its_density` |
+//! |  | samples follow the density they state: the mean of any function over all samples is its integral times the density | `samples_follow_the_density_they_state` |
+//! |  | four times as many samples halve the standard error of a Monte Carlo estimate (slope −1/2) | `four_times_as_many_samples_halve_the_error` |
+//! |  | with directions drawn in proportion to the cosine, the estimate of a diffuse surface's reflection has no variance: each sample gives `ρ` | `cosine_sampling_of_a_diffuse_surface_has_no_variance` |
 
 pub mod albedo;
 
@@ -40,7 +51,9 @@ fn every_lobe() -> impl Iterator<Item = Lobe> {
     Lobe::ENTRIES.iter().flat_map(|entry| (entry.specimens)())
 }
 
-/// Law: `∫ f cosθ dω = k_d c_d`, and `albedo` returns the same. Oracle: quadrature in angles (ch. 13).
+/// Law: the BRDF `f = k_d c_d/π` has the reflectance `∫ f cosθ dω = k_d c_d`, and `albedo` returns the same.
+/// Oracle: quadrature in angles (ch. 13).
+/// Book: the perfect diffuse BRDF.
 #[test]
 fn lambertian_reflectance_is_the_integral_of_its_brdf() {
     let reflectance = Rgb::new(0.8, 0.4, 0.1);
@@ -57,6 +70,7 @@ fn lambertian_reflectance_is_the_integral_of_its_brdf() {
 
 /// Law: uniform radiance within half angle α of the normal has the irradiance `π L sin²α`; a white diffuse
 /// surface reflects the radiance `L sin²α`. Oracle: the closed form.
+/// Book: radiance and irradiance.
 #[test]
 fn a_cone_of_light_gives_the_irradiance_of_its_projected_solid_angle() {
     let lobe = Lobe::from(Lambertian { reflectance: Rgb::WHITE });
@@ -69,6 +83,7 @@ fn a_cone_of_light_gives_the_irradiance_of_its_projected_solid_angle() {
 
 /// Law: the `albedo` of the glossy lobe is the integral of its BRDF, also where the lobe is cut off by the
 /// horizon. Oracle: quadrature in angles about the normal; the code's is about the mirror direction.
+/// Book: reflectance.
 #[test]
 fn glossy_albedo_is_the_integral_of_its_brdf() {
     for (exponent, cosine) in [(1.0, 0.9), (4.0, 0.3), (20.0, 0.6), (20.0, 0.05), (2.5, 1.0)] {
@@ -88,6 +103,7 @@ fn glossy_albedo_is_the_integral_of_its_brdf() {
 /// Law: samples follow the density they state: the mean of any function over all samples is its integral
 /// times the density. Oracle: quadrature in angles of seven functions of the direction, against a grid of 400
 /// × 400 samples; both err by some steps of `1/400` times the lobe's height.
+/// Book: Monte Carlo integration.
 #[test]
 fn samples_follow_the_density_they_state() {
     let functions: [fn(Vector) -> f64; 7] = [
@@ -124,6 +140,7 @@ proptest! {
 
     /// Law: `f(ω_i, ω_o) = f(ω_o, ω_i)` and `f ≥ 0`, for each lobe that claims reciprocity. Oracle:
     /// the other order (Helmholtz; ch. 13).
+    /// Book: properties of BRDFs: reciprocity and energy.
     #[test]
     fn reflection_is_reciprocal_and_never_negative(a in local(), b in local()) {
         for lobe in every_lobe().filter(|lobe| lobe.claims().reciprocal) {
@@ -144,8 +161,9 @@ proptest! {
         above!(diffuse(reflectance).f(a, b).g, 0.0);
     }
 
-    /// Law: a sample's weight is `f cosθ_i / pdf`. Oracle: that quotient from `f` and `pdf` (the Monte
-    /// Carlo estimator of the reflection equation).
+    /// Law: a sample of a BRDF has the weight `f cosθ_i / pdf`. Oracle: that quotient from `f` and `pdf` (the
+    /// Monte Carlo estimator of the reflection equation).
+    /// Book: Monte Carlo integration.
     #[test]
     fn a_sample_weighs_its_brdf_by_its_density(
         wo in local(),
@@ -165,6 +183,7 @@ proptest! {
 
     /// Law: with directions drawn in proportion to the cosine, the estimate of a diffuse surface's reflection
     /// has no variance: each sample gives `ρ`. Oracle: the closed form (ch. 13).
+    /// Book: Monte Carlo integration.
     #[test]
     fn cosine_sampling_of_a_diffuse_surface_has_no_variance(
         wo in local(),
@@ -181,6 +200,7 @@ proptest! {
 
     /// Law: radiance does not change along a ray: an emitter is as bright from any distance and at
     /// any angle, to the last bit. Oracle: its `l_s c_e` (ch. 13).
+    /// Book: radiance and irradiance.
     #[test]
     fn radiance_is_constant_along_a_ray(to_eye in unit(), far in 1.5..1e9_f64) {
         let mut scene = stage(Rgb::BLACK);
@@ -199,6 +219,7 @@ const VARIANCE_RATIO: f64 = 5.0 * 0.03125;
 
 /// Law: four times as many samples halve the standard error of a Monte Carlo estimate (slope −1/2).
 /// Oracle: the variance of replicas, against that of the mean of one sample (ch. 13).
+/// Book: Monte Carlo integration.
 #[test]
 fn four_times_as_many_samples_halve_the_error() {
     let lobe = Lobe::from(GlossySpecular { reflectance: Rgb::WHITE, exponent: 10.0 });
@@ -231,6 +252,7 @@ const FURNACE_ERROR: f64 = 3e-3;
 /// Law: a convex body of albedo ρ in uniform light L reflects ρL everywhere: each point is lit from its whole
 /// hemisphere, and no part of the body shades another. Oracle: the reflection equation for uniform light (the
 /// furnace, ch. 13); the environment is a sum of many directional lights.
+/// Book: the reflection equation in uniform light.
 #[test]
 fn a_convex_body_in_a_furnace_shines_with_its_albedo() {
     let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };

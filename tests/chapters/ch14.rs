@@ -2,6 +2,17 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | directional and point lights | a directional light is the same everywhere, and depends on its direction only, not on its length | `a_directional_light_is_the_same_everywhere` |
+//! |  | moving a scene and its eye together does not change the picture | `moving_everything_changes_nothing` |
+//! | fig. 14.11, distance attenuation | a point light straight above at distance d gives `k_d l_s/(π d^k)`; with k = 0 it does not depend on d | `a_point_light_fades_with_the_power_of_its_distance` |
+//! |  | at twice the distance a point light is `2^k` times weaker, for fractional k too | `doubling_the_distance_divides_by_two_to_the_exponent` |
+//! | diffuse shading: the material Matte | a matte surface has the radiance `L = k_a c_d L_a + (k_d c_d/π) l_s c_l (n·ω_i)`, wherever the eye is | `lambert_shading_is_exact_on_a_plane` |
+//! |  | a light of strength π straight above a white surface gives it the radiance 1 | `light_of_strength_pi_makes_a_white_surface_white` |
+//! |  | a point that faces away from a light gets ambient light only, and no shadow ray is cast for it | `points_that_face_away_get_ambient_light_only` |
+//! |  | lights add, and two equal ones are one of twice the strength, bit for bit | `lights_add` |
+//! | listing 14.18, colours out of gamut | out-of-gamut colours are divided by their largest channel, or become red; others do not change | `a_colour_out_of_gamut_keeps_its_hue_or_turns_red` |
+//! | coloured lights | green light on a red surface gives black; coloured ambient light is multiplied by the same colour `c_d`, times `k_a` | `green_light_on_a_red_surface_is_black` |
+//! | shading both sides of a surface | a two-sided surface is lit and seen on its back as on its front; a one-sided one shows its back in ambient light only | `only_two_sided_surfaces_are_lit_from_behind` |
 
 mod sources;
 
@@ -42,8 +53,10 @@ fn seen(scene: &Scene, towards: Vector) -> Rgb {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: `L = k_a c_d L_a + (k_d c_d/π) l_s c_l (n·ω_i)`, wherever the eye is. Oracle: the formula (ch.
-    /// 14), channel by channel: the colours of light and surface multiply component-wise.
+    /// Law: a matte surface has the radiance `L = k_a c_d L_a + (k_d c_d/π) l_s c_l (n·ω_i)`, wherever the
+    /// eye is. Oracle: the formula (ch. 14), channel by channel: the colours of light and surface multiply
+    /// component-wise.
+    /// Book: diffuse shading: the material Matte.
     #[test]
     fn lambert_shading_is_exact_on_a_plane(
         (n, wi) in normal_and_direction_above(),
@@ -66,6 +79,7 @@ proptest! {
 
     /// Law: a light of strength π straight above a white surface gives it the radiance 1. Oracle: the
     /// formula.
+    /// Book: diffuse shading: the material Matte.
     #[test]
     fn light_of_strength_pi_makes_a_white_surface_white(n in unit()) {
         let mut scene = lit_plane(n, matte(0.0, 1.0, Rgb::WHITE));
@@ -75,6 +89,7 @@ proptest! {
 
     /// Law: lights add, and two equal ones are one of twice the strength, bit for bit. Oracle: the
     /// sum of the pictures of each light alone (linearity of the reflection equation).
+    /// Book: diffuse shading: the material Matte.
     #[test]
     fn lights_add(n in unit(), a in unit(), location in point(5.0), cd in color()) {
         let alone = |scene: &mut Scene, which: &[usize]| {
@@ -96,6 +111,7 @@ proptest! {
 
     /// Law: a directional light is the same everywhere, and depends on its direction only, not on its length.
     /// Oracle: the same scene moved, and the direction doubled; bit for bit.
+    /// Book: directional and point lights.
     #[test]
     fn a_directional_light_is_the_same_everywhere(
         (n, wi) in normal_and_direction_above(),
@@ -115,6 +131,7 @@ proptest! {
 
     /// Law: a point light straight above at distance d gives `k_d l_s/(π d^k)`; with k = 0 it does not depend
     /// on d. Oracle: the formula, with the power by repeated division (ch. 14, exercises).
+    /// Book: fig. 14.11, distance attenuation.
     #[test]
     fn a_point_light_fades_with_the_power_of_its_distance(
         n in unit(),
@@ -130,7 +147,9 @@ proptest! {
         close!(seen, Rgb::grey(expected), tolerance);
     }
 
-    /// Law: at twice the distance a light is `2^k` times weaker, for fractional k too. Oracle: that factor.
+    /// Law: at twice the distance a point light is `2^k` times weaker, for fractional k too. Oracle: that
+    /// factor.
+    /// Book: fig. 14.11, distance attenuation.
     #[test]
     fn doubling_the_distance_divides_by_two_to_the_exponent(
         d in 0.5..100.0_f64,
@@ -146,6 +165,7 @@ proptest! {
 
     /// Law: a point that faces away from a light gets ambient light only, and no shadow ray is cast
     /// for it. Oracle: the ambient term, and the counters.
+    /// Book: diffuse shading: the material Matte.
     #[test]
     fn points_that_face_away_get_ambient_light_only((n, up) in normal_and_direction_above()) {
         let mut scene = stage(Rgb::BLACK);
@@ -164,6 +184,7 @@ proptest! {
     }
 
     /// Law: moving a scene and its eye together does not change the picture. Oracle: the scene before.
+    /// Book: directional and point lights.
     #[test]
     fn moving_everything_changes_nothing(by in point(100.0), a in unit(), b in unit()) {
         let shading = |by: Vector| {
@@ -183,6 +204,7 @@ proptest! {
 
     /// Law: a two-sided surface is lit and seen on its back as on its front; a one-sided one shows
     /// its back in ambient light only. Oracle: the mirror image of light and eye.
+    /// Book: shading both sides of a surface.
     #[test]
     fn only_two_sided_surfaces_are_lit_from_behind((n, wi) in normal_and_direction_above()) {
         let shading = |two_sided: bool, side: f64| {
@@ -232,6 +254,7 @@ proptest! {
 
     /// Law: out-of-gamut colours are divided by their largest channel, or become red; others do not change.
     /// Oracle: ratios of channels, by cross-multiplication (ch. 3, 14).
+    /// Book: listing 14.18, colours out of gamut.
     #[test]
     fn a_colour_out_of_gamut_keeps_its_hue_or_turns_red(c in color(), strength in 0.1..20.0_f64) {
         let tone = |out_of_gamut| Tone { exposure: 1.0, gamma: 1.0, out_of_gamut };
@@ -254,6 +277,7 @@ proptest! {
 
 /// Law: green light on a red surface gives black; coloured ambient light is multiplied by the same colour
 /// `c_d`, times `k_a`. Oracle: the component-wise product (ch. 14).
+/// Book: coloured lights.
 #[test]
 fn green_light_on_a_red_surface_is_black() {
     let (red, green) = (Rgb::new(1.0, 0.0, 0.0), Rgb::new(0.0, 1.0, 0.0));

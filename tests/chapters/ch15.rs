@@ -2,6 +2,15 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | the glossy specular BRDF: (r·ω_o)ᵉ | the BRDF of a highlight is `f = k_s c_s cosᵉα`, α the angle between the mirror direction of the light and the eye; the diffuse term beside it is `k_d c_d/π` | `the_highlight_falls_with_the_power_of_the_cosine` |
+//! |  | the lobe of a highlight is the same if light and eye are exchanged, bit for bit, and if both are turned about the normal | `the_highlight_is_reciprocal_and_isotropic` |
+//! |  | there is no highlight beyond 90° from the mirror direction or below the surface, and it is never negative or NaN, whatever the exponent | `a_highlight_is_never_negative_or_nan` |
+//! | the mirror direction | in the mirror direction the highlight is `k_s c_s l_s c_l (n·ω_i)`, whatever the exponent: with the cosine, and not tinted by `c_d` | `the_highlight_peaks_at_the_mirror_direction_whatever_its_exponent` |
+//! |  | the brightest point of a shiny sphere under parallel light, seen by parallel rays, is where the normal bisects light and eye | `a_sphere_is_brightest_where_its_normal_bisects_light_and_eye` |
+//! | the material Phong | without highlights (`k_s = 0`) a Phong surface is a matte one, bit for bit | `phong_without_highlights_is_matte` |
+//! | fig. 15.7, the exponent and the size of a highlight | a highlight of exponent e falls to half its peak at `acos(2^(−1/e))` from the mirror direction: 60°, 21.1°, 6.74°, 2.13° for e = 1, 10, 100, 1000 | `half_the_highlight_is_at_the_angle_whose_power_is_one_half` |
+//! |  | in a whole picture the highlight's brightest pixel is the one whose sphere point bisects light and eye, and its half-peak disc has the size that the exponent says | `a_highlight_in_a_picture_has_the_size_of_its_exponent` |
+//! |  | seen straight from above, the highlight reflects `2π k_s/(e + 2)` of uniform light | `the_energy_of_a_highlight_is_two_pi_over_e_plus_two` |
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -61,6 +70,7 @@ proptest! {
     #![proptest_config(laws())]
 
     /// Law: without highlights (`k_s = 0`) a Phong surface is a matte one, bit for bit. Oracle: matte.
+    /// Book: the material Phong.
     #[test]
     fn phong_without_highlights_is_matte((n, wi) in normal_and_direction_above(), cd in color()) {
         let wo = at_angle(n, 0.3, 1.0);
@@ -71,6 +81,7 @@ proptest! {
 
     /// Law: in the mirror direction the highlight is `k_s c_s l_s c_l (n·ω_i)`, whatever the exponent: with
     /// the cosine, and not tinted by `c_d`. Oracle: the formula (ch. 15).
+    /// Book: the mirror direction.
     #[test]
     fn the_highlight_peaks_at_the_mirror_direction_whatever_its_exponent(
         n in unit(),
@@ -85,9 +96,10 @@ proptest! {
         close!(seen, expected, rounding(e) / cos_i);
     }
 
-    /// Law: `f = k_s c_s cosᵉα`, α the angle between the mirror direction of the light and the eye; the
-    /// diffuse term beside it is `k_d c_d/π`. Oracle: α from the bisector of light and eye in the plane
-    /// of incidence, where angles add.
+    /// Law: the BRDF of a highlight is `f = k_s c_s cosᵉα`, α the angle between the mirror direction of the
+    /// light and the eye; the diffuse term beside it is `k_d c_d/π`. Oracle: α from the bisector of light and
+    /// eye in the plane of incidence, where angles add.
+    /// Book: the glossy specular BRDF: (r·ω_o)ᵉ.
     #[test]
     fn the_highlight_falls_with_the_power_of_the_cosine(
         (theta, alpha) in (-1.5..1.5_f64, -1.5..1.5_f64),
@@ -103,8 +115,9 @@ proptest! {
         close!(seen, expected, tolerance);
     }
 
-    /// Law: the lobe is the same if light and eye are exchanged, bit for bit, and if both are turned
-    /// about the normal. Oracle: the lobe before (`r(ω_i)·ω_o = r(ω_o)·ω_i`; ch. 15).
+    /// Law: the lobe of a highlight is the same if light and eye are exchanged, bit for bit, and if both are
+    /// turned about the normal. Oracle: the lobe before (`r(ω_i)·ω_o = r(ω_o)·ω_i`; ch. 15).
+    /// Book: the glossy specular BRDF: (r·ω_o)ᵉ.
     #[test]
     fn the_highlight_is_reciprocal_and_isotropic(
         (ci, co) in (cosine(), cosine()),
@@ -121,6 +134,7 @@ proptest! {
 
     /// Law: there is no highlight beyond 90° from the mirror direction or below the surface, and it is never
     /// negative or NaN, whatever the exponent. Oracle: the sign of `r·ω_o`.
+    /// Book: the glossy specular BRDF: (r·ω_o)ᵉ.
     #[test]
     fn a_highlight_is_never_negative_or_nan(wo in unit(), wi in unit(), e in exponents()) {
         let (wo, wi) = (Vector::from(wo), Vector::from(wi));
@@ -141,6 +155,7 @@ proptest! {
 
     /// Law: the brightest point of a shiny sphere under parallel light, seen by parallel rays, is where
     /// the normal bisects light and eye. Oracle: that point; its neighbours all around are darker.
+    /// Book: the mirror direction.
     #[test]
     fn a_sphere_is_brightest_where_its_normal_bisects_light_and_eye(
         (eye, sun) in (unit(), unit()),
@@ -165,6 +180,7 @@ proptest! {
 /// Law: a highlight of exponent e falls to half its peak at `acos(2^(−1/e))` from the mirror direction: 60°,
 /// 21.1°, 6.74°, 2.13° for e = 1, 10, 100, 1000. Oracle: those angles (ch. 15), found here by bisection on
 /// the lobe's own values.
+/// Book: fig. 15.7, the exponent and the size of a highlight.
 #[test]
 fn half_the_highlight_is_at_the_angle_whose_power_is_one_half() {
     let known = [(1.0, 60.0), (10.0, 21.0874), (100.0, 6.7383), (1000.0, 2.1330)];
@@ -185,6 +201,7 @@ const QUADRATURE: f64 = 2.0 * 2002.0 / 24.0 * (PI / 8000.0) * (PI / 8000.0);
 
 /// Law: seen straight from above, the highlight reflects `2π k_s/(e + 2)` of uniform light. Oracle: the
 /// closed form (ch. 15), against the lobe's `albedo` and against the integral of its `f`.
+/// Book: fig. 15.7, the exponent and the size of a highlight.
 #[test]
 fn the_energy_of_a_highlight_is_two_pi_over_e_plus_two() {
     for exponent in [0.0, 0.25, 1.0, 10.0, 100.0, 2000.0] {
@@ -207,6 +224,7 @@ fn the_energy_of_a_highlight_is_two_pi_over_e_plus_two() {
 /// Law: in a whole picture the highlight's brightest pixel is the one whose sphere point bisects light
 /// and eye, and its half-peak disc has the size that the exponent says. Oracle: the closed form for a
 /// unit sphere under parallel rays with light and eye on one line: the normal turns by half of α.
+/// Book: fig. 15.7, the exponent and the size of a highlight.
 #[test]
 fn a_highlight_in_a_picture_has_the_size_of_its_exponent() {
     for exponent in [20.0, 100.0] {

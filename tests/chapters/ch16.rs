@@ -2,6 +2,17 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | shadow rays and the distance of the light | an object behind a point light casts no shadow, one in front of it does; under a directional light an object casts a shadow from any distance | `shadow_ray_stops_at_the_light` |
+//! |  | a plane blocks a lamp on its other side, although it has no bounds | `a_plane_casts_a_shadow` |
+//! |  | a ray has an occluder within a span exactly if it hits something there | `a_ray_is_blocked_exactly_if_it_hits` |
+//! |  | shadows only remove light: for one light, each pixel is the same as without shadows, or black | `shadows_never_brighten` |
+//! | self-shadowing and ε | no point of a convex body is in the body's own shadow, at any scale from 1e-6 to 1e6 and for any grazing light: there is no surface acne | `no_convex_body_shades_itself` |
+//! |  | by the book's hit functions a planet far from the origin is in its own shadow in many of the pixels that the sun lights, by the library's in none | `acne::the_planet_shades_itself_by_the_textbook_only` |
+//! | fig. 16.5, the view from the light | seen from a point light there is no shadow: the picture is the one without shadows, bit for bit; from elsewhere the two differ | `the_view_from_a_light_shows_no_shadow` |
+//! | shadows of a sphere | the shadow on y = 0 of a sphere (radius r, centre at height h) is a disc of radius r under a vertical sun, and of radius `H tan(asin(r/(H − h)))` under a lamp at height H | `the_shadow_of_a_sphere_is_a_disc` |
+//! |  | the edge of the shadow of a ball on the ground lies on the cone from the lamp that touches the ball, in every direction | `the_edge_of_a_shadow_is_on_the_tangent_cone` |
+//! | fig. 16.11, shadows of three coloured lights | each light has its own shadow: with three coloured lights, the regions in the shadow of one show the other two (cyan, magenta, yellow), and all these regions occur | `three_coloured_lights_cast_complementary_shadows` |
+//! | shadow switches of lights, objects and materials (exercises) | a shadow needs the light's switch, the object's and the material's; those of the receiver do not matter | `a_shadow_needs_the_switches_of_light_object_and_material` |
 
 mod acne;
 mod media;
@@ -57,6 +68,7 @@ fn heap() -> Scene {
 
 /// Law: seen from a point light there is no shadow: the picture is the one without shadows, bit for bit; from
 /// elsewhere the two differ. Oracle: that picture (ch. 16).
+/// Book: fig. 16.5, the view from the light.
 #[test]
 fn the_view_from_a_light_shows_no_shadow() {
     for (eye, equal) in [(Point::new(4.0, 5.0, 8.0), true), (Point::new(0.0, 9.0, 1.0), false)] {
@@ -70,6 +82,7 @@ fn the_view_from_a_light_shows_no_shadow() {
 
 /// Law: shadows only remove light: for one light, each pixel is the same as without shadows, or black.
 /// Oracle: the picture without shadows.
+/// Book: shadow rays and the distance of the light.
 #[test]
 fn shadows_never_brighten() {
     let mut scene = heap();
@@ -88,6 +101,7 @@ fn shadows_never_brighten() {
 /// Law: the shadow on y = 0 of a sphere (radius r, centre at height h) is a disc of radius r under a
 /// vertical sun, and of radius `H tan(asin(r/(H − h)))` under a lamp at height H. Oracle: the closed
 /// form (ch. 16), in each pixel of a picture taken from beneath the sphere.
+/// Book: shadows of a sphere.
 #[test]
 fn the_shadow_of_a_sphere_is_a_disc() {
     let (r, h, height) = (0.8, 1.5, 5.0_f64);
@@ -118,6 +132,7 @@ fn the_shadow_of_a_sphere_is_a_disc() {
 /// Law: each light has its own shadow: with three coloured lights, the regions in the shadow of one show the
 /// other two (cyan, magenta, yellow), and all these regions occur. Oracle: whether the segment from the
 /// ground to a light passes through the sphere, by the distance of its centre (ch. 16).
+/// Book: fig. 16.11, shadows of three coloured lights.
 #[test]
 fn three_coloured_lights_cast_complementary_shadows() {
     let mut scene =
@@ -162,6 +177,7 @@ fn blocked(source: impl Into<lights::Kind>, switch: impl Fn(&mut Scene)) -> bool
 
 /// Law: a shadow needs the light's switch, the object's and the material's; those of the receiver do
 /// not matter. Oracle: the truth table (ch. 16, exercises).
+/// Book: shadow switches of lights, objects and materials (exercises).
 #[test]
 fn a_shadow_needs_the_switches_of_light_object_and_material() {
     let source = || sun(Vector::new(1.0, 1.0, 0.0));
@@ -182,6 +198,7 @@ fn a_shadow_needs_the_switches_of_light_object_and_material() {
 
 /// Law: an object behind a point light casts no shadow, one in front of it does; under a directional light an
 /// object casts a shadow from any distance. Oracle: the order of distances on one line (ch. 16).
+/// Book: shadow rays and the distance of the light.
 #[test]
 fn shadow_ray_stops_at_the_light() {
     let along = |s: f64| lamp(Point::new(2.0 + s, s, 0.0));
@@ -198,6 +215,7 @@ fn shadow_ray_stops_at_the_light() {
 
 /// Law: a plane blocks a lamp on its other side, although it has no bounds. Oracle: the sides of lamp and
 /// ground.
+/// Book: shadow rays and the distance of the light.
 #[test]
 fn a_plane_casts_a_shadow() {
     let wall = Plane { point: Point::new(0.0, 2.0, 0.0), normal: Vector::Y };
@@ -218,6 +236,7 @@ proptest! {
 
     /// Law: no point of a convex body is in the body's own shadow, at any scale from 1e-6 to 1e6 and for any
     /// grazing light: there is no surface acne. Oracle: the same without shadows, bit for bit.
+    /// Book: self-shadowing and ε.
     #[test]
     fn no_convex_body_shades_itself(
         exponent in -20..20_i32,
@@ -263,6 +282,7 @@ proptest! {
 
     /// Law: a ray has an occluder within a span exactly if it hits something there. Oracle: `hit` over the
     /// same span.
+    /// Book: shadow rays and the distance of the light.
     #[test]
     fn a_ray_is_blocked_exactly_if_it_hits(
         origin in point(4.0),
@@ -296,6 +316,7 @@ proptest! {
 /// Law: the edge of the shadow of a ball on the ground lies on the cone from the lamp that touches the ball,
 /// in every direction. Oracle: the distance of the ball's centre from the ray through the edge, found by
 /// bisection on the rendered radiance.
+/// Book: shadows of a sphere.
 #[test]
 fn the_edge_of_a_shadow_is_on_the_tangent_cone() {
     let (light, center, radius) = (Point::new(1.0, 6.0, -0.5), Point::new(0.5, 2.0, 0.3), 0.75);

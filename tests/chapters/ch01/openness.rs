@@ -42,7 +42,9 @@ fn center_within([x, y]: [u32; 2], xs: [f64; 2], ys: [f64; 2]) -> bool {
     xs[0] < at[0] && at[0] < xs[1] && ys[0] < at[1] && at[1] < ys[1]
 }
 
-/// Law: a user-defined shape appears where it is. Oracle: the pixels' centres, counted by hand.
+/// Law: a user-defined shape, which no code of the library names, appears where it is. Oracle: the pixels'
+/// centres, counted by hand.
+/// Book: an extensible design: kinds that the core does not know.
 #[test]
 fn a_shape_defined_here_is_rendered() {
     let mut scene = from_front(16, 16, 0.25);
@@ -56,6 +58,7 @@ fn a_shape_defined_here_is_rendered() {
 
 /// Law: a user-defined shape can be transformed like any other: moved, stretched, turned; its normal too.
 /// Oracle: the transformed rectangle and normal, calculated by hand.
+/// Book: an extensible design: kinds that the core does not know.
 #[test]
 fn a_shape_defined_here_sits_in_an_instance() {
     let mut scene = from_front(16, 16, 0.25);
@@ -90,6 +93,7 @@ fn a_shape_defined_here_sits_in_an_instance() {
 
 /// Law: a user-defined shape casts shadows. Oracle: the tile is at height 0, the direction of the light is
 /// (0, 1, 1)/√2 and the wall is at z = −2, so the shadow is two units lower.
+/// Book: an extensible design: kinds that the core does not know.
 #[test]
 fn a_shape_defined_here_casts_shadows() {
     let mut scene = from_front(16, 16, 0.25);
@@ -196,6 +200,7 @@ fn all_my_own() -> Scene {
 /// Law: shape, camera, sampler, light, material and texture can all be user-defined at once. Oracle: one
 /// pixel, calculated by hand: the top left pixel spans x from −½ to 0 and y from 0 to ½; its sample at (¼, ¼)
 /// is the point (−⅜, ⅛), where the inverted camera sees y = −⅛.
+/// Book: an extensible design: kinds that the core does not know.
 #[test]
 fn every_kind_of_thing_can_be_a_users_own() {
     let film = render::render(&built(&all_my_own()));

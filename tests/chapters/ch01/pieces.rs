@@ -15,6 +15,7 @@ fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
 }
 
 /// Law: the picture does not depend on the number of threads. Oracle: one thread.
+/// Book: the skeleton: worker threads, and a picture shown while it renders.
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
     let mut scene = small("ch24/hall-of-mirrors", 40, 35, 3);
@@ -29,6 +30,7 @@ fn any_number_of_threads_gives_the_same_bits() {
 
 /// Law: a 1 × 1 picture of a box seen from +z has the normal (0, 0, 1), exactly (the book's own
 /// anecdote). Oracle: the face itself.
+/// Book: debugging with single pixels and simple scenes.
 #[test]
 fn one_pixel_of_a_box_has_the_normal_of_its_front() {
     let lens = Pinhole { distance: 3.0, zoom: 1.0 };
@@ -49,6 +51,7 @@ fn one_pixel_of_a_box_has_the_normal_of_its_front() {
 
 /// Law: a single replayed pixel and any crop equal the same pixels of the whole picture. Oracle: the whole
 /// picture; the crops cross the borders of tiles.
+/// Book: debugging with single pixels and simple scenes.
 #[test]
 fn parts_and_single_pixels_are_those_of_the_whole() {
     let mut scene = small("ch28/glass-sphere", 37, 35, 4);
@@ -132,6 +135,7 @@ fn interrupted_of(samples: u32, last: u32) -> (Arc<Interrupter>, World, Arc<Canv
 /// black and not counted as done. Oracle: one thread and one sample per pixel, so that at the 300th ray the
 /// 12 pixels of the coarse picture are seen, and the other 252 of the first tile of 16 × 16; those of the second tile
 /// that were finished before it are kept when it ends.
+/// Book: the skeleton: worker threads, and a picture shown while it renders.
 #[test]
 fn the_picture_so_far_can_be_seen_and_stopped() {
     let (interrupter, world, canvas) = interrupted_at(300);
@@ -150,8 +154,9 @@ fn the_picture_so_far_can_be_seen_and_stopped() {
     assert!(interrupter.rays.load(Relaxed) <= 301, "it went on after it was stopped");
 }
 
-/// Law: the same seed gives the same picture and another seed another one, except with a sampler that is not
+/// Law: the same seed gives the same picture, and another seed another one, except with a sampler that is not
 /// random. Oracle: building again.
+/// Book: random numbers from one seed.
 #[test]
 fn only_the_seed_changes_random_samples() {
     let mut scene = small("ch14/page-one", 32, 32, 4);
@@ -170,6 +175,7 @@ fn only_the_seed_changes_random_samples() {
 
 /// Law: wherever a colour is expected it can be written as `[r, g, b]`, or as one number for a grey. Oracle:
 /// the definition of a grey.
+/// Book: three forms of setters for colours.
 #[test]
 fn a_colour_can_be_one_number() {
     #[derive(Deserialize)]

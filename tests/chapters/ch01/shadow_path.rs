@@ -76,6 +76,7 @@ fn two_in_a_row() -> (Scene, [Arc<Watched>; 2]) {
 /// Law: camera rays call `hit` of each object, shadow rays `shadow_hit` and nothing else; `surface` is called
 /// once for each camera ray, for the nearest object alone. Oracle: nine pixels that all show the lit front
 /// sphere, whose shadow rays must test both spheres.
+/// Book: two hit functions for each object.
 #[test]
 fn shadow_rays_call_only_shadow_hit() {
     let (scene, [front, back]) = two_in_a_row();

@@ -7,7 +7,8 @@ use groundtruth::math::Frame;
 
 use crate::prelude::*;
 
-/// Law: 180° = π, 1 rad = 57.295 779 513 082 32°. (The book prints the inverse factor.)
+/// Law: 180° = π, 1 rad = 57.295 779 513 082 32° (the book prints the inverse factor).
+/// Book: degrees and radians.
 #[test]
 fn half_a_turn_is_pi() {
     assert_eq!((to_radians(180.0), to_degrees(PI)), (PI, 180.0));
@@ -36,6 +37,7 @@ proptest! {
 
     /// Law: a whole turn changes no bit; the sine is odd, the cosine even, and `cos x = sin(90° − x)`;
     /// `cos(x ± 90°) = ∓ sin x` (the book misprints it). Oracle: these identities.
+    /// Book: trigonometric identities.
     #[test]
     fn sines_of_degrees_are_periodic(eighths in -2880..2880_i32, turns in -5..6_i32) {
         let x = f64::from(eighths) / 8.0;
@@ -51,7 +53,8 @@ proptest! {
         near!(s * s + c * c, 1.0, 2.0 * SINE);
     }
 
-    /// Law: `sin(a + b) = sin a cos b + cos a sin b`, in degrees and in radians alike.
+    /// Law: the sine of a sum is `sin(a + b) = sin a cos b + cos a sin b`, in degrees and in radians alike.
+    /// Book: trigonometric identities.
     #[test]
     fn sines_add(a in -360.0..360.0_f64, b in -360.0..360.0_f64) {
         let sum = sin_degrees(a) * cos_degrees(b) + cos_degrees(a) * sin_degrees(b);
@@ -68,7 +71,9 @@ proptest! {
         near!(to_degrees(to_radians(degrees)), degrees, 4.0 * U * degrees.abs());
     }
 
-    /// Law: (θ, φ) → point → (θ, φ), with θ from +y and φ from +z towards +x, as the book counts.
+    /// Law: the angles (θ, φ) of a point are those it was made from, with θ from +y and φ from +z towards +x,
+    /// as the book counts.
+    /// Book: spherical coordinates.
     #[test]
     fn spherical_coordinates_go_there_and_back(theta in 0.01..3.13_f64, phi in 0.0..TAU) {
         let p = Vector::new(sin(theta) * sin(phi), cos(theta), sin(theta) * cos(phi));
@@ -81,6 +86,7 @@ proptest! {
 
     /// Law: the solid angle of an octant is π/2, however the frame is turned. Oracle: the solid angle of a
     /// triangle (van Oosterom & Strackee 1983), `tan(Ω/2) = a·(b × c) / (1 + a·b + b·c + c·a)`.
+    /// Book: solid angles.
     #[test]
     fn octants_have_an_eighth_of_the_sphere(n in unit()) {
         let Frame { u, v, w } = Frame::around(n);
@@ -92,6 +98,7 @@ proptest! {
 }
 
 /// Law: the axes have the book's angles: φ(+x) = π/2, φ(+z) = 0, φ(−x) = 3π/2, θ(+y) = 0.
+/// Book: spherical coordinates.
 #[test]
 fn the_axes_have_the_books_angles() {
     let azimuth = |n: Normal| atan2(n.x(), n.z()).rem_euclid(TAU);
@@ -104,6 +111,7 @@ fn the_axes_have_the_books_angles() {
 
 /// Law: `∫ cosⁿθ dω = 2π/(n + 1)` over the hemisphere. Oracle: the midpoint rule in θ, whose error is
 /// h²/24 times the change of slope, here at most n; so 1e-6 with 4000 steps.
+/// Book: equation 2.12, the integral of cosⁿθ over the hemisphere.
 #[test]
 fn powers_of_the_cosine_integrate_over_the_hemisphere() {
     const STEPS: u32 = 4000;

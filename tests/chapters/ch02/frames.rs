@@ -34,8 +34,9 @@ fn frames_around_the_axes_are_orthonormal() {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: `Frame::around` is orthonormal and right-handed (`u × v = w`), and w is the normal given,
+    /// Law: a frame around a normal is orthonormal and right-handed (`u × v = w`), and its w is the normal,
     /// to the bit. Oracle: scalar and vector products.
+    /// Book: orthonormal bases.
     #[test]
     fn frames_are_orthonormal_and_right_handed(n in unit()) {
         let frame = Frame::around(n);
@@ -44,8 +45,9 @@ proptest! {
         near!(frame.u.cross(frame.v), frame.w, ORTHONORMAL);
     }
 
-    /// Law: in the frame's own coordinates u is (1, 0, 0), and so on; going there and back changes
-    /// nothing; lengths stay. Oracle: the definition.
+    /// Law: the directions (1, 0, 0), (0, 1, 0) and (0, 0, 1) of a frame are u, v and w in the world; going
+    /// there and back changes nothing, and lengths stay. Oracle: the definition.
+    /// Book: orthonormal bases.
     #[test]
     fn coordinates_go_there_and_back(n in unit(), v in unit(), length in 1e-3..1e3_f64) {
         let (frame, v) = (Frame::around(n), length * v);
@@ -59,9 +61,10 @@ proptest! {
         near!(local.z(), v.dot(n), tolerance);
     }
 
-    /// Law: a viewing frame has w along `back`, u level (perpendicular to `up`), v on the side of `up`; it is
-    /// orthonormal and right-handed; lengths do not matter. Oracle: scalar products, with a tolerance that
-    /// grows as the angle between `back` and `up` shrinks.
+    /// Law: a viewing frame has w along the direction given, u perpendicular to `up` and v on the side of
+    /// `up`; it is orthonormal and right-handed; lengths do not matter. Oracle: scalar products, with a
+    /// tolerance that grows as the angle between the direction and `up` shrinks.
+    /// Book: orthonormal bases.
     #[test]
     fn viewing_frames_are_level(back in unit(), up in unit(), scale in 1e-5..1e5_f64) {
         let sine = Vector::from(back).cross(up).length();
@@ -75,7 +78,8 @@ proptest! {
         above!(frame.u.dot(Vector::from(up).cross(back)), 0.0);
     }
 
-    /// Law: with `up` along y, u is horizontal, exactly.
+    /// Law: with `up` along y, the u of a viewing frame is horizontal, exactly.
+    /// Book: orthonormal bases.
     #[test]
     fn upright_frames_have_a_horizontal_u(back in unit()) {
         prop_assume!(back.x() != 0.0 || back.z() != 0.0);

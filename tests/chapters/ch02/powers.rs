@@ -41,8 +41,9 @@ proptest! {
         prop_assert_eq!(power_of_two(exponent), product);
     }
 
-    /// Law: `s_n = a (1 − rⁿ)/(1 − r)` is the sum of `a rʲ` for j below n, and `n a` for r = 1.
-    /// (The book prints n for j in the summand.) Oracle: adding up.
+    /// Law: `s_n = a (1 − rⁿ)/(1 − r)` is the sum of `a rʲ` for j below n, and `n a` for r = 1 (the book
+    /// prints n for j in the summand). Oracle: adding up.
+    /// Book: equation 2.15, geometric series.
     #[test]
     fn geometric_series_add_up(a in 0.1..10.0_f64, r in 0.0..0.99_f64, n in 0..60_u32) {
         let sum: f64 = (0..n).map(|j| a * power(r, f64::from(j))).sum();
@@ -59,7 +60,8 @@ proptest! {
     }
 }
 
-/// Law: the book's check of the series, a = 1, r = ½, n = 6.
+/// Law: six terms of the series with a = 1 and r = ½ make 1.968 75.
+/// Book: equation 2.15, geometric series.
 #[test]
 fn six_halvings_make_1_96875() {
     let sum: f64 = (0..6).map(|j| power(0.5, f64::from(j))).sum();

@@ -64,8 +64,10 @@ fn hashes_avalanche() {
     }
 }
 
-/// Law: uniform numbers are the multiples of 2⁻⁵³ in [0, 1), each of the 53 bits a fair coin. So the
-/// largest is 1 − 2⁻⁵³ and never 1. Oracle: the bits of the number times 2⁵³, an exact product.
+/// Law: uniform numbers are in [0, 1), the largest being 1 − 2⁻⁵³ and never 1 (the book's can be 1): the
+/// multiples of 2⁻⁵³, each of the 53 bits a fair coin. Oracle: the bits of the number times 2⁵³, an exact
+/// product.
+/// Book: 2.11, random numbers.
 #[test]
 fn uniform_numbers_are_half_open_with_53_fair_bits() {
     const DRAWS: u32 = 100_000;
@@ -85,8 +87,9 @@ fn uniform_numbers_are_half_open_with_53_fair_bits() {
     }
 }
 
-/// Law: uniform numbers are uniform: their cells, mean ½ and variance 1/12. Oracle: χ² (the book's 10 cells
-/// of about 100, and 1000 cells of about 1000); the variance of (u − ½)² is 1/180.
+/// Law: uniform numbers have equally full cells, the mean ½ and the variance 1/12. Oracle: χ² (the book's 10
+/// cells of about 100, and 1000 cells of about 1000); the variance of (u − ½)² is 1/180.
+/// Book: 2.11, random numbers.
 #[test]
 fn uniform_numbers_are_uniform() {
     let mut random = Pcg32::new(17, 4);
@@ -158,6 +161,7 @@ proptest! {
     /// Law: the same seed and stream give the same numbers, again and again; the next number, another seed
     /// and another stream give others. A whole number below n is below n. Oracle: two of 2⁵³ numbers are
     /// almost never equal.
+    /// Book: 2.11, random numbers.
     #[test]
     fn a_seed_reproduces_its_numbers(seed: u64, stream: u64, n in 1..u32::MAX) {
         let [mut a, mut b] = [(); 2].map(|()| Pcg32::new(seed, stream));

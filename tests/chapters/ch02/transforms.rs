@@ -29,6 +29,7 @@ proptest! {
     #![proptest_config(laws())]
 
     /// Law: points move with a translation, vectors do not; otherwise alike: `T(p) − T(q) = T(p − q)`.
+    /// Book: transforming points, vectors and normals.
     #[test]
     fn vectors_ignore_translations(t in transform(), p in point(5.0), q in point(5.0)) {
         near!(t.point(p) - t.point(q), t.vector(p - q), ROUNDING);
@@ -40,6 +41,7 @@ proptest! {
 
     /// Law: a transformed normal is perpendicular to every transformed tangent: `M⁻ᵀn · M v = n·v`.
     /// Moving it as a vector would not do that.
+    /// Book: transforming points, vectors and normals.
     #[test]
     fn normals_stay_perpendicular(t in transform(), n in unit(), v in point(5.0)) {
         let v = v.to_vector();
@@ -59,8 +61,9 @@ proptest! {
     }
 }
 
-/// Law: stretching a sphere moves its points towards the axis, but turns its normals away from it. Oracle:
-/// the ellipsoid `(x/2)² + y² = 1` has the gradient (x/2, 2y).
+/// Law: stretching a sphere along an axis moves its points towards that axis, but turns its normals away from
+/// it. Oracle: the ellipsoid `(x/2)² + y² = 1` has the gradient (x/2, 2y).
+/// Book: transforming points, vectors and normals.
 #[test]
 fn normals_of_an_ellipse_are_its_gradient() {
     let stretch = Transform::from_steps(&[Step::Scale(Vector::new(2.0, 1.0, 1.0))]);

@@ -28,6 +28,7 @@ proptest! {
 
     /// Law: sums, differences, products and quotients are those of the components. Oracle: whole
     /// numbers.
+    /// Book: vectors, points and their products.
     #[test]
     fn vectors_calculate_by_components(a in whole(), b in whole(), k in -9..10_i64) {
         let (u, v) = (vector(a), vector(b));
@@ -48,6 +49,7 @@ proptest! {
 
     /// Law: `p − q` leads from q to p; points move by vectors; distances are lengths. Oracle: whole
     /// numbers.
+    /// Book: vectors, points and their products.
     #[test]
     fn points_move_by_vectors(a in whole(), b in whole()) {
         let (p, q) = (point(a), point(b));
@@ -60,6 +62,7 @@ proptest! {
     }
 
     /// Law: the vector product is right-handed: x × y = z. Oracle: the determinant in whole numbers.
+    /// Book: vectors, points and their products.
     #[test]
     fn vector_products_are_right_handed(a in whole(), b in whole()) {
         let expected = cross(a.map(i128::from), b.map(i128::from)).map(|x| x as f64);
@@ -69,7 +72,8 @@ proptest! {
         prop_assert_eq!(Vector::Z.cross(Vector::X), Vector::Y);
     }
 
-    /// Law (Lagrange): `|u × v|² + (u·v)² = |u|² |v|²`, exactly.
+    /// Law: `|u × v|² + (u·v)² = |u|² |v|²` (Lagrange), exactly.
+    /// Book: vectors, points and their products.
     #[test]
     fn vector_and_scalar_product_share_the_lengths(a in whole(), b in whole()) {
         let (u, v) = (vector(a), vector(b));

@@ -10,7 +10,9 @@ fn radiance(largest: f64) -> impl Strategy<Value = Rgb> {
     [channel(), channel(), channel()].prop_map(Rgb::from)
 }
 
-/// Law: the book's examples: (2, 1, 0) becomes (1, ½, 0), or red; ½ at gamma 2.2 is 0.7297.
+/// Law: the colour (2, 1, 0) is shown as (1, ½, 0); where colours out of gamut are marked, one with a channel
+/// above 1 is shown red; ½ at gamma 2.2 is 0.7297.
+/// Book: showing a colour: the range, gamma, bytes.
 #[test]
 fn the_books_examples_are_shown_as_in_the_book() {
     let clamp = Tone { out_of_gamut: OutOfGamut::ClampToColor, ..Tone::PLAIN };
@@ -29,6 +31,7 @@ proptest! {
     #![proptest_config(laws())]
 
     /// Law: max-to-one keeps the hue: the shares of the channels. Oracle: cross products of channels.
+    /// Book: showing a colour: the range, gamma, bytes.
     #[test]
     fn max_to_one_keeps_the_hue(color in radiance(50.0)) {
         let shown = Tone::PLAIN.map(color);
@@ -46,6 +49,7 @@ proptest! {
     }
 
     /// Law: gamma is applied last, after the out-of-gamut rule; raising to γ undoes it: `(x^(1/γ))^γ = x`.
+    /// Book: showing a colour: the range, gamma, bytes.
     #[test]
     fn gamma_comes_last(color in radiance(5.0), gamma in 0.5..4.0_f64, exposure in 0.1..10.0_f64) {
         let tone = Tone { exposure, gamma, ..Tone::PLAIN };
@@ -67,8 +71,9 @@ proptest! {
         at_most!(tone.to_bytes(Rgb::grey(a.min(b))), tone.to_bytes(Rgb::grey(a.max(b))));
     }
 
-    /// Law: bytes are the nearest of 256. (The book truncates: 254.9 would be 254.) Oracle: no byte
-    /// is nearer.
+    /// Law: a channel becomes the nearest of 256 bytes, where the book truncates: 254.9 would be 254. Oracle:
+    /// no byte is nearer.
+    /// Book: showing a colour: the range, gamma, bytes.
     #[test]
     fn bytes_are_the_nearest(color in radiance(1.0)) {
         for (byte, c) in Tone::PLAIN.to_bytes(color).into_iter().zip(color.to_array()) {
@@ -76,7 +81,9 @@ proptest! {
         }
     }
 
-    /// Law: `powc` to a whole power is the product, channel by channel; `average` is the channels' mean.
+    /// Law: colours add, multiply and divide channel by channel; `powc` to a whole power is the product, and
+    /// `average` the channels' mean.
+    /// Book: colours: the operations of RGBColor.
     #[test]
     fn colours_calculate_by_channels(a in radiance(3.0), b in radiance(3.0), k in 0.1..9.0_f64) {
         prop_assert_eq!(a.powc(2.0), a * a);

@@ -15,8 +15,9 @@ fn sphere(center: Point, radius: f64) -> Arc<dyn Shape> {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: the hit of a sphere is on it, at the distance t of the origin for a unit direction; the
+    /// Law: the hit of a sphere is on it, at the distance t from the origin of a ray of unit direction; the
     /// normal is `(p − c)/r`. Oracle: distances.
+    /// Book: rays and spheres.
     #[test]
     fn t_is_the_distance_to_a_point_of_the_sphere(
         o in point(20.0), aim in point(1.0), center in point(0.5), radius in 1.5..5.0_f64,
@@ -36,6 +37,7 @@ proptest! {
 
     /// Law: from inside, the far root is hit, with the outward normal: `n·d > 0`; from outside the
     /// near one, `n·d < 0`, and with the sphere behind, none. Oracle: where the origin is.
+    /// Book: rays and spheres.
     #[test]
     fn a_sphere_is_hit_from_inside_and_missed_behind(
         from in unit(), d in unit(), share in 0.0..0.99_f64, radius in 0.01..100.0_f64,
@@ -57,6 +59,7 @@ proptest! {
 
     /// Law: a tangent touches at the distance `√(|o − c|² − r²)`. Oracle: the right triangle, for a
     /// ray a billionth of the radius nearer to the centre, whose two hits lie around that point.
+    /// Book: question 3.1, rays that touch a sphere.
     #[test]
     fn a_tangent_touches_where_the_right_triangle_says(
         n in unit(), radius in 0.1..10.0_f64, away in 0.1..50.0_f64,
@@ -78,6 +81,7 @@ proptest! {
     }
 
     /// Law: twice the direction is half the t, to the bit, for plane and sphere alike.
+    /// Book: rays: p = o + t d.
     #[test]
     fn t_is_in_units_of_the_direction(o in point(3.0), d in unit(), n in unit(), c in point(2.0)) {
         let shapes =
@@ -91,6 +95,7 @@ proptest! {
 
     /// Law: the hit of a plane satisfies its equation, and is ahead exactly if the ray goes to the
     /// other side. Oracle: `(p − a)·n = 0`, and the signs of `(o − a)·n` and `d·n`.
+    /// Book: rays and planes.
     #[test]
     fn a_plane_is_hit_where_its_equation_holds(
         o in point(10.0), a in point(10.0), n in unit(), d in unit(),
@@ -111,6 +116,7 @@ proptest! {
 
     /// Law: a ray parallel to a plane misses it, above, below, and in it (infinite t, and 0/0). Oracle:
     /// planes along the axes, whose products are exact.
+    /// Book: rays and planes.
     #[test]
     fn a_ray_parallel_to_a_plane_misses(
         (x, z) in (-1.0..1.0_f64, -1.0..1.0_f64),
@@ -125,8 +131,9 @@ proptest! {
         prop_assert_eq!(plane.shadow_hit(&ray, Span::LINE), None);
     }
 
-    /// Law: a ray that starts on the plane misses it, and one that leaves a sphere's or plane's hit
-    /// on the outer side does not hit it again. Oracle: there is nothing more to hit.
+    /// Law: a ray that starts on the plane misses it, and one that leaves a sphere's or plane's hit on the
+    /// outer side does not hit it again. Oracle: there is nothing more to hit.
+    /// Book: 3.4.1, epsilon: t > ε.
     #[test]
     fn a_ray_that_starts_on_a_surface_leaves_it(
         o in point(10.0), c in point(1.0), n in unit(), d in unit(), out in unit(),

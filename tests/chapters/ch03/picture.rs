@@ -6,6 +6,7 @@ use crate::prelude::*;
 /// Law: the pixel in column c and row r (counted up) looks from `(s (c − (w − 1)/2), s (r − (h −
 /// 1)/2), 100)` along −z, also where the number of pixels is odd. Oracle: the book's formula in
 /// halves, which are exact.
+/// Book: pixel points of an orthographic view.
 #[test]
 fn pixels_look_through_their_centers() {
     for (width, height, size) in [(5, 4, 0.5), (1, 1, 3.0), (8, 3, 2.0)] {
@@ -21,9 +22,10 @@ fn pixels_look_through_their_centers() {
     }
 }
 
-/// Law: the disk of a sphere of radius 85 covers the pixels whose centres are in it, wherever the
-/// sphere is along the view. Their number is π 85² within the boundary. Oracle: whole numbers, the
-/// centres being at odd multiples of a half: `(2c + 1)² + (2r + 1)² < (2·85)²`.
+/// Law: a sphere of radius 85 covers the pixels whose centres are in its disk, π 85² within the boundary,
+/// wherever it is along the view. Oracle: whole numbers, the centres being at odd multiples of a half: `(2c +
+/// 1)² + (2r + 1)² < (2·85)²`.
+/// Book: fig. 3.18, a single sphere.
 #[test]
 fn a_sphere_covers_the_centers_within_its_disk() {
     for z in [0.0, -1000.0, 14.0] {
@@ -49,6 +51,7 @@ fn a_sphere_covers_the_centers_within_its_disk() {
 
 /// Law: halving the pixel size and doubling the resolution keeps the framing: four fine pixels are the four
 /// regular samples of a coarse one. Oracle: quarters of red, which are exact.
+/// Book: pixel points of an orthographic view.
 #[test]
 fn halving_the_pixels_leaves_the_framing() {
     let scene = |width, size| {
@@ -78,6 +81,7 @@ fn three_objects() -> groundtruth::scene::Scene {
 /// Law: a pixel's normal, point and colour are those of the nearest object, whatever is tested after
 /// it. Oracle: the three heights above the view plane by their formulas, the largest of which is
 /// seen.
+/// Book: the nearest of several objects.
 #[test]
 fn the_nearest_object_keeps_its_normal() {
     let scene = three_objects();
@@ -107,6 +111,7 @@ fn the_nearest_object_keeps_its_normal() {
 }
 
 /// Law: the order in which objects are added does not matter. Oracle: all six orders.
+/// Book: the nearest of several objects.
 #[test]
 fn the_order_of_objects_does_not_matter() {
     let scene = three_objects();
@@ -131,6 +136,7 @@ fn of_two_objects_at_the_same_place_the_first_is_seen() {
 
 /// Law: a ray that hits nothing shows the background; spheres behind the eye, around it and cut by its plane
 /// show only what is in front of it (figure 3.4). Oracle: by inspection.
+/// Book: rays that hit nothing, and objects around the eye.
 #[test]
 fn spheres_around_the_eye_show_what_is_in_front_of_it() {
     let background = Rgb::new(0.25, 0.5, 0.75);
@@ -154,8 +160,9 @@ fn spheres_around_the_eye_show_what_is_in_front_of_it() {
     }
 }
 
-/// Law: the chapter's first scene has the book's numbers of pixels, and a plane seen edge on does not appear.
-/// Oracle: the plane contains the view direction.
+/// Law: the chapter's first scene has the book's 400 × 400 pixels of side ½; and a plane seen edge on does
+/// not appear. Oracle: the plane contains the view direction.
+/// Book: fig. 3.18, a single sphere.
 #[test]
 fn a_plane_seen_edge_on_is_not_there() {
     let scene = (gallery::find("ch03/single-sphere").expect("in the gallery").build)();

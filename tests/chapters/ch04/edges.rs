@@ -103,6 +103,7 @@ fn fitted_slope(sampler: &dyn Sampler) -> (f64, f64) {
 /// ones. Oracle: for random samples `a(1 − a)/N` with the area a; for jittered ones the same variance in each
 /// cell that the edge cuts. A cell of side `N^−½` is met by `N^−½` as many lines as the pixel, with the same
 /// distribution of areas, so that the sum over the cells is exactly `K N · N^−½ / N²`.
+/// Book: remedies: random and jittered samples.
 #[test]
 fn errors_beside_edges_fall_at_their_rates() {
     for (sampler, rate) in [(built(Random {}), -1.0), (built(Jittered {}), -1.5)] {
@@ -114,6 +115,7 @@ fn errors_beside_edges_fall_at_their_rates() {
 
 /// Law: beside an edge stratified samples are better than twice as many random ones. Oracle: the sums
 /// of the squared errors.
+/// Book: remedies: random and jittered samples.
 #[test]
 fn stratified_samples_are_better_than_random_ones() {
     let square = |errors: &[f64]| errors.iter().map(|e| e * e).sum::<f64>();

@@ -189,8 +189,9 @@ fn a_constant_stays_what_it_is() {
     }
 }
 
-/// Law: leaving the filter out is the box, which uses the pixel's samples as they are: bit for bit,
-/// and in a scene file nothing is written.
+/// Law: leaving the filter out is the box over the pixel, which uses the pixel's samples as they are: bit for
+/// bit, and in a scene file nothing is written.
+/// Book: filtering: the box over the pixel.
 #[test]
 fn the_box_is_the_default() {
     let mut scene = edge(0.3, Box {}.into(), 16);

@@ -9,6 +9,7 @@ use crate::pictures::studio::{RED, built};
 use crate::prelude::*;
 
 /// Law: one regular sample, which is the default, is the centre of its pixel, exactly.
+/// Book: remedies: regular samples.
 #[test]
 fn one_regular_sample_is_the_centre() {
     for sampler in [None, Some(Kind::from(Regular {}))] {
@@ -25,6 +26,7 @@ fn one_regular_sample_is_the_centre() {
 
 /// Law: n × n regular samples are the centres of the subcells. Oracle: the book's formula with n = 4,
 /// exact in eighths.
+/// Book: remedies: regular samples.
 #[test]
 fn regular_samples_are_the_centres_of_subcells() {
     let mut scene = from_front(3, 3, 1.0);
@@ -55,6 +57,7 @@ fn half_plane(x: f64, upright: bool) -> Scene {
 
 /// Law: a pixel half covered along an axis is exactly ½ with an even regular grid; with stratified
 /// samples too, whose cells the edge does not cut. Oracle: symmetry.
+/// Book: remedies: regular samples.
 #[test]
 fn a_half_covered_pixel_is_a_half() {
     for upright in [true, false] {
@@ -91,6 +94,7 @@ fn multi_jittered_samples_see_upright_edges_exactly() {
 
 /// Law: a picture takes width · height · samples primary rays. Oracle: counting; counts that are not squares
 /// are rounded up for the samplers that need squares, and only for them.
+/// Book: remedies: regular samples.
 #[test]
 fn the_number_of_primary_rays_is_that_of_the_samples() {
     for (sampler, asked, taken) in [
@@ -157,6 +161,7 @@ fn the_sinusoid_is_shown_at_the_centres() {
 /// jittered samples is no larger than that of as many independent ones, and its mean over seeds is zero.
 /// Oracle: mean and variance by the midpoint rule on 400 × 400 cells; t tests of 16 replicas of each pixel;
 /// the standard error `σ/n` of independent samples, which stratified ones cannot exceed.
+/// Book: antialiasing fine detail.
 #[test]
 fn more_samples_show_the_mean_over_the_pixel() {
     const REPLICAS: u64 = 16;

@@ -26,8 +26,9 @@ fn value(x: f64, y: f64) -> f64 {
     0.5 * (1.0 + sin(x * x * y * y))
 }
 
-/// Law: with one sample a pixel is the function at its centre. Oracle: the formula at the book's
-/// `s (c + ½)`, rows counted from the bottom.
+/// Law: with one sample a pixel is `(1 + sin(x² y²))/2` at its centre. Oracle: the formula at the book's `s
+/// (c + ½)`, rows counted from the bottom.
+/// Book: fig. 4.2, aliasing of sin(x² y²).
 #[test]
 fn a_pixel_is_the_function_at_its_centre() {
     let scene = scene(128);
@@ -41,7 +42,8 @@ fn a_pixel_is_the_function_at_its_centre() {
     }
 }
 
-/// Law: it needs no object, and costs one ray a sample.
+/// Law: the function needs no object, and costs one ray a sample.
+/// Book: fig. 4.2, aliasing of sin(x² y²).
 #[test]
 fn it_needs_one_ray_and_no_object() {
     let world = built(&scene(8));
@@ -51,10 +53,10 @@ fn it_needs_one_ray_and_no_object() {
     assert_eq!(counts, RayCounts { camera: 1, ..RayCounts::default() });
 }
 
-/// Law (invariant 1): waves are shown correctly only the phase changes by less than π from pixel to
-/// where the phase changes by less than π from pixel to pixel, `x y² < π/2s` (74.26 for 512 pixels). Oracle:
-/// sign changes of `f − ½` along a row, counted in the picture and in the formula on a grid 64 times as fine;
-/// beyond the bound waves are lost.
+/// Law: waves along x are shown correctly only where the phase changes by less than π from pixel to pixel, `x
+/// y² < π/2s` (74.26 for 512 pixels). Oracle: sign changes of `f − ½` along a row, counted in the picture and
+/// in the formula on a grid 64 times as fine; beyond the bound waves are lost.
+/// Book: fig. 4.2, aliasing of sin(x² y²).
 #[test]
 fn waves_are_lost_beyond_the_nyquist_bound() {
     let n = 512;
@@ -81,9 +83,10 @@ fn waves_are_lost_beyond_the_nyquist_bound() {
     assert!(few < many, "{few} of {many} waves beyond the bound");
 }
 
-/// Law (invariant 2): where the phase changes by a multiple of 2π from pixel to pixel along both axes,
-/// the picture shows a centre that is not there: neighbours hardly differ, though the function runs
-/// through a whole wave between them. Oracle: `2x³ s = 2π` on the diagonal.
+/// Law: where the phase changes by a multiple of 2π from pixel to pixel along both axes, the picture shows a
+/// centre that is not there: neighbours hardly differ, though the function runs through a whole wave between
+/// them. Oracle: `2x³ s = 2π` on the diagonal.
+/// Book: fig. 4.2, aliasing of sin(x² y²).
 #[test]
 fn false_centres_appear_where_whole_waves_fit_between_pixels() {
     let n = 512;
@@ -109,9 +112,10 @@ fn false_centres_appear_where_whole_waves_fit_between_pixels() {
     assert!(high - low > 0.99, "{low} to {high}");
 }
 
-/// Law (invariant 3): jittered pixels are nearer to the truth than random ones with equally many samples,
-/// where the phase changes by less than π across a cell. Oracle: 64 × 64 regular samples of each pixel by the
-/// formula; random samples of a linear phase of up to 4π have errors many times larger.
+/// Law: jittered pixels are nearer to the truth than random ones with equally many samples, where the phase
+/// changes by less than π across a cell. Oracle: 64 × 64 regular samples of each pixel by the formula; random
+/// samples of a linear phase of up to 4π have errors many times larger.
+/// Book: antialiasing fine detail.
 #[test]
 fn jittered_pixels_are_nearer_to_the_truth_than_random_ones() {
     let n = 64;
@@ -141,8 +145,9 @@ fn jittered_pixels_are_nearer_to_the_truth_than_random_ones() {
     assert!(jittered < 0.3 * random, "{jittered} {random}");
 }
 
-/// Law: the mean of the whole square is near ½. Oracle: `∬ sin(x² y²)` over it, which quadrature of
-/// the formula on 4096 × 4096 points gives as 0.0143 of the area.
+/// Law: the mean of the function over the whole square is a little over ½. Oracle: quadrature of the formula
+/// on 2048 × 2048 points; `∬ sin(x² y²)` is 0.0267 of the area.
+/// Book: fig. 4.2, aliasing of sin(x² y²).
 #[test]
 fn the_mean_is_a_little_over_a_half() {
     let mut scene = scene(64);

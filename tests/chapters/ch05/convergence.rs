@@ -78,6 +78,7 @@ fn kinds(n: u32) -> [(Kind, u32, f64); 6] {
 /// Law: the mean of x or `eˣ` over a set has the variance of its strata: one column for random points, √N for
 /// jittered ones, N for all others; it has no bias. The same holds along y. Oracle: the closed form; for x it
 /// is `1/(12 N)`, `1/(12 N²)` and `1/(12 N³)`.
+/// Book: what makes a pattern good.
 #[test]
 fn means_have_the_variance_of_their_strata() {
     const TESTS: u32 = 2 * 2 * 2 * 2 * 6;
@@ -100,6 +101,7 @@ fn means_have_the_variance_of_their_strata() {
 /// Law: the variance of the mean of a smooth function of x falls as 1/N for random points, `1/N²` for
 /// jittered ones and `1/N³` for n rooks, the multi-jittered ones and Sobol's. Oracle: these powers; each
 /// variance of 400 sets has an error of 7 %, a fitted slope one of 0.016, five times which is allowed.
+/// Book: what makes a pattern good.
 #[test]
 fn variances_fall_at_the_rate_of_the_strata() {
     for kind in 0..6 {

@@ -47,11 +47,13 @@ fn the_star_discrepancy_is_what_it_should_be() {
     assert_eq!(star_discrepancy(&[[0.9, 0.1], [0.9, 0.1]]), 0.91);
 }
 
-/// Law: of 256 points the regular ones have the star discrepancy `1 − (1 − 1/(2·16))²` (a box that
-/// just leaves out the last row and column); random points and n rooks, the jittered, the multi-jittered
-/// and the correlated ones, and Sobol's have the means below. Oracle: the closed form; for the others
-/// means of 24 sets made by another program from the definitions (8 for the random ones), and their
-/// spread from set to set. The mean of 16 sets here may be off by four standard errors of the two.
+/// Law: of 256 points the star discrepancy is 0.0615 for regular ones, `1 − (1 − 1/(2·16))²` (a box that just
+/// leaves out the last row and column), and on average 0.076 for random ones, 0.038 for n rooks, 0.035 for
+/// jittered, 0.020 for multi-jittered, 0.017 for correlated ones and 0.013 for Sobol's. Oracle: the closed
+/// form; for the others means of 24 sets made by another program from the definitions (8 for the random
+/// ones), and their spread from set to set. The mean of 16 sets here may be off by four standard errors of
+/// the two.
+/// Book: what makes a pattern good.
 #[test]
 fn star_discrepancies_are_those_of_the_patterns() {
     let mut random = Pcg32::new(256, 0);
@@ -77,6 +79,7 @@ fn star_discrepancies_are_those_of_the_patterns() {
 /// Law: Hammersley's set of `N = 2^m ≥ 4` points has the star discrepancy
 /// `(m/3 + 13/9 − (−1)^m 4/(9 N)) / N`; 0.0161 for 256. Oracle: this theorem (Halton & Zaremba, "The
 /// Extreme and L² Discrepancies of Some Plane Sets", 1969).
+/// Book: Hammersley sampling: the radical inverse.
 #[test]
 fn hammersleys_star_discrepancy_is_the_theorems() {
     let sampler = built(Hammersley { shifted: false });

@@ -31,6 +31,7 @@ fn sorted(mut points: Vec<[f64; 2]>) -> Vec<[u64; 2]> {
 
 /// Law: every pixel's samples are stratified, so that each run of draws uses up one set, each sample
 /// exactly once; the next run too. Oracle: one point in each cell, column and row.
+/// Book: listings 5.8 and 5.13, sample_unit_square.
 #[test]
 fn every_pixel_uses_up_one_set() {
     let (jittered, multi) = (sets(Jittered {}, 25, 9), sets(MultiJittered {}, 25, 9));
@@ -49,6 +50,7 @@ fn every_pixel_uses_up_one_set() {
 /// Law: 83 sets and 83 orders are used, each order from any starting position, all equally likely and chosen
 /// independently. Oracle: χ² over the sets, and the number of orders seen of each; random samples make equal
 /// sets recognisable.
+/// Book: listings 5.8 and 5.13, sample_unit_square.
 #[test]
 fn all_sets_and_orders_are_used() {
     let sets = sets(Random {}, 12, 2);
@@ -100,6 +102,7 @@ fn seeds_change_sets_and_choices() {
 /// Law: what one pixel draws for two purposes is not correlated, in x, y or across: pixel and lens,
 /// two lights, a light on two paths, a light and a direction. Oracle: correlations of 10⁴ pairs are within
 /// `1/√10⁴`, Šidák-corrected over the 5 × 4 × 4 of them.
+/// Book: shuffled indices.
 #[test]
 fn draws_for_different_purposes_are_not_correlated() {
     const SIDE: u32 = 100;
@@ -143,6 +146,7 @@ fn correlation(pairs: &[(f64, f64)]) -> f64 {
 
 /// Law: as in the book, one sample is regular unless said otherwise, and more are multi-jittered.
 /// Oracle: where the rays go.
+/// Book: samplers of the view plane.
 #[test]
 fn the_default_is_regular_for_one_and_multi_jittered_for_more() {
     let mut scene = from_front(5, 5, 1.0);

@@ -221,6 +221,7 @@ fn pixels_and_runs_do_not_depend_on_each_other_with_any_sampler() {
 /// correlations have the mean 0 and the mean square `1/(n − 1)`. Oracle: t tests over both axes of 4000
 /// pixels. In one of 83 · 64 pixels both use the same order from the same start, which pairs equal cells and
 /// adds 1.2 % to the mean square; the test detects 6 %. Orders that all have the same start would add 76 %.
+/// Book: shuffled indices.
 #[test]
 fn a_pixels_samples_are_paired_at_random() {
     const PIXELS: u32 = 4000;

@@ -9,8 +9,9 @@ use crate::support::samples::{assert_once_each, built};
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: a set has exactly the number of points it states, at least as many as requested, all in [0, 1)²;
-    /// squares are not rounded.
+    /// Law: a set has exactly the number of points it states, at least as many as requested (squares are not
+    /// rounded), all in [0, 1)².
+    /// Book: the class Sampler: sets of samples.
     #[test]
     fn sets_are_complete_and_in_the_unit_square(n in 1..300_u32, seed: u64) {
         for kind in
@@ -43,6 +44,7 @@ proptest! {
 
     /// Law: jittered and multi-jittered sets have one point in each cell of the n × n grid;
     /// multi-jittered ones and n rooks at the same time one in each of the n² columns and rows.
+    /// Book: jittered, n-rooks and multi-jittered sampling.
     #[test]
     fn sets_are_stratified(side in 1..20_u32, seed: u64) {
         let random = &mut Pcg32::new(seed, 0);
@@ -61,6 +63,7 @@ proptest! {
 
 /// Law: in a multi-jittered set the fine column of a cell's point is independent of its fine row, and all are
 /// equally likely. Oracle: χ² over the 4 × 4 positions in two cells of a 4 × 4 grid.
+/// Book: jittered, n-rooks and multi-jittered sampling.
 #[test]
 fn multi_jittered_points_are_anywhere_in_their_cell() {
     let (sampler, mut random) = (built(MultiJittered {}), Pcg32::new(5, 5));
@@ -83,6 +86,7 @@ fn multi_jittered_points_are_anywhere_in_their_cell() {
 
 /// Law: x and y of a point are uncorrelated: `E (x − ½)(y − ½) = 0`. Oracle: z test over sets, which are
 /// independent of one another.
+/// Book: what makes a pattern good.
 #[test]
 fn coordinates_do_not_depend_on_each_other() {
     for kind in [
@@ -103,6 +107,7 @@ fn coordinates_do_not_depend_on_each_other() {
 }
 
 /// Law: n rooks are a random permutation: the 24 permutations of four rooks are equally likely. Oracle: χ².
+/// Book: jittered, n-rooks and multi-jittered sampling.
 #[test]
 fn rooks_take_every_order() {
     let (sampler, mut random) = (built(NRooks {}), Pcg32::new(24, 5));

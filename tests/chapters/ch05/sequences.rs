@@ -10,8 +10,9 @@ fn hammersley(n: u32) -> Vec<[f64; 2]> {
     built(Hammersley { shifted: false }).fill(n, &mut Pcg32::new(0, 0))
 }
 
-/// Law: `Φ(1) = 1/2`, `Φ(2) = 1/4`, `Φ(3) = 3/4`, `Φ(6) = 3/8`; and x is `i/N`. Oracle: the book's table, and
-/// the binary digits of i written as text and mirrored.
+/// Law: Hammersley's point i is `(i/N, Φ(i))`, with `Φ(1) = 1/2`, `Φ(2) = 1/4`, `Φ(3) = 3/4`, `Φ(6) = 3/8`.
+/// Oracle: the book's table, and the binary digits of i written as text and mirrored.
+/// Book: Hammersley sampling: the radical inverse.
 #[test]
 fn hammersley_points_are_the_mirrored_digits() {
     let points = hammersley(1000);
@@ -28,6 +29,7 @@ fn hammersley_points_are_the_mirrored_digits() {
 
 /// Law: Hammersley's set is the same for every set, seed and pixel; shifted, it is the same set still,
 /// but draws of two pixels have no point in common. Oracle: the set.
+/// Book: Hammersley sampling: the radical inverse.
 #[test]
 fn hammersley_has_one_set() {
     let fixed = hammersley(10);

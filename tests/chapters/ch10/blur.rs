@@ -9,6 +9,7 @@ use crate::pictures::studio::{assert_same_bits, built};
 use crate::prelude::*;
 
 /// Law: the whole picture of a lens of radius 0 is the pinhole's, bit for bit, and no lens samples are drawn.
+/// Book: a lens of radius 0.
 #[test]
 fn a_picture_through_a_lens_of_radius_0_is_the_pinholes() {
     for name in ["ch14/page-one", "ch24/reflective-set"] {
@@ -39,6 +40,7 @@ fn nothing_through_a_lens() -> Scene {
 
 /// Law: samples are uniform over the lens: `E[r²] = R²/2`, `E[r⁴] = R⁴/3`, and the means of lx and ly
 /// are 0. Oracle: the integrals; random samples are independent, so that z tests apply.
+/// Book: samples on the lens.
 #[test]
 fn lens_samples_are_uniform() {
     let mut scene = nothing_through_a_lens();
@@ -74,6 +76,7 @@ fn lens_samples_are_uniform() {
 /// Law: the samples of pixel and lens are independent; otherwise bands would appear: over all pixels, the
 /// position in the pixel does not correlate with the position on the lens, for patterns that are shuffled.
 /// Oracle: products of centred coordinates have the mean 0.
+/// Book: samples on the lens.
 #[test]
 fn pixel_and_lens_samples_are_paired_by_chance() {
     let mut scene = nothing_through_a_lens();
@@ -97,6 +100,7 @@ fn pixel_and_lens_samples_are_paired_by_chance() {
 
 /// Law: blur moves light and keeps its sum: an emitting disk gives the same total light, `π ρ² (d/z)²` film
 /// units, with any lens and focus. Oracle: the closed form; standard error over 16 seeds.
+/// Book: the circle of confusion.
 #[test]
 fn blur_keeps_the_light() {
     let (rho, z) = (3.0, 80.0);
@@ -134,6 +138,7 @@ fn through_the_lens(scene: &Scene, film: [f64; 2]) -> Vec<f64> {
 /// Law: a mirrored object is sharp where the whole path along −w, to the mirror and on, is the focal
 /// distance, not where the mirror is. Oracle: the edge of an emitting half plane, whose image divides the
 /// film: right beside it the radiance is the same from all points of the lens if and only if it is sharp.
+/// Book: fig. 10.12, reflections in focus.
 #[test]
 fn a_mirrored_edge_is_sharp_at_the_length_of_the_whole_way() {
     // the mirror 30 ahead; the half plane x > 1 is 20 behind the lens

@@ -52,6 +52,7 @@ proptest! {
 
     /// Law: a lens of radius 0 is the pinhole of the same distance and zoom, bit for bit, wherever on
     /// the lens and wherever focused.
+    /// Book: a lens of radius 0.
     #[test]
     fn a_lens_of_radius_0_is_the_pinhole(
         lens in lens(), x in -50.0..50.0_f64, y in -50.0..50.0_f64, turn in 0.0..1.0_f64,
@@ -67,6 +68,7 @@ proptest! {
 
     /// Law: all rays of a film point meet in one point at the depth f along −w, at `(f/d) p`: the
     /// sharp surface is a plane, not a sphere. Oracle: similar triangles.
+    /// Book: the thin lens and its focal plane.
     #[test]
     fn the_rays_of_a_film_point_meet_at_the_focal_distance(
         lens in lens(),
@@ -90,6 +92,7 @@ proptest! {
     }
 
     /// Law: rays start on the lens: a disk of radius R around the eye, perpendicular to w.
+    /// Book: the thin lens and its focal plane.
     #[test]
     fn rays_start_on_the_lens(lens in lens(), turn in 0.0..1.0_f64, r in 0.0..1.0_f64) {
         let [a, b] = rim(turn).map(|l| r * l);
@@ -101,6 +104,7 @@ proptest! {
     /// Law: the image of a point at the depth z is a disc on the view plane, of the diameter `2 R d |z −
     /// f|/(z f)`, around the point's projection. Oracle: the formula (similar triangles), against the film
     /// points whose rays from the lens's rim pass through the point.
+    /// Book: the circle of confusion.
     #[test]
     fn the_circle_of_confusion(
         lens in lens(),
@@ -125,6 +129,7 @@ proptest! {
 
     /// Law: the blur of a point is proportional to the radius, and its middle does not move; the limit far
     /// away is `2 R d/f`; at the depth f there is no blur, whatever the radius.
+    /// Book: the circle of confusion.
     #[test]
     fn blur_is_linear_in_the_radius(lens in lens(), z in 0.5..500.0_f64, turn in 0.0..1.0_f64) {
         let blur = |lens: &ThinLens, z: f64| {
@@ -147,6 +152,7 @@ proptest! {
 
     /// Law: the distance of the view plane only scales the picture: k times the film at k times the distance
     /// has the same rays; so has k times the film at k times the zoom.
+    /// Book: the thin lens and its focal plane.
     #[test]
     fn the_distance_only_scales(
         lens in lens(),

@@ -37,6 +37,7 @@ proptest! {
     /// Law: the solid angle per film area is proportional to `sin ψ/ψ` for the fisheye, `cos ψ` for the
     /// spherical and `cos³ψ` for the cylindrical panorama; in the centre it is the product of the half
     /// angles. Oracle: differences of directions.
+    /// Book: fields of view, whatever the size of the window.
     #[test]
     fn film_covers_the_solid_angle_of_its_projection(
         fov in 10.0..300.0_f64, v in 10.0..170.0_f64, xn in -0.6..0.6_f64, yn in -0.6..0.6_f64,
@@ -62,8 +63,10 @@ proptest! {
         near!(found, expected, DIFFERENCE * third * lambda_max * height);
     }
 
-    /// Law: with a small field of view they are pinhole cameras of the distance `width/(2 λ_max)`: the
-    /// difference falls with the cube of the angle. Oracle: the pinhole; at the rim it is 1/3 of the cube.
+    /// Law: with a small field of view fisheye and panoramas are pinhole cameras of the distance `width/(2
+    /// λ_max)`: the difference falls with the cube of the angle. Oracle: the pinhole; at the rim it is 1/3 of
+    /// the cube.
+    /// Book: fields of view, whatever the size of the window.
     #[test]
     fn a_small_field_of_view_is_a_pinholes(
         exponent in -7.0..-1.0_f64,
@@ -96,6 +99,7 @@ proptest! {
 
     /// Law: the picture does not depend on the size or number of the pixels, only on the normalised film
     /// point. Oracle: a film of another size; for powers of two bit for bit.
+    /// Book: fields of view, whatever the size of the window.
     #[test]
     fn pictures_do_not_depend_on_the_pixel_size(
         fov in 1.0..360.0_f64,

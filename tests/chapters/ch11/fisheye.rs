@@ -24,6 +24,7 @@ proptest! {
     /// Law: the angle to the line of sight is r times half the field of view, to some roundings of the angle
     /// itself, however small; the angle around the line of sight is kept. Oracle: the angle by lengths of
     /// products, the angle around by a ratio.
+    /// Book: fisheye projections.
     #[test]
     fn angles_grow_evenly(fov in fov(), r in 0.0..1.0_f64, alpha in 0.0..std::f64::consts::TAU) {
         let at = [r * cos(alpha), r * sin(alpha)];
@@ -39,6 +40,7 @@ proptest! {
 
     /// Law: nothing is seen outside the circle; if rectangular, the corners extend as far as straight back,
     /// and no farther, as directions beyond would be seen twice. Oracle: the angle at that radius.
+    /// Book: the circle of a fisheye, and the rectangular fisheye.
     #[test]
     fn the_circle_ends_what_is_seen(fov in fov(), xn in -1.0..1.0_f64, yn in -1.0..1.0_f64) {
         let r = (xn * xn + yn * yn).sqrt();
@@ -69,6 +71,7 @@ proptest! {
 
     /// Law: on a square film the camera has no preferred direction around its axis: rolled by 90° it gives
     /// the same rays at film points turned by 90°, to the bit.
+    /// Book: fisheye projections.
     #[test]
     fn rolling_turns_the_disc(fov in fov(), x in -3.0..3.0_f64, y in -3.0..3.0_f64) {
         let square = groundtruth::cameras::ViewPlane { width: 6.0, height: 6.0 };
@@ -88,6 +91,7 @@ proptest! {
 
 /// Law: the rim of 180° looks along ±u and ±v, that of 360° straight back, exactly; the centre looks
 /// along −w. Oracle: by hand.
+/// Book: fisheye projections.
 #[test]
 fn the_rim_sees_sideways_or_straight_back() {
     let rim = [[1.0, 0.0], [0.0, 1.0], [-1.0, 0.0], [0.0, -1.0]];
@@ -120,6 +124,7 @@ fn nearly_all_around_is_accurate() {
 }
 
 /// Law: the disc of a film that is not square is an ellipse that touches all four edges.
+/// Book: fisheye projections.
 #[test]
 fn the_disc_touches_all_edges() {
     let view = fisheye(200.0);
@@ -141,6 +146,7 @@ fn the_disc_touches_all_edges() {
 
 /// Law: inside a sphere of light the circle is white and the corners are black; if rectangular, all is white.
 /// Oracle: which pixels' centres are in the circle, and that it covers π/4.
+/// Book: the circle of a fisheye, and the rectangular fisheye.
 #[test]
 fn corners_are_black_or_not() {
     let mut scene = Scene::new("", Image::new(61, 61), {
@@ -167,6 +173,7 @@ fn corners_are_black_or_not() {
 }
 
 /// Law: a pixel outside the circle casts no ray: it is black under any background.
+/// Book: the circle of a fisheye, and the rectangular fisheye.
 #[test]
 fn a_masked_pixel_casts_no_ray() {
     let mut scene = small("ch14/page-one", 20, 20, 4);

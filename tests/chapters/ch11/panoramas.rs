@@ -16,8 +16,9 @@ fn vertical() -> impl Strategy<Value = f64> {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: `cos ψ sin λ u + sin ψ v − cos ψ cos λ w` at `λ = xn λ_max`, `ψ = yn ψ_max`. Oracle: the
-    /// book's form, with `φ = π − λ` and `θ = π/2 − ψ`, in radians.
+    /// Law: a spherical panorama looks along `cos ψ sin λ u + sin ψ v − cos ψ cos λ w` at `λ = xn λ_max`, `ψ
+    /// = yn ψ_max`. Oracle: the book's form, with `φ = π − λ` and `θ = π/2 − ψ`, in radians.
+    /// Book: spherical panoramic projections.
     #[test]
     fn spherical_panoramas_follow_the_book(
         h in horizontal(), v in vertical(), xn in -1.0..1.0_f64, yn in -1.0..1.0_f64,
@@ -32,6 +33,7 @@ proptest! {
 
     /// Law: longitude and latitude grow evenly, each with its own field of view, to some roundings of the
     /// angles themselves, however small. Oracle: arc tangents of the direction.
+    /// Book: spherical panoramic projections.
     #[test]
     fn longitude_and_latitude_grow_evenly(
         h in horizontal(), v in vertical(), xn in -1.0..1.0_f64, yn in -1.0..1.0_f64,
@@ -81,6 +83,7 @@ proptest! {
 
     /// Law: the two fields of view are independent: longitude depends on the horizontal one alone, latitude
     /// on the vertical one. Oracle: where the same point is seen.
+    /// Book: spherical panoramic projections.
     #[test]
     fn fields_of_view_are_independent(
         (h1, h2) in (30.0..360.0_f64, 30.0..360.0_f64),
@@ -117,6 +120,7 @@ proptest! {
 
 /// Law: the seam of 360°: both edges look straight back, exactly; the top row of 180° straight up, the
 /// bottom row straight down, at every x; right of the middle is u. Oracle: by hand.
+/// Book: spherical panoramic projections.
 #[test]
 fn seams_and_poles() {
     let whole = spherical(360.0, 180.0);

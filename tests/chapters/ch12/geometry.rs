@@ -51,6 +51,7 @@ proptest! {
 
     /// Law: the eyes are at `eye ∓ x u` with `x = r tan(β/2)`, r being the distance of the point looked at.
     /// Oracle: the book's formula with the axes of the camera.
+    /// Book: the positions of the eyes.
     #[test]
     fn the_eyes_are_side_by_side(
         eye in point(100.0),
@@ -74,7 +75,8 @@ proptest! {
 
     /// Law: the parallax of a point at the depth z is `x_L − x_R = 2x (d/z − 1)` on the film (over the size
     /// of a pixel, in pixels), times the zoom; positive in front of the view plane, negative behind it, `−2x`
-    /// at infinity. Oracle: the formula.
+    /// at infinity; both eyes see the point in the same row. Oracle: the formula.
+    /// Book: parallax.
     #[test]
     fn parallax(
         r in 1.0..100.0_f64,
@@ -113,6 +115,7 @@ proptest! {
     /// Law: points of the view plane, at the depth d, have no parallax, whatever the zoom: both eyes look
     /// through one window. So the point looked at has none only if it lies there. Oracle: where both rays of
     /// a film point meet.
+    /// Book: parallax.
     #[test]
     fn both_eyes_look_through_one_window(
         r in 1.0..100.0_f64,
@@ -146,6 +149,7 @@ proptest! {
 
     /// Law: for cameras without a window only the eye moves: both eyes have the same direction at each film
     /// point, from two positions. Oracle: the camera with one eye.
+    /// Book: stereo with other cameras.
     #[test]
     fn others_only_move_the_eye(x in -20.0..20.0_f64, y in -15.0..15.0_f64, beta in 0.1..20.0_f64) {
         let eye = Point::new(3.0, 4.0, 12.0);

@@ -39,6 +39,7 @@ fn lenses() -> Vec<Kind> {
 
 /// Law: the picture is `2 w + gap` by h; the columns of the gap are black and cast no ray, under a white
 /// background; the others belong to the eyes. Oracle: which columns are white.
+/// Book: parallel and transverse viewing.
 #[test]
 fn the_gap_is_black() {
     for (gap, viewing) in [(0, Viewing::Parallel), (1, Viewing::Transverse), (7, Viewing::Parallel)]
@@ -62,6 +63,7 @@ fn the_gap_is_black() {
 
 /// Law: without separation both images are the same, bit for bit, as that of one eye; with separation they
 /// differ. Oracle: the camera without stereo.
+/// Book: the positions of the eyes.
 #[test]
 fn no_separation_gives_two_equal_images() {
     for lens in lenses() {
@@ -79,6 +81,7 @@ fn no_separation_gives_two_equal_images() {
 
 /// Law: the transverse picture is the parallel one with its halves swapped: the eyes themselves stay
 /// as they are. Oracle: the columns.
+/// Book: parallel and transverse viewing.
 #[test]
 fn transverse_swaps_the_halves() {
     let (_, parallel) = rendered(&pair(Viewing::Parallel, 5.0));
@@ -93,6 +96,7 @@ fn transverse_swaps_the_halves() {
 
 /// Law: the image of an eye is that of a camera at its position, with the same samples: for cameras without a
 /// window, to 1e-9. Oracle: one eye, moved by hand.
+/// Book: stereo with other cameras.
 #[test]
 fn each_image_is_that_of_a_camera_in_its_place() {
     let mut scene = pair(Viewing::Transverse, 6.0);
@@ -134,6 +138,7 @@ fn both_eyes_use_the_same_samples() {
 
 /// Law: of a scene that is its own mirror image in the plane between the eyes, the right image is the
 /// left one mirrored. Oracle: mirrored columns, with samples at the centres of pixels.
+/// Book: the positions of the eyes.
 #[test]
 fn a_symmetric_scene_has_mirrored_images() {
     let lenses: [Kind; 3] = [

@@ -99,9 +99,10 @@ fn outside_albedo(lobe: &Lobe, wo: Vector) -> f64 {
 }
 
 /// Law: a lobe's albedo is the share of uniform light that it scatters, and a lobe that claims to conserve
-/// energy scatters no more than arrives: the refracting ones count radiance, which grows by η² in the denser
+/// energy scatters no more than arrives. The refracting ones count radiance, which grows by η² in the denser
 /// medium. The glossy lobe does not claim it, as `2π/(e + 2) > 1` for small `e` (ch. 13, 15). Oracle:
 /// quadrature, Fresnel's equations in terms of angles, and the lobes' data.
+/// Book: properties of BRDFs: reciprocity and energy.
 #[test]
 fn no_lobe_that_conserves_energy_reflects_more_than_all() {
     let mut claimed = 0;

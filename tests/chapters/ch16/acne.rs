@@ -3,9 +3,10 @@
 use crate::pictures::studio::{bits, built};
 use crate::prelude::*;
 
-/// Law: where the sun lights the planet, the book's routines put it into its own shadow in many pixels, the
-/// library's in none. Oracle: sphere and shadow by their equations, in coordinates around the planet's
-/// centre, which keep their digits.
+/// Law: by the book's hit functions a planet far from the origin is in its own shadow in many of the pixels
+/// that the sun lights, by the library's in none. Oracle: sphere and shadow by their equations, in
+/// coordinates around the planet's centre, which keep their digits.
+/// Book: self-shadowing and ε.
 #[test]
 fn the_planet_shades_itself_by_the_textbook_only() {
     /// Of some 1000 pixels that are lit by the sun.

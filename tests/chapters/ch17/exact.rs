@@ -44,6 +44,7 @@ proptest! {
 
     /// Law: a plane alone is not occluded anywhere: each sample is plain ambient light, bit for bit, and
     /// casts one ray that hits nothing. Oracle: the ambient light of chapter 14.
+    /// Book: from no occlusion to the least amount.
     #[test]
     fn an_infinite_plane_alone_is_not_occluded(
         n in unit(),
@@ -61,6 +62,7 @@ proptest! {
 
     /// Law: inside a closed body every sample is `min_amount` of ambient light. Oracle: that product; in
     /// boxes, spheres, meshes and cylinders, turned and stretched, as any gap would let the sky in.
+    /// Book: from no occlusion to the least amount.
     #[test]
     fn inside_a_closed_body_only_the_least_light_is_left(
         kind in 0..4_usize,
@@ -91,6 +93,7 @@ proptest! {
 
     /// Law: each sample is either all of the ambient light or `min_amount` of it; all of it if and only if
     /// its ray hit nothing. Oracle: the recorded outcome and the closed form.
+    /// Book: the ambient occluder: one shadow ray.
     #[test]
     fn a_sample_is_all_light_or_the_least(from in unit(), target in point(1.0)) {
         let world = built(&with_samples(heap(), SAMPLES));
@@ -116,6 +119,7 @@ proptest! {
 
     /// Law: with `min_amount = 1` the occluder is plain ambient light, whatever blocks its rays. Oracle: that
     /// light.
+    /// Book: from no occlusion to the least amount.
     #[test]
     fn the_least_amount_of_one_is_plain_ambient_light(from in unit(), target in point(1.0)) {
         let mut scene = heap();
@@ -176,8 +180,9 @@ fn nothing_is_drawn_where_no_ambient_light_is_reflected() {
 }
 
 /// Law: the occluder lights the side of the normal of a one-sided surface: an open surface with its normal on
-/// the side away from the viewer shows the sky behind it. A two-sided one shows that of the viewer's side
-/// (ch. 17: "open surfaces need the normal on the viewed side"). Oracle: a ceiling on one side only.
+/// the side away from the viewer shows the sky behind it. A two-sided one shows that of the viewer's side.
+/// Oracle: a ceiling on one side only.
+/// Book: open surfaces.
 #[test]
 fn a_one_sided_surface_shows_the_sky_that_its_normal_sees() {
     let ceiling = Plane { point: Point::new(0.0, 1.0, 0.0), normal: Vector::Y };
@@ -205,6 +210,7 @@ fn a_one_sided_surface_shows_the_sky_that_its_normal_sees() {
 /// Law: directions are distributed by the cosine around the normal, on the normal's side: one sample of a
 /// pixel falls into each of N rings of equal area of the disk to which they are projected (Nusselt). Oracle:
 /// equal areas of the disk, by radius.
+/// Book: the ambient occluder: one shadow ray.
 #[test]
 fn the_samples_of_a_pixel_are_stratified_over_the_sky() {
     let mut scene = floor(Vector::new(0.3, 1.0, -0.2));

@@ -24,6 +24,7 @@ fn seen(scene: &Scene, point: Point, normal: impl Into<Vector>) -> Vec<Rgb> {
 /// Law: a sphere of radius R that lies on a plane occludes the cosine-weighted share `(R/√(R² + x²))³` of the
 /// sky at the distance x from the point of contact; `min_amount` of that is added back. Oracle: the closed
 /// form (a sphere above the horizon is `sin²α cosθ`, with `sinα = cosθ` here; ch. 17).
+/// Book: fig. 17.7, a sphere on a plane.
 #[test]
 fn a_sphere_on_a_plane_darkens_it_by_the_cube_of_its_sine() {
     for radius in [0.5, 1.0, 30.0] {
@@ -42,6 +43,7 @@ fn a_sphere_on_a_plane_darkens_it_by_the_cube_of_its_sine() {
 /// Law: where the normal of a sphere above an infinite plane makes the angle a with the plane's, the share
 /// `(1 + cos a)/2` of the sky is visible, whatever the height and the azimuth: all at the top, one half at
 /// the equator, nothing at the bottom. Oracle: the closed form (ch. 17).
+/// Book: fig. 17.7, a sphere on a plane.
 #[test]
 fn a_sphere_above_a_plane_sees_half_of_one_plus_the_cosine() {
     let up = Normal::new(Vector::new(1.0, 2.0, -0.5)).expect("not zero");
@@ -104,6 +106,7 @@ fn beside_a_wall_half_of_one_plus_the_cosine_of_its_height_is_visible() {
 
 /// Law: turning everything around the normal changes nothing: whatever the azimuth, the walls occlude the
 /// same share. Oracle: the closed form of a corner of two infinite walls: a quarter is visible.
+/// Book: the ambient occluder: one shadow ray.
 #[test]
 fn the_azimuth_of_the_frame_does_not_matter() {
     for turn in 0..8 {
@@ -120,6 +123,7 @@ fn the_azimuth_of_the_frame_does_not_matter() {
 
 /// Law: two colours mix by visibility: `V c_open + (1 − V) min c_occluded`. Oracle: this formula, with the
 /// wall's V.
+/// Book: ambient occlusion in two colours (an exercise).
 #[test]
 fn two_colours_mix_by_visibility() {
     let occluded = Rgb::new(0.1, 0.2, 1.0);
@@ -244,6 +248,7 @@ fn variance(scene: &Scene, sampler: Sampler, samples: u32) -> f64 {
 /// Law: N independent samples of a point of which the share A is occluded have the standard
 /// deviation `√(A (1 − A)/N) (1 − min)`, that of a coin; multi-jittered ones less. Oracle: the
 /// binomial distribution (ch. 17), by the variance over reseeded pixels.
+/// Book: fig. 17.7, noise by the number of samples.
 #[test]
 fn noise_is_that_of_a_coin() {
     let mut scene = floor(Vector::Y);
@@ -268,6 +273,7 @@ fn noise_is_that_of_a_coin() {
 /// Law: an object above a point of an open two-sided surface darkens that side and not the other: each viewer
 /// sees the sky of the viewer's side. Oracle: the closed form of a disk parallel to the surface, `R²/(R² +
 /// h²)`, and a free sky.
+/// Book: open surfaces.
 #[test]
 fn an_open_surface_is_darkened_on_the_viewers_side() {
     let mut scene = floor(Vector::Y);

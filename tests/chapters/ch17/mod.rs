@@ -2,6 +2,18 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
+//! | the ambient occluder: one shadow ray | each sample is either all of the ambient light or `min_amount` of it; all of it if and only if its ray hit nothing | `exact::a_sample_is_all_light_or_the_least` |
+//! |  | directions are distributed by the cosine around the normal, on the normal's side: one sample of a pixel falls into each of N rings of equal area of the disk to which they are projected (Nusselt) | `exact::the_samples_of_a_pixel_are_stratified_over_the_sky` |
+//! |  | turning everything around the normal changes nothing: whatever the azimuth, the walls occlude the same share | `mean::the_azimuth_of_the_frame_does_not_matter` |
+//! | from no occlusion to the least amount | a plane alone is not occluded anywhere: each sample is plain ambient light, bit for bit, and casts one ray that hits nothing | `exact::an_infinite_plane_alone_is_not_occluded` |
+//! |  | inside a closed body every sample is `min_amount` of ambient light | `exact::inside_a_closed_body_only_the_least_light_is_left` |
+//! |  | with `min_amount = 1` the occluder is plain ambient light, whatever blocks its rays | `exact::the_least_amount_of_one_is_plain_ambient_light` |
+//! | fig. 17.7, a sphere on a plane | a sphere of radius R that lies on a plane occludes the cosine-weighted share `(R/√(R² + x²))³` of the sky at the distance x from the point of contact; `min_amount` of that is added back | `mean::a_sphere_on_a_plane_darkens_it_by_the_cube_of_its_sine` |
+//! |  | where the normal of a sphere above an infinite plane makes the angle a with the plane's, the share `(1 + cos a)/2` of the sky is visible, whatever the height and the azimuth: all at the top, one half at the equator, nothing at the bottom | `mean::a_sphere_above_a_plane_sees_half_of_one_plus_the_cosine` |
+//! | fig. 17.7, noise by the number of samples | N independent samples of a point of which the share A is occluded have the standard deviation `√(A (1 − A)/N) (1 − min)`, that of a coin; multi-jittered ones less | `mean::noise_is_that_of_a_coin` |
+//! | open surfaces | the occluder lights the side of the normal of a one-sided surface: an open surface with its normal on the side away from the viewer shows the sky behind it | `exact::a_one_sided_surface_shows_the_sky_that_its_normal_sees` |
+//! |  | an object above a point of an open two-sided surface darkens that side and not the other: each viewer sees the sky of the viewer's side | `mean::an_open_surface_is_darkened_on_the_viewers_side` |
+//! | ambient occlusion in two colours (an exercise) | two colours mix by visibility: `V c_open + (1 − V) min c_occluded` | `mean::two_colours_mix_by_visibility` |
 
 mod exact;
 mod mean;

@@ -37,6 +37,7 @@ proptest! {
     /// Law: from far away a flat lamp is a point light of strength `L A cosθ'` that fades with the square of
     /// the distance, a sphere one of `L π R²`; this holds for each sample, whichever point it draws. Oracle:
     /// that point light (ch. 14, 18).
+    /// Book: the estimate of an area light: G and 1/pdf.
     #[test]
     fn from_far_away_a_lamp_is_a_point_light(
         (n, to_lamp) in (unit(), unit()),
@@ -74,6 +75,7 @@ proptest! {
 
     /// Law: a lamp seen directly has the radiance `l_s c_e`, at any distance and angle, whether a light names
     /// it or not. Oracle: the product, bit for bit.
+    /// Book: 18.5, emissive materials.
     #[test]
     fn a_visible_lamp_has_its_radiance(to_eye in unit(), far in 1.0..1e6_f64, spot in unit()) {
         for (name, shape) in every_lamp() {
@@ -92,8 +94,9 @@ proptest! {
     }
 }
 
-/// Law: twice the area at the same radiance gives twice the light far away; half the radiance
-/// restores it, exactly (ch. 18). Oracle: the smaller lamp.
+/// Law: twice the area at the same radiance gives twice the light far away; half the radiance restores it,
+/// exactly. Oracle: the smaller lamp.
+/// Book: the estimate of an area light: G and 1/pdf.
 #[test]
 fn twice_the_area_is_twice_the_light() {
     let center = Point::new(0.0, 50.0, 20.0);

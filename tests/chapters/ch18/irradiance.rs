@@ -10,10 +10,11 @@ use crate::prelude::*;
 const SAMPLES: u32 = 1024;
 const POWER: f64 = 4e-3;
 
-/// Law: a disk parallel to the surface, of radius R at height h and displaced sideways by a, fills the share
-/// `½ (1 − (h² + a² − R²)/√((h² + a² + R²)² − 4 R² a²))` of the cosine-weighted sky; on the axis that is
-/// `R²/(R² + h²)`. So the floor has the radiance `k_d c_d L` times that. Oracle: the closed form (ch. 18; off
-/// the axis Howell's catalogue, B-13).
+/// Law: a disk parallel to the surface, of radius R at height h on its axis, lights it with `R²/(R² + h²)` of
+/// the cosine-weighted sky; displaced sideways by a, with `½ (1 − (h² + a² − R²)/√((h² + a² + R²)² − 4 R²
+/// a²))`. So the floor has the radiance `k_d c_d L` times that. Oracle: the closed form (ch. 18; off the axis
+/// Howell's catalogue, B-13).
+/// Book: fig. 18.5, lights that are disks and spheres.
 #[test]
 fn a_parallel_disk_gives_its_closed_form() {
     for (radius, h, a) in
@@ -89,6 +90,7 @@ fn the_share_of_a_sphere_is_the_integral_over_its_cap() {
 /// Law: a sphere of radius R at the distance D and at the angle θ from the normal gives `E = π L (R/D)² cosθ`
 /// above the horizon, and the closed form where the horizon cuts it; sampled by area, where half the samples
 /// face away, and by solid angle. Oracle: the closed forms (ch. 18).
+/// Book: fig. 18.5, lights that are disks and spheres.
 #[test]
 fn a_sphere_gives_its_closed_form_however_it_is_sampled() {
     for sampling in [Sampling::Area, Sampling::SolidAngle] {

@@ -27,6 +27,7 @@ fn cube_mean(f: impl Fn(Vector) -> f64) -> f64 {
 /// Law: a fake spherical light is the mean of point lights all over a cube of side 2r. Oracle: the mean of
 /// 48³ of them, by `k_d l_s cosθ/(π d^k)`; near enough that the corners of the cube matter, and partly below
 /// the horizon.
+/// Book: fig. 18.12, fake spherical lights.
 #[test]
 fn a_fake_spherical_light_is_the_mean_of_a_cube_of_points() {
     for (location, jitter, attenuation) in [
@@ -50,6 +51,7 @@ fn a_fake_spherical_light_is_the_mean_of_a_cube_of_points() {
 
 /// Law: a jittered directional light is the mean of directional ones: unit directions moved by up to r along
 /// each axis and normalised again. Oracle: the mean of 48³ of them.
+/// Book: jittered directional lights.
 #[test]
 fn a_jittered_directional_light_is_the_mean_of_a_cube_of_directions() {
     for (direction, jitter) in [
@@ -76,9 +78,10 @@ fn a_jittered_directional_light_is_the_mean_of_a_cube_of_directions() {
     }
 }
 
-/// Law: the points fill the whole cube and nothing else, each axis evenly: mean 0, mean square 1/3, mean
-/// products 0. Oracle: these moments of the end points of the shadow rays; no point is farther than r along
-/// an axis.
+/// Law: the points of a fake spherical light fill the whole cube and nothing else, each axis evenly: mean 0,
+/// mean square 1/3, mean products 0. Oracle: these moments of the end points of the shadow rays; no point is
+/// farther than r along an axis.
+/// Book: fig. 18.12, fake spherical lights.
 #[test]
 fn the_points_of_a_fake_spherical_light_fill_a_cube() {
     let (location, jitter) = (Point::new(3.0, 5.0, -2.0), 0.25);
@@ -120,6 +123,7 @@ proptest! {
 
     /// Law: without jitter the fake spherical light is the point light, and the jittered directional one the
     /// directional light. Oracle: those, with shadows; bit for bit, but for normalising a unit vector again.
+    /// Book: fig. 18.12, fake spherical lights.
     #[test]
     fn without_jitter_there_is_one_point_and_one_direction(
         location in point(3.0),

@@ -39,6 +39,7 @@ fn floor_points() -> Vec<Point> {
 /// Law: no lamp shadows itself, of any shape, however it is sampled, at scales from 2⁻²⁰ to 2²⁰: each sample
 /// gives the same light as without shadows. An object in between does shadow it, and is the one that is
 /// named. Oracle: the same scene without shadows, bit for bit; a screen that hides all of the lamp.
+/// Book: lights do not shadow themselves.
 #[test]
 fn a_lamp_does_not_shadow_itself_but_others_shadow_it() {
     for (name, shape) in every_lamp() {
@@ -103,6 +104,7 @@ fn lamps_shadow_other_lamps() {
 
 /// Law: the back of a one-sided lamp emits nothing, that of a two-sided one the same light as its front; a
 /// two-sided sphere emits inside as well as outside. Oracle: black, and the closed forms of disk and furnace.
+/// Book: 18.5, emissive materials.
 #[test]
 fn the_back_of_a_lamp_shines_if_it_is_two_sided() {
     for two_sided in [false, true] {

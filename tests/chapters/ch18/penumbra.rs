@@ -54,6 +54,7 @@ fn visible(x: f64, half: f64) -> f64 {
 /// is `B − (w − B) h/(H − h)` wide if that is positive, umbra and penumbra together `B + (B + w) h/(H − h)`,
 /// for a beam B at height h under a lamp w at height H. Oracle: the projected edges, to two strips of the
 /// stratified lamp; in the umbra black, and beyond the penumbra the radiance without the beam, bit for bit.
+/// Book: umbra and penumbra.
 #[test]
 fn umbra_and_penumbra_have_the_widths_of_similar_triangles() {
     for half in [0.05, 0.2, 0.5] {
@@ -90,6 +91,7 @@ fn umbra_and_penumbra_have_the_widths_of_similar_triangles() {
 /// Law: across a penumbra the floor becomes steadily brighter: the share that is visible with the same
 /// samples never falls, and the radiance grows, in steps of a sixteenth of the penumbra. Oracle: the
 /// neighbour.
+/// Book: umbra and penumbra.
 #[test]
 fn light_grows_across_a_penumbra() {
     let scene = under_a_beam(0.4);

@@ -55,9 +55,11 @@ fn corner_factor(a: f64, b: f64) -> f64 {
     (a / sa * atan2(b, sa) + b / sb * atan2(a, sb)) / TAU
 }
 
-/// Law: a rectangle parallel to the floor, one corner straight above the point, fills the share given by the
-/// arc tangents; one with its centre straight above, four times that of a quarter. Sampled by area and by
-/// solid angle. Oracle: the closed form (ch. 18).
+/// Law: a rectangle of sides a and b parallel to the floor, one corner at the height h straight above the
+/// point, fills the share `(A/√(1 + A²) atan(B/√(1 + A²)) + B/√(1 + B²) atan(A/√(1 + B²)))/2π` of the
+/// cosine-weighted sky, `A = a/h`, `B = b/h`; one with its centre straight above, four times that of a
+/// quarter. Sampled by area and by solid angle. Oracle: the closed form (ch. 18).
+/// Book: fig. 18.4, a rectangular light.
 #[test]
 fn a_parallel_rectangle_gives_the_form_factor_of_the_arc_tangents() {
     for sampling in [Sampling::Area, Sampling::SolidAngle] {

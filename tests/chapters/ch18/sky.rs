@@ -21,6 +21,7 @@ proptest! {
     /// Law: under a free sky a matte surface has the radiance `k_d c_d L`, in each single sample: directions
     /// drawn in proportion to the cosine leave no variance. Oracle: the product (ch. 18), to some 20 u except
     /// for grazing directions.
+    /// Book: environment lights.
     #[test]
     fn each_sample_of_a_free_sky_is_the_whole_of_it(
         n in unit(),
@@ -97,9 +98,10 @@ fn the_highlight_of_the_sky_is_its_albedo() {
     }
 }
 
-/// Law: the variance falls with the number of samples: as 1/N for random ones, faster for multi-jittered
-/// ones. Oracle: the variance over reseeded pixels, against that with a fourth of the samples; a slanted wall
-/// hides part of the sky.
+/// Law: the variance of the sky's light falls with the number of samples: as 1/N for random ones, faster for
+/// multi-jittered ones. Oracle: the variance over reseeded pixels, against that with a fourth of the samples;
+/// a slanted wall hides part of the sky.
+/// Book: environment lights.
 #[test]
 fn multi_jittered_noise_falls_faster_than_random_noise() {
     use groundtruth::samplers::{Kind, MultiJittered, Random};

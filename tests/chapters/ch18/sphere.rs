@@ -126,6 +126,7 @@ proptest! {
 
     /// Law: by area the density at a point of a sphere is `d²/(4πr² cosθ')` as seen from outside, from nearby to
     /// 10¹² radii away. Oracle: its square, `d⁶/(4πr² n·w)²` with w the way to the point, in rational numbers.
+    /// Book: fig. 18.5, lights that are disks and spheres.
     #[test]
     fn the_density_by_area_is_that_of_the_point(
         (center, to_point) in (point(10.0), unit()),
