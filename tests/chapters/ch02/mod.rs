@@ -7,7 +7,7 @@
 //! |  | the sine of a sum is `sin(a + b) = sin a cos b + cos a sin b`, in degrees and in radians alike | `angles::sines_add` |
 //! | spherical coordinates | the axes have the book's angles: φ(+x) = π/2, φ(+z) = 0, φ(−x) = 3π/2, θ(+y) = 0 | `angles::the_axes_have_the_books_angles` |
 //! |  | the angles (θ, φ) of a point are those it was made from, with θ from +y and φ from +z towards +x, as the book counts | `angles::spherical_coordinates_go_there_and_back` |
-//! | vectors, points and their products | sums, differences, products and quotients are those of the components | `vectors::vectors_calculate_by_components` |
+//! | vectors, points and their products | sums, differences, products and quotients of vectors are those of the components | `vectors::vectors_calculate_by_components` |
 //! |  | `p − q` leads from q to p; points move by vectors; distances are lengths | `vectors::points_move_by_vectors` |
 //! |  | the vector product is right-handed: x × y = z | `vectors::vector_products_are_right_handed` |
 //! |  | `\|u × v\|² + (u·v)² = \|u\|² \|v\|²` (Lagrange), exactly | `vectors::vector_and_scalar_product_share_the_lengths` |

@@ -26,7 +26,7 @@ fn cross([a, b, c]: [i128; 3], [d, e, f]: [i128; 3]) -> [i128; 3] {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: sums, differences, products and quotients are those of the components. Oracle: whole
+    /// Law: sums, differences, products and quotients of vectors are those of the components. Oracle: whole
     /// numbers.
     /// Book: vectors, points and their products.
     #[test]

@@ -102,8 +102,8 @@ proptest! {
     }
 
     /// Law: the image of a point at the depth z is a disc on the view plane, of the diameter `2 R d |z −
-    /// f|/(z f)`, around the point's projection. Oracle: the formula (similar triangles), against the film
-    /// points whose rays from the lens's rim pass through the point.
+    /// f|/(z f)` (times the zoom), around the point's projection. Oracle: the formula (similar triangles),
+    /// against the film points whose rays from the lens's rim pass through the point.
     /// Book: the circle of confusion.
     #[test]
     fn the_circle_of_confusion(
@@ -127,8 +127,8 @@ proptest! {
         above!(side * (z - f), -slack * (z - f).abs());
     }
 
-    /// Law: the blur of a point is proportional to the radius, and its middle does not move; the limit far
-    /// away is `2 R d/f`; at the depth f there is no blur, whatever the radius.
+    /// Law: the blur of a point is proportional to the radius; far away it tends to `2 R d/f` (times the
+    /// zoom); at the depth f there is no blur, whatever the radius.
     /// Book: the circle of confusion.
     #[test]
     fn blur_is_linear_in_the_radius(lens in lens(), z in 0.5..500.0_f64, turn in 0.0..1.0_f64) {
