@@ -9,8 +9,8 @@ use std::iter;
 use std::path::{Path, PathBuf};
 
 use crate::kit::{root, text_of};
-use crate::same_text::{self, Printed};
 use crate::structure::rust_files;
+use testkit::same_text::{self, Printed};
 
 const HEAD: &str = "//! | of the book | what is held | by the law |\n//! | --- | --- | --- |\n";
 const MARK: &str = "<!-- written from the heads of tests/chapters -->\n";

@@ -1,10 +1,7 @@
 //! Laws of the program and the repository: commands, documents, layers, fuzz bodies.
 
 #[macro_use]
-#[path = "../../tests/asserts.rs"]
-mod asserts;
-#[path = "../../tests/properties.rs"]
-mod properties;
+extern crate testkit;
 
 mod book;
 mod cases;
@@ -19,7 +16,6 @@ mod kit;
 mod laws;
 mod merge;
 mod probe;
-mod same_text;
 mod scene_reference;
 mod sets;
 mod structure;

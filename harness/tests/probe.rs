@@ -1,20 +1,17 @@
 //! Guarantees for input lines: one answer per line, exact numbers, and the `id` in the reply.
 
 mod python;
-#[path = "../../tests/chapters/support/cases.rs"]
-#[allow(dead_code)] // the chapters use the rest of it
-mod support;
 
 use std::io::{BufRead, BufReader, Write};
 use std::process::Stdio;
 
-use crate::properties::*;
 use conform::probe;
 use serde_json::{Value, json};
+use testkit::properties::*;
 
-use self::support::laws;
 use crate::kit::{Folder, root, text_of};
-use crate::same_text::{Printed, hold};
+use testkit::cases::laws;
+use testkit::same_text::{Printed, hold};
 
 fn served(input: &[u8]) -> (String, bool) {
     let mut output = Vec::new();

@@ -3,7 +3,7 @@
 use groundtruth::rgb::Rgb;
 
 use crate::kit::{Folder, Run, repaint, root, text_of};
-use crate::same_text::{Printed, hold};
+use testkit::same_text::{Printed, hold};
 
 const SCENE: &str = "ch18/rectangle";
 

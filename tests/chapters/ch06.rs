@@ -17,8 +17,8 @@
 //! |  | on average `r` is 2/3, `r²` 1/2, `x²` and `y²` 1/4, and x, y and `x y` are 0 | `moments_are_those_of_the_disk` |
 //! |  | strata of the square stay strata: the image of each jittered point lies in the image of its cell | `strata_stay_strata` |
 
-use crate::properties::*;
 use groundtruth::math::{ONE_MINUS, maps};
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::samples::{assert_once_each, assert_uniform, built, occupied, random_points};

@@ -13,8 +13,8 @@
 //! |  | for e = 1 the directions, projected along z, fill the disk uniformly; and a uniform disk lifted to the hemisphere has the density `cosθ/π` (Malley) | `the_cosine_density_is_a_lifted_disk` |
 //! | mapping samples to a sphere | a sphere's points have uniform z and a uniform angle, independent of each other: `E[z] = 0`, `E[z²] = 1/3`, and the same for x and y | `sphere_points_are_uniform` |
 
-use crate::properties::*;
 use groundtruth::math::{ONE_MINUS, maps};
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::samples::{assert_once_each, assert_uniform, built, random_points};

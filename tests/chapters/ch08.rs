@@ -14,8 +14,8 @@
 //! |  | off the axis a sphere is seen as an ellipse, drawn out away from the centre: from `d tan(α − β)` to `d tan(α + β)`, `sin β = R/D` | `a_sphere_off_the_axis_is_drawn_out` |
 //! | rays from the eye | every ray starts at the eye, has length 1, and goes forward, so that objects between eye and view plane are seen, and nothing behind the eye | `rays_start_at_the_eye_and_are_unit` |
 
-use crate::properties::*;
 use groundtruth::cameras::{View, ViewPlane};
+use testkit::properties::*;
 
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
 use crate::pictures::studio::{RED, bits, built};

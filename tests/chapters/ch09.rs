@@ -13,8 +13,8 @@
 //! | exercise 9.6, roll angle | a roll of 360° changes no bit; 180° turns the picture upside down; 90° turns it clockwise by a quarter: what was at the right is at the bottom | `rolls_turn_the_picture` |
 //! | the orthographic camera (an exercise) | the orthographic camera looks along −w from `eye + x u + y v` | `parallel_rays_start_beside_the_eye` |
 
-use crate::properties::*;
 use groundtruth::cameras::{Handedness, View};
+use testkit::properties::*;
 
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
 use crate::pictures::studio::{RED, built};

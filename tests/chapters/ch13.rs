@@ -18,9 +18,9 @@ pub mod albedo;
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::properties::*;
 use groundtruth::lobes::{GlossySpecular, Lambertian};
 use groundtruth::shapes::Kind as Shape;
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;

@@ -16,9 +16,9 @@
 
 mod sources;
 
-use crate::properties::*;
 use groundtruth::film::{OutOfGamut, Tone};
 use groundtruth::lights::PointLight as Lamp;
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;

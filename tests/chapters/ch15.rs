@@ -14,9 +14,9 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::properties::*;
 use groundtruth::cameras;
 use groundtruth::lobes::GlossySpecular;
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;

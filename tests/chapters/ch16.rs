@@ -19,10 +19,10 @@ mod media;
 mod segments;
 mod way_out;
 
-use crate::properties::*;
 use groundtruth::cameras;
 use groundtruth::lights::PointLight as Lamp;
 use groundtruth::render::{pixel, render};
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;

@@ -18,8 +18,8 @@
 
 mod matrix;
 
-use crate::properties::*;
 use dashu_ratio::RBig;
+use testkit::properties::*;
 
 use crate::prelude::*;
 

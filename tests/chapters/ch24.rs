@@ -20,10 +20,10 @@
 mod leaning;
 mod pictures;
 
-use crate::properties::*;
 use groundtruth::explain::omissions;
 use groundtruth::lights::PointLight as Lamp;
 use groundtruth::lobes::PerfectSpecular;
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;

@@ -23,10 +23,10 @@
 mod pictures;
 mod ray_budget;
 
-use crate::properties::*;
 use groundtruth::lobes::{PerfectTransmitter, refract};
 use groundtruth::textures::{Checker3d, Kind as Texture};
 use groundtruth::trace::RecordedRay;
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;

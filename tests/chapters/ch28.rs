@@ -43,14 +43,14 @@ mod recorded_optics;
 mod shadows;
 mod vessels;
 
-use crate::properties::*;
 use groundtruth::render::{pixel, render};
 use groundtruth::trace::RecordedRay;
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::optics;
-use crate::support::scaling::scaled_scene;
 use crate::support::stage::*;
+use testkit::scaling::scaled_scene;
 
 const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
 

@@ -4,10 +4,7 @@
 //! `tests/contracts`, under the same names.
 
 #[macro_use]
-#[path = "../asserts.rs"]
-mod asserts;
-#[path = "../properties.rs"]
-mod properties;
+extern crate testkit;
 
 #[macro_use]
 mod support;

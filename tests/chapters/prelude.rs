@@ -39,3 +39,4 @@ pub use crate::support::replicas::{assert_color, assert_mean, replicas, view, wi
 pub use crate::support::stage::{built, deep_stage, look, put, shine, stage};
 pub use crate::support::statistics::{most_sigmas, sigmas};
 pub use crate::support::{U, camera_ray, laws, point, unit};
+pub use testkit::{as_many, is_thorough};

@@ -6,8 +6,8 @@ use groundtruth::cameras::{Camera, Kind, View, ViewPlane, Viewpoint};
 use groundtruth::math::{Pcg32, Point, Vector, maps, power_of_two};
 use libtest_mimic::Trial;
 
-use super::scaling::scaled;
 use super::{Holds, ensure};
+use testkit::scaling::scaled;
 
 pub fn trials() -> Vec<Trial> {
     super::trials(

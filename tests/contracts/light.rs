@@ -17,8 +17,8 @@ use groundtruth::textures::Filtering;
 use groundtruth::world::World;
 use libtest_mimic::Trial;
 
-use super::scaling::scaled_scene;
 use super::{Holds, ensure, light_sampling};
+use testkit::scaling::scaled_scene;
 
 pub fn trials() -> Vec<Trial> {
     super::trials(

@@ -16,7 +16,6 @@ mod material;
 mod rays;
 mod sampler;
 mod sampler_draws;
-mod scaling;
 mod shape;
 mod shape_exact;
 mod texture;

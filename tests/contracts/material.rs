@@ -10,9 +10,9 @@ use groundtruth::textures::TexturePoint;
 use libtest_mimic::Trial;
 
 use super::lobe::anywhere;
-use super::scaling::scaled;
 use super::texture::{scaled_surface, surfaces};
 use super::{Holds, ensure};
+use testkit::scaling::scaled;
 
 pub fn trials() -> Vec<Trial> {
     super::trials(

@@ -7,8 +7,8 @@ use groundtruth::shapes::{Candidate, Context, Instance, Kind};
 use libtest_mimic::Trial;
 
 use super::rays::{Rays, built};
-use super::scaling::scaled;
 use super::{Holds, ensure};
+use testkit::scaling::scaled;
 
 pub fn trials() -> Vec<Trial> {
     super::trials(

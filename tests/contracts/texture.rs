@@ -9,8 +9,8 @@ use groundtruth::textures::TexturePoint;
 use groundtruth::textures::{Kind, Texture};
 use libtest_mimic::Trial;
 
-use super::scaling::scaled;
 use super::{Holds, ensure};
+use testkit::scaling::scaled;
 
 pub fn trials() -> Vec<Trial> {
     super::trials(

@@ -1,9 +1,6 @@
 //! Laws of the report.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
-#[path = "../../../tests/markup.rs"]
-mod markup;
+extern crate testkit;
 
 mod report;

@@ -1,10 +1,7 @@
 //! Laws of what is kept of a pixel.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
-#[path = "../../../tests/markup.rs"]
-mod markup;
+extern crate testkit;
 
 mod counted;
 mod kept_shadows;

@@ -11,7 +11,7 @@ use groundtruth::world::{self, World};
 use keep::{PixelPage, SmallPicture};
 use text::digits::shortened;
 
-use crate::markup::fault;
+use testkit::markup::fault;
 
 fn page(
     name: &str,

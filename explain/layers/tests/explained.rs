@@ -201,21 +201,15 @@ fn layers_equal_explanations() {
     for (name, width, samples) in of_all_kinds {
         assert_eq!(check(name, &named(name, width, samples), 24), 24, "{name}");
     }
+    for entry in gallery::scenes().filter(|_| testkit::is_thorough()) {
+        let checked = check(entry.name, &small(&(entry.build)(), 48, 4), 200);
+        assert!(checked >= 150, "{}: {checked} of 200 pixels could be explained", entry.name);
+    }
     // a quarter of the time has a quarter of the light, and a sixteenth of its variance
     let (mut scene, _) = named("ch18/rectangle", 12, 4);
     scene.camera.exposure_time = 0.25;
     let world = World::build(&scene).expect("valid");
     assert_eq!(check("a quarter of the exposure time", &(scene, world), 24), 24, "pixels checked");
-}
-
-/// The same at 200 pixels of each scene of the gallery.
-#[test]
-#[ignore = "minutes"]
-fn layers_equal_explanations_in_the_whole_gallery() {
-    for entry in gallery::scenes() {
-        let checked = check(entry.name, &small(&(entry.build)(), 48, 4), 200);
-        assert!(checked >= 150, "{}: {checked} of 200 pixels could be explained", entry.name);
-    }
 }
 
 /// The objects that a recorded ray tests with the method *list*: all in each search for a first hit; for a shadow ray that

@@ -1,8 +1,7 @@
 //! Laws of the layers of a picture.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
+extern crate testkit;
 
 mod borders;
 mod colors;

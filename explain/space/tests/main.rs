@@ -1,8 +1,7 @@
 //! Laws of the rays in space.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
+extern crate testkit;
 
 mod borders;
 mod drawing;

@@ -1,8 +1,7 @@
 //! The laws of lobes, lights and maps: right ones keep them, and mistakes break them.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
+extern crate testkit;
 
 mod around;
 mod cells;

@@ -8,9 +8,6 @@ mod grid;
 mod inside;
 mod lobes;
 mod radiance;
-#[path = "../../../tests/chapters/support/cases.rs"]
-#[allow(dead_code)] // the chapters use the rest of it
-mod support;
 
 use serde_json::Value;
 

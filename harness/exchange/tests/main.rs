@@ -1,8 +1,7 @@
 //! Laws of scenes in other words: those of other renderers, and plain ones.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
+extern crate testkit;
 
 mod describe;
 mod export;

@@ -1,8 +1,7 @@
 //! Laws of the golden images: how they are kept and compared, and known-bad scenes that a comparison must reject.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
+extern crate testkit;
 
 mod bad_scenes;
 mod compare;

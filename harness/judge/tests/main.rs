@@ -1,8 +1,7 @@
 //! Laws of the judge of pictures: the known mistakes, exercises and verdicts.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
+extern crate testkit;
 
 mod exercise;
 mod mistakes;

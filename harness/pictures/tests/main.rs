@@ -1,10 +1,7 @@
 //! Laws of pictures: how two are compared, exact sums of replicas.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
-#[path = "../../../tests/properties.rs"]
-mod properties;
+extern crate testkit;
 
 mod compare;
 #[cfg(unix)]

@@ -4,11 +4,11 @@ mod header;
 mod merged;
 mod seeds;
 
-use crate::properties::*;
 use dashu_ratio::RBig;
 use groundtruth::film::Film;
 use groundtruth::rgb::Rgb;
 use pictures::sums::{ChannelSums, Seeds, Sums, fixed};
+use testkit::properties::*;
 
 use self::header::header;
 

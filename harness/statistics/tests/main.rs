@@ -1,8 +1,7 @@
 //! The checkers checked: their numbers, what they find, and the rates of their false alarms.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
+extern crate testkit;
 
 mod biased_samples;
 mod laws;

@@ -2,7 +2,7 @@
 
 use text::document::*;
 
-use crate::markup::fault;
+use testkit::markup::fault;
 
 /// A document with every block that packages build, and words that each print has to escape or leave.
 fn document() -> Element {

@@ -3,7 +3,7 @@
 use groundtruth::printable;
 use text::html::*;
 
-use crate::markup::fault;
+use testkit::markup::fault;
 
 /// Law: of every character of the planes in which any is special, no markup is left, none that is obeyed, and what is shown is the character or
 /// its number. Oracle: the references that HTML defines, put back.

@@ -1,10 +1,7 @@
 //! Laws of texts: documents and their three prints, numbers, and what others read.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
-#[path = "../../../tests/markup.rs"]
-mod markup;
+extern crate testkit;
 
 mod digits;
 mod document;

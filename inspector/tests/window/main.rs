@@ -1,8 +1,7 @@
 //! The inspector as a user operates it, in a window that exists only in memory.
 
 #[macro_use]
-#[path = "../../../tests/asserts.rs"]
-mod asserts;
+extern crate testkit;
 
 mod arguments;
 mod beside;

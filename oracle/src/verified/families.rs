@@ -28,14 +28,7 @@ fn all_inputs_are_finite_and_no_direction_is_zero() {
 
 #[test]
 fn about_half_of_the_rays_hit() {
-    half_hit(100);
-}
-
-/// The same, for more rays.
-#[test]
-#[ignore = "cost: cargo test many_rays_hit -- --ignored"]
-fn about_half_of_many_rays_hit() {
-    half_hit(400);
+    half_hit(testkit::as_many(100, 400));
 }
 
 /// Judges `n` rays of each kind and family.

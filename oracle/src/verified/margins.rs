@@ -15,14 +15,7 @@ use crate::{
 /// Oracle: the answer itself, for inputs moved by a quarter of the margin in random directions.
 #[test]
 fn no_change_below_the_margin_changes_the_answer() {
-    shaken(12);
-}
-
-/// The same, for more inputs.
-#[test]
-#[ignore = "cost: cargo test below_many -- --ignored"]
-fn no_change_below_many_margins_changes_the_answer() {
-    shaken(100);
+    shaken(testkit::as_many(12, 100));
 }
 
 /// Judges `n` rays of each kind and family.

@@ -2,8 +2,8 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::properties::*;
 use groundtruth::math::Frame;
+use testkit::properties::*;
 
 use crate::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Orthonormal frames.
 
-use crate::properties::*;
 use groundtruth::math::Frame;
+use testkit::properties::*;
 
 use crate::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Powers, exponentials, and the geometric series.
 
-use crate::properties::*;
 use groundtruth::math::{floor, ln};
+use testkit::properties::*;
 
 use crate::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Random numbers: published vectors, and uniform where it matters.
 
-use crate::properties::*;
 use groundtruth::math::{hash, splitmix};
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::statistics::{assert_all_equal, moments};

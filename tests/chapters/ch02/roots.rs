@@ -1,7 +1,7 @@
 //! Roots of quadratics, which the hits of spheres, cylinders and cones need.
 
-use crate::properties::*;
 use groundtruth::math::{perpendicular_roots, quadratic};
+use testkit::properties::*;
 
 use crate::prelude::*;
 

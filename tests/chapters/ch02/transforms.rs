@@ -1,6 +1,6 @@
 //! Points, vectors and normals transform each in their own way; chapter 20 has the rest.
 
-use crate::properties::*;
+use testkit::properties::*;
 
 use crate::prelude::*;
 

@@ -1,7 +1,7 @@
 //! Points, vectors, normals. Whole numbers make every product exact, so that laws hold to the bit.
 
-use crate::properties::*;
 use groundtruth::math::exact_cross;
+use testkit::properties::*;
 
 use crate::prelude::*;
 

@@ -1,7 +1,7 @@
 //! From radiance to the screen and to files.
 
-use crate::properties::*;
 use groundtruth::film::{ImageError, OutOfGamut, Tone, read_exr, write};
+use testkit::properties::*;
 
 use crate::prelude::*;
 

@@ -1,6 +1,6 @@
 //! What a ray hits: planes and spheres.
 
-use crate::properties::*;
+use testkit::properties::*;
 
 use crate::prelude::*;
 

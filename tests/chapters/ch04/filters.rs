@@ -1,10 +1,10 @@
 //! Filters on whole pictures: a pixel also uses samples outside its own square.
 
-use crate::properties::*;
 use groundtruth::background::Background;
 use groundtruth::filters::{Box, Filter, Gaussian, Kind, Mitchell, Tent};
 use groundtruth::math::erf;
 use std::f64::consts::SQRT_2;
+use testkit::properties::*;
 
 use crate::pictures::studio::{bits, built};
 use crate::prelude::*;

@@ -1,9 +1,9 @@
 //! What a pixel is: the mean of its samples, and where they are.
 
-use crate::properties::*;
 use groundtruth::samplers::Kind;
 use groundtruth::textures::{self, Texture};
 use statistics::means::one_sample;
+use testkit::properties::*;
 
 use crate::pictures::studio::{RED, built};
 use crate::prelude::*;

@@ -4,7 +4,7 @@ use groundtruth::background::{Background, Pattern, Sinusoid};
 
 use crate::pictures::studio::{bits, built};
 use crate::prelude::*;
-use crate::support::scaling::scaled_scene;
+use testkit::scaling::scaled_scene;
 
 /// The side of the book's square: figure 4.2 shows `[0, 10.83]²`.
 const SIDE: f64 = 10.83;

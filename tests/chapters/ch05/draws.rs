@@ -2,9 +2,9 @@
 
 use std::collections::{HashMap, HashSet};
 
-use crate::properties::*;
 use groundtruth::lobes::Branch;
 use groundtruth::samplers::{Hammersley, Key, Kind, PathKey, Purpose, SampleSets, Sobol};
+use testkit::properties::*;
 
 use crate::pictures::studio::built as world;
 use crate::prelude::*;

@@ -150,18 +150,13 @@ const NEAREST: [(usize, usize); 10] =
 
 /// Law: no two uses in a pixel depend on each other. Oracle: correlations and χ² of independence over 10⁶
 /// pixels, for the most structured sampler and the most similar uses; they detect a correlation of 0.007 and
-/// a φ² of 5e-4 on the odd grid and of 3e-3 in the strata. This tests one index of a pixel; the last law of
+/// a φ² of 5e-4 on the odd grid and of 3e-3 in the strata; thoroughly, every two uses and every sampler that randomises. This tests one index of a pixel; the last law of
 /// this file tests all samples of a pixel together.
 #[test]
 fn no_two_uses_in_a_pixel_depend_on_each_other() {
-    let kind = Kind::from(groundtruth::samplers::MultiJittered {});
-    assert_independent(&[kind], &NEAREST);
-}
-
-/// Law: as above, of every two uses and every sampler that randomises.
-#[test]
-#[ignore = "cost: cargo test ch05 -- --ignored"]
-fn no_two_uses_in_a_pixel_depend_on_each_other_with_any_sampler() {
+    if !is_thorough() {
+        return assert_independent(&[groundtruth::samplers::MultiJittered {}.into()], &NEAREST);
+    }
     let kinds = randomising();
     assert!(kinds.len() >= 3, "{kinds:?}");
     assert_independent(&kinds, &all_pairs());
@@ -193,19 +188,14 @@ fn assert_pixels(kind: &Kind, partners: &[Partner], tests: usize) {
     }
 }
 
-/// Law: the draws of one pixel are independent of its neighbours', and those of one run of the next run's.
-/// Oracle: as above.
+/// Law: the draws of one pixel are independent of its neighbours', and those of one run of the next run's;
+/// thoroughly, for all partners and every sampler that randomises, and film samples with lens samples of another index. Oracle: as above.
 #[test]
 fn pixels_and_runs_do_not_depend_on_each_other() {
-    let chosen = [PARTNERS[1], PARTNERS[5], PARTNERS[6]];
-    assert_pixels(&groundtruth::samplers::MultiJittered {}.into(), &chosen, chosen.len());
-}
-
-/// Law: as above, for all partners and every sampler that randomises; and a pixel's film samples with its
-/// lens samples of another index.
-#[test]
-#[ignore = "cost: cargo test ch05 -- --ignored"]
-fn pixels_and_runs_do_not_depend_on_each_other_with_any_sampler() {
+    if !is_thorough() {
+        let chosen = [PARTNERS[1], PARTNERS[5], PARTNERS[6]];
+        return assert_pixels(&groundtruth::samplers::MultiJittered {}.into(), &chosen, 3);
+    }
     let kinds = randomising();
     for kind in &kinds {
         assert_pixels(kind, &PARTNERS, kinds.len() * (PARTNERS.len() + 1));

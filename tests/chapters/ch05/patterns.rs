@@ -1,7 +1,7 @@
 //! The patterns of single sets.
 
-use crate::properties::*;
 use groundtruth::samplers::{CorrelatedMultiJittered, Kind, NRooks, Sobol};
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::samples::{assert_once_each, built};

@@ -1,7 +1,7 @@
 //! The thin lens: rays, the circle of confusion, `project`, and lenses that are refused.
 
-use crate::properties::*;
 use groundtruth::cameras::{Camera, Kind, ThinLens, ViewPlane};
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::ANY_FILM;

@@ -1,9 +1,9 @@
 //! Laws that hold for the fisheye and both panoramas.
 
-use crate::properties::*;
 use groundtruth::cameras::{
     CylindricalPanorama, Fisheye, Kind, SphericalPanorama, View, ViewPlane,
 };
+use testkit::properties::*;
 
 use super::views::{FILM, cylindrical, fisheye, looking, on_film, spherical};
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};

@@ -1,7 +1,7 @@
 //! The fisheye: angles from the line of sight.
 
-use crate::properties::*;
 use groundtruth::cameras::Fisheye;
+use testkit::properties::*;
 
 use super::views::{FILM, fisheye, looking, on_film, rectangular, seen};
 use crate::pictures::studio::built;

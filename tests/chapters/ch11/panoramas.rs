@@ -1,6 +1,6 @@
 //! The panoramas: longitude and latitude.
 
-use crate::properties::*;
+use testkit::properties::*;
 
 use super::views::{cylindrical, looking, seen, spherical};
 use crate::prelude::*;

@@ -1,10 +1,10 @@
 //! Where the eyes are, and where each sees a point.
 
-use crate::properties::*;
 use groundtruth::cameras::{
     CylindricalPanorama, Fisheye, Kind, Side, SphericalPanorama, Stereo, ThinLens, View, ViewPlane,
     Viewing,
 };
+use testkit::properties::*;
 
 use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
 use crate::prelude::*;

@@ -8,7 +8,7 @@ use groundtruth::world::from_toml;
 
 use crate::pictures::studio::{assert_same_bits, bits, built};
 use crate::prelude::*;
-use crate::support::scaling::scaled_scene;
+use testkit::scaling::scaled_scene;
 
 const WIDTH: u32 = 26;
 const HEIGHT: u32 = 20;

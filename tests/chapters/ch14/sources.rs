@@ -1,7 +1,7 @@
 //! Point and spot lights: how they fade with distance, and the edges of a spot.
 
-use crate::properties::*;
 use groundtruth::lights::{Kind, PointLight as Lamp, Spot};
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;

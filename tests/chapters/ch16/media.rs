@@ -1,9 +1,9 @@
 //! Shadow rays through absorbing media.
 
-use crate::properties::*;
 use groundtruth::lights::{AmbientOccluder, Kind, PointLight as Lamp};
 use groundtruth::scene::TransparentShadows;
 use groundtruth::trace::{RecordedRay, TermSource};
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::lamps::all_lights;

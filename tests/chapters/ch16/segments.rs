@@ -1,7 +1,7 @@
 //! Where shadow rays begin and end.
 
-use crate::properties::*;
 use groundtruth::lights::{FakeSpherical, JitteredDirectional, Kind, PointLight as Lamp};
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;

@@ -1,7 +1,7 @@
 //! Light without shadows, and the media on its way.
 
-use crate::properties::*;
 use groundtruth::lights::PointLight as Lamp;
+use testkit::properties::*;
 
 use super::media::{SIGMA, matte, shadowless_glass, shadows, through, water};
 use crate::prelude::*;

@@ -1,9 +1,9 @@
 //! Laws that hold for each single sample.
 
-use crate::properties::*;
 use groundtruth::lights::AmbientOccluder;
 use groundtruth::shapes::{Kind as Shape, Materials, SolidCylinder};
 use groundtruth::trace::Outcome;
+use testkit::properties::*;
 
 use super::*;
 use crate::prelude::*;

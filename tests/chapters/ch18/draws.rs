@@ -1,9 +1,9 @@
 //! The draws of lights, and how many rays they cast.
 
-use crate::properties::*;
 use groundtruth::cameras::ThinLens;
 use groundtruth::render::{camera_sample, sample};
 use groundtruth::trace::{RecordedRay, TermSource};
+use testkit::properties::*;
 
 use super::*;
 use crate::prelude::*;

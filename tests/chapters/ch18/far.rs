@@ -1,6 +1,6 @@
 //! From far away a lamp is a point light, and the radiance of a lamp seen directly does not fade.
 
-use crate::properties::*;
+use testkit::properties::*;
 
 use super::*;
 use crate::prelude::*;

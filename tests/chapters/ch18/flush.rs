@@ -1,10 +1,10 @@
 //! Lamps that lie on another object's surface, or in its plane.
 
-use crate::properties::*;
+use testkit::properties::*;
 
 use super::*;
 use crate::prelude::*;
-use crate::support::scaling::scaled_scene;
+use testkit::scaling::scaled_scene;
 
 const SAMPLES: u32 = 1024;
 /// The largest standard error that a mean may have here.

@@ -1,7 +1,7 @@
 //! Fake spherical lights and jittered directional ones: cubes of points and directions.
 
-use crate::properties::*;
 use groundtruth::lights::{FakeSpherical, JitteredDirectional, Kind};
+use testkit::properties::*;
 
 use super::*;
 use crate::prelude::*;

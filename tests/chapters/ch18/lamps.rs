@@ -5,7 +5,7 @@ use groundtruth::trace::Outcome;
 
 use super::*;
 use crate::prelude::*;
-use crate::support::scaling::scaled_scene;
+use testkit::scaling::scaled_scene;
 
 const SAMPLES: u32 = 64;
 

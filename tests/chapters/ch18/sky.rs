@@ -1,6 +1,6 @@
 //! The environment light.
 
-use crate::properties::*;
+use testkit::properties::*;
 
 use super::*;
 use crate::prelude::*;

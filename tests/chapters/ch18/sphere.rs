@@ -1,8 +1,8 @@
 //! Lamps that are spheres: which side shines, and the density of their samples at all distances.
 
-use crate::properties::*;
 use dashu_ratio::RBig;
 use groundtruth::lights::{LightContext, Target};
+use testkit::properties::*;
 
 use super::irradiance::sphere_share;
 use super::*;

@@ -127,12 +127,5 @@ fn check_bodies(cases: Range<usize>, seed: u64) {
 /// Oracle: the inside of a closed surface (Jordan).
 #[test]
 fn no_ray_slips_through_an_edge() {
-    check_bodies(0..20 * BODIES, 1930);
-}
-
-/// The same, fifty times as many bodies.
-#[test]
-#[ignore = "cost: cargo test ch19 -- --ignored"]
-fn no_ray_slips_through_an_edge_thoroughly() {
-    check_bodies(0..1000 * BODIES, 1931);
+    check_bodies(0..as_many(20, 1000) * BODIES, 1930);
 }

@@ -5,48 +5,41 @@ use oracle::hard::Kind;
 use crate::prelude::*;
 use crate::support::hard_cases::{ShapePair, judge_all, pair, sweep};
 
-/// A law and its thorough form for each kind.
+/// A law for each kind.
 macro_rules! sweeps {
-    ($($law:ident $thorough:ident $kind:ident;)*) => {$(
+    ($($law:ident $kind:ident;)*) => {$(
         /// Law: hit or miss, every distance and every normal are right within their condition.
         /// Oracle: 512-bit arithmetic.
         #[test]
         fn $law() {
-            sweep(Kind::$kind, 19, 40);
-        }
-
-        /// The same, ten thousand cases a family.
-        #[test]
-        #[ignore = "cost: cargo test ch19 -- --ignored"]
-        fn $thorough() {
-            sweep(Kind::$kind, 1919, 10_000);
+            sweep(Kind::$kind, 19, as_many(40, 10_000));
         }
     )*};
 }
 sweeps! {
-    planes_are_exact_within_their_condition planes_thoroughly Plane;
-    spheres_are_exact_within_their_condition spheres_thoroughly Sphere;
-    boxes_are_exact_within_their_condition boxes_thoroughly Cuboid;
-    triangles_are_exact_within_their_condition triangles_thoroughly Triangle;
-    rectangles_are_exact_within_their_condition rectangles_thoroughly Rectangle;
-    disks_are_exact_within_their_condition disks_thoroughly Disk;
-    cylinders_are_exact_within_their_condition cylinders_thoroughly OpenCylinder;
-    annuli_are_exact_within_their_condition annuli_thoroughly Annulus;
-    part_annuli_are_exact_within_their_condition part_annuli_thoroughly PartAnnulus;
-    cones_are_exact_within_their_condition cones_thoroughly Cone;
-    paraboloids_are_exact_within_their_condition paraboloids_thoroughly Paraboloid;
-    part_spheres_are_exact_within_their_condition part_spheres_thoroughly PartSphere;
-    part_cylinders_are_exact_within_their_condition part_cylinders_thoroughly PartCylinder;
-    tori_are_exact_within_their_condition tori_thoroughly Torus;
-    part_tori_are_exact_within_their_condition part_tori_thoroughly PartTorus;
-    algebraic_surfaces_are_exact_within_their_condition algebraic_thoroughly Algebraic;
-    cut_faces_are_exact_within_their_condition cut_faces_thoroughly CutFace;
-    solid_cylinders_are_the_union_of_their_parts solid_cylinders_thoroughly SolidCylinder;
-    solid_cones_are_the_union_of_their_parts solid_cones_thoroughly SolidCone;
-    thick_rings_are_the_union_of_their_parts thick_rings_thoroughly ThickRing;
-    flat_rimmed_bowls_are_the_union_of_their_parts flat_rimmed_bowls_thoroughly FlatRimmedBowl;
-    round_rimmed_bowls_are_the_union_of_their_parts round_rimmed_bowls_thoroughly RoundRimmedBowl;
-    concave_lenses_are_the_union_of_their_parts concave_lenses_thoroughly ConcaveLens;
+    planes_are_exact_within_their_condition Plane;
+    spheres_are_exact_within_their_condition Sphere;
+    boxes_are_exact_within_their_condition Cuboid;
+    triangles_are_exact_within_their_condition Triangle;
+    rectangles_are_exact_within_their_condition Rectangle;
+    disks_are_exact_within_their_condition Disk;
+    cylinders_are_exact_within_their_condition OpenCylinder;
+    annuli_are_exact_within_their_condition Annulus;
+    part_annuli_are_exact_within_their_condition PartAnnulus;
+    cones_are_exact_within_their_condition Cone;
+    paraboloids_are_exact_within_their_condition Paraboloid;
+    part_spheres_are_exact_within_their_condition PartSphere;
+    part_cylinders_are_exact_within_their_condition PartCylinder;
+    tori_are_exact_within_their_condition Torus;
+    part_tori_are_exact_within_their_condition PartTorus;
+    algebraic_surfaces_are_exact_within_their_condition Algebraic;
+    cut_faces_are_exact_within_their_condition CutFace;
+    solid_cylinders_are_the_union_of_their_parts SolidCylinder;
+    solid_cones_are_the_union_of_their_parts SolidCone;
+    thick_rings_are_the_union_of_their_parts ThickRing;
+    flat_rimmed_bowls_are_the_union_of_their_parts FlatRimmedBowl;
+    round_rimmed_bowls_are_the_union_of_their_parts RoundRimmedBowl;
+    concave_lenses_are_the_union_of_their_parts ConcaveLens;
 }
 
 /// Rays that make an angle of 10⁻³ to 10⁻¹² with the axis of a tall cylinder, from inside and from

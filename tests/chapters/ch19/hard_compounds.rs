@@ -3,6 +3,7 @@
 use exact::composites::Kind;
 
 use crate::support::hard_cases::sweep_many;
+use testkit::as_many;
 
 /// Compounds cycle through twelve kinds; each round of twelve is searched by the next method.
 fn sweep(seed: u64, count: usize) {
@@ -13,12 +14,5 @@ fn sweep(seed: u64, count: usize) {
 /// searches them. Oracle: its parts in 512-bit arithmetic, one by one.
 #[test]
 fn compounds_are_exact_within_their_condition() {
-    sweep(191, 100);
-}
-
-/// The same, ten thousand cases a family.
-#[test]
-#[ignore = "cost: cargo test ch19 -- --ignored"]
-fn compounds_thoroughly() {
-    sweep(19_191, 10_000);
+    sweep(191, as_many(100, 10_000));
 }

@@ -5,7 +5,7 @@ use groundtruth::shapes::OpenCylinder;
 
 use crate::prelude::*;
 use crate::support::bodies::body;
-use crate::support::scaling::scaled;
+use testkit::scaling::scaled;
 
 fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
     kind.into().build(&mut Context::default()).expect("valid")

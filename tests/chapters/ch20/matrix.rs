@@ -1,10 +1,10 @@
 //! The transformation step that is given as a matrix.
 
-use crate::properties::*;
+use testkit::properties::*;
 
 use super::{linear, product, size, steps, transform};
 use crate::prelude::*;
-use crate::support::scaling::scaled;
+use testkit::scaling::scaled;
 
 /// The matrix of these steps as a step.
 fn as_matrix(t: &Transform) -> Step {

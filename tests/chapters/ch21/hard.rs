@@ -10,14 +10,7 @@ use crate::support::hard_cases::{ShapePair, instanced, judge_all, pair, sweep, s
 /// arithmetic on the matrix as the library has it.
 #[test]
 fn instances_are_exact_within_their_condition() {
-    sweep(Hard::Instance, 21, 100);
-}
-
-/// The same, ten thousand cases a family.
-#[test]
-#[ignore = "cost: cargo test ch21 -- --ignored"]
-fn instances_thoroughly() {
-    sweep(Hard::Instance, 2121, 10_000);
+    sweep(Hard::Instance, 21, as_many(100, 10_000));
 }
 
 /// The matrices of the hard instances: scales from 10⁻⁴ to 10⁴, sheared and mirrored.
@@ -57,16 +50,7 @@ fn sweep_instances_of(kind: Hard, seed: u64, count: usize) {
 #[test]
 fn instances_of_cylinders_triangles_and_rectangles_are_exact_within_their_condition() {
     for kind in [Hard::OpenCylinder, Hard::Triangle, Hard::Rectangle, Hard::Plane] {
-        sweep_instances_of(kind, 212, 100);
-    }
-}
-
-/// The same, ten thousand cases a family.
-#[test]
-#[ignore = "cost: cargo test ch21 -- --ignored"]
-fn instances_of_cylinders_triangles_and_rectangles_thoroughly() {
-    for kind in [Hard::OpenCylinder, Hard::Triangle, Hard::Rectangle, Hard::Plane] {
-        sweep_instances_of(kind, 2122, 10_000);
+        sweep_instances_of(kind, 212, as_many(100, 10_000));
     }
 }
 
@@ -118,27 +102,20 @@ fn instances_turned_flat_keep_every_hit() {
 }
 
 macro_rules! beveled {
-    ($($law:ident $thorough:ident $kind:ident;)*) => {$(
+    ($($law:ident $kind:ident;)*) => {$(
         /// Law: hit or miss, every distance and every normal are those of the parts that the book
         /// names, within their condition. Oracle: those parts in 512-bit arithmetic.
         #[test]
         fn $law() {
-            sweep(Hard::$kind, 213, 30);
-        }
-
-        /// The same, ten thousand cases a family.
-        #[test]
-        #[ignore = "cost: cargo test ch21 -- --ignored"]
-        fn $thorough() {
-            sweep(Hard::$kind, 2130, 10_000);
+            sweep(Hard::$kind, 213, as_many(30, 10_000));
         }
     )*};
 }
 beveled! {
-    beveled_boxes_are_the_union_of_their_parts beveled_boxes_thoroughly BeveledBox;
-    beveled_cylinders_are_the_union_of_their_parts beveled_cylinders_thoroughly BeveledCylinder;
-    beveled_rings_are_the_union_of_their_parts beveled_rings_thoroughly BeveledRing;
-    beveled_wedges_are_the_union_of_their_parts beveled_wedges_thoroughly BeveledWedge;
+    beveled_boxes_are_the_union_of_their_parts BeveledBox;
+    beveled_cylinders_are_the_union_of_their_parts BeveledCylinder;
+    beveled_rings_are_the_union_of_their_parts BeveledRing;
+    beveled_wedges_are_the_union_of_their_parts BeveledWedge;
 }
 
 /// Rays that cross the rounded edge of a cylinder in a short chord. The bevel is 10⁻⁷ to 10⁻¹ of the

@@ -4,8 +4,8 @@
 use groundtruth::shapes::{Archway, BeveledBox, Materials, Rosette};
 
 use crate::prelude::*;
-use crate::support::scaling::scaled;
 use crate::support::solids::{built, from_axis, line};
+use testkit::scaling::scaled;
 
 fn rosette(rings: u32, bevel: f64, accel: Option<Method>) -> Rosette {
     let (hole_radius, ring_width) = (0.75, 1.0);

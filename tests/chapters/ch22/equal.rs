@@ -1,5 +1,5 @@
 //! The grid and the tree of boxes give the same answer as the list: the same object at the same
-//! distance, bit for bit. Each law takes the number of rays to test.
+//! distance, bit for bit.
 
 use groundtruth::accel::Accel;
 use groundtruth::mesh_bvh::Kernel;
@@ -8,43 +8,10 @@ use groundtruth::shapes::TriangleMesh;
 use super::searched::{Both, FARTHEST, agree, built, hits, some_rays, spheres};
 use crate::prelude::*;
 
-/// For each law a short test, and a thorough one with a million rays.
-macro_rules! laws {
-    ($($short:ident $thorough:ident $law:ident $rays:literal;)*) => {$(
-        #[test]
-        fn $short() {
-            $law($rays);
-        }
-
-        #[test]
-        #[ignore = "cost: cargo test ch22 -- --ignored"]
-        fn $thorough() {
-            $law(1_000_000);
-        }
-    )*};
-}
-
-laws! {
-    acceleration_equals_the_list_on_random_spheres random_spheres_thoroughly
-        random_spheres 6_000;
-    acceleration_equals_the_list_on_coincident_objects coincident_objects_thoroughly
-        coincident_objects 10_000;
-    acceleration_equals_the_list_on_meshes_with_doubled_triangles doubled_triangles_thoroughly
-        doubled_triangles 10_000;
-    acceleration_equals_the_list_on_flat_scenes_and_among_planes flat_scenes_and_planes_thoroughly
-        flat_scenes_and_planes 10_000;
-    acceleration_equals_the_list_along_faces_and_edges_of_boxes faces_and_edges_thoroughly
-        faces_and_edges_of_boxes 10_000;
-    acceleration_equals_the_list_on_instances_of_meshes instances_of_meshes_thoroughly
-        instances_of_meshes 6_000;
-    acceleration_equals_the_list_on_nested_objects nested_objects_thoroughly
-        nested_objects 4_000;
-    acceleration_equals_the_list_from_afar from_afar_thoroughly
-        from_afar 4_000;
-}
-
 /// Law: equal on the book's scene of random spheres, with overlap. Oracle: the list.
-fn random_spheres(rays: usize) {
+#[test]
+fn acceleration_equals_the_list_on_random_spheres() {
+    let rays = as_many(6_000, 1_000_000);
     for count in [1, 2, 7, 9, 300] {
         let objects = spheres(&mut Draw::new(2200 + count as u64), count);
         agree("spheres", objects, some_rays(2201, rays, 1.0), 500);
@@ -53,7 +20,9 @@ fn random_spheres(rays: usize) {
 
 /// Law: of several objects at the same distance the first one is found. Oracle: the list, which compares
 /// indices.
-fn coincident_objects(rays: usize) {
+#[test]
+fn acceleration_equals_the_list_on_coincident_objects() {
+    let rays = as_many(10_000, 1_000_000);
     let mut draw = Draw::new(2210);
     let mut objects = spheres(&mut draw, 40);
     for i in 0..120 {
@@ -95,7 +64,9 @@ fn doubled_sheet(draw: &mut Draw) -> (Vec<Point>, Vec<[u32; 3]>) {
 
 /// Law: equal on meshes with duplicate triangles, for rays through vertices, along edges and elsewhere.
 /// Oracle: the list; and the same triangles as loose objects.
-fn doubled_triangles(rays: usize) {
+#[test]
+fn acceleration_equals_the_list_on_meshes_with_doubled_triangles() {
+    let rays = as_many(10_000, 1_000_000);
     let mut draw = Draw::new(2220);
     let (vertices, triangles) = doubled_sheet(&mut draw);
     let corners = |t: &[u32; 3]| t.map(|i| vertices[i as usize]);
@@ -138,7 +109,9 @@ fn doubled_triangles(rays: usize) {
 
 /// Law: equal when everything lies in one plane, for rays across it and in it; and with infinite planes
 /// among the objects, some of them that same plane. Oracle: the list.
-fn flat_scenes_and_planes(rays: usize) {
+#[test]
+fn acceleration_equals_the_list_on_flat_scenes_and_among_planes() {
+    let rays = as_many(10_000, 1_000_000);
     let mut draw = Draw::new(2230);
     let mut objects: Vec<Arc<dyn Shape>> = Vec::new();
     for i in 0..200 {
@@ -168,7 +141,9 @@ fn flat_scenes_and_planes(rays: usize) {
 
 /// Law: equal among touching boxes: rays along their faces and edges, from inside, through corners.
 /// Oracle: the list.
-fn faces_and_edges_of_boxes(rays: usize) {
+#[test]
+fn acceleration_equals_the_list_along_faces_and_edges_of_boxes() {
+    let rays = as_many(10_000, 1_000_000);
     let mut objects = Vec::new();
     for i in 0..216 {
         let at = |k: i32| f64::from(k % 6 - 3);
@@ -189,7 +164,9 @@ fn faces_and_edges_of_boxes(rays: usize) {
 }
 
 /// Law: equal on instances of a mesh, and on instances of such instances. Oracle: the list.
-fn instances_of_meshes(rays: usize) {
+#[test]
+fn acceleration_equals_the_list_on_instances_of_meshes() {
+    let rays = as_many(6_000, 1_000_000);
     let mut draw = Draw::new(2250);
     let sphere = TessellatedSphere { radius: 0.3, ..TessellatedSphere::new(12, 8, false) };
     let mesh: Arc<dyn Shape> = Arc::new(sphere.mesh().accelerated(Method::Bvh));
@@ -214,7 +191,9 @@ fn instances_of_meshes(rays: usize) {
 
 /// Law: equal among boxes and spheres inside each other, of sizes down to 2⁻³⁰ of the largest.
 /// Oracle: the list.
-fn nested_objects(rays: usize) {
+#[test]
+fn acceleration_equals_the_list_on_nested_objects() {
+    let rays = as_many(4_000, 1_000_000);
     let mut objects = Vec::new();
     for i in 0..40 {
         let size = groundtruth::math::power(2.0, -0.75 * f64::from(i));
@@ -237,7 +216,9 @@ fn nested_objects(rays: usize) {
 
 /// Law: equal for rays that start as far away as [`FARTHEST`] allows, and for small objects far from the
 /// origin. Oracle: the list.
-fn from_afar(rays: usize) {
+#[test]
+fn acceleration_equals_the_list_from_afar() {
+    let rays = as_many(4_000, 1_000_000);
     for (seed, shift) in [(2247, 0.0), (2248, 1e3), (2249, 1e7), (2250, 1e12)] {
         let mut draw = Draw::new(seed);
         let middle = Point::new(shift, -0.5 * shift, 0.25 * shift);

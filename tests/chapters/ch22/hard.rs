@@ -3,6 +3,7 @@
 use exact::composites::Kind;
 
 use crate::support::hard_cases::sweep_many;
+use testkit::as_many;
 
 fn sweep_spheres(seed: u64, count: usize) {
     sweep_many(Kind::RandomSpheres, seed, count, 1);
@@ -17,19 +18,11 @@ fn sweep_lattices(seed: u64, count: usize) {
 /// spheres in 512-bit arithmetic, one by one.
 #[test]
 fn random_spheres_are_exact_within_their_condition() {
-    sweep_spheres(2270, 100);
+    sweep_spheres(2270, as_many(100, 10_000));
 }
 
 /// Law and oracle as above, for the copies of a lattice.
 #[test]
 fn lattices_are_exact_within_their_condition() {
-    sweep_lattices(2271, 100);
-}
-
-/// Both, ten thousand cases a family.
-#[test]
-#[ignore = "cost: cargo test ch22 -- --ignored"]
-fn random_spheres_and_lattices_thoroughly() {
-    sweep_spheres(22_700, 10_000);
-    sweep_lattices(22_710, 10_000);
+    sweep_lattices(2271, as_many(100, 10_000));
 }

@@ -5,6 +5,7 @@ use oracle::Shape;
 use oracle::hard::{Family, Kind as Hard, cases};
 
 use crate::support::hard_cases::{sweep_many, sweep_many_as};
+use testkit::as_many;
 
 fn sweep_meshes(seed: u64, count: usize) {
     sweep_many(Kind::Mesh, seed, count, 1);
@@ -28,19 +29,11 @@ fn sweep_instances(seed: u64, count: usize) {
 /// searches them. Oracle: 512-bit arithmetic, one triangle after the other.
 #[test]
 fn meshes_are_exact_within_their_condition() {
-    sweep_meshes(23, 100);
+    sweep_meshes(23, as_many(100, 10_000));
 }
 
 /// Law and oracle as above, for instances of meshes.
 #[test]
 fn instances_of_meshes_are_exact_within_their_condition() {
-    sweep_instances(231, 100);
-}
-
-/// Both, ten thousand cases a family.
-#[test]
-#[ignore = "cost: cargo test ch23 -- --ignored"]
-fn meshes_and_their_instances_thoroughly() {
-    sweep_meshes(2323, 10_000);
-    sweep_instances(2324, 10_000);
+    sweep_instances(231, as_many(100, 10_000));
 }

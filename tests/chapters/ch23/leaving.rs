@@ -9,12 +9,5 @@ use crate::support::leaving::check_kinds;
 /// enters a closed solid in turn.
 #[test]
 fn every_kind_of_the_chapter_is_left_for_good() {
-    check_kinds("ch23", [30, 80], 2390);
-}
-
-/// The same, at a thousand scales.
-#[test]
-#[ignore = "cost: cargo test ch23 -- --ignored"]
-fn every_kind_of_the_chapter_is_left_for_good_thoroughly() {
-    check_kinds("ch23", [1000, 1000], 2391);
+    check_kinds("ch23", 2390);
 }

@@ -89,14 +89,7 @@ fn check(count: usize, seed: u64) {
 /// shadow rays do: on a round sphere, a far one, triangles of aspect 10⁶, a knot. Oracle: topology.
 #[test]
 fn no_ray_slips_between_triangles() {
-    check(15_000, 2300);
-}
-
-/// The same, ten million rays for each kernel.
-#[test]
-#[ignore = "cost: cargo test ch23 -- --ignored"]
-fn no_ray_slips_between_triangles_thoroughly() {
-    check(2_000_000, 2310);
+    check(as_many(15_000, 2_000_000), 2300);
 }
 
 /// Law: every kernel gives the hits of a list, bit for bit: on a knot, on a sphere, on triangles of

@@ -1,7 +1,7 @@
 //! Fresnel's equations and Beer's law by themselves.
 
-use crate::properties::*;
 use groundtruth::lobes::{FresnelReflector, FresnelTransmitter, fresnel, refract};
+use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::optics::by_angles;

@@ -1,8 +1,8 @@
 //! Fresnel's equations for each polarisation.
 
-use crate::properties::*;
 use dashu_ratio::RBig;
 use groundtruth::lobes::{fresnel, polarised};
+use testkit::properties::*;
 
 use crate::prelude::*;
 

@@ -1,7 +1,7 @@
 //! What the recorder reports about refraction: the numbers that `explain` and the inspector show.
 
-use crate::properties::*;
 use groundtruth::trace::{RecordedHit, RecordedRay, TermSource};
+use testkit::properties::*;
 
 use super::{child, glass, tinted};
 use crate::prelude::*;

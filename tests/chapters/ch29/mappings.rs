@@ -1,7 +1,7 @@
 //! From points to texture coordinates.
 
-use crate::properties::*;
 use groundtruth::textures::Mapping;
+use testkit::properties::*;
 
 use crate::prelude::*;
 

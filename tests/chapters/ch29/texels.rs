@@ -2,11 +2,11 @@
 
 use std::sync::LazyLock;
 
-use crate::properties::*;
 use groundtruth::images::{Drawn, Picture};
 use groundtruth::kinds::Resources;
 use groundtruth::math::floor;
 use groundtruth::textures::{Filtering, Image, Kind, Mapping, Rule, Wrap};
+use testkit::properties::*;
 
 use super::{by_uv, image_file, linear, texel_by_uv};
 use crate::prelude::*;

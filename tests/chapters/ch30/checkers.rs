@@ -308,9 +308,9 @@ fn seam_and_poles_belong_to_checkers_that_are_there() {
     }
 }
 
-/// Law: with the defaults a sphere, cylinder, cone and disk have the book's 20 checkers around and 10 along;
-/// white and half grey, without lines. Oracle: changes of colour counted along a circle and a
-/// meridian.
+/// Law: with the defaults a checker of a sphere, cylinder, cone, disk or rectangle has the book's 20
+/// checkers in one direction and 10 in the other; white and half grey, without lines. Oracle: changes of
+/// colour counted along a circle and a meridian, or along both sides.
 /// Book: two-dimensional checkers with outlines.
 #[test]
 fn the_defaults_are_the_books() {

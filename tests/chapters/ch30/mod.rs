@@ -14,7 +14,7 @@
 //! |  | lines of widths h and v leave `(1 − v) Σ A_j` of the surface, where `A_j` is the share of its area between `j + h/2` and `j + 1 − h/2` rows, and for an even number of columns the two colours share that equally | `checkers::lines_cover_their_share_of_each_surface` |
 //! |  | a sphere has `n_h n_v` regions of one colour if n_h is even: its seam is a border like all others | `checkers::a_sphere_has_as_many_regions_as_checkers` |
 //! |  | a point just before the seam is in the last column, however close it is, and the poles are in the first and the last row: no point belongs to a checker that does not exist | `checkers::seam_and_poles_belong_to_checkers_that_are_there` |
-//! |  | with the defaults a sphere, cylinder, cone and disk have the book's 20 checkers around and 10 along; white and half grey, without lines | `checkers::the_defaults_are_the_books` |
+//! |  | with the defaults a checker of a sphere, cylinder, cone, disk or rectangle has the book's 20 checkers in one direction and 10 in the other; white and half grey, without lines | `checkers::the_defaults_are_the_books` |
 //! | exercise 30.4, textures and materials for each checker of a sphere | of the textures of a sphere, the checker in column i and row j has number `j n_h + i`, modulo the length of the list; lines lie over all | `checkers::each_checker_of_a_sphere_has_its_texture` |
 //! |  | where the checker in column i and row j is seen, a ball looks like one of that checker's material alone, which has number `j n_h + i`, modulo the length of the list; bit for bit, with lights, mirrors and textures, and on an instance | `materials::each_checker_of_a_sphere_has_its_material` |
 //! | intrinsic transformations: texture instances | without steps, or with steps that do nothing, a texture instance is the texture itself, bit for bit | `instances::an_identical_instance_is_the_texture` |
@@ -32,14 +32,14 @@ mod layers;
 mod materials;
 mod wires;
 
-use crate::properties::*;
 use groundtruth::kinds::Resources;
 use groundtruth::render::pixel;
 use groundtruth::textures::{Checker3d, Kind as Texture, PlaneChecker};
+use testkit::properties::*;
 
 use crate::prelude::*;
-use crate::support::scaling::scaled;
 use crate::support::stage::*;
+use testkit::scaling::scaled;
 
 const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);
 const TWO: Rgb = Rgb::new(0.0, 0.25, 0.5);

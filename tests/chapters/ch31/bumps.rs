@@ -1,12 +1,12 @@
 //! Bumps: the shading normals that they give.
 
-use crate::properties::*;
 use groundtruth::bumps::{self, Height, Kind as Bump};
 use groundtruth::images::{Drawn, Picture};
 use groundtruth::lobes::{Lobes, Normals};
 use groundtruth::shapes::Part;
 use groundtruth::textures::{Fbm, Filtering, Image};
 use groundtruth::trace::{Outcome, Recorder, ShadingPoint, Term};
+use testkit::properties::*;
 
 use super::oracle::{self, built as noise};
 use crate::prelude::*;

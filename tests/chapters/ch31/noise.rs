@@ -2,8 +2,8 @@
 
 use std::collections::BTreeSet;
 
-use crate::properties::*;
 use groundtruth::noise::Lattice;
+use testkit::properties::*;
 
 use super::oracle::{self, built, index, linear};
 use crate::prelude::*;

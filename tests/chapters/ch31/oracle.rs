@@ -1,7 +1,7 @@
 //! A second implementation of noise, straight from its definition: all knots, each with its weight.
 
-use crate::properties::*;
 use groundtruth::noise::{Interpolation, Lattice, LatticeNoise};
+use testkit::properties::*;
 
 use crate::prelude::*;
 

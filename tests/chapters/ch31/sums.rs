@@ -1,7 +1,7 @@
 //! Sums of octaves: fractal sum, turbulence, fBm, and their bounds.
 
-use crate::properties::*;
 use groundtruth::noise::MAX_OCTAVES;
+use testkit::properties::*;
 
 use super::oracle::{self, built};
 use crate::prelude::*;

@@ -2,17 +2,17 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use crate::properties::*;
 use groundtruth::kinds::Resources;
 use groundtruth::noise::LatticeNoise;
 use groundtruth::textures::{
     ColorTable, Fbm, Kind, RampFbm, Rule, Stripes, TextureInstance, ThreeColors, Turbulence,
     TwoColors, WrappedFbm, WrappedRamp,
 };
+use testkit::properties::*;
 
 use super::oracle::{self, built};
 use crate::prelude::*;
-use crate::support::scaling::scaled;
+use testkit::scaling::scaled;
 
 const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);
 const TWO: Rgb = Rgb::new(0.0, 0.25, 0.5);

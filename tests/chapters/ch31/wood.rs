@@ -1,8 +1,8 @@
 //! Wood, step by step.
 
-use crate::properties::*;
 use groundtruth::noise::LatticeNoise;
 use groundtruth::textures::Wood;
+use testkit::properties::*;
 
 use super::oracle::{self, built};
 use super::textures::at;

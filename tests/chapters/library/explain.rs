@@ -12,8 +12,8 @@ use std::path::Path;
 
 use groundtruth::explain::{Outline, RecordedRay, Row};
 
-use super::same_text::{Printed, hold};
 use crate::prelude::*;
+use testkit::same_text::{Printed, hold};
 
 /// Holds the golden of this name to a text, up to the rounding of numbers.
 fn reads_as_before(golden: &str, text: &str) {

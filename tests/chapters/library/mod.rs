@@ -5,6 +5,4 @@ mod hit_path;
 mod image_file;
 mod mesh_file;
 mod regressions;
-#[path = "../../../harness/tests/same_text.rs"]
-mod same_text;
 mod scene_files;

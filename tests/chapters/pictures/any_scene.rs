@@ -11,7 +11,7 @@ use super::random_scenes::{scene, textured_scene};
 use super::studio::{assert_same_bits, bits, built, pixels};
 use crate::prelude::*;
 use crate::support::number;
-use crate::support::scaling::scaled_scene;
+use testkit::scaling::scaled_scene;
 
 fn same(color: Rgb) -> Rgb {
     color
@@ -50,7 +50,8 @@ const SCENES: u64 = 200;
 fn no_picture_has_negative_or_infinite_light() {
     let (mut bright, mut lights, mut made_of) = (0, HashSet::new(), HashSet::new());
     let mut shapes = HashSet::new();
-    for number in 0..SCENES {
+    let scenes = as_many(SCENES, 100_000);
+    for number in 0..scenes {
         let film = assert_sound(number);
         bright += u64::from(film.pixels().iter().any(|pixel| !pixel.is_black()));
         let scene = scene(number, &same);
@@ -63,17 +64,10 @@ fn no_picture_has_negative_or_infinite_light() {
             }
         }
     }
-    assert!(bright > SCENES * 4 / 5, "{bright} of {SCENES} pictures show anything");
+    assert!(bright > scenes * 4 / 5, "{bright} of {scenes} pictures show anything");
     assert_eq!(lights.len(), lights::Kind::ENTRIES.len(), "kinds of light in {SCENES} scenes");
     assert_eq!(made_of.len(), materials::Kind::ENTRIES.len(), "kinds of material");
     assert!(shapes.len() + 3 > shapes::Kind::ENTRIES.len(), "{} kinds of shape", shapes.len());
-}
-
-/// The same for many more scenes: about two minutes on two cores.
-#[test]
-#[ignore = "cost: cargo test no_picture_of_many -- --ignored"]
-fn no_picture_of_many_has_negative_or_infinite_light() {
-    (0..100_000).for_each(|number| drop(assert_sound(number)));
 }
 
 /// Law: red, green and blue are independent: permuting the channels of all colours permutes the channels of

@@ -1,6 +1,6 @@
 //! Light is linear: it adds up, and lights are independent of one another.
 
-use crate::properties::*;
+use testkit::properties::*;
 
 use super::studio::{built, pixels, small};
 use crate::prelude::*;

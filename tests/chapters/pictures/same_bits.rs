@@ -5,7 +5,7 @@ use groundtruth::world::from_toml;
 
 use super::studio::{assert_same_bits, built, gallery_in_small, pixels, small};
 use crate::prelude::*;
-use crate::support::scaling::scaled_scene;
+use testkit::scaling::scaled_scene;
 
 /// Law: no absolute length matters: every scene gives the same picture with all lengths multiplied by a power
 /// of two. An absolute epsilon anywhere would break this. Oracle: the scene as it is.

@@ -5,7 +5,7 @@ use std::fmt::Debug;
 use std::ops::Sub;
 
 use crate::prelude::*;
-use crate::properties::*;
+use testkit::properties::*;
 
 /// How large a difference is.
 pub trait Size {

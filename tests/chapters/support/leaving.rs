@@ -2,8 +2,8 @@
 //! their chapters.
 
 use super::bodies::check_next;
-use super::scaling::scaled;
 use crate::prelude::*;
+use testkit::scaling::scaled;
 
 /// A shape that rays leave: its bounding box, and whether it has an inside.
 struct Body<'a> {
@@ -15,7 +15,8 @@ struct Body<'a> {
 /// Fails at the first ray that leaves a specimen and hits it again at the same point. The specimens are those
 /// of the chapter's kinds, each at `scales` scales from 1e-6 to 1e6 and up to a thousand sizes away, with
 /// `rays` rays each.
-pub fn check_kinds(chapter: &str, [scales, rays]: [usize; 2], seed: u64) {
+pub fn check_kinds(chapter: &str, seed: u64) {
+    let [scales, rays] = as_many([30, 80], [1000, 1000]);
     let kinds = Kind::ENTRIES.iter().filter(|entry| entry.chapter == chapter);
     for entry in kinds.filter(|entry| entry.module != "plane") {
         let specimens = (entry.specimens)();

@@ -4,7 +4,6 @@
 pub mod judge;
 
 pub mod bodies;
-mod cases;
 pub mod edged;
 pub mod exact;
 pub mod hard_cases;
@@ -13,10 +12,8 @@ pub mod leaving;
 pub mod optics;
 pub mod replicas;
 pub mod samples;
-#[path = "../../contracts/scaling.rs"]
-pub mod scaling;
 pub mod solids;
 pub mod stage;
 pub mod statistics;
 
-pub use cases::*;
+pub use testkit::cases::*;

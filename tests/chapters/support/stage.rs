@@ -1,7 +1,7 @@
 //! Small scenes for the laws of light: a few objects in uniform surroundings, and rays into them.
 
-use crate::properties::*;
 use groundtruth::math::Frame;
+use testkit::properties::*;
 
 use super::unit;
 use crate::prelude::*;

@@ -3,7 +3,7 @@
 use report::PAGES;
 
 use super::REPORT;
-use crate::markup::fault;
+use testkit::markup::fault;
 
 /// Law: the page is well-formed XML. Oracle: tags, attributes and entities, checked one by one.
 #[test]

@@ -2,12 +2,12 @@
 
 use std::f64::consts::PI;
 
-use crate::properties::*;
 use groundtruth::math::{cos, sin};
 use serde_json::json;
+use testkit::properties::*;
 
-use super::support::{laws, point, unit};
 use super::{ask, close, numbers};
+use testkit::cases::{laws, point, unit};
 
 /// A few dozen roundings of numbers below 100.
 const ROUNDING: f64 = 1e-12;

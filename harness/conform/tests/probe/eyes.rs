@@ -1,11 +1,11 @@
 //! Both eyes of a stereo pair.
 
-use crate::properties::*;
 use groundtruth::math::{tan, to_radians};
 use serde_json::{Value, json};
+use testkit::properties::*;
 
-use super::support::laws;
 use super::{ask, close, numbers};
+use testkit::cases::laws;
 
 fn pair(separation: f64) -> Value {
     json!({"eye": [0, 0, 10], "look_at": [0, 0, 0], "lens": {"pinhole": {"distance": 20}},

@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use crate::properties::*;
 use ask::Draw;
 use groundtruth::math::Vector;
 use serde_json::json;
+use testkit::properties::*;
 
-use super::support::{laws, unit};
 use super::{ask, close, numbers};
+use testkit::cases::{laws, unit};
 
 /// A few dozen roundings of numbers below 100.
 const ROUNDING: f64 = 1e-12;

@@ -1,11 +1,11 @@
 //! The lights that add nothing at a hit, and the sentence about a black ray.
 
-use crate::properties::*;
 use groundtruth::explain::RecordedRay;
 use groundtruth::lights::{Spot, Unlit};
 use groundtruth::math::sin_cos;
 use groundtruth::shapes::Sampling;
 use proptest::test_runner::RngSeed;
+use testkit::properties::*;
 
 use crate::prelude::*;
 

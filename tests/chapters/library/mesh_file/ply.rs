@@ -2,8 +2,8 @@
 
 use super::samples::*;
 use crate::prelude::*;
-use crate::properties::*;
 use formats::meshes::{parse_ply, write_ply};
+use testkit::properties::*;
 
 /// Oracle: the test builds the bytes itself, and the expected mesh is written out in full.
 #[test]

@@ -1,9 +1,9 @@
 //! Names that a terminal would obey, in every place of a scene file that carries a name or a key.
 
-use crate::properties::*;
 use groundtruth::{cameras, printable, scene};
 use proptest::test_runner::FileFailurePersistence;
 use rayon::prelude::*;
+use testkit::properties::*;
 use toml::Value;
 
 use super::not_finite::everything;

@@ -16,6 +16,7 @@ pub const ANY_FILM: ViewPlane = ViewPlane { width: 1.0, height: 1.0 };
 
 /// The ray of a film point, through the centre of the lens, of a camera that sees all its film.
 pub trait Seen {
+    /// That ray of a point of the film.
     fn seen(&self, film: [f64; 2]) -> Ray;
 }
 

@@ -26,6 +26,7 @@ pub fn untrue(condition: &str, words: Option<String>) -> String {
 }
 
 /// The message on a case, if there is one.
+#[macro_export]
 macro_rules! law_words {
     () => {
         None
@@ -35,34 +36,39 @@ macro_rules! law_words {
     };
 }
 
+/// Fails unless the condition holds; the words are those of the law on its case.
+#[macro_export]
 macro_rules! assert {
     ($condition:expr $(, $($words:tt)*)?) => {
         // not `if !`: what is compared may be NaN
         match $condition {
             true => {}
             false => {
-                panic!("{}", crate::asserts::untrue(stringify!($condition), law_words!($($($words)*)?)))
+                panic!("{}", $crate::asserts::untrue(stringify!($condition), $crate::law_words!($($($words)*)?)))
             }
         }
     };
 }
 
 /// What a comparison says if it fails.
+#[macro_export]
 macro_rules! difference {
     ($found:expr, $expected:expr $(, $($words:tt)*)?) => {
         match (&$found, &$expected) {
             (found, expected) if *found == *expected => None,
             (found, expected) => {
-                let words = law_words!($($($words)*)?);
-                Some(crate::asserts::unequal(stringify!($found), &found, &expected, words))
+                let words = $crate::law_words!($($($words)*)?);
+                Some($crate::asserts::unequal(stringify!($found), &found, &expected, words))
             }
         }
     };
 }
 
+/// Fails unless both are equal: what was found, then what was expected.
+#[macro_export]
 macro_rules! assert_eq {
     ($($compared:tt)+) => {
-        if let Some(said) = difference!($($compared)+) {
+        if let Some(said) = $crate::difference!($($compared)+) {
             panic!("{said}")
         }
     };
