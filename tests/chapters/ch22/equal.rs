@@ -8,7 +8,9 @@ use groundtruth::shapes::TriangleMesh;
 use super::searched::{Both, FARTHEST, agree, built, hits, some_rays, spheres};
 use crate::prelude::*;
 
-/// Law: equal on the book's scene of random spheres, with overlap. Oracle: the list.
+/// Law: on random spheres of many sizes in a cube, some of which overlap, grid and tree give the same
+/// answers as the list: the same object at the same distance, bit for bit. Oracle: the list.
+/// Book: grid traversal.
 #[test]
 fn acceleration_equals_the_list_on_random_spheres() {
     let rays = as_many(6_000, 1_000_000);
@@ -107,8 +109,9 @@ fn acceleration_equals_the_list_on_meshes_with_doubled_triangles() {
     agree("loose triangles", loose, aimed.into_iter(), 4);
 }
 
-/// Law: equal when everything lies in one plane, for rays across it and in it; and with infinite planes
-/// among the objects, some of them that same plane. Oracle: the list.
+/// Law: grid and tree equal the list when everything lies in one plane, for rays across it and in it; and
+/// with infinite planes among the objects, some of them that same plane. Oracle: the list.
+/// Book: grid traversal.
 #[test]
 fn acceleration_equals_the_list_on_flat_scenes_and_among_planes() {
     let rays = as_many(10_000, 1_000_000);
@@ -139,8 +142,9 @@ fn acceleration_equals_the_list_on_flat_scenes_and_among_planes() {
     agree("planes", objects, rays(), 2);
 }
 
-/// Law: equal among touching boxes: rays along their faces and edges, from inside, through corners.
-/// Oracle: the list.
+/// Law: grid and tree equal the list among touching boxes, for rays along their faces and edges, from
+/// inside and through corners. Oracle: the list.
+/// Book: grid traversal.
 #[test]
 fn acceleration_equals_the_list_along_faces_and_edges_of_boxes() {
     let rays = as_many(10_000, 1_000_000);
@@ -163,7 +167,9 @@ fn acceleration_equals_the_list_along_faces_and_edges_of_boxes() {
     agree("boxes", objects, along.into_iter(), 4);
 }
 
-/// Law: equal on instances of a mesh, and on instances of such instances. Oracle: the list.
+/// Law: grid and tree equal the list on instances of a mesh, and on instances of such instances. Oracle:
+/// the list.
+/// Book: nested grids and grids of transformed objects.
 #[test]
 fn acceleration_equals_the_list_on_instances_of_meshes() {
     let rays = as_many(6_000, 1_000_000);
