@@ -121,10 +121,10 @@ macro_rules! in_order {
 /// The message on a case.
 macro_rules! judge_words {
     () => {
-        ""
+        testkit::asserts::opened()
     };
     ($($words:tt)+) => {
-        format!("; {}", format!($($words)+))
+        format!("; {}{}", format!($($words)+), testkit::asserts::opened())
     };
 }
 

@@ -1,5 +1,8 @@
 //! Small scenes for the laws of light: a few objects in uniform surroundings, and rays into them.
 
+use std::cell::Cell;
+use std::thread;
+
 use groundtruth::math::Frame;
 use testkit::properties::*;
 
@@ -38,14 +41,44 @@ pub fn shine(scene: &mut Scene, source: impl Into<lights::Kind>) -> usize {
     index
 }
 
-/// Builds the scene, which must be valid.
+thread_local! {
+    static LAST_RAY: Cell<Option<Ray>> = const { Cell::new(None) };
+}
+
+/// Builds the scene, which must be valid. A law that fails then says how to open it, with its last ray.
 pub fn built(scene: &Scene) -> World {
+    let kept = scene.clone();
+    LAST_RAY.set(None);
+    testkit::asserts::on_failure(move || opened(kept.clone()));
     World::build(scene).expect("the scene is valid")
+}
+
+/// Writes the scene to a file, seen along the last ray if there was one, and says which command opens it.
+fn opened(mut scene: Scene) -> String {
+    const SIDE: u32 = 101;
+    let mut pixel = [scene.image.width / 2, scene.image.height / 2];
+    if let Some(ray) = LAST_RAY.get() {
+        let lens = Pinhole { distance: f64::from(SIDE), zoom: 1.0 };
+        let mut camera = Viewpoint::new(ray.origin, ray.origin + ray.direction, lens);
+        camera.up = Frame::around(Normal::new(ray.direction).expect("a direction")).u.into();
+        scene.camera = Viewpoint { medium: scene.camera.medium, ..camera };
+        [scene.image.width, scene.image.height] = [SIDE; 2];
+        pixel = [SIDE / 2; 2];
+    }
+    let law = thread::current().name().unwrap_or("law").replace("::", "-");
+    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("{law}.toml"));
+    let [x, y] = pixel;
+    match groundtruth::scene::to_toml(&scene).map(|text| std::fs::write(&path, text)) {
+        Ok(Ok(())) => format!("its scene: groundtruth explain {} {x},{y}", path.display()),
+        _ => "its scene has no file".to_owned(),
+    }
 }
 
 /// A ray with a unit direction.
 pub fn ray(origin: Point, direction: Vector) -> Ray {
-    Ray::new(origin, direction.unit().expect("a direction"))
+    let ray = Ray::new(origin, direction.unit().expect("a direction"));
+    LAST_RAY.set(Some(ray));
+    ray
 }
 
 /// The radiance along the ray from this origin in this direction.
