@@ -6,6 +6,7 @@ use groundtruth::scene::{self, Scene};
 use groundtruth::world::{self, DEFAULT_SEED, World};
 use groundtruth::{render, rgb::Rgb};
 use keep::{Irreducible, Kept, ReducedScene};
+use testkit::same_text::{Printed, hold};
 
 fn bits(color: Rgb) -> [u64; 3] {
     color.to_array().map(f64::to_bits)
@@ -208,9 +209,5 @@ fn the_kept_test_reads_as_before() {
     let found = reduced(&scene_of("ch16/shadows"), kept);
     let should_say = found.rust_test("ch16/shadows", Path::new("scene.toml"));
     let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/kept_shadows.rs");
-    let says = std::fs::read_to_string(&file).unwrap();
-    if says != should_say && std::env::var_os("RENEW_TEXTS").is_some() {
-        return std::fs::write(&file, should_say).unwrap();
-    }
-    assert_eq!(says, should_say, "if that is right, renew it: scripts/renew-texts.sh");
+    hold(&file, &should_say, Printed::Exactly);
 }

@@ -2,6 +2,7 @@ use std::path::Path;
 
 use rays::{FIELDS, Field};
 use serde_json::{Map, Value, json};
+use testkit::same_text::{Printed, hold};
 
 /// What the value of a field of this form may be.
 fn form(field: &Field) -> Value {
@@ -64,13 +65,10 @@ fn schema() -> Value {
     })
 }
 
-/// Law: the schema in docs has the fields that are read. Oracle: the table of fields; `RENEW_TEXTS=1` writes it anew.
+/// Law: the schema in docs has the fields that are read. Oracle: the table of fields; scripts/renew-texts.sh writes it anew.
 #[test]
 fn the_schema_has_all_fields() {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/rays.schema.json");
     let should = serde_json::to_string_pretty(&schema()).expect("a text") + "\n";
-    if std::env::var_os("RENEW_TEXTS").is_some() {
-        std::fs::write(&path, &should).expect("a file");
-    }
-    assert!(std::fs::read_to_string(&path).is_ok_and(|is| is == should), "docs/rays.schema.json");
+    hold(&path, &should, Printed::Exactly);
 }

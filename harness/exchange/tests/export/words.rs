@@ -2,8 +2,6 @@
 //! `scripts/renew-texts.sh`. Laws about the numbers in them are in the other files.
 
 use std::collections::HashSet;
-use std::fs;
-use std::path::PathBuf;
 
 use exchange::export::{AnyKind, Target};
 use groundtruth::scene::Scene;
@@ -55,28 +53,6 @@ impl Golden {
     }
 }
 
-/// Holds a golden to the text that it should be; with `RENEW_TEXTS` in the environment it is written instead.
-fn hold(name: &str, found: &str) {
-    let file = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("tests/export/words").join(name);
-    if std::env::var_os("RENEW_TEXTS").is_some() {
-        return fs::write(file, found).expect("it can be written");
-    }
-    let expected = fs::read_to_string(&file).unwrap_or_default();
-    let differs = found.lines().zip(expected.lines()).find(|(found, expected)| found != expected);
-    assert!(
-        found == expected,
-        "{}: found and expected {differs:?}\nif that is right, renew it: scripts/renew-texts.sh",
-        file.display()
-    );
-}
-
-fn extension(target: Target) -> &'static str {
-    match target {
-        Target::Pov => "pov",
-        Target::Mitsuba => "xml",
-    }
-}
-
 /// Golden: of each kind that a target can say the specimens with the shortest texts, in one scene for each list; of
 /// cameras, in one for each.
 #[test]
@@ -97,7 +73,7 @@ fn kinds_read_as_before() {
                 golden.add(list, &text(target, all).expect("as each alone"));
             }
         }
-        hold(&format!("kinds.{}", extension(target)), &golden.text);
+        insta::assert_snapshot!(format!("kinds_{target:?}"), golden.text);
     }
 }
 
@@ -110,6 +86,6 @@ fn cases_read_as_before() {
             let (Ok(text) | Err(text)) = written(target, &case.left());
             golden.add(&case.filled("{says}"), &text);
         }
-        hold(&format!("cases.{}", extension(target)), &golden.text);
+        insta::assert_snapshot!(format!("cases_{target:?}"), golden.text);
     }
 }
