@@ -26,11 +26,13 @@ struct Held {
     file: PathBuf,
 }
 
-/// A chapter: its number, the file that heads it, and what it holds of the book, in the book's order.
+/// A chapter: its number, the file that heads it, what it holds of the book, in the book's order, and how many laws of which
+/// module hold something else.
 struct Chapter {
     number: usize,
     head: PathBuf,
     held: Vec<Held>,
+    beyond: Vec<(String, usize)>,
 }
 
 impl Chapter {
@@ -44,7 +46,14 @@ impl Chapter {
         if inside.is_dir() {
             files.extend(rust_files(&inside).into_iter().filter(|it| *it != head));
         }
-        let mut held: Vec<Held> = files.iter().flat_map(|file| laws_of(file, &head)).collect();
+        let (mut held, mut beyond) = (Vec::new(), Vec::new());
+        for file in &files {
+            let (of_the_book, others) = laws_of(file, &head);
+            held.extend(of_the_book);
+            let module = file.file_stem().filter(|_| *file != head);
+            let module = module.map_or("this file".to_owned(), |it| format!("`{}`", it.display()));
+            beyond.extend((others > 0).then_some((module, others)));
+        }
         let listed = listed(&text(&head));
         let place = |it: &Held| listed.iter().position(|(place, _)| *place == it.place);
         let row = |it: &Held| listed.iter().position(|(_, law)| *law == it.law);
@@ -54,7 +63,7 @@ impl Chapter {
             let last = usize::MAX;
             (place(it).unwrap_or(last), after(it), row(it).unwrap_or(last))
         });
-        Self { number, head, held }
+        Self { number, head, held, beyond }
     }
 
     /// Each law, behind its place if that is another than before.
@@ -72,6 +81,9 @@ impl Chapter {
         for (place, it) in self.rows() {
             let _ = writeln!(table, "//! | {place} | {} | `{}` |", it.statement, it.law);
         }
+        if !self.beyond.is_empty() {
+            let _ = writeln!(table, "//!\n//! {}", self.rest());
+        }
         let Some(start) = says.find(HEAD) else {
             let end =
                 says.lines().take_while(|line| line.starts_with("//!")).map(|it| it.len() + 1);
@@ -79,8 +91,18 @@ impl Chapter {
             return format!("{}//!\n{table}{}", &says[..end], &says[end..]);
         };
         let rows = says[start..].lines().take_while(|line| line.starts_with("//! |"));
-        let end = start + rows.map(|it| it.len() + 1).sum::<usize>();
+        let mut end = start + rows.map(|it| it.len() + 1).sum::<usize>();
+        if let Some(rest) = says[end..].strip_prefix("//!\n//! Beyond the book: ") {
+            end = says.len() - rest.len() + rest.find('\n').expect("the line ends") + 1;
+        }
         format!("{}{table}{}", &says[..start], &says[end..])
+    }
+
+    /// What else its laws hold, counted.
+    fn rest(&self) -> String {
+        let of = |(module, count): &(String, usize)| format!("{count} in {module}");
+        let all: Vec<String> = self.beyond.iter().map(of).collect();
+        format!("Beyond the book: {}.", all.join(", "))
     }
 
     /// The chapter in docs/book.md.
@@ -94,6 +116,9 @@ impl Chapter {
             let file = it.file.strip_prefix(root()).expect("of the repository").display();
             let name = it.law.rsplit("::").next().unwrap_or_default();
             let _ = writeln!(page, "| {place} | {} | [`{name}`](../{file}) |", it.statement);
+        }
+        if !self.beyond.is_empty() {
+            let _ = writeln!(page, "\n{}", self.rest());
         }
         page
     }
@@ -114,10 +139,10 @@ fn listed(head: &str) -> Vec<(String, String)> {
     with_place.collect()
 }
 
-/// The laws of a file that name their place in the book.
-fn laws_of(file: &Path, head: &Path) -> Vec<Held> {
+/// The laws of a file that name their place in the book, and how many others there are.
+fn laws_of(file: &Path, head: &Path) -> (Vec<Held>, usize) {
     let module = if file == head { None } else { file.file_stem().map(|it| it.to_string_lossy()) };
-    let (mut held, mut doc) = (Vec::new(), String::new());
+    let (mut held, mut others, mut doc, mut is_test) = (Vec::new(), 0, String::new(), false);
     for line in text(file).lines().map(str::trim) {
         if let Some(more) = line.strip_prefix("///") {
             doc += more;
@@ -131,13 +156,17 @@ fn laws_of(file: &Path, head: &Path) -> Vec<Held> {
                 let statement = first_sentence(says);
                 assert!(!statement.is_empty(), "{}: {law} says no law", file.display());
                 held.push(Held { place, statement, law, file: file.to_owned() });
+            } else {
+                others += usize::from(is_test && !name.starts_with('$'));
             }
         }
+        is_test |= line == "#[test]";
         if !line.starts_with("#[") {
             doc.clear();
+            is_test = false;
         }
     }
-    held
+    (held, others)
 }
 
 /// What follows on `Law:`, to the end of its first sentence, as a cell of a table.

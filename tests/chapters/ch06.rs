@@ -16,6 +16,8 @@
 //! |  | random points of the square become uniform points of the disk: `P(r < R) = R²`, the angle uniform, the two independent | `disk_points_are_uniform` |
 //! |  | on average `r` is 2/3, `r²` 1/2, `x²` and `y²` 1/4, and x, y and `x y` are 0 | `moments_are_those_of_the_disk` |
 //! |  | strata of the square stay strata: the image of each jittered point lies in the image of its cell | `strata_stay_strata` |
+//!
+//! Beyond the book: 1 in this file.
 
 use groundtruth::math::{ONE_MINUS, maps};
 use testkit::properties::*;

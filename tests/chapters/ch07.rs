@@ -12,6 +12,8 @@
 //! | uniform and cosine distributions: e = 0 and e = 1 | exponent 0 is uniform in `cosθ = 1 − u₂` exactly, exponent 1 has `cosθ = √(1 − u₂)`, `sinθ = √u₂` | `whole_exponents_have_their_closed_forms` |
 //! |  | for e = 1 the directions, projected along z, fill the disk uniformly; and a uniform disk lifted to the hemisphere has the density `cosθ/π` (Malley) | `the_cosine_density_is_a_lifted_disk` |
 //! | mapping samples to a sphere | a sphere's points have uniform z and a uniform angle, independent of each other: `E[z] = 0`, `E[z²] = 1/3`, and the same for x and y | `sphere_points_are_uniform` |
+//!
+//! Beyond the book: 5 in this file.
 
 use groundtruth::math::{ONE_MINUS, maps};
 use testkit::properties::*;

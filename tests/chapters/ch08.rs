@@ -13,6 +13,8 @@
 //! | spheres in perspective, and their distortion | a sphere of radius R at the axial distance D is seen as a disc of radius `d R/√(D² − R²)` | `a_sphere_on_the_axis_is_seen_as_a_disc` |
 //! |  | off the axis a sphere is seen as an ellipse, drawn out away from the centre: from `d tan(α − β)` to `d tan(α + β)`, `sin β = R/D` | `a_sphere_off_the_axis_is_drawn_out` |
 //! | rays from the eye | every ray starts at the eye, has length 1, and goes forward, so that objects between eye and view plane are seen, and nothing behind the eye | `rays_start_at_the_eye_and_are_unit` |
+//!
+//! Beyond the book: 2 in this file.
 
 use groundtruth::cameras::{View, ViewPlane};
 use testkit::properties::*;

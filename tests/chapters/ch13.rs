@@ -13,6 +13,8 @@
 //! |  | samples follow the density they state: the mean of any function over all samples is its integral times the density | `samples_follow_the_density_they_state` |
 //! |  | four times as many samples halve the standard error of a Monte Carlo estimate (slope −1/2) | `four_times_as_many_samples_halve_the_error` |
 //! |  | with directions drawn in proportion to the cosine, the estimate of a diffuse surface's reflection has no variance: each sample gives `ρ` | `cosine_sampling_of_a_diffuse_surface_has_no_variance` |
+//!
+//! Beyond the book: 1 in this file, 2 in `albedo`.
 
 pub mod albedo;
 

@@ -11,6 +11,8 @@
 //! | fig. 15.7, the exponent and the size of a highlight | a highlight of exponent e falls to half its peak at `acos(2^(−1/e))` from the mirror direction: 60°, 21.1°, 6.74°, 2.13° for e = 1, 10, 100, 1000 | `half_the_highlight_is_at_the_angle_whose_power_is_one_half` |
 //! |  | in a whole picture the highlight's brightest pixel is the one whose sphere point bisects light and eye, and its half-peak disc has the size that the exponent says | `a_highlight_in_a_picture_has_the_size_of_its_exponent` |
 //! |  | seen straight from above, the highlight reflects `2π k_s/(e + 2)` of uniform light | `the_energy_of_a_highlight_is_two_pi_over_e_plus_two` |
+//!
+//! Beyond the book: 2 in this file.
 
 use std::f64::consts::FRAC_PI_2;
 

@@ -13,6 +13,8 @@
 //! |  | the edge of the shadow of a ball on the ground lies on the cone from the lamp that touches the ball, in every direction | `the_edge_of_a_shadow_is_on_the_tangent_cone` |
 //! | fig. 16.11, shadows of three coloured lights | each light has its own shadow: with three coloured lights, the regions in the shadow of one show the other two (cyan, magenta, yellow), and all these regions occur | `three_coloured_lights_cast_complementary_shadows` |
 //! | shadow switches of lights, objects and materials (exercises) | a shadow needs the light's switch, the object's and the material's; those of the receiver do not matter | `a_shadow_needs_the_switches_of_light_object_and_material` |
+//!
+//! Beyond the book: 1 in this file, 10 in `media`, 3 in `segments`, 2 in `way_out`.
 
 mod acne;
 mod media;

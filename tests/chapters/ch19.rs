@@ -49,6 +49,8 @@
 //! |  | a concave lens is closed; its inside is a disk without two balls, of the radius `ρ = (d² + R²)/2d` if each hollow is d deep: 10.10947 for (4, 2, 0.35) | `compounds::a_concave_lens_is_a_disk_without_two_balls` |
 //! |  | a cut face is the square of side `size` in the plane y = 0 without the disk `x² + z² < radius²` about its centre, and its normal is (0, 1, 0) | `compounds::a_cut_face_is_a_square_without_a_disk` |
 //! | exercise 19.25, the flat-rimmed bowl | a flat-rimmed bowl is closed; its inside is between two spheres and below the plane of the rim, where the inner sphere opens at the given angle | `compounds::a_flat_rimmed_bowl_is_closed_and_lies_between_its_spheres_below_its_rim` |
+//!
+//! Beyond the book: 7 in `algebraic`, 1 in `bounding`, 3 in `compound_parts`, 1 in `compounds`, 1 in `edges`, 2 in `hard`, 1 in `hard_compounds`, 4 in `leaving`, 2 in `light_at_edges`, 4 in `parts`, 5 in `polynomials`, 3 in `quadrics`, 3 in `shadow_parts`, 3 in `shapes`, 1 in `textbook`, 2 in `textbook_shadows`, 5 in `torus`, 2 in `torus_parts`.
 
 mod algebraic;
 mod bounding;

@@ -15,6 +15,8 @@
 //! |  | `(A B)⁻¹ = B⁻¹ A⁻¹`, and `A.after(B)` is `A B` | `the_inverse_of_a_product_is_the_product_of_inverses_turned_round` |
 //! | rotation about a line | a rotation about a line fixes the points of the line, keeps distances from it and turns by its angle, counter-clockwise if the direction points at the viewer; a rotation by 360° more is the same | `a_turn_about_a_line_keeps_it` |
 //! | normals under transformations | a normal stays perpendicular to what moves with its surface: `(M⁻ᵀ n)·(M v) = n·v` | `covectors_pair_with_vectors_as_before` |
+//!
+//! Beyond the book: 3 in this file, 3 in `matrix`.
 
 mod matrix;
 

@@ -16,6 +16,8 @@
 //! |  | three mirrors at right angles show seven more images of the room, mirrored along one, two or three axes and dimmed by one, two or three mirrors | `pictures::a_corner_of_mirrors_shows_eight_rooms` |
 //! |  | two facing mirrors show an endless row of rooms; every second one is mirrored, and the k-th is dimmed k times | `pictures::facing_mirrors_show_a_row_of_rooms` |
 //! | figs. 24.30 to 24.32, reflective meshes | a smooth mesh reflects about its interpolated normal, and about the flat normal where the interpolated one would send the ray into the mesh | `a_smooth_mirror_sends_no_ray_inside` |
+//!
+//! Beyond the book: 1 in this file, 1 in `leaning`, 1 in `pictures`.
 
 mod leaning;
 mod pictures;

@@ -12,6 +12,8 @@
 //! |  | highlight and reflection each have their own exponent: neither changes the other | `highlight_and_reflection_have_exponents_of_their_own` |
 //! | the material GlossyReflector and the tracers | a glossy hit casts one ray and draws one pair of numbers; ray casting neither | `a_glossy_hit_costs_one_ray_and_one_draw` |
 //! |  | where only emitters are seen, Whitted's tracer and the three path tracers have the same mean, by both rules | `all_tracers_see_the_same_reflection` |
+//!
+//! Beyond the book: 5 in this file.
 
 mod pictures;
 

@@ -19,6 +19,8 @@
 //! | the image in a glass ball | a glass ball focuses a distant light at `η r/(2(η − 1))` from its centre: 1.5 r for 1.5 | `a_glass_ball_focuses_at_one_and_a_half_radii` |
 //! |  | a ball of glass shows the wall behind it upside down | `pictures::a_ball_of_glass_turns_the_wall_behind_it_around` |
 //! | shadows of transparent objects | glass blocks light like any other object, unless it casts no shadows; only rays that lead to the eye are refracted | `glass_casts_a_full_shadow_unless_it_casts_none` |
+//!
+//! Beyond the book: 6 in `ray_budget`.
 
 mod pictures;
 mod ray_budget;

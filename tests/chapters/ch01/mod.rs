@@ -13,6 +13,8 @@
 //! | random numbers from one seed | the same seed gives the same picture, and another seed another one, except with a sampler that is not random | `pieces::only_the_seed_changes_random_samples` |
 //! | debugging with single pixels and simple scenes | a 1 × 1 picture of a box seen from +z has the normal (0, 0, 1), exactly (the book's own anecdote) | `pieces::one_pixel_of_a_box_has_the_normal_of_its_front` |
 //! |  | a single replayed pixel and any crop equal the same pixels of the whole picture | `pieces::parts_and_single_pixels_are_those_of_the_whole` |
+//!
+//! Beyond the book: 2 in `look_ups`, 2 in `openness`, 5 in `pieces`, 4 in `shadow_path`.
 
 mod look_ups;
 mod openness;

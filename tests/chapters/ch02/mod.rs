@@ -25,6 +25,8 @@
 //! |  | the directions (1, 0, 0), (0, 1, 0) and (0, 0, 1) of a frame are u, v and w in the world; going there and back changes nothing, and lengths stay | `frames::coordinates_go_there_and_back` |
 //! | equation 2.15, geometric series | `s_n = a (1 − rⁿ)/(1 − r)` is the sum of `a rʲ` for j below n, and `n a` for r = 1 (the book prints n for j in the summand) | `powers::geometric_series_add_up` |
 //! |  | six terms of the series with a = 1 and r = ½ make 1.968 75 | `powers::six_halvings_make_1_96875` |
+//!
+//! Beyond the book: 2 in `angles`, 2 in `frames`, 6 in `powers`, 7 in `random`, 7 in `roots`, 1 in `statistics`, 1 in `transforms`, 5 in `vectors`.
 
 mod angles;
 mod frames;

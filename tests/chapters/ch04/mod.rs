@@ -16,6 +16,8 @@
 //! | antialiasing fine detail | jittered pixels are nearer to the truth than random ones with equally many samples, where the phase changes by less than π across a cell | `sinusoid::jittered_pixels_are_nearer_to_the_truth_than_random_ones` |
 //! |  | many samples show the mean over the pixel, one sample any value of the function | `pixel::more_samples_show_the_mean_over_the_pixel` |
 //! | filtering: the box over the pixel | leaving the filter out is the box over the pixel, which uses the pixel's samples as they are: bit for bit, and in a scene file nothing is written | `filters::the_box_is_the_default` |
+//!
+//! Beyond the book: 3 in `edges`, 11 in `filters`, 4 in `pixel`, 2 in `sinusoid`, 1 in `variance`.
 
 mod edges;
 mod filters;

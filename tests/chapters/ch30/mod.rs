@@ -24,6 +24,8 @@
 //! | extrinsic transformations: textures of instances | an instance carries its texture with it: it looks like the plain shape seen by an eye that is moved back | `an_instance_carries_its_texture` |
 //! |  | an object with `transform_texture = false` moves through its texture, which stays fixed in the world: the texture is evaluated at the world point, whatever the object's transformation is; inside another instance it stays fixed in that one's coordinates | `instances::a_texture_stays_in_the_world_while_the_object_moves` |
 //! | fig. 30.11, a stretched box with an unstretched checker | a box stretched twofold along x, with its texture halved along x, has the checker of an unstretched one | `instances::a_texture_instance_undoes_the_stretch_of_its_object` |
+//!
+//! Beyond the book: 2 in this file, 1 in `checkers`, 1 in `instances`, 1 in `lamps`, 6 in `layers`, 5 in `materials`, 4 in `wires`.
 
 mod checkers;
 mod instances;
