@@ -7,6 +7,7 @@ use claims::{ClaimsCard, ClaimsOptions, junit, listed, page, run, told};
 use groundtruth::math::{cos, sin};
 use groundtruth::printable;
 use serde_json::{Value, json};
+use testkit::as_many;
 
 /// Uniform lobes, lights and maps with an extreme value in one field of all answers.
 struct Extreme {
@@ -100,9 +101,9 @@ fn forms(card: &ClaimsCard) -> String {
 /// questions. Oracle: a count, 40 for each case, and 300 for each finding that is made smaller; of other values 1000 and 1500.
 #[test]
 fn extreme_values_end_after_few_questions() {
-    let none = ["nan", "inf", "-inf"].map(Value::from);
-    let negative = [-1.0, -1e308].map(Value::from);
-    let bad = none.into_iter().chain(negative).map(|value| (value, true));
+    let none = ["nan", "inf", "-inf"].map(Value::from).into_iter().take(as_many(1, 3));
+    let negative = [-1.0, -1e308].map(Value::from).into_iter().take(as_many(1, 2));
+    let bad = none.chain(negative).map(|value| (value, true));
     let others = [json!(1e308), json!("x")].into_iter().map(|value| (value, false));
     let fields: [&[&str]; 3] = [
         &["f", "pdf", "weight", "wi"],

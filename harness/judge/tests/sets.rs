@@ -17,6 +17,7 @@ use pictures::compare::Picture;
 use rayon::prelude::*;
 
 use synthetic::{Noise, SIZE, brighter, pictures, verdict, verdict_of_regions, without_a_lamp};
+use testkit::as_many;
 
 const LEVEL: f64 = 0.01;
 
@@ -60,8 +61,8 @@ fn alarms(noise: Noise, sizes: [u64; 2], pairs: u64) -> u64 {
 #[test]
 fn few_honest_sets_differ() {
     for noise in [Noise::Even, Noise::Fireflies, Noise::Filtered] {
-        for sizes in [[5, 5], [4, 7], [3, 3], [1, 1]] {
-            let alarms = alarms(noise, sizes, 30);
+        for sizes in as_many(&[[5, 5], [3, 3]][..], &[[5, 5], [4, 7], [3, 3], [1, 1]]) {
+            let alarms = alarms(noise, *sizes, 30);
             assert!(alarms <= 4, "{noise:?}, {sizes:?}: {alarms} of 30");
         }
     }

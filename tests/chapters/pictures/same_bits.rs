@@ -13,7 +13,7 @@ use testkit::scaling::scaled_scene;
 fn scaling_by_powers_of_two_changes_no_picture() {
     for (name, scene) in gallery_in_small(1) {
         let original = render::render(&built(&scene));
-        for k in [-30, -3, 5, 30] {
+        for &k in as_many(&[-30, 5][..], &[-30, -3, 5, 30]) {
             let scaled = render::render(&built(&scaled_scene(&scene, k)));
             assert_same_bits(&format!("{name} times 2^{k}"), &scaled, &original);
         }
