@@ -5,7 +5,7 @@
 //! into a ray, [`trace`] follows it, asking [`shapes`] what it hits, [`materials`] of which
 //! [`lobes`] that is made, and [`lights`] what arrives; [`film`] keeps the result. A recorder can
 //! listen to every ray ([`trace::RayTree`]) and [`explain`] says in words why a pixel has
-//! its colour. The package `harness` wraps it: verification, report, probe and the command line.
+//! its colour. Other packages verify with it, explain it and measure it; `harness` is their command line (ARCHITECTURE.md).
 //!
 //! Each module names only modules of lines above its own:
 //!

@@ -3,7 +3,7 @@
 //! A kind's file holds plain data that a scene file can say, and a [`Specification`] that checks
 //! it and builds the thing itself. The list in the folder's `mod.rs`, written with
 //! [`kinds!`](crate::kinds!), makes of all of them one enum: it gives each its tag, and its
-//! specimens to the contract tests.
+//! specimens to contracts, docs, exporters and fuzz bodies.
 
 mod resources;
 
