@@ -36,7 +36,7 @@ mod search;
 mod sets;
 mod shaded_sets;
 
-pub use search::{about, search};
+pub use search::{about, ranked, search};
 
 use std::path::Path;
 

@@ -35,6 +35,33 @@ pub fn search<'a>(words: impl IntoIterator<Item = &'a str>) -> Vec<Entry> {
     DESCRIBED.iter().filter(fits).map(|(entry, _)| *entry).collect()
 }
 
+/// The scenes that fit the typed words, the likeliest first: those whose name begins with a word or has one that does, the
+/// shortest name first; then those whose description does; last those that have it inside another word.
+pub fn ranked(typed: &str) -> Vec<Entry> {
+    let typed = typed.to_lowercase();
+    let words = || typed.split_whitespace();
+    let mut found = search(words());
+    let rank = |entry: &Entry| -> usize {
+        words().filter(|word| chapter(word).is_none()).map(|word| rank(*entry, word)).sum()
+    };
+    found.sort_by_cached_key(rank);
+    found
+}
+
+/// How far from the first of a list a scene is for a word that it has.
+fn rank(entry: Entry, word: &str) -> usize {
+    let name = entry.name.split_once('/').map_or("", |(_, name)| name);
+    let begins = |text: &str| {
+        text.match_indices(word).any(|(at, _)| !text[..at].ends_with(char::is_alphanumeric))
+    };
+    match [name == word, begins(entry.name), begins(&about(entry).to_lowercase())] {
+        [true, ..] => 0,
+        [_, true, _] => name.len(),
+        [_, _, true] => 1000,
+        _ => 2000,
+    }
+}
+
 /// The chapter `chNN` that has this name or number, if it has scenes.
 fn chapter(word: &str) -> Option<&'static str> {
     let number: u32 = word.strip_prefix("ch").unwrap_or(word).parse().ok()?;

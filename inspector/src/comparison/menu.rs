@@ -156,18 +156,15 @@ impl CompareMenu {
         if self.found.as_ref().is_some_and(|(typed, _)| *typed == self.typed) {
             return;
         }
-        let words: Vec<String> = {
-            let path = self.typed.split('=').next().unwrap_or_default();
-            path.split_whitespace().map(str::to_lowercase).collect()
-        };
+        let typed = self.typed.split('=').next().unwrap_or_default();
+        let words: Vec<String> = typed.split_whitespace().map(str::to_lowercase).collect();
         let has_words = |change: &&Change| {
             let path = change.path.to_lowercase();
             words.iter().all(|word| path.contains(word))
         };
         let of_scene = self.fields.iter().flat_map(|(_, fields)| fields);
         let of_scene: Vec<Row> = of_scene.filter(has_words).cloned().map(Row::Field).collect();
-        let scenes = gallery::search(words.iter().map(String::as_str));
-        let scenes: Vec<Row> = scenes.into_iter().map(Row::Scene).collect();
+        let scenes = gallery::ranked(typed).into_iter().map(Row::Scene).collect();
         let parts = [("Fields of this scene", of_scene), ("Scenes", scenes)];
         let parts = parts.into_iter().filter(|(_, rows)| !rows.is_empty());
         let rows = parts.flat_map(|(title, rows)| std::iter::once(Row::Title(title)).chain(rows));

@@ -3,7 +3,11 @@
 use eframe::egui::{
     Align, Button, Color32, ColorImage, FontId, Image, Key, Modifiers, Popup, PopupCloseBehavior,
     Rect, ScrollArea, Shape, Stroke, TextEdit, TextFormat, TextureHandle, TextureId,
-    TextureOptions, Ui, WidgetInfo, accesskit::Role, load::SizedTexture, text::LayoutJob, vec2,
+    TextureOptions, Ui, WidgetInfo,
+    accesskit::Role,
+    load::SizedTexture,
+    text::{LayoutJob, TextWrapping},
+    vec2,
 };
 use gallery::{self, Entry};
 
@@ -11,9 +15,6 @@ use crate::window::thumbnails::{SIZE, Thumbnails};
 
 /// The number of frames for which a list is drawn invisibly, until its size is known and it is in position.
 const FRAMES_TO_OPEN: u8 = 3;
-
-/// The most letters of a description in its row.
-const ABOUT: usize = 64;
 
 /// The list, closed or open.
 #[derive(Default)]
@@ -74,7 +75,8 @@ impl ScenePicker {
             let mut chapter = "";
             for (index, &entry) in found.iter().enumerate() {
                 let (its_chapter, name) = entry.name.split_once('/').unwrap_or(("", entry.name));
-                if its_chapter != chapter {
+                // what a search found is not in the order of the chapters
+                if self.typed.is_empty() && its_chapter != chapter {
                     chapter = its_chapter;
                     let number = chapter.trim_start_matches("ch").trim_start_matches('0');
                     ui.weak(format!("Chapter {number}"));
@@ -105,9 +107,14 @@ impl ScenePicker {
         }
         let [width, height] = SIZE.map(|side| side as f32);
         let image = Image::new(SizedTexture::new(self.picture(ui, entry), vec2(width, height)));
-        let text = described(ui, name, gallery::about(entry));
+        let shown = if self.typed.is_empty() { name } else { entry.name };
+        let text = described(ui, shown, gallery::about(entry));
+        // laid out here: a button that cuts its text leaves one line of it
+        let space = ui.available_width() - width - 3.0 * ui.spacing().button_padding.x;
+        let wrap = TextWrapping { max_rows: 2, ..TextWrapping::truncate_at_width(space) };
+        let text = ui.fonts_mut(|fonts| fonts.layout_job(LayoutJob { wrap, ..text }));
         let button = Button::image_and_text(image.fit_to_exact_size(vec2(width, height)), text);
-        let button = button.selected(is_chosen).frame_when_inactive(is_chosen).truncate();
+        let button = button.selected(is_chosen).frame_when_inactive(is_chosen);
         let row = ui.add(button.min_size(vec2(0.0, row_height)));
         row.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
         if is_wanted {
@@ -131,15 +138,11 @@ impl ScenePicker {
     }
 }
 
-/// The name of a scene and the beginning of its description, one below the other.
+/// The name of a scene and its description, one below the other.
 fn described(ui: &Ui, name: &str, about: &str) -> LayoutJob {
     let (strong, weak) = (ui.visuals().strong_text_color(), ui.visuals().weak_text_color());
     let mut text = LayoutJob::default();
     text.append(name, 0.0, TextFormat::simple(FontId::proportional(13.0), strong));
-    let mut about: String = about.chars().take(ABOUT).collect();
-    if about.chars().count() == ABOUT {
-        about.push('…');
-    }
     let about = format!("\n{about}");
     text.append(&about, 0.0, TextFormat::simple(FontId::proportional(11.0), weak));
     text
@@ -161,7 +164,7 @@ fn arrow_step(ui: &Ui) -> isize {
     })
 }
 
-/// The scenes that fit the typed words.
+/// The scenes that fit the typed words, the likeliest first.
 pub fn found(typed: &str) -> Vec<Entry> {
-    gallery::search(typed.split_whitespace())
+    gallery::ranked(typed)
 }

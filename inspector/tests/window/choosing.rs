@@ -40,11 +40,47 @@ fn the_list_opens_at_the_present_scene_with_small_pictures() {
     assert!(slowest < Duration::from_secs(2), "{slowest:?}");
 }
 
+/// Law: below the name of a scene stands its description, in words of its own line. Oracle: the ink in the lower half of
+/// each row in view, and none of it right of the list.
+#[test]
+fn a_row_of_the_list_has_the_description() {
+    let mut window = glass_window();
+    open_list(&mut window);
+    let image = window.render().expect("drawn");
+    let mut drawn = 0;
+    for entry in gallery::scenes().filter(|entry| entry.name.starts_with("ch28/")) {
+        let name = entry.name.trim_start_matches("ch28/");
+        let Some(row) = window.query_by_role_and_label(Role::Button, name).map(|it| it.rect())
+        else {
+            continue;
+        };
+        let left = row.left() as u32 + thumbnails::SIZE[0] + 10;
+        let lower = row.center().y as u32..row.bottom() as u32 - 3;
+        let is_ink = |x: u32| lower.clone().any(|y| image.get_pixel(x, y).0[0] > 90);
+        let inked = (left..row.right() as u32).filter(|&x| is_ink(x)).count();
+        assert!(inked > 120, "{name}: ink in {inked} columns below its name");
+        assert!(row.width() < 460.0, "{name}: {row}");
+        drawn += 1;
+    }
+    assert!(drawn > 3, "{drawn} rows");
+}
+
 /// Law: the list keeps the scenes of a chapter, or those whose names or descriptions contain all typed words, a number
-/// not inside another; Enter opens the first. Oracle: names and descriptions of all scenes.
+/// not inside another. First are names that begin with them, the shortest first, last those with the letters inside a
+/// word; Enter opens the first. Oracle: names and descriptions of all scenes.
 #[test]
 fn typing_searches_the_list() {
-    let names = |typed: &str| found(typed).iter().map(|entry| entry.name).collect::<Vec<_>>();
+    let ranked = |typed: &str| found(typed).iter().map(|entry| entry.name).collect::<Vec<_>>();
+    let [refr, cornell] = ["refr", "cornell"].map(ranked);
+    let first_inside = refr.iter().position(|name| name.contains("wireframe")).expect("found");
+    assert!(refr.len() > first_inside && first_inside > 0, "{refr:?}");
+    assert!(refr[first_inside..].iter().all(|name| name.contains("wireframe")), "{refr:?}");
+    assert_eq!(cornell[0], "ch26/cornell-box");
+    let names = |typed: &str| {
+        let mut names = ranked(typed);
+        names.sort_by_key(|name| gallery::scenes().position(|entry| entry.name == *name));
+        names
+    };
     let all: Vec<(&str, String)> =
         gallery::scenes().map(|entry| (entry.name, (entry.build)().about)).collect();
     let expected = |fits: &dyn Fn(&str, &str) -> bool| {
