@@ -61,8 +61,8 @@ pub struct Inspector {
     scene: ScenePanel,
     splits: Splits,
     is_showing_keys: bool,
-    /// Whether a pixel is explained before one is selected.
-    proposes: bool,
+    /// Whether a pixel of each scene that is opened is explained before one is selected.
+    pub proposes: bool,
     /// The pixel under the mouse.
     hovered: Option<[u32; 2]>,
     frame: WindowFrame,
@@ -116,7 +116,7 @@ impl Inspector {
         StoredSettings { splits: self.splits, ground: self.frame.ground() }
     }
 
-    /// From now on explains an interesting pixel of each scene until one is selected.
+    /// Explains an interesting pixel of this scene, and of each that is opened, until one is selected.
     pub fn propose(&mut self, ctx: &Context) {
         self.proposes = true;
         self.selection.propose(ctx, &self.session.rendering);

@@ -67,6 +67,8 @@ impl Start {
             command.picture = picture.cloned();
             inspector.others.add_run(command);
         }
+        // the pixel that was asked for is of the first scene
+        inspector.proposes = true;
         (inspector.space.mode, inspector.selection.tab) = (arguments.view, arguments.tab);
         let stored = StoredSettings::read(storage);
         let ground = arguments.theme.unwrap_or(stored.ground);

@@ -10,6 +10,7 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::world::World;
 use inspector::app::Inspector;
 use inspector::scene::source::Source;
+use inspector::start::Start;
 use inspector::window::arguments::Arguments;
 use inspector::window::stored_settings::StoredSettings;
 use inspector::window::style::{Ground, growth};
@@ -170,6 +171,25 @@ fn a_pixel_is_proposed() {
     click(&mut window, ON_GLASS);
     assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
     assert!(window.query_by_label_contains("to begin with").is_none());
+}
+
+/// Law: a pixel of the command line is explained, and the next scene that is opened proposes one of its own.
+#[test]
+fn a_later_scene_proposes_its_pixel() {
+    let line = ["inspector", "--size", "48x48", "--samples", "4", "--pixel", "17,19"];
+    let arguments = Arguments::parse_from(line);
+    let start = Start::read(&arguments).expect("the scene is valid");
+    let mut window =
+        window_of(start.inspector(&Context::default(), None, &arguments), [1280.0, 800.0]);
+    settle(&mut window);
+    assert_eq!(window.state().selection.pixel, Some(ON_GLASS));
+    assert!(!window.state().selection.is_proposed);
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("another.toml");
+    write(&path, &small("ch24/hall-of-mirrors", [30, 20], 1));
+    type_into(&mut window, "File", &path.display().to_string());
+    assert!(window.state().selection.is_proposed);
+    text_with(&window, "to begin with");
 }
 
 /// Law: B changes the ground of the panels from dark to light and back, and it is stored. Oracle: the brightness of a
