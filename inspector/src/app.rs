@@ -8,6 +8,7 @@ use eframe::egui::{self, CentralPanel, Context, Frame, Margin, Ui, Vec2, vec2};
 
 use crate::action::{Action, Shows};
 use crate::comparison::bar;
+use crate::comparison::menu::CompareMenu;
 use crate::comparison::opening;
 use crate::comparison::others::Others;
 use crate::comparison::theirs::Theirs;
@@ -53,6 +54,7 @@ pub struct Inspector {
     pub message: Option<(String, bool)>,
     /// The list of scenes.
     pub picker: ScenePicker,
+    menu: CompareMenu,
     /// The file chooser.
     pub chooser: FileChooser,
     /// Whether it is a part of another page, without its bars.
@@ -92,6 +94,7 @@ impl Inspector {
             fields: Fields::default(),
             message: None,
             picker: ScenePicker::default(),
+            menu: CompareMenu::default(),
             chooser: FileChooser::default(),
             is_embedded: false,
             saving: Saving::default(),
@@ -249,22 +252,27 @@ impl Inspector {
         egui::Panel::top("files").frame(bar).show(ui, |ui| {
             let source = &rendering.source;
             actions.extend(panels::files(ui, &mut self.fields, &mut self.picker, source));
-            panels::message(ui, &mut self.message);
         });
         egui::Panel::bottom("status").frame(bar).show(ui, |ui| {
             let (theirs, is_loading) = (self.others.shown(), self.session.loading.is_busy());
             let shown = (theirs, &self.picture.layer);
-            actions.extend(panels::status(ui, rendering, shown, self.hovered, is_loading));
+            let hint = match self.selection.is_proposed {
+                true => "a pixel with many rays, to begin with; click any other one",
+                false => "point at a pixel to read it",
+            };
+            let pointed = (self.hovered, hint);
+            actions.extend(panels::status(ui, rendering, shown, pointed, is_loading));
         });
         egui::Panel::top("view").frame(bar).show(ui, |ui| {
             let (theirs, mode) = (self.others.shown_mut(), &mut self.space.mode);
             panels::view_settings(ui, &mut self.picture, theirs, mode, rendering);
         });
-        if self.others.count() > 0 && self.session.waiting.is_none() {
-            let others = &mut self.others;
+        if self.session.waiting.is_none() {
+            let (menu, others) = (&mut self.menu, &mut self.others);
             let bar = egui::Panel::top("comparison").frame(bar);
-            bar.show(ui, |ui| actions.extend(bar::show(ui, others, rendering)));
+            bar.show(ui, |ui| actions.extend(bar::show(ui, menu, others, rendering)));
         }
+        panels::message(ui.ctx(), &mut self.message);
         actions
     }
 
@@ -276,13 +284,15 @@ impl Inspector {
             return Vec::new();
         }
         let parts = self.splits.show(ui, ui.max_rect());
-        for area in [parts.scene, parts.explanation, parts.picture] {
+        for area in parts.scene.into_iter().chain([parts.explanation, parts.picture]) {
             ui.painter().rect_filled(area, 0.0, ui.visuals().panel_fill);
         }
         let margin = vec2(8.0, 6.0);
         let mut pointed = None;
-        let mut actions = part(ui, "scene", parts.scene, margin, |ui| {
-            self.scene.show(ui, &mut self.session, &mut self.others, &mut pointed)
+        let is_changed = parts.scene.is_some_and(|area| {
+            let panel =
+                |ui: &mut Ui| self.scene.show(ui, &mut self.session, &self.others, &mut pointed);
+            part(ui, "scene", area, margin, panel)
         });
         let is_resampled = part(ui, "explanation", parts.explanation, margin, |ui| {
             let Session { rendering, wanted, .. } = &mut self.session;
@@ -294,6 +304,7 @@ impl Inspector {
         self.space.pointed = pointed;
         let [of_picture, of_space] = self.space.mode.divide(parts.picture);
         self.hovered = None;
+        let mut actions = Vec::new();
         let Self { picture, others, selection, space, .. } = self;
         let rendering = &self.session.rendering;
         if let Some(area) = of_picture {
@@ -310,7 +321,7 @@ impl Inspector {
             let show = |ui: &mut Ui| space.show(ui, area, subject, selection);
             part(ui, "space", area, Vec2::ZERO, show);
         }
-        actions.extend(is_resampled.then_some(Action::Rebuild));
+        actions.extend((is_changed || is_resampled).then_some(Action::Rebuild));
         actions
     }
 

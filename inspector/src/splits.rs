@@ -2,8 +2,8 @@
 //! height, and the bars between them; picture and space view where the picture is.
 
 use eframe::egui::{
-    CursorIcon, Id, Pos2, Rect, Sense, Stroke, Ui, UiBuilder, Vec2, WidgetInfo, accesskit::Role,
-    vec2,
+    Button, CursorIcon, Id, Pos2, Rect, Sense, Stroke, Ui, UiBuilder, Vec2, WidgetInfo,
+    accesskit::Role, vec2,
 };
 use serde::{Deserialize, Serialize};
 
@@ -12,12 +12,16 @@ const BAR: f32 = 8.0;
 /// The smallest shares of scene, picture and explanation.
 const MIN: [f32; 3] = [0.1, 0.3, 0.25];
 /// The smallest and the largest share of the details.
-const DETAILS: [f32; 2] = [0.15, 0.85];
+const DETAILS: [f32; 2] = [0.15, 0.75];
 /// The least width of the scene's panel, which its numbers and lists need, in points of the screen: less in a window that has
 /// no room for more.
 const SCENE_MIN_WIDTH: [f32; 2] = [152.0, 176.0];
 /// The share of the window that the least width is between these bounds.
 const SCENE_MIN_SHARE: f32 = 0.195;
+
+/// The width of a window below which the scene's panel is folded away, and what is left of it, in points of the screen.
+const NARROW: f32 = 1000.0;
+const FOLDED: f32 = 30.0;
 
 /// What is shown where the picture is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -68,19 +72,21 @@ pub struct Splits {
     explanation: f32,
     /// The share of the details, below the tree.
     details: f32,
+    /// Whether the scene's panel is shown in a narrow window, too.
+    unfolded: bool,
 }
 
 impl Default for Splits {
     fn default() -> Self {
-        Self { scene: 0.15, explanation: 0.38, details: 0.45 }
+        Self { scene: 0.15, explanation: 0.38, details: 0.41, unfolded: false }
     }
 }
 
 /// The areas of the parts on the screen.
 #[derive(Clone, Copy, Debug)]
 pub struct Parts {
-    /// The scene: its settings, lights and objects.
-    pub scene: Rect,
+    /// The scene: its settings, lights and objects; nothing while it is folded away.
+    pub scene: Option<Rect>,
     /// The picture.
     pub picture: Rect,
     /// The explanation of the selected pixel.
@@ -94,9 +100,11 @@ impl Splits {
         let at = |share: f32| (area.left() + share * area.width()).round();
         let [least, most] = SCENE_MIN_WIDTH;
         let min = (SCENE_MIN_SHARE * area.width()).clamp(least, most);
-        let left = left.max(min / area.width());
+        let is_folded = self.fold(ui, area);
+        let left = if is_folded { FOLDED / area.width() } else { left.max(min / area.width()) };
         let moved = bar(ui, "left bar", strip(area, at(left)), left);
         self.scene = match moved {
+            _ if is_folded => self.scene,
             Some(by) if by.x == 0.0 => self.scene,
             Some(by) => left + by.x / area.width(),
             None => Self::default().scene,
@@ -106,11 +114,28 @@ impl Splits {
             moved.map_or(Self::default().explanation, |by| right - by.x / area.width());
         *self = self.fitting();
         let (first, last) = (strip(area, at(left)), strip(area, at(1.0 - right)));
+        // below the button that folds it away
+        let button = if area.width() < NARROW { FOLDED - BAR } else { 0.0 };
+        let scene = area.min + vec2(0.0, button);
         Parts {
-            scene: area.with_max_x(first.left()),
+            scene: (!is_folded).then(|| Rect::from_min_max(scene, first.left_bottom())),
             picture: area.with_min_x(first.right()).with_max_x(last.left()),
             explanation: area.with_min_x(last.right()),
         }
+    }
+
+    /// In a narrow window shows the button that folds the scene's panel away. Returns whether it is.
+    fn fold(&mut self, ui: &mut Ui, area: Rect) -> bool {
+        if area.width() >= NARROW {
+            return false;
+        }
+        let at = Rect::from_min_size(area.min + vec2(1.0, 1.0), Vec2::splat(FOLDED - BAR));
+        let text = if self.unfolded { "«" } else { "»" };
+        let button = ui.put(at, Button::new(text));
+        button.widget_info(|| WidgetInfo::labeled(Role::Button, true, "The scene"));
+        let hint = "The scene: its settings, lights and objects; always shown in a wider window";
+        self.unfolded ^= button.on_hover_text(hint).clicked();
+        !self.unfolded
     }
 
     /// Draws the bar between tree and details, moves it with the mouse, and returns the areas of both.
@@ -135,7 +160,7 @@ impl Splits {
         let [scene, picture, explanation] = MIN;
         let scene = self.scene.clamp(scene, 1.0 - picture - explanation);
         let explanation = self.explanation.clamp(explanation, 1.0 - picture - scene);
-        Self { scene, explanation, details }
+        Self { scene, explanation, details, ..self }
     }
 }
 

@@ -1,16 +1,19 @@
-//! The bar of a comparison: what is shown, how much differs, the next region, and the verdict.
+//! The bar of comparisons: with what, what is shown, and the next region; what differs is said over the picture.
 
-use eframe::egui::{Align, Button, ComboBox, Label, Layout, RichText, Ui};
+use eframe::egui::{
+    Align2, Area, Button, ComboBox, Frame, Id, Label, Order, Rect, RichText, Ui, WidgetInfo,
+    accesskit::Role, vec2,
+};
 use groundtruth::explain::{brief, count};
 use groundtruth::printable;
 use pictures::compare::Comparison;
 use rays::Logged;
 
 use crate::action::{Action, Shows, With};
-use crate::comparison::judgement::Judgement;
-use crate::comparison::opening;
+use crate::comparison::menu::CompareMenu;
 use crate::comparison::others::Others;
 use crate::comparison::theirs::{SCALES, Theirs};
+use crate::comparison::{mistake, opening};
 use crate::picture::worker::Rendering;
 
 /// The views of the two pictures, each with its name and its key.
@@ -37,13 +40,40 @@ const OF_LOG: [(Shows, &str, &str); 3] = [
     (Shows::Swipe, "Both", "Our picture and rays, with those of the log (W)"),
 ];
 
-/// The width of the list of pictures, in points of the screen.
-const LIST_WIDTH: f32 = 150.0;
+/// The width of the list of pictures, and in a window narrower than this, in points of the screen.
+const LIST_WIDTH: [f32; 2] = [130.0, 90.0];
+const NARROW: f32 = 1000.0;
+
+/// Shows a list in a width that its text does not change.
+pub fn list(ui: &mut Ui, text: &str, name: &str, hint: &str, entries: impl FnOnce(&mut Ui)) {
+    let width = LIST_WIDTH[usize::from(ui.max_rect().width() < NARROW)];
+    let show = |ui: &mut Ui| {
+        ui.set_max_width(width);
+        let list = ComboBox::from_id_salt(name).selected_text(text).truncate().width(width);
+        let response = list.show_ui(ui, entries).response;
+        response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, name));
+        response.on_hover_text(hint);
+    };
+    ui.allocate_ui(vec2(width, ui.spacing().interact_size.y), show);
+}
 
 /// Shows the bar. Returns what the user asks for.
-pub fn show(ui: &mut Ui, others: &mut Others, rendering: &Rendering) -> Option<Action> {
-    let next = ui.horizontal(|ui| {
-        let chosen = choice(ui, others);
+pub fn show(
+    ui: &mut Ui,
+    menu: &mut CompareMenu,
+    others: &mut Others,
+    rendering: &Rendering,
+) -> Option<Action> {
+    ui.horizontal_wrapped(|ui| {
+        let mut asked = None;
+        if rendering.source.rays().is_none() {
+            mistake::show(ui, others, rendering);
+            asked = menu.show(ui, rendering);
+        }
+        if others.count() == 0 {
+            return asked;
+        }
+        let chosen = asked.or(choice(ui, others));
         match others.shown_mut() {
             Some(theirs) => chosen.or(views(ui, theirs, rendering)),
             None => {
@@ -54,11 +84,8 @@ pub fn show(ui: &mut Ui, others: &mut Others, rendering: &Rendering) -> Option<A
                 chosen
             }
         }
-    });
-    let theirs = others.shown().filter(|theirs| theirs.fits(rendering));
-    let is_finished = rendering.is_finished();
-    let judged = theirs.and_then(|theirs| theirs.judgement.show(ui, is_finished));
-    next.inner.or(judged)
+    })
+    .inner
 }
 
 /// Shows which of the pictures is held against ours, if there are several, and the button that lets it go.
@@ -68,17 +95,14 @@ fn choice(ui: &mut Ui, others: &Others) -> Option<Action> {
     let names = others.names();
     let [chosen, about] = names.get(others.chosen())?;
     let mut next = None;
-    let label = ui.label("With");
-    let list = ComboBox::from_id_salt("other").selected_text(last_part(chosen)).truncate();
-    let list = list.width(LIST_WIDTH).show_ui(ui, |ui| {
+    let hint = format!("Compared with: {about} (O: the next of {})", names.len());
+    list(ui, last_part(chosen), "With", &hint, |ui| {
         for (index, [name, about]) in names.iter().enumerate() {
             let is_chosen = index == others.chosen();
             let entry = ui.selectable_label(is_chosen, last_part(name)).on_hover_text(about);
             next = next.take().or(entry.clicked().then_some(Action::Compare(With::Other(index))));
         }
     });
-    let hint = format!("Compared with: {about} (O: the next of {})", names.len());
-    list.response.labelled_by(label.id).on_hover_text(hint);
     closed.or(next)
 }
 
@@ -91,7 +115,7 @@ fn last_part(name: &str) -> &str {
     }
 }
 
-/// Shows the views to choose from, and how much differs.
+/// Shows the views to choose from, and the buttons of the next region and of the judgement.
 fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Action> {
     if !theirs.fits(rendering) {
         let ([w, h], [width, height]) = (theirs.size(), rendering.size());
@@ -121,18 +145,33 @@ fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Acti
         ui.weak(format!("white: +{largest:.2e}"));
         ui.separator();
     }
-    let comparison = theirs.comparison(rendering);
-    let differs = comparison.is_some_and(|comparison| !comparison.is_same());
+    let differs = theirs.comparison(rendering).is_some_and(|comparison| !comparison.is_same());
     let next = ui.add_enabled(differs, Button::new("Next region"));
     let next = next.on_hover_text("Explains the worst pixel of the next region (N)");
-    let judges = theirs.judgement.is_unasked() && Judgement::button(ui, rendering.is_finished());
-    let text = comparison.map_or("compared when our picture is finished".to_owned(), summary);
-    ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
-        let hint = comparison.map_or(String::new(), Comparison::to_string);
-        let label = Label::new(RichText::new(&text)).truncate();
-        ui.add(label).on_hover_text(RichText::new(hint).monospace());
-    });
+    let judges = theirs.judgement.button(ui, rendering.is_finished());
     next.clicked().then_some(Action::NextRegion).or(judges.then_some(Action::Compare(With::Judge)))
+}
+
+/// Shows what differs, over the lower edge of the picture in this area, so that nothing moves: the verdict once somebody
+/// asked for it. Returns what the user asks for.
+pub fn caption(ui: &Ui, area: Rect, theirs: &Theirs, rendering: &Rendering) -> Option<Action> {
+    if theirs.program.as_ref().is_some_and(|program| program.log().is_some()) {
+        return None;
+    }
+    let over = Area::new(Id::unique("caption")).order(Order::Middle).pivot(Align2::LEFT_BOTTOM);
+    let over = over.fixed_pos(area.left_bottom() + vec2(6.0, -6.0));
+    let show = |ui: &mut Ui| {
+        ui.set_max_width(area.width() - 28.0);
+        if let Some(judged) = theirs.judgement.show(ui, theirs.shows) {
+            return judged;
+        }
+        let comparison = theirs.comparison(rendering);
+        let text = comparison.map_or("compared when our picture is finished".to_owned(), summary);
+        let hint = comparison.map_or(String::new(), Comparison::to_string);
+        ui.label(text).on_hover_text(RichText::new(hint).monospace());
+        None
+    };
+    over.show(ui.ctx(), |ui| Frame::popup(ui.style()).show(ui, show).inner).inner
 }
 
 /// Shows whose rays there are to choose from, and what the laws found in the log.

@@ -6,24 +6,28 @@ use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 
 use eframe::egui::{
-    Align2, Button, Color32, Context, FontId, Id, Label, Painter, Rect, RichText, Sense, Stroke,
+    Align2, Button, Color32, Context, FontId, Id, Painter, Rect, RichText, Sense, Stroke,
     StrokeKind, Ui, WidgetInfo, accesskit::Role, vec2,
 };
 use groundtruth::explain::count;
 use groundtruth::film::{Film, Tone};
 use groundtruth::render::{Canvas, Crop};
 use groundtruth::world::World;
-use judge::verdict::{self, Case, DifferingRegion, Progress, Renders, Strictness, Verdict};
+use judge::verdict::{
+    self, Case, Decision, DifferingRegion, Progress, Renders, Strictness, Verdict,
+};
 use pictures::compare::Picture;
 
-use crate::action::{Action, With};
+use crate::action::{Action, Shows};
+use crate::explanation::tree::{AGREES, ink};
 use crate::picture::developed::{self, Developed, Version};
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
 use crate::platform::{Slice, watched};
 use crate::scene::source::Built;
 
-/// The side of a region's number over the picture, in points of the screen.
+/// The size of the verdict's sentence, and the side of a region's number over the picture, in points of the screen.
+const VERDICT: f32 = 16.0;
 const NUMBER: f32 = 16.0;
 
 /// The verdict on their picture.
@@ -216,24 +220,41 @@ impl Judgement {
         }
     }
 
-    /// Shows the button that starts it, which waits until our picture is finished. Returns whether to judge.
-    pub fn button(ui: &mut Ui, is_finished: bool) -> bool {
+    /// Shows the button that starts it, which waits until our picture is finished, and stops it. Returns whether to judge.
+    pub fn button(&self, ui: &mut Ui, is_finished: bool) -> bool {
+        if let State::Running(..) = &self.state {
+            if ui.button("Stop").on_hover_text("What is known by then is said").clicked() {
+                self.stop();
+            }
+            return false;
+        }
         let hint = "Is the difference noise? Renders pictures of ours with other seeds, as `groundtruth verify` does";
         let button = ui.add_enabled(is_finished, Button::new("Judge")).on_hover_text(hint);
         button.on_disabled_hover_text("When our picture is finished").clicked()
     }
 
-    /// Whether nobody asked yet; then it has no lines of the bar.
-    pub fn is_unasked(&self) -> bool {
-        matches!(self.state, State::Nothing)
-    }
-
-    /// Shows its lines of the bar: the button, the verdict, and the regions.
-    pub fn show(&self, ui: &mut Ui, is_finished: bool) -> Option<Action> {
-        if self.is_unasked() {
-            return None;
+    /// Shows how far it is, or the verdict and its regions. Returns what the user asks for, or nothing if nobody asked to
+    /// judge.
+    pub fn show(&self, ui: &mut Ui, shows: Shows) -> Option<Option<Action>> {
+        match &self.state {
+            State::Nothing => return None,
+            State::Running(course, _) => {
+                ui.horizontal_wrapped(|ui| {
+                    ui.spinner();
+                    ui.label(course.words());
+                });
+            }
+            State::Done(Err(problem)) => drop(ui.label(problem)),
+            State::Done(Ok(verdict)) => {
+                let color = match verdict.decision {
+                    Decision::Agrees => ink(ui, AGREES),
+                    Decision::Differs => ui.visuals().error_fg_color,
+                    Decision::Undecided => ui.visuals().warn_fg_color,
+                };
+                let text = RichText::new(line(verdict)).color(color).size(VERDICT).strong();
+                ui.label(text).on_hover_text(RichText::new(verdict.to_string()).monospace());
+            }
         }
-        let is_judging = ui.horizontal(|ui| self.line(ui, is_finished)).inner;
         let regions = self.verdict().map_or(&[][..], |verdict| &verdict.regions);
         let list = |ui: &mut Ui| {
             let mut explained = None;
@@ -247,30 +268,16 @@ impl Judgement {
             }
             explained
         };
-        let explained = if regions.is_empty() { None } else { ui.horizontal_wrapped(list).inner };
-        is_judging.then_some(Action::Compare(With::Judge)).or(explained)
-    }
-
-    /// Shows the button, and how far the judgement is. Returns whether to judge.
-    fn line(&self, ui: &mut Ui, is_finished: bool) -> bool {
-        if let State::Running(course, _) = &self.state {
-            if ui.button("Stop").on_hover_text("What is known by then is said").clicked() {
-                self.stop();
+        let row = |ui: &mut Ui| {
+            let name = count(regions.len(), "region");
+            let asked = ui.menu_button(name, list).inner;
+            if shows == Shows::Map {
+                ui.weak("white: theirs is brighter, z ≥ 6 · grey: 0 · black: darker, z ≤ −6");
             }
-            ui.spinner();
-            ui.label(course.words());
-            return false;
-        }
-        let is_judging = Self::button(ui, is_finished);
-        if let State::Done(outcome) = &self.state {
-            let (line, all) = match outcome {
-                Ok(verdict) => (line(verdict), verdict.to_string()),
-                Err(problem) => (problem.clone(), problem.clone()),
-            };
-            let label = ui.add(Label::new(&line).truncate());
-            label.on_hover_text(RichText::new(all).monospace());
-        }
-        is_judging
+            asked.flatten()
+        };
+        let is_empty = regions.is_empty() && shows != Shows::Map;
+        Some(if is_empty { None } else { ui.horizontal_wrapped(row).inner })
     }
 
     /// Draws the map of z; `false` if it is not made yet.

@@ -2,14 +2,14 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{self, Frame, Key, Margin, ScrollArea, Ui, vec2};
+use eframe::egui::{self, Align, Frame, Key, Layout, Margin, ScrollArea, Ui, vec2};
 use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::scene::Scene;
 
 use crate::explanation::asked::{Question, sample_of};
 use crate::explanation::beside::Beside;
-use crate::explanation::copying::Making;
+use crate::explanation::copying::{self, Making};
 use crate::explanation::pixel::{self, Order, SumList};
 use crate::explanation::samples::Samples;
 use crate::explanation::section::SectionView;
@@ -26,6 +26,9 @@ const MIN_HEIGHT: f32 = 24.0;
 
 /// The least height with room for the legend of the tree's colours, in points of the screen.
 const LEGEND_MIN_HEIGHT: f32 = 160.0;
+
+/// The least width with room for the chooser of the sample beside the pixel, in points of the screen.
+const ONE_ROW_MIN_WIDTH: f32 = 460.0;
 
 /// What the tab is.
 const BESIDE: &str = "The selected ray in both pictures, number by number";
@@ -66,12 +69,15 @@ impl Panel {
                 return false;
             }
         };
+        let whole = ui.available_rect_before_wrap();
         let inner = Frame::new().inner_margin(Margin::symmetric(0, 4));
         egui::Panel::top("pixel")
             .frame(inner)
             .show(ui, |ui| self.head(ui, selection, &answer, shown));
         let sample = sample_of(&answer, selection.shown_sample());
-        let [above, below] = splits.show_lower(ui, ui.available_rect_before_wrap());
+        // a share of the whole: the lines of the head do not move it
+        let [above, below] = splits.show_lower(ui, whole);
+        let above = above.with_min_y(ui.available_rect_before_wrap().top().min(above.bottom()));
         let margin = vec2(0.0, 4.0);
         part(ui, "tree", above, margin, |ui| match sample {
             Some(sample) => sample_tree(ui, &mut selection.tree, sample, shown.tone),
@@ -206,29 +212,31 @@ impl Panel {
         answer: &PixelExplanation,
         shown: &Shown<'_>,
     ) {
-        let [x, y] = answer.pixel;
-        ui.horizontal_wrapped(|ui| {
+        let ([x, y], last) = (answer.pixel, answer.samples_per_pixel - 1);
+        let is_narrow = ui.available_width() < ONE_ROW_MIN_WIDTH;
+        ui.horizontal(|ui| {
             swatch(ui, display::color(shown.tone, answer.radiance));
             ui.heading(format!("Pixel ({x}, {y})"));
-            if selection.is_waiting() || self.making.is_busy() {
-                ui.spinner();
-            }
-            let last = answer.samples_per_pixel - 1;
-            if last > 0 {
-                ui.separator();
+            if last > 0 && !is_narrow {
                 pixel::chooser(ui, &mut selection.sample, last);
             }
-            ui.separator();
-            let root = sample_of(answer, selection.sample).and_then(|sample| sample.ray.as_ref());
-            let ray = root.map(|root| selection.tree.selected(root));
-            let sample = selection.sample.min(last);
-            pixel::copy_menu(ui, shown, answer, sample, ray, &mut self.making);
+            // from the right, so that nothing else moves it
+            ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+                let root = sample_of(answer, selection.sample).and_then(|it| it.ray.as_ref());
+                let ray = root.map(|root| selection.tree.selected(root));
+                let sample = selection.sample.min(last);
+                pixel::copy_menu(ui, shown, answer, sample, ray, &mut self.making);
+                match selection.is_waiting() || self.making.is_busy() {
+                    true => drop(ui.spinner()),
+                    false => copying::show_copied(ui),
+                }
+            });
         });
+        if last > 0 && is_narrow {
+            ui.horizontal(|ui| pixel::chooser(ui, &mut selection.sample, last));
+        }
         if let Some(problem) = &self.making.problem {
             ui.colored_label(ui.visuals().error_fg_color, problem);
-        }
-        if selection.is_proposed {
-            ui.weak("A pixel with many rays, to begin with. Click any other one.");
         }
         for note in &answer.notes {
             ui.weak(note);

@@ -1,6 +1,6 @@
 //! The pixel as a whole: its sum, its sources of light, its samples, and the menu to copy it.
 
-use eframe::egui::{Button, Color32, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
+use eframe::egui::{Button, DragValue, RichText, ScrollArea, TextWrapMode, Ui};
 use groundtruth::explain::{self, PixelExplanation, RecordedRay, percent, short};
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
@@ -97,10 +97,6 @@ pub fn copy_menu(
             ui.close();
         }
     });
-    match making.is_busy() {
-        true => drop(ui.spinner()),
-        false => copying::show_copied(ui),
-    }
 }
 
 /// Shows the sum of the samples that gives the pixel, and whether it equals the rendered pixel.
@@ -125,7 +121,7 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
     match rendered {
         None => ui.weak("this pixel is not rendered yet"),
         Some(radiance) if bits(radiance) == bits(answer.radiance) => {
-            let good = tree::ink(ui, Color32::from_rgb(120, 220, 120));
+            let good = tree::ink(ui, tree::AGREES);
             ui.colored_label(good, "= the pixel of the picture, bit for bit")
         }
         // what a picture file can hold of it

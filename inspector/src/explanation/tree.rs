@@ -38,6 +38,8 @@ pub const CAMERA: Color32 = Color32::from_rgb(235, 235, 235);
 pub const UNBLOCKED: Color32 = Color32::from_rgb(250, 225, 100);
 /// The colour of shadow rays that an object blocks.
 pub const BLOCKED: Color32 = Color32::from_rgb(165, 150, 185);
+/// The colour of what is as it should be.
+pub const AGREES: Color32 = Color32::from_rgb(120, 220, 120);
 /// The colour of rays that break a law.
 pub const BROKEN: Color32 = Color32::from_rgb(255, 70, 70);
 /// The colour of terms without a ray, and of normals.

@@ -1,7 +1,8 @@
 //! The bars: fields for scene, file and pixel, the message, settings of the view, and the pixel under the mouse.
 
 use eframe::egui::{
-    Align, Button, Id, Key, Label, Layout, ProgressBar, RichText, Slider, TextEdit, Ui, vec2,
+    Align, Align2, Area, Button, Context, Frame, Id, Key, Label, Layout, ProgressBar, RichText,
+    Slider, TextEdit, Ui, vec2,
 };
 use groundtruth::explain::{count, short};
 
@@ -46,7 +47,7 @@ impl Fields {
 }
 
 /// The least width of a window with one row of fields; narrower ones have two.
-const ONE_ROW_MIN_WIDTH: f32 = 1250.0;
+const ONE_ROW_MIN_WIDTH: f32 = 1200.0;
 
 /// The length of sliders in a narrow window.
 const SHORT_SLIDER: f32 = 24.0;
@@ -146,18 +147,25 @@ fn entry(
     (entered || pressed, other)
 }
 
-/// Shows the message, and whether it is an error, until it is dismissed.
-pub fn message(ui: &mut Ui, message: &mut Option<(String, bool)>) {
+/// Shows the message, and whether it is an error, until it is dismissed: over the lower edge, so that nothing moves.
+pub fn message(ctx: &Context, message: &mut Option<(String, bool)>) {
     let Some((text, is_error)) = message.clone() else { return };
-    ui.horizontal_top(|ui| {
+    let most = 0.7 * ctx.content_rect().width();
+    let show = |ui: &mut Ui| {
+        ui.set_max_width(most);
         if ui.small_button("×").on_hover_text("Dismiss").clicked() {
             *message = None;
         }
         let text = RichText::new(text).monospace();
         let text = if is_error { text.color(ui.visuals().error_fg_color) } else { text };
         ui.add(Label::new(text).wrap());
-    });
+    };
+    let area = Area::new(Id::unique("message")).anchor(Align2::CENTER_BOTTOM, [0.0, -MESSAGE]);
+    area.show(ctx, |ui| Frame::popup(ui.style()).show(ui, |ui| ui.horizontal_top(show)));
 }
+
+/// The height of a message above the lower edge, over the bar there.
+const MESSAGE: f32 = 34.0;
 
 /// Shows the settings of the view.
 pub fn view_settings(
@@ -230,7 +238,7 @@ pub fn status(
     ui: &mut Ui,
     rendering: &Rendering,
     (theirs, layer): (Option<&Theirs>, &ChosenLayer),
-    hovered: Option<[u32; 2]>,
+    (hovered, hint): (Option<[u32; 2]>, &str),
     is_loading: bool,
 ) -> Option<Action> {
     ui.horizontal(|ui| {
@@ -256,7 +264,7 @@ pub fn status(
                 let text = under_mouse(rendering, theirs, pixel) + &layer;
                 ui.add(Label::new(RichText::new(text).monospace()).truncate());
             }
-            None => drop(ui.weak("point at a pixel to read it")),
+            None => drop(ui.weak(hint)),
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let keys = ui.small_button("?").on_hover_text("The keys");

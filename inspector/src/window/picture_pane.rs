@@ -3,6 +3,7 @@
 use eframe::egui::{Rect, Ui};
 
 use crate::action::{Action, Shows};
+use crate::comparison::bar;
 use crate::comparison::others::Others;
 use crate::explanation::selection::Selection;
 use crate::explanation::{Subject, checks, trail};
@@ -37,7 +38,8 @@ pub fn show(
     let program = theirs.as_ref().and_then(|theirs| theirs.explained().cloned());
     let framed = theirs.and_then(|theirs| {
         theirs.show_divider(ui, area);
-        theirs.judgement.show_frames(ui, &placement)
+        let asked = bar::caption(ui, area, theirs, rendering);
+        theirs.judgement.show_frames(ui, &placement).or(asked)
     });
     let subject = Subject { rendering, program: program.as_ref() };
     if subject.has_camera() {

@@ -1,13 +1,10 @@
-//! The panel of the scene: what ours is compared with, what the scene is, its settings and switches, and the histogram.
+//! The panel of the scene: what the scene is, its settings and switches, and the histogram.
 
 use eframe::egui::{RichText, ScrollArea, Ui};
 use groundtruth::explain::{self, count};
 use groundtruth::printable;
 use rays::Logged;
 
-use crate::action::Action;
-use crate::comparison::menu::CompareMenu;
-use crate::comparison::mistake;
 use crate::comparison::others::Others;
 use crate::picture::histogram::Histogram;
 use crate::picture::image_settings::ImageSettings;
@@ -17,37 +14,30 @@ use crate::scene::switches;
 /// The panel's own state.
 #[derive(Default)]
 pub struct ScenePanel {
-    menu: CompareMenu,
     settings: ImageSettings,
     histogram: Histogram,
 }
 
 impl ScenePanel {
-    /// Shows it. Returns what the user asks for, and notes the index of the object that is pointed at.
+    /// Shows it. Returns whether the scene was changed, and notes the index of the object that is pointed at.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         session: &mut Session,
-        others: &mut Others,
+        others: &Others,
         pointed: &mut Option<u32>,
-    ) -> Vec<Action> {
-        let mut actions = Vec::new();
+    ) -> bool {
         let show = |ui: &mut Ui| {
             if let Some(log) = others.log().filter(|_| session.rendering.source.rays().is_some()) {
                 of_log(ui, log, pointed);
-                return;
+                return false;
             }
-            mistake::show(ui, others, &session.rendering);
-            actions.extend(self.menu.show(ui, &session.rendering));
-            ui.add_space(8.0);
-            if self.scene(ui, session, pointed) {
-                actions.push(Action::Rebuild);
-            }
+            let is_changed = self.scene(ui, session, pointed);
             ui.add_space(8.0);
             self.histogram.show(ui, &session.rendering);
+            is_changed
         };
-        ScrollArea::both().auto_shrink(false).show(ui, show);
-        actions
+        ScrollArea::both().auto_shrink(false).show(ui, show).inner
     }
 
     /// Shows what the scene is, its settings and switches. Returns whether it was changed.

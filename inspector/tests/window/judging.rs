@@ -4,6 +4,7 @@ use std::path::Path;
 
 use eframe::egui::Key;
 use egui_kittest::kittest::Queryable;
+use groundtruth::explain::count;
 use groundtruth::film::{self, Film, Tone};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
@@ -46,7 +47,7 @@ fn written(film: &Film) -> (Theirs, Picture) {
 
 /// A window on a scene that is compared with this picture.
 fn held_against(scene: Scene, theirs: Theirs) -> Window {
-    let mut window = begin(scene, [900.0, 600.0]);
+    let mut window = begin(scene, [1280.0, 800.0]);
     window.state_mut().others.add_picture(theirs);
     window
 }
@@ -110,6 +111,32 @@ fn the_verdict_is_that_of_the_command() {
     assert!(seen.len() > 2, "{seen:?}");
 }
 
+/// Law: the verdict is larger than other text, and coloured by what it says. Oracle: the height of a button's text, and
+/// the colours of its ink: red for a difference, green for our own picture.
+#[test]
+fn the_verdict_is_large_and_coloured() {
+    for (film, begins, channel) in
+        [(brighter(), "differs: ", 0), (film(&open(noisy())), "agrees: ", 1)]
+    {
+        let mut window = held_against(noisy(), written(&film).0);
+        settle(&mut window);
+        push(&mut window, "Judge");
+        let verdict = window.get_by_label_contains(begins).rect();
+        let usual = window.get_by_label("Lights").rect();
+        let lines = (verdict.height() / usual.height()).floor();
+        assert!(verdict.height() > 1.1 * lines.max(1.0) * usual.height(), "{verdict}, {usual}");
+        let image = window.render().expect("drawn");
+        let of_ink = |x: u32| {
+            let column = verdict.top() as u32..verdict.bottom() as u32;
+            column.map(|y| image.get_pixel(x, y).0).max_by_key(|pixel| pixel[channel])
+        };
+        let ink = (verdict.left() as u32..verdict.right() as u32).filter_map(of_ink);
+        let [r, g, b, _] = ink.max_by_key(|pixel| pixel[channel]).expect("ink");
+        let others = [r, g, b].into_iter().enumerate().filter(|(at, _)| *at != channel);
+        assert!(others.max().is_some_and(|(_, it)| it + 40 < [r, g, b][channel]), "{r} {g} {b}");
+    }
+}
+
 /// Law: a brighter patch gets a region whose box has all of it and nothing more; a click in the list, or on the number
 /// over the picture, explains its worst pixel. Oracle: where the patch was planted.
 #[test]
@@ -124,6 +151,7 @@ fn a_click_on_a_region_explains_its_worst_pixel() {
     assert!(inside(worst[0], PATCH[0], PATCH[2]) && inside(worst[1], PATCH[1], PATCH[3]));
 
     let name = format!("{} {}, z = ", found + 1, regions[found].name);
+    push(&mut window, &count(regions.len(), "region"));
     window.get_by_label_contains(&name).click();
     settle(&mut window);
     assert_eq!(window.state().selection.pixel, Some(worst));

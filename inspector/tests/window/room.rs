@@ -2,6 +2,7 @@
 
 use eframe::egui::{Rect, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
+use groundtruth::rgb::Rgb;
 
 use crate::support::*;
 
@@ -18,6 +19,28 @@ fn window_of([width, height]: [f32; 2]) -> (Window, Rect) {
 
 fn picture(window: &Window) -> Rect {
     window.get_by_role_and_label(Role::Image, "picture").rect()
+}
+
+/// Shows the panel of the scene in a narrow window, too.
+fn unfold(window: &mut Window) {
+    if window.query_by_label("The scene").is_some() {
+        push(window, "The scene");
+    }
+}
+
+/// Law: in a window below 1,000 points the panel of the scene is folded away, which the picture gains, until its button is
+/// clicked. Oracle: the places.
+#[test]
+fn a_narrow_window_folds_the_scene_away() {
+    let (mut window, _) = window_of(SIZES[1]);
+    let before = picture(&window);
+    assert!(window.query_by_label("high lamp").is_none());
+    unfold(&mut window);
+    assert!(window.query_by_label("high lamp").is_some());
+    assert!(before.width() > picture(&window).width() + 100.0);
+    push(&mut window, "The scene");
+    assert_eq!(picture(&window), before);
+    assert!(window_of(SIZES[0]).0.query_by_label("The scene").is_none());
 }
 
 /// Law: the picture has about a third of the window, whatever its size.
@@ -54,11 +77,44 @@ fn every_button_of_the_bars_is_whole() {
     }
 }
 
+/// Law: a message, a comparison, its judgement and what is copied move no button. Oracle: their places before.
+#[test]
+fn nothing_moves_when_something_is_told() {
+    for size in [SIZES[0], SIZES[1]] {
+        let (mut window, _) = window_of(size);
+        let places = |window: &Window| {
+            let names = ["Save", "Whole", "Compare with …", "Copy", "The ray", "The samples", "?"];
+            let place = |name| window.get_by_label(name).rect();
+            [&names.map(place)[..], &[picture(window)]].concat()
+        };
+        let before = places(&window);
+        set(&mut window, |it| it.message = Some(("the file\nis broken".to_owned(), true)));
+        text_with(&window, "is broken");
+        assert_eq!(places(&window), before, "a message, {size:?}");
+        set(&mut window, |it| it.message = None);
+        let folder = tempfile::tempdir().expect("a temporary folder");
+        let mut other = film(&window);
+        other.set([3, 4], other.get([3, 4]) + Rgb::WHITE);
+        let theirs = read(folder.path(), &other, "theirs.exr");
+        set(&mut window, |it| it.others.add_picture(theirs));
+        text_with(&window, "1 pixel (");
+        assert_eq!(places(&window), before, "a comparison, {size:?}");
+        push(&mut window, "Judge");
+        text_with(&window, "agrees: ");
+        assert_eq!(places(&window), before, "a verdict, {size:?}");
+        push(&mut window, "Copy");
+        push(&mut window, "The pixel, all its digits");
+        text_with(&window, "copied");
+        assert_eq!(places(&window), before, "copied, {size:?}");
+    }
+}
+
 /// Law: the three parts are side by side inside the window; the chooser of samples can be reached.
 #[test]
 fn the_parts_are_side_by_side() {
     for size in SIZES {
-        let (window, whole) = window_of(size);
+        let (mut window, whole) = window_of(size);
+        unfold(&mut window);
         let middle = picture(&window);
         let lamp = window.get_by_label("high lamp").rect();
         let heading = window.get_by_label("Pixel (17, 19)").rect();
@@ -139,6 +195,7 @@ fn the_details_keep_their_share() {
 fn every_setting_of_the_scene_can_be_reached() {
     for size in [SIZES[0], SIZES[1], SIZES[2], [550.0, 350.0]] {
         let mut window = open_sized(small_glass_sphere(), size);
+        unfold(&mut window);
         let panel = picture(&window).left() - 8.0;
         let first = window.get_all_by_label("only").next().expect("a light has one").rect();
         assert!(first.right() <= panel, "only at {first} of {size:?}");
@@ -200,6 +257,7 @@ fn a_long_name_is_cut_and_shown_under_the_mouse() {
     let mut scene = small_glass_sphere();
     scene.objects[0].name = name.to_owned();
     let mut window = open_sized(scene, [800.0, 500.0]);
+    unfold(&mut window);
     let edge = picture(&window).left();
     window.get_by_label(name).scroll_to_me();
     window.run_steps(10);
