@@ -265,7 +265,8 @@ impl Inspector {
         });
         egui::Panel::top("view").frame(bar).show(ui, |ui| {
             let (theirs, mode) = (self.others.shown_mut(), &mut self.space.mode);
-            panels::view_settings(ui, &mut self.picture, theirs, mode, rendering);
+            let shown = (rendering, self.selection.pixel);
+            panels::view_settings(ui, &mut self.picture, theirs, mode, shown);
         });
         if self.session.waiting.is_none() {
             let (menu, others) = (&mut self.menu, &mut self.others);

@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use eframe::egui::{
-    self, Color32, CursorIcon, EventFilter, Id, Key, Painter, Rect, Sense, Shape, Stroke,
-    StrokeKind, Ui, WidgetInfo, accesskit::Role,
+    self, Align2, Color32, CursorIcon, EventFilter, FontId, Id, Key, Painter, Rect, Sense, Shape,
+    Stroke, StrokeKind, Ui, WidgetInfo, accesskit::Role,
 };
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
@@ -90,9 +90,9 @@ impl Picture {
         }
     }
 
-    /// Zooms to this many points for a pixel.
-    pub fn set_zoom(&mut self, size: [u32; 2], zoom: f32) {
-        self.view.set_zoom(self.area, size, zoom);
+    /// Zooms to this many points for a pixel; the selected one stays in view.
+    pub fn set_zoom(&mut self, size: [u32; 2], zoom: f32, selected: Option<[u32; 2]>) {
+        self.view.set_zoom(self.area, size, zoom, selected);
     }
 
     /// Whether the picture gets the keys: no other widget has the focus.
@@ -194,6 +194,34 @@ impl Picture {
         painter.rect_stroke(whole, 0.0, edge, StrokeKind::Outside);
         if let Some(pixel) = selected {
             mark(painter, placement.rect(pixel));
+        }
+        if placement.scale >= COORDINATES_MIN_SCALE {
+            coordinates(painter, placement);
+        }
+    }
+}
+
+/// The least scale at which coordinates are written.
+const COORDINATES_MIN_SCALE: f32 = 12.0;
+/// The least distance between coordinates at an edge, in points of the screen.
+const COORDINATES: f32 = 36.0;
+
+/// Writes columns and rows at the upper and the left edge.
+fn coordinates(painter: &Painter, placement: &Placement) {
+    let area = painter.clip_rect();
+    let visible = area.intersect(placement.whole());
+    let step = (COORDINATES / placement.scale).ceil() as usize;
+    for (axis, range) in [visible.x_range(), visible.y_range()].into_iter().enumerate() {
+        for index in (0..placement.size[axis]).step_by(step) {
+            let mut at = placement.rect([index; 2]).center();
+            if !range.shrink(6.0).contains(at[axis]) {
+                continue;
+            }
+            at[1 - axis] = area.min[1 - axis] + [12.0, 8.0][1 - axis];
+            let ground = Rect::from_center_size(at, egui::vec2(22.0, 14.0));
+            painter.rect_filled(ground, 2.0, Color32::from_black_alpha(170));
+            let font = FontId::proportional(10.5);
+            painter.text(at, Align2::CENTER_CENTER, index, font, Color32::from_gray(225));
         }
     }
 }

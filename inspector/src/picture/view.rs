@@ -40,9 +40,14 @@ impl View {
         Placement { scale, corner: corner.round(), size }
     }
 
-    /// Shows each pixel at this many points of the screen, the centre unmoved.
-    pub fn set_zoom(&mut self, area: Rect, size: [u32; 2], zoom: f32) {
-        self.zoom_at(area, size, area.center(), zoom / self.place(area, size).scale);
+    /// Shows each pixel at this many points of the screen. The selected pixel stays where it is, in view; without one the
+    /// centre does.
+    pub fn set_zoom(&mut self, area: Rect, size: [u32; 2], zoom: f32, pixel: Option<[u32; 2]>) {
+        let placement = self.place(area, size);
+        let selected = pixel.map(|pixel| placement.rect(pixel).center());
+        let at = selected.filter(|at| area.contains(*at)).unwrap_or(area.center());
+        self.zoom_at(area, size, at, zoom / placement.scale);
+        pixel.into_iter().for_each(|pixel| self.reveal(area, size, pixel));
     }
 
     /// Zooms so that the point of the picture at `at` stays there.

@@ -173,7 +173,7 @@ pub fn view_settings(
     picture: &mut Picture,
     theirs: Option<&mut Theirs>,
     mode: &mut Mode,
-    rendering: &Rendering,
+    (rendering, selected): (&Rendering, Option<[u32; 2]>),
 ) {
     ui.horizontal_wrapped(|ui| {
         if ui.available_width() < ONE_ROW_MIN_WIDTH {
@@ -227,7 +227,7 @@ pub fn view_settings(
                 continue;
             }
             if ui.button(format!("{zoom}×")).on_hover_text(hint).clicked() {
-                picture.set_zoom(size, zoom);
+                picture.set_zoom(size, zoom, selected);
             }
         }
     });

@@ -109,7 +109,7 @@ fn large_pixels_have_their_values_as_text() {
     for layer in ["picture", "distance"] {
         choose(&mut window, "Layer", layer);
         for (zoom, is_written) in [(60.0, false), (64.0, true)] {
-            set(&mut window, |it| it.picture.set_zoom(size, zoom));
+            set(&mut window, |it| it.picture.set_zoom(size, zoom, None));
             let pixel = [24, 24];
             window.state_mut().picture.reveal(size, pixel);
             window.run_steps(2);

@@ -1,7 +1,8 @@
 //! Zoom, pan, tone, and snapshots of the window.
 
 use eframe::egui::{
-    Event, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, Rect, TouchPhase, pos2, vec2,
+    Event, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, Rect, TouchPhase, accesskit::Role,
+    pos2, vec2,
 };
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{SnapshotOptions, image_snapshot_options};
@@ -23,7 +24,7 @@ fn a_position_on_the_screen_is_in_the_pixel_drawn_there() {
     for zoom in [0.5, 1.0, 3.3, 16.0, 160.0] {
         for by in [vec2(0.0, 0.0), vec2(-31.0, 17.5), vec2(400.0, 300.0)] {
             let mut view = View::WHOLE;
-            view.set_zoom(AREA, size, zoom);
+            view.set_zoom(AREA, size, zoom, None);
             view.pan(AREA, size, by);
             let placement = view.place(AREA, size);
             for pixel in [[0, 0], [36, 0], [0, 52], [36, 52], [17, 29]] {
@@ -68,12 +69,12 @@ fn zoom_keeps_the_point_under_the_mouse() {
 fn the_picture_cannot_be_lost() {
     let size = [60, 40];
     let mut view = View::WHOLE;
-    view.set_zoom(AREA, size, 10.0);
+    view.set_zoom(AREA, size, 10.0, None);
     for by in [vec2(9e4, 0.0), vec2(-9e5, 9e5), vec2(0.0, -9e5)] {
         view.pan(AREA, size, by);
         assert!(view.place(AREA, size).whole().expand(1.0).contains(AREA.center()));
     }
-    view.set_zoom(AREA, size, 40.0);
+    view.set_zoom(AREA, size, 40.0, None);
     for pixel in [[0, 0], [59, 39], [59, 0]] {
         view.reveal(AREA, size, pixel);
         assert!(AREA.contains_rect(view.place(AREA, size).rect(pixel)), "{pixel:?}");
@@ -133,7 +134,7 @@ fn large_pictures_are_shown_across_the_seams() {
         let mut window = open(scene);
         let film = film(&window);
         let tone = window.state().picture.tone;
-        window.state_mut().picture.set_zoom(size, 10.0);
+        window.state_mut().picture.set_zoom(size, 10.0, None);
         for along in [5, 1000, 1023, 1024, 1055] {
             let pixel = if size[0] > size[1] { [along, 7] } else { [7, along] };
             window.state_mut().picture.reveal(size, pixel);
@@ -203,7 +204,7 @@ fn snapshot(window: &mut Window, name: &str, part: Rect) {
 #[test]
 fn picture_and_mark_look_as_before() {
     let mut window = glass_window_at([17, 19]);
-    window.state_mut().picture.set_zoom([48, 48], 20.0);
+    window.state_mut().picture.set_zoom([48, 48], 20.0, None);
     window.run_steps(3);
     let middle = on_screen(&window, [19, 20]);
     snapshot(&mut window, "picture", Rect::from_center_size(middle, vec2(240.0, 200.0)));
@@ -241,4 +242,28 @@ fn the_histogram_is_of_the_picture() {
     let black = film.pixels().iter().filter(|pixel| pixel.is_black()).count();
     let text = text_with(&window, "log₂ of the radiance");
     assert!(text.ends_with(&format!("; {black} black")), "{text}");
+}
+
+/// Law: the buttons of the zooms keep the selected pixel in view, at the border of the picture, too, and below grid and values
+/// its column and row stand at the edges. Oracle: the place of the pixel; dark ground at the edges, which the picture lacks.
+#[test]
+fn zooms_keep_the_selected_pixel() {
+    let mut window = glass_window_at([45, 2]);
+    let area = window.get_by_role_and_label(Role::Image, "picture").rect();
+    let is_dark = |window: &mut Window, at: Pos2| {
+        let image = window.render().expect("drawn");
+        let [r, g, b, _] = image.get_pixel(at.x as u32, at.y as u32).0;
+        r.max(g).max(b) < 60
+    };
+    for zoom in ["12×", "64×", "4×", "64×"] {
+        push_button(&mut window, zoom);
+        let rect = window.state().picture.placement([48, 48]).rect([45, 2]);
+        assert!(area.contains_rect(rect), "{zoom}: {rect} of {area}");
+    }
+    let beside = window.state().picture.placement([48, 48]).rect([45, 2]).center();
+    let edges = [pos2(beside.x + 9.0, area.top() + 3.0), pos2(area.left() + 4.0, beside.y + 6.0)];
+    for at in edges {
+        assert!(is_dark(&mut window, at), "{at}");
+        assert!(!is_dark(&mut window, at + vec2(26.0, 20.0)), "{at}");
+    }
 }

@@ -84,7 +84,7 @@ fn what_is_not_rendered_is_hatched() {
     let rendering = &window.state().session.rendering;
     rendering.canvas.render(&*rendering.world);
     // a zoom too small for the pixel grid
-    set(&mut window, |it| it.picture.set_zoom([48, 48], 6.0));
+    set(&mut window, |it| it.picture.set_zoom([48, 48], 6.0, None));
     assert_eq!(colors(&mut window), [[0, 0, 0]].into());
 }
 
