@@ -26,8 +26,9 @@ const TONE: Tone = Tone { gamma: 2.2, ..Tone::PLAIN };
 const MAX_PIECES: usize = 24_000;
 /// The most pieces of a segment.
 const MAX_PIECES_PER_SEGMENT: usize = 32;
-/// The colour over the object that is pointed at.
-const LIGHT: Color32 = Color32::from_rgba_premultiplied(70, 62, 10, 60);
+/// The outline of the object that is pointed at: its colour, none of those of rays, and its width in points of the screen.
+const LIGHT: Color32 = Color32::from_rgb(255, 90, 220);
+const OUTLINE: usize = 2;
 
 /// The runs of a segment that are hidden, and of those that are not.
 pub type Runs = Vec<([f64; 2], bool)>;
@@ -151,9 +152,9 @@ impl Backdrop {
             }
             if let Some(object) = object {
                 if self.lit.as_ref().is_none_or(|(lit, _)| *lit != object) {
-                    let light = drawn.objects.iter().map(|it| match it {
-                        Some(index) if *index == object => LIGHT,
-                        _ => Color32::TRANSPARENT,
+                    let light = drawn.outline(object).map(|is_edge| match is_edge {
+                        true => LIGHT,
+                        false => Color32::TRANSPARENT,
                     });
                     let image = ColorImage::new(drawn.size(), light.collect());
                     let texture = painter.ctx().load_texture("lit", image, TextureOptions::LINEAR);
@@ -185,6 +186,23 @@ impl Drawn {
     /// Squares across and down.
     fn size(&self) -> [usize; 2] {
         self.request.size.map(|along| along.div_ceil(SIDES[self.step]))
+    }
+
+    /// Whether each of the squares is at the border of an object, inside of it.
+    fn outline(&self, object: u32) -> impl Iterator<Item = bool> {
+        let [columns, rows] = self.size();
+        // as wide for small squares as for large ones
+        let width = (OUTLINE / SIDES[self.step]).max(1);
+        let is_object = move |[column, row]: [usize; 2]| {
+            let index = row.min(rows - 1) * columns + column.min(columns - 1);
+            self.objects.get(index) == Some(&Some(object))
+        };
+        (0..columns * rows).map(move |index| {
+            let [x, y] = [index % columns, index / columns];
+            let [left, up] = [x, y].map(|at| at.saturating_sub(width));
+            let around = [[left, y], [x + width, y], [x, up], [x, y + width]];
+            is_object([x, y]) && !around.into_iter().all(is_object)
+        })
     }
 
     /// Draws more rows; whether it is whole. It may be cancelled before.

@@ -53,14 +53,17 @@ pub struct Camera {
     pub orbit: Option<Orbit>,
     /// The indices of the objects that are looked through.
     pub faded: Vec<u32>,
+    /// Whether there were rays to look at.
+    has_seen_rays: bool,
 }
 
 impl Camera {
-    /// Looks at the scene, unless it does already.
+    /// Looks at the scene, and at the rays once there are some, unless it did already.
     pub fn start(&mut self, scene: &Seen<'_>) {
-        if self.orbit.is_none() {
+        if self.orbit.is_none() || (!self.has_seen_rays && scene.root.is_some()) {
             self.face(scene);
         }
+        self.has_seen_rays |= scene.root.is_some();
     }
 
     /// Looks through an object from now on, or no longer.

@@ -6,6 +6,9 @@ use groundtruth::trace::{Outcome, RayKind, TermSource};
 
 use crate::explanation::tree::{KINDS, ink};
 
+/// The share of its sample below which a ray is not drawn at first.
+const MIN_SHARE: f64 = 0.005;
+
 /// The rays that are drawn.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Filter {
@@ -25,10 +28,12 @@ pub struct Filter {
 
 impl Default for Filter {
     fn default() -> Self {
-        let (max_depth, min_share) = (u32::MAX, 0.0);
-        Self { kinds: [true; 5], max_depth, min_share, light: None, lobe: None, normals: true }
+        Self { min_share: MIN_SHARE, ..Self::ALL }
     }
 }
+
+/// The place of blocked shadow rays in the filter.
+const BLOCKED: usize = 4;
 
 /// The place of a ray's kind in the filter.
 fn kind(ray: &RecordedRay) -> usize {
@@ -36,7 +41,7 @@ fn kind(ray: &RecordedRay) -> usize {
         RayKind::Camera => 0,
         RayKind::Reflected => 1,
         RayKind::Transmitted => 2,
-        RayKind::Shadow { .. } if matches!(ray.outcome, Outcome::Blocked { .. }) => 4,
+        RayKind::Shadow { .. } if matches!(ray.outcome, Outcome::Blocked { .. }) => BLOCKED,
         RayKind::Shadow { .. } => 3,
     }
 }
@@ -83,24 +88,48 @@ impl Choices {
 }
 
 impl Filter {
-    /// The numbers of the rays of a tree that are drawn, ascending.
-    pub fn drawn(&self, root: &RecordedRay) -> Vec<usize> {
-        let mut drawn = Vec::new();
-        self.add(None, root, &mut drawn);
-        drawn
+    /// All rays.
+    pub const ALL: Self = Self {
+        kinds: [true; 5],
+        max_depth: u32::MAX,
+        min_share: 0.0,
+        light: None,
+        lobe: None,
+        normals: true,
+    };
+
+    /// The numbers of the rays of a tree that are drawn, ascending, and how many more have a smaller share. The path to the
+    /// selected ray is drawn in any case, and so are blocked rays to lights: each shows why a light adds nothing.
+    pub fn drawn(&self, root: &RecordedRay, selected: usize) -> (Vec<usize>, usize) {
+        let (mut drawn, mut small) = (Vec::new(), 0);
+        let path: Vec<usize> = root.path_to(selected).iter().map(|ray| ray.number).collect();
+        self.add(None, root, &path, &mut drawn, &mut small);
+        (drawn, small)
     }
 
-    fn add(&self, parent: Option<&RecordedRay>, ray: &RecordedRay, drawn: &mut Vec<usize>) {
+    fn add(
+        &self,
+        parent: Option<&RecordedRay>,
+        ray: &RecordedRay,
+        path: &[usize],
+        drawn: &mut Vec<usize>,
+        small: &mut usize,
+    ) {
         let lights = self.light.as_deref().zip(ray.light.as_deref());
         let of_light = lights.is_none_or(|(wanted, light)| wanted == light);
         let lobes = self.lobe.zip(lobe(parent, ray));
         let of_lobe = lobes.is_none_or(|(wanted, lobe)| wanted == lobe);
-        let is_large = ray.share >= self.min_share && ray.depth <= self.max_depth;
-        if self.kinds[kind(ray)] && is_large && of_light && of_lobe {
+        let is_blocked =
+            kind(ray) == BLOCKED && parent.is_some_and(|it| it.share >= self.min_share);
+        let is_large = ray.share >= self.min_share || is_blocked;
+        let is_asked = self.kinds[kind(ray)] && of_light && of_lobe && ray.depth <= self.max_depth;
+        if path.contains(&ray.number) || is_asked && is_large {
             drawn.push(ray.number);
+        } else if is_asked {
+            *small += 1;
         }
         for child in &ray.children {
-            self.add(Some(ray), child, drawn);
+            self.add(Some(ray), child, path, drawn, small);
         }
     }
 
@@ -139,7 +168,7 @@ impl Filter {
         }
         ui.separator();
         if ui.button("All rays").clicked() {
-            *self = Self::default();
+            *self = Self::ALL;
         }
     }
 }

@@ -52,6 +52,15 @@ pub struct Rays<'a> {
     pub normals: Option<f64>,
 }
 
+/// How strongly a ray is drawn, from 0 to 1: logarithmic from a thousandth of its sample's light to all of it. A ray without
+/// light says why there is none, and is drawn in the middle.
+fn weight(share: f64) -> f32 {
+    match share {
+        0.0 => 0.5,
+        share => (1.0 + share.log10() / 3.0).clamp(0.0, 1.0) as f32,
+    }
+}
+
 /// The ray of this number among those of a tree.
 pub fn numbered<'a>(rays: &[&'a RecordedRay], number: usize) -> Option<&'a RecordedRay> {
     rays.binary_search_by_key(&number, |ray| ray.number).ok().map(|at| rays[at])
@@ -83,7 +92,9 @@ impl Canvas<'_> {
             let is_lit = rays.lit.contains(&segment.ray);
             let is_broken = rays.broken.contains_key(&segment.ray);
             let dimmed = if rays.lit.is_empty() || is_lit { 1.0 } else { DIMMED };
-            let width = if is_lit || is_broken { 3.0 } else { 1.5 };
+            let weight = weight(ray.share);
+            let width = if is_lit || is_broken { 3.0 } else { 0.8 + 1.4 * weight };
+            let dimmed = if is_lit || is_broken { dimmed } else { dimmed * (0.4 + 0.6 * weight) };
             let color = match segment.end {
                 _ if is_broken => BROKEN,
                 End::Dark => DARK,

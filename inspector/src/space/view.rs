@@ -7,7 +7,7 @@ use eframe::egui::{
     Align2, Color32, Context, FontId, Id, Rect, Response, Sense, Ui, Vec2, WidgetInfo,
     accesskit::Role, vec2,
 };
-use groundtruth::explain::RecordedRay;
+use groundtruth::explain::{RecordedRay, count};
 use groundtruth::printable::name;
 use groundtruth::world::World;
 use space::Segment;
@@ -46,16 +46,23 @@ struct Pointed {
 struct Pieces {
     question: Question,
     filter: Filter,
+    /// The numbers of the rays, and the one that was selected.
+    drawn: (Vec<usize>, usize),
     segments: Arc<Vec<Segment>>,
-    /// Pieces of smaller contribution, which are not drawn.
-    left_out: usize,
+    /// Rays of a smaller share than the filter's, and pieces beyond the most, which are not drawn.
+    left_out: [usize; 2],
 }
 
 impl Pieces {
-    fn of(world: &World, (question, root): (Question, &RecordedRay), filter: &Filter) -> Self {
+    fn of(
+        world: &World,
+        (question, root): (Question, &RecordedRay),
+        selected: usize,
+        filter: &Filter,
+    ) -> Self {
         let (_, reach) = space::of_scene(world);
         let all = space::segments(world, root, reach);
-        let drawn = filter.drawn(root);
+        let (drawn, small) = filter.drawn(root, selected);
         let mut segments: Vec<Segment> =
             all.into_iter().filter(|piece| drawn.binary_search(&piece.ray).is_ok()).collect();
         let left_out = segments.len().saturating_sub(MAX_PIECES);
@@ -65,7 +72,9 @@ impl Pieces {
             segments.sort_by(|a, b| shares[&b.ray].total_cmp(&shares[&a.ray]));
             segments.truncate(MAX_PIECES);
         }
-        Self { question, filter: filter.clone(), segments: Arc::new(segments), left_out }
+        let (filter, segments) = (filter.clone(), Arc::new(segments));
+        let drawn = (drawn, selected);
+        Self { question, filter, drawn, segments, left_out: [small, left_out] }
     }
 }
 
@@ -133,7 +142,8 @@ impl SpaceView {
     ) -> Pointed {
         let world = &subject.built().world;
         let tree = selection.root();
-        self.update_pieces(world, [tree, selection.root_beside().filter(|_| is_both)]);
+        let trees = [tree, selection.root_beside().filter(|_| is_both)];
+        self.update_pieces(world, trees, selection.tree.ray);
         let segments =
             self.pieces.as_ref().map_or_else(Arc::default, |it| Arc::clone(&it.segments));
         let (root, selected) = (tree.map(|(_, root)| root), selection.tree.ray);
@@ -159,13 +169,20 @@ impl SpaceView {
     }
 
     /// Works the pieces out again if the tree or the filter has changed.
-    fn update_pieces(&mut self, world: &World, trees: [Option<(Question, &RecordedRay)>; 2]) {
+    fn update_pieces(
+        &mut self,
+        world: &World,
+        trees: [Option<(Question, &RecordedRay)>; 2],
+        selected: usize,
+    ) {
         for (pieces, tree) in [&mut self.pieces, &mut self.other].into_iter().zip(trees) {
             let is_same = |it: &Pieces| {
-                Some(it.question) == tree.map(|(question, _)| question) && it.filter == self.filter
+                Some(it.question) == tree.map(|(question, _)| question)
+                    && it.filter == self.filter
+                    && (it.drawn.1 == selected || it.drawn.0.binary_search(&selected).is_ok())
             };
             if !pieces.as_ref().is_some_and(is_same) {
-                *pieces = tree.map(|tree| Pieces::of(world, tree, &self.filter));
+                *pieces = tree.map(|tree| Pieces::of(world, tree, selected, &self.filter));
             }
         }
     }
@@ -222,7 +239,9 @@ impl SpaceView {
         let mut pointed = Pointed::default();
         if let Some(pieces) = &self.pieces {
             let runs = self.backdrop.runs(&pieces.segments);
-            let all_lit: Vec<usize> = lit.into_iter().chain([selected]).collect();
+            let path = selection.root().map_or(Vec::new(), |(_, root)| root.path_to(selected));
+            let path = path.into_iter().map(|ray| ray.number);
+            let all_lit: Vec<usize> = lit.into_iter().chain(path).collect();
             let other = selection.root_beside().map(|(_, other)| other);
             if let (Some(pieces), Some(other)) = (&self.other, other) {
                 canvas.rays(&Rays {
@@ -250,9 +269,13 @@ impl SpaceView {
             parted.into_iter().for_each(|rays| canvas.parting(rays));
             pointed.hovered = at.and_then(|at| pointing::nearest(&drawn, at));
             pointed.clicked = pointed.hovered.filter(|_| response.clicked());
-            if pieces.left_out > 0 {
-                let text = format!("{} more pieces of rays are not drawn", pieces.left_out);
-                self.write(&painter, view, Align2::RIGHT_BOTTOM, &text);
+            let text = match pieces.left_out {
+                [0, 0] => String::new(),
+                [small, 0] => format!("{} of small share not drawn (Rays)", count(small, "ray")),
+                [_, many] => format!("{many} more pieces of rays are not drawn"),
+            };
+            if !text.is_empty() {
+                self.write(&painter, view, Align2::RIGHT_TOP, &text);
             }
         }
         let under = pointed.hovered.and_then(|number| numbered(&by_number, number));

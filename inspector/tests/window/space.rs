@@ -5,6 +5,7 @@ use egui_kittest::kittest::Queryable;
 use groundtruth::cameras::{Pinhole, View, ViewPlane, Viewpoint};
 use groundtruth::explain::RecordedRay;
 use groundtruth::math::Point;
+use inspector::space::filter::Filter;
 use inspector::splits::Mode;
 
 use crate::support::*;
@@ -262,4 +263,66 @@ fn an_object_of_the_list_is_lit() {
     window.hover_at(pos2(1.0, 1.0));
     settle(&mut window);
     assert_eq!(window.state().space.backdrop.lit(), None);
+}
+
+/// Law: what is pointed at is outlined, and keeps its own colours inside, so that none is that of a ray. Oracle: the screen
+/// before, in the middle of the red sphere and around its projected bounds.
+#[test]
+fn what_is_pointed_at_is_outlined() {
+    let mut window = in_space();
+    let world = built(&small_glass_sphere());
+    let red = world.objects().iter().find(|object| &*object.name == "red sphere").expect("red");
+    let middle = place(&window, red.bounds().center());
+    let row = window.get_by_label("red sphere").rect().center();
+    let before = window.render().expect("drawn");
+    window.hover_at(row);
+    settle(&mut window);
+    let after = window.render().expect("drawn");
+    let around = area(&window).intersect(Rect::from_center_size(middle, vec2(600.0, 600.0)));
+    let all = (around.left() as u32..around.right() as u32)
+        .flat_map(|x| (around.top() as u32 + 30..around.bottom() as u32 - 30).map(move |y| [x, y]));
+    let is_changed = |[x, y]: &[u32; 2]| before.get_pixel(*x, *y) != after.get_pixel(*x, *y);
+    let changed: Vec<[u32; 2]> = all.filter(is_changed).collect();
+    assert!(changed.len() > 100, "{} pixels of an outline", changed.len());
+    let near = |[x, y]: &&[u32; 2]| pos2(*x as f32, *y as f32).distance(middle) < 12.0;
+    assert_eq!(changed.iter().find(near), None);
+}
+
+/// Law: rays of less than half a per cent are not drawn at first but counted; the path to one that is selected is drawn with
+/// it, and blocked shadow rays of a ray that is drawn stay. *All rays* draws all. Oracle: the shares of the tree.
+#[test]
+fn small_rays_are_counted_and_not_drawn() {
+    let window = in_space();
+    let root = root(&window);
+    let rays = root.rays();
+    let (filter, all) = (Filter::default(), Filter::ALL);
+    let (drawn, small) = filter.drawn(&root, 0);
+    let is_small = |ray: &&&RecordedRay| ray.share < 0.005;
+    assert_eq!(drawn.len() + small, rays.len());
+    let blocked =
+        |number: &usize| root.path_to(*number).last().is_some_and(|it| it.blocked_by.is_some());
+    assert!(drawn.iter().all(|number| {
+        blocked(number) || root.path_to(*number).iter().all(|ray| ray.share >= 0.005)
+    }));
+    let smallest =
+        rays.iter().filter(is_small).find(|ray| ray.blocked_by.is_none()).expect("small");
+    assert!(small > 0 && !drawn.contains(&smallest.number));
+    let with_it = filter.drawn(&root, smallest.number).0;
+    assert!(root.path_to(smallest.number).iter().all(|ray| with_it.contains(&ray.number)));
+    assert_eq!(all.drawn(&root, 0), ((0..rays.len()).collect(), 0));
+}
+
+/// Law: in a scene that is opened while space is shown the view frames its rays, not the whole scene. Oracle: the library's
+/// camera for the tree of the proposed pixel.
+#[test]
+fn another_scene_frames_its_rays() {
+    let mut window = in_space();
+    window.state_mut().proposes = true;
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let path = folder.path().join("another.toml");
+    let scene = small("ch26/cornell-box", [24, 24], 1);
+    write(&path, &scene);
+    type_into(&mut window, "File", &path.display().to_string());
+    let expected = space::orbit_of(&built(&scene), &root(&window));
+    assert_eq!(window.state().space.camera.orbit, Some(expected));
 }
