@@ -130,6 +130,8 @@ fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Acti
     }
     for (shows, name, hint) in SHOWN {
         if shows != Shows::Map || theirs.judgement.verdict().is_some() {
+            // another field of ours is nobody else's
+            let name = if is_beside && shows == Shows::Theirs { "Other" } else { name };
             ui.selectable_value(&mut theirs.shows, shows, name).on_hover_text(hint);
         }
     }
@@ -199,7 +201,7 @@ fn views_of_log(
 fn with_names(sentence: &str) -> String {
     let name = |word| match word {
         "A" => "our picture",
-        "B" => "their picture",
+        "B" => "the other one",
         word => word,
     };
     sentence.split(' ').map(name).collect::<Vec<_>>().join(" ")

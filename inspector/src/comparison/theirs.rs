@@ -95,6 +95,11 @@ impl Theirs {
         }
     }
 
+    /// The name of what made it; `theirs` for a file.
+    pub fn short_name(&self) -> &str {
+        self.program.as_ref().map_or("theirs", |program| &program.name)
+    }
+
     /// The program whose pixels are explained, if it is another than ours: the one whose picture is shown.
     pub fn explained(&self) -> Option<&Arc<Program>> {
         self.program.as_ref().filter(|program| match self.shows {
@@ -133,6 +138,7 @@ impl Theirs {
         }
         let [r, g, b] = self.picture.values[self.picture.index(pixel)];
         Some(match self.picture.step {
+            None if [g, b] == [r, r] => format!("{r:?}"),
             None => format!("({r:?}, {g:?}, {b:?})"),
             Some(step) => {
                 let integer = |value: f32| (f64::from(value) / step).round();
@@ -302,9 +308,10 @@ impl Theirs {
         };
         if !is_ready {
             let text = match self.shows {
+                Shows::Difference if rendering.is_finished() => "the difference is computed",
                 Shows::Difference => "the difference follows when our picture is finished",
                 Shows::Map => "the map of z follows",
-                _ => "their picture follows",
+                _ => "the other picture follows",
             };
             let at = placement.whole().intersect(painter.clip_rect()).center();
             painter.text(at, Align2::CENTER_CENTER, text, FontId::default(), Color32::WHITE);
@@ -329,7 +336,7 @@ impl Theirs {
         let painter = ui.painter();
         painter.vline(x, area.y_range(), Stroke::new(4.0, Color32::BLACK));
         painter.vline(x, area.y_range(), Stroke::new(2.0, Color32::from_rgb(255, 140, 0)));
-        let theirs = self.program.as_ref().map_or("theirs", |program| &program.name);
+        let theirs = self.short_name();
         for (name, align, side) in
             [("ours", Align2::RIGHT_TOP, -8.0), (theirs, Align2::LEFT_TOP, 8.0)]
         {

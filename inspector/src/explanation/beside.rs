@@ -81,7 +81,7 @@ impl Beside {
             ui.weak("Both trees have the same rays: only their numbers differ.");
             return;
         };
-        ui.strong("where the trees part, of several rays the one with the most light:");
+        ui.strong("the first rays that end elsewhere, of several those with the most light:");
         let lines = [(this, here), (other, there)].map(|(root, number)| {
             root.path_to(number).last().map_or(String::new(), |ray| ray.line())
         });
@@ -121,7 +121,8 @@ fn numbers(ui: &mut Ui, [this, other]: [&RecordedRay; 2], (is_left, names): (boo
             ui.end_row();
         }
     });
-    let equal: Vec<&str> = equal.iter().map(|(field, _)| *field).collect();
+    let mut equal: Vec<&str> = equal.iter().map(|(field, _)| *field).collect();
+    equal.dedup();
     if !equal.is_empty() {
         ui.weak(format!("equal: {}", equal.join(", ")));
     }

@@ -1,8 +1,8 @@
 //! The details of one ray.
 
-use eframe::egui::{Grid, RichText, Ui};
+use eframe::egui::{CollapsingHeader, Grid, Label, RichText, Ui};
 use groundtruth::explain::{
-    RecordedHit, RecordedRay, UnlitLight, brief, lines, percent, quoted, short, unblocked,
+    RecordedHit, RecordedRay, brief, lines, percent, quoted, short, unblocked,
 };
 use groundtruth::printable::name;
 use groundtruth::rgb::Rgb;
@@ -12,21 +12,26 @@ use text::digits::shortened;
 
 use crate::explanation::tree::{ink, kind_color};
 
-/// The columns of the terms, with what they are.
-const TERM_TITLES: [(&str, &str); 4] = [
-    ("radiance", "What the term adds to the radiance of this ray"),
-    (
-        "BRDF, light",
-        "The BRDF or BTDF that scatters the light (a lobe of the material), and the light it is from",
-    ),
-    ("ray", "The ray along which the light arrives"),
-    ("factors", "The product that is the term"),
+/// The field of a light that adds nothing.
+pub const UNLIT: &str = "adds nothing";
+
+/// What value, name, ray and factors of a term are.
+const TERM_HINTS: [&str; 4] = [
+    "What the term adds to the radiance of this ray",
+    "The BRDF or BTDF that scatters the light (a lobe of the material), and the light it is from",
+    "The ray along which the light arrives",
+    "The product that is the term",
 ];
 
 /// Numbers with all their digits.
 pub fn exact(numbers: [f64; 3]) -> String {
     let [x, y, z] = numbers;
     format!("({x:?}, {y:?}, {z:?})")
+}
+
+/// A colour with all its digits: one number if its channels are equal.
+pub fn exact_color(color: Rgb) -> String {
+    if color == Rgb::grey(color.r) { format!("{:?}", color.r) } else { exact(color.to_array()) }
 }
 
 /// Shows the line of a ray.
@@ -49,7 +54,10 @@ pub fn show(ui: &mut Ui, ray: &RecordedRay, hovered: &mut Option<usize>) -> Opti
     }
     ui.add_space(6.0);
     ui.strong("its numbers").on_hover_text("With four digits; Copy has all of them");
-    table(ui, "ray", fields(ray));
+    // why lights add nothing stands above
+    let mut fields = fields(ray);
+    fields.retain(|(name, _)| *name != UNLIT);
+    table(ui, "ray", fields);
     ui.add_space(8.0);
     clicked
 }
@@ -75,7 +83,7 @@ pub fn rows(this: &RecordedRay, other: &RecordedRay) -> Vec<(&'static str, [Stri
 
 /// The names and values of a ray's fields, without its terms.
 fn fields(ray: &RecordedRay) -> Vec<(&'static str, String)> {
-    let color = |color: Rgb| exact(color.to_array());
+    let color = exact_color;
     let kind = match &ray.kind {
         RayKind::Camera => format!("camera, depth {}", ray.depth),
         RayKind::Reflected => format!("reflected, depth {}", ray.depth),
@@ -101,7 +109,7 @@ fn fields(ray: &RecordedRay) -> Vec<(&'static str, String)> {
     fields.push(("radiance", color(ray.radiance)));
     fields.push(("contributes", color(ray.contribution)));
     fields.push(("share of the sample", percent(ray.share)));
-    fields.extend(lines(&ray.unlit).into_iter().map(|line| ("adds nothing", line)));
+    fields.extend(lines(&ray.unlit).into_iter().map(|line| (UNLIT, line)));
     fields.extend(ray.black.iter().map(|zeros| ("black", zeros.clone())));
     fields
 }
@@ -132,7 +140,7 @@ fn hit_fields(hit: &RecordedHit) -> Vec<(&'static str, String)> {
 }
 
 fn texture_text(texture: &RecordedTexture) -> String {
-    let color = format!("{} {}", texture.field, exact(texture.color.to_array()));
+    let color = format!("{} {}", texture.field, exact_color(texture.color));
     match texture.texel {
         Some(Texel { uv: [u, v], column, row }) => {
             format!("{color}, texel ({column}, {row}) at u {u:?}, v {v:?}")
@@ -158,8 +166,8 @@ fn optics_fields(optics: &Optics) -> Vec<(&'static str, String)> {
         None => "none: total internal reflection".to_owned(),
     };
     fields.push(("angle of refraction", refraction));
-    fields.push(("R, reflected", exact(optics.reflected.to_array())));
-    fields.push(("T, transmitted", exact(optics.transmitted.to_array())));
+    fields.push(("R, reflected", exact_color(optics.reflected)));
+    fields.push(("T, transmitted", exact_color(optics.transmitted)));
     fields
 }
 
@@ -168,31 +176,31 @@ fn table(ui: &mut Ui, id: &str, rows: Vec<(&'static str, String)>) {
     grid.spacing([10.0, 1.0]).show(ui, |ui| {
         for (name, value) in rows {
             ui.label(name);
-            ui.label(RichText::new(shortened(&value)).monospace().size(11.5));
+            ui.add(Label::new(RichText::new(shortened(&value)).monospace().size(11.5)).wrap());
             ui.end_row();
         }
     });
 }
 
-/// Shows the sum that is the ray's radiance. Returns the number of a term's ray if it was clicked.
+/// Shows the sum that is the ray's radiance, and why lights add nothing to it. Returns the number of a term's ray if it was
+/// clicked.
 fn terms(ui: &mut Ui, ray: &RecordedRay, hovered: &mut Option<usize>) -> Option<usize> {
-    ui.strong(match ray.transmittance == Rgb::WHITE {
-        true => "radiance = the sum of these terms",
-        false => "radiance = the sum of these terms × what the medium lets through",
-    });
+    if !ray.terms.is_empty() {
+        ui.strong(match ray.transmittance == Rgb::WHITE {
+            true => "radiance = the sum of these terms",
+            false => "radiance = the sum of these terms × what the medium lets through",
+        });
+    }
     let mut clicked = None;
-    let grid = Grid::new("terms").num_columns(4).striped(true).min_row_height(16.0);
-    grid.spacing([14.0, 1.0]).show(ui, |ui| {
-        for (title, hint) in TERM_TITLES {
-            ui.weak(title).on_hover_text(hint);
-        }
-        ui.end_row();
-        for term in &ray.terms {
-            ui.label(RichText::new(short(term.value)).monospace().size(11.5));
-            ui.label(term.name());
+    let small = |text: String| Label::new(RichText::new(text).monospace().size(11.5));
+    let [of_value, of_name, of_ray, of_factors] = TERM_HINTS;
+    for term in &ray.terms {
+        ui.horizontal_wrapped(|ui| {
+            ui.add(small(format!("+ {}", short(term.value)))).on_hover_text(of_value);
+            ui.label(term.name()).on_hover_text(of_name);
             match term.ray {
                 Some(number) => {
-                    let link = ui.link(format!("ray {number}"));
+                    let link = ui.link(format!("ray {number}")).on_hover_text(of_ray);
                     if link.clicked() {
                         clicked = Some(number);
                     }
@@ -202,17 +210,18 @@ fn terms(ui: &mut Ui, ray: &RecordedRay, hovered: &mut Option<usize>) -> Option<
                 }
                 None => drop(ui.weak("no ray")),
             }
-            ui.label(RichText::new(term.factors()).monospace().size(11.5));
-            ui.end_row();
+            ui.add(small(term.factors())).on_hover_text(of_factors);
+        });
+    }
+    let reasons = |ui: &mut Ui| lines(&ray.unlit).into_iter().for_each(|it| drop(ui.label(it)));
+    match ray.unlit.len() {
+        0 => {}
+        1 => drop(ui.label(format!("0 from {}", lines(&ray.unlit).concat()))),
+        many => {
+            let name = format!("{many} lights add nothing");
+            CollapsingHeader::new(name).id_salt("unlit").show(ui, reasons);
         }
-        for UnlitLight { light, reason } in &ray.unlit {
-            ui.label(RichText::new("0").monospace().size(11.5));
-            ui.label(format!("light \"{}\"", name(light)));
-            ui.weak("");
-            ui.label(reason.to_string());
-            ui.end_row();
-        }
-    });
+    }
     clicked
 }
 

@@ -85,7 +85,7 @@ pub fn copy_menu(
             }
         }
         if item(ui, "The pixel, all its digits", "") {
-            text = Some(details::exact(radiance.to_array()));
+            text = Some(details::exact_color(radiance));
         }
         let of_ray = ray.filter(|_| is_ours);
         if let Some(ray) = of_ray.filter(|_| item(ui, "All numbers of the selected ray", "")) {
@@ -114,7 +114,7 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
         count => format!("the mean of its {count} samples"),
     };
     ui.label(format!("{subject} is {mean}{exposure}:"));
-    let total = format!("= {}", details::exact(answer.radiance.to_array()));
+    let total = format!("= {}", details::exact_color(answer.radiance));
     let text = RichText::new(shortened(&total)).monospace().size(12.0).strong();
     ui.label(text).on_hover_text(total);
     let bits = |color: Rgb| color.to_array().map(f64::to_bits);
@@ -129,7 +129,7 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
             ui.weak(format!("in the picture file: {}", short(radiance)))
         }
         Some(radiance) => {
-            let text = details::exact(radiance.to_array());
+            let text = details::exact_color(radiance);
             let text = format!("differs from the pixel of the picture: {text}");
             ui.colored_label(ui.visuals().error_fg_color, text)
         }
@@ -141,7 +141,7 @@ pub fn theirs(ui: &mut Ui, pixel: [u32; 2], theirs: &Theirs, shown: &Shown<'_>) 
     let (Some(radiance), Some(value)) = (theirs.radiance(pixel), theirs.value(pixel)) else {
         return;
     };
-    let name = theirs.program.as_ref().map_or("theirs", |program| &program.name);
+    let name = theirs.short_name();
     let small = |text: String| RichText::new(text).monospace().size(12.0);
     let difference = theirs.difference(shown.rendering, pixel);
     let equal = if difference == Some(Rgb::BLACK) { ": equal" } else { "" };
@@ -223,18 +223,21 @@ impl SumList<'_> {
     fn line(&mut self, ui: &mut Ui, line: &Line, outliers: &[usize]) {
         match line {
             Line::Words(words) => drop(ui.strong(*words).on_hover_text(*words)),
-            Line::Numbers(text) => drop(ui.label(RichText::new(text).monospace().size(11.5))),
+            Line::Numbers(text) => {
+                let small = RichText::new(text).monospace().size(11.5);
+                ui.label(small).on_hover_text(text);
+            }
             Line::Order => {
-                ui.weak("samples, sorted by");
+                ui.weak("samples with their shares, by");
                 ui.selectable_value(self.order, Order::Value, "value");
                 ui.selectable_value(self.order, Order::Index, "index");
             }
             Line::Spread => drop(ui.horizontal(|ui| self.spread(ui))),
             Line::Sample(index) => {
-                self.sample(ui, *index);
                 if outliers.contains(&(*index as usize)) {
                     ui.colored_label(ui.visuals().warn_fg_color, "outlier").on_hover_text(OUTLIER);
                 }
+                self.sample(ui, *index);
             }
         }
     }
@@ -262,7 +265,7 @@ impl SumList<'_> {
         let share = if whole == 0.0 { 0.0 } else { radiance.average() / whole };
         tree::swatch(ui, display::color(self.tone, radiance));
         let share = percent(share);
-        let text = format!("sample {index:>3}  {share:>7} of the pixel  {}", short(radiance));
+        let text = format!("sample {index:>3}  {share:>7}  {}", short(radiance));
         let text = RichText::new(text).monospace();
         let row = ui.selectable_label(*self.chosen == index, text);
         if row.clicked() {

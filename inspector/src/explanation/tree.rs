@@ -6,7 +6,7 @@ use std::sync::Arc;
 use eframe::egui::collapsing_header::paint_default_icon;
 use eframe::egui::{
     Align2, Button, Color32, FontId, Label, Rect, RichText, ScrollArea, Sense, Stroke, StrokeKind,
-    Ui, vec2,
+    TextStyle, Ui, WidgetInfo, accesskit::Role, vec2,
 };
 use groundtruth::explain::{Outline, RecordedRay, RecordedTerm, Row, count, percent};
 use groundtruth::film::Tone;
@@ -19,6 +19,8 @@ pub const MIN_SHARE: f64 = 0.01;
 /// The explanation of the numbers beside a ray.
 const SAMPLING: &str = "weight: what its light counts for the ray before it; pdf: the density of its direction, \
                         per steradian; MIS: the share that this way to find the light counts";
+/// The least length of a line that is cut.
+const LEAST: usize = 8;
 /// The height of a line, in points of the screen.
 const LINE: f32 = 18.0;
 /// The indent of each step of a branch.
@@ -143,7 +145,7 @@ impl Tree {
             |row: &Row<'_>| matches!(row, Row::Ray { ray, .. } if ray.number == self.ray);
         let wanted = rows.iter().position(is_selected).filter(|_| wanted);
         let area = ScrollArea::both().id_salt("tree").auto_shrink(false).animated(false);
-        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.spacing_mut().item_spacing = vec2(5.0, 0.0);
         ui.spacing_mut().interact_size.y = LINE;
         ui.spacing_mut().button_padding = vec2(3.0, 0.0);
         area.show_rows(ui, LINE, rows.len(), |ui, visible| {
@@ -206,7 +208,12 @@ impl Tree {
         }
         swatch(ui, display::color(tone, ray.contribution));
         let broken = self.found.get(&ray.number);
-        let mut text = RichText::new(ray.line()).color(ink(ui, kind_color(ray)));
+        let whole = ray.line();
+        let drawn = term.map_or(String::new(), RecordedTerm::sampling);
+        let told = [notes(ray), &drawn].into_iter().filter(|it| !it.is_empty());
+        let told = told.collect::<Vec<_>>().join(", ");
+        let [line, numbers] = fitting(ui, &whole, &told);
+        let mut text = RichText::new(&line).color(ink(ui, kind_color(ray)));
         if let Some(found) = broken {
             let mark = RichText::new("×").strong().color(ui.visuals().error_fg_color);
             ui.label(mark).on_hover_text(found.join("\n"));
@@ -215,18 +222,72 @@ impl Tree {
         if self.lit == Some(ray.number) {
             text = text.background_color(ui.visuals().selection.bg_fill.gamma_multiply(0.5));
         }
-        let line = ui.add(Button::selectable(self.ray == ray.number, text));
+        let is_selected = self.ray == ray.number;
+        let is_short = line != whole;
+        let mut line = ui.add(Button::selectable(is_selected, text));
+        line.widget_info(|| WidgetInfo::selected(Role::Button, true, is_selected, &whole));
+        if is_short {
+            line = line.on_hover_text(&whole);
+        }
         if line.clicked() {
             self.ray = ray.number;
         }
         if line.hovered() {
             self.hovered = Some(ray.number);
         }
-        if let Some(sampling) = term.map(RecordedTerm::sampling).filter(|it| !it.is_empty()) {
-            let hint = format!("{sampling}\n{SAMPLING}");
-            cut(ui, RichText::new(sampling).weak(), &hint);
+        if !told.is_empty() {
+            cut(ui, RichText::new(numbers).weak(), &format!("{told}\n{SAMPLING}"));
         }
     }
+}
+
+/// What is special about the hit of a ray.
+fn notes(ray: &RecordedRay) -> &'static str {
+    let Some(hit) = &ray.hit else { return "" };
+    let is_total = hit.optics.as_ref().map(|optics| optics.angle_of_refraction.is_none());
+    match (hit.front, is_total) {
+        (true, Some(true)) => "total reflection",
+        (false, Some(true)) => "inside, total reflection",
+        (false, Some(false)) => "inside",
+        (true, _) | (false, None) => "",
+    }
+}
+
+/// A ray's line and what stands beside it, in the room that is left: words go before numbers, first the lobe, then the
+/// parent, which the indent shows, then the kind, which the colour shows, and other words.
+fn fitting(ui: &Ui, line: &str, told: &str) -> [String; 2] {
+    let is_number = |part: &&str| part.contains(|letter: char| letter.is_ascii_digit());
+    let numbers = told.split(", ").filter(is_number).collect::<Vec<_>>().join(", ");
+    let lobe = told.rsplit_once(", ").filter(|(_, last)| !is_number(last));
+    let unnamed = lobe.map_or(told, |(rest, _)| rest);
+    let parts: Vec<&str> = line.split("  ").collect();
+    let without = |left_out: usize| {
+        let is_left = |at: usize| at == 0 || at > left_out || parts[at].starts_with("shadow");
+        (0..parts.len())
+            .filter(|&at| is_left(at))
+            .map(|at| parts[at])
+            .collect::<Vec<_>>()
+            .join("  ")
+    };
+    let last = [(2, &*numbers), (3, &*numbers)];
+    let tried = [(0, told), (0, unnamed), (1, unnamed), (2, unnamed)].into_iter().chain(last);
+    let font = TextStyle::Button.resolve(ui.style());
+    let width = |text: &str| {
+        ui.painter().layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE).size().x
+    };
+    // the paddings of the button, and what rounding takes
+    let room = ui.available_width() - ui.spacing().item_spacing.x - 8.0;
+    let told_in = tried.map(|(left_out, told)| [without(left_out), told.to_owned()]);
+    let fits = |texts: &[String; 2]| texts.iter().map(|text| width(text)).sum::<f32>() <= room;
+    if let Some(found) = told_in.clone().find(fits) {
+        return found;
+    }
+    // at last the name of what is hit is cut
+    let [mut line, told] = told_in.last().unwrap_or_default();
+    while line.len() > LEAST && width(&line) + width("…") + width(&told) > room {
+        line.pop();
+    }
+    [line + "…", told]
 }
 
 /// Shows a text at the end of a line, cut with an ellipsis where the line ends; `hint` is shown under the mouse.

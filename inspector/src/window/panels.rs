@@ -315,7 +315,7 @@ fn under_mouse(rendering: &Rendering, theirs: Option<&Theirs>, pixel @ [x, y]: [
         return format!("({x}, {y})  {}", short(radiance));
     }
     let ours = rendering.radiance(pixel).map_or("not rendered yet".to_owned(), short);
-    let theirs = theirs.and_then(|theirs| theirs.radiance(pixel));
-    let theirs = theirs.map_or(String::new(), |theirs| format!("  theirs {}", short(theirs)));
+    let theirs = theirs.and_then(|theirs| Some((theirs.short_name(), theirs.radiance(pixel)?)));
+    let theirs = theirs.map_or(String::new(), |(name, it)| format!("  {name} {}", short(it)));
     format!("({x}, {y})  {ours}{theirs}")
 }

@@ -1,6 +1,7 @@
 //! Windows of every size: each part has room, and nothing is out of reach.
 
-use eframe::egui::{Rect, accesskit::Role, pos2, vec2};
+use eframe::egui::epaint::text::FontsView;
+use eframe::egui::{Color32, Rect, TextStyle, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::rgb::Rgb;
 
@@ -229,6 +230,40 @@ fn long_lines_of_the_tree_end_inside_it() {
     window.run_steps(60);
     let texts = window.query_all_by_label_contains(longest).count();
     assert!(texts >= 2, "{longest}");
+}
+
+/// Law: beside the rays of the tree all numbers stand whole, also in narrow windows; of the details no text, least of all a
+/// term's factors, reaches over the edge. Oracle: the width of the text on one line; the right end of the window.
+#[test]
+fn numbers_are_not_cut() {
+    for size in [SIZES[0], SIZES[1]] {
+        let (window, whole) = window_of(size);
+        let left = picture(&window).right();
+        let font = TextStyle::Body.resolve(&window.ctx.global_style());
+        let natural = |text: &str| {
+            let layout = |fonts: &mut FontsView<'_>| {
+                fonts.layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE).size().x
+            };
+            window.ctx.fonts_mut(layout)
+        };
+        let beside: Vec<_> = window.query_all_by_label_contains("weight ").collect();
+        let beside: Vec<(String, Rect)> = beside
+            .iter()
+            .map(|node| (text_of(&node.accesskit_node()), node.rect()))
+            .filter(|(text, _)| text.starts_with("weight ") || text.starts_with("inside, "))
+            .filter(|(text, _)| !text.contains('×'))
+            .collect();
+        assert!(beside.len() >= 2, "{beside:?}");
+        for (text, rect) in beside {
+            let wanted = natural(&text);
+            assert!(rect.width() > wanted - 1.5, "{text}: {rect} of {wanted}, {size:?}");
+        }
+        for node in window.query_all_by(|node| node.role() == Role::Label) {
+            let (text, rect) = (text_of(&node.accesskit_node()), node.rect());
+            let is_inside = rect.left() < left || rect.right() <= whole.right() - 7.0;
+            assert!(is_inside, "{text}: {rect} of {size:?}");
+        }
+    }
 }
 
 /// Law: the last number of a ray is completely visible after scrolling to it.
