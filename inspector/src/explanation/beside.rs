@@ -42,10 +42,23 @@ fn end(ray: &RecordedRay) -> (RayKind, Option<(&str, bool)>, Option<&str>, usize
     (ray.kind, hit, ray.blocked_by.as_deref(), ray.children.len())
 }
 
-/// Two trees, and the numbers of the rays at which they part, if they do.
+/// The fields of a ray that sum up what comes after it.
+const SUMS: [&str; 3] = ["radiance", "contributes", "share of the sample"];
+
+/// The first ray, from the camera on, whose own numbers differ from those of the ray in its place.
+fn first_differing(this: &RecordedRay, other: &RecordedRay) -> Option<usize> {
+    let is_other = |(name, [a, b]): &(&str, [String; 2])| !SUMS.contains(name) && a != b;
+    if details::rows(this, other).iter().any(is_other) {
+        return Some(this.number);
+    }
+    let mut pairs = this.children.iter().zip(&other.children);
+    pairs.find_map(|(this, other)| first_differing(this, other))
+}
+
+/// Of two trees the number of the first ray of this one whose own numbers differ, and of the rays at which they part.
 #[derive(Default)]
 pub struct Beside {
-    parted: Option<([Question; 2], Option<[usize; 2]>)>,
+    compared: Option<([Question; 2], Option<usize>, Option<[usize; 2]>)>,
 }
 
 /// The width of the column of names, in points of the screen.
@@ -54,14 +67,14 @@ const GAP: f32 = 10.0;
 
 impl Beside {
     /// Shows the numbers of a ray of the tree that is shown and of its counterpart. The last argument says whether that tree
-    /// stands at the left, and the names of both.
+    /// stands at the left, and the names of both. Returns the number of a ray that is clicked.
     pub fn show(
         &mut self,
         ui: &mut Ui,
         [this, other]: [(Question, &RecordedRay); 2],
         number: usize,
         (is_left, names): (bool, [&str; 2]),
-    ) {
+    ) -> Option<usize> {
         let of = [this.0, other.0];
         let (this, other) = (this.1, other.1);
         let selected = this.path_to(number).last().copied().unwrap_or(this);
@@ -73,14 +86,19 @@ impl Beside {
             }
         }
         ui.add_space(6.0);
-        if self.parted.is_none_or(|(parted, _)| parted != of) {
+        if self.compared.is_none_or(|(compared, ..)| compared != of) {
             let rays = parting(this, other).map(|rays| rays.map(|ray| ray.number));
-            self.parted = Some((of, rays));
+            self.compared = Some((of, first_differing(this, other), rays));
         }
-        let Some((_, Some([here, there]))) = self.parted else {
-            ui.weak("Both trees have the same rays: only their numbers differ.");
-            return;
+        let Some((_, first, parted)) = self.compared else { return None };
+        let Some(first) = first else {
+            ui.weak("No ray has other numbers of its own.");
+            return None;
         };
+        let clicked =
+            ui.link(format!("ray {first} is the first whose own numbers differ")).clicked();
+        let clicked = clicked.then_some(first);
+        let Some([here, there]) = parted else { return clicked };
         ui.strong("the first rays that end elsewhere, of several those with the most light:");
         let lines = [(this, here), (other, there)].map(|(root, number)| {
             root.path_to(number).last().map_or(String::new(), |ray| ray.line())
@@ -88,6 +106,7 @@ impl Beside {
         for at in if is_left { [0, 1] } else { [1, 0] } {
             ui.label(format!("{}: {}", names[at], lines[at]));
         }
+        clicked
     }
 }
 

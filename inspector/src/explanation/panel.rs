@@ -127,7 +127,10 @@ impl Panel {
                 let place = area.show(ui, |ui| log.and_then(|log| checks::show(ui, log))).inner;
                 place.into_iter().for_each(|place| selection.seek(place));
             }
-            Tab::Beside => drop(area.show(ui, |ui| self.side_by_side(ui, selection, shown))),
+            Tab::Beside => {
+                let ray = area.show(ui, |ui| self.side_by_side(ui, selection, shown)).inner;
+                ray.into_iter().for_each(|number| selection.go_to(number));
+            }
             Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|it| verdict_text::show(ui, it)))),
             Tab::Section => self.section_of_ray(ui, selection, &shown.subject()),
             Tab::Sum => {
@@ -171,16 +174,22 @@ impl Panel {
     }
 
     /// Shows the selected ray of both pictures: ours at the left, whichever tree is above.
-    fn side_by_side(&mut self, ui: &mut Ui, selection: &Selection, shown: &Shown<'_>) {
+    fn side_by_side(
+        &mut self,
+        ui: &mut Ui,
+        selection: &Selection,
+        shown: &Shown<'_>,
+    ) -> Option<usize> {
         let programs = [shown.subject().program, shown.beside.flatten()];
         let names = programs.map(|program| program.map_or("ours", |program| &program.name));
         match (selection.root(), selection.root_beside()) {
             (Some(this), Some(other)) => {
                 let whose = (programs[1].is_some(), names);
-                self.numbers.show(ui, [this, other], selection.tree.ray, whose);
+                self.numbers.show(ui, [this, other], selection.tree.ray, whose)
             }
             _ => {
                 ui.weak("One of the pictures has no ray here, or is not explained yet.");
+                None
             }
         }
     }

@@ -103,6 +103,30 @@ fn the_selected_ray_is_shown_side_by_side() {
     assert!(window.query_by_label("Side by side").is_none());
 }
 
+/// Law: side by side names the first ray whose own numbers differ, not those that sum up later rays, and a click selects it.
+/// Oracle: the first ray of the library's two trees, from the camera on, with another weight.
+#[test]
+fn the_first_ray_with_other_numbers_is_one_click_away() {
+    let scene = small_glass_sphere();
+    let is_kr =
+        |it: &Change| it.path.starts_with("materials.red sphere.") && it.path.ends_with(".kr");
+    let change = fields::all(&scene).into_iter().find(is_kr).expect("a field");
+    let change = Change { value: "0.5".to_owned(), ..change };
+    let other = change.applied(&scene).expect("valid");
+    let trees = [&scene, &other].map(|scene| ray_of(scene, ON_GLASS, 0));
+    let [rays, others] = [trees[0].rays(), trees[1].rays()];
+    let pairs = rays.iter().zip(&others);
+    let first = pairs.filter(|(a, b)| a.weight != b.weight).map(|(a, _)| a.number).min();
+    let first = first.filter(|number| *number > 0).expect("behind the glass");
+    let mut window = glass_window_at(ON_GLASS);
+    open_menu(&mut window);
+    type_text(&mut window, &change.to_string());
+    enter(&mut window);
+    push(&mut window, "Side by side");
+    push(&mut window, &format!("ray {first} is the first whose own numbers differ"));
+    assert_eq!(window.state().selection.tree.ray, first);
+}
+
 /// Law: a state that is kept, with what was changed until then, stays as it was while ours is changed further. Oracle: both
 /// films.
 #[test]
