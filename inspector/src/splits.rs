@@ -22,6 +22,8 @@ const SCENE_MIN_SHARE: f32 = 0.195;
 /// The width of a window below which the scene's panel is folded away, and what is left of it, in points of the screen.
 const NARROW: f32 = 1000.0;
 const FOLDED: f32 = 30.0;
+/// The share of the window that the explanation gains then.
+const GAINED: f32 = 0.08;
 
 /// What is shown where the picture is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -101,6 +103,7 @@ impl Splits {
         let [least, most] = SCENE_MIN_WIDTH;
         let min = (SCENE_MIN_SHARE * area.width()).clamp(least, most);
         let is_folded = self.fold(ui, area);
+        let right = if is_folded { right + GAINED } else { right };
         let left = if is_folded { FOLDED / area.width() } else { left.max(min / area.width()) };
         let moved = bar(ui, "left bar", strip(area, at(left)), left);
         self.scene = match moved {
@@ -111,7 +114,7 @@ impl Splits {
         };
         let moved = bar(ui, "right bar", strip(area, at(1.0 - right)), 1.0 - right);
         self.explanation =
-            moved.map_or(Self::default().explanation, |by| right - by.x / area.width());
+            moved.map_or(Self::default().explanation, |by| self.explanation - by.x / area.width());
         *self = self.fitting();
         let (first, last) = (strip(area, at(left)), strip(area, at(1.0 - right)));
         // below the button that folds it away
@@ -130,6 +133,7 @@ impl Splits {
             return false;
         }
         let at = Rect::from_min_size(area.min + vec2(1.0, 1.0), Vec2::splat(FOLDED - BAR));
+        ui.painter().rect_filled(area.with_max_x(at.right()), 0.0, ui.visuals().panel_fill);
         let text = if self.unfolded { "«" } else { "»" };
         let button = ui.put(at, Button::new(text));
         button.widget_info(|| WidgetInfo::labeled(Role::Button, true, "The scene"));

@@ -262,12 +262,13 @@ fn fitting(ui: &Ui, line: &str, told: &str) -> [String; 2] {
     let unnamed = lobe.map_or(told, |(rest, _)| rest);
     let parts: Vec<&str> = line.split("  ").collect();
     let without = |left_out: usize| {
-        let is_left = |at: usize| at == 0 || at > left_out || parts[at].starts_with("shadow");
-        (0..parts.len())
-            .filter(|&at| is_left(at))
-            .map(|at| parts[at])
-            .collect::<Vec<_>>()
-            .join("  ")
+        let part = |(at, part): (usize, &&str)| match (at, left_out) {
+            (1, 1..) if part.starts_with("from ") => None,
+            (2, 2..) => part.strip_prefix("shadow ray ").map(str::to_owned),
+            (3, 3..) if part.starts_with("t ") => None,
+            _ => Some((*part).to_owned()),
+        };
+        parts.iter().enumerate().filter_map(part).collect::<Vec<_>>().join("  ")
     };
     let last = [(2, &*numbers), (3, &*numbers)];
     let tried = [(0, told), (0, unnamed), (1, unnamed), (2, unnamed)].into_iter().chain(last);

@@ -2,7 +2,7 @@
 
 use eframe::egui::{ComboBox, DragValue, Grid, Response, TextEdit, Ui, emath::Numeric};
 use groundtruth::scene::{Intersect, Scene, Tracer};
-use groundtruth::world::{MAX_DEPTH, MAX_PIXELS, MAX_SAMPLES};
+use groundtruth::world::{MAX_DEPTH, MAX_SAMPLES};
 
 /// The seed as typed: text, because a number field would round large seeds.
 #[derive(Debug, Default)]
@@ -53,10 +53,10 @@ impl ImageSettings {
 /// Shows width and height; the view stays the same.
 fn size(ui: &mut Ui, scene: &mut Scene) -> bool {
     let [mut width, mut height] = [scene.image.width, scene.image.height];
-    let max = u32::try_from(MAX_PIXELS).unwrap_or(u32::MAX);
     let mut changed = false;
     for (name, side) in [("Width", &mut width), ("Height", &mut height)] {
-        changed |= number(ui, name, side, 1..=max).changed();
+        // the library refuses what is too large, with the number that was typed
+        changed |= number(ui, name, side, 1..=u32::MAX).changed();
         ui.end_row();
     }
     if changed {

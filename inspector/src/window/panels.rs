@@ -252,7 +252,8 @@ pub fn status(
                 ui.label("loading");
             }
             (false, Some(part)) => {
-                ui.add(ProgressBar::new(part).desired_width(120.0).text("layer"));
+                let text = format!("layer, {:.0} %", 100.0 * part);
+                ui.add(ProgressBar::new(part).desired_width(120.0).text(text));
             }
             (false, None) => progress(ui, rendering),
         });

@@ -192,6 +192,16 @@ fn many_samples_can_be_typed() {
     assert_eq!(status, "1 × 1, 16384 samples");
 }
 
+/// Law: a width that is too large is refused with the number that was typed, and the picture stays. Oracle: that number.
+#[test]
+fn a_width_that_is_too_large_is_refused_as_typed() {
+    let mut window = glass_window();
+    type_number(&mut window, "Width", "4000000000");
+    let (message, is_error) = window.state().message.clone().expect("a message");
+    assert!(is_error && message.contains("4000000000"), "{message}");
+    assert_eq!(window.state().session.rendering.size(), [48, 48]);
+}
+
 /// Law: the picture follows size, depth and seed; a seed is not rounded, and an invalid seed changes
 /// nothing. Oracle: the library's rendering with the same settings.
 #[test]

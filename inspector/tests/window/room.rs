@@ -38,7 +38,7 @@ fn a_narrow_window_folds_the_scene_away() {
     assert!(window.query_by_label("high lamp").is_none());
     unfold(&mut window);
     assert!(window.query_by_label("high lamp").is_some());
-    assert!(before.width() > picture(&window).width() + 100.0);
+    assert!(before.width() > picture(&window).width() + 50.0);
     push(&mut window, "The scene");
     assert_eq!(picture(&window), before);
     assert!(window_of(SIZES[0]).0.query_by_label("The scene").is_none());
