@@ -119,9 +119,8 @@ impl Inspector {
         StoredSettings { splits: self.splits, ground: self.frame.ground() }
     }
 
-    /// Explains an interesting pixel of this scene, and of each that is opened, until one is selected.
+    /// Explains an interesting pixel until one is selected.
     pub fn propose(&mut self, ctx: &Context) {
-        self.proposes = true;
         self.selection.propose(ctx, &self.session.rendering);
     }
 

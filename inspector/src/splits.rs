@@ -20,7 +20,7 @@ const SCENE_MIN_WIDTH: [f32; 2] = [152.0, 176.0];
 const SCENE_MIN_SHARE: f32 = 0.195;
 
 /// The width of a window below which the scene's panel is folded away, and what is left of it, in points of the screen.
-const NARROW: f32 = 1000.0;
+pub const NARROW: f32 = 1000.0;
 const FOLDED: f32 = 30.0;
 /// The share of the window that the explanation gains then.
 const GAINED: f32 = 0.08;
@@ -133,7 +133,7 @@ impl Splits {
             return false;
         }
         let at = Rect::from_min_size(area.min + vec2(1.0, 1.0), Vec2::splat(FOLDED - BAR));
-        ui.painter().rect_filled(area.with_max_x(at.right()), 0.0, ui.visuals().panel_fill);
+        ui.painter().rect_filled(area.with_max_x(at.right() + 4.0), 0.0, ui.visuals().panel_fill);
         let text = if self.unfolded { "«" } else { "»" };
         let button = ui.put(at, Button::new(text));
         button.widget_info(|| WidgetInfo::labeled(Role::Button, true, "The scene"));

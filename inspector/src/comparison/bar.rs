@@ -15,6 +15,7 @@ use crate::comparison::others::Others;
 use crate::comparison::theirs::{SCALES, Theirs};
 use crate::comparison::{mistake, opening};
 use crate::picture::worker::Rendering;
+use crate::splits::NARROW;
 
 /// The views of the two pictures, each with its name and its key.
 const SHOWN: [(Shows, &str, &str); 5] = [
@@ -40,9 +41,8 @@ const OF_LOG: [(Shows, &str, &str); 3] = [
     (Shows::Swipe, "Both", "Our picture and rays, with those of the log (W)"),
 ];
 
-/// The width of the list of pictures, and in a window narrower than this, in points of the screen.
+/// The width of a list, and in a narrow window, in points of the screen.
 const LIST_WIDTH: [f32; 2] = [130.0, 90.0];
-const NARROW: f32 = 1000.0;
 
 /// Shows a list in a width that its text does not change.
 pub fn list(ui: &mut Ui, text: &str, name: &str, hint: &str, entries: impl FnOnce(&mut Ui)) {

@@ -23,10 +23,8 @@ pub struct Entry {
 impl Entry {
     /// The file, if it is made from a log of rays.
     pub fn log(&self) -> Option<&Path> {
-        match &self.recipe {
-            Some(Recipe::Scene(source)) => source.rays(),
-            _ => None,
-        }
+        let Some(Recipe::Scene(source)) = &self.recipe else { return None };
+        source.rays()
     }
 
     /// Whether a program is run for it.

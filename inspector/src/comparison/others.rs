@@ -268,10 +268,8 @@ impl Others {
 
     /// The mistake of the one that is held against ours.
     pub fn mistake(&self) -> Option<&'static Mistake> {
-        match self.entries.get(self.chosen)?.recipe {
-            Some(Recipe::Mistake(mistake)) => Some(mistake),
-            _ => None,
-        }
+        let recipe = self.entries.get(self.chosen)?.recipe.as_ref()?;
+        if let Recipe::Mistake(mistake) = recipe { Some(mistake) } else { None }
     }
 
     /// Holds the picture of a program with this mistake against ours, in place of that with another one; without one, lets

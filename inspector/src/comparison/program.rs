@@ -119,18 +119,14 @@ impl Program {
 
     /// The log of its rays, if that is what is known of it.
     pub fn log(&self) -> Option<&Logged> {
-        match &self.by {
-            By::Logged { log, .. } => Some(log),
-            By::Mistaken(_) | By::Ours => None,
-        }
+        let By::Logged { log, .. } = &self.by else { return None };
+        Some(log)
     }
 
     /// The command that judges that log.
     pub fn log_command(&self) -> Option<&str> {
-        match &self.by {
-            By::Logged { command, .. } => Some(command),
-            By::Mistaken(_) | By::Ours => None,
-        }
+        let By::Logged { command, .. } = &self.by else { return None };
+        Some(command)
     }
 
     /// Whether its picture shows what ours does: a log without a scene has no picture of ours beside it.
@@ -140,10 +136,8 @@ impl Program {
 
     /// Its mistake, if it has one.
     pub fn mistake(&self) -> Option<&'static Mistake> {
-        match &self.by {
-            By::Mistaken(program) => Some(program.mistake()),
-            By::Ours | By::Logged { .. } => None,
-        }
+        let By::Mistaken(program) = &self.by else { return None };
+        Some(program.mistake())
     }
 
     /// The scene that it renders, with its mistake.

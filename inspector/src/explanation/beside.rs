@@ -58,8 +58,10 @@ fn first_differing(this: &RecordedRay, other: &RecordedRay) -> Option<usize> {
 /// Of two trees the number of the first ray of this one whose own numbers differ, and of the rays at which they part.
 #[derive(Default)]
 pub struct Beside {
-    compared: Option<([Question; 2], Option<usize>, Option<[usize; 2]>)>,
+    compared: Option<([Question; 2], Option<usize>, Parted)>,
 }
+
+type Parted = Option<[usize; 2]>;
 
 /// The width of the column of names, in points of the screen.
 const NAMES: f32 = 120.0;
@@ -90,7 +92,7 @@ impl Beside {
             let rays = parting(this, other).map(|rays| rays.map(|ray| ray.number));
             self.compared = Some((of, first_differing(this, other), rays));
         }
-        let Some((_, first, parted)) = self.compared else { return None };
+        let (_, first, parted) = self.compared?;
         let Some(first) = first else {
             ui.weak("No ray has other numbers of its own.");
             return None;

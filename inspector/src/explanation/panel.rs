@@ -30,9 +30,6 @@ const LEGEND_MIN_HEIGHT: f32 = 160.0;
 /// The least width with room for the chooser of the sample beside the pixel, in points of the screen.
 const ONE_ROW_MIN_WIDTH: f32 = 460.0;
 
-/// What the tab is.
-const BESIDE: &str = "The selected ray in both pictures, number by number";
-
 /// The parts of the explanation, as they are shown.
 #[derive(Default)]
 pub struct Panel {
@@ -102,19 +99,16 @@ impl Panel {
         let mut shown_tab = Tab::default();
         ui.horizontal_wrapped(|ui| {
             for (tab, name, hint, is_there) in [
-                (Tab::Ray, "The ray", "", true),
-                (Tab::Section, "The section", "", true),
-                (Tab::Sum, "The sum", "", true),
-                (Tab::Samples, "The samples", "", true),
-                (Tab::Verdict, "The verdict", "", verdict.is_some()),
+                (Tab::Ray, "The ray", "The terms and numbers of the selected ray", true),
+                (Tab::Section, "The section", "The plane of incidence of its hit", true),
+                (Tab::Sum, "The sum", "What each light and each sample adds to the pixel", true),
+                (Tab::Samples, "The samples", "Where the samples are in the pixel", true),
+                (Tab::Verdict, "The verdict", "All that was judged", verdict.is_some()),
                 (Tab::Checks, "Checks", "The laws that the rays are held to", log.is_some()),
-                (Tab::Beside, "Side by side", BESIDE, is_twin),
+                (Tab::Beside, "Side by side", "The selected ray in both pictures", is_twin),
             ] {
                 if is_there {
-                    let entry = ui.selectable_value(&mut selection.tab, tab, name);
-                    if !hint.is_empty() {
-                        entry.on_hover_text(hint);
-                    }
+                    ui.selectable_value(&mut selection.tab, tab, name).on_hover_text(hint);
                     shown_tab = if selection.tab == tab { tab } else { shown_tab };
                 }
             }

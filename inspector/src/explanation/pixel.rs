@@ -50,10 +50,7 @@ pub fn copy_menu(
     making: &mut Making,
 ) {
     let (pixel, radiance) = (answer.pixel, answer.radiance);
-    let item = |ui: &mut Ui, name: &str, hint: &str| {
-        let button = ui.button(name);
-        if hint.is_empty() { button } else { button.on_hover_text(hint) }.clicked()
-    };
+    let item = |ui: &mut Ui, name: &str, hint: &str| ui.button(name).on_hover_text(hint).clicked();
     ui.menu_button("Copy", |ui| {
         let mut text = None;
         if item(ui, "The command for a terminal", "`explain` shows this sample there") {
@@ -84,11 +81,13 @@ pub fn copy_menu(
                 ui.close();
             }
         }
-        if item(ui, "The pixel, all its digits", "") {
+        if item(ui, "The pixel, all its digits", "Its radiance") {
             text = Some(details::exact_color(radiance));
         }
         let of_ray = ray.filter(|_| is_ours);
-        if let Some(ray) = of_ray.filter(|_| item(ui, "All numbers of the selected ray", "")) {
+        if let Some(ray) =
+            of_ray.filter(|_| item(ui, "All numbers of the selected ray", "As a table"))
+        {
             text = Some(details::text(ray));
         }
         if let Some(text) = text {

@@ -270,25 +270,24 @@ fn fitting(ui: &Ui, line: &str, told: &str) -> [String; 2] {
         };
         parts.iter().enumerate().filter_map(part).collect::<Vec<_>>().join("  ")
     };
-    let last = [(2, &*numbers), (3, &*numbers)];
-    let tried = [(0, told), (0, unnamed), (1, unnamed), (2, unnamed)].into_iter().chain(last);
+    let numbers = &*numbers;
+    let tried = [(0, told), (0, unnamed), (1, unnamed), (2, unnamed), (2, numbers), (3, numbers)];
     let font = TextStyle::Button.resolve(ui.style());
     let width = |text: &str| {
         ui.painter().layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE).size().x
     };
     // the paddings of the button, and what rounding takes
     let room = ui.available_width() - ui.spacing().item_spacing.x - 8.0;
-    let told_in = tried.map(|(left_out, told)| [without(left_out), told.to_owned()]);
-    let fits = |texts: &[String; 2]| texts.iter().map(|text| width(text)).sum::<f32>() <= room;
-    if let Some(found) = told_in.clone().find(fits) {
-        return found;
+    let fits = |&(left_out, told): &(usize, &str)| width(&without(left_out)) + width(told) <= room;
+    if let Some((left_out, told)) = tried.into_iter().find(fits) {
+        return [without(left_out), told.to_owned()];
     }
     // at last the name of what is hit is cut
-    let [mut line, told] = told_in.last().unwrap_or_default();
-    while line.len() > LEAST && width(&line) + width("…") + width(&told) > room {
+    let mut line = without(3);
+    while line.len() > LEAST && width(&line) + width("…") + width(numbers) > room {
         line.pop();
     }
-    [line + "…", told]
+    [line + "…", numbers.to_owned()]
 }
 
 /// Shows a text at the end of a line, cut with an ellipsis where the line ends; `hint` is shown under the mouse.

@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 
 use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, vec2};
 use groundtruth::explain::RecordedRay;
-use groundtruth::math::{Point, atan2, to_degrees};
+use groundtruth::math::{Point, atan2, ln, to_degrees};
 use groundtruth::render;
 use groundtruth::world::World;
 use space::{End, Segment, Sight};
@@ -56,8 +56,8 @@ pub struct Rays<'a> {
 /// light says why there is none, and is drawn in the middle.
 fn weight(share: f64) -> f32 {
     match share {
-        0.0 => 0.5,
-        share => (1.0 + share.log10() / 3.0).clamp(0.0, 1.0) as f32,
+        share if share > 0.0 => (1.0 + ln(share) / ln(1e3)).clamp(0.0, 1.0) as f32,
+        _ => 0.5,
     }
 }
 

@@ -49,8 +49,8 @@ struct Pieces {
     /// The numbers of the rays, and the one that was selected.
     drawn: (Vec<usize>, usize),
     segments: Arc<Vec<Segment>>,
-    /// Rays of a smaller share than the filter's, and pieces beyond the most, which are not drawn.
-    left_out: [usize; 2],
+    /// Rays and pieces of smaller contribution, which are not drawn.
+    left_out: usize,
 }
 
 impl Pieces {
@@ -65,8 +65,8 @@ impl Pieces {
         let (drawn, small) = filter.drawn(root, selected);
         let mut segments: Vec<Segment> =
             all.into_iter().filter(|piece| drawn.binary_search(&piece.ray).is_ok()).collect();
-        let left_out = segments.len().saturating_sub(MAX_PIECES);
-        if left_out > 0 {
+        let beyond = segments.len().saturating_sub(MAX_PIECES);
+        if beyond > 0 {
             let shares: BTreeMap<usize, f64> =
                 root.rays().iter().map(|ray| (ray.number, ray.share)).collect();
             segments.sort_by(|a, b| shares[&b.ray].total_cmp(&shares[&a.ray]));
@@ -74,7 +74,7 @@ impl Pieces {
         }
         let (filter, segments) = (filter.clone(), Arc::new(segments));
         let drawn = (drawn, selected);
-        Self { question, filter, drawn, segments, left_out: [small, left_out] }
+        Self { question, filter, drawn, segments, left_out: small + beyond }
     }
 }
 
@@ -269,12 +269,9 @@ impl SpaceView {
             parted.into_iter().for_each(|rays| canvas.parting(rays));
             pointed.hovered = at.and_then(|at| pointing::nearest(&drawn, at));
             pointed.clicked = pointed.hovered.filter(|_| response.clicked());
-            let text = match pieces.left_out {
-                [0, 0] => String::new(),
-                [small, 0] => format!("{} of small share not drawn (Rays)", count(small, "ray")),
-                [_, many] => format!("{many} more pieces of rays are not drawn"),
-            };
-            if !text.is_empty() {
+            if pieces.left_out > 0 {
+                let left_out = count(pieces.left_out, "ray");
+                let text = format!("{left_out} of small share not drawn (Rays)");
                 self.write(&painter, view, Align2::RIGHT_TOP, &text);
             }
         }

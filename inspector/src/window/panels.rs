@@ -160,12 +160,10 @@ pub fn message(ctx: &Context, message: &mut Option<(String, bool)>) {
         let text = if is_error { text.color(ui.visuals().error_fg_color) } else { text };
         ui.add(Label::new(text).wrap());
     };
-    let area = Area::new(Id::unique("message")).anchor(Align2::CENTER_BOTTOM, [0.0, -MESSAGE]);
+    // above the bar there
+    let area = Area::new(Id::unique("message")).anchor(Align2::CENTER_BOTTOM, [0.0, -34.0]);
     area.show(ctx, |ui| Frame::popup(ui.style()).show(ui, |ui| ui.horizontal_top(show)));
 }
-
-/// The height of a message above the lower edge, over the bar there.
-const MESSAGE: f32 = 34.0;
 
 /// Shows the settings of the view.
 pub fn view_settings(
