@@ -255,11 +255,7 @@ impl Inspector {
         egui::Panel::bottom("status").frame(bar).show(ui, |ui| {
             let (theirs, is_loading) = (self.others.shown(), self.session.loading.is_busy());
             let shown = (theirs, &self.picture.layer);
-            let hint = match self.selection.is_proposed {
-                true => "a pixel with many rays, to begin with; click any other one",
-                false => "point at a pixel to read it",
-            };
-            let pointed = (self.hovered, hint);
+            let pointed = (self.hovered, self.selection.is_proposed);
             actions.extend(panels::status(ui, rendering, shown, pointed, is_loading));
         });
         egui::Panel::top("view").frame(bar).show(ui, |ui| {

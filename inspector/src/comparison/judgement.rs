@@ -19,8 +19,8 @@ use judge::verdict::{
 use pictures::compare::Picture;
 
 use crate::action::{Action, Shows};
-use crate::explanation::tree::{AGREES, ink};
 use crate::picture::developed::{self, Developed, Version};
+use crate::picture::display::{AGREES, ink};
 use crate::picture::view::Placement;
 use crate::picture::worker::{Background, Rendering};
 use crate::platform::{Slice, watched};

@@ -10,7 +10,8 @@ use groundtruth::textures::Texel;
 use groundtruth::trace::{Optics, Outcome, RayKind, RecordedTexture};
 use text::digits::shortened;
 
-use crate::explanation::tree::{ink, kind_color};
+use crate::explanation::tree::kind_color;
+use crate::picture::display::ink;
 
 /// The field of a light that adds nothing.
 pub const UNLIT: &str = "adds nothing";

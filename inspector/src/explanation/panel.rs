@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{self, Align, Frame, Key, Layout, Margin, ScrollArea, Ui, vec2};
+use eframe::egui::{
+    self, Align, Frame, Key, Label, Layout, Margin, RichText, ScrollArea, Ui, vec2,
+};
 use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::scene::Scene;
@@ -258,19 +260,18 @@ fn sample_tree(ui: &mut Ui, tree: &mut Tree, sample: &SampleExplanation, tone: &
         ui.label("No ray: the camera sees nothing there.");
         return;
     };
-    let film = sample.film;
-    let film =
-        film.map_or(String::new(), |[x, y]| format!(", at ({x:.4}, {y:.4}) on the view plane"));
-    ui.horizontal_wrapped(|ui| {
+    let film = |[x, y]: [f64; 2]| format!(", at ({x:.4}, {y:.4}) on the view plane");
+    let film = sample.film.map_or(String::new(), film);
+    ui.horizontal(|ui| {
         ui.strong(format!("Sample {index}"));
-        let rays = explain::count(root.count(), "ray");
-        ui.weak(rays + &film);
         let follow = ui.small_button("Follow the largest (L)");
         let hint = "Steps down the path along which most of the light comes";
         let key = !ui.ctx().text_edit_focused() && ui.input(|input| input.key_pressed(Key::L));
         if follow.on_hover_text(hint).clicked() || key {
             tree.follow_largest(root);
         }
+        let rays = explain::count(root.count(), "ray");
+        ui.add(Label::new(RichText::new(rays + &film).weak()).truncate());
     });
     // no legend in a low window: each line names its kind of ray too
     if ui.available_height() > LEGEND_MIN_HEIGHT {

@@ -120,7 +120,7 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
     match rendered {
         None => ui.weak("this pixel is not rendered yet"),
         Some(radiance) if bits(radiance) == bits(answer.radiance) => {
-            let good = tree::ink(ui, tree::AGREES);
+            let good = display::ink(ui, display::AGREES);
             ui.colored_label(good, "= the pixel of the picture, bit for bit")
         }
         // what a picture file can hold of it

@@ -12,10 +12,9 @@ use groundtruth::world::World;
 use space::{Drawing, Label, Role, Section, arrowhead};
 
 use crate::explanation::asked::Question;
-use crate::explanation::tree::{
-    BLOCKED, BROKEN, CAMERA, LOCAL, REFLECTED, TRANSMITTED, UNBLOCKED, ink,
-};
+use crate::explanation::tree::{BLOCKED, BROKEN, CAMERA, LOCAL, REFLECTED, TRANSMITTED, UNBLOCKED};
 use crate::explanation::{copying, pointing};
+use crate::picture::display::ink;
 
 /// The length of an arrowhead, in points of the screen.
 const HEAD: f64 = 11.0;

@@ -12,7 +12,7 @@ use groundtruth::explain::{Outline, RecordedRay, RecordedTerm, Row, count, perce
 use groundtruth::film::Tone;
 use groundtruth::trace::{Outcome, RayKind};
 
-use crate::picture::display;
+use crate::picture::display::{self, ink};
 
 /// The share of their sample below which rays are folded together.
 pub const MIN_SHARE: f64 = 0.01;
@@ -40,8 +40,6 @@ pub const CAMERA: Color32 = Color32::from_rgb(235, 235, 235);
 pub const UNBLOCKED: Color32 = Color32::from_rgb(250, 225, 100);
 /// The colour of shadow rays that an object blocks.
 pub const BLOCKED: Color32 = Color32::from_rgb(165, 150, 185);
-/// The colour of what is as it should be.
-pub const AGREES: Color32 = Color32::from_rgb(120, 220, 120);
 /// The colour of rays that break a law.
 pub const BROKEN: Color32 = Color32::from_rgb(255, 70, 70);
 /// The colour of terms without a ray, and of normals.
@@ -71,11 +69,6 @@ pub fn kind_color(ray: &RecordedRay) -> Color32 {
             | Outcome::Unblocked { .. } => UNBLOCKED,
         },
     }
-}
-
-/// A colour of text with contrast to the ground of the theme.
-pub fn ink(ui: &Ui, color: Color32) -> Color32 {
-    if ui.visuals().dark_mode { color } else { color.lerp_to_gamma(Color32::BLACK, 0.55) }
 }
 
 /// Shows what the colours mean.
@@ -254,7 +247,7 @@ fn notes(ray: &RecordedRay) -> &'static str {
 }
 
 /// A ray's line and what stands beside it, in the room that is left: words go before numbers, first the lobe, then the
-/// parent, which the indent shows, then the kind, which the colour shows, and other words.
+/// parent, which the indent shows, the kind, which the colour shows, and t, which the details have, then other words.
 fn fitting(ui: &Ui, line: &str, told: &str) -> [String; 2] {
     let is_number = |part: &&str| part.contains(|letter: char| letter.is_ascii_digit());
     let numbers = told.split(", ").filter(is_number).collect::<Vec<_>>().join(", ");
@@ -271,7 +264,7 @@ fn fitting(ui: &Ui, line: &str, told: &str) -> [String; 2] {
         parts.iter().enumerate().filter_map(part).collect::<Vec<_>>().join("  ")
     };
     let numbers = &*numbers;
-    let tried = [(0, told), (0, unnamed), (1, unnamed), (2, unnamed), (2, numbers), (3, numbers)];
+    let tried = [(0, told), (0, unnamed), (1, unnamed), (2, unnamed), (3, unnamed), (3, numbers)];
     let font = TextStyle::Button.resolve(ui.style());
     let width = |text: &str| {
         ui.painter().layout_no_wrap(text.to_owned(), font.clone(), Color32::WHITE).size().x

@@ -45,6 +45,14 @@ fn version(rendering: &Rendering, tone: Tone) -> Version<u64> {
     Version { of: rendering.generation, done, is_finished, tone }
 }
 
+/// The colour of what is as it should be.
+pub const AGREES: Color32 = Color32::from_rgb(120, 220, 120);
+
+/// A colour of text with contrast to the ground of the theme.
+pub fn ink(ui: &Ui, color: Color32) -> Color32 {
+    if ui.visuals().dark_mode { color } else { color.lerp_to_gamma(Color32::BLACK, 0.55) }
+}
+
 /// A colour of the screen.
 pub fn color(tone: &Tone, radiance: Rgb) -> Color32 {
     let [r, g, b] = tone.to_bytes(radiance);
@@ -218,10 +226,10 @@ fn coordinates(painter: &Painter, placement: &Placement) {
                 continue;
             }
             at[1 - axis] = area.min[1 - axis] + [12.0, 8.0][1 - axis];
-            let ground = Rect::from_center_size(at, egui::vec2(22.0, 14.0));
+            let ground = Rect::from_center_size(at, [22.0, 14.0].into());
             painter.rect_filled(ground, 2.0, Color32::from_black_alpha(170));
-            let font = FontId::proportional(10.5);
-            painter.text(at, Align2::CENTER_CENTER, index, font, Color32::from_gray(225));
+            let (font, color) = (FontId::proportional(10.5), Color32::from_gray(225));
+            painter.text(at, Align2::CENTER_CENTER, index, font, color);
         }
     }
 }

@@ -152,10 +152,8 @@ impl Backdrop {
             }
             if let Some(object) = object {
                 if self.lit.as_ref().is_none_or(|(lit, _)| *lit != object) {
-                    let light = drawn.outline(object).map(|is_edge| match is_edge {
-                        true => LIGHT,
-                        false => Color32::TRANSPARENT,
-                    });
+                    let color = |is_edge| if is_edge { LIGHT } else { Color32::TRANSPARENT };
+                    let light = drawn.outline(object).map(color);
                     let image = ColorImage::new(drawn.size(), light.collect());
                     let texture = painter.ctx().load_texture("lit", image, TextureOptions::LINEAR);
                     self.lit = Some((object, texture));

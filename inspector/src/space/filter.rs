@@ -4,7 +4,8 @@ use eframe::egui::{DragValue, RichText, Slider, Ui};
 use groundtruth::explain::{RecordedRay, percent};
 use groundtruth::trace::{Outcome, RayKind, TermSource};
 
-use crate::explanation::tree::{KINDS, ink};
+use crate::explanation::tree::KINDS;
+use crate::picture::display::ink;
 
 /// The share of its sample below which a ray is not drawn at first.
 const MIN_SHARE: f64 = 0.005;

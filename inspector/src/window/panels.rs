@@ -236,7 +236,7 @@ pub fn status(
     ui: &mut Ui,
     rendering: &Rendering,
     (theirs, layer): (Option<&Theirs>, &ChosenLayer),
-    (hovered, hint): (Option<[u32; 2]>, &str),
+    (hovered, is_proposed): (Option<[u32; 2]>, bool),
     is_loading: bool,
 ) -> Option<Action> {
     ui.horizontal(|ui| {
@@ -263,7 +263,8 @@ pub fn status(
                 let text = under_mouse(rendering, theirs, pixel) + &layer;
                 ui.add(Label::new(RichText::new(text).monospace()).truncate());
             }
-            None => drop(ui.weak(hint)),
+            None if is_proposed => drop(ui.weak("many rays, to begin with; click another pixel")),
+            None => drop(ui.weak("point at a pixel to read it")),
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let keys = ui.small_button("?").on_hover_text("The keys");
