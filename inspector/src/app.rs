@@ -180,6 +180,7 @@ impl Inspector {
             self.select(pixel);
         }
         if let Some(pixel) = self.stepped(ui) {
+            self.selection.keep_ray();
             self.reveal(pixel);
         }
         if let Some(pixel) = self.selection.proposed() {

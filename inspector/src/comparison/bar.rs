@@ -22,11 +22,7 @@ const SHOWN: [(Shows, &str, &str); 5] = [
     (Shows::Ours, "Ours", "T flips between ours and theirs"),
     (Shows::Theirs, "Theirs", "T flips between ours and theirs"),
     (Shows::Swipe, "Swipe", "Ours at the left of the line, theirs at its right (W)"),
-    (
-        Shows::Difference,
-        "Difference",
-        "Theirs less ours; grey: equal, brighter: theirs is larger (D)",
-    ),
+    (Shows::Difference, "Difference", "Theirs less ours; brighter: theirs is larger (D)"),
     (
         Shows::Map,
         "Map of z",

@@ -29,7 +29,6 @@ pub mod selection;
 pub mod trail;
 pub mod tree;
 pub mod values;
-pub mod verdict_text;
 pub mod why_not;
 
 /// Which picture is explained: the number of our rendering, and that of the program if it is another.

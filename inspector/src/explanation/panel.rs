@@ -8,6 +8,7 @@ use eframe::egui::{
 use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
 use groundtruth::film::Tone;
 use groundtruth::scene::Scene;
+use judge::verdict::Verdict;
 
 use crate::explanation::asked::{Question, sample_of};
 use crate::explanation::beside::Beside;
@@ -19,7 +20,7 @@ use crate::explanation::selection::{Selection, Tab};
 use crate::explanation::tree::{Tree, legend, swatch};
 use crate::explanation::values::ValuesView;
 use crate::explanation::why_not::WhyNotView;
-use crate::explanation::{Shown, Subject, checks, details, verdict_text};
+use crate::explanation::{Shown, Subject, checks, details};
 use crate::picture::display;
 use crate::splits::{Splits, part};
 
@@ -127,7 +128,7 @@ impl Panel {
                 let ray = area.show(ui, |ui| self.side_by_side(ui, selection, shown)).inner;
                 ray.into_iter().for_each(|number| selection.go_to(number));
             }
-            Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|it| verdict_text::show(ui, it)))),
+            Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|it| verdict_text(ui, it)))),
             Tab::Section => self.section_of_ray(ui, selection, &shown.subject()),
             Tab::Sum => {
                 let (tone, order) = (shown.tone, &mut self.order);
@@ -278,4 +279,17 @@ fn sample_tree(ui: &mut Ui, tree: &mut Tree, sample: &SampleExplanation, tone: &
         legend(ui);
     }
     tree.show(ui, root, tone);
+}
+
+/// Shows a verdict as the command prints it, to be read, selected and copied.
+fn verdict_text(ui: &mut Ui, verdict: &Verdict) {
+    let text = verdict.to_string();
+    ui.horizontal(|ui| {
+        if ui.small_button("Copy the verdict").clicked() {
+            ui.ctx().copy_text(text.clone());
+            copying::set_copied(ui.ctx());
+        }
+        copying::show_copied(ui);
+    });
+    ui.label(RichText::new(text).monospace().size(12.0));
 }

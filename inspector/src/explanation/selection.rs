@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use eframe::egui::Context;
 use groundtruth::explain::{PixelExplanation, RecordedRay};
+use groundtruth::trace::RayKind;
 use groundtruth::world::World;
 use rays::{Logged, RayPlace};
 
@@ -41,6 +42,8 @@ pub struct Selection {
     proposing: Background<[u32; 2]>,
     /// The number of a ray that is selected once its tree is there.
     sought: Option<usize>,
+    /// The path to a ray of another pixel, whose like is selected then.
+    path: Vec<Step>,
     /// The tree whose rays are known by their numbers, and their indices in its log.
     pub logged: Option<(Question, BTreeMap<usize, usize>)>,
 }
@@ -66,6 +69,13 @@ pub enum Tab {
     Beside,
 }
 
+/// What leads from a ray to the next one.
+type Step = (RayKind, Option<Arc<str>>);
+
+fn step_to(ray: &RecordedRay) -> Step {
+    (ray.kind, ray.light.clone())
+}
+
 impl Selection {
     /// Starts to explain the selected pixel of the picture that is shown, and of the other one, unless that is done or under
     /// way. Waits for a short explanation.
@@ -82,8 +92,14 @@ impl Selection {
         self.asked.refresh(ctx, &shown, asked);
         self.beside.refresh(ctx, &other, asked.filter(|_| is_twin));
         self.read_off(shown.log());
-        if let Some(number) = self.sought.take_if(|_| self.asked.pixel() == self.pixel) {
-            self.go_to(number);
+        if self.asked.pixel() == self.pixel {
+            let path = std::mem::take(&mut self.path);
+            let like = self.root().and_then(|(_, root)| {
+                path.iter()
+                    .try_fold(root, |ray, step| ray.children.iter().find(|it| step_to(it) == *step))
+            });
+            let like = like.map(|ray| ray.number).filter(|number| *number > 0);
+            self.sought.take().or(like).into_iter().for_each(|number| self.go_to(number));
         }
     }
 
@@ -103,6 +119,12 @@ impl Selection {
     pub fn seek(&mut self, RayPlace { pixel, sample, number }: RayPlace) {
         (self.pixel, self.sample, self.is_proposed) = (Some(pixel), sample, false);
         self.sought = Some(number);
+    }
+
+    /// Of the pixel that is explained next, selects the ray to which the same kinds of rays lead as to this one.
+    pub fn keep_ray(&mut self) {
+        let path = self.root().map_or(Vec::new(), |(_, root)| root.path_to(self.tree.ray));
+        self.path = path.into_iter().skip(1).map(step_to).collect();
     }
 
     /// Starts to look for a pixel that is worth explaining.

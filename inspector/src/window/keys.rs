@@ -8,7 +8,7 @@ use crate::action::{Action, Shows, With};
 const KEYS: [(&str, &str); 21] = [
     ("click", "explain this pixel"),
     ("right click", "on an object: why does the selected ray not hit it?"),
-    ("arrows", "explain the next pixel (Shift: ten pixels on)"),
+    ("arrows", "explain the next pixel, the same ray (Shift: ten pixels on)"),
     ("L", "follow the light: the next ray on the path of the largest share"),
     ("wheel, pinch", "zoom in and out under the mouse"),
     ("drag", "move the picture; a bar between two parts: resize them"),
@@ -17,16 +17,10 @@ const KEYS: [(&str, &str); 21] = [
     ("W", "with another picture: ours at the left of a line, theirs at its right; drag the line"),
     ("D", "with another picture: theirs less ours"),
     ("Z", "with another picture, once it is judged: the map of z"),
-    (
-        "N",
-        "with another picture: the worst pixel of the next region of difference; with a log of rays: the next broken ray",
-    ),
+    ("N", "the worst pixel of the next region of difference; with a log, the next broken ray"),
     ("O", "with several other pictures: compare with the next of them"),
     ("S", "the picture, the picture and its rays in space, or space alone"),
-    (
-        "1 2 3, C, F, A, R",
-        "in space: front, side, top; the scene's camera; fit rays, all; along the ray",
-    ),
+    ("1 2 3, C, F, A, R", "in space: front, side, top; scene's camera; fit rays, all; along ray"),
     ("Ctrl-O", "type the name of a scene file"),
     ("Ctrl-S", "save the picture"),
     ("Ctrl-+, Ctrl-−, Ctrl-0", "everything larger, smaller, or as at first"),

@@ -1,9 +1,8 @@
 //! The list of the gallery's scenes by chapter, with thumbnails and a search field.
 
 use eframe::egui::{
-    Align, Button, Color32, ColorImage, FontId, Image, Key, Modifiers, Popup, PopupCloseBehavior,
-    Rect, ScrollArea, Shape, Stroke, TextEdit, TextFormat, TextureHandle, TextureId,
-    TextureOptions, Ui, WidgetInfo,
+    Align, Button, FontId, Image, Key, Modifiers, Popup, PopupCloseBehavior, Rect, ScrollArea,
+    Shape, Stroke, TextEdit, TextFormat, TextureId, Ui, WidgetInfo,
     accesskit::Role,
     load::SizedTexture,
     text::{LayoutJob, TextWrapping},
@@ -28,8 +27,6 @@ pub struct ScenePicker {
     /// Frames until the open list is in position.
     opening: u8,
     thumbnails: Thumbnails,
-    /// The texture for a thumbnail that is not rendered yet.
-    blank: Option<TextureHandle>,
 }
 
 impl ScenePicker {
@@ -106,14 +103,21 @@ impl ScenePicker {
             return false;
         }
         let [width, height] = SIZE.map(|side| side as f32);
-        let image = Image::new(SizedTexture::new(self.picture(ui, entry), vec2(width, height)));
+        let size = vec2(width, height);
+        let image = match self.thumbnails.get(ui.ctx(), entry) {
+            Some(thumbnail) => Image::new(SizedTexture::new(thumbnail.id(), size)),
+            // the white corner of the texture that the letters are in
+            None => Image::new(SizedTexture::new(TextureId::default(), size))
+                .uv(Rect::ZERO)
+                .tint(ui.visuals().extreme_bg_color),
+        };
         let shown = if self.typed.is_empty() { name } else { entry.name };
         let text = described(ui, shown, gallery::about(entry));
         // laid out here: a button that cuts its text leaves one line of it
         let space = ui.available_width() - width - 3.0 * ui.spacing().button_padding.x;
         let wrap = TextWrapping { max_rows: 2, ..TextWrapping::truncate_at_width(space) };
         let text = ui.fonts_mut(|fonts| fonts.layout_job(LayoutJob { wrap, ..text }));
-        let button = Button::image_and_text(image.fit_to_exact_size(vec2(width, height)), text);
+        let button = Button::image_and_text(image.fit_to_exact_size(size), text);
         let button = button.selected(is_chosen).frame_when_inactive(is_chosen);
         let row = ui.add(button.min_size(vec2(0.0, row_height)));
         row.widget_info(|| WidgetInfo::labeled(Role::Button, true, name));
@@ -121,15 +125,6 @@ impl ScenePicker {
             row.scroll_to_me(if self.opening > 0 { Some(Align::Center) } else { None });
         }
         row.on_hover_text(gallery::about(entry)).clicked()
-    }
-
-    fn picture(&mut self, ui: &Ui, entry: Entry) -> TextureId {
-        if let Some(thumbnail) = self.thumbnails.get(ui.ctx(), entry) {
-            return thumbnail.id();
-        }
-        let grey = || ColorImage::filled([1, 1], Color32::from_gray(40));
-        let load = || ui.ctx().load_texture("blank", grey(), TextureOptions::NEAREST);
-        self.blank.get_or_insert_with(load).id()
     }
 
     /// The number of thumbnails that were rendered.

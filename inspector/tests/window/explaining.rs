@@ -232,6 +232,28 @@ fn a_click_on_a_ray_shows_its_details() {
     }
 }
 
+/// Law: an arrow key keeps the ray: of the next pixel the one is selected to which the same kinds of rays lead; where there is
+/// none, the camera's. Oracle: the kinds on both paths of the library's trees.
+#[test]
+fn an_arrow_key_keeps_the_ray() {
+    let mut window = glass_window_at(ON_GLASS);
+    let next = [ON_GLASS[0] + 1, ON_GLASS[1]];
+    let [here, there] = [ON_GLASS, next].map(|pixel| ray_of(&small_glass_sphere(), pixel, 0));
+    let kinds = |root: &RecordedRay, number: usize| {
+        root.path_to(number).iter().map(|ray| (ray.kind, ray.light.clone())).collect::<Vec<_>>()
+    };
+    let deep = here.rays().into_iter().filter(|ray| ray.depth == 2).map(|ray| ray.number);
+    for number in deep.collect::<Vec<_>>() {
+        set(&mut window, |it| it.selection.tree.go_to(&here, number));
+        press(&mut window, Key::ArrowRight);
+        assert_eq!(window.state().selection.pixel, Some(next));
+        let (found, wanted) = (window.state().selection.tree.ray, kinds(&here, number));
+        let has_it = there.rays().iter().any(|ray| kinds(&there, ray.number) == wanted);
+        assert_eq!(kinds(&there, found), if has_it { wanted } else { kinds(&there, 0) });
+        press(&mut window, Key::ArrowLeft);
+    }
+}
+
 /// Law: lights that add nothing are one line until it is clicked, and then stand with their reasons, each reason once; a hit
 /// from within says so in the tree, and total reflection, too. Oracle: the library's lines; the side and the angle of the hits.
 #[test]
