@@ -138,8 +138,8 @@ fn the_rim_of_a_bowl_touches_both_spheres() {
 
 /// Law: a concave lens is closed; its inside is a disk without two balls, of the radius `ρ = (d² +
 /// R²)/2d` if each hollow is d deep: 10.10947 for (4, 2, 0.35). Oracle: the spheres through three known
-/// points of each hollow, between the hits of a line (`check_pieces`); the radius worked by hand: (0.825²
-/// + 4²)/(2·0.825).
+/// points of each hollow, between the hits of a line (`check_pieces`); the radius worked by hand: (0.825² +
+/// 4²)/(2·0.825).
 /// Book: compound objects.
 #[test]
 fn a_concave_lens_is_a_disk_without_two_balls() {

@@ -60,7 +60,7 @@ fn opened(mut scene: Scene) -> String {
     if let Some(ray) = LAST_RAY.get() {
         let lens = Pinhole { distance: f64::from(SIDE), zoom: 1.0 };
         let mut camera = Viewpoint::new(ray.origin, ray.origin + ray.direction, lens);
-        camera.up = Frame::around(Normal::new(ray.direction).expect("a direction")).u.into();
+        camera.up = Frame::around(Normal::new(ray.direction).expect("a direction")).u;
         scene.camera = Viewpoint { medium: scene.camera.medium, ..camera };
         [scene.image.width, scene.image.height] = [SIDE; 2];
         pixel = [SIDE / 2; 2];
