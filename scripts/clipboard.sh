@@ -76,18 +76,18 @@ offer() {
 # the entries of the menu "Copy" from top to bottom, and a word of what each copies
 try_entry() {
     offer nothing
-    xdotool mousemove 1047 78 click 1
+    xdotool mousemove 1369 107 click 1
     sleep 1
-    xdotool mousemove 1060 "$1" click 1
+    xdotool mousemove 1230 "$1" click 1
     sleep 1
     expect "$2" "$3"
 }
-try_entry 106 "the command for a terminal" "groundtruth explain"
-try_entry 129 "the probe's line" '{"radiance":'
-try_entry 152 "a page for a class" "<!DOCTYPE html>"
-try_entry 175 "a test in Rust" "#[test]"
-try_entry 198 "the pixel, all its digits" ", 0."
-try_entry 221 "all numbers of the selected ray" "angle of incidence"
+try_entry 135 "the command for a terminal" "groundtruth explain"
+try_entry 158 "the probe's line" '{"radiance":'
+try_entry 181 "a page for a class" "<!DOCTYPE html>"
+try_entry 204 "a test in Rust" "#[test]"
+try_entry 227 "the pixel, all its digits" ", 0."
+try_entry 250 "all numbers of the selected ray" "angle of incidence"
 
 # pasted into the field of a scene file, and copied from there
 offer /from/another/program.toml
