@@ -3,9 +3,9 @@
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
 //! | the viewing axes u, v and w | u, v, w are orthonormal and right-handed, for every view, also straight up and down and rolled | `axes_are_orthonormal` |
-//! |  | `up` reversed turns the picture by 180°, to the bit; its length does not matter, nor how much of it is along the view | `up_is_a_direction` |
+//! |  | `up` reversed turns the picture by 180°, to the bit; neither the length of `up` nor its part along the view matters | `up_is_a_direction` |
 //! |  | the point looked at is in the middle of the picture: the ray there is −w from the eye | `the_middle_shows_the_point_looked_at` |
-//! |  | another point looked at on the same line of sight changes nothing; nor does moving eye and point together, but for the origin | `only_the_line_of_sight_matters` |
+//! |  | looking at another point on the same line of sight changes no ray; moving eye and point together changes only where rays start | `only_the_line_of_sight_matters` |
 //! | singular views: straight down and straight up | straight down u is z and v is x; straight up u is x and v is z (the book's frames) | `straight_down_and_up_have_the_books_frames` |
 //! | the pinhole camera: directions of primary rays | the pixel (x, y) looks along `x u + y v − d w`; x to the right, y up | `rays_follow_the_axes` |
 //! | zoom | zooming by k is the same as k times the distance, or pixels of size 1/k; to the bit for powers of two | `zoom_is_distance` |
@@ -163,8 +163,8 @@ proptest! {
         below!(apart(&rolled(30.0, [c * x + s * y, c * y - s * x]), &still), 16.0 * U);
     }
 
-    /// Law: `up` reversed turns the picture by 180°, to the bit; its length does not matter, nor how
-    /// much of it is along the view.
+    /// Law: `up` reversed turns the picture by 180°, to the bit; neither the length of `up` nor its part
+    /// along the view matters.
     /// Book: the viewing axes u, v and w.
     #[test]
     fn up_is_a_direction([x, y] in film(), eye in point(100.0), along in -2.0..2.0_f64) {
@@ -179,8 +179,8 @@ proptest! {
         below!(apart(&with(tilted, [x, y]), &ray), 1e-11);
     }
 
-    /// Law: another point looked at on the same line of sight changes nothing; nor does moving eye and
-    /// point together, but for the origin.
+    /// Law: looking at another point on the same line of sight changes no ray; moving eye and point
+    /// together changes only where rays start.
     /// Book: the viewing axes u, v and w.
     #[test]
     fn only_the_line_of_sight_matters(viewpoint in viewpoint(), at in film(), k in 0.01..50.0_f64) {

@@ -9,7 +9,7 @@
 //! |  | a mesh is its triangles: the same hits and normals as loose ones, the nearest of them first, bit for bit | `meshes::a_mesh_equals_its_loose_triangles` |
 //! |  | in a closed mesh every edge is passed once in each direction | `meshes::every_edge_of_a_closed_mesh_is_passed_once_each_way` |
 //! |  | rays from outside cross a closed mesh an even number of times | `meshes::rays_from_outside_cross_a_closed_mesh_evenly` |
-//! |  | triangles of area zero change neither hits nor mean normals, nor are they counted | `meshes::triangles_of_area_zero_change_nothing` |
+//! |  | triangles of area zero change no hit, no mean normal and no count of triangles | `meshes::triangles_of_area_zero_change_nothing` |
 //! | PLY files | the three encodings of PLY give the same mesh, and the same hits and shading normals, bit for bit, with the file's normals and with mean ones | `files::the_three_encodings_of_ply_give_the_same_hits` |
 //! | normals at the vertices | a vertex normal is the mean of the normals of its faces, each counted once; (0, 1, 0) where that is zero or no face touches it | `meshes::vertex_normals_are_the_mean_of_the_adjacent_faces` |
 //! |  | on a planar mesh the vertex normals are the face normal | `meshes::vertex_normals_of_a_plane_mesh_are_the_planes` |

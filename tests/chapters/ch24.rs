@@ -15,7 +15,7 @@
 //! | figs. 24.17 and 24.18, the hall of mirrors | three mirrors at right angles send each ray back where it came from | `a_corner_of_mirrors_sends_rays_back` |
 //! |  | three mirrors at right angles show seven more images of the room, mirrored along one, two or three axes and dimmed by one, two or three mirrors | `pictures::a_corner_of_mirrors_shows_eight_rooms` |
 //! |  | two facing mirrors show an endless row of rooms; every second one is mirrored, and the k-th is dimmed k times | `pictures::facing_mirrors_show_a_row_of_rooms` |
-//! | figs. 24.30 to 24.32, reflective meshes | a smooth mesh reflects about its interpolated normal, and about the flat normal where the interpolated one would send the ray into the mesh | `a_smooth_mirror_sends_no_ray_inside` |
+//! | figs. 24.30 to 24.32, reflective meshes | a smooth mesh reflects about its interpolated normal, and about the flat normal where the interpolated one would send the ray into the mesh | `leaning::a_smooth_mirror_sends_no_ray_inside` |
 //!
 //! Beyond the book: 1 in this file, 1 in `leaning`, 1 in `pictures`.
 
@@ -294,41 +294,6 @@ proptest! {
         prop_assert_eq!(path.len(), 4);
         at_most!((path[3] + path[0]).length(), 32.0 * U);
         prop_assert_eq!(look(&built(&scene), from, d), BACKGROUND);
-    }
-
-    /// Law: a smooth mesh reflects about its interpolated normal, and about the flat normal where the
-    /// interpolated one would send the ray into the mesh. No ray goes inside, and every hit has a
-    /// reflected ray. Oracle: the mirror directions about both normals.
-    /// Book: figs. 24.30 to 24.32, reflective meshes.
-    #[test]
-    fn a_smooth_mirror_sends_no_ray_inside(
-        to_eye in unit(),
-        phi in 0.0..TAU,
-        far in 0.4..0.95_f64,
-    ) {
-        let mut scene = deep_stage(BACKGROUND, 1);
-        let mesh = TessellatedSphere::new(5, 4, true);
-        put(&mut scene, mesh, mirror(1.0, Rgb::WHITE));
-        // away from the centre of the sphere, where the view grazes
-        let target = Point::ORIGIN + far * at_angle(to_eye, 0.0, phi);
-        let eye = Point::ORIGIN + 3.0 * to_eye;
-        let tree = recorded(&built(&scene), eye, target - eye);
-        let Some(hit) = &tree.root().hit else { return Ok(()) };
-        let before = tree.root().ray.direction;
-        match path(&tree)[..] {
-            [_, after, ..] => {
-                above!(after.dot(hit.normal), 0.0);
-                let n = Vector::from(hit.shading_normal);
-                let into = (before - 2.0 * before.dot(n) * n).dot(hit.normal);
-                // at the limit rounding decides
-                if into.abs() > 16.0 * U {
-                    let about = if into > 0.0 { hit.shading_normal } else { hit.normal };
-                    let off = (after.cross(about) - before.cross(about)).length();
-                    prop_assert!(off <= 16.0 * U, "{off} off the mirror direction, {into} inside");
-                }
-            }
-            _ => prop_assert!(false, "no ray is reflected"),
-        }
     }
 }
 

@@ -227,8 +227,8 @@ fn a_mesh_equals_its_loose_triangles() {
     }
 }
 
-/// Law: triangles of area zero change neither hits nor mean normals, nor are they counted. Oracle: the
-/// mesh without them.
+/// Law: triangles of area zero change no hit, no mean normal and no count of triangles. Oracle: the mesh
+/// without them.
 /// Book: the mesh and its triangles.
 #[test]
 fn triangles_of_area_zero_change_nothing() {
