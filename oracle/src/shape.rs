@@ -199,84 +199,53 @@ impl Shape {
     }
 }
 
+/// The same kind of shape or solid with `f` applied to its numbers: of each kind its points and ranges, then what is
+/// one number. A kind that holds something else has an arm of its own.
+macro_rules! with_each {
+    ($f:expr, $of:expr, $enum:ident { $($kind:ident ($($point:ident)*; $($number:ident)*))* } $($other:tt)*) => {
+        match $of {
+            $($enum::$kind { $($point,)* $($number,)* } => $enum::$kind {
+                $($point: $point.each_ref().map($f),)*
+                $($number: $f($number),)*
+            },)*
+            $($other)*
+        }
+    };
+}
+pub(crate) use with_each;
+
 impl<T> Shape<T> {
     /// The same shape with `f` applied to every number.
     pub(crate) fn map<U>(&self, f: &impl Fn(&T) -> U) -> Shape<U> {
-        let all = |v: &[T; 3]| v.each_ref().map(f);
-        match self {
-            Shape::Plane { point, normal } => {
-                Shape::Plane { point: point.each_ref().map(f), normal: normal.each_ref().map(f) }
-            }
-            Shape::Sphere { center, radius } => {
-                Shape::Sphere { center: center.each_ref().map(f), radius: f(radius) }
-            }
-            Shape::Cuboid { min, max } => {
-                Shape::Cuboid { min: min.each_ref().map(f), max: max.each_ref().map(f) }
-            }
-            Shape::Triangle { vertices } => {
-                Shape::Triangle { vertices: vertices.each_ref().map(all) }
-            }
-            Shape::Rectangle { corner, a, b } => Shape::Rectangle {
-                corner: corner.each_ref().map(f),
-                a: a.each_ref().map(f),
-                b: b.each_ref().map(f),
-            },
-            Shape::Disk { center, normal, radius } => Shape::Disk {
-                center: center.each_ref().map(f),
-                normal: normal.each_ref().map(f),
-                radius: f(radius),
-            },
-            Shape::OpenCylinder { y0, y1, radius } => {
-                Shape::OpenCylinder { y0: f(y0), y1: f(y1), radius: f(radius) }
-            }
-            Shape::Annulus { center, normal, inner, outer } => Shape::Annulus {
-                center: center.each_ref().map(f),
-                normal: normal.each_ref().map(f),
-                inner: f(inner),
-                outer: f(outer),
-            },
-            Shape::PartAnnulus { center, inner, outer, phi } => Shape::PartAnnulus {
-                center: center.each_ref().map(f),
-                inner: f(inner),
-                outer: f(outer),
-                phi: phi.each_ref().map(f),
-            },
-            Shape::Cone { height, radius } => Shape::Cone { height: f(height), radius: f(radius) },
-            Shape::Paraboloid { height, radius } => {
-                Shape::Paraboloid { height: f(height), radius: f(radius) }
-            }
-            Shape::PartSphere { center, radius, phi, theta } => Shape::PartSphere {
-                center: center.each_ref().map(f),
-                radius: f(radius),
-                phi: phi.each_ref().map(f),
-                theta: theta.each_ref().map(f),
-            },
-            Shape::PartCylinder { y0, y1, radius, phi } => Shape::PartCylinder {
-                y0: f(y0),
-                y1: f(y1),
-                radius: f(radius),
-                phi: phi.each_ref().map(f),
-            },
-            Shape::Torus { swept_radius, tube_radius } => {
-                Shape::Torus { swept_radius: f(swept_radius), tube_radius: f(tube_radius) }
-            }
-            Shape::PartTorus { swept_radius, tube_radius, phi, theta } => Shape::PartTorus {
-                swept_radius: f(swept_radius),
-                tube_radius: f(tube_radius),
-                phi: phi.each_ref().map(f),
-                theta: theta.each_ref().map(f),
-            },
-            Shape::Algebraic { terms, min, max } => Shape::Algebraic {
-                terms: terms.iter().map(|(c, powers)| (f(c), *powers)).collect(),
-                min: min.each_ref().map(f),
-                max: max.each_ref().map(f),
-            },
-            Shape::CutFace { size, radius } => Shape::CutFace { size: f(size), radius: f(radius) },
-            Shape::Solid(solid) => Shape::Solid(solid.map(f)),
-            Shape::Instance { matrix, of } => Shape::Instance {
-                matrix: matrix.each_ref().map(|row| row.each_ref().map(f)),
-                of: Box::new(of.map(f)),
-            },
+        with_each!(f, self, Shape {
+            Plane (point normal;)
+            Sphere (center; radius)
+            Cuboid (min max;)
+            Rectangle (corner a b;)
+            Disk (center normal; radius)
+            OpenCylinder (; y0 y1 radius)
+            Annulus (center normal; inner outer)
+            PartAnnulus (center phi; inner outer)
+            Cone (; height radius)
+            Paraboloid (; height radius)
+            PartSphere (center phi theta; radius)
+            PartCylinder (phi; y0 y1 radius)
+            Torus (; swept_radius tube_radius)
+            PartTorus (phi theta; swept_radius tube_radius)
+            CutFace (; size radius)
         }
+        Shape::Triangle { vertices } => Shape::Triangle {
+            vertices: vertices.each_ref().map(|vertex| vertex.each_ref().map(f)),
+        },
+        Shape::Algebraic { terms, min, max } => Shape::Algebraic {
+            terms: terms.iter().map(|(c, powers)| (f(c), *powers)).collect(),
+            min: min.each_ref().map(f),
+            max: max.each_ref().map(f),
+        },
+        Shape::Solid(solid) => Shape::Solid(solid.map(f)),
+        Shape::Instance { matrix, of } => Shape::Instance {
+            matrix: matrix.each_ref().map(|row| row.each_ref().map(f)),
+            of: Box::new(of.map(f)),
+        })
     }
 }

@@ -9,7 +9,7 @@ mod beveled;
 use crate::{
     angle::sin_cos,
     real::{Real, V, real, sign},
-    shape::Shape,
+    shape::{Shape, with_each},
     solve::face::Cap,
 };
 
@@ -63,7 +63,7 @@ pub(crate) enum Form {
 
 impl Solid {
     pub(crate) fn exact(&self) -> Solid<Real> {
-        self.map(|x| real(*x))
+        self.map(&|x| real(*x))
     }
 }
 
@@ -90,49 +90,19 @@ impl<T> Solid<T> {
     }
 
     /// The same solid with `f` applied to every number.
-    pub(crate) fn map<U>(&self, f: impl Fn(&T) -> U) -> Solid<U> {
-        let all = |v: &[T; 3]| v.each_ref().map(&f);
-        match self {
-            Solid::Cylinder { y0, y1, radius } => {
-                Solid::Cylinder { y0: f(y0), y1: f(y1), radius: f(radius) }
-            }
-            Solid::Cone { height, radius } => Solid::Cone { height: f(height), radius: f(radius) },
-            Solid::ThickRing { y0, y1, inner, outer } => {
-                Solid::ThickRing { y0: f(y0), y1: f(y1), inner: f(inner), outer: f(outer) }
-            }
-            Solid::FlatRimmedBowl { inner, outer, opening } => {
-                Solid::FlatRimmedBowl { inner: f(inner), outer: f(outer), opening: f(opening) }
-            }
-            Solid::RoundRimmedBowl { inner, outer, opening } => {
-                Solid::RoundRimmedBowl { inner: f(inner), outer: f(outer), opening: f(opening) }
-            }
-            Solid::ConcaveLens { radius, thickness, min_distance } => Solid::ConcaveLens {
-                radius: f(radius),
-                thickness: f(thickness),
-                min_distance: f(min_distance),
-            },
-            Solid::BeveledBox { min, max, bevel } => {
-                Solid::BeveledBox { min: all(min), max: all(max), bevel: f(bevel) }
-            }
-            Solid::BeveledCylinder { y0, y1, radius, bevel } => {
-                Solid::BeveledCylinder { y0: f(y0), y1: f(y1), radius: f(radius), bevel: f(bevel) }
-            }
-            Solid::BeveledRing { y0, y1, inner, outer, bevel } => Solid::BeveledRing {
-                y0: f(y0),
-                y1: f(y1),
-                inner: f(inner),
-                outer: f(outer),
-                bevel: f(bevel),
-            },
-            Solid::BeveledWedge { y0, y1, inner, outer, phi, bevel } => Solid::BeveledWedge {
-                y0: f(y0),
-                y1: f(y1),
-                inner: f(inner),
-                outer: f(outer),
-                phi: phi.each_ref().map(&f),
-                bevel: f(bevel),
-            },
-        }
+    pub(crate) fn map<U>(&self, f: &impl Fn(&T) -> U) -> Solid<U> {
+        with_each!(f, self, Solid {
+            Cylinder (; y0 y1 radius)
+            Cone (; height radius)
+            ThickRing (; y0 y1 inner outer)
+            FlatRimmedBowl (; inner outer opening)
+            RoundRimmedBowl (; inner outer opening)
+            ConcaveLens (; radius thickness min_distance)
+            BeveledBox (min max; bevel)
+            BeveledCylinder (; y0 y1 radius bevel)
+            BeveledRing (; y0 y1 inner outer bevel)
+            BeveledWedge (phi; y0 y1 inner outer bevel)
+        })
     }
 }
 

@@ -23,7 +23,7 @@ pub(super) fn solid(solid: &Solid<Real>, beam: &Beam) -> Found {
 /// The sum of all lengths, times 1 plus the sum of all angles in radians.
 fn moves(solid: &Solid<Real>) -> f64 {
     let sum = std::cell::Cell::new(0.0);
-    let mut lengths = solid.map(|x| {
+    let mut lengths = solid.map(&|x| {
         sum.set(sum.get() + magnitude(x));
     });
     let angles = match (&mut lengths, solid) {
