@@ -55,19 +55,6 @@ impl Specification for Height {
             step: length("step", self.step)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let noise = crate::noise::Noise::of_octaves(4);
-        let hills = crate::textures::Fbm::new(noise, 0.5);
-        let globe = crate::textures::Image {
-            filtering: crate::textures::Filtering::Bilinear,
-            ..crate::textures::Image::of_file(
-                concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/globe.png"),
-                Some(crate::textures::Mapping::Spherical),
-            )
-        };
-        vec![Self::new(hills, 0.25), Self::new(globe, -0.1)]
-    }
 }
 
 impl HeightBump {

@@ -47,13 +47,6 @@ impl Specification for Noise {
             perturbation: finite("perturbation", self.perturbation)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let fine = Self { noise: noise::Noise::of_octaves(6), size: 0.25, perturbation: 0.5 };
-        let linear =
-            noise::Noise { interpolation: noise::Interpolation::Linear, ..noise::Noise::default() };
-        vec![fine, Self { noise: linear, size: 1.0, perturbation: 3.0 }]
-    }
 }
 
 impl Bump for NoiseBump {

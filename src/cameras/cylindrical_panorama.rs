@@ -32,11 +32,6 @@ impl Specification for CylindricalPanorama {
         let tan_psi_max = sin_degrees(psi_max) / cos_degrees(psi_max);
         Ok(Arc::new(CylindricalPanoramaCamera { film: *film, lambda_max, tan_psi_max }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let fovs = [(180.0, 90.0), (360.0, 120.0), (1e-6, 2e-6), (270.0, 20.0)];
-        fovs.map(|(horizontal_fov, vertical_fov)| Self { horizontal_fov, vertical_fov }).into()
-    }
 }
 
 #[derive(Debug)]

@@ -31,11 +31,6 @@ impl Specification for Fisheye {
         let psi_max = 0.5 * angle("fov", self.fov, 360.0)?;
         Ok(Arc::new(FisheyeCamera { film: *film, psi_max, rectangular: self.rectangular }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let fovs = [(120.0, false), (360.0, false), (1e-6, false), (180.0, true), (300.0, true)];
-        fovs.map(|(fov, rectangular)| Self { fov, rectangular }).into()
-    }
 }
 
 #[derive(Debug)]

@@ -27,10 +27,6 @@ impl Specification for Orthographic {
         positive("zoom", self.zoom)?;
         Ok(Arc::new(self.clone()))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { zoom: 1.0 }, Self { zoom: 2.5 }]
-    }
 }
 
 impl Camera for Orthographic {

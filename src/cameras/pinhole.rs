@@ -33,10 +33,6 @@ impl Specification for Pinhole {
         positive("zoom", self.zoom)?;
         Ok(Arc::new(self.clone()))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { distance: 500.0, zoom: 1.0 }, Self { distance: 2.5, zoom: 2.0 }]
-    }
 }
 
 impl Camera for Pinhole {

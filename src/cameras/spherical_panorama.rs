@@ -32,11 +32,6 @@ impl Specification for SphericalPanorama {
         let psi_max = 0.5 * angle("vertical_fov", self.vertical_fov, 180.0)?;
         Ok(Arc::new(SphericalPanoramaCamera { film: *film, lambda_max, psi_max }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let fovs = [(84.0, 56.0), (360.0, 180.0), (1e-6, 2e-6), (180.0, 120.0)];
-        fovs.map(|(horizontal_fov, vertical_fov)| Self { horizontal_fov, vertical_fov }).into()
-    }
 }
 
 /// Half angles in degrees, because `sin_degrees` is exact for right angles.

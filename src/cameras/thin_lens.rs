@@ -42,14 +42,6 @@ impl Specification for ThinLens {
         positive("zoom", self.zoom)?;
         Ok(Arc::new(self.clone()))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self { distance: 40.0, focal_distance: 74.0, lens_radius: 1.0, zoom: 0.5 },
-            Self { distance: 500.0, focal_distance: 75.0, lens_radius: 20.0, zoom: 1.0 },
-            Self { distance: 300.0, focal_distance: 1e5, lens_radius: 0.0, zoom: 2.0 },
-        ]
-    }
 }
 
 impl Camera for ThinLens {

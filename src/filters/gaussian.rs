@@ -45,11 +45,6 @@ impl Specification for Gaussian {
         let end = radius / (SQRT_2 * sigma);
         Ok(Arc::new(GaussianFilter { radius, scale: SQRT_2 * sigma, end, whole: erf(end) }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let [book, wide] = [(half(), three_halves()), (2.0, 3.0)];
-        [book, wide].map(|(sigma, radius)| Self { sigma, radius }).to_vec()
-    }
 }
 
 /// In units of `√2 σ` the filter is `exp(−z²)`.

@@ -46,13 +46,6 @@ impl Specification for Mitchell {
         built.mass = built.absolute(2.0);
         Ok(Arc::new(built))
     }
-
-    fn specimens() -> Vec<Self> {
-        let third = third();
-        [(third, third), (1.0, 0.0), (0.0, 0.5), (0.0, 0.0), (0.0, 1.0)]
-            .map(|(b, c)| Self { b, c })
-            .to_vec()
-    }
 }
 
 /// Coefficients of six times the cubics, by rising power.

@@ -26,10 +26,6 @@ impl Specification for Tent {
         super::radius(self.radius)?;
         Ok(Arc::new(self.clone()))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { radius: 1.0 }, Self { radius: 2.5 }]
-    }
 }
 
 impl Filter for Tent {

@@ -2,8 +2,8 @@
 //!
 //! A kind's file holds plain data that a scene file can say, and a [`Specification`] that checks
 //! it and builds the thing itself. The list in the folder's `mod.rs`, written with
-//! [`kinds!`](crate::kinds!), makes of all of them one enum: it gives each its tag, and its
-//! specimens to contracts, docs, exporters and fuzz bodies.
+//! [`kinds!`](crate::kinds!), makes of all of them one enum, and gives each its tag. The folder's
+//! `specimens.toml` has valid examples of each, for contracts, docs, exporters and fuzz bodies.
 
 mod resources;
 
@@ -12,6 +12,7 @@ use std::sync::Arc;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
+use serde::de::DeserializeOwned;
 
 use crate::invalid::Invalid;
 
@@ -33,9 +34,6 @@ pub trait Specification: Sized {
     /// # Errors
     /// [`Invalid`] names the field that does not fit.
     fn build(&self, context: &mut Self::Context) -> Result<Self::Built, Invalid>;
-
-    /// Valid examples, on which the contract of the trait is tested.
-    fn specimens() -> Vec<Self>;
 }
 
 /// One line of the list of kinds.
@@ -99,18 +97,29 @@ pub fn schema_of_list(
     })
 }
 
+const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
+
+/// The examples of the kind with this tag in the text of its list, where `{scenes}` stands for the folder of scenes.
+#[doc(hidden)]
+pub fn specimens<Data: DeserializeOwned>(text: &str, tag: &str) -> Vec<Data> {
+    let list: Result<toml::Table, _> = toml::from_str(&text.replace("{scenes}", SCENES));
+    let mut list = list.unwrap_or_else(|error| panic!("specimens of {tag}: {error}"));
+    let specimens = list.remove(tag).unwrap_or_else(|| panic!("{tag} has no specimens"));
+    specimens.try_into().unwrap_or_else(|error| panic!("specimens of {tag}: {error}"))
+}
+
 /// The schema of one kind of a list, with the chapter that brings it and its first specimen.
 #[doc(hidden)]
-pub fn schema_of_kind<Data: Specification + JsonSchema + Serialize>(
+pub fn schema_of_kind<Data: JsonSchema + Serialize>(
     chapter: &str,
+    example: Option<Data>,
     generator: &mut SchemaGenerator,
 ) -> Schema {
     let mut schema = generator.subschema_for::<Data>();
     schema.insert("x-chapter".to_owned(), chapter.into());
-    let example =
-        Data::specimens().into_iter().next().and_then(|it| serde_json::to_string(&it).ok());
-    // specimens name files of this repository by their whole path; examples are relative to scenes/
-    let example = example.map(|it| it.replace(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/"), ""));
+    let example = example.and_then(|it| serde_json::to_string(&it).ok());
+    // examples name files as a scene in scenes/ does
+    let example = example.map(|it| it.replace(&format!("{SCENES}/"), ""));
     if let Some(example) = example.and_then(|text| serde_json::from_str(&text).ok()) {
         schema.insert("examples".to_owned(), serde_json::Value::Array(vec![example]));
     }
@@ -156,22 +165,27 @@ macro_rules! kinds {
             }
 
             fn json_schema(generator: &mut ::schemars::SchemaGenerator) -> ::schemars::Schema {
-                let kinds = [$((
-                    $crate::kinds::tag_of(stringify!($Data), &[$($tag)?]),
-                    $crate::kinds::schema_of_kind::<$Data>(stringify!($chapter), generator),
-                )),*];
+                let kinds = [$({
+                    let tag = $crate::kinds::tag_of(stringify!($Data), &[$($tag)?]);
+                    let first = $crate::kinds::specimens(Self::SPECIMENS, &tag).into_iter().next();
+                    let schema = $crate::kinds::schema_of_kind::<$Data>(stringify!($chapter), first, generator);
+                    (tag, schema)
+                }),*];
                 $crate::kinds::schema_of_list(stringify!($Trait), concat!($($doc, "\n"),*), kinds)
             }
         }
 
         impl $Kind {
+            const SPECIMENS: &'static str = include_str!("specimens.toml");
+
             /// Every kind, in the order of the list.
             pub const ENTRIES: &'static [$crate::kinds::Entry<Self>] = &[$(
                 $crate::kinds::Entry {
                     chapter: stringify!($chapter),
                     module: stringify!($module),
                     specimens: || {
-                        let all = <$Data as $crate::kinds::Specification>::specimens();
+                        let tag = $crate::kinds::tag_of(stringify!($Data), &[$($tag)?]);
+                        let all: Vec<$Data> = $crate::kinds::specimens(Self::SPECIMENS, &tag);
                         all.into_iter().map(Self::from).collect()
                     },
                     formula: <$Data as $crate::kinds::Specification>::FORMULA,

@@ -39,10 +39,6 @@ impl Specification for Ambient {
         let radiance = strength("ls", self.ls)? * self.color.checked("color")?;
         Ok(Arc::new(Constant { radiance }))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { ls: 0.25, color: Rgb::new(1.0, 0.5, 0.75) }]
-    }
 }
 
 impl Light for Constant {

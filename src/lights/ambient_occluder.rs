@@ -76,17 +76,6 @@ impl Specification for AmbientOccluder {
         let max_distance = self.max_distance.map(|far| length("max_distance", far)).transpose()?;
         Ok(Arc::new(Occluder { open, occluded: min_amount * (ls * occluded), max_distance }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let color = Rgb::new(1.0, 0.5, 0.75);
-        let plain = Self { ls: 0.5, color, min_amount: 0.25, ..Self::default() };
-        let two_colors = Self {
-            occluded_color: Some(Rgb::new(0.25, 0.5, 1.0)),
-            max_distance: Some(10.0),
-            ..plain.clone()
-        };
-        vec![plain, two_colors]
-    }
 }
 
 impl Light for Occluder {

@@ -83,11 +83,6 @@ impl Specification for Area {
         let (shape, two_sided) = (Arc::clone(&object.shape), object.two_sided);
         Ok(Arc::new(Lamp { object: name.clone(), shape, surface, emission, two_sided }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let lamp = Self { object: "lamp".to_owned(), sampling: None };
-        vec![Self { sampling: Some(Sampling::Area), ..lamp.clone() }, lamp]
-    }
 }
 
 impl Lamp {

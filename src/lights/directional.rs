@@ -45,10 +45,6 @@ impl Specification for Directional {
             direction: direction("direction", self.direction)?.into(),
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { ls: 2.0, color: Rgb::WHITE, direction: Vector::new(15.0, 15.0, 2.5) }]
-    }
 }
 
 impl Light for Parallel {

@@ -57,10 +57,6 @@ impl Specification for Environment {
             }
         }
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self {}]
-    }
 }
 
 impl Light for Uniform {

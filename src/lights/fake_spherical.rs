@@ -61,12 +61,6 @@ impl Specification for FakeSpherical {
             attenuation: not_negative("attenuation", self.attenuation)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let (color, location) = (Rgb::new(1.0, 0.5, 0.0), math::Point::new(10.0, 15.0, 20.0));
-        let plain = Self { ls: 3.0, color, location, jitter: 3.0, attenuation: 0.0 };
-        vec![Self { attenuation: 2.0, ls: 250.0, ..plain }, plain]
-    }
 }
 
 impl JitteredPoint {

@@ -51,11 +51,6 @@ impl Specification for JitteredDirectional {
             jitter: not_negative("jitter", self.jitter)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let direction = Vector::new(15.0, 15.0, 2.5);
-        vec![Self { ls: 2.0, color: Rgb::WHITE, direction, jitter: 0.2 }]
-    }
 }
 
 impl Light for Jittered {

@@ -54,16 +54,6 @@ impl Specification for PointLight {
             attenuation: not_negative("attenuation", self.attenuation)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let plain = Self {
-            ls: 3.0,
-            color: Rgb::new(1.0, 0.5, 0.0),
-            location: Point::new(10.0, 15.0, 20.0),
-            attenuation: 0.0,
-        };
-        vec![Self { attenuation: 2.0, ls: 600.0, ..plain }, plain]
-    }
 }
 
 impl Light for PointSource {

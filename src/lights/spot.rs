@@ -69,12 +69,6 @@ impl Specification for Spot {
             attenuation: not_negative("attenuation", self.attenuation)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let (color, location) = (Rgb::new(1.0, 0.5, 0.0), math::Point::new(10.0, 15.0, 20.0));
-        let (direction, inner, outer) = (Vector::new(-1.0, -1.5, -2.0), 30.0, 60.0);
-        vec![Self { ls: 600.0, color, location, direction, inner, outer, attenuation: 2.0 }]
-    }
 }
 
 impl Cone {

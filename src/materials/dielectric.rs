@@ -12,7 +12,6 @@ use super::{
 use crate::invalid::Invalid;
 use crate::kinds::{Resources, Specification};
 use crate::lobes::{FresnelReflector, FresnelTransmitter, NormalKind};
-use crate::rgb::Rgb;
 use crate::textures::TexturePoint;
 
 /// Glass, water: a boundary between two media, with Fresnel reflection and refraction, and absorption
@@ -56,16 +55,6 @@ impl Specification for Dielectric {
             eta: inside.eta / outside.eta,
             boundary: Boundary { inside, outside },
         }))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let phong = Phong { ks: 0.2.into(), exponent: 2000.0.into(), ..Phong::default() };
-        let water = Medium { eta: 1.33, absorption: Rgb::new(0.25, 0.0, 0.0625) };
-        let tinted = Medium { eta: 1.5, absorption: Rgb::new(0.5, 0.125, 0.25) };
-        vec![
-            Self { phong, inside: Medium::clear(1.5), outside: Medium::default() },
-            Self { inside: tinted, outside: water, ..Self::default() },
-        ]
     }
 }
 

@@ -12,7 +12,6 @@ use super::{
 use crate::invalid::Invalid;
 use crate::kinds::{self, Resources, Specification};
 use crate::materials::Emission;
-use crate::rgb::Rgb;
 use crate::textures::{Amount, Paint, TexturePoint};
 
 /// Radiance `ls · ce` in every direction on the outer side; black on the inner, unless the material is
@@ -58,12 +57,6 @@ impl Specification for Emissive {
         let matte = self.matte.as_ref().map(|matte| matte.check(resources)).transpose();
         let matte = matte.map_err(|e| e.inside("matte"))?;
         Ok(Arc::new(Shining { emission: Emission { ls, ce }, matte }))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let plain = Self::new(2.5, Rgb::new(1.0, 1.0, 0.5));
-        let matte = Matte::specimens().into_iter().next();
-        vec![Self { matte, ..plain.clone() }, plain]
     }
 }
 

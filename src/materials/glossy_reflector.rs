@@ -13,7 +13,6 @@ use super::{
 use crate::invalid::Invalid;
 use crate::kinds::{self, Resources, Specification};
 use crate::lobes::{GlossyReflection, GlossyRule, NormalKind};
-use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// A blurred mirror of reflectance `kr · cr` over a Phong base. It needs `whitted` or a path tracer, and
@@ -67,14 +66,6 @@ impl Specification for GlossyReflector {
             exponent: built_exponent(&self.exponent, resources)?,
             rule: self.rule,
         }))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let phong = Phong::specimens().remove(0);
-        let cr = Rgb::new(0.9, 1.0, 0.9).into();
-        let book =
-            Self { phong, kr: 0.75.into(), cr, exponent: 100.0.into(), rule: GlossyRule::Book };
-        vec![Self { rule: GlossyRule::Normalised, ..book.clone() }, book]
     }
 }
 

@@ -9,7 +9,6 @@ use super::{Material, Reflectance, Response, TexturedField, constant, textured};
 use crate::invalid::Invalid;
 use crate::kinds::{Resources, Specification};
 use crate::lobes::{Lambertian, NormalKind};
-use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// A perfectly diffuse surface; ambient and diffuse reflection share a colour.
@@ -53,10 +52,6 @@ impl Specification for Matte {
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         Ok(Arc::new(self.check(resources)?))
-    }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { ka: 0.25.into(), kd: 0.75.into(), cd: Rgb::new(1.0, 0.5, 0.25).into() }]
     }
 }
 

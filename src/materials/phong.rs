@@ -78,12 +78,6 @@ impl Specification for Phong {
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {
         Ok(Arc::new(self.check(resources)?))
     }
-
-    fn specimens() -> Vec<Self> {
-        let cd = Rgb::new(0.5, 0.6, 0.1).into();
-        let [ka, kd, ks, exponent] = [0.25, 0.5, 0.2, 20.0].map(Amount::from);
-        vec![Self { ka, kd, cd, ks, exponent, ..Self::default() }]
-    }
 }
 
 impl Material for PhongMaterial {

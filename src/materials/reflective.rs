@@ -12,7 +12,6 @@ use super::{
 use crate::invalid::Invalid;
 use crate::kinds::{self, Resources, Specification};
 use crate::lobes::{NormalKind, PerfectSpecular};
-use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
 /// A mirror of reflectance `kr · cr` over a Phong base. It needs `whitted` or a path tracer.
@@ -51,11 +50,6 @@ impl Specification for Reflective {
             kr: self.kr.build("kr", resources)?,
             cr: self.cr.build("cr", resources)?,
         }))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let phong = Phong::specimens().remove(0);
-        vec![Self { phong, kr: 0.75.into(), cr: Rgb::new(0.9, 1.0, 0.9).into() }]
     }
 }
 

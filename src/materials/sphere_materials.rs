@@ -5,9 +5,7 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{
-    Kind, Material, Matte, Phong, Reflectance, Response, TexturedField, reflectances_within, within,
-};
+use super::{Kind, Material, Reflectance, Response, TexturedField, reflectances_within, within};
 use crate::invalid::Invalid;
 use crate::kinds::{Resources, Specification};
 use crate::textures::{self, SphereCells, TexturePoint};
@@ -51,12 +49,6 @@ impl Specification for SphereMaterials {
         let materials =
             self.materials.iter().enumerate().map(material).collect::<Result<_, _>>()?;
         Ok(Arc::new(SphereMaterialsMaterial { cells, materials }))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let (matte, phong) = (Matte::specimens().remove(0), Phong::specimens().remove(0));
-        let materials = vec![matte.into(), phong.into()];
-        vec![Self { num_horizontal: 5, num_vertical: 3, materials }]
     }
 }
 

@@ -67,12 +67,6 @@ impl Specification for Transparent {
             eta: index("eta", self.eta)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let phong = Phong { ks: 0.2.into(), exponent: 2000.0.into(), ..Phong::default() };
-        let glass = Self { phong, kr: 0.1.into(), cr: Rgb::WHITE.into(), kt: 0.9.into(), eta: 1.5 };
-        vec![Self { eta: 0.75, ..glass.clone() }, glass]
-    }
 }
 
 impl Material for TransparentMaterial {

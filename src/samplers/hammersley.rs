@@ -31,10 +31,6 @@ impl Specification for Hammersley {
     fn build(&self, (): &mut ()) -> Result<Self::Built, Invalid> {
         Ok(Arc::new(*self))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { shifted: false }, Self { shifted: true }]
-    }
 }
 
 impl Sampler for Hammersley {

@@ -14,10 +14,6 @@ macro_rules! without_settings {
             fn build(&self, (): &mut ()) -> Result<Self::Built, $crate::invalid::Invalid> {
                 Ok(::std::sync::Arc::new(*self))
             }
-
-            fn specimens() -> Vec<Self> {
-                vec![Self {}]
-            }
         }
     };
 }

@@ -10,7 +10,6 @@ use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Resources, Specification};
 use crate::math::{Length, floor};
-use crate::rgb::Rgb;
 
 /// Cubes of alternating colours, in the local coordinates of the object. The index of a cube on
 /// each axis is `floor(x / size − 0.000187453738)`: the borders are slightly above the multiples of
@@ -47,12 +46,6 @@ impl Specification for Checker3d {
             color1: self.color1.build("color1", resources)?,
             color2: self.color2.build("color2", resources)?,
         }))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let [color1, color2] = [Rgb::WHITE, Rgb::new(0.1, 0.4, 0.8)].map(Paint::from);
-        let plain = Self { size: 0.75, color1, color2 };
-        vec![Self { size: 3.0, color2: plain.clone().into(), ..plain.clone() }, plain]
     }
 }
 

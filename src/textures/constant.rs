@@ -26,10 +26,6 @@ impl Specification for Constant {
         self.color.checked("color")?;
         Ok(Arc::new(self.clone()))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { color: Rgb::new(0.2, 0.4, 0.6) }]
-    }
 }
 
 impl Texture for Constant {

@@ -58,11 +58,6 @@ impl Specification for DiskChecker {
         let colors = [&self.color1, &self.color2];
         Checkers::build((self.unit, counts, division), colors, &self.lines, resources)
     }
-
-    fn specimens() -> Vec<Self> {
-        let lines = Lines { horizontal: 0.1, vertical: 0.05, ..Lines::default() };
-        vec![Self { lines, unit: 1.5, ..Self::default() }, Self::default()]
-    }
 }
 
 fn division([x, _, z]: [f64; 3], [columns, rows]: [f64; 2]) -> [Cell; 2] {

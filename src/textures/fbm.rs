@@ -62,15 +62,6 @@ impl Specification for Fbm {
             color: self.color.build("color", resources)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let clouds = Self {
-            color: Rgb::new(0.5, 0.75, 1.0).into(),
-            ..Self::new(Noise::of_octaves(6), 0.75)
-        };
-        let noise = Noise { gain: 2.0, lacunarity: 3.7, ..Noise::of_octaves(4) };
-        vec![clouds.clone(), Self { noise, min: -0.5, max: 1.5, color: clouds.into(), size: 1.0 }]
-    }
 }
 
 impl FbmTexture {

@@ -128,21 +128,6 @@ impl Specification for Image {
             sampling: Sampling { filtering, rule, wraps },
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/globe.png");
-        let nearest = |mapping| Self::of_file(file, mapping);
-        let bilinear = Self {
-            filtering: Filtering::Bilinear,
-            wrap_u: Some(Wrap::Mirror),
-            rule: Rule::Book,
-            ..nearest(Some(Mapping::Square))
-        };
-        let of_mesh = nearest(None);
-        let rows = [[Rgb::WHITE, Rgb::BLACK], [Rgb::BLACK, Rgb::new(0.5, 0.25, 1.0)]];
-        let listed = Self::of_texels(rows.map(Vec::from).into(), Some(Mapping::LightProbe));
-        vec![nearest(Some(Mapping::Spherical)), bilinear, of_mesh, listed]
-    }
 }
 
 impl ImageTexture {

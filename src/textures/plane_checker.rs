@@ -52,15 +52,4 @@ impl Specification for PlaneChecker {
         let division: Division = |[x, _, z], _| [Cell::at(x), Cell::at(z)];
         Ok(Arc::new(Checkers { unit: size, counts: [1.0; 2], division, colors, lines }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let outlined = Self {
-            size: 0.5,
-            color1: Rgb::WHITE.into(),
-            color2: Rgb::new(0.5, 0.75, 0.5).into(),
-            outline_width: 0.0625,
-            outline_color: Rgb::BLACK.into(),
-        };
-        vec![Self { outline_width: 0.0, ..outlined.clone() }, outlined]
-    }
 }

@@ -62,15 +62,6 @@ impl Specification for Ramp {
         let colors = Paint::build_list(&self.colors, "colors", resources)?;
         Ok(Arc::new(RampTexture { axis: self.axis, from, to, colors, wrap: self.wrap }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let colors = [Rgb::new(0.75, 0.25, 0.0), Rgb::WHITE, Rgb::new(0.0, 0.5, 1.0)];
-        let colors = colors.map(Paint::from).to_vec();
-        let along_y = Self { axis: Axis::Y, from: -1.0, to: 2.0, colors, wrap: Wrap::Clamp };
-        let again =
-            Self { axis: Axis::X, from: 0.5, to: -0.25, wrap: Wrap::Repeat, ..along_y.clone() };
-        vec![along_y, again]
-    }
 }
 
 impl Texture for RampTexture {

@@ -58,19 +58,6 @@ impl Specification for RampFbm {
             perturbation: finite("perturbation", self.perturbation)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let colors = [Rgb::new(0.9, 0.9, 1.0), Rgb::new(0.1, 0.2, 0.5), Rgb::new(0.6, 0.7, 0.9)];
-        let marble = Self {
-            ramp: ColorTable::interpolated(colors),
-            noise: Noise::of_octaves(4),
-            size: 0.5,
-            perturbation: 8.0,
-        };
-        let rule = super::Rule::Book;
-        let ramp = ColorTable { rule, columns: None, ..marble.ramp.clone() };
-        vec![marble.clone(), Self { ramp, perturbation: 0.05, ..marble }]
-    }
 }
 
 impl Texture for RampFbmTexture {

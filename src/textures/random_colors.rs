@@ -28,10 +28,6 @@ impl Specification for RandomColors {
     fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(self.clone()))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { seed: 15 }]
-    }
 }
 
 impl Texture for RandomColors {

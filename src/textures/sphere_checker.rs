@@ -52,9 +52,4 @@ impl Specification for SphereChecker {
         let colors = [&self.color1, &self.color2];
         Checkers::build((1.0, counts, SphereCells::division), colors, &self.lines, resources)
     }
-
-    fn specimens() -> Vec<Self> {
-        let lines = Lines { horizontal: 0.1, vertical: 0.05, ..Lines::default() };
-        vec![Self { lines, num_vertical: 7, ..Self::default() }, Self::default()]
-    }
 }

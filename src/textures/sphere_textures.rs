@@ -6,10 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, BuiltLines};
-use super::{Checker3d, Chooser, Color, Lines, Paint, SphereCells, Texture, TexturePoint};
+use super::{Chooser, Color, Lines, Paint, SphereCells, Texture, TexturePoint};
 use crate::invalid::Invalid;
 use crate::kinds::{Resources, Specification};
-use crate::rgb::Rgb;
 
 /// The checkers of `sphere_checker`, each with a colour or texture of its own.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -45,14 +44,6 @@ impl Specification for SphereTextures {
         cells.check_list("textures", self.textures.len())?;
         let textures = Paint::build_list(&self.textures, "textures", resources)?;
         Ok(Arc::new(SphereTexturesTexture { cells, textures, lines: self.lines.build(resources)? }))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let plain = [Rgb::WHITE, Rgb::new(0.75, 0.25, 0.25), Rgb::BLACK].map(Paint::from);
-        let checker = Checker3d::specimens().remove(0);
-        let textures = plain.into_iter().chain([checker.into()]).collect();
-        let lines = Lines { horizontal: 0.25, vertical: 0.125, ..Lines::default() };
-        vec![Self { num_horizontal: 5, num_vertical: 4, textures, lines }]
     }
 }
 

@@ -10,7 +10,6 @@ use super::{Chooser, Color, Paint, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
 use crate::kinds::{self, Resources, Specification};
 use crate::math::{Axis, Length, floor};
-use crate::rgb::Rgb;
 
 /// Layers of two alternating colours, perpendicular to an axis of the object's own coordinates. As
 /// for `checker3d`, the borders are slightly above the multiples of the size, so that a face at
@@ -51,14 +50,6 @@ impl Specification for Stripes {
             color1: self.color1.build("color1", resources)?,
             color2: self.color2.build("color2", resources)?,
         }))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let [color1, color2] = [Rgb::new(0.5, 0.25, 0.0), Rgb::WHITE].map(Paint::from);
-        let across_y = Self { axis: Axis::Y, size: 0.375, color1, color2 };
-        let nested =
-            Self { axis: Axis::Z, size: 2.0, color1: across_y.clone().into(), ..across_y.clone() };
-        vec![across_y, nested]
     }
 }
 

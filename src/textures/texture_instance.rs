@@ -5,10 +5,10 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Checker3d, Color, Paint, Texel, Texture, TexturePoint};
+use super::{Color, Paint, Texel, Texture, TexturePoint};
 use crate::invalid::Invalid;
 use crate::kinds::{Resources, Specification};
-use crate::math::{Step, Transform, Vector};
+use crate::math::{Step, Transform};
 use crate::rgb::Rgb;
 use crate::shapes::transform_of;
 
@@ -45,18 +45,6 @@ impl Specification for TextureInstance {
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let transform = transform_of("transform", &self.transform)?;
         Ok(Arc::new(TextureInstanceTexture { of: self.of.build("of", resources)?, transform }))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let checker = Checker3d::specimens().remove(0);
-        let steps = vec![
-            Step::Scale(Vector::new(2.0, 1.0, 0.5)),
-            Step::RotateZ(30.0),
-            Step::Shear([0.5, 0.0, 0.0, 0.25, 0.0, 0.0]),
-            Step::Translate(Vector::new(0.25, -1.5, 3.0)),
-        ];
-        let moved = Self::new(checker, steps);
-        vec![Self::new(moved.clone(), vec![Step::RotateX(-45.0)]), moved]
     }
 }
 

@@ -11,7 +11,6 @@ use crate::invalid::{Invalid, finite};
 use crate::kinds::{self, Resources, Specification};
 use crate::math::{Length, lists};
 use crate::noise::Noise;
-use crate::rgb::Rgb;
 
 /// As `wrapped_fbm`, with three colours separated by two thresholds of `expansion · fBm`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -83,11 +82,5 @@ impl Specification for ThreeColors {
                 self.color3.build("color3", resources)?,
             ],
         }))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let noise = Noise { lacunarity: 4.0, ..Noise::of_octaves(4) };
-        let colors = [Rgb::new(1.0, 0.75, 0.0), Rgb::new(0.5, 0.0, 0.5), Rgb::new(0.0, 0.6, 0.3)];
-        vec![Self::new(noise, 0.75, 3.25, colors.map(Paint::from))]
     }
 }

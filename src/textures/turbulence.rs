@@ -62,11 +62,6 @@ impl Specification for Turbulence {
             color: self.color.build("color", resources)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let color = Rgb::new(1.0, 0.7, 0.0).into();
-        vec![Self { color, ..Self::new(Noise::of_octaves(8), 2.0) }]
-    }
 }
 
 impl Texture for TurbulenceTexture {

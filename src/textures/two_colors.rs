@@ -7,12 +7,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::noise_field::{self, Expanded, Range, Wrapped};
-use super::{Paint, Texture, WrappedFbm};
+use super::{Paint, Texture};
 use crate::invalid::Invalid;
 use crate::kinds::{self, Resources, Specification};
 use crate::math::Length;
 use crate::noise::Noise;
-use crate::rgb::Rgb;
 
 /// As `wrapped_fbm`, with one colour where `expansion · fBm` is below 1 and another elsewhere. If
 /// the second is a noise texture, these are the book's nested noises.
@@ -63,13 +62,5 @@ impl Specification for TwoColors {
                 self.color2.build("color2", resources)?,
             ],
         }))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let noise = Noise { lacunarity: 4.0, ..Noise::of_octaves(4) };
-        let [gold, jade] = [Rgb::new(1.0, 0.75, 0.0), Rgb::new(0.0, 0.6, 0.3)].map(Paint::from);
-        let plain = Self::new(noise, 0.75, 2.0, [gold.clone(), jade]);
-        let inner = WrappedFbm::new(Noise::of_octaves(6), 0.25, 3.0);
-        vec![plain, Self::new(noise, 1.0, 2.0, [gold, inner.into()])]
     }
 }

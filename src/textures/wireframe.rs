@@ -52,11 +52,6 @@ impl Specification for Wireframe {
             color: self.color.build("color", resources)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let color = Rgb::new(1.0, 0.75, 0.25).into();
-        vec![Self { line_width: 0.02, line_color: black(), color }]
-    }
 }
 
 impl Chooser for WireframeTexture {

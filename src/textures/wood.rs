@@ -118,10 +118,6 @@ impl Specification for Wood {
             dark: self.dark.build("dark", resources)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { size: 0.5, ..Self::default() }]
-    }
 }
 
 impl Texture for WoodTexture {

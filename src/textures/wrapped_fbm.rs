@@ -58,9 +58,4 @@ impl Specification for WrappedFbm {
             colors: vec![self.color.build("color", resources)?],
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let noise = Noise { lacunarity: 4.0, ..Noise::of_octaves(2) };
-        vec![Self::new(noise, 1.0, 10.0)]
-    }
 }

@@ -48,16 +48,6 @@ impl Specification for WrappedRamp {
             noise: Expanded::build(&self.noise, self.size, self.expansion)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let colors = [Rgb::new(0.9, 0.8, 0.6), Rgb::new(0.5, 0.2, 0.1), Rgb::new(0.9, 0.6, 0.3)];
-        vec![Self {
-            ramp: ColorTable::interpolated(colors),
-            noise: Noise::of_octaves(3),
-            size: 1.0,
-            expansion: 8.0,
-        }]
-    }
 }
 
 impl Texture for WrappedRampTexture {

@@ -11,8 +11,7 @@ use super::assembly::{Assembly, PartData};
 use crate::accel::Method;
 use crate::invalid::Invalid;
 use crate::kinds::Specification;
-use crate::math::{Point, Vector};
-use crate::shapes::{Context, Disk, Kind, OpenCylinder, Shape, Sphere};
+use crate::shapes::{Context, Kind, Shape};
 
 /// Shapes that are hit, transformed and searched as one; they may be compounds themselves.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -73,17 +72,5 @@ impl Specification for Compound {
             shape: &part.shape,
         });
         Ok(Arc::new(Assembly::build("parts", parts, self.accel, context)?))
-    }
-
-    fn specimens() -> Vec<Self> {
-        let ball =
-            |x, radius| Sphere { center: Point::new(x, 0.25 * x, 1.0), radius, inward: false };
-        let lid = |y, normal| Disk { center: Point::new(0.0, y, 0.0), normal, radius: 0.5 };
-        let wall = OpenCylinder { y0: -0.5, y1: 0.75, radius: 0.5, inward: false };
-        let can =
-            Self::of([Kind::from(wall), lid(-0.5, -Vector::Y).into(), lid(0.75, Vector::Y).into()]);
-        let row = Self::of((0..10).map(|i| ball(-1.0 + 0.25 * f64::from(i), 0.1)));
-        let nested = Self::of([Kind::from(can.clone()), row.clone().into(), ball(2.0, 0.3).into()]);
-        vec![can, row, nested]
     }
 }

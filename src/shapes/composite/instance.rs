@@ -60,34 +60,6 @@ impl Specification for Instance {
         let transform_texture = self.transform_texture;
         Ok(Arc::new(Placed { shape, transform, transform_texture }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let sphere = crate::shapes::Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
-        let ellipsoid = Self::new(
-            sphere,
-            vec![
-                Step::Scale(Vector::new(2.0, 3.0, 1.0)),
-                Step::RotateX(-45.0),
-                Step::Translate(Vector::Y),
-            ],
-        );
-        let block = crate::shapes::Cuboid {
-            min: Point::new(-1.0, -0.5, -1.0),
-            max: Point::new(0.5, 1.0, 1.0),
-        };
-        let sheared = Self::new(
-            block,
-            vec![Step::Shear([0.5, 0.0, 0.0, 0.25, 0.0, 0.0]), Step::Reflect(crate::math::Axis::X)],
-        );
-        let nested = Self {
-            transform_texture: false,
-            ..Self::new(
-                ellipsoid.clone(),
-                vec![Step::RotateZ(30.0), Step::Scale(Vector::new(0.5, 0.25, 1.0))],
-            )
-        };
-        vec![ellipsoid, sheared, nested]
-    }
 }
 
 /// The steps of the field of this name as one transformation.

@@ -82,23 +82,6 @@ impl Specification for Lattice {
             places,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let ball = crate::shapes::Sphere { center: Point::ORIGIN, radius: 0.25, inward: false };
-        let row = Self {
-            of: Box::new(ball.into()),
-            counts: [3, 1, 2],
-            spacing: Vector::new(0.75, 0.0, -1.0),
-            accel: None,
-        };
-        let nested = Self {
-            of: Box::new(row.clone().into()),
-            counts: [1, 4, 1],
-            spacing: Vector::new(0.0, 0.625, 0.0),
-            accel: None,
-        };
-        vec![row, nested]
-    }
 }
 
 impl Places {

@@ -67,12 +67,6 @@ impl Specification for RandomSpheres {
             None => built,
         })
     }
-
-    fn specimens() -> Vec<Self> {
-        let spheres = |count, radius| Self { count, radius, half_side: 1.0, seed: 15, accel: None };
-        // small: the laws of solids need spheres that do not overlap
-        vec![spheres(1, 0.3), spheres(12, 0.05)]
-    }
 }
 
 impl RandomSpheres {

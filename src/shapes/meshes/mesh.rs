@@ -85,11 +85,6 @@ impl Specification for Mesh {
         }
         self.build_of(&mesh_lists::data(self)?, "triangles", context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let knot = Self::of_file(concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/knot.ply"));
-        vec![knot.clone(), Self { smooth: true, ..knot }, octahedron()]
-    }
 }
 
 impl Mesh {
@@ -178,21 +173,6 @@ impl Mesh {
             mesh.reverse();
         }
         Ok(mesh)
-    }
-}
-
-/// An octahedron as lists; only the poles have normals.
-fn octahedron() -> Mesh {
-    let vertices = [Vector::Z, Vector::X, -Vector::Z, -Vector::X, Vector::Y, -Vector::Y];
-    let around = [[0, 1], [1, 2], [2, 3], [3, 0]];
-    let triangles = around.iter().flat_map(|&[a, b]| [[a, b, 4], [b, a, 5]]).collect();
-    let normals = vertices.iter().map(|v| Vector::new(0.0, 2.0 * v.y(), 0.0)).collect();
-    let uvs = vertices.iter().map(|v| [v.x(), v.y()]).collect();
-    Mesh {
-        normals: Some(normals),
-        uvs: Some(uvs),
-        smooth: true,
-        ..Mesh::of_lists(vertices.map(|v| Point::ORIGIN + v).into(), triangles)
     }
 }
 

@@ -75,14 +75,6 @@ impl Specification for TessellatedSphere {
             Ok(self.mesh().into_shape(self.accel, context))
         })
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self::new(3, 2, false),
-            Self { radius: 0.75, ..Self::new(10, 5, true) },
-            Self { bumps: 0.15, ..Self::new(24, 12, true) },
-        ]
-    }
 }
 
 impl TessellatedSphere {

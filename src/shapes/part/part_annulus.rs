@@ -62,20 +62,6 @@ impl Specification for PartAnnulus {
             phi: Angles::new("phi", self.phi)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let part = |center, normal, radii: [f64; 2], phi| Self {
-            center,
-            normal,
-            inner_radius: radii[0],
-            outer_radius: radii[1],
-            phi,
-        };
-        vec![
-            part(Point::ORIGIN, Vector::Y, [0.5, 1.0], [0.0, 90.0]),
-            part(Point::new(0.5, -0.25, 1.0), -2.0 * Vector::Y, [0.0, 0.75], [300.0, 130.0]),
-        ]
-    }
 }
 
 /// The field `normal`, if it is along the y axis.

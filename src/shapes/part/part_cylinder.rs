@@ -53,14 +53,6 @@ impl Specification for PartCylinder {
         let whole = OpenCylinder { y0, y1, radius, inward }.checked()?;
         Ok(Arc::new(PartCylinderShape { whole, phi: Angles::new("phi", phi)? }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let part = |y0, y1, radius, phi, inward| Self { y0, y1, radius, phi, inward };
-        vec![
-            part(-1.0, 1.0, 1.0, [90.0, 270.0], false),
-            part(0.25, 0.5, 0.375, [300.0, 20.0], true),
-        ]
-    }
 }
 
 impl PartCylinderShape {

@@ -73,25 +73,6 @@ impl Specification for PartSphere {
             theta: theta.map(|a| [sin_degrees(a), cos_degrees(a)]),
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self {
-                center: Point::ORIGIN,
-                radius: 1.0,
-                phi: [30.0, 250.0],
-                theta: [40.0, 120.0],
-                inward: false,
-            },
-            Self {
-                center: Point::new(0.5, -0.75, 0.25),
-                radius: 0.5,
-                phi: full_turn(),
-                theta: [90.0, 180.0],
-                inward: true,
-            },
-        ]
-    }
 }
 
 impl PartSphereShape {

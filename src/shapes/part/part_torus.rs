@@ -63,24 +63,6 @@ impl Specification for PartTorus {
         let padded = bounds(&torus, &phi, &theta).padded();
         Ok(Arc::new(PartTorusShape { torus, phi, theta, padded }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let quarter = Self {
-            swept_radius: 2.0,
-            tube_radius: 0.5,
-            phi: [30.0, 300.0],
-            theta: [270.0, 135.0],
-            inward: false,
-        };
-        let bowl = Self {
-            swept_radius: 1.0,
-            tube_radius: 0.75,
-            phi: [350.0, 100.0],
-            theta: [0.0, 180.0],
-            inward: true,
-        };
-        vec![quarter, bowl]
-    }
 }
 
 impl PartTorusShape {

@@ -116,35 +116,6 @@ impl Specification for Algebraic {
         check_size(&terms, degree, domain.bounds())?;
         Ok(Arc::new(AlgebraicShape { terms, degree, domain }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let cube = |half: f64| (Point::new(-half, -half, -half), Point::new(half, half, half));
-        let term = |coefficient, powers| Term { coefficient, powers };
-        let each_axis = |coefficient, power| {
-            (0..3).map(move |axis| {
-                term(coefficient, std::array::from_fn(|i| if i == axis { power } else { 0 }))
-            })
-        };
-        let constant = |coefficient| std::iter::once(term(coefficient, [0; 3]));
-        let (min, max) = cube(3.0);
-        // x⁴ + y⁴ + z⁴ − 5 (x² + y² + z²) + 11.8: Goursat's tangle
-        let tangle = each_axis(1.0, 4).chain(each_axis(-5.0, 2)).chain(constant(11.8)).collect();
-        // x⁸ + y⁸ + z⁸ = 1: a box with round edges
-        let (small, large) = cube(1.25);
-        let round_box = each_axis(1.0, 8).chain(constant(-1.0)).collect();
-        // x² y − y z² + x z = 1/4: open, it ends at the box
-        let saddle = vec![
-            term(1.0, [2, 1, 0]),
-            term(-1.0, [0, 1, 2]),
-            term(1.0, [1, 0, 1]),
-            term(-0.25, [0; 3]),
-        ];
-        vec![
-            Self { terms: tangle, min, max },
-            Self { terms: round_box, min: small, max: large },
-            Self { terms: saddle, min: small, max: large },
-        ]
-    }
 }
 
 /// The terms with like ones as one, in the order of the first of each, without those that are zero.

@@ -50,18 +50,6 @@ impl Specification for Annulus {
             radii: radii(self.inner_radius, self.outer_radius)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self { center: Point::ORIGIN, normal: Vector::Y, inner_radius: 0.5, outer_radius: 1.0 },
-            Self {
-                center: Point::new(0.5, 0.25, -0.5),
-                normal: Vector::new(-1.0, 2.0, 3.0),
-                inner_radius: 0.25,
-                outer_radius: 0.375,
-            },
-        ]
-    }
 }
 
 /// The fields `inner_radius` and `outer_radius`, if they are in order.

@@ -61,13 +61,6 @@ impl Specification for Cone {
         let slope = self.radius / self.height;
         Ok(Arc::new(ConeShape { data: self.clone(), slope }))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self { height: 2.0, radius: 1.0, inward: false },
-            Self { height: 0.3, radius: 0.7, inward: true },
-        ]
-    }
 }
 
 impl ConeShape {

@@ -43,13 +43,6 @@ impl Specification for Cuboid {
         }
         Ok(Arc::new(self.clone()))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self { min: Point::new(-1.0, -1.0, -1.0), max: Point::new(1.0, 1.0, 1.0) },
-            Self { min: Point::new(-0.5, 0.25, -2.0), max: Point::new(1.5, 0.5, -1.0) },
-        ]
-    }
 }
 
 impl Cuboid {

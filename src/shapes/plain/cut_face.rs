@@ -47,10 +47,6 @@ impl Specification for CutFace {
         }
         Ok(Arc::new(self.clone()))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![Self { size: 2.0, radius: 0.75 }, Self { size: 1.0, radius: 0.6 }]
-    }
 }
 
 impl CutFace {

@@ -49,17 +49,6 @@ impl Specification for Disk {
             radius: length("radius", self.radius)?,
         }))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self { center: Point::ORIGIN, normal: Vector::Y, radius: 1.0 },
-            Self {
-                center: Point::new(0.5, 0.25, -0.5),
-                normal: Vector::new(1.0, 2.0, -3.0),
-                radius: 0.75,
-            },
-        ]
-    }
 }
 
 impl DiskShape {

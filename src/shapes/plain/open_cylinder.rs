@@ -45,13 +45,6 @@ impl Specification for OpenCylinder {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         Ok(Arc::new(self.checked()?))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self { y0: -1.0, y1: 1.0, radius: 1.0, inward: false },
-            Self { y0: 0.25, y1: 0.5, radius: 0.375, inward: true },
-        ]
-    }
 }
 
 impl OpenCylinder {

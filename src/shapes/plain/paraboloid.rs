@@ -45,13 +45,6 @@ impl Specification for Paraboloid {
         let Self { height: h, radius: r, .. } = *self;
         Ok(Arc::new(ParaboloidShape { data: self.clone(), w: r * r / h }))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self { height: 1.0, radius: 1.0, inward: false },
-            Self { height: 0.3, radius: 0.7, inward: true },
-        ]
-    }
 }
 
 #[derive(Debug)]

@@ -39,13 +39,6 @@ impl Specification for Plane {
         let point = finite_point("point", self.point)?;
         Ok(Arc::new(PlaneShape { point, normal: direction("normal", self.normal)? }))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self { point: Point::ORIGIN, normal: Vector::Y },
-            Self { point: Point::new(0.5, -0.25, 0.75), normal: Vector::new(-1.0, 2.0, 3.0) },
-        ]
-    }
 }
 
 impl Shape for PlaneShape {

@@ -75,21 +75,6 @@ impl Specification for Rectangle {
         let size = [self.corner.to_vector(), a, b].iter().map(|v| v.max_abs()).sum();
         Ok(Arc::new(RectangleShape { data: self.clone(), normal, squared, lengths, size }))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self {
-                corner: Point::new(-1.0, 0.0, -1.0),
-                a: Vector::new(0.0, 0.0, 2.0),
-                b: Vector::new(2.0, 0.0, 0.0),
-            },
-            Self {
-                corner: Point::new(-0.5, 0.25, 0.5),
-                a: Vector::new(1.0, 2.0, 2.0),
-                b: Vector::new(0.5, -0.5, 0.25),
-            },
-        ]
-    }
 }
 
 impl Shape for RectangleShape {

@@ -43,13 +43,6 @@ impl Specification for Sphere {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         Ok(Arc::new(self.checked()?))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self { center: Point::ORIGIN, radius: 1.0, inward: false },
-            Self { center: Point::new(0.5, -0.75, 0.25), radius: 0.3, inward: false },
-        ]
-    }
 }
 
 impl Sphere {

@@ -58,14 +58,6 @@ impl Specification for Torus {
         self.check()?;
         Ok(Arc::new(self.clone()))
     }
-
-    fn specimens() -> Vec<Self> {
-        vec![
-            Self { swept_radius: 2.0, tube_radius: 0.5, inward: false },
-            Self { swept_radius: 1.0, tube_radius: 0.9, inward: false },
-            Self { swept_radius: 1.5, tube_radius: 0.125, inward: false },
-        ]
-    }
 }
 
 /// A ray, measured in lengths `s` from its point `m` nearest to the origin.

@@ -64,16 +64,6 @@ impl Specification for Triangle {
         let normals = self.normals.map(|normals| vertex_normals(normals, normal)).transpose()?;
         Ok(Arc::new(TriangleShape { vertices: self.vertices, normal, normals }))
     }
-
-    fn specimens() -> Vec<Self> {
-        let triangle =
-            |corners: [[f64; 3]; 3]| Self { vertices: corners.map(Point::from), normals: None };
-        let flat = triangle([[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 1.0, 0.0]]);
-        let slanted = triangle([[-1.1, -0.85, 0.8], [1.2, 0.1, 0.2], [-0.4, 0.5, -0.3]]);
-        let normals = [[-1.0, -0.5, 2.0], [0.5, 0.0, 1.0], [0.0, 0.25, 0.5]].map(Vector::from);
-        let smooth = Self { normals: Some(normals), ..flat.clone() };
-        vec![flat, slanted, smooth]
-    }
 }
 
 /// The normals of the corners, each on the side of the triangle's own.

@@ -152,19 +152,4 @@ impl Specification for Archway {
         }
         solid_by(self.accel, &stones, &self.materials, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let arch = |[width, height, depth]: [f64; 3], column_width, blocks, wedges, bevel| Self {
-            width,
-            height,
-            depth,
-            column_width,
-            blocks,
-            wedges,
-            bevel,
-            accel: None,
-            materials: Materials::new(),
-        };
-        vec![arch([20.0, 25.0, 3.0], 4.0, 6, 10, 0.5), arch([2.0, 1.5, 0.5], 0.375, 1, 3, 0.125)]
-    }
 }

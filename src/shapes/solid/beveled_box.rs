@@ -142,13 +142,4 @@ impl Specification for BeveledBox {
         let parts = [self.faces(), self.edges(), self.corners()].concat();
         solid(&parts, &self.materials, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let beveled = |min, max, bevel| Self { min, max, bevel, materials: Materials::new() };
-        vec![
-            beveled(Point::new(-1.0, -1.0, -1.0), Point::new(1.0, 1.0, 1.0), 0.25),
-            beveled(Point::new(0.25, -0.5, 1.0), Point::new(1.0, 0.7, 1.5), 0.125),
-            beveled(Point::new(-0.5, 0.25, -1.0), Point::new(0.5, 0.75, 2.0), 0.25),
-        ]
-    }
 }

@@ -82,14 +82,4 @@ impl Specification for BeveledCylinder {
         parts.push(("top_edge", edge(vec![up(high)])));
         solid(&parts, &self.materials, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let beveled =
-            |y0, y1, radius, bevel| Self { y0, y1, radius, bevel, materials: Materials::new() };
-        vec![
-            beveled(-1.0, 1.0, 1.0, 0.125),
-            beveled(0.25, 1.85, 1.0, 0.75),
-            beveled(-0.75, 1.25, 1.0, 1.0),
-        ]
-    }
 }

@@ -82,16 +82,4 @@ impl Specification for BeveledRing {
         }
         solid(&parts, &self.materials, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let ring = |[y0, y1]: [f64; 2], [inner_radius, outer_radius]: [f64; 2], bevel| Self {
-            y0,
-            y1,
-            inner_radius,
-            outer_radius,
-            bevel,
-            materials: Materials::new(),
-        };
-        vec![ring([-0.25, 0.25], [0.5, 1.0], 0.0625), ring([0.5, 2.0], [0.75, 1.25], 0.25)]
-    }
 }

@@ -99,21 +99,4 @@ impl Specification for BeveledWedge {
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         solid(&self.checked()?.parts(), &self.materials, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let wedge = |[y0, y1]: [f64; 2], [inner_radius, outer_radius]: [f64; 2], phi, bevel| Self {
-            y0,
-            y1,
-            inner_radius,
-            outer_radius,
-            phi,
-            bevel,
-            materials: Materials::new(),
-        };
-        vec![
-            wedge([-0.5, 0.75], [1.0, 2.0], [0.0, 90.0], 0.125),
-            wedge([0.25, 0.75], [0.75, 1.5], [140.0, 350.0], 0.25),
-            wedge([-0.5, 0.5], [0.25, 1.0], [300.0, 10.0], 0.0625),
-        ]
-    }
 }

@@ -100,14 +100,4 @@ impl Specification for ConcaveLens {
         let parts = [("top", hollow(false)), ("bottom", hollow(true)), ("wall", wall.into())];
         solid(&parts, &self.materials, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let lens = |radius, thickness, min_distance| Self {
-            radius,
-            thickness,
-            min_distance,
-            materials: Materials::new(),
-        };
-        vec![lens(4.0, 2.0, 0.35), lens(0.5, 1.25, 0.25)]
-    }
 }

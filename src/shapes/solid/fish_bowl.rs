@@ -134,9 +134,4 @@ impl Specification for FishBowl {
         let water_glass = [("wall", sphere(r, [contact, 180.0], false))];
         self.materials.build(&glass_air, &water_air, &water_glass, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let shallow = Self { water_depth: 0.6, opening: 200.0, ..Self::default() };
-        vec![Self::default(), shallow]
-    }
 }

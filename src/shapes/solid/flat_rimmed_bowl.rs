@@ -85,14 +85,4 @@ impl Specification for FlatRimmedBowl {
         };
         solid(&[outside, inside, ("rim", rim.into())], &self.materials, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let bowl = |inner_radius, outer_radius, opening| Self {
-            inner_radius,
-            outer_radius,
-            opening,
-            materials: Materials::new(),
-        };
-        vec![bowl(0.9, 1.0, 180.0), bowl(0.5, 0.75, 120.0), bowl(1.5, 2.0, 250.0)]
-    }
 }

@@ -121,10 +121,4 @@ impl Specification for GlassOfWater {
         ];
         self.materials.build(&glass_air, &water_air, &water_glass, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let flat =
-            Self { height: 1.0, water_height: 0.5, meniscus_radius: 0.25, ..Self::default() };
-        vec![Self::default(), flat]
-    }
 }

@@ -98,18 +98,4 @@ impl Specification for Rosette {
         }
         solid_by(self.accel, &parts, &self.materials, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let rosette = |rings, hole_radius, bevel, accel| Self {
-            rings,
-            hole_radius,
-            ring_width: 1.0,
-            bevel,
-            y0: -0.25,
-            y1: 0.25,
-            accel,
-            materials: Materials::new(),
-        };
-        vec![rosette(3, 0.75, 0.1, None), rosette(1, 1.25, 0.125, Some(Method::Bvh))]
-    }
 }

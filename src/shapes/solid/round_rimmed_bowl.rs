@@ -62,14 +62,4 @@ impl Specification for RoundRimmedBowl {
         let [outside, inside] = shells([inner, outer], [theta, theta]);
         solid(&[outside, inside, ("rim", rim)], &self.materials, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let bowl = |inner_radius, outer_radius, opening| Self {
-            inner_radius,
-            outer_radius,
-            opening,
-            materials: Materials::new(),
-        };
-        vec![bowl(0.9, 1.0, 180.0), bowl(1.0, 1.2, 120.0), bowl(1.5, 2.0, 250.0)]
-    }
 }

@@ -41,9 +41,4 @@ impl Specification for SolidCone {
         let parts = [("base", Kind::from(base)), ("wall", Kind::from(wall))];
         solid(&parts, &self.materials, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let cone = |height, radius| Self { height, radius, materials: Materials::new() };
-        vec![cone(2.0, 1.0), cone(0.25, 0.75)]
-    }
 }

@@ -48,9 +48,4 @@ impl Specification for SolidCylinder {
         ];
         solid(&parts, &self.materials, context)
     }
-
-    fn specimens() -> Vec<Self> {
-        let cylinder = |y0, y1, radius| Self { y0, y1, radius, materials: Materials::new() };
-        vec![cylinder(-1.0, 1.0, 1.0), cylinder(0.25, 0.5, 0.75)]
-    }
 }

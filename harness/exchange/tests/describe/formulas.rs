@@ -6,9 +6,10 @@ use groundtruth::kinds::Specification;
 use groundtruth::lights::{self, LightContext, Spot};
 use groundtruth::lobes::fresnel;
 use groundtruth::math::{
-    Frame, Normal, Pcg32, Point, acos, atan2, cos_degrees, power, sin_degrees,
+    Frame, Normal, Pcg32, Point, Vector, acos, atan2, cos_degrees, power, sin_degrees,
 };
 use groundtruth::render::{self, CameraSample};
+use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
 use groundtruth::textures::Mapping;
 use groundtruth::{cameras, scene};
@@ -44,7 +45,9 @@ fn the_printed_cone_is_that_of_the_spot_light() {
         text,
         "s is 1 for α ≤ inner, 0 for α ≥ outer, and (outer - α) / (outer - inner) between",
     );
-    let spot = Spot::specimens().remove(0);
+    let (color, location) = (Rgb::new(1.0, 0.5, 0.0), Point::new(10.0, 15.0, 20.0));
+    let (direction, inner, outer) = (Vector::new(-1.0, -1.5, -2.0), 30.0, 60.0);
+    let spot = Spot { ls: 600.0, color, location, direction, inner, outer, attenuation: 2.0 };
     let light = spot.build(&mut lights::Context::default()).expect("it is valid");
     let mut lit = 0;
     for angle in (0..90).map(f64::from) {

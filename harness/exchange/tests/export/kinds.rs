@@ -4,7 +4,7 @@ use std::fs;
 
 use exchange::export::{AnyKind, How, KindRow, Target, Term, kinds};
 use groundtruth::cameras::ThinLens;
-use groundtruth::kinds::{Entry, Specification};
+use groundtruth::kinds::Entry;
 use groundtruth::math::{Point, Vector};
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::build::{add, directional, matte, pinhole, point, sphere};
@@ -61,7 +61,8 @@ pub fn combined(target: Target, specimens: &[AnyKind]) -> Scene {
     };
     if let ([AnyKind::Light(_), ..], Target::Mitsuba) = (specimens, target) {
         // a lens is drawn from: then several lights can be said
-        scene.camera.lens = ThinLens::specimens().remove(0).into();
+        scene.camera.lens =
+            ThinLens { distance: 40.0, focal_distance: 74.0, lens_radius: 1.0, zoom: 0.5 }.into();
     }
     scene.lights.push(directional("sun", Vector::Y, 1.0));
     let floor = shapes::Rectangle { corner: Point::ORIGIN, a: Vector::X, b: Vector::Z };
