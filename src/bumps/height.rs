@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Bump;
+use super::{Bump, Specification};
 use crate::invalid::{Invalid, finite, length};
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::{Frame, Length, Normal, Vector, power_of_two};
 use crate::textures::{Kind, Texture, TexturePoint};
 
@@ -45,9 +45,6 @@ struct HeightBump {
 }
 
 impl Specification for Height {
-    type Built = Arc<dyn Bump>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Bump>, Invalid> {
         Ok(Arc::new(HeightBump {
             texture: self.texture.build(resources).map_err(|e| e.inside("texture"))?,

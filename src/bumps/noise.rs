@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Bump;
+use super::{Bump, Specification};
 use crate::invalid::{Invalid, finite, length};
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::{Length, Normal, Point, Vector};
 use crate::noise::{self, LatticeNoise};
 use crate::textures::TexturePoint;
@@ -37,9 +37,6 @@ struct NoiseBump {
 }
 
 impl Specification for Noise {
-    type Built = Arc<dyn Bump>;
-    type Context = Resources;
-
     fn build(&self, _: &mut Resources) -> Result<Arc<dyn Bump>, Invalid> {
         Ok(Arc::new(NoiseBump {
             noise: self.noise.build().map_err(|e| e.inside("noise"))?,

@@ -5,9 +5,8 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Camera, ViewPlane};
+use super::{Camera, Specification, ViewPlane};
 use crate::invalid::{Invalid, angle, angle_below};
-use crate::kinds::Specification;
 use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
 /// The x coordinate of the film is proportional to longitude, the y coordinate to the height on the
@@ -23,9 +22,6 @@ pub struct CylindricalPanorama {
 }
 
 impl Specification for CylindricalPanorama {
-    type Built = Arc<dyn Camera>;
-    type Context = ViewPlane;
-
     fn build(&self, film: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
         let lambda_max = 0.5 * angle("horizontal_fov", self.horizontal_fov, 360.0)?;
         let psi_max = 0.5 * angle_below("vertical_fov", self.vertical_fov, 180.0)?;

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Camera, ViewPlane};
+use super::{Camera, Specification, ViewPlane};
 use crate::invalid::{Invalid, angle};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
 /// The angle to the view direction is proportional to the distance from the centre of the picture.
@@ -24,9 +24,6 @@ pub struct Fisheye {
 }
 
 impl Specification for Fisheye {
-    type Built = Arc<dyn Camera>;
-    type Context = ViewPlane;
-
     fn build(&self, film: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
         let psi_max = 0.5 * angle("fov", self.fov, 360.0)?;
         Ok(Arc::new(FisheyeCamera { film: *film, psi_max, rectangular: self.rectangular }))

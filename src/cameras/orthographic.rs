@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Camera, ViewPlane};
+use super::{Camera, Specification, ViewPlane};
 use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::{Point, Vector};
 
 /// Rays along −w from a plane through the eye.
@@ -20,9 +20,6 @@ pub struct Orthographic {
 }
 
 impl Specification for Orthographic {
-    type Built = Arc<dyn Camera>;
-    type Context = ViewPlane;
-
     fn build(&self, _: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
         positive("zoom", self.zoom)?;
         Ok(Arc::new(self.clone()))

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Camera, ViewPlane};
+use super::{Camera, Specification, ViewPlane};
 use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::{Length, Point, Vector};
 
 /// Rays from the eye through a view plane at `distance`.
@@ -25,9 +25,6 @@ pub struct Pinhole {
 }
 
 impl Specification for Pinhole {
-    type Built = Arc<dyn Camera>;
-    type Context = ViewPlane;
-
     fn build(&self, _: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
         positive("distance", self.distance)?;
         positive("zoom", self.zoom)?;

@@ -6,9 +6,8 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Camera, ViewPlane};
+use super::{Camera, Specification, ViewPlane};
 use crate::invalid::{Invalid, angle};
-use crate::kinds::Specification;
 use crate::math::{Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 
 /// The x coordinate of the film is proportional to longitude, the y coordinate to latitude, about
@@ -24,9 +23,6 @@ pub struct SphericalPanorama {
 }
 
 impl Specification for SphericalPanorama {
-    type Built = Arc<dyn Camera>;
-    type Context = ViewPlane;
-
     fn build(&self, film: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
         let lambda_max = 0.5 * angle("horizontal_fov", self.horizontal_fov, 360.0)?;
         let psi_max = 0.5 * angle("vertical_fov", self.vertical_fov, 180.0)?;

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Camera, ViewPlane};
+use super::{Camera, Specification, ViewPlane};
 use crate::invalid::{Invalid, not_negative, positive};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::{Length, Point, Vector};
 
 /// A pinhole camera with a lens instead of a point: points at the focal distance are sharp, all
@@ -32,9 +32,6 @@ pub struct ThinLens {
 }
 
 impl Specification for ThinLens {
-    type Built = Arc<dyn Camera>;
-    type Context = ViewPlane;
-
     fn build(&self, _: &mut ViewPlane) -> Result<Arc<dyn Camera>, Invalid> {
         positive("distance", self.distance)?;
         positive("focal_distance", self.focal_distance)?;

@@ -5,9 +5,8 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Filter;
+use super::{Filter, Specification};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
 
 /// 1 within the pixel, 0 outside.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -16,9 +15,6 @@ use crate::kinds::Specification;
 pub struct Box {}
 
 impl Specification for Box {
-    type Built = Arc<dyn Filter>;
-    type Context = ();
-
     fn build(&self, (): &mut ()) -> Result<Arc<dyn Filter>, Invalid> {
         Ok(Arc::new(self.clone()))
     }

@@ -6,9 +6,8 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Filter, inverse};
+use super::{Filter, Specification, inverse};
 use crate::invalid::{Invalid, positive};
-use crate::kinds::Specification;
 use crate::math::{erf, exp};
 
 /// `c exp(−x²/2σ²)` within the radius.
@@ -32,9 +31,6 @@ fn three_halves() -> f64 {
 }
 
 impl Specification for Gaussian {
-    type Built = Arc<dyn Filter>;
-    type Context = ();
-
     fn build(&self, (): &mut ()) -> Result<Arc<dyn Filter>, Invalid> {
         let radius = super::radius(self.radius)?;
         let sigma = positive("sigma", self.sigma)?;

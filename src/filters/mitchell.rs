@@ -6,9 +6,8 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Filter, inverse};
+use super::{Filter, Specification, inverse};
 use crate::invalid::{Invalid, within};
-use crate::kinds::Specification;
 
 /// Two cubics, for `|x| < 1` and `1 ≤ |x| < 2` pixels (equation 8 of the paper).
 ///
@@ -31,9 +30,6 @@ fn third() -> f64 {
 }
 
 impl Specification for Mitchell {
-    type Built = Arc<dyn Filter>;
-    type Context = ();
-
     fn build(&self, (): &mut ()) -> Result<Arc<dyn Filter>, Invalid> {
         let (b, c) = (within("b", self.b, 0.0..=1.0)?, within("c", self.c, 0.0..=1.0)?);
         let inner = [6.0 - 2.0 * b, 0.0, -18.0 + 12.0 * b + 6.0 * c, 12.0 - 9.0 * b - 6.0 * c];

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Filter;
+use super::{Filter, Specification};
 use crate::invalid::Invalid;
-use crate::kinds::{self, Specification};
+use crate::kinds;
 
 /// `(1 − |x|/r)/r` within the radius `r`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -19,9 +19,6 @@ pub struct Tent {
 }
 
 impl Specification for Tent {
-    type Built = Arc<dyn Filter>;
-    type Context = ();
-
     fn build(&self, (): &mut ()) -> Result<Arc<dyn Filter>, Invalid> {
         super::radius(self.radius)?;
         Ok(Arc::new(self.clone()))

@@ -1,6 +1,6 @@
 //! Kinds: how one file and one entry add a shape, camera, sampler, light, material or texture.
 //!
-//! A kind's file holds plain data that a scene file can say, and a [`Specification`] that checks
+//! A kind's file holds plain data that a scene file can say, and its `Specification`, which checks
 //! it and builds the thing itself. The list in the folder's `mod.rs`, written with
 //! [`kinds!`](crate::kinds!), makes of all of them one enum, and gives each its tag. The folder's
 //! `specimens.toml` has valid examples of each, for contracts, docs, exporters and fuzz bodies.
@@ -14,27 +14,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use crate::invalid::Invalid;
-
 pub use resources::{ImageSource, Resources};
-
-/// Plain data that describes one thing of a kind.
-pub trait Specification: Sized {
-    /// The type that is built.
-    type Built;
-    /// What building needs besides the data.
-    type Context;
-
-    /// What a light adds at a hit, or a surface of a material sends to the viewer, as a formula for people who build
-    /// the scene in another renderer; empty for kinds of other lists, whose fields say all.
-    const FORMULA: &'static str = "";
-
-    /// Checks the data and builds.
-    ///
-    /// # Errors
-    /// [`Invalid`] names the field that does not fit.
-    fn build(&self, context: &mut Self::Context) -> Result<Self::Built, Invalid>;
-}
 
 /// One line of the list of kinds.
 pub struct Entry<Kind> {
@@ -44,7 +24,7 @@ pub struct Entry<Kind> {
     pub module: &'static str,
     /// Valid examples.
     pub specimens: fn() -> Vec<Kind>,
-    /// See [`Specification::FORMULA`].
+    /// What a light adds at a hit, or a surface of a material sends to the viewer; empty for kinds of other lists.
     pub formula: &'static str,
 }
 
@@ -137,6 +117,22 @@ macro_rules! kinds {
     ) => {
         $(pub use $module::$Data;)*
 
+        /// Plain data that describes one thing of this list.
+        pub trait Specification {
+            /// What a light adds at a hit, or a surface of a material sends to the viewer, as a formula for people who
+            /// build the scene in another renderer; empty for kinds of other lists, whose fields say all.
+            const FORMULA: &'static str = "";
+
+            /// Checks the data and builds.
+            ///
+            /// # Errors
+            /// [`Invalid`]($crate::invalid::Invalid) names the field that does not fit.
+            fn build(
+                &self,
+                context: &mut $Context,
+            ) -> Result<::std::sync::Arc<dyn $Trait>, $crate::invalid::Invalid>;
+        }
+
         $(#[doc = $doc])*
         #[derive(Clone, Debug, ::serde::Serialize, ::serde::Deserialize)]
         #[serde(rename_all = "snake_case")]
@@ -188,7 +184,7 @@ macro_rules! kinds {
                         let all: Vec<$Data> = $crate::kinds::specimens(Self::SPECIMENS, &tag);
                         all.into_iter().map(Self::from).collect()
                     },
-                    formula: <$Data as $crate::kinds::Specification>::FORMULA,
+                    formula: <$Data as Specification>::FORMULA,
                 },
             )*];
 
@@ -202,7 +198,7 @@ macro_rules! kinds {
             ) -> Result<::std::sync::Arc<dyn $Trait>, $crate::invalid::Invalid> {
                 let (built, name, given): (_, &str, &[&str]) = match self {
                     $(Self::$Data(data) => (
-                        $crate::kinds::Specification::build(data, context),
+                        Specification::build(data, context),
                         stringify!($Data),
                         &[$($tag)?],
                     ),)*

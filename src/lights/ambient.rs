@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample};
+use super::{Context, Light, LightContext, LightSample, Specification};
 use crate::invalid::{Invalid, strength};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::rgb::Rgb;
 
 /// The same radiance `ls · color` everywhere and from everywhere.
@@ -28,9 +28,6 @@ struct Constant {
 }
 
 impl Specification for Ambient {
-    type Built = Arc<dyn Light>;
-    type Context = Context;
-
     const FORMULA: &'static str = "\
         adds ρa · ls · color, where ρa is the ambient reflectance of the material. Nothing blocks \
         it, and the normal does not matter: the back of a surface gets it too.";

@@ -6,9 +6,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Segment, Target};
+use super::{Context, Light, LightContext, LightSample, Segment, Specification, Target};
 use crate::invalid::{Invalid, length, strength, within};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::{Frame, Length, maps};
 use crate::rgb::Rgb;
 
@@ -53,9 +53,6 @@ struct Occluder {
 }
 
 impl Specification for AmbientOccluder {
-    type Built = Arc<dyn Light>;
-    type Context = Context;
-
     const FORMULA: &'static str = "\
         adds ρa · V, where ρa is the ambient reflectance of the material, and V the mean over the \
         directions of the hemisphere about the normal, with the density cosθ/π, of this: ls · \

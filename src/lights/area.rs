@@ -5,9 +5,8 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Segment, Target, Unlit};
+use super::{Context, Light, LightContext, LightSample, Segment, Specification, Target, Unlit};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
 use crate::materials::Emission;
 use crate::math::{self, UNIT_ROUNDOFF, Vector};
 use crate::printable;
@@ -45,9 +44,6 @@ struct Lamp {
 }
 
 impl Specification for Area {
-    type Built = Arc<dyn Light>;
-    type Context = Context;
-
     const FORMULA: &'static str = "\
         adds the integral of f(ωi, ωo) · Le · cosθ cosθ' / d² over the area of the surface of \
         `object` that is visible from the hit: Le = ls · ce of the material of that object, θ' is \

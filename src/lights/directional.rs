@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Segment};
+use super::{Context, Light, LightContext, LightSample, Segment, Specification};
 use crate::invalid::{Invalid, direction, strength};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -32,9 +32,6 @@ struct Parallel {
 }
 
 impl Specification for Directional {
-    type Built = Arc<dyn Light>;
-    type Context = Context;
-
     const FORMULA: &'static str = "\
         adds f(ωi, ωo) · ls · color · cosθ with ωi = direction / |direction|, unless an object \
         blocks the half-line from the hit along ωi.";

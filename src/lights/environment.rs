@@ -6,10 +6,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Segment, Target, Unlit};
+use super::{Context, Light, LightContext, LightSample, Segment, Specification, Target, Unlit};
 use crate::background::{Directions, ImageSky, Sky};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
 use crate::math::{Frame, maps};
 use crate::rgb::Rgb;
 
@@ -35,9 +34,6 @@ struct Imaged {
 }
 
 impl Specification for Environment {
-    type Built = Arc<dyn Light>;
-    type Context = Context;
-
     const FORMULA: &'static str = "\
         adds the integral of f(ωi, ωo) · B(ωi) · cosθ over the hemisphere of directions in which \
         nothing is hit, where B is the background. Each sample draws one direction; how it is \

@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use super::jittered_directional::in_cube;
 use super::point::from_point;
-use super::{Context, Light, LightContext, LightSample, Unlit};
+use super::{Context, Light, LightContext, LightSample, Specification, Unlit};
 use crate::invalid::{Invalid, finite_point, not_negative, strength};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::{self, Length};
 use crate::rgb::Rgb;
 
@@ -45,9 +45,6 @@ struct JitteredPoint {
 }
 
 impl Specification for FakeSpherical {
-    type Built = Arc<dyn Light>;
-    type Context = Context;
-
     const FORMULA: &'static str = "\
         adds the mean of what `point` lights add at the points location + jitter · (a, b, c), \
         where a, b and c are independent and uniform from -1 to 1: f(ωi, ωo) · ls · color / \

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Segment};
+use super::{Context, Light, LightContext, LightSample, Segment, Specification};
 use crate::invalid::{Invalid, direction, not_negative, strength};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
@@ -36,9 +36,6 @@ struct Jittered {
 }
 
 impl Specification for JitteredDirectional {
-    type Built = Arc<dyn Light>;
-    type Context = Context;
-
     const FORMULA: &'static str = "\
         adds the mean of what `directional` lights add in the directions direction / |direction| + \
         jitter · (a, b, c), normalised, where a, b and c are independent and uniform from -1 to 1: \

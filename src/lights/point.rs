@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Context, Light, LightContext, LightSample, Segment, Unlit};
+use super::{Context, Light, LightContext, LightSample, Segment, Specification, Unlit};
 use crate::invalid::{Invalid, finite_point, not_negative, strength};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::{Point, power};
 use crate::rgb::Rgb;
 
@@ -38,9 +38,6 @@ struct PointSource {
 }
 
 impl Specification for PointLight {
-    type Built = Arc<dyn Light>;
-    type Context = Context;
-
     const FORMULA: &'static str = "\
         adds f(ωi, ωo) · ls · color / d^attenuation · cosθ, where ωi leads from the hit to \
         `location` and d is its distance, unless an object blocks that segment. So with \

@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::point::from_point;
-use super::{Context, Light, LightContext, LightSample, Unlit};
+use super::{Context, Light, LightContext, LightSample, Specification, Unlit};
 use crate::invalid::{Invalid, direction, finite_point, not_negative, strength, within};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::{self, Normal, Vector, atan2, to_degrees};
 use crate::rgb::Rgb;
 
@@ -49,9 +49,6 @@ struct Cone {
 }
 
 impl Specification for Spot {
-    type Built = Arc<dyn Light>;
-    type Context = Context;
-
     const FORMULA: &'static str = "\
         adds f(ωi, ωo) · s² (3 - 2 s) · ls · color / d^attenuation · cosθ, where ωi leads from the \
         hit to `location` and d is its distance, unless an object blocks that segment. With the \

@@ -7,10 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
 use super::{
-    Boundary, Material, Medium, Reflectance, Response, TexturedField, reflectances_within, within,
+    Boundary, Material, Medium, Reflectance, Response, Specification, TexturedField,
+    reflectances_within, within,
 };
 use crate::invalid::Invalid;
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::lobes::{FresnelReflector, FresnelTransmitter, NormalKind};
 use crate::textures::TexturePoint;
 
@@ -37,9 +38,6 @@ struct DielectricMaterial {
 }
 
 impl Specification for Dielectric {
-    type Built = Arc<dyn Material>;
-    type Context = Resources;
-
     const FORMULA: &'static str = "\
         ρa and f as of `phong`, with the fields of `phong` in it. Besides it adds R times the \
         radiance from the mirror direction and (1 - R)/h² times the radiance from the refracted \

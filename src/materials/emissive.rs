@@ -7,10 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use super::matte::{self, Matte};
 use super::{
-    Material, Reflectance, Response, TexturedField, reflectances_within, textured, within,
+    Material, Reflectance, Response, Specification, TexturedField, reflectances_within, textured,
+    within,
 };
 use crate::invalid::Invalid;
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::materials::Emission;
 use crate::textures::{Amount, Paint, TexturePoint};
 
@@ -44,9 +45,6 @@ struct Shining {
 }
 
 impl Specification for Emissive {
-    type Built = Arc<dyn Material>;
-    type Context = Resources;
-
     const FORMULA: &'static str = "\
         adds ls · ce towards every viewer on the side that the normal points to, at any distance \
         and angle. With `matte` in it, also ρa and f of `matte`; otherwise both are 0.";

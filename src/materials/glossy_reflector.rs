@@ -7,11 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
 use super::{
-    Material, Reflectance, Response, TexturedField, built_exponent, constant, reflectances_within,
-    textured, within,
+    Material, Reflectance, Response, Specification, TexturedField, built_exponent, constant,
+    reflectances_within, textured, within,
 };
 use crate::invalid::Invalid;
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::lobes::{GlossyReflection, GlossyRule, NormalKind};
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
@@ -47,9 +47,6 @@ struct BlurredMirror {
 }
 
 impl Specification for GlossyReflector {
-    type Built = Arc<dyn Material>;
-    type Context = Resources;
-
     const FORMULA: &'static str = "\
         ρa and f as of `phong`, with the fields of `phong` in it. Besides it adds the integral of \
         g(ωi, ωo) · L(ωi) · cosθ over the hemisphere, where L is the radiance that arrives. With r \

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Material, Reflectance, Response, TexturedField, constant, textured};
+use super::{Material, Reflectance, Response, Specification, TexturedField, constant, textured};
 use crate::invalid::Invalid;
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::lobes::{Lambertian, NormalKind};
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
@@ -45,9 +45,6 @@ impl Matte {
 }
 
 impl Specification for Matte {
-    type Built = Arc<dyn Material>;
-    type Context = Resources;
-
     const FORMULA: &'static str = "ρa = ka · cd, and f = kd · cd / π.";
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {

@@ -6,9 +6,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::matte::{self, Matte};
-use super::{Material, Reflectance, Response, TexturedField, built_exponent, constant, textured};
+use super::{
+    Material, Reflectance, Response, Specification, TexturedField, built_exponent, constant,
+    textured,
+};
 use crate::invalid::Invalid;
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::lobes::{GlossySpecular, NormalKind};
 use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
@@ -68,9 +71,6 @@ impl Phong {
 }
 
 impl Specification for Phong {
-    type Built = Arc<dyn Material>;
-    type Context = Resources;
-
     const FORMULA: &'static str = "\
         ρa = ka · cd, and f = kd · cd / π + ks · cs · max(0, r·ωo)^exponent with r = 2 (n·ωi) n - \
         ωi. The second term has no normalising factor; like all of f it is multiplied by cosθ.";

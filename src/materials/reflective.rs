@@ -7,10 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
 use super::{
-    Material, Reflectance, Response, TexturedField, constant, reflectances_within, textured, within,
+    Material, Reflectance, Response, Specification, TexturedField, constant, reflectances_within,
+    textured, within,
 };
 use crate::invalid::Invalid;
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::lobes::{NormalKind, PerfectSpecular};
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
@@ -36,9 +37,6 @@ struct ReflectiveMaterial {
 }
 
 impl Specification for Reflective {
-    type Built = Arc<dyn Material>;
-    type Context = Resources;
-
     const FORMULA: &'static str = "\
         ρa and f as of `phong`, with the fields of `phong` in it. Besides it adds kr · cr times \
         the radiance that arrives from the mirror direction 2 (n·ωo) n - ωo, without any cosine, \

@@ -5,9 +5,12 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Kind, Material, Reflectance, Response, TexturedField, reflectances_within, within};
+use super::{
+    Kind, Material, Reflectance, Response, Specification, TexturedField, reflectances_within,
+    within,
+};
 use crate::invalid::Invalid;
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::textures::{self, SphereCells, TexturePoint};
 
 /// A material for each of the checkers of a sphere, which are those of the texture `sphere_checker`: about the
@@ -34,9 +37,6 @@ struct SphereMaterialsMaterial {
 }
 
 impl Specification for SphereMaterials {
-    type Built = Arc<dyn Material>;
-    type Context = Resources;
-
     const FORMULA: &'static str = "at each point what the material of that checker does.";
 
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Material>, Invalid> {

@@ -7,10 +7,11 @@ use serde::{Deserialize, Serialize};
 
 use super::phong::{self, Phong};
 use super::{
-    Material, Reflectance, Response, TexturedField, constant, reflectances_within, textured, within,
+    Material, Reflectance, Response, Specification, TexturedField, constant, reflectances_within,
+    textured, within,
 };
 use crate::invalid::{Invalid, index};
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::lobes::{NormalKind, PerfectSpecular, PerfectTransmitter};
 use crate::rgb::Rgb;
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
@@ -47,9 +48,6 @@ struct TransparentMaterial {
 }
 
 impl Specification for Transparent {
-    type Built = Arc<dyn Material>;
-    type Context = Resources;
-
     const FORMULA: &'static str = "\
         ρa and f as of `phong`, with the fields of `phong` in it. Besides it adds kr · cr times \
         the radiance from the mirror direction, and kt/h² times the radiance from the refracted \

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::Sampler;
+use super::{Sampler, Specification};
 use crate::invalid::Invalid;
-use crate::kinds::{Specification, is_no};
+use crate::kinds::is_no;
 use crate::math::{Pcg32, power_of_two};
 
 /// The points `(i/n, Φ(i))`, where Φ mirrors the binary digits of i at the point: Φ(6) = Φ(110₂) =
@@ -25,10 +25,7 @@ pub struct Hammersley {
 }
 
 impl Specification for Hammersley {
-    type Built = Arc<dyn Sampler>;
-    type Context = ();
-
-    fn build(&self, (): &mut ()) -> Result<Self::Built, Invalid> {
+    fn build(&self, (): &mut ()) -> Result<Arc<dyn Sampler>, Invalid> {
         Ok(Arc::new(*self))
     }
 }

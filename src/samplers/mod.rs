@@ -7,11 +7,12 @@
 /// The specification of a sampler without settings.
 macro_rules! without_settings {
     ($Sampler:ident) => {
-        impl $crate::kinds::Specification for $Sampler {
-            type Built = ::std::sync::Arc<dyn $crate::samplers::Sampler>;
-            type Context = ();
-
-            fn build(&self, (): &mut ()) -> Result<Self::Built, $crate::invalid::Invalid> {
+        impl $crate::samplers::Specification for $Sampler {
+            fn build(
+                &self,
+                (): &mut (),
+            ) -> Result<::std::sync::Arc<dyn $crate::samplers::Sampler>, $crate::invalid::Invalid>
+            {
                 Ok(::std::sync::Arc::new(*self))
             }
         }

@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, OFFSET, is_even};
-use super::{Chooser, Color, Paint, Texture, TexturePoint};
+use super::{Chooser, Color, Paint, Specification, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::{Length, floor};
 
 /// Cubes of alternating colours, in the local coordinates of the object. The index of a cube on
@@ -37,9 +37,6 @@ struct Checker3dTexture {
 }
 
 impl Specification for Checker3d {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(Checker3dTexture {
             size: positive("size", self.size)?,

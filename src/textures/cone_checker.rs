@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Cell, Checkers};
 use super::mapping::azimuth;
-use super::{Lines, Paint, Texture};
+use super::{Lines, Paint, Specification, Texture};
 use crate::invalid::Invalid;
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::math::Length;
 use crate::rgb::Rgb;
 
@@ -49,9 +49,6 @@ impl Default for ConeChecker {
 }
 
 impl Specification for ConeChecker {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let counts = [("num_horizontal", self.num_horizontal), ("num_vertical", self.num_vertical)];
         let colors = [&self.color1, &self.color2];

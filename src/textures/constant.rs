@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Texture, TexturePoint};
+use super::{Specification, Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::rgb::Rgb;
 
 /// The same colour everywhere.
@@ -19,9 +19,6 @@ pub struct Constant {
 }
 
 impl Specification for Constant {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         self.color.checked("color")?;
         Ok(Arc::new(self.clone()))

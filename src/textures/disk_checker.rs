@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Cell, Checkers};
 use super::mapping::{azimuth, distance};
-use super::{Lines, Paint, Texture};
+use super::{Lines, Paint, Specification, Texture};
 use crate::invalid::Invalid;
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::math::Length;
 use crate::rgb::Rgb;
 
@@ -50,9 +50,6 @@ impl Default for DiskChecker {
 }
 
 impl Specification for DiskChecker {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let counts = [("num_angular", self.num_angular), ("num_radial", self.num_radial)];
         let colors = [&self.color1, &self.color2];

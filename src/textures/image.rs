@@ -7,10 +7,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::sampling::Sampling;
-use super::{Filtering, Mapping, Rule, Texel, Texture, TexturePoint, Wrap};
+use super::{Filtering, Mapping, Rule, Specification, Texel, Texture, TexturePoint, Wrap};
 use crate::images::Drawn;
 use crate::invalid::{Invalid, length};
-use crate::kinds::{self, ImageSource, Resources, Specification};
+use crate::kinds::{self, ImageSource, Resources};
 use crate::math::{Length, Point};
 use crate::rgb::Rgb;
 use formats::images::{Encoding, Texels};
@@ -104,9 +104,6 @@ struct ImageTexture {
 }
 
 impl Specification for Image {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let texels = resources.texels(&ImageSource {
             file: self.file.as_deref(),

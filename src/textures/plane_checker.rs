@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{BuiltLines, Cell, Checkers, Division};
-use super::{Paint, Texture};
+use super::{Paint, Specification, Texture};
 use crate::invalid::{Invalid, not_negative, positive};
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::math::Length;
 use crate::rgb::Rgb;
 
@@ -38,9 +38,6 @@ fn black() -> Paint {
 }
 
 impl Specification for PlaneChecker {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let size = positive("size", self.size)?;
         let colors =

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Color, Paint, Texture, TexturePoint, Wrap};
+use super::{Color, Paint, Specification, Texture, TexturePoint, Wrap};
 use crate::invalid::{Invalid, LENGTHS, finite, lengths, shown};
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::math::{Axis, Length, floor};
 use crate::rgb::Rgb;
 
@@ -45,9 +45,6 @@ struct RampTexture {
 }
 
 impl Specification for Ramp {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let (from, to) = (finite("from", self.from)?, finite("to", self.to)?);
         if !LENGTHS.contains(&(to - from).abs()) {

@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use super::color_table::{ColorTable, Columns};
 use super::noise_field::NoiseField;
-use super::{Texture, TexturePoint};
+use super::{Specification, Texture, TexturePoint};
 use crate::invalid::{Invalid, finite};
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::{Length, sin};
 use crate::noise::Noise;
 use crate::rgb::Rgb;
@@ -48,9 +48,6 @@ struct RampFbmTexture {
 }
 
 impl Specification for RampFbm {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(RampFbmTexture {
             columns: self.ramp.build("ramp")?,

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Texture, TexturePoint};
+use super::{Specification, Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::math::{Pcg32, hash};
 use crate::rgb::Rgb;
 
@@ -22,9 +22,6 @@ pub struct RandomColors {
 }
 
 impl Specification for RandomColors {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(self.clone()))
     }

@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, Checkers};
-use super::{Lines, Paint, SphereCells, Texture};
+use super::{Lines, Paint, Specification, SphereCells, Texture};
 use crate::invalid::Invalid;
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::rgb::Rgb;
 
 /// Checkers of equal angles on a sphere of any radius about the origin of its own coordinates. The
@@ -44,9 +44,6 @@ impl Default for SphereChecker {
 }
 
 impl Specification for SphereChecker {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let counts = [("num_horizontal", self.num_horizontal), ("num_vertical", self.num_vertical)];
         let colors = [&self.color1, &self.color2];

@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, BuiltLines};
-use super::{Chooser, Color, Lines, Paint, SphereCells, Texture, TexturePoint};
+use super::{Chooser, Color, Lines, Paint, Specification, SphereCells, Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 
 /// The checkers of `sphere_checker`, each with a colour or texture of its own.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -36,9 +36,6 @@ struct SphereTexturesTexture {
 }
 
 impl Specification for SphereTextures {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let cells = SphereCells::new(self.num_horizontal, self.num_vertical)?;
         cells.check_list("textures", self.textures.len())?;

@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::cells::{self, OFFSET, is_even};
-use super::{Chooser, Color, Paint, Texture, TexturePoint};
+use super::{Chooser, Color, Paint, Specification, Texture, TexturePoint};
 use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::{Axis, Length, floor};
 
 /// Layers of two alternating colours, perpendicular to an axis of the object's own coordinates. As
@@ -40,9 +40,6 @@ struct StripesTexture {
 }
 
 impl Specification for Stripes {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(StripesTexture {
             axis: self.axis,

@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Color, Paint, Texel, Texture, TexturePoint};
+use super::{Color, Paint, Specification, Texel, Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::math::{Step, Transform};
 use crate::rgb::Rgb;
 use crate::shapes::transform_of;
@@ -39,9 +39,6 @@ struct TextureInstanceTexture {
 }
 
 impl Specification for TextureInstance {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let transform = transform_of("transform", &self.transform)?;
         Ok(Arc::new(TextureInstanceTexture { of: self.of.build("of", resources)?, transform }))

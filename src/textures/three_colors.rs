@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::noise_field::{Expanded, Range, Wrapped};
-use super::{Paint, Texture};
+use super::{Paint, Specification, Texture};
 use crate::invalid::{Invalid, finite};
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::{Length, lists};
 use crate::noise::Noise;
 
@@ -61,9 +61,6 @@ impl ThreeColors {
 }
 
 impl Specification for ThreeColors {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         let [first, second] = self.thresholds;
         finite("thresholds", first).and(finite("thresholds", second))?;

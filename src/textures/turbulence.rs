@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::noise_field::{NoiseField, Range};
-use super::{Color, Paint, Texture, TexturePoint};
+use super::{Color, Paint, Specification, Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::Length;
 use crate::noise::Noise;
 use crate::rgb::Rgb;
@@ -52,9 +52,6 @@ struct TurbulenceTexture {
 }
 
 impl Specification for Turbulence {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(TurbulenceTexture {
             field: NoiseField::build(&self.noise, self.size)?,

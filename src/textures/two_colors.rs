@@ -7,9 +7,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::noise_field::{self, Expanded, Range, Wrapped};
-use super::{Paint, Texture};
+use super::{Paint, Specification, Texture};
 use crate::invalid::Invalid;
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::Length;
 use crate::noise::Noise;
 
@@ -49,9 +49,6 @@ impl TwoColors {
 }
 
 impl Specification for TwoColors {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(Wrapped {
             noise: Expanded::build(&self.noise, self.size, self.expansion)?,

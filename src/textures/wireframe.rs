@@ -5,9 +5,9 @@ use std::sync::Arc;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::{Chooser, Color, Paint, Texture, TexturePoint};
+use super::{Chooser, Color, Paint, Specification, Texture, TexturePoint};
 use crate::invalid::{Invalid, not_negative};
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::{Length, exact_cross};
 use crate::rgb::Rgb;
 use crate::shapes::Facet;
@@ -42,9 +42,6 @@ struct WireframeTexture {
 }
 
 impl Specification for Wireframe {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(WireframeTexture {
             line_width: not_negative("line_width", self.line_width)?,

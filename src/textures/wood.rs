@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::noise_field::NoiseField;
-use super::{Color, Paint, Texture, TexturePoint};
+use super::{Color, Paint, Specification, Texture, TexturePoint};
 use crate::invalid::{Invalid, within};
-use crate::kinds::{Resources, Specification};
+use crate::kinds::Resources;
 use crate::math::{Length, Point, Vector, floor};
 use crate::noise::{LatticeNoise, Noise};
 use crate::rgb::Rgb;
@@ -106,9 +106,6 @@ struct WoodTexture {
 }
 
 impl Specification for Wood {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         self.check()?;
         Ok(Arc::new(WoodTexture {

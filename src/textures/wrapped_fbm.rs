@@ -6,9 +6,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use super::noise_field::{self, Expanded, Range, Wrapped};
-use super::{Paint, Texture};
+use super::{Paint, Specification, Texture};
 use crate::invalid::Invalid;
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::Length;
 use crate::noise::Noise;
 use crate::rgb::Rgb;
@@ -47,9 +47,6 @@ impl WrappedFbm {
 }
 
 impl Specification for WrappedFbm {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, resources: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(Wrapped {
             noise: Expanded::build(&self.noise, self.size, self.expansion)?,

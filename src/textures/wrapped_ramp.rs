@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 
 use super::color_table::{ColorTable, Columns};
 use super::noise_field::{self, Expanded};
-use super::{Texture, TexturePoint};
+use super::{Specification, Texture, TexturePoint};
 use crate::invalid::Invalid;
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::Length;
 use crate::noise::Noise;
 use crate::rgb::Rgb;
@@ -39,9 +39,6 @@ struct WrappedRampTexture {
 }
 
 impl Specification for WrappedRamp {
-    type Built = Arc<dyn Texture>;
-    type Context = Resources;
-
     fn build(&self, _: &mut Resources) -> Result<Arc<dyn Texture>, Invalid> {
         Ok(Arc::new(WrappedRampTexture {
             columns: self.ramp.build("ramp")?,

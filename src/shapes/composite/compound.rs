@@ -10,8 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::assembly::{Assembly, PartData};
 use crate::accel::Method;
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
-use crate::shapes::{Context, Kind, Shape};
+use crate::shapes::{Context, Kind, Shape, Specification};
 
 /// Shapes that are hit, transformed and searched as one; they may be compounds themselves.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -59,9 +58,6 @@ impl Compound {
 }
 
 impl Specification for Compound {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         if self.parts.is_empty() {
             return Err(Invalid::field("parts", "found none, but a compound has at least one"));

@@ -10,10 +10,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, direction, finite, finite_point, finite_vector, lengths, shown};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Step, Transform, UNIT_ROUNDOFF, Vector};
 use crate::shapes::{
-    Candidate, Context, Kind, Role, SampledSurface, Sampling, Shape, Surface, Within, normal_along,
+    Candidate, Context, Kind, Role, SampledSurface, Sampling, Shape, Specification, Surface,
+    Within, normal_along,
 };
 
 /// A shape transformed by a list of steps, first to last.
@@ -47,9 +48,6 @@ impl Instance {
 }
 
 impl Specification for Instance {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let transform = transform_of("transform", &self.transform)?;
         let shape = context.transformed(&transform, |context| self.of.build(context))?;

@@ -12,9 +12,8 @@ use serde::{Deserialize, Serialize};
 use super::instance::surface_seen_through;
 use crate::accel::{Accel, Method};
 use crate::invalid::{Invalid, finite_vector};
-use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector, lists};
-use crate::shapes::{Candidate, Context, Kind, Role, Shape, Surface, Within};
+use crate::shapes::{Candidate, Context, Kind, Role, Shape, Specification, Surface, Within};
 
 /// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All share
 /// what is copied, so that a lattice of lattices can hold more copies than there are atoms.
@@ -50,9 +49,6 @@ struct LatticeShape {
 }
 
 impl Specification for Lattice {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let spacing = finite_vector("spacing", self.spacing)?;
         if self.counts.contains(&0) {

@@ -10,9 +10,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::accel::{Accel, Method};
 use crate::invalid::{Invalid, length};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::{Aabb, Length, Pcg32, Point, Ray, Span};
-use crate::shapes::{Candidate, Context, Shape, Sphere, Surface, Within, textbook};
+use crate::shapes::{Candidate, Context, Shape, Specification, Sphere, Surface, Within, textbook};
 
 /// Equal spheres whose centres are uniform in the cube `[−half_side, half_side]³`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -44,9 +44,6 @@ struct RandomSpheresShape {
 }
 
 impl Specification for RandomSpheres {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         length("radius", self.radius)?;
         length("half_side", self.half_side)?;

@@ -15,9 +15,9 @@ use serde::{Deserialize, Serialize};
 use super::vertex_normals::{are_opposed, mean_normals, reverse_winding};
 use crate::accel;
 use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Resources, Specification};
+use crate::kinds::{self, Resources};
 use crate::math::{Aabb, Length, Normal, Point, Vector, lists};
-use crate::shapes::{Context, Shape, TriangleMesh, mesh_lists, size_problem};
+use crate::shapes::{Context, Shape, Specification, TriangleMesh, mesh_lists, size_problem};
 use formats::meshes::MeshData;
 
 /// The triangles of a PLY or OBJ file, or of lists in the scene. The front of a triangle is the
@@ -72,9 +72,6 @@ pub struct Mesh {
 }
 
 impl Specification for Mesh {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         if let Some(file) = &self.file {
             mesh_lists::check_absent(self)?;

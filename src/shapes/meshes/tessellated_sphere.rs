@@ -17,9 +17,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::accel::Method;
 use crate::invalid::{Invalid, length};
-use crate::kinds::{self, Specification};
+use crate::kinds;
 use crate::math::{Length, Normal, Point, cos, sin};
-use crate::shapes::{Context, Shape, TriangleMesh};
+use crate::shapes::{Context, Shape, Specification, TriangleMesh};
 
 /// A sphere about the origin made of `2 h (v − 1)` triangles (`h` = `horizontal`, `v` =
 /// `vertical`), optionally with bumps.
@@ -53,9 +53,6 @@ fn is_zero(height: &f64) -> bool {
 }
 
 impl Specification for TessellatedSphere {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         for (field, value, least) in
             [("horizontal", self.horizontal, 3), ("vertical", self.vertical, 2)]

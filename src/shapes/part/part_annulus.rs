@@ -11,11 +11,10 @@ use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
 use crate::invalid::{Invalid, direction, finite_point};
-use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Normal, Point, Ray, Span, Vector, lists};
 use crate::shapes::border::{Border, is_rounding, nears};
 use crate::shapes::plain::annulus::{away_from_rims, between, radii, rim_distances};
-use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
+use crate::shapes::{Candidate, Context, Shape, Specification, Surface, plane_distance};
 
 /// The part of a level annulus within a range of azimuths.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -51,9 +50,6 @@ struct PartAnnulusShape {
 }
 
 impl Specification for PartAnnulus {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         Ok(Arc::new(PartAnnulusShape {
             center: finite_point("center", self.center)?,

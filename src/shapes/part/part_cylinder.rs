@@ -11,10 +11,11 @@ use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Point, Ray, Span, Vector, lists};
 use crate::shapes::border::{Border, is_rounding, nears};
-use crate::shapes::{Candidate, Context, OpenCylinder, Shape, Surface, all_of, first_of};
+use crate::shapes::{
+    Candidate, Context, OpenCylinder, Shape, Specification, Surface, all_of, first_of,
+};
 
 /// The part of an open cylinder within a range of azimuths.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -45,9 +46,6 @@ struct PartCylinderShape {
 }
 
 impl Specification for PartCylinder {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { y0, y1, radius, phi, inward } = *self;
         let whole = OpenCylinder { y0, y1, radius, inward }.checked()?;

@@ -13,10 +13,9 @@ use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Point, Ray, Span, Vector, cos_degrees, lists, sin_degrees};
 use crate::shapes::border::{Border, along, is_rounding, nears};
-use crate::shapes::{Candidate, Context, Shape, Sphere, Surface, all_of, first_of};
+use crate::shapes::{Candidate, Context, Shape, Specification, Sphere, Surface, all_of, first_of};
 
 /// The part of a sphere within a range of azimuths φ and one of polar angles θ.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -53,9 +52,6 @@ struct PartSphereShape {
 }
 
 impl Specification for PartSphere {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { center, radius, phi, theta, inward } = *self;
         let whole = Sphere { center, radius, inward }.checked()?;

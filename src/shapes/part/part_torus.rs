@@ -11,11 +11,10 @@ use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Point, Ray, Span, Vector, lists};
 use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::plain::torus::{Torus, from_axis};
-use crate::shapes::{Candidate, Context, Shape, Surface};
+use crate::shapes::{Candidate, Context, Shape, Specification, Surface};
 
 /// The points of a [`Torus`] with azimuth φ (`x = ρ sin φ`, `z = ρ cos φ`) and angle around the tube
 /// θ (`ρ = a + b cos θ`, `y = b sin θ`) in these ranges, ends included. A range whose first end is the
@@ -52,9 +51,6 @@ struct PartTorusShape {
 }
 
 impl Specification for PartTorus {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let &Self { swept_radius, tube_radius, inward, .. } = self;
         let torus = Torus { swept_radius, tube_radius, inward };

@@ -15,12 +15,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, finite, shown};
-use crate::kinds::Specification;
 use crate::math::polynomial::{MAX_DEGREE, roots_between};
 use crate::math::{
     Aabb, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, bracketed_root, lists, power,
 };
-use crate::shapes::{Candidate, Context, Cuboid, Shape, Surface, normal_along};
+use crate::shapes::{Candidate, Context, Cuboid, Shape, Specification, Surface, normal_along};
 
 /// `coefficient · xⁱ yʲ zᵏ` for powers `[i, j, k]`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -92,9 +91,6 @@ struct AlgebraicShape {
 }
 
 impl Specification for Algebraic {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         for (index, term) in self.terms.iter().enumerate() {
             term.check().map_err(|e| e.inside(index).inside("terms"))?;

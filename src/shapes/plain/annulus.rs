@@ -11,10 +11,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, direction, finite_point, length, not_negative, shown};
-use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Normal, Point, Ray, Span, Vector};
 use crate::shapes::border::{Border, along, is_rounding, nears};
-use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
+use crate::shapes::{Candidate, Context, Shape, Specification, Surface, plane_distance};
 
 /// The points of a plane from `inner_radius` to `outer_radius` away from `center`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -40,9 +39,6 @@ struct AnnulusShape {
 }
 
 impl Specification for Annulus {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         Ok(Arc::new(AnnulusShape {
             center: finite_point("center", self.center)?,

@@ -20,10 +20,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length};
-use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::shapes::border::{Border, is_rounding, nears_level};
-use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
+use crate::shapes::{
+    Candidate, Context, Shape, Specification, Surface, all_of, first_of, normal_along,
+};
 
 /// The points with `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`: the apex is at `(0, h, 0)`, the
 /// circle of radius `r` in the plane `y = 0`. The normal points outward, or to the axis.
@@ -52,9 +53,6 @@ struct ConeShape {
 }
 
 impl Specification for Cone {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         length("height", self.height)?;
         length("radius", self.radius)?;

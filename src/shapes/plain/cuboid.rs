@@ -13,10 +13,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, finite_point};
-use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::shapes::border::Border;
-use crate::shapes::{Candidate, Context, Face, Shape, Surface, Within};
+use crate::shapes::{Candidate, Context, Face, Shape, Specification, Surface, Within};
 
 /// The surface of the box between two corners; normals point outward.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -29,9 +28,6 @@ pub struct Cuboid {
 }
 
 impl Specification for Cuboid {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let (min, max) = (finite_point("min", self.min)?, finite_point("max", self.max)?);
         if (0..3).any(|axis| min.along(axis) >= max.along(axis)) {

@@ -11,10 +11,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length, shown};
-use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Normal, Point, Ray, Span, Vector};
 use crate::shapes::border::{Border, along, is_rounding, nears};
-use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
+use crate::shapes::{Candidate, Context, Shape, Specification, Surface, plane_distance};
 
 /// The points of the plane y = 0 with `|x|, |z| ≤ size/2` and `x² + z² ≥ radius²`; the normal is
 /// (0, 1, 0).
@@ -31,9 +30,6 @@ pub struct CutFace {
 }
 
 impl Specification for CutFace {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let size = length("size", self.size)?;
         let radius = length("radius", self.radius)?;

@@ -12,11 +12,12 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, direction, finite_point, length};
-use crate::kinds::Specification;
 use crate::math::{Aabb, Frame, Length, Normal, Point, Ray, Span, Vector, maps};
 use crate::shapes::border::{Border, along, is_rounding, nears};
 use crate::shapes::sampled::{ByArea, EvenSurface};
-use crate::shapes::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
+use crate::shapes::{
+    Candidate, Context, SampledSurface, Sampling, Shape, Specification, Surface, plane_distance,
+};
 
 /// The points of a plane within `radius` of `center`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -39,9 +40,6 @@ struct DiskShape {
 }
 
 impl Specification for Disk {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         Ok(Arc::new(DiskShape {
             center: finite_point("center", self.center)?,

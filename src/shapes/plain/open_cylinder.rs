@@ -15,10 +15,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, finite, length};
-use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector, circle_roots};
 use crate::shapes::border::{Border, is_rounding, nears};
-use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
+use crate::shapes::{
+    Candidate, Context, Shape, Specification, Surface, all_of, first_of, normal_along,
+};
 
 /// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward, or to the axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -39,9 +40,6 @@ pub struct OpenCylinder {
 }
 
 impl Specification for OpenCylinder {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         Ok(Arc::new(self.checked()?))
     }

@@ -14,10 +14,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length};
-use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
 use crate::shapes::border::{Border, along, is_rounding, nears_level};
-use crate::shapes::{Candidate, Context, Shape, Surface, all_of, first_of, normal_along};
+use crate::shapes::{
+    Candidate, Context, Shape, Specification, Surface, all_of, first_of, normal_along,
+};
 
 /// The points with `y/h = (x² + z²)/r²` and `y ≤ h`: from the origin up to the circle of radius `r`
 /// at height `h`. The focus is at `y = r²/4h`. The normal points outward (down), or to the axis.
@@ -36,9 +37,6 @@ pub struct Paraboloid {
 }
 
 impl Specification for Paraboloid {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         length("height", self.height)?;
         length("radius", self.radius)?;

@@ -11,9 +11,8 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, direction, finite_point};
-use crate::kinds::Specification;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
-use crate::shapes::{Candidate, Context, Shape, Surface, plane_distance};
+use crate::shapes::{Candidate, Context, Shape, Specification, Surface, plane_distance};
 
 /// All points `p` with `(p − point)·normal = 0`; the normal need not be unit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -32,9 +31,6 @@ struct PlaneShape {
 }
 
 impl Specification for Plane {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let point = finite_point("point", self.point)?;
         Ok(Arc::new(PlaneShape { point, normal: direction("normal", self.normal)? }))

@@ -12,11 +12,12 @@ use serde::{Deserialize, Serialize};
 
 use super::spherical_rectangle::SphericalRectangle;
 use crate::invalid::{Invalid, finite_point, finite_vector};
-use crate::kinds::Specification;
 use crate::math::{Aabb, Length, Normal, Point, Ray, Span, Vector, exact_cross};
 use crate::shapes::border::{Border, is_rounding, nears};
 use crate::shapes::sampled::{ByArea, EvenSurface};
-use crate::shapes::{Candidate, Context, SampledSurface, Sampling, Shape, Surface, plane_distance};
+use crate::shapes::{
+    Candidate, Context, SampledSurface, Sampling, Shape, Specification, Surface, plane_distance,
+};
 
 /// The rectangle from `corner` along `a` and `b`; its normal is `a × b` normalised.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -49,9 +50,6 @@ struct RectangleShape {
 const SKEW: f64 = 1e-9;
 
 impl Specification for Rectangle {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         finite_point("corner", self.corner)?;
         let (a, b) = (finite_vector("a", self.a)?, finite_vector("b", self.b)?);

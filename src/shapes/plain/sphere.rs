@@ -13,13 +13,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, finite_point, length};
-use crate::kinds::Specification;
 use crate::math::{
     Aabb, Frame, Length, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector, maps, perpendicular_roots,
 };
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{
-    Candidate, Context, SampledSurface, Sampling, Shape, Surface, all_of, first_of, normal_along,
+    Candidate, Context, SampledSurface, Sampling, Shape, Specification, Surface, all_of, first_of,
+    normal_along,
 };
 
 /// All points `p` with `|p − center| = radius`; the normal points outward, or to the centre.
@@ -37,9 +37,6 @@ pub struct Sphere {
 }
 
 impl Specification for Sphere {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         Ok(Arc::new(self.checked()?))
     }

@@ -27,12 +27,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length};
-use crate::kinds::Specification;
 use crate::math::{
     Aabb, Length, Normal, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, acos, bracketed_root,
     cbrt, sin_cos,
 };
-use crate::shapes::{Candidate, Context, Shape, Surface};
+use crate::shapes::{Candidate, Context, Shape, Specification, Surface};
 
 /// The points at `tube_radius` from the circle of `swept_radius` about the origin in the plane
 /// y = 0; the normal points out of the tube.
@@ -51,9 +50,6 @@ pub struct Torus {
 }
 
 impl Specification for Torus {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         self.check()?;
         Ok(Arc::new(self.clone()))

@@ -11,13 +11,13 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, direction, finite_point};
-use crate::kinds::Specification;
 use crate::math::watertight;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross, lists, maps};
 use crate::shapes::border::Border;
 use crate::shapes::sampled::{ByArea, EvenSurface};
 use crate::shapes::{
-    Candidate, Context, Facet, SampledSurface, Sampling, Shape, Surface, Within, size_problem,
+    Candidate, Context, Facet, SampledSurface, Sampling, Shape, Specification, Surface, Within,
+    size_problem,
 };
 
 /// A triangle; its normal is `(v1 − v0) × (v2 − v0)` normalised, the one that shading uses may be
@@ -46,9 +46,6 @@ struct TriangleShape {
 }
 
 impl Specification for Triangle {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         for (i, &vertex) in self.vertices.iter().enumerate() {
             finite_point("", vertex)

@@ -15,10 +15,9 @@ use super::beveled_wedge::BeveledWedge;
 use super::edges::{Named, check_fits, half_joint, inset};
 use crate::accel::Method;
 use crate::invalid::{Invalid, length, shown};
-use crate::kinds::Specification;
 use crate::math::{Length, Point, Step, Vector, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid_by};
-use crate::shapes::{Context, Instance, Shape};
+use crate::shapes::{Context, Instance, Shape, Specification};
 
 /// More stones than anyone could see.
 const MAX_STONES: u32 = 1000;
@@ -135,9 +134,6 @@ impl Archway {
 }
 
 impl Specification for Archway {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         self.check()?;
         let mut stones: Vec<Named> = Vec::new();

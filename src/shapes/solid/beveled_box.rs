@@ -12,10 +12,9 @@ use serde::{Deserialize, Serialize};
 
 use super::edges::{Named, check_bevel, corner, inset, left_of, quarter, wall};
 use crate::invalid::{Invalid, finite_point};
-use crate::kinds::Specification;
 use crate::math::{Length, Point, Step, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
-use crate::shapes::{Context, Instance, Rectangle, Shape};
+use crate::shapes::{Context, Instance, Rectangle, Shape, Specification};
 
 /// A box with round edges and corners: the points at most `bevel` away from the box that is smaller
 /// by `bevel` on each side. Its parts are the six faces `left`, `right`, `bottom`, `top`, `back` and
@@ -134,9 +133,6 @@ fn unit(axis: usize) -> Vector {
 }
 
 impl Specification for BeveledBox {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         self.check()?;
         let parts = [self.faces(), self.edges(), self.corners()].concat();

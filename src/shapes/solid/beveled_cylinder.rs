@@ -12,11 +12,11 @@ use serde::{Deserialize, Serialize};
 use super::edges::{Named, check_bevel, inset, left_of, tube};
 use super::shoulder::Shoulder;
 use crate::invalid::{Invalid, shown};
-use crate::kinds::{Custom, Specification};
+use crate::kinds::Custom;
 use crate::math::{Axis, Length, Point, Step, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
-use crate::shapes::{Context, Disk, Instance, Kind, OpenCylinder, Shape};
+use crate::shapes::{Context, Disk, Instance, Kind, OpenCylinder, Shape, Specification};
 
 /// A solid cylinder with round edges, as the parts `bottom`, `top`, `wall`, `bottom_edge` and
 /// `top_edge`; normals point outward. With a bevel as large as the radius it has hemispheres for
@@ -42,9 +42,6 @@ pub struct BeveledCylinder {
 }
 
 impl Specification for BeveledCylinder {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { y0, y1, radius, bevel, .. } = *self;
         let wall = OpenCylinder { y0, y1, radius, inward: false }.checked()?;

@@ -10,12 +10,11 @@ use serde::{Deserialize, Serialize};
 
 use super::edges::{Named, check_bevel, inset, left_of, moved, tube};
 use crate::invalid::{Invalid, length};
-use crate::kinds::Specification;
 use crate::math::{Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
-use crate::shapes::{Annulus, Context, OpenCylinder, Shape};
+use crate::shapes::{Annulus, Context, OpenCylinder, Shape, Specification};
 
 /// A thick ring with round edges, as the parts `bottom`, `top`, `inner_wall`, `outer_wall` and four
 /// `edges`; normals point out of the ring.
@@ -43,9 +42,6 @@ pub struct BeveledRing {
 }
 
 impl Specification for BeveledRing {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { y0, y1, inner_radius, outer_radius, bevel, .. } = *self;
         length("inner_radius", inner_radius)?;

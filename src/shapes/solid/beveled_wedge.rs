@@ -9,12 +9,11 @@ use serde::{Deserialize, Serialize};
 use super::edges::check_bevel;
 use super::wedge_parts::Wedge;
 use crate::invalid::{Invalid, finite, length, shown};
-use crate::kinds::Specification;
 use crate::math::{Length, lists, sin_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::Angles;
 use crate::shapes::plain::annulus::radii;
-use crate::shapes::{Context, Shape};
+use crate::shapes::{Context, Shape, Specification};
 
 /// The part of a thick ring between two azimuths, with round edges and corners, as the parts
 /// `bottom`, `top`, `inner_wall`, `outer_wall`, `start`, `end`, `edges` and `corners`; normals point
@@ -93,9 +92,6 @@ impl BeveledWedge {
 }
 
 impl Specification for BeveledWedge {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         solid(&self.checked()?.parts(), &self.materials, context)
     }

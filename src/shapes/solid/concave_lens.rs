@@ -13,11 +13,11 @@ use serde::{Deserialize, Serialize};
 
 use super::spherical_cap::SphericalCap;
 use crate::invalid::{Invalid, length, shown};
-use crate::kinds::{Custom, Specification};
+use crate::kinds::Custom;
 use crate::math::{Length, Point, UNIT_ROUNDOFF, atan2, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
-use crate::shapes::{Context, Kind, OpenCylinder, PartSphere, Shape};
+use crate::shapes::{Context, Kind, OpenCylinder, PartSphere, Shape, Specification};
 
 /// A disk about the y axis with a spherical hollow in each side, as the parts `top`, `bottom` and
 /// `wall`; normals point out of the glass.
@@ -81,9 +81,6 @@ impl ConcaveLens {
 }
 
 impl Specification for ConcaveLens {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         self.checked()?;
         let half = 0.5 * self.thickness;

@@ -13,11 +13,10 @@ use serde::{Deserialize, Serialize};
 use super::boundaries::{BoundaryMaterials, meniscus};
 use super::flat_rimmed_bowl::polar_angle;
 use crate::invalid::{Invalid, length, shown};
-use crate::kinds::Specification;
 use crate::math::{Length, Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::solid::edges::{moved, tube};
-use crate::shapes::{Context, Disk, Kind, PartSphere, Shape};
+use crate::shapes::{Context, Disk, Kind, PartSphere, Shape, Specification};
 
 /// A spherical bowl about the origin with a rounded rim, and water in it that curves up to the glass.
 /// Its parts are one surface for each boundary: `outside`, `inside` and `rim` between glass and air,
@@ -88,9 +87,6 @@ impl FishBowl {
 }
 
 impl Specification for FishBowl {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     /// The rim is half a tube between the spheres, at the polar angle α/2: the half that is turned to the
     /// opening, from 90° − α/2 around the tube. (The book has α/2, which is the same at 90° only.)
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {

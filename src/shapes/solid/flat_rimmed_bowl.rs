@@ -10,12 +10,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length, shown};
-use crate::kinds::Specification;
 use crate::math::{Length, Point, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
-use crate::shapes::{Annulus, Context, Kind, PartSphere, Shape};
+use crate::shapes::{Annulus, Context, Kind, PartSphere, Shape, Specification};
 
 /// The points between two spheres about the origin, up to a level cut, as the parts `outside`,
 /// `inside` and `rim`; normals point out of the bowl, those of its inside to the origin.
@@ -65,9 +64,6 @@ pub fn shells(
 }
 
 impl Specification for FlatRimmedBowl {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         length("inner_radius", self.inner_radius)?;
         let [inner, outer] = radii(self.inner_radius, self.outer_radius)?;

@@ -12,9 +12,8 @@ use serde::{Deserialize, Serialize};
 
 use super::boundaries::{BoundaryMaterials, meniscus};
 use crate::invalid::{Invalid, length, shown};
-use crate::kinds::Specification;
 use crate::math::{Length, Point, Vector};
-use crate::shapes::{Annulus, Context, Disk, OpenCylinder, Shape};
+use crate::shapes::{Annulus, Context, Disk, OpenCylinder, Shape, Specification};
 
 /// A cylindrical glass about the y axis that stands on y = 0, with water in it that curves up to the
 /// glass. Its eight parts are one surface for each boundary: `rim`, `bottom`, `inside` and `outside`
@@ -89,9 +88,6 @@ impl GlassOfWater {
 }
 
 impl Specification for GlassOfWater {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         self.check()?;
         let (r, m, level) = (self.inner_radius, self.meniscus_radius, self.water_height);

@@ -12,10 +12,9 @@ use super::beveled_wedge::BeveledWedge;
 use super::edges::{Named, check_fits, half_joint, inset};
 use crate::accel::Method;
 use crate::invalid::{Invalid, length};
-use crate::kinds::Specification;
 use crate::math::{Length, to_degrees};
 use crate::shapes::composite::assembly::{Materials, solid_by};
-use crate::shapes::{Context, Shape};
+use crate::shapes::{Context, Shape, Specification};
 
 /// How many wedges each ring has, from the innermost.
 const WEDGES: [u32; 6] = [10, 12, 15, 18, 24, 36];
@@ -77,9 +76,6 @@ impl Rosette {
 }
 
 impl Specification for Rosette {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         if !(1..=6).contains(&self.rings) {
             let problem = format!("found {}, but from 1 to 6 rings are needed", self.rings);

@@ -12,13 +12,12 @@ use serde::{Deserialize, Serialize};
 
 use super::flat_rimmed_bowl::{hemisphere, polar_angle, shells};
 use crate::invalid::{Invalid, length, shown};
-use crate::kinds::Specification;
 use crate::math::{Length, Vector, cos_degrees, sin_degrees};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::part::angles::full_turn;
 use crate::shapes::plain::annulus::radii;
 use crate::shapes::solid::edges::{moved, tube};
-use crate::shapes::{Context, Shape};
+use crate::shapes::{Context, Shape, Specification};
 
 /// The points between two spheres about the origin, ended by half a torus that touches both, as the
 /// parts `outside`, `inside` and `rim`; normals point out of the bowl, those of its inside to the
@@ -42,9 +41,6 @@ pub struct RoundRimmedBowl {
 }
 
 impl Specification for RoundRimmedBowl {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         length("inner_radius", self.inner_radius)?;
         let [inner, outer] = radii(self.inner_radius, self.outer_radius)?;

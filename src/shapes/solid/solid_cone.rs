@@ -8,10 +8,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
 use crate::math::{Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
-use crate::shapes::{Cone, Context, Disk, Kind, Shape};
+use crate::shapes::{Cone, Context, Disk, Kind, Shape, Specification};
 
 /// The points with `√(x² + z²) ≤ radius (1 − y/height)` and `y ≥ 0`, as the parts `base` and
 /// `wall`; normals point outward.
@@ -30,9 +29,6 @@ pub struct SolidCone {
 }
 
 impl Specification for SolidCone {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { height, radius, .. } = *self;
         let wall = Cone { height, radius, inward: false };

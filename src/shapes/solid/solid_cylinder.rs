@@ -8,10 +8,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::Invalid;
-use crate::kinds::Specification;
 use crate::math::{Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
-use crate::shapes::{Context, Disk, Kind, OpenCylinder, Shape};
+use crate::shapes::{Context, Disk, Kind, OpenCylinder, Shape, Specification};
 
 /// The points with `x² + z² ≤ radius²` and `y0 ≤ y ≤ y1`, as the parts `bottom`, `top` and `wall`;
 /// normals point outward.
@@ -33,9 +32,6 @@ pub struct SolidCylinder {
 }
 
 impl Specification for SolidCylinder {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { y0, y1, radius, .. } = *self;
         let wall = OpenCylinder { y0, y1, radius, inward: false };

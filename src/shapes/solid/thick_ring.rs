@@ -9,11 +9,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length};
-use crate::kinds::Specification;
 use crate::math::{Length, Point, Vector};
 use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::plain::annulus::radii;
-use crate::shapes::{Annulus, Context, Kind, OpenCylinder, Shape};
+use crate::shapes::{Annulus, Context, Kind, OpenCylinder, Shape, Specification};
 
 /// The points from `inner_radius` to `outer_radius` away from the y axis with `y0 ≤ y ≤ y1`, as the
 /// parts `bottom`, `top`, `inner_wall` and `outer_wall`; normals point out of the ring, those of
@@ -39,9 +38,6 @@ pub struct ThickRing {
 }
 
 impl Specification for ThickRing {
-    type Built = Arc<dyn Shape>;
-    type Context = Context;
-
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let Self { y0, y1, inner_radius, outer_radius, .. } = *self;
         length("inner_radius", inner_radius)?;

@@ -8,9 +8,10 @@ use super::limits;
 use super::numbers::{RayData, Real, SpanData, Triple, triple};
 use super::source::{Built, Source};
 use groundtruth::invalid::{Invalid, Key, direction};
-use groundtruth::kinds::Specification;
 use groundtruth::math::{Ray, Span, Step, Vector};
-use groundtruth::shapes::{Candidate, Context, Instance, Kind, PartPath, Shape, Surface};
+use groundtruth::shapes::{
+    Candidate, Context, Instance, Kind, PartPath, Shape, Specification, Surface,
+};
 use groundtruth::world::DEFAULT_SEED;
 
 #[derive(Deserialize)]

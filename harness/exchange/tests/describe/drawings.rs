@@ -5,11 +5,11 @@ use std::f64::consts::{PI, TAU};
 
 use exchange::describe;
 use groundtruth::images::{Drawn, Picture};
-use groundtruth::kinds::{Resources, Specification};
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Normal, Point, Ray, Span, Vector, atan2, cos, power, sin};
 use groundtruth::scene;
 use groundtruth::shapes::{RandomSpheres, Surface};
-use groundtruth::textures::{Image, Mapping, RandomColors, TexturePoint};
+use groundtruth::textures::{Image, Mapping, RandomColors, Specification, TexturePoint};
 use groundtruth::world::World;
 
 use super::formulas::{assert_says, line_of};

@@ -2,8 +2,7 @@
 //! mappings.
 
 use exchange::describe;
-use groundtruth::kinds::Specification;
-use groundtruth::lights::{self, LightContext, Spot};
+use groundtruth::lights::{self, LightContext, Specification, Spot};
 use groundtruth::lobes::fresnel;
 use groundtruth::math::{
     Frame, Normal, Pcg32, Point, Vector, acos, atan2, cos_degrees, power, sin_degrees,
