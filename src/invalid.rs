@@ -3,7 +3,9 @@
 use std::fmt;
 
 use crate::math::{Normal, Point, Vector};
-use crate::{printable, similar};
+use formats::printable;
+
+use crate::similar;
 
 /// A value that does not fit. `path` grows from the inside out while the error travels up.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

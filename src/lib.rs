@@ -10,7 +10,7 @@
 //! Each module names only modules of lines above its own:
 //!
 //! ```text
-//! candidate, math, printable, similar
+//! candidate, math, similar
 //! accel, invalid
 //! mesh_bvh, rgb
 //! film, images
@@ -45,7 +45,6 @@ pub mod materials;
 pub mod math;
 pub mod mesh_bvh;
 pub mod noise;
-pub mod printable;
 pub mod render;
 pub mod rgb;
 pub mod samplers;
@@ -55,3 +54,5 @@ pub mod similar;
 pub mod textures;
 pub mod trace;
 pub mod world;
+
+pub use formats::printable;

@@ -6,8 +6,8 @@ use super::text::{brief, count, percent, short};
 use super::{
     Outline, PixelExplanation, Row, SampleExplanation, Source, SourceExplanation, Sources,
 };
-use crate::printable::{self, name};
 use crate::trace::RecordedRay;
+use formats::printable::{self, name};
 
 /// What of a tree is shown.
 #[derive(Clone, Copy)]

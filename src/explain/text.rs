@@ -5,12 +5,12 @@ use std::sync::Arc;
 
 use super::unlit;
 use crate::lobes::Lobe;
-use crate::printable::name;
 use crate::rgb::Rgb;
 use crate::textures::Texel;
 use crate::trace::{
     Optics, Outcome, RayKind, RecordedHit, RecordedRay, RecordedTerm, RecordedTexture, TermSource,
 };
+use formats::printable::name;
 
 /// A colour as `(0.12, 0.03, 0.03)`, a grey as `0.5`, shortened for people.
 pub fn short(color: Rgb) -> String {

@@ -4,11 +4,11 @@ use std::fmt;
 
 use super::{Explaining, brief};
 use crate::lights::Unlit;
-use crate::printable::name;
 use crate::rgb::Rgb;
 use crate::trace::{
     Outcome, RayKind, RecordedHit, RecordedRay, RecordedTerm, TermSource, UnlitLight,
 };
+use formats::printable::name;
 
 /// Lines such as `lights "sun", "lamp": switched off`: lights with equal reasons share one.
 pub fn lines(unlit: &[UnlitLight]) -> Vec<String> {

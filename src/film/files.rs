@@ -1,12 +1,11 @@
 //! Picture files: PNG and PPM for viewing, EXR and PFM for linear radiance.
 
-use std::io::{BufWriter, Cursor};
 use std::path::{Path, PathBuf};
 
-use exr::prelude::{Image as ExrImage, ReadChannels, ReadLayers, SpecificChannels, WritableImage};
+use formats::pictures::{self, Channel, with_attributes, with_texts};
+use formats::replace::{replace, replaceable};
 
-use super::replace::{replace, replaceable};
-use super::{Film, Provenance, Tone, provenance};
+use super::{Film, Provenance, Tone};
 use crate::rgb::Rgb;
 
 /// A picture file that cannot be written or read.
@@ -82,21 +81,45 @@ pub fn encode(
     format: Format,
     made: &Provenance,
 ) -> std::io::Result<Vec<u8>> {
-    let bytes = encoded(film, tone, format)?;
+    encoded(film, tone, format, &made.entries())
+}
+
+fn encoded(
+    film: &Film,
+    tone: &Tone,
+    format: Format,
+    entries: &[(&str, String)],
+) -> std::io::Result<Vec<u8>> {
+    let size = [film.width(), film.height()];
+    let radiance = || film.to_f32().collect::<Vec<_>>();
     Ok(match format {
-        Format::Png => made.in_png(&bytes),
-        Format::Exr => made.in_exr(&bytes).expect("an EXR file of one part"),
-        Format::Ppm | Format::Pfm => bytes,
+        Format::Png => with_texts(&pictures::png(size, shown(film, tone))?, tone.gamma, entries),
+        Format::Ppm => pictures::ppm(size, &shown(film, tone)),
+        Format::Exr => of_one_part(&pictures::exr(size, &radiance())?, entries),
+        Format::Pfm => pictures::pfm(size, &radiance()),
     })
 }
 
-fn encoded(film: &Film, tone: &Tone, format: Format) -> std::io::Result<Vec<u8>> {
-    match format {
-        Format::Png => Ok(provenance::with_gamma(&png(film, tone)?, tone.gamma)),
-        Format::Ppm => Ok(ppm(film, tone)),
-        Format::Exr => exr(film),
-        Format::Pfm => Ok(pfm(film)),
-    }
+fn shown(film: &Film, tone: &Tone) -> Vec<u8> {
+    film.pixels().iter().flat_map(|&pixel| tone.to_bytes(pixel)).collect()
+}
+
+fn of_one_part(exr: &[u8], entries: &[(&str, String)]) -> Vec<u8> {
+    with_attributes(exr, entries).expect("an EXR file of one part")
+}
+
+/// The bytes of an EXR file of such channels, each with `width × height` values, in single precision and with the
+/// comment. It says how it was made.
+///
+/// # Errors
+/// A name that EXR cannot say, or that is there twice.
+pub fn encode_channels(
+    size: [u32; 2],
+    channels: Vec<Channel>,
+    comment: &str,
+    made: &Provenance,
+) -> std::io::Result<Vec<u8>> {
+    Ok(of_one_part(&pictures::exr_of_channels(size, channels, comment)?, &made.entries()))
 }
 
 /// Writes a picture: `.png` and `.ppm` as shown by `tone`, `.exr` and `.pfm` as linear radiance in
@@ -106,10 +129,7 @@ fn encoded(film: &Film, tone: &Tone, format: Format) -> std::io::Result<Vec<u8>>
 /// # Errors
 /// [`ImageError::Format`] and [`ImageError::Unwritable`].
 pub fn write(film: &Film, tone: &Tone, path: &Path) -> Result<(), ImageError> {
-    written(path, encoded(film, tone, Format::of(path)?))
-}
-
-fn written(path: &Path, bytes: std::io::Result<Vec<u8>>) -> Result<(), ImageError> {
+    let bytes = encoded(film, tone, Format::of(path)?, &[]);
     let unwritable = |source| ImageError::Unwritable { path: path.to_owned(), source };
     replace(path, &bytes.map_err(unwritable)?).map_err(unwritable)
 }
@@ -123,49 +143,6 @@ pub fn writable(path: &Path) -> Result<(), ImageError> {
     replaceable(path).map_err(|source| ImageError::Unwritable { path: path.to_owned(), source })
 }
 
-/// Netpbm's binary form with one byte a sample: the bytes of the PNG.
-fn ppm(film: &Film, tone: &Tone) -> Vec<u8> {
-    let mut bytes = format!("P6\n{} {}\n255\n", film.width(), film.height()).into_bytes();
-    bytes.extend(film.pixels().iter().flat_map(|&pixel| tone.to_bytes(pixel)));
-    bytes
-}
-
-/// Rows from the bottom up; a negative scale says that the least significant byte comes first.
-fn pfm(film: &Film) -> Vec<u8> {
-    let mut bytes = format!("PF\n{} {}\n-1.0\n", film.width(), film.height()).into_bytes();
-    for row in film.pixels().chunks_exact(film.width() as usize).rev() {
-        let samples = row.iter().flat_map(|pixel| pixel.to_array());
-        bytes.extend(samples.flat_map(|c| super::stored(c).to_le_bytes()));
-    }
-    bytes
-}
-
-fn png(film: &Film, tone: &Tone) -> std::io::Result<Vec<u8>> {
-    let bytes = film.pixels().iter().flat_map(|&pixel| tone.to_bytes(pixel)).collect();
-    let picture = image::RgbImage::from_raw(film.width(), film.height(), bytes)
-        .expect("three bytes for each pixel");
-    let mut encoded = Cursor::new(Vec::new());
-    picture
-        .write_to(&mut BufWriter::new(&mut encoded), image::ImageFormat::Png)
-        .map_err(std::io::Error::other)?;
-    Ok(encoded.into_inner())
-}
-
-fn exr(film: &Film) -> std::io::Result<Vec<u8>> {
-    let size = (film.width() as usize, film.height() as usize);
-    let channels = SpecificChannels::rgb(|at: exr::math::Vec2<usize>| {
-        let [r, g, b] = film.get([at.0 as u32, at.1 as u32]).to_array().map(super::stored);
-        (r, g, b)
-    });
-    let mut encoded = Cursor::new(Vec::new());
-    ExrImage::from_channels(size, channels)
-        .write()
-        .non_parallel() // the same bytes each time: goldens are kept in git
-        .to_buffered(&mut encoded)
-        .map_err(|e| std::io::Error::other(e.to_string()))?;
-    Ok(encoded.into_inner())
-}
-
 /// Reads the first layer of an EXR file as linear radiance.
 ///
 /// # Errors
@@ -173,7 +150,7 @@ fn exr(film: &Film) -> std::io::Result<Vec<u8>> {
 pub fn read_exr(path: &Path) -> Result<Film, ImageError> {
     let unreadable = |problem| ImageError::Unreadable { path: path.to_owned(), problem };
     let bytes = std::fs::read(path).map_err(|e| unreadable(e.to_string()))?;
-    let film = decode_exr(
+    let film = pictures::read_exr(
         &bytes,
         |[width, height]| Film::new(width, height),
         |film: &mut Film, at, color| film.set(at, Rgb::from(color.map(f64::from))),
@@ -181,69 +158,9 @@ pub fn read_exr(path: &Path) -> Result<Film, ImageError> {
     film.map_err(unreadable)
 }
 
-/// Decodes the first layer with channels R, G and B of an EXR file. `create` allocates the picture for its
-/// columns and rows; `set` sets the colour at a column and a row from the top.
-///
-/// # Errors
-/// What is wrong with them.
-fn decode_exr<P: 'static>(
-    bytes: &[u8],
-    create: impl Fn([u32; 2]) -> P + 'static,
-    set: impl Fn(&mut P, [u32; 2], [f32; 3]) + 'static,
-) -> Result<P, String> {
-    exr::prelude::read()
-        .no_deep_data()
-        .largest_resolution_level()
-        .rgba_channels(
-            move |size, _: &_| create([size.width() as u32, size.height() as u32]),
-            move |pixels: &mut P, at, (r, g, b, _): (f32, f32, f32, f32)| {
-                set(pixels, [at.x() as u32, at.y() as u32], [r, g, b]);
-            },
-        )
-        .first_valid_layer()
-        .all_attributes()
-        .from_buffered(std::io::Cursor::new(bytes))
-        .map(|image| image.layer_data.channel_data.pixels)
-        .map_err(|e| e.to_string())
-}
-
 /// A picture as shown by `tone`, as the address of an HTML image that needs no file: a PNG in base 64.
 pub fn data_uri(film: &Film, tone: &Tone) -> String {
-    let png = png(film, tone).expect("nothing fails that is written to memory");
-    format!("data:image/png;base64,{}", base64(&png))
-}
-
-/// RFC 4648, with padding.
-fn base64(bytes: &[u8]) -> String {
-    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
-    for chunk in bytes.chunks(3) {
-        let byte = |i: usize| u32::from(chunk.get(i).copied().unwrap_or(0));
-        let bits = byte(0) << 16 | byte(1) << 8 | byte(2);
-        for i in 0..4 {
-            let digit = DIGITS[(bits >> (18 - 6 * i) & 63) as usize];
-            text.push(if i <= chunk.len() { digit.into() } else { '=' });
-        }
-    }
-    text
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn base64_has_the_rfcs_examples() {
-        for (bytes, text) in [
-            ("", ""),
-            ("f", "Zg=="),
-            ("fo", "Zm8="),
-            ("foo", "Zm9v"),
-            ("foob", "Zm9vYg=="),
-            ("fooba", "Zm9vYmE="),
-            ("foobar", "Zm9vYmFy"),
-        ] {
-            assert_eq!(base64(bytes.as_bytes()), text);
-        }
-    }
+    let png = pictures::png([film.width(), film.height()], shown(film, tone));
+    let png = png.expect("nothing fails that is written to memory");
+    format!("data:image/png;base64,{}", pictures::base64(&png))
 }

@@ -1,17 +1,15 @@
 //! Film: finished pixels, tone mapping, and picture files.
 
-mod channels;
 mod files;
 mod provenance;
-mod replace;
 mod tone;
 
 use crate::rgb::Rgb;
 
-pub use channels::{Channel, encode_channels};
-pub use files::{Format, ImageError, data_uri, encode, read_exr, writable, write};
+pub use files::{Format, ImageError, data_uri, encode, encode_channels, read_exr, writable, write};
+pub use formats::pictures::Channel;
+pub use formats::replace::{TEMPORARY, folder_of, replace, replace_all, replaceable, without_path};
 pub use provenance::{Provenance, Replicas};
-pub use replace::{TEMPORARY, folder_of, replace, replace_all, replaceable, without_path};
 pub use tone::{OutOfGamut, Tone};
 
 /// A picture of linear radiance, row by row from the top left. Pixels that are not rendered yet are

@@ -9,10 +9,10 @@ use super::{Context, Light, LightContext, LightSample, Segment, Specification, T
 use crate::invalid::Invalid;
 use crate::materials::Emission;
 use crate::math::{self, UNIT_ROUNDOFF, Vector};
-use crate::printable;
 use crate::rgb::Rgb;
 use crate::shapes::{SampledSurface, Sampling, Shape, Surface};
 use crate::textures::TexturePoint;
+use formats::printable;
 
 /// The light of an emissive object, whose surface is sampled: soft shadows. Its radiance is that of
 /// the object's material, on the side of the true normal. Switched off, the object is dark too.

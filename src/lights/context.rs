@@ -6,8 +6,8 @@ use std::sync::Arc;
 use crate::background::Sky;
 use crate::invalid::Invalid;
 use crate::materials::Emission;
-use crate::printable::{self, listed};
 use crate::shapes::Shape;
+use formats::printable::{self, listed};
 
 /// The objects that area lights may name, and the sky.
 #[derive(Debug, Default)]

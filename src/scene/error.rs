@@ -4,7 +4,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 
 use crate::invalid::Invalid;
-use crate::printable;
+use formats::printable;
 
 /// A scene that cannot be read, built or written.
 #[derive(Debug, thiserror::Error)]

@@ -9,8 +9,8 @@ use crate::accel;
 use crate::invalid::{Invalid, MAX_NESTING};
 use crate::kinds::Resources;
 use crate::math::Transform;
-use crate::printable::{self, listed};
 use formats::meshes::MeshData;
+use formats::printable::{self, listed};
 
 /// More triangles in one scene would take gigabytes, up to 300 bytes each while trees are built.
 const MAX_TRIANGLES: u64 = 1 << 22;

@@ -8,9 +8,9 @@ use crate::background::Sky;
 use crate::invalid::{Invalid, Key, length, shown};
 use crate::kinds::Resources;
 use crate::lights::{self, LampObject};
-use crate::printable;
 use crate::scene::{self, Scene};
 use crate::shapes::{Context, PartMaterial};
+use formats::printable;
 
 /// An element of a list, for error messages.
 fn item(list: &str, index: usize, name: &str) -> impl Fn(Invalid) -> Invalid {

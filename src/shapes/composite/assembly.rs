@@ -11,8 +11,8 @@ use std::sync::Arc;
 use crate::accel::{Accel, Method};
 use crate::invalid::{Invalid, Key};
 use crate::math::{Aabb, Ray, Span};
-use crate::printable;
 use crate::shapes::{Candidate, Context, Kind, Role, Shape, Surface, Within};
+use formats::printable;
 
 /// Up to this many parts are tried one after the other unless the scene says how.
 const FEW: usize = 8;

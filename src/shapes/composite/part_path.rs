@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::printable;
+use formats::printable;
 
 /// The path from a shape to its innermost part that was hit: an instance of a compound of meshes has
 /// three levels. A shape that holds no others and has no numbered parts has none.
