@@ -163,19 +163,6 @@ fn a_light_of_large_attenuation_sends_numbers() {
     }
 }
 
-/// Two environment lights counted the sky twice.
-#[test]
-fn two_environment_lights_are_refused() {
-    let mut scene = scene(Vec::new());
-    for name in ["day", "night"] {
-        scene.lights.push(Light::new(name, Environment {}));
-    }
-    let error = World::build(&scene).expect_err("two skies").to_string();
-    let text =
-        "lights[1] \"night\", source.environment: the background is the light \"day\" already";
-    assert!(error.contains(text), "{error}");
-}
-
 /// A lamp and its light could not both be switched off.
 #[test]
 fn a_lamp_and_its_light_can_both_be_off() {

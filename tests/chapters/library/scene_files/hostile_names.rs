@@ -1,5 +1,7 @@
 //! Names that a terminal would obey, in every place of a scene file that carries a name or a key.
 
+use std::sync::LazyLock;
+
 use groundtruth::{cameras, printable, scene};
 use proptest::test_runner::FileFailurePersistence;
 use rayon::prelude::*;
@@ -7,6 +9,7 @@ use testkit::properties::*;
 use toml::Value;
 
 use super::not_finite::everything;
+use super::places::{Place, at, places};
 use crate::prelude::*;
 
 /// The most characters of a line: the longest message, the steps of its path, file and line.
@@ -53,56 +56,34 @@ fn said(text: &str) -> String {
     }
 }
 
-/// Applies `change` to the number-th string or key in a document, and counts both; true once it is done.
-fn change(value: &mut Value, number: &mut usize, name: &str) -> bool {
-    match value {
-        Value::String(text) if *number == 0 => {
-            name.clone_into(text);
-            true
-        }
-        Value::String(_) => {
-            *number -= 1;
-            false
-        }
-        Value::Array(list) => list.iter_mut().any(|inner| change(inner, number, name)),
-        Value::Table(table) => {
-            let keys: Vec<String> = table.keys().cloned().collect();
-            for key in keys {
-                if *number == 0 {
-                    let inner = table.remove(&key).expect("its key");
-                    table.insert(name.to_owned(), inner);
-                    return true;
-                }
-                *number -= 1;
-                if change(table.get_mut(&key).expect("its key"), number, name) {
-                    return true;
-                }
-            }
-            false
-        }
-        _ => false,
-    }
-}
-
 /// A document as the text of a file.
 fn written(document: &Value) -> String {
     toml::to_string(document).expect("a table can be written")
 }
 
-/// The scene with every kind of everything, as a document; and the number of its strings and keys.
-fn whole() -> (Value, usize) {
+/// The scene with every kind of everything, as a document; and the places of its keys, and of its texts.
+fn whole() -> (Value, Vec<(Place, bool)>) {
     let lens = cameras::Kind::from(cameras::Orthographic { zoom: 1.0 });
     let text = scene::to_toml(&everything(lens)).expect("no custom kinds");
     let document: Value = toml::from_str(&text).expect("it is TOML");
-    let mut left = usize::MAX;
-    assert!(!change(&mut document.clone(), &mut left, ""), "it has fewer");
-    (document, usize::MAX - left)
+    let is_key = |place: &Place| place.last().is_some_and(|key| key.parse::<usize>().is_err());
+    let keys = places(&document, &[], &|_| true).into_iter().filter(is_key);
+    let texts = places(&document, &[], &Value::is_str);
+    let all = keys.map(|it| (it, true)).chain(texts.into_iter().map(|it| (it, false))).collect();
+    (document, all)
 }
 
-/// Checks the error, if there is one, of the document with another text in place of its number-th.
-fn check_error(document: &Value, mut number: usize, name: &str) {
+/// Checks the error, if there is one, of the document with another key or text at a place.
+fn check_error(document: &Value, (place, is_key): &(Place, bool), name: &str) {
     let mut document = document.clone();
-    assert!(change(&mut document, &mut number, name), "it has so many");
+    match place.split_last().filter(|_| *is_key) {
+        Some((key, around)) => {
+            let table = at(&mut document, around).as_table_mut().expect("it has keys");
+            let inner = table.remove(key).expect("its key");
+            table.insert(name.to_owned(), inner);
+        }
+        None => *at(&mut document, place) = Value::String(name.to_owned()),
+    }
     if let Err(error) = world::from_toml(&written(&document), Path::new("scene.toml")) {
         check_shown(&error.to_string(), name);
     }
@@ -113,10 +94,10 @@ fn check_error(document: &Value, mut number: usize, name: &str) {
 /// error of every place.
 #[test]
 fn no_name_in_any_place_is_obeyed() {
-    let (document, count) = whole();
-    assert!(count > 300, "only {count} names and keys");
+    let (document, places) = whole();
+    assert!(places.len() > 300, "only {} names and keys", places.len());
     let name = format!("m\u{1b}[31m\u{202e}gnp\r\n{FORGED}\u{9b}2J{}", "x`".repeat(2000));
-    (0..count).into_par_iter().for_each(|number| check_error(&document, number, &name));
+    places.par_iter().for_each(|place| check_error(&document, place, &name));
 }
 
 proptest! {
@@ -129,9 +110,9 @@ proptest! {
     /// Law: the same of random names in random places.
     #[test]
     fn no_random_name_is_obeyed(name in hostile(), at in 0.0..1.0_f64) {
-        static WHOLE: std::sync::LazyLock<(Value, usize)> = std::sync::LazyLock::new(whole);
-        let (document, count) = &*WHOLE;
-        check_error(document, (at * *count as f64) as usize, &name);
+        static WHOLE: LazyLock<(Value, Vec<(Place, bool)>)> = LazyLock::new(whole);
+        let (document, places) = &*WHOLE;
+        check_error(document, &places[(at * places.len() as f64) as usize], &name);
     }
 
     /// Law: the same of a small scene that is valid with any names: its explanation, and the note on a

@@ -5,6 +5,7 @@ use groundtruth::{cameras, samplers, textures};
 use rayon::prelude::*;
 use toml::Value;
 
+use super::places::{at, places};
 use crate::prelude::*;
 
 fn specimens<Kind>(entries: &[Entry<Kind>]) -> Vec<Kind> {
@@ -64,31 +65,6 @@ pub fn everything(lens: cameras::Kind) -> Scene {
     scene
 }
 
-/// The paths of all floating-point numbers.
-fn leaves(value: &Value, path: &mut Vec<String>, found: &mut Vec<Vec<String>>) {
-    let mut visit = |key: String, value| {
-        path.push(key);
-        leaves(value, path, found);
-        path.pop();
-    };
-    match value {
-        Value::Table(table) => table.iter().for_each(|(key, value)| visit(key.clone(), value)),
-        Value::Array(array) => {
-            array.iter().enumerate().for_each(|(i, value)| visit(i.to_string(), value));
-        }
-        Value::Float(_) => found.push(path.clone()),
-        _ => {}
-    }
-}
-
-fn at<'a>(value: &'a mut Value, path: &[String]) -> &'a mut Value {
-    path.iter().fold(value, |value, key| match value {
-        Value::Array(array) => &mut array[key.parse::<usize>().expect("an index")],
-        Value::Table(table) => table.get_mut(key).expect("a key"),
-        _ => panic!("{key} is in no table"),
-    })
-}
-
 /// Law: if any number of any kind is NaN or infinite, the error names its field and the
 /// line on which it stands. Oracle: the text has the word on one line only.
 #[test]
@@ -98,8 +74,7 @@ fn nan_and_infinity_are_refused_in_every_field_of_every_kind() {
         let whole = Value::try_from(everything(lens)).expect("it can be written");
         let text = toml::to_string(&whole).expect("it can be written");
         world::from_toml(&text, Path::new("scene.toml")).expect("it is right");
-        let mut places = Vec::new();
-        leaves(&whole, &mut Vec::new(), &mut places);
+        let mut places = places(&whole, &[], &Value::is_float);
         // everything but the camera is the same for every lens
         places.retain(|place| i == 0 || place[0] == "camera");
         places.par_iter().enumerate().for_each(|(j, place)| {
