@@ -1,12 +1,10 @@
 //! Laws of the mesh file readers: a valid file gives the mesh that it describes. A damaged file gives an
-//! error, never a panic, and never takes more memory than its size allows.
+//! error, never a panic, and never takes more memory than its size allows: that is the fuzz bodies' law.
 
 mod as_found;
 mod damage;
+mod errors;
 mod obj;
-mod obj_errors;
 mod ply;
-mod ply_body_errors;
-mod ply_header_errors;
 mod polygons;
 mod samples;

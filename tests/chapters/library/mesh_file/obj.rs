@@ -58,29 +58,14 @@ fn texture_coordinates_are_taken_by_their_own_index() {
 fn negative_indices_count_back_from_the_face() {
     let expected = soup(&square("f 2 3 4\n"));
     assert_eq!(soup(&square("f -3 -2 -1\n")), expected);
-    // points that come later do not change it
+    // points that come later do not change it, and may be named
     assert_eq!(soup(&square("f -3 -2 -1\nv 9 9 9\n")), expected);
+    let later = parse_obj(format!("f 2 3 4\n{SQUARE}").as_bytes()).unwrap();
+    assert_eq!(soup(&later), expected);
     let with_all =
         square("vt 0 0\nvt 1 1\nvn 0 0 1\nf -4/-2/-1 -3/-1/-1 -2/-2/1\nvt 5 5\nvn 1 0 0\n");
     assert_eq!(with_all.uvs.unwrap(), [[0., 0.], [1., 1.], [0., 0.]]);
     assert_eq!(with_all.normals.unwrap(), [[0., 0., 1.]; 3]);
-}
-
-#[test]
-fn a_face_may_name_points_that_come_later() {
-    let later = parse_obj(format!("f 2 3 4\n{SQUARE}").as_bytes()).unwrap();
-    assert_eq!(soup(&later), soup(&square("f 2 3 4\n")));
-}
-
-/// Oracle: Newell's formula for the whole polygon.
-#[test]
-fn polygons_are_split_into_triangles_that_cover_the_same_area() {
-    let mesh = square("f 1 2 3 4\n");
-    assert_eq!(mesh.triangles, [[0, 1, 2], [0, 2, 3]]);
-    let halves: Vec<_> =
-        mesh.triangles.iter().map(|t| doubled_area(&mesh.vertices, t)[2]).collect();
-    assert_eq!(halves.iter().sum::<f64>(), doubled_area(&mesh.vertices, &[0, 1, 2, 3])[2]);
-    assert_eq!(halves, [1.0, 1.0]);
 }
 
 /// Oracle: the file without them.

@@ -27,57 +27,38 @@ pub fn pyramid() -> MeshData {
 pub const PYRAMID_FACES: [&[u32]; 5] =
     [&[0, 1, 2, 3], &[0, 4, 1], &[1, 4, 2], &[2, 4, 3], &[3, 4, 0]];
 
+/// Three coordinates of one byte.
+pub const XYZ: &str = "property char x\nproperty char y\nproperty char z\n";
+
 /// The pyramid as PLY, with elements and properties that a reader has to skip.
 pub fn ornate_pyramid_ply(encoding: Encoding) -> Vec<u8> {
     let mesh = pyramid();
-    let mut file = Writer::new(encoding);
-    file.header(&[
-        "comment made by hand",
-        "obj_info num_cols 512",
-        "element sensor 2",
-        "property double focal",
-        "property list ushort short pixels",
-        "element vertex 5",
-        "property uchar red",
-        "property float32 x",
-        "property float64 y",
-        "comment element vertex 99",
-        "property float z",
-        "property list uint8 int16 bones",
-        "property float nx",
-        "property float ny",
-        "property double nz",
-        "property float s",
-        "property float t",
-        "element nothing 3",
-        "element face 5",
-        "property int32 flags",
-        "property list uchar int vertex_index",
-        "property list int8 float weights",
-        "element tail 1",
-        "property uint32 end",
-    ]);
-    for pixels in [&[][..], &[-7, 300][..]] {
-        file.f64(1.0).u16(pixels.len() as u16);
-        for &pixel in pixels {
-            file.i16(pixel);
-        }
-        file.end();
-    }
+    let mut file = Writer::new(
+        encoding,
+        "comment made by hand\nobj_info num_cols 512\n\
+         element sensor 2\nproperty double focal\nproperty list ushort short pixels\n\
+         element vertex 5\nproperty uchar red\nproperty float32 x\nproperty float64 y\n\
+         comment element vertex 99\nproperty float z\nproperty list uint8 int16 bones\n\
+         property float nx\nproperty float ny\nproperty double nz\nproperty float s\nproperty float t\n\
+         element nothing 3\n\
+         element face 5\nproperty int32 flags\nproperty list uchar int vertex_index\n\
+         property list int8 float weights\nelement tail 1\nproperty uint32 end\n",
+    );
+    file.row("double ushort", &[1.0, 0.0]);
+    file.row("double ushort short", &[1.0, 2.0, -7.0, 300.0]);
     let (normals, uvs) = (mesh.normals.unwrap(), mesh.uvs.unwrap());
     for (i, [x, y, z]) in mesh.vertices.into_iter().enumerate() {
-        file.u8(200 + i as u8).f32(x).f64(y).f32(z).u8(1).i16(-1);
-        file.f32(normals[i][0]).f32(normals[i][1]).f64(normals[i][2]);
-        file.f32(uvs[i][0]).f32(uvs[i][1]).end();
+        let ([nx, ny, nz], [s, t]) = (normals[i], uvs[i]);
+        let values = [200.0 + i as f64, x, y, z, 1.0, -1.0, nx, ny, nz, s, t];
+        file.row("uchar float double float uchar short float float double float", &values);
     }
     for corners in PYRAMID_FACES {
-        file.i32(-5).u8(corners.len() as u8);
-        for &corner in corners {
-            file.i32(corner as i32);
-        }
-        file.u8(2).f32(0.25).f32(f64::NAN).end();
+        file.put("int", -5.0);
+        file.put("uchar", corners.len() as f64);
+        corners.iter().for_each(|&corner| file.put("int", corner.into()));
+        file.row("uchar float", &[2.0, 0.25, f64::NAN]);
     }
-    file.u32(4_000_000_000).end();
+    file.row("uint", &[4_000_000_000.0]);
     file.bytes
 }
 
@@ -103,55 +84,51 @@ pub struct Writer {
     pub bytes: Vec<u8>,
 }
 
-macro_rules! numbers {
-    ($($name:ident($argument:ty)),*) => {
-        $(pub fn $name(&mut self, value: $argument) -> &mut Self {
-            let value = value as $name;
-            match self.encoding {
-                Encoding::Ascii => self.bytes.extend(format!("{value} ").bytes()),
-                Encoding::LittleEndian => self.bytes.extend(value.to_le_bytes()),
-                Encoding::BigEndian => self.bytes.extend(value.to_be_bytes()),
-            }
-            self
-        })*
-    };
-}
-
 impl Writer {
-    pub fn new(encoding: Encoding) -> Writer {
-        Writer { encoding, bytes: Vec::new() }
-    }
-
-    pub fn header(&mut self, lines: &[&str]) {
-        let format = match self.encoding {
+    /// A file that begins with these lines of a header, without the first and the last ones.
+    pub fn new(encoding: Encoding, header: &str) -> Writer {
+        let format = match encoding {
             Encoding::Ascii => "ascii",
             Encoding::LittleEndian => "binary_little_endian",
             Encoding::BigEndian => "binary_big_endian",
         };
-        let lines = lines.join("\n");
-        self.bytes.extend(format!("ply\nformat {format} 1.0\n{lines}\nend_header\n").bytes());
+        let header = format!("ply\nformat {format} 1.0\n{header}end_header\n");
+        Writer { encoding, bytes: header.into_bytes() }
     }
 
-    pub fn end(&mut self) {
+    /// A number of the type of this name.
+    pub fn put(&mut self, kind: &str, value: f64) {
+        macro_rules! number {
+            ($type:ty) => {{
+                let value = value as $type;
+                match self.encoding {
+                    Encoding::Ascii => self.bytes.extend(format!("{value} ").bytes()),
+                    Encoding::LittleEndian => self.bytes.extend(value.to_le_bytes()),
+                    Encoding::BigEndian => self.bytes.extend(value.to_be_bytes()),
+                }
+            }};
+        }
+        match kind {
+            "char" | "int8" => number!(i8),
+            "uchar" | "uint8" => number!(u8),
+            "short" | "int16" => number!(i16),
+            "ushort" | "uint16" => number!(u16),
+            "int" | "int32" => number!(i32),
+            "uint" | "uint32" => number!(u32),
+            "float" | "float32" => number!(f32),
+            _ => number!(f64),
+        }
+    }
+
+    /// Numbers of these types, of which the last is that of all further ones; and the end of the line.
+    pub fn row(&mut self, kinds: &str, values: &[f64]) {
+        let last = kinds.split(' ').next_back();
+        let kinds = kinds.split(' ').chain(last.into_iter().cycle());
+        kinds.zip(values).for_each(|(kind, value)| self.put(kind, *value));
         if self.encoding == Encoding::Ascii {
             self.bytes.push(b'\n');
         }
     }
-
-    numbers!(i8(i8), u8(u8), i16(i16), u16(u16), i32(i32), u32(u32), f32(f64), f64(f64));
-}
-
-/// Twice the area vector of a triangle or flat polygon (Newell); splitting must preserve it.
-pub fn doubled_area(vertices: &[[f64; 3]], corners: &[u32]) -> [f64; 3] {
-    let mut sum = [0.0; 3];
-    for (i, &a) in corners.iter().enumerate() {
-        let (a, b) = (vertices[a as usize], vertices[corners[(i + 1) % corners.len()] as usize]);
-        for (axis, sum) in sum.iter_mut().enumerate() {
-            let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
-            *sum += a[j] * b[k] - a[k] * b[j];
-        }
-    }
-    sum
 }
 
 /// Steele, Lea and Flood, *Fast splittable pseudorandom number generators*, 2014.
