@@ -81,3 +81,41 @@ fn other_formats_are_refused() {
     }
     assert_refused("PAM", b"P7\nWIDTH 1\nHEIGHT 1\nDEPTH 1\nMAXVAL 1\nENDHDR\n\0", "not those of");
 }
+
+/// Law: a file that is cut off anywhere is refused, in every format; bytes after its end are ignored, with a note.
+/// Oracle: every prefix; the image without them.
+#[test]
+fn files_are_refused_if_they_are_cut_and_noted_if_they_are_longer() {
+    let pfm = b"Pf 1 1 -1\n\0\0\x80\x3f".to_vec();
+    let ppm = b"P6 2 2 255\nabcdefghijkl".to_vec();
+    let exr = exr::exr("cut", 5, 4, |x, y| Rgb::grey(f64::from(x * y)));
+    for file in [hdr::whole(), jpeg::grey_block(77), png::whole(), ppm, pfm, exr.clone()] {
+        (0..file.len()).for_each(|length| drop(refusal(&file[..length])));
+        if file != exr {
+            let longer = decode(&[&file[..], b"more"].concat(), Some(Encoding::Linear), MAX);
+            let longer = longer.expect("it is whole");
+            assert_eq!(rows(&longer), linear(&file));
+            assert_eq!(longer.notes(), ["4 bytes after its end are ignored"]);
+        }
+    }
+}
+
+/// Law: a file that claims a huge number of texels is refused by its header, before any is read. Oracle: the text,
+/// and that the test needs little memory.
+#[test]
+fn huge_sizes_are_refused_at_once() {
+    let beyond = "with the images before it, are too many; at most 1048576 more fit";
+    assert_refused("JPEG", &jpeg::claiming(), &format!("65535 × 65535 texels, {beyond}"));
+    assert_refused("EXR", &exr::claiming(), &format!("100000000 × 4 texels, {beyond}"));
+    assert_refused("PPM", b"P6 1048577 1 255\n", beyond);
+    for size in [[1_000_000_000, 1], [40_000, 40_000], [0x7fff_ffff; 2]] {
+        assert_refused("PNG", &png::claiming(size), beyond);
+    }
+    let ppm = ["1000000000 1", "40000 40000", "4294967295 4294967295"];
+    let ppm = ppm.map(|size| format!("P6 {size} 255\n").into_bytes());
+    let hdr = ["-Y 1000000000 +X 1", "-Y 4294967295 +X 4294967295"].map(hdr::claiming);
+    for file in ppm.into_iter().chain(hdr) {
+        let problem = refusal(&file);
+        assert!(problem.contains("too many") || problem.contains("too large"), "{problem}");
+    }
+}

@@ -44,37 +44,41 @@ fn errors_say_file_line_and_field() {
     let folder = folder("errors");
     let path = folder.path().join("scene.toml");
     let spherical = |file: &str| format!("{{ file = \"{file}\", mapping = \"spherical\" }}");
-    let sky = |file: &str| format!("{{ image = {} }}", spherical(file));
-    for (background, color, line, expected) in [
-        (sky("cut.ppm"), "1".into(), 1, "background.image.file: "),
-        (sky("none.ppm"), "1".into(), 1, "background.image.file: "),
+    let sky = |image: &str| format!("{{ image = {image} }}");
+    let cut = "cut.ppm: the file ends before its last texel";
+    let linear = "light.hdr: the numbers of HDR, EXR and PFM files are linear";
+    for (background, color, line, field, expected) in [
+        (sky(&spherical("cut.ppm")), "1", 1, "background.image.file", cut),
+        (sky(&spherical("none.ppm")), "1", 1, "background.image.file", "none.ppm: "),
+        (sky("{ file = \".\" }"), "1", 1, "background.image.file", "not a file"),
         (
-            "0".into(),
-            nested(&spherical("cut.ppm")),
+            sky("{ file = \"light.hdr\", encoding = \"srgb\" }"),
+            "1",
+            1,
+            "background.image.encoding",
+            linear,
+        ),
+        (
+            sky("{ file = \"right.ppm\", mapping = \"square\" }"),
+            "1",
+            1,
+            "background.image.mapping",
+            "`hemispherical`",
+        ),
+        (
+            "0".to_owned(),
+            &*nested(&spherical("cut.ppm")),
             11,
-            "recipe.matte.cd.checker3d.color2.image.file: ",
+            "recipe.matte.cd.checker3d.color2.image.file",
+            cut,
         ),
     ] {
-        let error = read(folder.path(), &background, &color).expect_err("it is damaged");
+        let error = read(folder.path(), &background, color).expect_err("it is wrong");
         let position = format!("{}:{line}: ", path.display());
         assert!(error.starts_with(&position), "`{error}` does not begin with `{position}`");
-        assert!(error.contains(expected), "`{error}` does not say `{expected}`");
+        let is_said = error.contains(&format!("{field}: ")) && error.contains(expected);
+        assert!(is_said, "`{error}` does not say `{field}: {expected}`");
     }
-    let error = read(folder.path(), &sky("cut.ppm"), "1").expect_err("it is damaged");
-    assert!(error.contains("cut.ppm: the file ends before its last texel"), "{error}");
-    let srgb = "{ image = { file = \"light.hdr\", encoding = \"srgb\" } }";
-    let error = read(folder.path(), srgb, "1").expect_err("HDR is linear");
-    assert!(error.contains("background.image.encoding: "), "{error}");
-    assert!(
-        error.contains("light.hdr: the numbers of HDR, EXR and PFM files are linear"),
-        "{error}"
-    );
-    let square = "{ image = { file = \"right.ppm\", mapping = \"square\" } }";
-    let error = read(folder.path(), square, "1").expect_err("a sky is round");
-    assert!(error.contains("`hemispherical`"), "`{error}` does not list the mappings");
-    let folder_itself = "{ image = { file = \".\" } }";
-    let error = read(folder.path(), folder_itself, "1").expect_err("it is a folder");
-    assert!(error.contains("not a file"), "{error}");
 }
 
 /// Law: an EXR of several layers, or without the one that is named, is an error of the field `layer`, which
