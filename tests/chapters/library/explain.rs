@@ -132,63 +132,6 @@ fn assert_folds(root: &RecordedRay) {
     }
 }
 
-/// Law: the shares of a ray's children and of its own light add up to its own share. Oracle: the sum.
-#[test]
-fn shares_add_up() {
-    let root = nested_glass();
-    assert_eq!(root.share, 1.0);
-    for ray in all(&root) {
-        let children: f64 = ray.children.iter().map(|child| child.share).sum();
-        let own = ray.own_contribution.average() / root.contribution.average();
-        assert!((children + own - ray.share).abs() < 1e-12, "ray {}: {children} {own}", ray.number);
-    }
-}
-
-/// Law: the rays' own contributions add up to the sample, in each channel, also through tinted glass: the
-/// light of a ray is attenuated by all media on its way to the camera. Oracle: the sum.
-#[test]
-fn contributions_add_up_through_a_tinted_medium() {
-    let root = nested_glass_of(Rgb::new(0.3, 0.05, 0.7));
-    let clear = nested_glass();
-    let ratio = root.contribution.b / clear.contribution.b;
-    assert!(ratio < 0.8, "the glass is tinted, but {ratio} of the blue light is left");
-    let sum = all(&root).into_iter().fold(Rgb::BLACK, |sum, ray| sum + ray.own_contribution);
-    let whole = root.contribution;
-    for (name, sum, whole) in
-        [("red", sum.r, whole.r), ("green", sum.g, whole.g), ("blue", sum.b, whole.b)]
-    {
-        let off = (sum - whole).abs() / whole;
-        assert!(
-            off < 1e-12,
-            "{name}: the rays contribute {sum}, the sample is {whole}, off {off:e}"
-        );
-    }
-}
-
-/// Law: the path of the light takes the child that adds most, and ends where a ray's own light adds
-/// more. Oracle: every child compared.
-#[test]
-fn the_path_of_the_light_follows_the_largest() {
-    let root = nested_glass();
-    let mut ray = &root;
-    let mut length = 0;
-    while let Some(next) = ray.largest_child() {
-        let most = ray.children.iter().map(|child| child.share).fold(0.0, f64::max);
-        assert!(most <= next.share, "a child has {most}, the largest {}", next.share);
-        ray = next;
-        length += 1;
-    }
-    assert!(length >= 4, "through four boundaries at least, not {length}");
-    let most = ray.children.iter().map(|child| child.share).fold(0.0, f64::max);
-    let own = ray.own_contribution.average();
-    assert!(most <= own, "a child has {most}, the ray itself {own}");
-    assert!(ray.share > 0.2, "{}", ray.share);
-    // and the ray at the end of the path is found by its number
-    let path: Vec<usize> = root.path_to(ray.number).iter().map(|ray| ray.number).collect();
-    assert_eq!((path[0], path.len(), path.last()), (0, length + 1, Some(&ray.number)));
-    assert!(root.path_to(usize::MAX).is_empty());
-}
-
 /// Law: revealing a ray opens the rows that hide it. Oracle: the rows before and after.
 #[test]
 fn a_hidden_ray_is_revealed() {

@@ -1,6 +1,6 @@
 //! The path of a hit: the nested shapes that contain it, and the part of the innermost shape that is hit.
 
-use formats::meshes::{self, write_ply};
+use formats::meshes::write_ply;
 use groundtruth::shapes::{Face, Level, Part, PartPath, RandomSpheres};
 use serde_json::json;
 
@@ -159,74 +159,6 @@ fn the_innermost_part_that_a_path_names_is_hit_at_the_same_distance() {
         }
     }
     assert!(ends.iter().all(|&count| count > 500), "every kind of part is hit: {ends:?}");
-}
-
-/// Law: the triangle number of a hit is the index, in the file's list, of the triangle that contains the
-/// point. Oracle: barycentric coordinates from areas, for every triangle of the list; only one contains it.
-#[test]
-fn the_numbered_triangle_of_the_file_contains_the_point() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let (kind, data) = strip(folder.path());
-    let shape = kind.build(&mut Context::default()).expect("valid");
-    let mut draw = Draw::new(2148);
-    let mut seen = std::collections::BTreeSet::new();
-    for _ in 0..2_000 {
-        let (x, y) = (draw.between(-0.7, 0.7), draw.between(-0.5, 0.5));
-        let ray = Ray::new(Point::new(x, y, 3.0), -Vector::Z);
-        let Some(at) = shape.hit(&ray, Span::AHEAD) else { continue };
-        // in the projection along z, in which triangles do not overlap
-        let contains = |triangle: &[u32; 3]| {
-            let [a, b, c] = triangle.map(|v| data.vertices[v as usize]);
-            let area = |p: [f64; 2], q: [f64; 2], r: [f64; 2]| {
-                (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
-            };
-            let ([a, b, c], p) = ([a, b, c].map(|v| [v[0], v[1]]), [x, y]);
-            let whole = area(a, b, c);
-            whole != 0.0
-                && [area(p, b, c), area(a, p, c), area(a, b, p)]
-                    .iter()
-                    .all(|part| part / whole > 0.0)
-        };
-        let containing: Vec<usize> =
-            (0..data.triangles.len()).filter(|&i| contains(&data.triangles[i])).collect();
-        let number = shape.path(&at).triangle().expect("a triangle");
-        assert_eq!(containing, [number as usize], "at {x}, {y}");
-        seen.insert(number);
-    }
-    assert_eq!(seen.len(), 10, "every triangle with an area is hit: {seen:?}");
-}
-
-/// Law: triangles are numbered after polygons are triangulated: a polygon of n corners takes the next n − 2
-/// numbers. Oracle: polygons side by side, found by the point's x, and the sum of n − 2 over those before;
-/// the third is not convex, so that its triangles are ears.
-#[test]
-fn polygons_take_as_many_numbers_as_triangles_they_are_cut_into() {
-    let obj = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n\
-               v 2 0 0\nv 3 0 0\nv 2.5 1 0\n\
-               v 4 0 0\nv 5 0 0\nv 5 1 0\nv 4.5 0.25 0\nv 4 1 0\n\
-               v 6 0 0\nv 7 0 0\nv 7 1 0\nv 6 1 0\n\
-               f 1 2 3 4\nf 5 6 7\nf 8 9 10 11 12\nf 13 14 15 16\n";
-    let counts = [2, 1, 3, 2];
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("polygons.obj");
-    std::fs::write(&file, obj).expect("written");
-    let mesh = Mesh::of_file(file);
-    let shape = Kind::from(mesh).build(&mut Context::default()).expect("valid");
-    let mut draw = Draw::new(2149);
-    let mut seen = std::collections::BTreeSet::new();
-    for _ in 0..1_000 {
-        let (x, y) = (draw.between(0.0, 7.0), draw.between(0.0, 1.0));
-        let ray = Ray::new(Point::new(x, y, 3.0), -Vector::Z);
-        let Some(at) = shape.hit(&ray, Span::AHEAD) else { continue };
-        let polygon = x as usize / 2;
-        let before: u32 = counts[..polygon].iter().sum();
-        let number = shape.path(&at).triangle().expect("a triangle");
-        assert!((before..before + counts[polygon]).contains(&number), "{number} at {x}");
-        seen.insert(number);
-    }
-    assert_eq!(Vec::from_iter(seen), Vec::from_iter(0..8));
-    let read = meshes::parse_obj(obj.as_bytes()).expect("valid");
-    assert_eq!(read.triangles.len(), 8);
 }
 
 /// Law: the triangle number of a hit on a tessellated sphere is the index in the sphere's mesh.

@@ -145,8 +145,8 @@ fn a_formula_is_written_in_the_books_letters() {
     assert!(formula.numbers().ends_with(" · 2"), "{}", formula.numbers());
 }
 
-/// Law: the numbers multiply to the term also where a reflectance lacks a channel, whichever, for light from a lamp and along
-/// a path that was drawn, matte and shiny. Oracle: as above.
+/// Law: the numbers multiply to the term also where a reflectance lacks a channel, whichever, for light from a
+/// lamp and along a path that was drawn, matte and shiny. Oracle: as above.
 #[test]
 fn a_channel_that_is_not_reflected_is_no_factor() {
     for cd in [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0], [0.0, 0.3, 0.6]] {

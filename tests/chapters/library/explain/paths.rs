@@ -1,10 +1,10 @@
-//! Paths: a flat list of bounces, each with its densities and MIS shares.
+//! Paths: the densities and MIS shares of each bounce; its lines.
 
 use groundtruth::explain::{Outline, RecordedRay, RecordedTerm, Row};
 use groundtruth::shapes::Sampling;
 use groundtruth::trace::TermSource;
 
-use super::{all, nested_glass, reads_as_before};
+use super::{all, reads_as_before};
 use crate::prelude::*;
 
 /// The side of the lamp, and its height.
@@ -57,86 +57,6 @@ fn paths(scene: &Scene) -> Vec<RecordedRay> {
 
 fn is_shadow(ray: &RecordedRay) -> bool {
     matches!(ray.kind, RayKind::Shadow { .. })
-}
-
-/// Law: a path of many bounces is a flat list: no bounce is indented. Below each bounce, before the next one,
-/// are its shadow ray and its own light, indented by one. Oracle: paths between white walls, which Russian
-/// roulette never ends: eleven rays and one that is too deep, unless a ray meets the black lamp.
-#[test]
-fn a_path_is_a_flat_list_of_bounces() {
-    let mut longest = 0;
-    for root in paths(&room(1.0, 0.0, 64)) {
-        let mut bounces = 0;
-        for row in Outline::default().rows(&root) {
-            match row {
-                Row::Ray { ray, indent, .. } if is_shadow(ray) => {
-                    let before = root.path_to(ray.number);
-                    assert_eq!((indent, before.len()), (1, bounces + 1), "{}", ray.line());
-                }
-                Row::Ray { ray, indent, .. } => {
-                    assert_eq!((indent, ray.depth as usize), (0, bounces), "{}", ray.line());
-                    bounces += 1;
-                }
-                Row::Local { indent, .. } => assert_eq!(indent, 1),
-                Row::Folded { .. } => panic!("nothing is small"),
-            }
-        }
-        longest = longest.max(bounces);
-    }
-    assert_eq!(longest, 12);
-}
-
-/// Law: a ray is indented more than its parent only if the parent has other children that are shown. Oracle:
-/// the shown children of each ray, counted again, in a tree that branches.
-#[test]
-fn branches_are_indented() {
-    let root = nested_glass();
-    let mut branches = 0;
-    for min_share in [0.0, 0.01, 0.3] {
-        let rows = Outline::folding_below(min_share).rows(&root);
-        let shown = |number: usize| {
-            rows.iter().find_map(|row| match row {
-                Row::Ray { ray, indent, .. } if ray.number == number => Some(*indent),
-                _ => None,
-            })
-        };
-        for parent in all(&root) {
-            let Some(indent) = shown(parent.number) else { continue };
-            let below: Vec<usize> =
-                parent.children.iter().filter_map(|child| shown(child.number)).collect();
-            let expected = if below.len() > 1 { indent + 1 } else { indent };
-            assert!(below.iter().all(|&at| at == expected), "ray {}: {below:?}", parent.number);
-            branches += usize::from(below.len() > 1);
-        }
-    }
-    assert!(branches > 10, "{branches}");
-}
-
-/// Law: each term that adds light without another ray has one line, below its ray, and only those have
-/// one. Oracle: all terms of all rays.
-#[test]
-fn local_light_has_a_line() {
-    let mut lines = 0;
-    for root in paths(&room(0.6, 0.0, 64)).iter().chain([&nested_glass()]) {
-        let (mut shown, mut of) = (Vec::new(), 0);
-        for row in Outline::default().rows(root) {
-            match row {
-                Row::Ray { ray, .. } if is_shadow(ray) => {}
-                Row::Ray { ray, .. } => of = ray.number,
-                Row::Local { term, .. } => shown.push((of, term.line())),
-                Row::Folded { .. } => panic!("nothing is small"),
-            }
-        }
-        let mut expected = Vec::new();
-        for ray in all(root).into_iter().filter(|ray| !is_shadow(ray)) {
-            let local = ray.terms.iter().filter(|term| term.ray.is_none());
-            let adding = local.filter(|term| term.value != Rgb::BLACK);
-            expected.extend(adding.map(|term| (ray.number, term.line())));
-        }
-        assert_eq!(shown, expected);
-        lines += shown.len();
-    }
-    assert!(lines > 10, "{lines}");
 }
 
 /// The continuing rays of a path. Each comes with its parent, whose hit sent it, and with the parent's term
@@ -282,64 +202,4 @@ fn the_lines_of_a_path_read_as_before() {
         Row::Folded { .. } => panic!("nothing is small"),
     });
     reads_as_before("path.txt", &said.collect::<Vec<_>>().join("\n"));
-}
-
-/// The number, parent and depth of a ray, as its line in a text tells them.
-fn told(line: &str) -> Option<(usize, Option<usize>, u32)> {
-    let (_share, line) = line.split_once('%')?;
-    let mut fields = line.trim_start().split("  ");
-    let number = fields.next()?.parse().ok()?;
-    match fields.next()?.strip_prefix("from ") {
-        None => Some((number, None, 0)),
-        Some(words) => {
-            let (parent, depth) = words.split_once(", depth ")?;
-            Some((number, Some(parent.parse().ok()?), depth.parse().ok()?))
-        }
-    }
-}
-
-/// Law: the text alone tells the parent and the depth of every ray that it shows, and of which ray others
-/// are folded. Oracle: the tree, walked by the test, in a gallery scene of many branches, nested glass and
-/// paths.
-#[test]
-fn parent_and_depth_of_every_ray_can_be_read() {
-    fn walk(ray: &RecordedRay, parent: Option<usize>, all: &mut Vec<(usize, Option<usize>, u32)>) {
-        let depth = parent
-            .map_or(0, |parent| all.iter().find(|it| it.0 == parent).map_or(0, |it| it.2 + 1));
-        all.push((ray.number, parent, depth));
-        ray.children.iter().for_each(|child| walk(child, Some(ray.number), all));
-    }
-    let bowl = gallery::find("ch28/fish-bowl").expect("in the gallery");
-    let mut scene = (bowl.build)();
-    scene.image.samples = 4;
-    let mut shown = 0;
-    for (scene, pixel) in [(scene, [300, 300]), (room(0.8, 0.2, 16), [0, 0])] {
-        let world = World::build(&scene).expect("the scene is valid");
-        let explained = explain::pixel(&scene, &world, pixel, None).expect("few rays");
-        for min_share in [0.0, 0.01, 0.2] {
-            let text = explained.text(min_share, false);
-            let mut read = text.lines().filter_map(told).peekable();
-            for root in explained.samples.iter().filter_map(|sample| sample.ray.as_ref()) {
-                let mut all = Vec::new();
-                walk(root, None, &mut all);
-                let rows = Outline::folding_below(min_share).rows(root);
-                for row in rows.iter() {
-                    if let Row::Ray { ray, .. } = row {
-                        let found = read.next().expect("a line for each ray");
-                        assert_eq!(found.0, ray.number);
-                        assert!(all.contains(&found), "{found:?}: {}", ray.line());
-                        shown += 1;
-                    }
-                    if let Row::Folded { parent, rays, .. } = row {
-                        assert!(text.contains(&format!(
-                            "{} from {parent} (",
-                            explain::count(*rays, "more ray")
-                        )));
-                    }
-                }
-            }
-            assert_eq!(read.next(), None, "and none more");
-        }
-    }
-    assert!(shown > 500, "{shown}");
 }
