@@ -1,21 +1,22 @@
 //! Pictures of small shining spheres, and where the cameras say that they are (ch. 8–12).
 
-use groundtruth::cameras::Kind;
+use groundtruth::cameras::{
+    CylindricalPanorama, Fisheye, Kind, SphericalPanorama, Stereo, ThinLens, Viewing,
+};
 
-use crate::pictures::studio::built;
 use crate::prelude::*;
 
 /// Pixels across. Only windows of the picture are rendered: with so many pixels for the view, a
 /// sphere is so small that its image is as good as an ellipse about the projected centre. The
 /// distance between the two is of the order of the image's radius squared over this, 1e-3 pixels.
-pub const ACROSS: u32 = 6000;
+const ACROSS: u32 = 6000;
 const DOWN: u32 = 4000;
 
 /// Pixels in half the length of a sphere's image, about.
 const RADIUS: f64 = 2.2;
 
 /// A picture of 16² regular samples a pixel, taken from an askew viewpoint, whose film is 12 × 8.
-pub fn scene(lens: impl Into<Kind>) -> Scene {
+fn scene(lens: impl Into<Kind>) -> Scene {
     let mut camera = Viewpoint::new(Point::new(4.0, 3.0, 7.0), Point::new(0.5, 1.0, 0.0), lens);
     camera.roll = 20.0;
     let pixel_size = 12.0 / f64::from(ACROSS);
@@ -25,7 +26,7 @@ pub fn scene(lens: impl Into<Kind>) -> Scene {
 }
 
 /// The point that an eye of the scene sees at this place of the film, at this distance.
-pub fn point_at(scene: &Scene, eye: usize, film: [f64; 2], distance: f64) -> Point {
+fn point_at(scene: &Scene, eye: usize, film: [f64; 2], distance: f64) -> Point {
     let world = built(scene);
     world.view.eyes()[eye].ray(film, [0.0; 2]).expect("the camera looks there").at(distance)
 }
@@ -33,7 +34,7 @@ pub fn point_at(scene: &Scene, eye: usize, film: [f64; 2], distance: f64) -> Poi
 /// Puts a sphere at a point, its image some `RADIUS` pixels long; renders the pixels around the place
 /// where `project` says that the eye sees it; and holds the centre of the light against that place.
 /// The law: within a hundredth of a pixel.
-pub fn assert_seen_where_projected(mut scene: Scene, eye: usize, point: Point) {
+fn assert_seen_where_projected(mut scene: Scene, eye: usize, point: Point) {
     let view = scene.camera.build(scene.image.plane()).expect("the camera is valid");
     let the_eye = &view.eyes()[eye];
     let film = the_eye.project(point).expect("the point is in view");
@@ -84,4 +85,35 @@ fn centre_of_light(world: &World, eye: usize, [column, row]: [u32; 2]) -> ([f64;
         }
     }
     ([x / sum, y / sum], sum / f64::from(world.samples_per_pixel()))
+}
+
+/// Law: a picture shows a point where `project` says, to a hundredth of a pixel, with every kind of camera and for
+/// both eyes of a pair; through the centre of a lens, blurred or not; also behind the eye.
+#[test]
+fn a_picture_agrees_with_project() {
+    let thin = ThinLens { distance: 11.0, focal_distance: 12.0, lens_radius: 0.004, zoom: 1.25 };
+    let (horizontal_fov, vertical_fov) = (270.0, 120.0);
+    for (lens, distances) in [
+        (Kind::from(Pinhole { distance: 11.0, zoom: 1.25 }), [2.0, 30.0]),
+        (Orthographic { zoom: 1.25 }.into(), [2.0, 30.0]),
+        (thin.into(), [12.0, 13.0]),
+        (Fisheye { fov: 300.0, rectangular: false }.into(), [2.0, 30.0]),
+        (Fisheye { fov: 120.0, rectangular: true }.into(), [2.0, 30.0]),
+        (SphericalPanorama { horizontal_fov: 360.0, vertical_fov: 180.0 }.into(), [2.0, 30.0]),
+        (CylindricalPanorama { horizontal_fov, vertical_fov }.into(), [2.0, 30.0]),
+    ] {
+        let scene = scene(lens.clone());
+        for (film, distance) in [[3.1, -2.2], [-4.4, 1.7]].into_iter().zip(distances) {
+            assert_seen_where_projected(scene.clone(), 0, point_at(&scene, 0, film, distance));
+        }
+        if matches!(lens, Kind::Pinhole(_) | Kind::Fisheye(_)) {
+            let mut pair = scene;
+            pair.image.resize(4000, 2600);
+            let stereo = Stereo { viewing: Viewing::Parallel, gap: 5, separation: 4.0 };
+            pair.camera.stereo = Some(stereo);
+            for (eye, film) in [(0, [3.1, -2.2]), (1, [-4.0, 1.3])] {
+                assert_seen_where_projected(pair.clone(), eye, point_at(&pair, eye, film, 9.0));
+            }
+        }
+    }
 }

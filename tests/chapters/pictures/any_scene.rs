@@ -8,7 +8,7 @@ use groundtruth::scene::to_toml;
 use groundtruth::world::from_toml;
 
 use super::random_scenes::{scene, textured_scene};
-use super::studio::{assert_same_bits, bits, built, pixels};
+use super::studio::gallery_in_small;
 use crate::prelude::*;
 use crate::support::number;
 use testkit::scaling::scaled_scene;
@@ -206,52 +206,31 @@ fn any(number: u64) -> Scene {
     if number.is_multiple_of(2) { textured_scene(number) } else { scene(number, &same) }
 }
 
-/// Law: no absolute length matters: all lengths times a power of two give the same picture, and so do list,
-/// grid and bvh, and the scene exported and read again. Oracle: the scene as it is, bit for bit.
+/// Random scenes, and all of the gallery in small.
+pub fn all() -> impl Iterator<Item = (String, Scene)> {
+    let random = (0..SCENES).map(|number| (format!("scene {number}"), any(number)));
+    random.chain(gallery_in_small(1).map(|(name, scene)| (name.to_owned(), scene)))
+}
+
+/// Law: no absolute length matters (an absolute epsilon anywhere would): all lengths times a power of two give the
+/// same picture, and so do list, grid and bvh, and the scene exported and read again, whose text is the same.
+/// Oracle: the scene as it is, bit for bit.
 #[test]
 fn scale_acceleration_and_export_do_not_matter() {
-    for number in 0..SCENES {
-        let mut scene = any(number);
+    for (name, mut scene) in all() {
         let original = render(&built(&scene));
-        for k in [-30, -3, 30] {
+        for &k in as_many(&[-30, 5][..], &[-30, -3, 5, 30]) {
             let scaled = render(&built(&scaled_scene(&scene, k)));
-            assert_same_bits(&format!("scene {number} times 2^{k}"), &scaled, &original);
+            assert_same_bits(&format!("{name} times 2^{k}"), &scaled, &original);
         }
         let text = to_toml(&scene).expect("plain data");
-        let (_, world) = from_toml(&text, Path::new("scene.toml")).expect("it reads back");
-        assert_same_bits(&format!("scene {number}, read again"), &render(&world), &original);
+        let (again, world) = from_toml(&text, Path::new("scene.toml")).expect("it reads back");
+        assert_same_bits(&format!("{name}, read again"), &render(&world), &original);
+        assert_eq!(to_toml(&again).expect("plain data"), text, "{name}");
         for method in [Method::List, Method::Grid, Method::Bvh] {
             scene.accel = method;
             let picture = render(&built(&scene));
-            assert_same_bits(&format!("scene {number}, {method:?}"), &picture, &original);
-        }
-    }
-}
-
-/// Law: every pixel can be computed by itself, in any order, recorded or not; at every ray the radiance is
-/// the sum of its terms, dimmed by the medium. No light reuses what it sampled for another thread. Oracle:
-/// single recorded samples, and the sum computed again.
-#[test]
-fn pictures_are_made_of_single_recorded_samples() {
-    for number in 0..SCENES {
-        let world = built(&any(number));
-        let film = render(&world);
-        for [x, y] in pixels(8, 8) {
-            let at = [7 - x, 7 - y];
-            let samples = (0..world.samples_per_pixel()).map(|i| {
-                let mut tree = RayTree::of(&world);
-                let radiance = render::sample(&world, at, i, &mut tree);
-                for node in tree.rays() {
-                    let (found, expected) = (node.radiance, node.folded());
-                    assert_eq!(bits(found), bits(expected), "scene {number}, {at:?}, sample {i}");
-                }
-                radiance
-            });
-            let (found, expected) = (render::expose(&world, samples), film.get(at));
-            assert!(
-                bits(found) == bits(expected),
-                "scene {number}, {at:?}: recorded {found:?}, rendered {expected:?}"
-            );
+            assert_same_bits(&format!("{name}, {method:?}"), &picture, &original);
         }
     }
 }

@@ -2,7 +2,6 @@
 //! changed.
 
 mod any_scene;
-mod lights;
 mod random_scenes;
 mod recorded;
 mod same_bits;

@@ -1,6 +1,7 @@
 //! Shared by the laws on pictures: small scenes, and the comparison of pictures bit for bit.
 
 use crate::prelude::*;
+pub use crate::support::stage::built;
 
 pub const RED: Rgb = Rgb::new(1.0, 0.0, 0.0);
 
@@ -30,10 +31,6 @@ pub fn small(name: &str, width: u32, height: u32, samples: u32) -> Scene {
 /// Every scene of the gallery as a small picture.
 pub fn gallery_in_small(samples: u32) -> impl Iterator<Item = (&'static str, Scene)> {
     gallery::scenes().map(move |entry| (entry.name, small(entry.name, 24, 24, samples)))
-}
-
-pub fn built(scene: &Scene) -> World {
-    World::build(scene).expect("the scene is valid")
 }
 
 pub fn pixels(width: u32, height: u32) -> impl Iterator<Item = [u32; 2]> {
