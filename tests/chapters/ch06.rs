@@ -7,17 +7,12 @@
 //! |  | rejection keeps an unpredictable number of the points of a stratified set, and leaves strata of the disk empty; the map does neither | `rejection_loses_count_and_strata` |
 //! | the concentric map: r and φ in four sectors | along the side of a square the angle grows evenly: φ = π/4 times the book's `b/a`, `2 − a/b`, `4 + b/a`, `6 − a/b` | `angles_are_those_of_the_four_sectors` |
 //! |  | concentric squares become concentric circles, `r = max(\|a\|, \|b\|)`, at every point: finite, inside the disk | `squares_become_circles` |
-//! |  | each eighth of the square, between an axis and a diagonal, becomes the same eighth of the disk | `each_eighth_stays_itself` |
 //! |  | the centre maps to the centre, without 0/0; the middles of the sides map to the axes; corners, as near as they come, to odd multiples of 45°; the ends of the range give points of the disk | `special_points_have_known_images` |
 //! | the concentric map: symmetry, continuity, inverse | turning the square by 90° turns the disk, and exchanging its axes mirrors it in the diagonal: bit for bit off the diagonals | `quarter_turns_and_mirrors_carry_over` |
-//! |  | the map is continuous and so is its inverse, across the seams too: a step of the square is at most 2.8 times as long on the disk, and at least 1.1 times | `small_steps_stay_small` |
 //! |  | the inverse recovers the point of the square, and the map the point of the disk | `the_inverse_undoes_the_map` |
 //! | the concentric map: uniform points of the disk | the ratio of areas is the same at every point: `\|∂(x, y)/∂(a, b)\| = π/4` | `the_jacobian_is_a_quarter_of_pi` |
 //! |  | random points of the square become uniform points of the disk: `P(r < R) = R²`, the angle uniform, the two independent | `disk_points_are_uniform` |
-//! |  | on average `r` is 2/3, `r²` 1/2, `x²` and `y²` 1/4, and x, y and `x y` are 0 | `moments_are_those_of_the_disk` |
 //! |  | strata of the square stay strata: the image of each jittered point lies in the image of its cell | `strata_stay_strata` |
-//!
-//! Beyond the book: 1 in this file.
 
 use groundtruth::math::{ONE_MINUS, maps};
 use testkit::properties::*;
@@ -92,17 +87,6 @@ proptest! {
         prop_assert!((turns - (turns + 0.5).floor()).abs() < ROUNDING, "{turns}");
     }
 
-    /// Law: each eighth of the square, between an axis and a diagonal, becomes the same eighth of the
-    /// disk. Oracle: signs and comparisons.
-    /// Book: the concentric map: r and φ in four sectors.
-    #[test]
-    fn each_eighth_stays_itself(u in square_point()) {
-        let ([a, b], [x, y]) = (centered(u), maps::disk(u));
-        prop_assert!(x * a >= 0.0 && y * b >= 0.0, "{x}, {y}");
-        prop_assume!((a.abs() - b.abs()).abs() > ROUNDING);
-        prop_assert_eq!(x.abs() > y.abs(), a.abs() > b.abs());
-    }
-
     /// Law: turning the square by 90° turns the disk, and exchanging its axes mirrors it in the
     /// diagonal: bit for bit off the diagonals. Oracle: coordinates exchanged; those of multiples of
     /// 2⁻²⁰ are exact.
@@ -120,26 +104,6 @@ proptest! {
         }
         below!(distance(turned, [-y, x]), ROUNDING);
         below!(distance(mirrored, [y, x]), ROUNDING);
-    }
-
-    /// Law: the map is continuous and so is its inverse, across the seams too: a step of the square
-    /// is at most 2.8 times as long on the disk, and at least 1.1 times. Oracle: the largest
-    /// singular value of `∂(x, y)/∂(a, b)` is below 1.4, at the diagonals, and the smallest is the
-    /// Jacobian π/4 over it; `a = 2 u − 1` doubles both.
-    /// Book: the concentric map: symmetry, continuity, inverse.
-    #[test]
-    fn small_steps_stay_small(
-        u in square_point(),
-        angle in 0.0..2.0 * PI,
-        step in prop_oneof![Just(1e-12), Just(1e-6), Just(1e-3)],
-    ) {
-        use groundtruth::math::{cos, sin};
-        let next = [u[0] + step * cos(angle), u[1] + step * sin(angle)];
-        prop_assume!(next.iter().all(|u| (0.0..1.0).contains(u)));
-        let moved = distance(maps::disk(u), maps::disk(next));
-        prop_assert!(moved < 2.8 * step + ROUNDING, "{moved:e} for {step:e}");
-        // the points themselves are rounded, and so is `next`
-        prop_assert!(moved > 0.5 * PI / 1.4 * step - 2.0 * ROUNDING, "{moved:e} for {step:e}");
     }
 
     /// Law: the ratio of areas is the same at every point: `|∂(x, y)/∂(a, b)| = π/4`. Oracle: central
@@ -211,37 +175,6 @@ fn disk_points_are_uniform() {
         [(x * x + y * y).min(ONE_MINUS), if turns < 0.0 { turns + 1.0 } else { turns }]
     });
     assert_uniform("points", &points.collect::<Vec<_>>(), 1);
-}
-
-/// Law: the inverse makes uniform points of the disk uniform points of the square. Oracle: points of the disk
-/// by rejection, which does not depend on the map.
-#[test]
-fn the_inverse_makes_disk_points_uniform_in_the_square() {
-    let points = maps::disk_by_rejection(random_points(130_000, 62)).map(maps::disk_inverse);
-    assert_uniform("points", &points.collect::<Vec<_>>(), 1);
-}
-
-/// Law: on average `r` is 2/3, `r²` 1/2, `x²` and `y²` 1/4, and x, y and `x y` are 0. Oracle: these integrals
-/// over the disk; the map is averaged over a grid of 400² centres. Each 200th cell is on a diagonal, where r
-/// has a kink and is off by a sixth of a side, 1/1200; the odd means are exact.
-/// Book: the concentric map: uniform points of the disk.
-#[test]
-fn moments_are_those_of_the_disk() {
-    const SIDE: u32 = 400;
-    const GRID: f64 = 1e-5;
-    let center = |i: u32| (f64::from(i) + 0.5) / f64::from(SIDE);
-    let points: Vec<[f64; 2]> =
-        (0..SIDE * SIDE).map(|i| maps::disk([center(i % SIDE), center(i / SIDE)])).collect();
-    let mean = |of: fn(f64, f64) -> f64| {
-        points.iter().map(|&[x, y]| of(x, y)).sum::<f64>() / points.len() as f64
-    };
-    near!(mean(|x, y| length([x, y])), 2.0 / 3.0, GRID);
-    near!(mean(|x, y| x * x + y * y), 0.5, GRID);
-    near!(mean(|x, _| x * x), 0.25, GRID);
-    near!(mean(|_, y| y * y), 0.25, GRID);
-    for odd in [mean(|x, _| x), mean(|_, y| y), mean(|x, y| x * y)] {
-        assert!(odd.abs() < 1e-13, "{odd:e}");
-    }
 }
 
 /// Law: strata of the square stay strata: the image of each jittered point lies in the image of its cell.

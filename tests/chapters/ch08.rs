@@ -3,24 +3,18 @@
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
 //! | centre of projection and view plane | a point X to the right at the depth D is seen at `d X/D` | `points_are_seen_by_similar_triangles` |
-//! |  | twice the distance of the view plane makes the picture twice as large, to the bit; so does any factor up to rounding | `size_is_proportional_to_the_distance` |
 //! |  | objects between eye and view plane are drawn larger than they are; those behind the eye are not drawn | `objects_in_front_of_the_view_plane_are_drawn` |
 //! | the field of view | the field of view is `2 atan(w/2d)`: 300 pixels of side 1 at the distance 400 make 41.11° | `the_field_of_view_is_twice_the_arc_tangent` |
 //! | properties of perspective projections | straight lines are seen straight: rays through three points of a line of the view plane lie in a plane through the eye | `straight_lines_stay_straight` |
 //! |  | parallel lines meet in the vanishing point `(d x/−z, d y/−z)` of their direction | `parallel_lines_meet_in_their_vanishing_point` |
 //! |  | as the eye goes to infinity together with the distance, rays become those of the orthographic camera: where they meet a plane at height h they differ by `h \|x\|/eye` | `from_infinity_perspective_is_parallel` |
-//! |  | from a distance of 1e8 all pixels of a picture are those of the orthographic picture | `from_far_away_the_picture_is_orthographic` |
 //! | spheres in perspective, and their distortion | a sphere of radius R at the axial distance D is seen as a disc of radius `d R/√(D² − R²)` | `a_sphere_on_the_axis_is_seen_as_a_disc` |
 //! |  | off the axis a sphere is seen as an ellipse, drawn out away from the centre: from `d tan(α − β)` to `d tan(α + β)`, `sin β = R/D` | `a_sphere_off_the_axis_is_drawn_out` |
 //! | rays from the eye | every ray starts at the eye, has length 1, and goes forward, so that objects between eye and view plane are seen, and nothing behind the eye | `rays_start_at_the_eye_and_are_unit` |
-//!
-//! Beyond the book: 2 in this file.
 
-use groundtruth::cameras::{View, ViewPlane};
+use groundtruth::cameras::View;
 use testkit::properties::*;
 
-use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
-use crate::pictures::studio::{RED, bits, built};
 use crate::prelude::*;
 use crate::support::{ANY_FILM, Seen};
 
@@ -81,19 +75,6 @@ proptest! {
         let to = p - ray.origin;
         below!(to.cross(ray.direction).length(), 16.0 * U * (to.length() + 100.0));
         above!(to.dot(ray.direction), 0.0);
-    }
-
-    /// Law: twice the distance of the view plane makes the picture twice as large, to the bit; so does any
-    /// factor up to rounding.
-    /// Book: centre of projection and view plane.
-    #[test]
-    fn size_is_proportional_to_the_distance(
-        x in -200.0..200.0_f64, y in -200.0..200.0_f64, d in 1.0..500.0_f64, k in 0.1..10.0_f64,
-    ) {
-        let near = pinhole(0.0, d).seen([x, y]);
-        prop_assert_eq!(pinhole(0.0, 2.0 * d).seen([2.0 * x, 2.0 * y]), near);
-        let far = pinhole(0.0, k * d).seen([k * x, k * y]);
-        near!(far.direction, near.direction, 8.0 * U);
     }
 
     /// Law: a sphere of radius R at the axial distance D is seen as a disc of radius `d R/√(D² − R²)`.
@@ -188,28 +169,6 @@ proptest! {
     }
 }
 
-/// Law: from a distance of 1e8 all pixels of a picture are those of the orthographic picture.
-/// Book: properties of perspective projections.
-#[test]
-fn from_far_away_the_picture_is_orthographic() {
-    let mut scene = from_front(64, 64, 1.0);
-    add_flat(
-        &mut scene,
-        "ball",
-        Sphere { center: Point::new(3.0, 2.0, -5.0), radius: 20.3, inward: false },
-        RED,
-    );
-    let parallel = render::render(&built(&scene));
-    scene.camera.lens = Orthographic { zoom: 1.0 }.into();
-    let eye = Point::new(0.0, 0.0, 1e8);
-    scene.camera = Viewpoint::new(eye, Point::ORIGIN, Pinhole { distance: 1e8, zoom: 1.0 });
-    let perspective = render::render(&built(&scene));
-    for at in pixels(64, 64) {
-        // no centre is within 1e-5 of the circle: its squared distance is a whole number and a half
-        assert_eq!(bits(parallel.get(at)), bits(perspective.get(at)), "{at:?}");
-    }
-}
-
 /// Law: objects between eye and view plane are drawn larger than they are; those behind the eye are not
 /// drawn. Oracle: similar triangles: at half the plane's distance twice the size.
 /// Book: centre of projection and view plane.
@@ -227,39 +186,5 @@ fn objects_in_front_of_the_view_plane_are_drawn() {
         (0.0, [70.0, -80.0], true),
     ] {
         assert_eq!(hits(&view, ball(z), film), seen, "the ball at z = {z}, at {film:?}");
-    }
-}
-
-/// Law: `project` is the inverse: a point X to the right at the depth D is seen at `d X/D`; a point behind
-/// the eye, at its depth, or beyond the edges is not seen; the edges belong to the picture. Oracle: similar
-/// triangles, by hand.
-#[test]
-fn project_follows_similar_triangles() {
-    let lens = Pinhole { distance: 200.0, zoom: 1.0 };
-    let viewpoint = Viewpoint::new(Point::new(0.0, 0.0, 250.0), Point::ORIGIN, lens);
-    let film = ViewPlane { width: 400.0, height: 300.0 };
-    let view = viewpoint.build(film).expect("a valid view");
-    let project = |x, y, z| view.eyes()[0].project(Point::new(x, y, z));
-    assert_eq!(project(0.0, 0.0, 0.0), Some([0.0, 0.0]));
-    assert_eq!(project(10.0, -20.0, 50.0), Some([10.0, -20.0]));
-    assert_eq!(project(10.0, -20.0, 150.0), Some([20.0, -40.0]));
-    assert_eq!(project(10.0, -20.0, -150.0), Some([5.0, -10.0]));
-    // the corners, and just beyond
-    assert_eq!(project(100.0, 75.0, 150.0), Some([200.0, 150.0]));
-    assert_eq!(project(-100.0, -75.0, 150.0), Some([-200.0, -150.0]));
-    assert_eq!(project(100.000_001, 0.0, 150.0), None);
-    assert_eq!(project(0.0, -75.000_001, 150.0), None);
-    for z in [250.0, 251.0, 1e9, f64::INFINITY, f64::NAN] {
-        assert_eq!(project(1.0, 1.0, z), None);
-        assert_eq!(project(0.0, 0.0, z), None);
-    }
-}
-
-/// Law: a picture shows a point where `project` says, to a hundredth of a pixel.
-#[test]
-fn a_picture_agrees_with_project() {
-    let scene = calibration(Pinhole { distance: 11.0, zoom: 1.25 });
-    for (film, distance) in [([3.1, -2.2], 2.0), ([-5.0, 3.3], 30.0), ([0.0, 0.0], 9.0)] {
-        assert_seen_where_projected(scene.clone(), 0, point_at(&scene, 0, film, distance));
     }
 }

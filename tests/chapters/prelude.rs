@@ -34,9 +34,11 @@ pub use groundtruth::{explain, lights, materials, render, shapes, world};
 pub use statistics::means;
 pub use statistics::significance::sidak;
 
-pub use crate::pictures::studio::{add_flat, from_front, pixels, small};
+pub use crate::pictures::studio::{
+    RED, add_flat, assert_same_bits, bits, from_front, pixels, small,
+};
 pub use crate::support::replicas::{assert_color, assert_mean, replicas, view, with_samples};
 pub use crate::support::stage::{built, deep_stage, look, put, shine, stage};
 pub use crate::support::statistics::{most_sigmas, sigmas};
 pub use crate::support::{U, camera_ray, laws, point, unit};
-pub use testkit::{as_many, is_thorough};
+pub use testkit::as_many;

@@ -1,11 +1,9 @@
-//! What textures and samplers cost: a scene pays only for what it uses.
+//! What textures cost: a scene pays only for what it uses.
 
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-use groundtruth::samplers::{self, Sampler};
 use groundtruth::textures::{self, Texture};
 
-use crate::pictures::studio::built;
 use crate::prelude::*;
 
 #[derive(Debug, Default)]
@@ -15,17 +13,6 @@ impl Texture for Watched {
     fn color(&self, _: &TexturePoint<'_>) -> Rgb {
         self.0.fetch_add(1, Relaxed);
         Rgb::WHITE
-    }
-}
-
-impl Sampler for Watched {
-    fn fill(&self, n: u32, _: &mut Pcg32) -> Vec<[f64; 2]> {
-        self.0.fetch_add(1, Relaxed);
-        vec![[0.5; 2]; n as usize]
-    }
-
-    fn round_up(&self, n: u32) -> u32 {
-        n
     }
 }
 
@@ -59,19 +46,4 @@ fn textures_are_evaluated_only_where_used() {
     assert_eq!(look_ups(0.5, 0.0, &["ambient", "sun"]), 9);
     assert_eq!(look_ups(0.5, 0.5, &["ambient", "sun"]), 9);
     assert_eq!(look_ups(0.5, 0.5, &["ambient", "second ambient", "sun"]), 9);
-}
-
-/// Law: the 83 sets are filled once, when the world is built, and rendering draws from them. Oracle:
-/// counting.
-#[test]
-fn samples_are_made_once_and_not_while_rendering() {
-    let sampler = Arc::new(Watched::default());
-    let mut scene: Scene = from_front(3, 3, 1.0);
-    scene.image.samples = 4;
-    let custom = Custom::<dyn Sampler>(Arc::<Watched>::clone(&sampler));
-    scene.image.sampler = Some(samplers::Kind::Custom(custom));
-    let world = built(&scene);
-    assert_eq!(sampler.0.load(Relaxed), 83);
-    render::render(&world);
-    assert_eq!(sampler.0.load(Relaxed), 83);
 }

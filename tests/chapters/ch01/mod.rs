@@ -14,7 +14,7 @@
 //! | debugging with single pixels and simple scenes | a 1 × 1 picture of a box seen from +z has the normal (0, 0, 1), exactly (the book's own anecdote) | `pieces::one_pixel_of_a_box_has_the_normal_of_its_front` |
 //! |  | a single replayed pixel and any crop equal the same pixels of the whole picture | `pieces::parts_and_single_pixels_are_those_of_the_whole` |
 //!
-//! Beyond the book: 2 in `look_ups`, 2 in `openness`, 5 in `pieces`, 4 in `shadow_path`.
+//! Beyond the book: 1 in `look_ups`, 1 in `openness`, 3 in `pieces`, 1 in `shadow_path`.
 
 mod look_ups;
 mod openness;

@@ -6,7 +6,6 @@ use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 use groundtruth::render::{Canvas, Crop};
 use serde::Deserialize;
 
-use crate::pictures::studio::{RED, assert_same_bits, bits, built};
 use crate::prelude::*;
 
 fn on_threads<T: Send>(threads: usize, work: impl FnOnce() -> T + Send) -> T {
@@ -106,12 +105,8 @@ impl Shape for Interrupter {
     }
 }
 
-/// A red picture of 48 × 16 pixels, one ray each, whose rendering is cancelled at ray number `last`.
-fn interrupted_at(last: u32) -> (Arc<Interrupter>, World, Arc<Canvas>) {
-    interrupted_of(1, last)
-}
-
-/// The same with this number of samples, one ray each.
+/// A red picture of 48 × 16 pixels with this number of samples, one ray each, whose rendering is cancelled at ray
+/// number `last`.
 fn interrupted_of(samples: u32, last: u32) -> (Arc<Interrupter>, World, Arc<Canvas>) {
     let mut scene = from_front(48, 16, 1.0);
     scene.image.samples = samples;
@@ -138,7 +133,7 @@ fn interrupted_of(samples: u32, last: u32) -> (Arc<Interrupter>, World, Arc<Canv
 /// Book: the skeleton: worker threads, and a picture shown while it renders.
 #[test]
 fn the_picture_so_far_can_be_seen_and_stopped() {
-    let (interrupter, world, canvas) = interrupted_at(300);
+    let (interrupter, world, canvas) = interrupted_of(1, 300);
     assert_eq!((canvas.progress(), canvas.is_cancelled()), ((0, 768), false));
 
     on_threads(1, || canvas.render(&world));
@@ -152,6 +147,13 @@ fn the_picture_so_far_can_be_seen_and_stopped() {
     assert_eq!(canvas.look(finished), 299);
     assert_eq!((canvas.progress(), canvas.is_cancelled()), ((299, 768), true));
     assert!(interrupter.rays.load(Relaxed) <= 301, "it went on after it was stopped");
+    // a black pixel is rendered, too
+    let black = small("ch24/hall-of-mirrors", 9, 9, 1);
+    let black = built(&Scene { lights: Vec::new(), ..black });
+    let canvas = Canvas::new(&black);
+    canvas.look_partly(|picture| assert_eq!(picture.get([8, 8]), None));
+    canvas.render(&black);
+    canvas.look_partly(|picture| assert_eq!(picture.get([8, 8]), Some(Rgb::BLACK)));
 }
 
 /// Law: the same seed gives the same picture, and another seed another one, except with a sampler that is not
@@ -202,29 +204,6 @@ fn a_colour_can_be_one_number() {
     }
 }
 
-/// Law: the coarse picture, one pixel of each 8 × 8, comes first; the canvas knows which pixels are rendered,
-/// also where they are black. Oracle: one thread and one ray per pixel, stopped at the first ray after the 6
-/// × 2 coarse pixels.
-#[test]
-fn the_coarse_picture_comes_first() {
-    let (interrupter, world, canvas) = interrupted_at(13);
-    on_threads(1, || canvas.render(&world));
-    at_most!(interrupter.rays.load(Relaxed), 14);
-    canvas.look_partly(|picture| {
-        for at @ [x, y] in pixels(48, 16) {
-            let expected = (x % 8 == 0 && y % 8 == 0).then_some(RED);
-            assert_eq!(picture.get(at), expected, "{at:?}");
-            assert_eq!(picture.coarse(at), Some(RED), "{at:?}");
-        }
-    });
-    let black = small("ch24/hall-of-mirrors", 9, 9, 1);
-    let black = built(&Scene { lights: Vec::new(), ..black });
-    let canvas = Canvas::new(&black);
-    canvas.look_partly(|picture| assert_eq!(picture.get([8, 8]), None));
-    canvas.render(&black);
-    canvas.look_partly(|picture| assert_eq!(picture.get([8, 8]), Some(Rgb::BLACK)));
-}
-
 /// Law: a preview takes one ray of each coarse pixel, the first of its samples; it is shown for the pixels
 /// around it until the coarse pixel is rendered, and no pixel counts as done. Oracle: rays counted, and the
 /// library's sample.
@@ -263,7 +242,7 @@ fn a_preview_has_one_sample_of_each_coarse_pixel() {
 fn a_picture_in_slices_is_the_same() {
     let of_one_ray = 12 + 768;
     for given in [1, 5, 100, 263, of_one_ray] {
-        let (interrupter, world, canvas) = interrupted_at(u32::MAX);
+        let (interrupter, world, canvas) = interrupted_of(1, u32::MAX);
         let mut slices = 0;
         let mut is_whole = false;
         on_threads(1, || {
@@ -320,16 +299,4 @@ fn a_pixel_that_is_stopped_casts_no_further_ray() {
     on_threads(1, || canvas.preview(&world));
     assert_eq!(interrupter.rays.load(Relaxed), 1);
     canvas.look_partly(|picture| assert_eq!(picture.coarse([0, 0]), None));
-}
-
-/// Law: no pixel is rendered twice, whatever comes first. Oracle: one ray for each pixel.
-#[test]
-fn each_pixel_is_rendered_once() {
-    let (interrupter, world, canvas) = interrupted_at(u32::MAX);
-    canvas.render(&world);
-    assert_eq!(interrupter.rays.load(Relaxed), 768);
-    assert_eq!(canvas.progress(), (768, 768));
-    canvas.look_partly(|picture| {
-        pixels(48, 16).for_each(|at| assert_eq!(picture.get(at), Some(RED), "{at:?}"));
-    });
 }

@@ -2,7 +2,6 @@
 
 use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
 
-use crate::pictures::studio::built;
 use crate::prelude::*;
 
 /// The rays of all samples of a picture.
@@ -88,45 +87,26 @@ fn shadow_rays_call_only_shadow_hit() {
     assert_eq!((front.surface.load(Relaxed), back.surface.load(Relaxed)), (9, 0));
 }
 
-/// Law: ambient light, a light without shadows and a light that is off cast no shadow rays. Oracle: counting.
+/// Law: ambient light, a light without shadows, one that is off and one behind the surface cast no shadow rays;
+/// those of others do not test an object that casts no shadows; and a scene without mirrors and glass never
+/// recurses, at whatever depth. Oracle: counting.
 #[test]
-fn lights_without_shadows_cast_no_shadow_ray() {
-    let (mut scene, _) = two_in_a_row();
-    assert_eq!(counts(&scene).shadow, 9);
-    scene.lights[1].shadows = false;
-    assert_eq!(counts(&scene).shadow, 0);
-    scene.lights[1].shadows = true;
-    scene.lights[1].enabled = false;
-    assert_eq!(counts(&scene).shadow, 0);
-}
-
-/// Law: a light behind the surface costs no shadow ray. Oracle: a lamp behind both spheres is below the
-/// horizon of every visible point.
-#[test]
-fn a_light_behind_the_surface_costs_no_ray() {
-    let (mut scene, _) = two_in_a_row();
-    let lamp = Point::new(0.0, 0.0, -50.0);
-    let lamp = PointLight { ls: 1.0, color: Rgb::WHITE, location: lamp, attenuation: 0.0 };
-    scene.lights[1] = Light::new("lamp", lamp);
-    assert_eq!(counts(&scene), RayCounts { camera: 9, ..RayCounts::default() });
-}
-
-/// Law: a scene without mirrors and glass never recurses, at whatever depth. Oracle: counting.
-#[test]
-fn opaque_scenes_never_recurse() {
-    let (mut scene, _) = two_in_a_row();
-    let flat = counts(&scene);
-    scene.tracer = Tracer::Whitted(Whitted { max_depth: 100 });
-    let deep = counts(&scene);
-    assert_eq!(flat, deep);
-    assert_eq!((deep.reflected, deep.transmitted, deep.too_deep), (0, 0, 0));
-}
-
-/// Law: shadow rays do not test an object that casts no shadows. Oracle: counting.
-#[test]
-fn objects_that_cast_no_shadows_are_not_tested() {
+fn no_ray_is_cast_in_vain() {
     let (mut scene, [front, back]) = two_in_a_row();
+    scene.tracer = Tracer::Whitted(Whitted { max_depth: 100 });
     scene.objects[1].casts_shadows = false;
-    counts(&scene);
+    let shadow = |shadow| RayCounts { camera: 9, shadow, ..RayCounts::default() };
+    assert_eq!(counts(&scene), shadow(9));
     assert_eq!((front.shadow_hit.load(Relaxed), back.shadow_hit.load(Relaxed)), (9, 0));
+    let behind = Point::new(0.0, 0.0, -50.0);
+    let behind = PointLight { ls: 1.0, color: Rgb::WHITE, location: behind, attenuation: 0.0 };
+    let lit = scene.lights[1].clone();
+    for light in [
+        Light { shadows: false, ..lit.clone() },
+        Light { enabled: false, ..lit },
+        Light::new("lamp", behind),
+    ] {
+        scene.lights[1] = light;
+        assert_eq!(counts(&scene), shadow(0), "{:?}", scene.lights[1]);
+    }
 }

@@ -65,12 +65,6 @@ proptest! {
         near!(tan(to_radians(a)) * cos(to_radians(a)), sin(to_radians(a)), SINE);
     }
 
-    /// Law: degrees to radians and back.
-    #[test]
-    fn degrees_survive_radians(degrees in -1e6..1e6_f64) {
-        near!(to_degrees(to_radians(degrees)), degrees, 4.0 * U * degrees.abs());
-    }
-
     /// Law: the angles (θ, φ) of a point are those it was made from, with θ from +y and φ from +z towards +x,
     /// as the book counts.
     /// Book: spherical coordinates.

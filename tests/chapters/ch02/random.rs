@@ -106,25 +106,6 @@ fn uniform_numbers_are_uniform() {
     near!(variance, 1.0 / 12.0, most_sigmas(4) * (1.0_f64 / 180.0 / 1e6).sqrt());
 }
 
-/// Law: successive numbers, and those of neighbouring seeds and streams, are independent. Oracle: pairs fall
-/// evenly into 16 × 16 cells.
-#[test]
-fn pairs_of_uniform_numbers_are_uniform() {
-    let mut one = Pcg32::new(9, 9);
-    let [mut a, mut stream, mut seed] = [(9, 9), (9, 10), (10, 9)].map(|(s, t)| Pcg32::new(s, t));
-    let mut cells = [[0_u64; 256], [0; 256], [0; 256]];
-    let cell = |x: f64, y: f64| (x * 16.0) as usize * 16 + (y * 16.0) as usize;
-    for _ in 0..100_000 {
-        cells[0][cell(one.uniform(), one.uniform())] += 1;
-        let first = a.uniform();
-        cells[1][cell(first, stream.uniform())] += 1;
-        cells[2][cell(first, seed.uniform())] += 1;
-    }
-    for counts in cells {
-        assert_all_equal("counts", &counts, 100_000.0 / 256.0, 3);
-    }
-}
-
 /// Law: whole numbers below n are not biased. Oracle: for n = 3·2³⁰ the remainder alone would give
 /// the lowest third twice its share.
 #[test]

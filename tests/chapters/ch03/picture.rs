@@ -1,6 +1,5 @@
 //! Whole pictures of chapter 3: which pixels see what.
 
-use crate::pictures::studio::{RED, assert_same_bits, built};
 use crate::prelude::*;
 
 /// Law: the pixel in column c and row r (counted up) looks from `(s (c − (w − 1)/2), s (r − (h −

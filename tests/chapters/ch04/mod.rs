@@ -11,15 +11,12 @@
 //! |  | n × n regular samples are the centres of the subcells | `pixel::regular_samples_are_the_centres_of_subcells` |
 //! |  | a pixel half covered along an axis is exactly ½ with an even regular grid; with stratified samples too, whose cells the edge does not cut | `pixel::a_half_covered_pixel_is_a_half` |
 //! |  | a picture takes width · height · samples primary rays | `pixel::the_number_of_primary_rays_is_that_of_the_samples` |
-//! | remedies: random and jittered samples | the squared error beside a straight edge falls as N⁻¹ for random samples and as N^−1.5 for jittered ones | `edges::errors_beside_edges_fall_at_their_rates` |
-//! |  | beside an edge stratified samples are better than twice as many random ones | `edges::stratified_samples_are_better_than_random_ones` |
+//! | remedies: random and jittered samples | the mean square of the error falls at the rate of theory: beside a straight edge as N⁻¹ for random samples and as N^−1.5 for jittered ones, so that stratified samples are better | `variance::errors_of_known_integrals_fall_at_their_rates` |
 //! | antialiasing fine detail | jittered pixels are nearer to the truth than random ones with equally many samples, where the phase changes by less than π across a cell | `sinusoid::jittered_pixels_are_nearer_to_the_truth_than_random_ones` |
-//! |  | many samples show the mean over the pixel, one sample any value of the function | `pixel::more_samples_show_the_mean_over_the_pixel` |
 //! | filtering: the box over the pixel | leaving the filter out is the box over the pixel, which uses the pixel's samples as they are: bit for bit, and in a scene file nothing is written | `filters::the_box_is_the_default` |
 //!
-//! Beyond the book: 3 in `edges`, 11 in `filters`, 4 in `pixel`, 2 in `sinusoid`, 1 in `variance`.
+//! Beyond the book: 9 in `filters`, 1 in `pixel`, 1 in `sinusoid`.
 
-mod edges;
 mod filters;
 mod pixel;
 mod sinusoid;

@@ -2,9 +2,7 @@
 
 use groundtruth::background::{Background, Pattern, Sinusoid};
 
-use crate::pictures::studio::{bits, built};
 use crate::prelude::*;
-use testkit::scaling::scaled_scene;
 
 /// The side of the book's square: figure 4.2 shows `[0, 10.83]²`.
 const SIDE: f64 = 10.83;
@@ -184,26 +182,4 @@ fn a_pinhole_sees_the_pattern_in_perspective() {
     scene.camera.look_at = Point::new(1.0, 2.0, 20.0);
     let film = render::render(&built(&scene));
     assert_eq!(film.pixels(), [Rgb::BLACK; 63]);
-}
-
-/// Law: a scene twice as large with a unit twice as long is the same picture, bit for bit; and a unit
-/// that is no length is refused.
-#[test]
-fn the_unit_scales_with_the_scene() {
-    let scene = scene(32);
-    let film = render::render(&built(&scene));
-    for exponent in [-20, 1, 30] {
-        let scaled = scaled_scene(&scene, exponent);
-        let Background::Pattern(Pattern::Sinusoid(sinusoid)) = &scaled.background else {
-            unreachable!()
-        };
-        assert_eq!(sinusoid.unit, power_of_two(exponent));
-        let other = render::render(&built(&scaled));
-        for at in pixels(32, 32) {
-            assert_eq!(bits(other.get(at)), bits(film.get(at)), "2^{exponent}, {at:?}");
-        }
-    }
-    let wrong = Scene { background: pattern(0.0), ..scene };
-    let error = groundtruth::world::World::build(&wrong).expect_err("no length").to_string();
-    assert!(error.contains("background.sinusoid.unit: found 0, but a positive"), "{error}");
 }

@@ -1,4 +1,4 @@
-//! How evenly and how far apart the points of a set lie.
+//! How evenly the points of a set lie.
 
 use groundtruth::samplers::{CorrelatedMultiJittered, Hammersley, Kind, NRooks, Sobol};
 
@@ -89,67 +89,5 @@ fn hammersleys_star_discrepancy_is_the_theorems() {
         let exact = (f64::from(m) / 3.0 + 13.0 / 9.0 - sign * 4.0 / (9.0 * n)) / n;
         let found = star_discrepancy(&sampler.fill(1 << m, &mut Pcg32::new(0, 0)));
         assert!((found - exact).abs() < 1e-14, "m = {m}: {found} for {exact}");
-    }
-}
-
-/// The square of the smallest distance between two points.
-fn least_square(points: &[[f64; 2]]) -> f64 {
-    let mut points = points.to_vec();
-    points.sort_by(|p, q| p[0].total_cmp(&q[0]));
-    let mut least = f64::INFINITY;
-    for (i, p) in points.iter().enumerate() {
-        for q in &points[i + 1..] {
-            let (x, y) = (q[0] - p[0], q[1] - p[1]);
-            if x * x >= least {
-                break;
-            }
-            least = least.min(x * x + y * y);
-        }
-    }
-    least
-}
-
-/// Law: Hammersley's points come as near to each other as 3 rows and 3 columns of the `N × N` grid, at
-/// every N from 32 on: `√18/N`, no better than random ones; for 2, 4, 8 and 16 points the squares are 2,
-/// 2, 5 and 8. Oracle: a search among whole numbers by another program; the points are multiples of
-/// 1/N, so that all is exact.
-#[test]
-fn hammersley_points_keep_little_distance() {
-    let sampler = built(Hammersley { shifted: false });
-    for (m, square) in (1..).zip([2.0, 2.0, 5.0, 8.0, 18.0, 18.0, 18.0, 18.0, 18.0, 18.0]) {
-        let points = sampler.fill(1 << m, &mut Pcg32::new(0, 0));
-        assert_eq!(least_square(&points), square * power_of_two(-2 * m), "m = {m}");
-    }
-}
-
-/// Law: the least distance between N random points is `1/√(2 N (N − 1))` on average. Oracle: pairs are nearly
-/// independent, so that the probability of none within d is `exp(−π d² N (N − 1)/2)`; z test.
-#[test]
-fn random_points_come_as_near_as_pairs_allow() {
-    let (sampler, mut random) = (built(Random {}), Pcg32::new(1, 18));
-    let n: u32 = 256;
-    let least: Vec<f64> =
-        (0..1000).map(|_| least_square(&sampler.fill(n, &mut random)).sqrt()).collect();
-    let expected = 1.0 / f64::from(2 * n * (n - 1)).sqrt();
-    assert!(sigmas(&least, expected).abs() < most_sigmas(1), "{}", sigmas(&least, expected));
-}
-
-/// Law: of 256 points the correlated multi-jittered ones keep the largest distance, 5.36/N on average;
-/// Sobol's 3.07, multi-jittered ones 2.33, jittered ones 2.18, n rooks 1.32. Oracle: means of 400 sets
-/// made by another program from the definitions; z test with the spread it found, and its own error.
-#[test]
-fn correlated_points_keep_the_largest_distance() {
-    for (kind, measured, spread) in [
-        (Kind::from(NRooks {}), 1.315, 0.404),
-        (Jittered {}.into(), 2.179, 0.777),
-        (MultiJittered {}.into(), 2.329, 0.739),
-        (Sobol {}.into(), 3.067, 0.982),
-        (CorrelatedMultiJittered {}.into(), 5.362, 1.539),
-    ] {
-        let (sampler, mut random) = (built(kind), Pcg32::new(2, 18));
-        let least = |_| 256.0 * least_square(&sampler.fill(256, &mut random)).sqrt();
-        let mean = (0..400).map(least).sum::<f64>() / 400.0;
-        let error = spread * (2.0_f64 / 400.0).sqrt();
-        assert!((mean - measured).abs() < most_sigmas(5) * error, "{sampler:?}: {mean}");
     }
 }

@@ -4,13 +4,12 @@
 //! | --- | --- | --- |
 //! | what makes a pattern good | x and y of a point are uncorrelated: `E (x − ½)(y − ½) = 0` | `patterns::coordinates_do_not_depend_on_each_other` |
 //! |  | the mean of x or `eˣ` over a set has the variance of its strata: one column for random points, √N for jittered ones, N for all others; it has no bias | `convergence::means_have_the_variance_of_their_strata` |
-//! |  | the variance of the mean of a smooth function of x falls as 1/N for random points, `1/N²` for jittered ones and `1/N³` for n rooks, the multi-jittered ones and Sobol's | `convergence::variances_fall_at_the_rate_of_the_strata` |
 //! |  | of 256 points the star discrepancy is 0.0615 for regular ones, `1 − (1 − 1/(2·16))²` (a box that just leaves out the last row and column), and on average 0.076 for random ones, 0.038 for n rooks, 0.035 for jittered, 0.020 for multi-jittered, 0.017 for correlated ones and 0.013 for Sobol's | `discrepancy::star_discrepancies_are_those_of_the_patterns` |
 //! | the class Sampler: sets of samples | a set has exactly the number of points it states, at least as many as requested (squares are not rounded), all in [0, 1)² | `patterns::sets_are_complete_and_in_the_unit_square` |
 //! | listings 5.8 and 5.13, sample_unit_square | every pixel's samples are stratified, so that each run of draws uses up one set, each sample exactly once; the next run too | `draws::every_pixel_uses_up_one_set` |
 //! |  | 83 sets and 83 orders are used, each order from any starting position, all equally likely and chosen independently | `draws::all_sets_and_orders_are_used` |
-//! | shuffled indices | what one pixel draws for two purposes is not correlated, in x, y or across: pixel and lens, two lights, a light on two paths, a light and a direction | `draws::draws_for_different_purposes_are_not_correlated` |
-//! |  | all samples of a pixel are paired with its lens samples as a random permutation pairs them: correlations have the mean 0 and the mean square `1/(n − 1)` | `independence::a_pixels_samples_are_paired_at_random` |
+//! | shuffled indices | what one pixel draws for two purposes is not correlated, in x, y or across: pixel and lens, two lights, two pairs of one light, a light on two paths, a light and a direction; nor is what it draws with what others draw beside it, mirrored or far away, or in the next run | `draws::draws_for_different_purposes_are_not_correlated` |
+//! |  | all samples of a pixel are paired with its lens samples as a random permutation pairs them: correlations have the mean 0 and the mean square `1/(n − 1)` | `draws::a_pixels_samples_are_paired_at_random` |
 //! | jittered, n-rooks and multi-jittered sampling | jittered and multi-jittered sets have one point in each cell of the n × n grid; multi-jittered ones and n rooks at the same time one in each of the n² columns and rows | `patterns::sets_are_stratified` |
 //! |  | n rooks are a random permutation: the 24 permutations of four rooks are equally likely | `patterns::rooks_take_every_order` |
 //! |  | in a multi-jittered set the fine column of a cell's point is independent of its fine row, and all are equally likely | `patterns::multi_jittered_points_are_anywhere_in_their_cell` |
@@ -19,12 +18,11 @@
 //! |  | Hammersley's set of `N = 2^m ≥ 4` points has the star discrepancy `(m/3 + 13/9 − (−1)^m 4/(9 N)) / N`; 0.0161 for 256 | `discrepancy::hammersleys_star_discrepancy_is_the_theorems` |
 //! | samplers of the view plane | as in the book, one sample is regular unless said otherwise, and more are multi-jittered | `draws::the_default_is_regular_for_one_and_multi_jittered_for_more` |
 //!
-//! Beyond the book: 1 in `convergence`, 4 in `discrepancy`, 2 in `draws`, 2 in `independence`, 2 in `path_keys`, 2 in `patterns`, 4 in `sequences`.
+//! Beyond the book: 1 in `convergence`, 1 in `discrepancy`, 2 in `path_keys`, 2 in `patterns`, 3 in `sequences`.
 
 mod convergence;
 mod discrepancy;
 mod draws;
-mod independence;
 mod path_keys;
 pub mod patterns;
 mod sequences;

@@ -135,18 +135,3 @@ fn prefixes_of_sobol_are_nets_too() {
         assert!(counts.iter().all(|count| (1..=2).contains(count)), "{a}");
     }
 }
-
-/// Law: the position of a point of Sobol's in its finest box is uniform in x and in y, independently. Oracle:
-/// z tests of the product of the offsets from the middle and of its square, over sets.
-#[test]
-fn positions_in_the_finest_box_are_uniform() {
-    let (sampler, mut random) = (built(Sobol {}), Pcg32::new(8, 9));
-    let product = |_| {
-        let [x, y] = sampler.fill(8, &mut random)[5].map(|x| (8.0 * x).fract() - 0.5);
-        x * y
-    };
-    let products: Vec<f64> = (0..20_000).map(product).collect();
-    near!(sigmas(&products, 0.0), 0.0, most_sigmas(1));
-    let squares: Vec<f64> = products.iter().map(|p| p * p).collect();
-    near!(sigmas(&squares, 1.0 / 144.0), 0.0, most_sigmas(1));
-}

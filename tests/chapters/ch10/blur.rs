@@ -1,49 +1,26 @@
 //! Pictures out of focus: their total light, their lens samples, and what is sharp in them.
 
-use groundtruth::cameras::{Eye, Kind, ThinLens};
+use groundtruth::cameras::{Eye, ThinLens};
 use groundtruth::trace;
 
 use super::rays::rim;
-use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
-use crate::pictures::studio::{assert_same_bits, built};
 use crate::prelude::*;
 
-/// Law: the whole picture of a lens of radius 0 is the pinhole's, bit for bit, and no lens samples are drawn.
-/// Book: a lens of radius 0.
-#[test]
-fn a_picture_through_a_lens_of_radius_0_is_the_pinholes() {
-    for name in ["ch14/page-one", "ch24/reflective-set"] {
-        let mut scene = small(name, 40, 30, 4);
-        let pinhole = render::render(&built(&scene));
-        let Kind::Pinhole(Pinhole { distance, zoom }) = scene.camera.lens else {
-            panic!("{name} has no pinhole")
-        };
-        let lens_radius = 0.0;
-        scene.camera.lens =
-            ThinLens { distance, zoom, focal_distance: 0.7 * distance, lens_radius }.into();
-        let world = built(&scene);
-        assert_same_bits(name, &render::render(&world), &pinhole);
-        assert_eq!(render::camera_sample(&world, [3, 4], 1).expect("no gap").lens, None);
-        // a wide lens changes it
-        scene.camera.lens =
-            ThinLens { distance, zoom, focal_distance: 10.0 * distance, lens_radius: 20.0 }.into();
-        assert!(render::render(&built(&scene)) != pinhole, "{name}: the wide lens blurs nothing");
-    }
-}
-
-/// A lens of radius 1 looking at nothing, with four samples in each of 150 × 100 pixels.
-fn nothing_through_a_lens() -> Scene {
-    let lens = ThinLens { distance: 40.0, focal_distance: 74.0, lens_radius: 1.0, zoom: 1.0 };
+/// A lens looking at nothing, with four samples in each of 150 × 100 pixels.
+fn nothing_through_a_lens(lens_radius: f64) -> Scene {
+    let lens = ThinLens { distance: 40.0, focal_distance: 74.0, lens_radius, zoom: 1.0 };
     let camera = Viewpoint::new(Point::new(0.0, 0.0, 50.0), Point::ORIGIN, lens);
     Scene::new("", Image { samples: 4, ..Image::new(150, 100) }, camera)
 }
 
 /// Law: samples are uniform over the lens: `E[r²] = R²/2`, `E[r⁴] = R⁴/3`, and the means of lx and ly
-/// are 0. Oracle: the integrals; random samples are independent, so that z tests apply.
-/// Book: samples on the lens.
+/// are 0; over a lens of radius 0 there are none. Oracle: the integrals; random samples are independent, so that z
+/// tests apply. Book: samples on the lens.
 #[test]
 fn lens_samples_are_uniform() {
-    let mut scene = nothing_through_a_lens();
+    let pinhole = built(&nothing_through_a_lens(0.0));
+    assert_eq!(render::camera_sample(&pinhole, [3, 4], 1).expect("no gap").lens, None);
+    let mut scene = nothing_through_a_lens(1.0);
     scene.image.samples = 64;
     scene.image.sampler = Some(Random {}.into());
     let mut world = built(&scene);
@@ -79,7 +56,7 @@ fn lens_samples_are_uniform() {
 /// Book: samples on the lens.
 #[test]
 fn pixel_and_lens_samples_are_paired_by_chance() {
-    let mut scene = nothing_through_a_lens();
+    let mut scene = nothing_through_a_lens(1.0);
     for sampler in [None, Some(Jittered {}.into())] {
         scene.image.sampler = sampler;
         let world = built(&scene);
@@ -170,17 +147,5 @@ fn a_mirrored_edge_is_sharp_at_the_length_of_the_whole_way() {
     assert_eq!(agree(80.0, edge - 1e-6), Some(0.0));
     for out_of_focus in [30.0, 50.0, 79.0, 81.0] {
         assert_eq!(agree(out_of_focus, edge + 1e-6), None, "{out_of_focus}");
-    }
-}
-
-/// Law: a picture shows a point where `project` says, to a hundredth of a pixel: through the centre of
-/// the lens, blurred or not.
-#[test]
-fn a_picture_agrees_with_project() {
-    let lens = ThinLens { distance: 11.0, focal_distance: 12.0, lens_radius: 0.004, zoom: 1.25 };
-    let scene = calibration(lens);
-    for (film, depth) in [([3.1, -2.2], 12.0), ([-5.0, 3.3], 13.0), ([0.4, 0.7], 11.0)] {
-        let point = point_at(&scene, 0, film, depth);
-        assert_seen_where_projected(scene.clone(), 0, point);
     }
 }

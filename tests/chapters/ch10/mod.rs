@@ -4,17 +4,12 @@
 //! | --- | --- | --- |
 //! | the thin lens and its focal plane | rays start on the lens: a disk of radius R around the eye, perpendicular to w | `rays::rays_start_on_the_lens` |
 //! |  | all rays of a film point meet in one point at the depth f along −w, at `(f/d) p`: the sharp surface is a plane, not a sphere | `rays::the_rays_of_a_film_point_meet_at_the_focal_distance` |
-//! |  | the distance of the view plane only scales the picture: k times the film at k times the distance has the same rays; so has k times the film at k times the zoom | `rays::the_distance_only_scales` |
 //! | the circle of confusion | the image of a point at the depth z is a disc on the view plane, of the diameter `2 R d \|z − f\|/(z f)` (times the zoom), around the point's projection | `rays::the_circle_of_confusion` |
-//! |  | the blur of a point is proportional to the radius; far away it tends to `2 R d/f` (times the zoom); at the depth f there is no blur, whatever the radius | `rays::blur_is_linear_in_the_radius` |
 //! |  | blur moves light and keeps its sum: an emitting disk gives the same total light, `π ρ² (d/z)²` film units, with any lens and focus | `blur::blur_keeps_the_light` |
-//! | samples on the lens | samples are uniform over the lens: `E[r²] = R²/2`, `E[r⁴] = R⁴/3`, and the means of lx and ly are 0 | `blur::lens_samples_are_uniform` |
+//! | samples on the lens | samples are uniform over the lens: `E[r²] = R²/2`, `E[r⁴] = R⁴/3`, and the means of lx and ly are 0; over a lens of radius 0 there are none | `blur::lens_samples_are_uniform` |
 //! |  | the samples of pixel and lens are independent; otherwise bands would appear: over all pixels, the position in the pixel does not correlate with the position on the lens, for patterns that are shuffled | `blur::pixel_and_lens_samples_are_paired_by_chance` |
 //! | a lens of radius 0 | a lens of radius 0 is the pinhole of the same distance and zoom, bit for bit, wherever on the lens and wherever focused | `rays::a_lens_of_radius_0_is_the_pinhole` |
-//! |  | the whole picture of a lens of radius 0 is the pinhole's, bit for bit, and no lens samples are drawn | `blur::a_picture_through_a_lens_of_radius_0_is_the_pinholes` |
 //! | fig. 10.12, reflections in focus | a mirrored object is sharp where the whole path along −w, to the mirror and on, is the focal distance, not where the mirror is | `blur::a_mirrored_edge_is_sharp_at_the_length_of_the_whole_way` |
-//!
-//! Beyond the book: 1 in `blur`, 2 in `rays`.
 
 mod blur;
 mod rays;

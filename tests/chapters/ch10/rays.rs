@@ -1,6 +1,6 @@
 //! The thin lens: rays, the circle of confusion, `project`, and lenses that are refused.
 
-use groundtruth::cameras::{Camera, Kind, ThinLens, ViewPlane};
+use groundtruth::cameras::{Camera, Kind, ThinLens};
 use testkit::properties::*;
 
 use crate::prelude::*;
@@ -126,85 +126,4 @@ proptest! {
         let side = (point[0] - centre[0]) * rim(turn)[0] + (point[1] - centre[1]) * rim(turn)[1];
         above!(side * (z - f), -slack * (z - f).abs());
     }
-
-    /// Law: the blur of a point is proportional to the radius; far away it tends to `2 R d/f` (times the
-    /// zoom); at the depth f there is no blur, whatever the radius.
-    /// Book: the circle of confusion.
-    #[test]
-    fn blur_is_linear_in_the_radius(lens in lens(), z in 0.5..500.0_f64, turn in 0.0..1.0_f64) {
-        let blur = |lens: &ThinLens, z: f64| {
-            let (a, b) = (rim(turn), rim(turn).map(|l| -l));
-            let camera = camera(lens);
-            distance(film_of(&*camera, a, [0.0; 2], z), film_of(&*camera, b, [0.0; 2], z))
-        };
-        let twice = ThinLens { lens_radius: 2.0 * lens.lens_radius, ..lens.clone() };
-        // the film points are differences of larger numbers
-        let slack = |z: f64| {
-            1e-11
-                * (lens.zoom * lens.distance * lens.lens_radius)
-                * (1.0 / z + 1.0 / lens.focal_distance)
-        };
-        near!(blur(&twice, z), 2.0 * blur(&lens, z), slack(z));
-        let limit = 2.0 * lens.lens_radius * lens.distance / lens.focal_distance * lens.zoom;
-        near!(blur(&lens, 1e9), limit, 1e-6 * limit);
-        below!(blur(&lens, lens.focal_distance), slack(lens.focal_distance));
-    }
-
-    /// Law: the distance of the view plane only scales the picture: k times the film at k times the distance
-    /// has the same rays; so has k times the film at k times the zoom.
-    /// Book: the thin lens and its focal plane.
-    #[test]
-    fn the_distance_only_scales(
-        lens in lens(),
-        x in -50.0..50.0_f64,
-        y in -50.0..50.0_f64,
-        turn in 0.0..1.0_f64,
-        k in 0.1..10.0_f64,
-    ) {
-        let (origin, direction) = traced(&*camera(&lens), [x, y], rim(turn));
-        let farther = ThinLens { distance: k * lens.distance, ..lens.clone() };
-        let zoomed = ThinLens { zoom: k * lens.zoom, ..lens.clone() };
-        for other in [farther, zoomed] {
-            let (o, d) = traced(&*camera(&other), [k * x, k * y], rim(turn));
-            prop_assert_eq!(o, origin);
-            let turned = d.unit().expect("it looks") - direction.unit().expect("it looks");
-            below!(turned.length(), 1e-13);
-        }
-    }
-}
-/// Law: behind the lens nothing is seen, and the picture ends at its edges, which belong to it.
-/// Oracle: similar triangles, by hand.
-#[test]
-fn project_ends_at_the_edges() {
-    let lens = ThinLens { distance: 2.0, focal_distance: 5.0, lens_radius: 1.0, zoom: 1.0 };
-    let viewpoint = Viewpoint::new(Point::ORIGIN, Point::new(0.0, 0.0, -1.0), lens);
-    let view = viewpoint.build(ViewPlane { width: 8.0, height: 4.0 }).expect("a valid view");
-    let project = |x, y, z| view.eyes()[0].project(Point::new(x, y, z));
-    assert_eq!(project(2.0, -1.0, -1.0), Some([4.0, -2.0]));
-    assert_eq!(project(2.001, 0.0, -1.0), None);
-    assert_eq!(project(0.0, -1.001, -1.0), None);
-    assert_eq!(project(0.5, 0.25, -1.0), Some([1.0, 0.5]));
-    assert_eq!(project(0.5, 0.25, 1.0), None);
-    assert_eq!(project(0.5, 0.25, 0.0), None);
-    assert_eq!(project(0.0, 0.0, 0.0), None);
-}
-
-/// Law: a lens that cannot be built says which field is wrong. Oracle: the field that was changed.
-#[test]
-fn lenses_that_cannot_be_built_name_the_field() {
-    let good = ThinLens { distance: 2.0, focal_distance: 5.0, lens_radius: 1.0, zoom: 1.0 };
-    for (spoiled, field) in [
-        (ThinLens { distance: 0.0, ..good.clone() }, "distance: found 0"),
-        (ThinLens { focal_distance: -1.0, ..good.clone() }, "focal_distance: found -1"),
-        (ThinLens { lens_radius: -0.5, ..good.clone() }, "lens_radius: found -0.5"),
-        (ThinLens { zoom: f64::NAN, ..good.clone() }, "zoom: found NaN"),
-    ] {
-        let error = Kind::from(spoiled).build(&mut ANY_FILM.clone()).expect_err("it is spoiled");
-        assert!(error.to_string().starts_with(&format!("thin_lens.{field}")), "{error}");
-    }
-    // a lens so large that its rays overflow is refused with the picture
-    let lens = ThinLens { lens_radius: 1e308, distance: 1e10, ..good };
-    let camera = Viewpoint::new(Point::ORIGIN, Point::new(0.0, 0.0, -1.0), lens);
-    let scene = Scene::new("", Image::new(2, 2), camera);
-    assert!(groundtruth::world::World::build(&scene).is_err());
 }

@@ -11,13 +11,12 @@
 //! |  | a pixel outside the circle casts no ray: it is black under any background | `fisheye::a_masked_pixel_casts_no_ray` |
 //! | spherical panoramic projections | a spherical panorama looks along `cos ψ sin λ u + sin ψ v − cos ψ cos λ w` at `λ = xn λ_max`, `ψ = yn ψ_max` | `panoramas::spherical_panoramas_follow_the_book` |
 //! |  | longitude and latitude grow evenly, each with its own field of view, to some roundings of the angles themselves, however small | `panoramas::longitude_and_latitude_grow_evenly` |
-//! |  | the two fields of view are independent: longitude depends on the horizontal one alone, latitude on the vertical one | `panoramas::fields_of_view_are_independent` |
 //! |  | the seam of 360°: both edges look straight back, exactly; the top row of 180° straight up, the bottom row straight down, at every x; right of the middle is u | `panoramas::seams_and_poles` |
 //! | fields of view, whatever the size of the window | the picture does not depend on the size or number of the pixels, only on the normalised film point | `directions::pictures_do_not_depend_on_the_pixel_size` |
 //! |  | with a small field of view fisheye and panoramas are pinhole cameras of the distance `width/(2 λ_max)`: the difference falls with the cube of the angle | `directions::a_small_field_of_view_is_a_pinholes` |
 //! |  | the solid angle per film area is proportional to `sin ψ/ψ` for the fisheye, `cos ψ` for the spherical and `cos³ψ` for the cylindrical panorama; in the centre it is the product of the half angles | `directions::film_covers_the_solid_angle_of_its_projection` |
 //!
-//! Beyond the book: 2 in `directions`, 3 in `fisheye`, 5 in `panoramas`.
+//! Beyond the book: 1 in `fisheye`, 3 in `panoramas`.
 
 mod directions;
 mod fisheye;

@@ -60,62 +60,6 @@ proptest! {
         let rounding = 32.0 * U * (1.0 + tan(to_radians(0.5 * v)));
         prop_assert!((slope - expected).abs() <= rounding * expected.abs(), "{slope} {expected}");
     }
-
-    /// Law: an upright line is an upright line on both panoramas; its points are at one x. On the
-    /// cylinder their heights keep their ratio. Oracle: the points themselves.
-    #[test]
-    fn upright_lines_stay_upright(
-        x in -5.0..5.0_f64,
-        z in -5.0..5.0_f64,
-        y in 0.01..1.0_f64,
-        k in 0.1..10.0_f64,
-    ) {
-        prop_assume!(x * x + z * z > 1.0);
-        for view in [spherical(360.0, 180.0), cylindrical(360.0, 179.0)] {
-            let at = |y| seen(&view, [x, y, z]).expect("all around");
-            let (a, b) = (at(y), at(k * y));
-            prop_assert_eq!(a[0], b[0]);
-            prop_assert_eq!(b[1] > a[1], k > 1.0, "{:?} and, {} times as far, {:?}", a, k, b);
-        }
-        let at = |y| seen(&cylindrical(360.0, 179.0), [x, y, z]).expect("all around")[1];
-        near!(at(k * y), k * at(y), 8.0 * U * k * at(y));
-    }
-
-    /// Law: the two fields of view are independent: longitude depends on the horizontal one alone, latitude
-    /// on the vertical one. Oracle: where the same point is seen.
-    /// Book: spherical panoramic projections.
-    #[test]
-    fn fields_of_view_are_independent(
-        (h1, h2) in (30.0..360.0_f64, 30.0..360.0_f64),
-        (v1, v2) in (30.0..179.0_f64, 30.0..179.0_f64),
-        x in -0.1..0.1_f64,
-        y in -0.1..0.1_f64,
-    ) {
-        let p = [x, y, -1.0];
-        let all = |view: fn(f64, f64) -> groundtruth::cameras::View, h, v| {
-            seen(&view(h, v), p).expect("it is ahead")
-        };
-        for view in [spherical, cylindrical] {
-            let (a, b, c) = (all(view, h1, v1), all(view, h1, v2), all(view, h2, v1));
-            prop_assert_eq!((a[0], a[1]), (b[0], c[1]));
-            near!(a[0] * h1, c[0] * h2, 8.0 * U * (a[0] * h1).abs() + 1e-300);
-        }
-    }
-
-    /// Law: a point is out of view beyond the edges in longitude, and in latitude. Oracle: its angles.
-    #[test]
-    fn panoramas_end_at_their_angles(
-        h in horizontal(), v in vertical(), lambda in -180.0..180.0_f64, psi in -89.0..89.0_f64,
-    ) {
-        let inside = 2.0 * lambda.abs() < h && 2.0 * psi.abs() < v;
-        prop_assume!((2.0 * lambda.abs() - h).abs() > 1e-9 && (2.0 * psi.abs() - v).abs() > 1e-9);
-        let (l, p) = (to_radians(lambda), to_radians(psi));
-        let there = [3.0 * cos(p) * sin(l), 3.0 * sin(p), -3.0 * cos(p) * cos(l)];
-        prop_assert_eq!(seen(&spherical(h, v), there).is_some(), inside);
-        if v < 180.0 {
-            prop_assert_eq!(seen(&cylindrical(h, v), there).is_some(), inside);
-        }
-    }
 }
 
 /// Law: the seam of 360°: both edges look straight back, exactly; the top row of 180° straight up, the

@@ -6,7 +6,6 @@ use groundtruth::cameras::{
 };
 use testkit::properties::*;
 
-use crate::calibration::{assert_seen_where_projected, point_at, scene as calibration};
 use crate::prelude::*;
 
 const FILM: ViewPlane = ViewPlane { width: 40.0, height: 30.0 };
@@ -183,80 +182,5 @@ proptest! {
             near!(ray.origin, Point::new(x / zoom, y / zoom, 20.0), 1e-13);
             prop_assert_eq!(ray.direction, -Vector::Z);
         }
-    }
-
-    /// Law: each eye's `project` is the inverse of its own rays, whether or not the other eye sees the point.
-    /// Oracle: the film point of the ray.
-    #[test]
-    fn project_is_for_one_eye(
-        x in -20.0..20.0_f64,
-        y in -15.0..15.0_f64,
-        beta in 0.0..20.0_f64,
-        away in 0.5..100.0_f64,
-    ) {
-        let eye = Point::new(3.0, 4.0, 12.0);
-        for lens in planar(10.0, 1.5).into_iter().chain(others()) {
-            let view = built(&viewpoint(eye, lens, beta));
-            for side in SIDES {
-                let Some(ray) = view.eye(side).ray([x, y], [0.0; 2]) else { continue };
-                let Some(found) = view.eye(side).project(ray.at(away)) else {
-                    return Err(TestCaseError::fail("it is not seen"));
-                };
-                let off = (found[0] - x).abs().max((found[1] - y).abs());
-                // the point has the rounding error of numbers up to 100, and may be as near as half a unit
-                prop_assert!(off < 1e-11, "{found:?} {off:e}");
-            }
-        }
-    }
-}
-
-/// Law: by hand, with the eyes at ±1 and d = 10: a point at half the distance has the parallax 2, one at
-/// twice the distance −1; each eye has its own edges of the picture.
-#[test]
-fn parallax_by_hand() {
-    // tan(β/2) = 1/10
-    let beta = 2.0 * 5.710_593_137_499_643;
-    let view = from_front(10.0, Pinhole { distance: 10.0, zoom: 1.0 }, beta);
-    let project = |z: f64| SIDES.map(|side| view.eye(side).project(Point::new(0.0, 0.0, z)));
-    for (z, left, right) in [(5.0, 1.0, -1.0), (0.0, 0.0, 0.0), (-10.0, -0.5, 0.5)] {
-        let [l, r] = project(z).map(|point| point.expect("in view"));
-        assert!((l[0] - left).abs() < 1e-14 && (r[0] - right).abs() < 1e-14, "{l:?} {r:?}");
-    }
-    // 0.4 in front of the eyes, which see it at about ±24: beyond the edges at ±20
-    let p = Point::new(0.0, 0.0, 9.6);
-    assert_eq!(SIDES.map(|side| view.eye(side).project(p)), [None, None]);
-    let p = Point::new(-0.8, 0.0, 9.6);
-    let [left, right] = SIDES.map(|side| view.eye(side).project(p));
-    assert!(left.is_some() && right.is_none(), "{left:?} {right:?}");
-}
-
-/// Law: a picture shows a point where each eye's `project` says, to a hundredth of a pixel.
-#[test]
-fn a_picture_agrees_with_project() {
-    for lens in [
-        Kind::from(Pinhole { distance: 11.0, zoom: 1.25 }),
-        Fisheye { fov: 200.0, rectangular: true }.into(),
-    ] {
-        let mut scene = calibration(lens);
-        scene.image.resize(4000, 2600);
-        scene.camera.stereo = pair(4.0);
-        for (eye, film) in [(0, [3.1, -2.2]), (1, [-4.0, 1.3])] {
-            let point = point_at(&scene, eye, film, 9.0);
-            assert_seen_where_projected(scene.clone(), eye, point);
-        }
-    }
-}
-
-/// Law: an invalid separation is refused, with the field's name and the valid range. Oracle: the text.
-#[test]
-fn invalid_separations_are_refused() {
-    for (separation, found) in [(-1.0, "-1"), (180.0, "180"), (f64::NAN, "NaN")] {
-        let viewpoint =
-            viewpoint(Point::new(0.0, 0.0, 5.0), Orthographic { zoom: 1.0 }, separation);
-        let error = viewpoint.build(FILM).expect_err("it is wrong").to_string();
-        let expected = format!(
-            "stereo.separation: found {found}, but at least 0 and less than 180 degrees fit"
-        );
-        assert_eq!(error, expected);
     }
 }

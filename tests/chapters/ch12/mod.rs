@@ -12,7 +12,7 @@
 //! | stereo with other cameras | for cameras without a window only the eye moves: both eyes have the same direction at each film point, from two positions | `geometry::others_only_move_the_eye` |
 //! |  | the image of an eye is that of a camera at its position, with the same samples: for cameras without a window, to 1e-9 | `pictures::each_image_is_that_of_a_camera_in_its_place` |
 //!
-//! Beyond the book: 5 in `geometry`, 7 in `pictures`.
+//! Beyond the book: 1 in `geometry`, 2 in `pictures`.
 
 mod geometry;
 mod pictures;

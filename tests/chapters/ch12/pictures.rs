@@ -2,13 +2,8 @@
 
 use groundtruth::cameras::{Fisheye, Kind, Side, Stereo, Viewing};
 use groundtruth::film;
-use groundtruth::render::{Canvas, Crop};
-use groundtruth::scene::to_toml;
-use groundtruth::world::from_toml;
 
-use crate::pictures::studio::{assert_same_bits, bits, built};
 use crate::prelude::*;
-use testkit::scaling::scaled_scene;
 
 const WIDTH: u32 = 26;
 const HEIGHT: u32 = 20;
@@ -59,6 +54,8 @@ fn the_gap_is_black() {
             assert_eq!(render::camera_sample(&world, at, 0).is_none(), in_gap);
         }
     }
+    let said = "viewing = \"parallel\"\nseparation = 3";
+    assert_eq!(toml::from_str::<Stereo>(said).expect("a pair").gap, 5, "the book's gap");
 }
 
 /// Law: without separation both images are the same, bit for bit, as that of one eye; with separation they
@@ -119,23 +116,6 @@ fn each_image_is_that_of_a_camera_in_its_place() {
     }
 }
 
-/// Law: both eyes use the same samples: their key is the pixel of the eye's image, not that of the whole
-/// picture. Oracle: film point, lens point and weight of each.
-#[test]
-fn both_eyes_use_the_same_samples() {
-    for lens in lenses() {
-        let mut scene = pair(Viewing::Parallel, 2.0);
-        scene.camera.lens = lens;
-        let world = built(&scene);
-        for ([x, y], index) in [([0, 0], 0), ([25, 19], 3), ([7, 11], 2)] {
-            let both = [x, x + WIDTH + 3].map(|x| render::camera_sample(&world, [x, y], index));
-            let [a, b] = both.map(|sample| sample.expect("no gap"));
-            assert_eq!((a.pixel, a.film, a.lens, a.weight), (b.pixel, b.film, b.lens, b.weight));
-            assert_eq!(a.pixel, [x, y]);
-        }
-    }
-}
-
 /// Law: of a scene that is its own mirror image in the plane between the eyes, the right image is the
 /// left one mirrored. Oracle: mirrored columns, with samples at the centres of pixels.
 /// Book: the positions of the eyes.
@@ -169,50 +149,6 @@ fn a_symmetric_scene_has_mirrored_images() {
     }
 }
 
-/// Law: no length scale is special: scaled by a power of two, a pair is the same picture, bit for bit, with
-/// every camera. Oracle: the pair before.
-#[test]
-fn scaling_by_powers_of_two_changes_no_pair() {
-    for lens in lenses() {
-        let mut scene = pair(Viewing::Parallel, 3.0);
-        scene.camera.lens = lens;
-        let (_, original) = rendered(&scene);
-        for k in [-30, 5] {
-            assert_same_bits(&format!("2^{k}"), &rendered(&scaled_scene(&scene, k)).1, &original);
-        }
-    }
-}
-
-/// Law: written to a file and read again, a pair is the same picture; the default gap is the book's, 5.
-/// Oracle: the pair before.
-#[test]
-fn pairs_are_plain_data() {
-    let scene = pair(Viewing::Transverse, 3.0);
-    let text = to_toml(&scene).expect("plain data");
-    let path = std::path::Path::new("scene.toml");
-    let (_, world) = from_toml(&text, path).expect("it reads back");
-    assert_same_bits("reread", &render::render(&world), &rendered(&scene).1);
-    let shorter = text.replace("gap = 3\n", "");
-    assert!(shorter != text);
-    let (reread, world) = from_toml(&shorter, path).expect("the gap may be left out");
-    assert_eq!(reread.camera.stereo.expect("a pair").gap, 5);
-    assert_eq!(world.picture_size(), [2 * WIDTH + 5, HEIGHT]);
-}
-
-/// Law: a crop equals that part of the whole picture, across the gap too. Oracle: the whole picture.
-#[test]
-fn a_part_of_a_pair_is_that_part() {
-    let (world, whole) = rendered(&pair(Viewing::Parallel, 5.0));
-    let crop = Crop { x: WIDTH - 4, y: 5, width: 12, height: 9 };
-    let canvas = Canvas::cropped(crop);
-    canvas.render(&world);
-    let part = canvas.film();
-    for [x, y] in pixels(12, 9) {
-        assert_eq!(bits(part.get([x, y])), bits(whole.get([crop.x + x, crop.y + y])));
-    }
-    assert!(render::eye_images(&world, &part).is_none(), "a part has no two images");
-}
-
 /// Law: an anaglyph is red from the left image, green and blue from the right one. Oracle: the channels.
 #[test]
 fn an_anaglyph_has_both_images() {
@@ -241,18 +177,4 @@ fn pixels_of_pairs_are_explained() {
         }
         assert_eq!(explained.text(0.01, false).contains("between the two images"), in_gap);
     }
-}
-
-/// Law: a pair of too many pixels is refused before it is built. Oracle: the text.
-#[test]
-fn pairs_of_too_many_pixels_are_refused() {
-    let mut scene = pair(Viewing::Parallel, 5.0);
-    scene.camera.stereo =
-        Some(Stereo { viewing: Viewing::Parallel, gap: u32::MAX, separation: 5.0 });
-    let error = World::build(&scene).expect_err("it is too wide").to_string();
-    assert_eq!(
-        error,
-        "camera.stereo.gap: 4294967347 × 20 pixels of both images and the gap are too many; at most \
-         33554432 fit"
-    );
 }

@@ -3,6 +3,7 @@
 #[macro_use]
 pub mod judge;
 
+pub mod asked;
 pub mod bodies;
 pub mod edged;
 pub mod exact;
