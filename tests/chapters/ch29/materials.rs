@@ -1,14 +1,13 @@
 //! Materials with images: pictures, the number of look-ups, and errors.
 
-use std::sync::atomic::{AtomicU32, Ordering::Relaxed};
-
 use groundtruth::materials::Kind;
 use groundtruth::render::render;
-use groundtruth::shapes::{Part, Sampling, Within};
+use groundtruth::shapes::{Part, Sampling};
 use groundtruth::textures::{Amount, Checker3d, Filtering, Image, Mapping};
 
 use super::{by_uv, image_file, linear};
 use crate::prelude::*;
+use crate::support::asked::Counted;
 use crate::support::lamps::share;
 use crate::support::lamps::{LS, floor, hang, seen, up};
 
@@ -96,40 +95,9 @@ fn an_image_of_one_colour_is_the_constant() {
     }
 }
 
-/// A shape that counts how often it is asked for its texture coordinates.
-#[derive(Debug)]
-struct Counted {
-    shape: Arc<dyn Shape>,
-    asked: AtomicU32,
-}
-
-impl Shape for Counted {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.shape.hit(ray, span)
-    }
-
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        self.shape.surface(ray, at)
-    }
-
-    fn within(&self, at: &Candidate) -> Within<'_> {
-        self.asked.fetch_add(1, Relaxed);
-        self.shape.within(at)
-    }
-
-    fn material_without_uv(&self, _: u32, _: &dyn Fn(u32) -> bool) -> Option<u32> {
-        None
-    }
-
-    fn bounds(&self) -> Aabb {
-        self.shape.bounds()
-    }
-}
-
 /// How often nine pixels ask a mesh for its texture coordinates.
 fn asked(cd: impl Into<Paint>) -> u32 {
-    let shape = shapes::Kind::from(square(1.0)).build(&mut shapes::Context::default());
-    let counted = Arc::new(Counted { shape: shape.expect("a mesh"), asked: AtomicU32::default() });
+    let counted = Counted::new(square(1.0));
     let mut scene = stage(Rgb::BLACK);
     (scene.image.width, scene.image.height, scene.image.pixel_size) = (3, 3, 0.5);
     let custom = shapes::Kind::Custom(Custom(Arc::<Counted>::clone(&counted)));
@@ -137,7 +105,7 @@ fn asked(cd: impl Into<Paint>) -> u32 {
     shine(&mut scene, Ambient { ls: 1.0, color: Rgb::WHITE });
     shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction: Vector::Z });
     render(&built(&scene));
-    counted.asked.load(Relaxed)
+    counted.asked()
 }
 
 /// Law: texture coordinates are computed only for an image that needs those of the surface, once for each

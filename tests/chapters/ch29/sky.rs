@@ -225,58 +225,6 @@ fn directions_follow_the_density() {
     }
 }
 
-/// Law: with nearest look-up the texels of a spherical sky are drawn in proportion to `L Ω`, L the mean of
-/// the channels, and the brightest most often. Oracle: the closed form of the solid angle,
-/// `Ω = (cosθ₁ − cosθ₀) 2π/n`; χ².
-#[test]
-fn texels_are_drawn_by_radiance_times_solid_angle() {
-    const DRAWS: u64 = 100_000;
-    let directions = Directions::new(&sky(&image("share", Dome::Spherical, Filtering::Nearest)));
-    let [width, height] = SIZE;
-    let mut expected = Vec::new();
-    for row in 0..height {
-        let edge = |row: u32| -cos(PI * f64::from(row) / f64::from(height));
-        let omega = (edge(row + 1) - edge(row)) * TAU / f64::from(width);
-        expected.extend((0..width).map(|column| omega * ragged([column, row]).average()));
-    }
-    let whole: f64 = expected.iter().sum();
-    expected.iter_mut().for_each(|e| *e *= DRAWS as f64 / whole);
-    let mut observed = vec![0_u64; expected.len()];
-    let mut random = Pcg32::new(29, 6);
-    for _ in 0..DRAWS {
-        let w = directions.sample([random.uniform(), random.uniform()]).expect("it is not black");
-        let [column, row] = texel(Dome::Spherical, w).expect("it is all around");
-        observed[(row * width + column) as usize] += 1;
-    }
-    let p = goodness_of_fit(&observed, &expected);
-    assert!(p > 1e-4, "p = {p:e}");
-    let most = |counts: &[f64]| (0..counts.len()).max_by(|&a, &b| counts[a].total_cmp(&counts[b]));
-    let counts: Vec<f64> = observed.iter().map(|count| *count as f64).collect();
-    assert_eq!(most(&counts), Some((5 * width + 3) as usize), "the brightest texel is drawn most");
-}
-
-/// Law: the density is positive wherever the sky shines, also where a bilinear look-up brings light into
-/// a black texel. Oracle: the radiance itself.
-#[test]
-fn no_light_is_missed() {
-    for dome in DOMES {
-        for filtering in FILTERINGS {
-            let sky = sky(&image("positive", dome, filtering));
-            let directions = Directions::new(&sky);
-            let mut random = Pcg32::new(29, 7);
-            for _ in 0..20_000 {
-                let w = random_direction(&mut random);
-                let (seen, pdf) = (sky.radiance(w), directions.pdf(w));
-                assert!(pdf.is_finite() && pdf >= 0.0, "{dome:?} towards {w:?}: density {pdf}");
-                assert!(
-                    seen.is_black() || pdf > 0.0,
-                    "{dome:?}, {filtering:?}: {seen:?} is seen towards {w:?}, but never drawn"
-                );
-            }
-        }
-    }
-}
-
 /// Law: at the poles, on the rim and at the extreme random numbers all values are finite; a black sky gives
 /// no directions. Oracle: finiteness, and unit lengths.
 #[test]

@@ -4,7 +4,7 @@ use groundtruth::background::{Dome, Image};
 use groundtruth::materials::Kind as MaterialKind;
 use groundtruth::textures::Filtering;
 
-use super::sky::{DOMES, SIZE, all_around, image, ragged, texel, written};
+use super::sky::{DOMES, all_around, image, ragged, texel, written};
 use crate::prelude::*;
 use crate::support::replicas::{LEVEL, mean_and_error};
 
@@ -48,19 +48,6 @@ fn every_strategy_finds_the_light_of_the_sky() {
             let found = replicas(&scene, |world| view(world, eye, -1.0 * n));
             assert_color(&format!("{dome:?}, {tracer:?}"), &found, expected, 16, 0.05);
         }
-    }
-}
-
-/// Law: an image of one colour lights as the plain colour does: `ρ L`. Oracle: the product.
-#[test]
-fn a_sky_of_one_colour_lights_as_the_colour() {
-    let color = Rgb::new(0.75, 0.625, 1.5);
-    let file = written("even-light", SIZE, |_| color);
-    for tracer in tracers() {
-        let sky = Image::of_file(&file, Dome::Spherical);
-        let scene = Scene { tracer, ..with_samples(under(sky, Vector::Y, matte()), 256) };
-        let down = |world: &_| view(world, Point::new(0.0, 2.0, 0.0), -Vector::Y);
-        assert_color(&format!("{tracer:?}"), &replicas(&scene, down), 0.8 * color, 4, 0.01);
     }
 }
 

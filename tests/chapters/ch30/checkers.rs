@@ -81,27 +81,6 @@ impl Generic {
             Sphere | Disk | Cone => 0..i64::from(n),
         }
     }
-
-    /// The share of the shape's surface between two shares of its rows.
-    fn area(self, [from, to]: [f64; 2]) -> f64 {
-        match self {
-            Sphere => 0.5 * (cos(PI * from) - cos(PI * to)),
-            Cylinder | Rectangle => to - from,
-            Disk => to * to - from * from,
-            Cone => (1.0 - from) * (1.0 - from) - (1.0 - to) * (1.0 - to),
-        }
-    }
-
-    /// The share of rows at a point that is uniformly distributed on the surface, for u from 0 to 1: the
-    /// inverse of `area`.
-    fn row_of(self, u: f64) -> f64 {
-        match self {
-            Sphere => groundtruth::math::acos(1.0 - 2.0 * u) / PI,
-            Cylinder | Rectangle => u,
-            Disk => u.sqrt(),
-            Cone => 1.0 - u.sqrt(),
-        }
-    }
 }
 
 proptest! {
@@ -193,82 +172,6 @@ proptest! {
 fn numbered([num_horizontal, num_vertical]: [u32; 2], length: usize, widths: [f64; 2]) -> Texture {
     let textures = (0..length).map(|n| Rgb::grey(n as f64 / 1024.0).into()).collect();
     SphereTextures { num_horizontal, num_vertical, textures, lines: lines(widths) }.into()
-}
-
-/// Points counted; five standard deviations of a share are at most this.
-const POINTS: u32 = 40_000;
-const FIVE_SIGMA: f64 = 5.0 * 0.5 / 200.0;
-
-/// Law: lines of widths h and v leave `(1 − v) Σ A_j` of the surface, where `A_j` is the share of its area
-/// between `j + h/2` and `j + 1 − h/2` rows, and for an even number of columns the two colours share that
-/// equally. Oracle: closed forms of the areas of zones, rings and bands, by counting uniformly distributed
-/// points on each surface (15 shares, five standard deviations: significance 1e-5).
-/// Book: two-dimensional checkers with outlines.
-#[test]
-fn lines_cover_their_share_of_each_surface() {
-    let mut random = Pcg32::new(30, 2);
-    let ([columns, rows], [h, v]) = ([6, 5], [0.25, 0.125]);
-    for generic in ALL {
-        let texture = generic.checker([columns, rows], 1.0, [h, v]);
-        let texture = texture.build(&mut Resources::default()).expect("valid");
-        let mut counts = [0_u32; 3];
-        for _ in 0..POINTS {
-            let local = generic.point(random.uniform(), generic.row_of(random.uniform()));
-            let color = texture.color(&TexturePoint::new(&Surface::new(local, 0.0, Normal::Y)));
-            counts[[LINE, ONE, TWO].iter().position(|&c| c == color).expect("one of three")] += 1;
-        }
-        let row = |j: u32, t: f64| (f64::from(j) + t) / f64::from(rows);
-        let of_row = |j| generic.area([row(j, 0.5 * h), row(j, 1.0 - 0.5 * h)]);
-        let left = (1.0 - v) * (0..rows).map(of_row).sum::<f64>();
-        for (count, expected) in counts.into_iter().zip([1.0 - left, 0.5 * left, 0.5 * left]) {
-            let share = f64::from(count) / f64::from(POINTS);
-            assert!(
-                (share - expected).abs() < FIVE_SIGMA,
-                "{generic:?}: {share} of the surface, expected {expected}, of line, first, second: {counts:?}"
-            );
-        }
-    }
-}
-
-/// Law: a sphere has `n_h n_v` regions of one colour if n_h is even: its seam is a border like all others.
-/// With an odd n_h > 1 the two checkers at the seam have one colour, so there are `(n_h − 1) n_v`. Oracle:
-/// points on a fine grid around the whole sphere, joined with their neighbours of the same colour.
-/// Book: two-dimensional checkers with outlines.
-#[test]
-fn a_sphere_has_as_many_regions_as_checkers() {
-    /// Points across a checker.
-    const FINE: usize = 3;
-    for [columns, rows] in [[2, 1], [2, 2], [8, 5], [20, 10], [3, 4], [7, 3], [1, 4]] {
-        let texture = Sphere.checker([columns, rows], 1.0, [0.0; 2]);
-        let texture = texture.build(&mut Resources::default()).expect("valid");
-        let (width, height) = (FINE * columns as usize, FINE * rows as usize);
-        let color = |n: usize| {
-            let share = |i: usize, n: usize| (i as f64 + 0.5) / n as f64;
-            let p = Sphere.point(share(n % width, width), share(n / width, height));
-            texture.color(&TexturePoint::new(&Surface::new(p, 0.0, Normal::Y)))
-        };
-        let colors: Vec<Rgb> = (0..width * height).map(color).collect();
-        let mut regions = 0;
-        let mut seen = vec![false; colors.len()];
-        for start in 0..colors.len() {
-            let mut waiting = if seen[start] { vec![] } else { vec![start] };
-            regions += waiting.len();
-            while let Some(n) = waiting.pop() {
-                if std::mem::replace(&mut seen[n], true) {
-                    continue;
-                }
-                let (x, y) = (n % width, n / width);
-                let beside = [y * width + (x + 1) % width, y * width + (x + width - 1) % width];
-                let above = (y > 0).then(|| n - width);
-                let below = (y + 1 < height).then(|| n + width);
-                let all = beside.into_iter().chain(above).chain(below);
-                waiting.extend(all.filter(|&m| colors[m] == colors[n] && !seen[m]));
-            }
-        }
-        let different = if columns % 2 == 0 || columns == 1 { columns } else { columns - 1 };
-        let expected = (different * rows) as usize;
-        assert_eq!(regions, expected, "regions of a sphere of {columns} × {rows} checkers");
-    }
 }
 
 /// Law: a point just before the seam is in the last column, however close it is, and the poles are in the

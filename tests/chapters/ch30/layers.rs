@@ -95,66 +95,6 @@ proptest! {
             );
         }
     }
-
-    /// Law: at a stop a ramp has the stop's colour, and between equal colours that colour, bit for bit.
-    /// Oracle: the colours.
-    #[test]
-    fn a_ramp_has_the_colours_of_its_stops(
-        (p, axis, wrap) in (point(10.0), 0..3_usize, wraps()),
-        (from, exponent) in (-8..8_i32, -3..3_i32),
-        colors in colors(),
-    ) {
-        // stops that are exact numbers
-        let step = power_of_two(exponent);
-        let last = colors.len() - 1;
-        let (from, to) = (f64::from(from), f64::from(from) + last as f64 * step);
-        let texture = ramp(axis, [from, to], &colors, wrap);
-        for (i, &color) in colors.iter().enumerate() {
-            // thirds and fifths of a length are not exact
-            let stop = p.with(axis, from + i as f64 * step);
-            if last.is_power_of_two() {
-                prop_assert_eq!(at(&texture, stop), color, "stop {} of {}", i, last);
-            }
-            let plain = ramp(axis, [from, to], &vec![color; colors.len()], wrap);
-            prop_assert_eq!(at(&plain, p), color);
-        }
-    }
-
-    /// Law: a ramp never leaves the range of its colours. Oracle: the least and greatest value of each
-    /// channel, plus one rounding.
-    #[test]
-    fn a_ramp_stays_between_its_colours(
-        (p, wrap) in (point(10.0), wraps()),
-        colors in colors(),
-    ) {
-        let found = at(&ramp(0, [-0.7, 1.9], &colors, wrap), p).to_array();
-        for (c, found) in found.into_iter().enumerate() {
-            let channel = || colors.iter().map(|color| color.to_array()[c]);
-            let least = channel().fold(f64::INFINITY, f64::min);
-            let most = channel().fold(0.0, f64::max);
-            let room = 2.0 * U * most;
-            prop_assert!(
-                (least - room..=most + room).contains(&found),
-                "{found} of {least} to {most}"
-            );
-        }
-    }
-}
-
-/// Law: along their axis stripes change at the multiples of their size, on both sides of the origin: no
-/// run is doubled there. Oracle: the changes, found by scanning.
-#[test]
-fn runs_of_stripes_are_one_size_long_on_both_sides_of_the_origin() {
-    for axis in 0..3 {
-        let texture = stripes(axis, 0.75);
-        let line = |i: i32| Point::new(0.3, 0.3, 0.3).with(axis, f64::from(i) / 256.0);
-        let changes: Vec<i32> =
-            (-2560..2560).filter(|&i| at(&texture, line(i)) != at(&texture, line(i + 1))).collect();
-        // 27 multiples of 0.75 lie between −10 and 10, 0 among them
-        assert_eq!(changes.len(), 27, "{changes:?}");
-        assert!(changes.windows(2).all(|pair| pair[1] - pair[0] == 192), "{changes:?}");
-        assert!(changes.contains(&0), "the first stripe begins a sliver beyond 0: {changes:?}");
-    }
 }
 
 /// Law: a face on a border of stripes has no speckle: at y = 3 the texture has one colour, however the last

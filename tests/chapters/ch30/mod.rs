@@ -3,16 +3,11 @@
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
 //! | listing 30.2, the solid checker | the solid checker has two colours, by the parity of the cell; the cell at the origin has the first | `the_solid_checker_shows_the_parity_of_its_cell` |
-//! |  | a step of one size along an axis swaps the colours, two steps or one along each of two axes keep them, one along all three swaps (three is odd) | `the_solid_checker_is_periodic` |
 //! |  | along an axis from −10 to 10 every run of one colour of the solid checker is one size long: none is doubled at the origin | `runs_of_colour_are_one_size_long_on_both_sides_of_the_origin` |
-//! |  | over whole periods each colour fills one half of space, and every point's neighbour one size away along an axis has the other colour, which is not so for stripes or columns | `each_colour_of_the_solid_checker_fills_one_half` |
 //! |  | the plane y = 0, which lies on borders of the solid checker, has no speckle: each square is of one colour, and so are the faces of a box on borders | `a_plane_on_the_borders_of_the_checker_has_no_speckle` |
 //! |  | each face of a box whose sides lie on borders of the solid checker is a clean checker | `faces_of_a_box_on_borders_have_no_speckle` |
 //! | two-dimensional checkers with outlines | the plane checker shows line, first or second colour by the distance to the nearest border and the parity of the square; y does not matter | `the_plane_checker_has_squares_and_lines` |
-//! |  | lines of width w cover `1 − (1 − w/size)²` of the plane checker, its squares share the rest equally | `outlines_cover_their_share_of_the_plane` |
 //! |  | at a share s of column i and t of row j a checker shows the line if s or t is within half the line's width of 0 or 1 (vertical lines border columns, horizontal ones rows), and else the first colour if i + j is even; also in negative rows, and for any unit | `checkers::checkers_show_cells_and_lines` |
-//! |  | lines of widths h and v leave `(1 − v) Σ A_j` of the surface, where `A_j` is the share of its area between `j + h/2` and `j + 1 − h/2` rows, and for an even number of columns the two colours share that equally | `checkers::lines_cover_their_share_of_each_surface` |
-//! |  | a sphere has `n_h n_v` regions of one colour if n_h is even: its seam is a border like all others | `checkers::a_sphere_has_as_many_regions_as_checkers` |
 //! |  | a point just before the seam is in the last column, however close it is, and the poles are in the first and the last row: no point belongs to a checker that does not exist | `checkers::seam_and_poles_belong_to_checkers_that_are_there` |
 //! |  | with the defaults a checker of a sphere, cylinder, cone, disk or rectangle has the book's 20 checkers in one direction and 10 in the other; white and half grey, without lines | `checkers::the_defaults_are_the_books` |
 //! | exercise 30.4, textures and materials for each checker of a sphere | of the textures of a sphere, the checker in column i and row j has number `j n_h + i`, modulo the length of the list; lines lie over all | `checkers::each_checker_of_a_sphere_has_its_texture` |
@@ -20,12 +15,11 @@
 //! | intrinsic transformations: texture instances | without steps, or with steps that do nothing, a texture instance is the texture itself, bit for bit | `instances::an_identical_instance_is_the_texture` |
 //! |  | a texture instance of f has `g(p) = f(M⁻¹ p)`: scaled by s, f(p/s) component-wise; moved by t, f(p − t); turned and sheared likewise | `instances::each_step_is_undone` |
 //! |  | the step of a texture instance that is applied last is outermost, whether the steps are in one list or in nested instances | `instances::the_last_step_is_outermost` |
-//! |  | a texture instance inside one of the inverse map is the texture itself, to 1e-12 for a continuous one | `instances::an_instance_and_its_inverse_are_the_texture` |
 //! | extrinsic transformations: textures of instances | an instance carries its texture with it: it looks like the plain shape seen by an eye that is moved back | `an_instance_carries_its_texture` |
 //! |  | an object with `transform_texture = false` moves through its texture, which stays fixed in the world: the texture is evaluated at the world point, whatever the object's transformation is; inside another instance it stays fixed in that one's coordinates | `instances::a_texture_stays_in_the_world_while_the_object_moves` |
 //! | fig. 30.11, a stretched box with an unstretched checker | a box stretched twofold along x, with its texture halved along x, has the checker of an unstretched one | `instances::a_texture_instance_undoes_the_stretch_of_its_object` |
 //!
-//! Beyond the book: 2 in this file, 1 in `checkers`, 1 in `instances`, 1 in `lamps`, 6 in `layers`, 5 in `materials`, 4 in `wires`.
+//! Beyond the book: 1 in this file, 1 in `checkers`, 1 in `instances`, 1 in `lamps`, 3 in `layers`, 2 in `materials`, 2 in `wires`.
 
 mod checkers;
 mod instances;
@@ -41,7 +35,6 @@ use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;
-use testkit::scaling::scaled;
 
 const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);
 const TWO: Rgb = Rgb::new(0.0, 0.25, 0.5);
@@ -126,21 +119,6 @@ proptest! {
         prop_assert_eq!(at(&solid(size), p), expected);
     }
 
-    /// Law: a step of one size along an axis swaps the colours, two steps or one along each of two axes keep
-    /// them, one along all three swaps (three is odd). Oracle: the colour at the original point.
-    /// Book: listing 30.2, the solid checker.
-    #[test]
-    fn the_solid_checker_is_periodic(p in point(20.0), size in 0.1..3.0_f64, axis in 0..3_usize) {
-        prop_assume!(clear_of_borders(p, size));
-        let steps = [Vector::X, Vector::Y, Vector::Z].map(|axis| size * axis);
-        let (texture, here) = (solid(size), at(&solid(size), p));
-        prop_assert_eq!(at(&texture, p + steps[axis]), other(here));
-        prop_assert_eq!(at(&texture, p - steps[axis]), other(here));
-        prop_assert_eq!(at(&texture, p + 2.0 * steps[axis]), here);
-        prop_assert_eq!(at(&texture, p + steps[axis] - steps[(axis + 1) % 3]), here);
-        prop_assert_eq!(at(&texture, p + steps[0] + steps[1] + steps[2]), other(here));
-    }
-
     /// Law: the plane checker shows line, first or second colour by the distance to the nearest border
     /// and the parity of the square; y does not matter. Oracle: borders counted one by one, and the
     /// distance to the nearest multiple of the size.
@@ -166,20 +144,6 @@ proptest! {
         // the mirror image of a line is a line; that of a square has the other colour
         let mirrored = if expected == LINE { LINE } else { other(expected) };
         prop_assert_eq!(at(&texture, p.with(0, -p.x())), mirrored);
-    }
-
-    /// Law: scaled by a power of two, a texture has the same colours at scaled points, lines included.
-    /// Oracle: the original colour, bit for bit.
-    #[test]
-    fn a_scaled_texture_is_itself_at_scaled_points(
-        p in point(10.0),
-        size in 0.1..3.0_f64,
-        exponent in -30..30_i32,
-    ) {
-        let s = power_of_two(exponent);
-        for texture in [solid(size), flat(size, 0.2 * size), flat(size, 0.0)] {
-            prop_assert_eq!(at(&scaled(&texture, s), p.scaled(s)), at(&texture, p));
-        }
     }
 
     /// Law: an instance carries its texture with it: it looks like the plain shape seen by an eye that is
@@ -248,61 +212,6 @@ fn runs_of_colour_are_one_size_long_on_both_sides_of_the_origin() {
                 assert_eq!(f64::from(pair[1] - pair[0]) / 256.0, size);
             }
         }
-    }
-}
-
-/// Points counted; five standard deviations of a share of one half, √(1/4/N), are 0.0056.
-const COUNTED: u32 = 200_000;
-const HALF_ERROR: f64 = 0.0056;
-
-/// Law: over whole periods each colour fills one half of space, and every point's neighbour one size away
-/// along an axis has the other colour, which is not so for stripes or columns. Oracle: one half and one, by
-/// counting random points (one test, five standard deviations: significance 6e-7).
-/// Book: listing 30.2, the solid checker.
-#[test]
-fn each_colour_of_the_solid_checker_fills_one_half() {
-    let texture = solid(0.5).build(&mut Resources::default()).expect("valid");
-    let mut random = Pcg32::new(30, 0);
-    let (mut first, mut alternating) = (0, [0; 3]);
-    for _ in 0..COUNTED {
-        let mut c = || 8.0 * random.uniform() - 4.0;
-        let local = Point::new(c(), c(), c());
-        let is_first =
-            |local| texture.color(&TexturePoint::new(&Surface::new(local, 0.0, Normal::Y))) == ONE;
-        first += u32::from(is_first(local));
-        for (axis, count) in alternating.iter_mut().enumerate() {
-            let beside = local.with(axis, local.along(axis) + 0.5);
-            *count += u32::from(is_first(beside) != is_first(local));
-        }
-    }
-    let share = f64::from(first) / f64::from(COUNTED);
-    assert!((share - 0.5).abs() < HALF_ERROR, "the first colour fills {share}, expected 0.5");
-    // except for points that rounding moves across a border
-    let most = f64::from(COUNTED) - 3.0;
-    assert!(
-        alternating.iter().all(|&count| f64::from(count) >= most),
-        "of {COUNTED} points {alternating:?} have neighbours of the other colour along x, y, z"
-    );
-}
-
-/// Law: lines of width w cover `1 − (1 − w/size)²` of the plane checker, its squares share the rest
-/// equally. Oracle: the closed form, by counting on a grid whose points avoid all edges: exact (ch. 30).
-/// Book: two-dimensional checkers with outlines.
-#[test]
-fn outlines_cover_their_share_of_the_plane() {
-    for tenths in 0..=10_u32 {
-        let texture =
-            flat(1.0, f64::from(tenths) / 10.0).build(&mut Resources::default()).expect("valid");
-        let (mut counts, n) = ([0_u32; 3], 80);
-        for i in 0..n * n {
-            // 20 points for each square's side, halfway between the twentieths where lines end
-            let c = |i: u32| (f64::from(i) + 0.5) / 20.0 - 2.0;
-            let local = Point::new(c(i % n), 0.0, c(i / n));
-            let color = texture.color(&TexturePoint::new(&Surface::new(local, 0.0, Normal::Y)));
-            counts[[LINE, ONE, TWO].iter().position(|&c| c == color).expect("one of three")] += 1;
-        }
-        let squares = 16 * 4 * (10 - tenths) * (10 - tenths);
-        assert_eq!(counts, [n * n - squares, squares / 2, squares / 2], "width {tenths}/10");
     }
 }
 

@@ -102,34 +102,6 @@ proptest! {
     }
 }
 
-/// Law: lines of width w leave `(1 − w/2r)²` of a triangle with an incircle of radius r uncovered, and
-/// nothing from w = 2r on. Oracle: the triangle between the lines is similar to the whole, about the
-/// incircle's centre; 20 000 uniformly distributed points, five standard deviations (significance 6e-7 each).
-#[test]
-fn lines_leave_a_similar_triangle() {
-    let corners = [[0.0, 0.0, 0.0], [3.0, 0.0, 0.0], [0.0, 4.0, 0.0]].map(Point::from);
-    let incircle = 1.0; // (3 + 4 − 5)/2
-    let mut random = Pcg32::new(30, 3);
-    for width in [0.0, 0.25, 1.0, 1.75, 2.0, 9.0] {
-        let mut scene = gallery();
-        painted(&mut scene, mesh(corners), wires(width));
-        let (world, mut between) = (built(&scene), 0);
-        for _ in 0..20_000 {
-            let [u, v] = groundtruth::math::maps::triangle([random.uniform(), random.uniform()]);
-            let p = Point::new(3.0 * u, 4.0 * v, 9.0);
-            between += u32::from(look(&world, p, -Vector::Z) == ONE);
-        }
-        let share = f64::from(between) / 20_000.0;
-        let expected = (1.0 - 0.5 * width / incircle).max(0.0);
-        let expected = expected * expected;
-        let room = 5.0 * (expected * (1.0 - expected) / 20_000.0).sqrt();
-        assert!(
-            (share - expected).abs() <= room,
-            "width {width}: {share} is free, expected {expected}"
-        );
-    }
-}
-
 /// Law: a shape without triangles has the colour between the lines; on a shape with triangles, an instance of
 /// the texture does not move the lines. Oracle: that colour; the picture without the instance.
 #[test]
@@ -149,37 +121,4 @@ fn wires_belong_to_the_triangles() {
         lines += u32::from(plain == LINE);
     }
     assert!((50..450).contains(&lines), "{lines} of 500 points on lines");
-}
-
-/// Law: a lamp whose emission is a wireframe lights a floor in proportion to the area of its lines: the lines
-/// emit, between them it is black. Oracle: the same lamp, emitting everywhere, times the share of lines; it
-/// is far away, so that only the mean counts; 4096 samples, five standard deviations.
-#[test]
-fn a_lamp_shines_along_its_wires() {
-    let corners = [[0.0, 5.0, 0.0], [0.3, 5.0, 0.0], [0.0, 5.0, 0.4]].map(Point::from);
-    // the lines leave two thirds of the incircle's radius free
-    let (width, share): (f64, f64) = (0.2 / 3.0, 1.0 - 4.0 / 9.0);
-    let paint = Paint::from(Texture::from(Wireframe {
-        line_width: width,
-        line_color: Rgb::WHITE.into(),
-        color: Rgb::BLACK.into(),
-    }));
-    let lit = |paint: Paint| {
-        let mut scene = stage(Rgb::BLACK);
-        put(&mut scene, mesh(corners), Emissive::new(1000.0, paint));
-        shine(&mut scene, Area { object: "0".to_owned(), sampling: None });
-        scene.materials[0].two_sided = true;
-        let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
-        put(&mut scene, floor, Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() });
-        scene.image.samples = 4096;
-        let world = built(&scene);
-        let eye = Point::new(0.1, 1.0, 0.1);
-        let ray = ray(eye, -Vector::Y);
-        let of = |i| groundtruth::trace::radiance(&world, &ray, world.draws([0, 0], i), &mut ()).r;
-        (0..4096).map(of).sum::<f64>() / 4096.0
-    };
-    let (wired, white) = (lit(paint), lit(Rgb::WHITE.into()));
-    let found = wired / white;
-    let room = 5.0 * (share * (1.0 - share) / 4096.0).sqrt();
-    assert!(white > 0.0 && (found - share).abs() < room, "{found} of the light, expected {share}");
 }

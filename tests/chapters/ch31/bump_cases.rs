@@ -1,13 +1,11 @@
 //! Bumps: turned objects, flat bumps, calls of the shape, and errors.
 
-use std::sync::atomic::{AtomicU32, Ordering};
-
 use groundtruth::bumps::{self, Height, Kind as Bump};
-use groundtruth::shapes::Within;
-use groundtruth::textures::{Constant, Fbm, Wireframe};
+use groundtruth::textures::{Fbm, Wireframe};
 
 use super::bumps::{apart, ball, bumped, met, white};
 use crate::prelude::*;
+use crate::support::asked::Counted;
 
 /// Law: bumps turn with their object. Oracle: the turned normal of the object that is not turned.
 #[test]
@@ -64,91 +62,21 @@ fn a_wireframe_bumps_triangles_as_meshes() {
     }
 }
 
-/// Law: a flat bump leaves every normal unchanged, up to rounding.
-#[test]
-fn flat_bumps_change_nothing() {
-    let smooth: shapes::Kind = TessellatedSphere::new(12, 6, true).into();
-    let flat = Height::new(Constant { color: Rgb::WHITE }, 5.0);
-    let none = bumps::Noise { noise: Noise::default(), size: 1.0, perturbation: 0.0 };
-    for bump in [Bump::from(flat), none.into()] {
-        let world = built(&bumped(smooth.clone(), bump));
-        for i in 0..20 {
-            let direction = Vector::new(0.3 * f64::from(i) - 3.0, 1.0, 0.5);
-            let found = met(&world, Point::ORIGIN + 9.0 * direction, -direction);
-            let (at, normals) = found.expect("it is hit");
-            let off = apart(normals.shading, at.shading);
-            assert!(off < 4.0 * power_of_two(-53), "{off} apart");
-        }
-    }
-}
-
-/// A shape that counts how often it is asked for its texture space.
-#[derive(Debug)]
-struct Counted {
-    shape: Arc<dyn Shape>,
-    asked: Arc<AtomicU32>,
-}
-
-impl Shape for Counted {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.shape.hit(ray, span)
-    }
-
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        self.shape.surface(ray, at)
-    }
-
-    fn within(&self, at: &Candidate) -> Within<'_> {
-        self.asked.fetch_add(1, Ordering::Relaxed);
-        self.shape.within(at)
-    }
-
-    fn bounds(&self) -> Aabb {
-        self.shape.bounds()
-    }
-}
-
 /// Law: a surface without a bump costs nothing: its shape is not asked for its texture space. With a bump it
 /// is asked once for each hit.
 #[test]
 fn only_bumped_surfaces_ask_for_texture_space() {
-    let shape = shapes::Kind::from(ball(1.0)).build(&mut Context::default()).expect("a sphere");
-    let asked = Arc::new(AtomicU32::new(0));
-    let counted = Counted { shape, asked: Arc::clone(&asked) };
+    let counted = Counted::new(ball(1.0));
     let mut scene = stage(Rgb::WHITE);
-    put(&mut scene, shapes::Kind::Custom(Custom(Arc::new(counted))), white());
+    put(&mut scene, shapes::Kind::Custom(Custom(Arc::<Counted>::clone(&counted))), white());
     let looked = |scene: &Scene| {
         met(&built(scene), Point::new(0.0, 0.0, 5.0), -Vector::Z).expect("it is hit").1
     };
     let smooth = looked(&scene);
-    assert_eq!((asked.load(Ordering::Relaxed), smooth.shading), (0, smooth.geometry));
+    assert_eq!((counted.asked(), smooth.shading), (0, smooth.geometry));
     scene.materials[0].bump =
         Some(bumps::Noise { noise: Noise::default(), size: 1.0, perturbation: 1.0 }.into());
     let rough = looked(&scene);
-    assert_eq!(asked.load(Ordering::Relaxed), 1);
+    assert_eq!(counted.asked(), 1);
     assert_ne!(rough.shading, rough.geometry);
-}
-
-/// Law: invalid bumps are refused; the error names the field.
-#[test]
-fn bad_bumps_are_refused() {
-    let good = Height::new(Fbm::new(Noise::default(), 1.0), 1.0);
-    for (bump, message) in [
-        (
-            Bump::from(bumps::Noise { noise: Noise::default(), size: -1.0, perturbation: 1.0 }),
-            "bump.noise.size: found -1",
-        ),
-        (
-            bumps::Noise { noise: Noise::default(), size: 1.0, perturbation: f64::NAN }.into(),
-            "bump.noise.perturbation: found NaN",
-        ),
-        (Height { step: 0.0, ..good.clone() }.into(), "bump.height.step: found 0"),
-        (
-            Height { texture: Fbm::new(Noise::of_octaves(40), 1.0).into(), ..good }.into(),
-            "bump.height.texture.fbm.noise.octaves: found 40",
-        ),
-    ] {
-        let problem = World::build(&bumped(ball(1.0), bump)).expect_err("no bump").to_string();
-        assert!(problem.contains(message), "{problem}, expected {message}");
-    }
 }

@@ -7,6 +7,7 @@ use testkit::properties::*;
 
 use super::oracle::{self, built, index, linear};
 use crate::prelude::*;
+use crate::support::statistics::moments;
 
 /// Sums of 64 products, whose weights add up to at most 2, with about ten roundings each.
 const ROUNDING: f64 = 2e-14;
@@ -220,4 +221,27 @@ fn vectors_are_spread_over_the_sphere() {
         assert_eq!(sectors, [16; 16], "seed {seed}");
         assert!(sum.length() / 256.0 < 0.1, "the mean is {:?}", sum / 256.0);
     }
+}
+
+/// Law: along any axis a row of 256 lattice points has each entry of the table once. Therefore mean and
+/// variance there are those of the table, about 0 and 1/3. Oracle: the sorted table; the variance of a
+/// uniform number, within five standard deviations of 256: √(1/3/256) and √((1/5 − 1/9)/256).
+/// Book: lattice noise and its tables.
+#[test]
+fn a_row_of_lattice_points_has_each_entry_once() {
+    let noise = built(Noise::default());
+    let mut table = noise.lattice().values().to_vec();
+    table.sort_by(f64::total_cmp);
+    for axis in 0..3 {
+        for start in [[0, 0, 0], [5, -200, 31], [-77, 13, 1000]] {
+            let corner = Point::from(start.map(f64::from));
+            let at = |i: i32| corner.with(axis, corner.along(axis) + f64::from(i));
+            let mut row: Vec<f64> = (0..256).map(|i| noise.value(at(i))).collect();
+            row.sort_by(f64::total_cmp);
+            assert_eq!(row, table, "along axis {axis} from {start:?}");
+        }
+    }
+    let (mean, variance) = moments(&table);
+    assert!(mean.abs() < 0.18, "the mean is {mean}, expected 0");
+    assert!((variance - 1.0 / 3.0).abs() < 0.094, "the variance is {variance}, expected 1/3");
 }

@@ -12,7 +12,6 @@ use testkit::properties::*;
 
 use super::oracle::{self, built};
 use crate::prelude::*;
-use testkit::scaling::scaled;
 
 const ONE: Rgb = Rgb::new(1.0, 0.75, 0.5);
 const TWO: Rgb = Rgb::new(0.0, 0.25, 0.5);
@@ -236,57 +235,5 @@ fn ramps_are_mixed_in_even_steps() {
         let y = groundtruth::math::atan2(2.0 * u - 1.0, (4.0 * u * (1.0 - u)).sqrt());
         let found = at(marble.clone(), Point::new(1.0, y, 2.0));
         assert_eq!(found, Rgb::grey(f64::from(column) / 4.0), "column {column}");
-    }
-}
-
-/// Law: a pattern scaled by k has the same colours at points scaled by k, also for factors that are not
-/// powers of two. Oracle: the small pattern.
-#[test]
-fn patterns_grow_with_their_size() {
-    for entry in Kind::ENTRIES.iter().filter(|entry| entry.chapter == "ch31") {
-        for texture in (entry.specimens)() {
-            let large = scaled(&texture, 3.0);
-            let mut differ = 0;
-            for i in 0..40 {
-                let p = Point::new(0.31 * f64::from(i), 0.17 * f64::from(i), 1.9);
-                let (here, there) = (at(texture.clone(), p), at(large.clone(), p.scaled(3.0)));
-                // wrapped noise jumps where rounding moves it across an integer
-                differ += u32::from(apart(here, there) > 1e-9);
-            }
-            assert!(differ <= 1, "{}: {differ} of 40 points differ", entry.module);
-        }
-    }
-}
-
-/// Law: invalid textures are refused, and the error names the field.
-#[test]
-fn bad_textures_are_refused() {
-    let marble = layers(Rule::Even);
-    let wrapped = WrappedFbm::new(Noise::default(), 1.0, 2.0);
-    let colors = [ONE, TWO, THREE].map(groundtruth::textures::Paint::from);
-    let three = ThreeColors::new(Noise::default(), 1.0, 2.0, colors);
-    let empty = ColorTable { colors: vec![], ..marble.ramp.clone() };
-    let dark = ColorTable { colors: vec![ONE, Rgb::new(0.0, -1.0, 0.0)], ..marble.ramp.clone() };
-    for (texture, start) in [
-        (Kind::from(Fbm::new(Noise::of_octaves(0), 1.0)), "fbm.noise.octaves: found 0"),
-        (Fbm::new(Noise::default(), 0.0).into(), "fbm.size: found 0"),
-        (RampFbm { ramp: empty, ..marble.clone() }.into(), "ramp_fbm.ramp.colors: found none"),
-        (
-            RampFbm { ramp: dark, ..marble.clone() }.into(),
-            "ramp_fbm.ramp.colors[1]: found [0.0, -1.0",
-        ),
-        (
-            RampFbm { ramp: ColorTable { columns: Some(0), ..marble.ramp.clone() }, ..marble }
-                .into(),
-            "ramp_fbm.ramp.columns: found 0, but 1 to 65536 fit",
-        ),
-        (WrappedFbm { min: -0.1, ..wrapped }.into(), "wrapped_fbm.min: found -0.1"),
-        (
-            ThreeColors { thresholds: [2.0, 1.0], ..three }.into(),
-            "three_colors.thresholds: found [2.0, 1.0], but the second has to be at least the first",
-        ),
-    ] {
-        let problem = texture.build(&mut Resources::default()).expect_err("it is no texture");
-        assert!(problem.to_string().starts_with(start), "{problem}, expected {start}");
     }
 }

@@ -123,34 +123,3 @@ fn the_defaults_are_the_books() {
     assert_eq!(wobbles, [0.15, 0.025, 0.5, 1.0]);
     assert_eq!([wood.grain_frequency, wood.grainy, wood.ringy], [25.0, 0.5, 0.5]);
 }
-
-/// Law: wood without noise has no kink: the slope of the rings is the same on both sides of each point.
-/// Oracle: difference quotients along a line from the centre.
-/// Book: wood.
-#[test]
-fn rings_are_smooth() {
-    let wood = Wood {
-        light: Rgb::BLACK.into(),
-        dark: Rgb::WHITE.into(),
-        ring_noise: 0.0,
-        ring_unevenness: 0.0,
-        trunk_wobble: 0.0,
-        angular_wobble: 0.0,
-        grainy: 0.0,
-        ringy: 1.0,
-        ..Wood::default()
-    };
-    const H: f64 = 1e-5;
-    let f = |x: f64| at(wood.clone(), Point::new(x, 0.4, 0.0)).r;
-    let (mut least, mut most) = (1.0_f64, 0.0_f64);
-    for i in 1..800 {
-        // the ends of the steps, at 0.1, 0.55, 0.7, 0.95 of a ring, are among them
-        let x = 1.0 + f64::from(i) / 800.0;
-        let jump = (f(x + H) - f(x)) / H - (f(x) - f(x - H)) / H;
-        // the second derivative is below 6 (4/0.25)² = 1536
-        assert!(jump.abs() < 1600.0 * H, "the slope jumps by {jump} at {x}");
-        (least, most) = (least.min(f(x)), most.max(f(x)));
-    }
-    // the first pass of the grain subtracts 0.4
-    assert!(least == 0.0 && (most - 0.6).abs() < 1e-12, "from {least} to {most}");
-}
