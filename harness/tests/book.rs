@@ -1,7 +1,7 @@
 //! The chapters as pages of the book: which of its statements are held, in its order, and by which law.
 //!
-//! A law that holds a statement of the book says where it stands: `/// Book: 24.2, the reflected direction.` The table at the
-//! head of the chapter and that of docs/book.md are written from these lines, by scripts/renew-texts.sh. Places are in the order of
+//! A law that holds a statement of the book says where it stands: `/// Book: 24.2, the reflected direction.`, or in the tables of
+//! tests/laws `book = "24.2, the reflected direction"`. The table at the head of the chapter and that of docs/book.md are written from these lines, by scripts/renew-texts.sh. Places are in the order of
 //! the head, which is moved by hand; a new place comes last.
 
 use std::fmt::Write as _;
@@ -53,6 +53,12 @@ impl Chapter {
             let module = file.file_stem().filter(|_| *file != head);
             let module = module.map_or("this file".to_owned(), |it| format!("`{}`", it.display()));
             beyond.extend((others > 0).then_some((module, others)));
+        }
+        let table = root().join("tests/laws").join(&name).with_extension("toml");
+        if table.exists() {
+            let (of_the_book, others) = laws_of_light(&table);
+            held.extend(of_the_book);
+            beyond.extend((others > 0).then_some((format!("`tests/laws/{name}.toml`"), others)));
         }
         let listed = listed(&text(&head));
         let place = |it: &Held| listed.iter().position(|(place, _)| *place == it.place);
@@ -166,6 +172,24 @@ fn laws_of(file: &Path, head: &Path) -> (Vec<Held>, usize) {
             is_test = false;
         }
     }
+    (held, others)
+}
+
+/// As [`laws_of`], of the laws whose scenes are files.
+fn laws_of_light(table: &Path) -> (Vec<Held>, usize) {
+    let data: toml::Table = text(table).parse().unwrap_or_else(|e| panic!("{e}"));
+    let laws = data["law"].as_table().expect("a table of laws");
+    let held: Vec<Held> = laws
+        .iter()
+        .filter_map(|(law, it)| {
+            let [place, says] = ["book", "says"].map(|field| it.get(field)?.as_str());
+            let says: Vec<&str> = says?.split_whitespace().collect();
+            let statement = first_sentence(&format!("Law: {}", says.join(" ")));
+            let (place, law) = (place?.to_owned(), law.to_owned());
+            Some(Held { place, statement, law, file: table.to_owned() })
+        })
+        .collect();
+    let others = laws.len() - held.len();
     (held, others)
 }
 

@@ -14,12 +14,11 @@
 //! | fig. 16.11, shadows of three coloured lights | each light has its own shadow: with three coloured lights, the regions in the shadow of one show the other two (cyan, magenta, yellow), and all these regions occur | `three_coloured_lights_cast_complementary_shadows` |
 //! | shadow switches of lights, objects and materials (exercises) | a shadow needs the light's switch, the object's and the material's; those of the receiver do not matter | `a_shadow_needs_the_switches_of_light_object_and_material` |
 //!
-//! Beyond the book: 1 in this file, 10 in `media`, 3 in `segments`, 2 in `way_out`.
+//! Beyond the book: 1 in this file, 8 in `media`, 3 in `segments`, 3 in `tests/laws/ch16.toml`.
 
 mod acne;
 mod media;
 mod segments;
-mod way_out;
 
 use groundtruth::cameras;
 use groundtruth::lights::PointLight as Lamp;
@@ -27,11 +26,18 @@ use groundtruth::render::{pixel, render};
 use testkit::properties::*;
 
 use crate::prelude::*;
+use crate::support::lamps::white;
 use crate::support::stage::*;
 
-fn white() -> Matte {
-    Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }
-}
+laws_of_light!(
+    "ch16":
+    shadow_ray_stops_at_the_light,
+    a_plane_casts_a_shadow,
+    a_shadow_needs_the_switches_of_light_object_and_material,
+    shadowless_glass_absorbs_only_inside,
+    shadowless_glass_leaves_no_shadow_on_the_floor,
+    a_surface_inside_a_dielectric_is_lit_through_its_medium,
+);
 
 fn sun(direction: Vector) -> Directional {
     Directional { ls: 1.0, color: Rgb::WHITE, direction }
@@ -42,20 +48,16 @@ fn lamp(location: Point) -> Lamp {
 }
 
 fn ball(x: f64, y: f64, z: f64, radius: f64) -> Sphere {
-    Sphere { center: Point::new(x, y, z), radius, inward: false }
-}
-
-fn ground() -> Plane {
-    Plane { point: Point::ORIGIN, normal: Vector::Y }
+    sphere(Point::new(x, y, z), radius)
 }
 
 /// A heap of shapes over a ground.
 fn heap() -> Scene {
     let mut scene = stage(Rgb::BLACK);
-    put(&mut scene, ground(), white());
+    put(&mut scene, ground(0.0), white());
     put(&mut scene, ball(0.0, 1.2, 0.0, 1.0), white());
     put(&mut scene, ball(1.5, 2.5, -1.0, 0.7), white());
-    let block = Cuboid { min: Point::new(-2.0, 0.1, -1.0), max: Point::new(-1.0, 2.0, 1.0) };
+    let block = boxed(Point::new(-2.0, 0.1, -1.0), Point::new(-1.0, 2.0, 1.0));
     put(&mut scene, block, white());
     let disk = Disk { center: Point::new(0.0, 4.0, 0.0), normal: Vector::Y, radius: 0.5 };
     put(&mut scene, disk, white());
@@ -113,7 +115,7 @@ fn the_shadow_of_a_sphere_is_a_disc() {
         [(sun(Vector::Y).into(), r), (lamp(Point::new(0.0, height, 0.0)).into(), wide)];
     for (source, radius) in sources {
         let mut scene = stage(Rgb::BLACK);
-        put(&mut scene, ground(), white());
+        put(&mut scene, ground(0.0), white());
         put(&mut scene, ball(0.0, h, 0.0, r), white());
         shine(&mut scene, source);
         scene.camera.eye = Point::new(0.0, 0.5, 0.0);
@@ -167,72 +169,6 @@ fn three_coloured_lights_cast_complementary_shadows() {
     assert!(white > 1000 && yellow > 20 && magenta > 20 && cyan > 20, "{regions:?}");
 }
 
-/// Whether the ground at (2, 0, 0) is in shadow, behind a ball that hides it from the source, after `switch`.
-fn blocked(source: impl Into<lights::Kind>, switch: impl Fn(&mut Scene)) -> bool {
-    let mut scene = stage(Rgb::BLACK);
-    put(&mut scene, ground(), white());
-    put(&mut scene, ball(3.0, 1.0, 0.0, 0.5), white());
-    shine(&mut scene, source);
-    switch(&mut scene);
-    look(&built(&scene), Point::new(2.0, 1.0, 2.0), Vector::new(0.0, -1.0, -2.0)).is_black()
-}
-
-/// Law: a shadow needs the light's switch, the object's and the material's; those of the receiver do
-/// not matter. Oracle: the truth table (ch. 16, exercises).
-/// Book: shadow switches of lights, objects and materials (exercises).
-#[test]
-fn a_shadow_needs_the_switches_of_light_object_and_material() {
-    let source = || sun(Vector::new(1.0, 1.0, 0.0));
-    type Switch = fn(&mut Scene);
-    let switches: [(&str, bool, Switch); 7] = [
-        ("nothing", true, |_| ()),
-        ("the light", false, |scene| scene.lights[0].shadows = false),
-        ("the object", false, |scene| scene.objects[1].casts_shadows = false),
-        ("its material", false, |scene| scene.materials[1].casts_shadows = false),
-        ("the receiver", true, |scene| scene.objects[0].casts_shadows = false),
-        ("its material", true, |scene| scene.materials[0].casts_shadows = false),
-        ("the object itself", false, |scene| scene.objects[1].enabled = false),
-    ];
-    for (off, expected, switch) in switches {
-        assert_eq!(blocked(source(), switch), expected, "a shadow with {off} switched off");
-    }
-}
-
-/// Law: an object behind a point light casts no shadow, one in front of it does; under a directional light an
-/// object casts a shadow from any distance. Oracle: the order of distances on one line (ch. 16).
-/// Book: shadow rays and the distance of the light.
-#[test]
-fn shadow_ray_stops_at_the_light() {
-    let along = |s: f64| lamp(Point::new(2.0 + s, s, 0.0));
-    // the ball covers 1 ± 0.5/√2 of this line
-    // at 0.7 the light is inside the ball
-    for (s, expected) in [(0.6, false), (0.7, true), (1.4, true)] {
-        assert_eq!(blocked(along(s), |_| ()), expected, "a shadow with the light at {s}");
-    }
-    let far = blocked(sun(Vector::new(1.0, 1.0, 0.0)), |scene| {
-        scene.objects[1].shape = ball(1e9, 1e9, 0.0, 1e8).into();
-    });
-    assert!(far, "a ball far away casts no shadow in the sun");
-}
-
-/// Law: a plane blocks a lamp on its other side, although it has no bounds. Oracle: the sides of lamp and
-/// ground.
-/// Book: shadow rays and the distance of the light.
-#[test]
-fn a_plane_casts_a_shadow() {
-    let wall = Plane { point: Point::new(0.0, 2.0, 0.0), normal: Vector::Y };
-    let with = |height: f64| {
-        blocked(lamp(Point::new(2.0, height, 0.0)), |scene| {
-            scene.objects[1].shape = wall.clone().into()
-        })
-    };
-    for (height, expected) in [(2.5, true), (1.9, false)] {
-        assert_eq!(with(height), expected, "a shadow with the lamp at height {height}");
-    }
-    let sun = blocked(sun(Vector::Y), |scene| scene.objects[1].shape = wall.clone().into());
-    assert!(sun, "the plane casts no shadow in the sun");
-}
-
 proptest! {
     #![proptest_config(laws())]
 
@@ -251,7 +187,7 @@ proptest! {
         let s = power_of_two(exponent);
         let at = |p: Point| p.scaled(s);
         let tiny = 1e-3 * n.x().abs() + 1e-4;
-        let big = Sphere { center: at(anchor) - s / tiny * n, radius: s / tiny, inward: false };
+        let big = sphere(at(anchor) - s / tiny * n, s / tiny);
         let block =
             Cuboid { min: at(Point::new(-1.5, -2.0, -1.1)), max: at(Point::new(1.2, 1.0, 2.0)) };
         let shape: shapes::Kind = match kind {
@@ -323,8 +259,8 @@ proptest! {
 fn the_edge_of_a_shadow_is_on_the_tangent_cone() {
     let (light, center, radius) = (Point::new(1.0, 6.0, -0.5), Point::new(0.5, 2.0, 0.3), 0.75);
     let mut scene = stage(Rgb::BLACK);
-    put(&mut scene, ground(), white());
-    put(&mut scene, Sphere { center, radius, inward: false }, white());
+    put(&mut scene, ground(0.0), white());
+    put(&mut scene, sphere(center, radius), white());
     shine(&mut scene, lamp(light));
     let world = built(&scene);
     let axis = light - center;

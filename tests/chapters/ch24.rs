@@ -17,7 +17,7 @@
 //! |  | two facing mirrors show an endless row of rooms; every second one is mirrored, and the k-th is dimmed k times | `pictures::facing_mirrors_show_a_row_of_rooms` |
 //! | figs. 24.30 to 24.32, reflective meshes | a smooth mesh reflects about its interpolated normal, and about the flat normal where the interpolated one would send the ray into the mesh | `leaning::a_smooth_mirror_sends_no_ray_inside` |
 //!
-//! Beyond the book: 1 in this file, 1 in `leaning`, 1 in `pictures`.
+//! Beyond the book: 1 in this file, 1 in `leaning`, 1 in `tests/laws/ch24.toml`.
 
 mod leaning;
 mod pictures;
@@ -25,10 +25,18 @@ mod pictures;
 use groundtruth::explain::omissions;
 use groundtruth::lights::PointLight as Lamp;
 use groundtruth::lobes::PerfectSpecular;
+use groundtruth::scene::build::phong;
 use testkit::properties::*;
 
 use crate::prelude::*;
 use crate::support::stage::*;
+
+laws_of_light!(
+    "ch24":
+    an_emitter_over_k_mirrors_weighs_the_kth_power,
+    a_mirror_lights_no_other_surface,
+    an_absorbing_medium_counts_the_whole_way_over_mirrors,
+);
 
 const BACKGROUND: Rgb = Rgb::new(0.25, 0.5, 1.0);
 
@@ -43,12 +51,13 @@ fn glowing(ka: f64, kr: f64, cr: Rgb) -> Reflective {
     Reflective { phong, kr: kr.into(), cr: cr.into() }
 }
 
-fn ambient(scene: &mut Scene) {
-    shine(scene, Ambient { ls: 1.0, color: Rgb::WHITE });
+/// A surface with a coloured base and a highlight.
+fn shiny() -> Phong {
+    phong(0.2, 0.6, Rgb::new(1.0, 0.5, 0.2), 0.3, 5.0)
 }
 
-fn ball(center: Point, radius: f64) -> Sphere {
-    Sphere { center, radius, inward: false }
+fn ambient(scene: &mut Scene) {
+    shine(scene, Ambient { ls: 1.0, color: Rgb::WHITE });
 }
 
 /// `a + a q + … + a qⁿ`, added up.
@@ -159,10 +168,10 @@ proptest! {
         let room = |material: Reflective| {
             let mut scene = deep_stage(BACKGROUND, depth);
             match round {
-                true => put(&mut scene, ball(Point::ORIGIN, 1.0), material),
+                true => put(&mut scene, sphere(Point::ORIGIN, 1.0), material),
                 false => {
                     let (min, max) = (Point::new(-1.0, -0.7, -2.0), Point::new(0.8, 1.0, 1.5));
-                    put(&mut scene, Cuboid { min, max }, material)
+                    put(&mut scene, boxed(min, max), material)
                 }
             };
             ambient(&mut scene);
@@ -181,7 +190,7 @@ proptest! {
     #[test]
     fn a_perfect_mirror_ball_in_uniform_light_is_invisible(to_eye in unit(), target in point(1.2)) {
         let mut scene = deep_stage(BACKGROUND, 1);
-        put(&mut scene, ball(Point::ORIGIN, 1.0), mirror(1.0, Rgb::WHITE));
+        put(&mut scene, sphere(Point::ORIGIN, 1.0), mirror(1.0, Rgb::WHITE));
         let eye = Point::ORIGIN + 3.0 * to_eye;
         prop_assert_eq!(look(&built(&scene), eye, target - eye), BACKGROUND);
     }
@@ -194,49 +203,22 @@ proptest! {
         let eye = eye.with(1, eye.y().abs() + 0.5);
         let spot = spot.with(1, 0.0);
         let mut scene = deep_stage(BACKGROUND, 3);
-        let phong = Phong {
-            ka: 0.2.into(),
-            kd: 0.6.into(),
-            cd: Rgb::new(1.0, 0.5, 0.2).into(),
-            ks: 0.3.into(),
-            exponent: 5.0.into(),
-            ..Phong::default()
-        };
-        put(&mut scene, ball(Point::new(0.0, 2.0, 0.0), 1.5), phong.clone());
-        put(&mut scene, ball(Point::new(2.0, 1.0, 1.5), 0.9), phong.clone());
-        put(
-            &mut scene,
-            Cuboid { min: Point::new(-3.0, 0.5, -3.0), max: Point::new(-1.0, 3.0, -1.0) },
-            phong,
-        );
-        let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
-        let floor = put(&mut scene, floor, mirror(1.0, Rgb::WHITE));
+        put(&mut scene, sphere(Point::new(0.0, 2.0, 0.0), 1.5), shiny());
+        put(&mut scene, sphere(Point::new(2.0, 1.0, 1.5), 0.9), shiny());
+        put(&mut scene, boxed(Point::new(-3.0, 0.5, -3.0), Point::new(-1.0, 3.0, -1.0)), shiny());
+        let floor = put(&mut scene, ground(0.0), mirror(1.0, Rgb::WHITE));
         ambient(&mut scene);
-        shine(
-            &mut scene,
-            Directional { ls: 2.0, color: Rgb::WHITE, direction: Vector::new(1.0, 2.0, 0.5) },
-        );
-        shine(
-            &mut scene,
-            Lamp {
-                ls: 2.0,
-                color: BACKGROUND,
-                location: Point::new(0.0, 6.0, 3.0),
-                attenuation: 1.0,
-            },
-        );
+        let (ls, color, direction) = (2.0, Rgb::WHITE, Vector::new(1.0, 2.0, 0.5));
+        shine(&mut scene, Directional { ls, color, direction });
+        let (color, location) = (BACKGROUND, Point::new(0.0, 6.0, 3.0));
+        shine(&mut scene, Lamp { ls, color, location, attenuation: 1.0 });
         let world = built(&scene);
         let tree = recorded(&world, eye, spot - eye);
         let Some(hit) = &tree.root().hit else { return Ok(()) };
         prop_assume!(hit.object == world.names.objects[floor]);
         scene.objects[floor].enabled = false;
         let mirrored = eye.with(1, -eye.y());
-        let expected = look(&built(&scene), mirrored, spot - mirrored);
-        prop_assert!(
-            close(tree.root().radiance, expected, 1e-9),
-            "{:?} {expected:?}",
-            tree.root().radiance
-        );
+        close!(tree.root().radiance, look(&built(&scene), mirrored, spot - mirrored), 1e-9);
     }
 
     /// Law: at depth 0 a reflective surface is its Phong base, and ray casting sees no mirrors either.
@@ -244,25 +226,11 @@ proptest! {
     /// Book: Whitted's tracer and the greatest depth.
     #[test]
     fn without_depth_a_mirror_is_its_base((n, wo) in normal_and_direction_above(), sun in unit()) {
-        let base = Phong {
-            ka: 0.2.into(),
-            kd: 0.6.into(),
-            cd: Rgb::new(1.0, 0.5, 0.2).into(),
-            ks: 0.3.into(),
-            exponent: 5.0.into(),
-            ..Phong::default()
-        };
         let seen = |mirrored: bool, tracer: Tracer| {
             let mut scene = Scene { tracer, ..stage(BACKGROUND) };
             let plane = Plane { point: Point::ORIGIN, normal: n.into() };
-            match mirrored {
-                true => put(
-                    &mut scene,
-                    plane,
-                    Reflective { phong: base.clone(), ..mirror(0.5, Rgb::WHITE) },
-                ),
-                false => put(&mut scene, plane, base.clone()),
-            };
+            let covered = Reflective { phong: shiny(), ..mirror(0.5, Rgb::WHITE) };
+            put(&mut scene, plane, if mirrored { materials::Kind::from(covered) } else { shiny().into() });
             ambient(&mut scene);
             shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction: sun.into() });
             look(&built(&scene), Point::ORIGIN + 2.0 * wo, -wo)
@@ -297,66 +265,13 @@ proptest! {
     }
 }
 
-/// Law: an emitter seen by way of k mirrors has the weight `(k_r c_r)ᵏ`: after two mirrors the tint is
-/// squared. Oracle: the product along a zigzag between two mirrors that ends on an emitter.
-/// Book: the reflected radiance: k_r c_r L.
-#[test]
-fn an_emitter_over_k_mirrors_weighs_the_kth_power() {
-    let cr = Rgb::new(0.9, 0.5, 0.25);
-    let mut scene = deep_stage(Rgb::BLACK, 20);
-    for (y, normal) in [(-1.0, Vector::Y), (1.0, -Vector::Y)] {
-        put(&mut scene, Plane { point: Point::new(0.0, y, 0.0), normal }, mirror(0.8, cr));
-    }
-    let end = Plane { point: Point::new(10.0, 0.0, 0.0), normal: -Vector::X };
-    put(&mut scene, end, Emissive::new(2.0, Rgb::WHITE));
-    let world = built(&scene);
-    for k in 0..8_u32 {
-        // from the middle, the k-th mirror is met after 2k − 1 half gaps; the end lies 2k of them away
-        let slope = 2.0 * f64::from(k) / 10.0;
-        let seen = look(&world, Point::ORIGIN, Vector::new(1.0, slope, 0.0));
-        let expected = cr.map(|c| 2.0 * power(0.8 * c, f64::from(k)));
-        close!(seen, expected, 64.0 * U, "{k}");
-    }
-}
-
-/// Law: a mirror is not a light and does not light the surfaces that face it: only paths from the eye
-/// are followed. Oracle: the matte ground without the mirror, at a point without shadow.
-/// Book: Whitted's tracer and the greatest depth.
-#[test]
-fn a_mirror_lights_no_other_surface() {
-    let mut scene = deep_stage(Rgb::BLACK, 5);
-    put(
-        &mut scene,
-        Plane { point: Point::ORIGIN, normal: Vector::Y },
-        Matte { ka: 0.1.into(), kd: 0.8.into(), cd: Rgb::WHITE.into() },
-    );
-    let wall = Plane { point: Point::new(-3.0, 0.0, 0.0), normal: Vector::X };
-    let wall = put(&mut scene, wall, mirror(1.0, Rgb::WHITE));
-    shine(
-        &mut scene,
-        Directional { ls: 1.0, color: Rgb::WHITE, direction: Vector::new(1.0, 1.0, 0.0) },
-    );
-    let mut seen = |there: bool| {
-        scene.objects[wall].enabled = there;
-        look(&built(&scene), Point::new(1.0, 1.0, 0.0), -Vector::Y)
-    };
-    assert_eq!(seen(true), seen(false));
-    above!(seen(true).r, 0.0);
-}
-
 /// Law: a mirror under `ray_cast`, which is black, is explained by a note that names its material; under
 /// `whitted` there is nothing to say, and of a matte surface neither. Oracle: the picture, and the name.
 #[test]
 fn a_mirror_that_is_not_traced_is_named() {
     let mut scene = stage(Rgb::WHITE);
-    let sphere = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
-    let mirror = Reflective { phong: Phong::default(), kr: 1.0.into(), cr: Rgb::WHITE.into() };
-    put(&mut scene, sphere, mirror);
-    put(
-        &mut scene,
-        Plane { point: Point::new(0.0, -1.0, 0.0), normal: Vector::Y },
-        Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() },
-    );
+    put(&mut scene, sphere(Point::ORIGIN, 1.0), mirror(1.0, Rgb::WHITE));
+    put(&mut scene, ground(-1.0), matte(0.0, 1.0, Rgb::WHITE));
     for (tracer, brightness, notes) in
         [(Tracer::RayCast, 0.0, 1), (Tracer::Whitted(Whitted { max_depth: 3 }), 1.0, 0)]
     {

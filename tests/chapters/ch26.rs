@@ -6,7 +6,6 @@
 //! | --- | --- | --- |
 //! | path tracing | a path does not branch: at most one ray continues from a hit, so N + 1 rays are cast in a closed room of depth N, and one more is too deep | `a_path_is_a_line` |
 //! |  | path tracers leave out ambient light and report it; path trace reports that it leaves out a point light, and global trace that it counts one at the first hit only | `what_is_left_out_is_said` |
-//! |  | a convex matte body in uniform light shows `ρ L`: each sample of a path trace is that value, as its weight is ρ in every direction and nothing hides the light | `a_convex_body_in_uniform_light_shows_its_reflectance` |
 //! |  | inside a closed sphere that emits E and reflects ρ, the radiance is `E (1 − ρ^(N+1))/(1 − ρ)` with N edges after the camera's; every sample of a path trace is that value | `a_closed_sphere_that_emits_and_reflects_sums_the_series` |
 //! |  | in uniform light every material shows the albedo that its parameters define, under every tracer, seen straight on and at an angle: ρ if it is matte, and for a ball of glass everything except the part that the depth cuts off | `furnace::every_material_shows_its_albedo_under_every_tracer` |
 //! |  | radiance is linear in the emission of the lamps: twice the emission gives the same picture twice as bright, bit for bit, under every tracer; the random choices do not depend on it | `paths::twice_the_light_is_twice_the_picture` |
@@ -18,11 +17,11 @@
 //! | listings 26.6 to 26.8, global tracing | where `global_trace` meets a lamp whose light was sampled at the hit before, the ray tree has the lamp's emission with the weight 0, so that a reader sees why it is not counted | `paths::a_lamp_that_was_sampled_is_a_term_of_weight_zero` |
 //! |  | direct light gives the same picture whether the lamps are sampled by area or by solid angle, by ray casting or at the first hit of a path, whether scattered rays hit the lamps, or whether both are combined with weights (multiple importance sampling) | `direct::direct_light_is_one_picture_in_all_ways` |
 //! |  | path trace, global trace and path have one mean, at every depth: light found by sampling a lamp and light found by hitting it are the same light, and are counted once | `the_three_path_tracers_agree` |
-//! |  | inside a closed sphere that emits E and reflects ρ the radiance is `E (1 − ρ^(N+1))/(1 − ρ)` by every path tracer, whether or not the wall is a light that is sampled: each edge counts once | `furnace::a_closed_sphere_sums_the_series_under_every_path_tracer` |
+//! |  | inside a closed sphere that emits E and reflects ρ the radiance is `E (1 − ρ^(N+1))/(1 − ρ)` by every path tracer, whether or not the wall is a light that is sampled: each edge counts once, and Russian roulette keeps the mean | `a_closed_sphere_sums_the_series_under_every_path_tracer` |
 //! |  | the three path tracers have one mean where light comes over mirrors, through glass and from glossy surfaces too: a light that only a single direction reaches counts in full, and one that could also have been sampled counts once | `paths::path_tracers_agree_over_mirrors_glass_and_gloss` |
 //! |  | sampling a small lamp is better than hitting it by chance: with equally many samples the variance of `global_trace` and `path` is far below that of `path_trace` | `paths::sampling_a_small_lamp_lowers_the_variance` |
 //!
-//! Beyond the book: 1 in this file, 1 in `cornell`, 2 in `furnace`, 3 in `outline`, 2 in `paths`, 1 in `roulette`.
+//! Beyond the book: 1 in `cornell`, 1 in `furnace`, 1 in `outline`, 1 in `paths`, 1 in `roulette`, 3 in `tests/laws/ch26.toml`.
 
 mod cornell;
 mod direct;
@@ -35,15 +34,17 @@ use groundtruth::explain::omissions;
 use groundtruth::trace::TermSource;
 
 use crate::prelude::*;
+use crate::support::replicas::assert_agree;
 use crate::support::stage::{counted, recorded};
 
-/// The chance, over the choice of seeds, that the comparisons of means in this file report a failure although
-/// every law holds.
-const LEVEL: f64 = 1e-3;
-/// The number of comparisons of means in this file: tests times pixels.
-const TESTS: usize = 60;
-
-const REPLICAS: u64 = 24;
+laws_of_light!(
+    "ch26":
+    a_closed_sphere_that_emits_and_reflects_sums_the_series,
+    a_closed_sphere_sums_the_series_under_every_path_tracer,
+    a_lamp_in_a_matte_sphere_is_an_integrating_sphere,
+    paths_go_on_from_a_matte_surface_whose_shading_normal_faces_away,
+    a_glossy_reflector_has_no_black_outline,
+);
 
 fn tracers(max_depth: u32) -> [Tracer; 3] {
     let depth = Depth { max_depth };
@@ -53,35 +54,14 @@ fn tracers(max_depth: u32) -> [Tracer; 3] {
 /// A white ball on a red floor under a disk lamp, in a dim sky.
 fn room() -> Scene {
     let mut scene = stage(Rgb::new(0.1, 0.2, 0.3));
-    let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
-    put(
-        &mut scene,
-        floor,
-        Matte { ka: 0.0.into(), kd: 0.8.into(), cd: Rgb::new(0.9, 0.3, 0.2).into() },
-    );
-    let ball = Sphere { center: Point::new(0.0, 1.0, 0.0), radius: 1.0, inward: false };
-    put(&mut scene, ball, Matte { ka: 0.0.into(), kd: 0.7.into(), cd: Rgb::WHITE.into() });
+    let floor = ground(0.0);
+    put(&mut scene, floor, matte(0.0, 0.8, Rgb::new(0.9, 0.3, 0.2)));
+    let ball = sphere(Point::new(0.0, 1.0, 0.0), 1.0);
+    put(&mut scene, ball, matte(0.0, 0.7, Rgb::WHITE));
     let lamp = Disk { center: Point::new(1.5, 3.0, 0.5), normal: -Vector::Y, radius: 0.8 };
     let lamp = put(&mut scene, lamp, Emissive::new(5.0, Rgb::WHITE));
     shine(&mut scene, Area { object: lamp.to_string(), sampling: None });
-    scene.image.samples = 64;
-    scene
-}
-
-/// The green radiance along each ray, as found by each replica.
-fn replicas(scene: &Scene, rays: &[(Point, Vector)]) -> Vec<Vec<f64>> {
-    let mut world = built(scene);
-    let mut values = vec![Vec::new(); rays.len()];
-    for seed in 0..REPLICAS {
-        world.reseed(seed);
-        for (values, (origin, direction)) in values.iter_mut().zip(rays) {
-            let ray = crate::support::stage::ray(*origin, *direction);
-            let sample =
-                |i| groundtruth::trace::radiance(&world, &ray, world.draws([0, 0], i), &mut ());
-            values.push(render::mean((0..world.samples_per_pixel()).map(sample)).g);
-        }
-    }
-    values
+    with_samples(scene, 128)
 }
 
 /// Law: path trace, global trace and path have one mean, at every depth: light found by sampling a lamp and
@@ -91,80 +71,22 @@ fn replicas(scene: &Scene, rays: &[(Point, Vector)]) -> Vec<Vec<f64>> {
 #[test]
 fn the_three_path_tracers_agree() {
     let eye = Point::new(0.5, 2.0, 6.0);
-    let rays = [[0.0, -0.3, -1.0], [0.1, -0.15, -1.0], [-0.3, -0.5, -1.0], [0.15, 0.16, -1.0]]
-        .map(|direction| (eye, Vector::from(direction)));
-    for max_depth in [0, 1, 2, 6] {
-        let mut scene = room();
-        let found = tracers(max_depth).map(|tracer| {
-            scene.tracer = tracer;
-            replicas(&scene, &rays)
-        });
-        for (i, _) in rays.iter().enumerate() {
-            for (a, b) in [(0, 2), (1, 2)] {
-                let p = means::two_samples(&found[a][i], &found[b][i]);
-                let [a, b] = [a, b].map(|t| found[t][i].iter().sum::<f64>() / REPLICAS as f64);
-                let right = p > sidak(LEVEL, TESTS);
-                assert!(right, "depth {max_depth}, ray {i}: {a} and {b}, p = {p:e}");
+    for to in [[0.0, -0.3, -1.0], [0.1, -0.15, -1.0], [-0.3, -0.5, -1.0], [0.15, 0.16, -1.0]] {
+        for max_depth in [0, 1, 2, 6] {
+            let [path_trace, global_trace, path] = tracers(max_depth).map(|tracer| {
+                let scene = Scene { tracer, ..room() };
+                replicas(&scene, |world| view(world, eye, Vector::from(to)).g)
+            });
+            for (name, other) in [("path_trace", path_trace), ("global_trace", global_trace)] {
+                assert_agree(
+                    &format!("{name} and path, depth {max_depth}, {to:?}"),
+                    &other,
+                    &path,
+                    32,
+                );
             }
         }
     }
-}
-
-/// Law: inside a closed sphere that emits E and reflects ρ, the radiance is `E (1 − ρ^(N+1))/(1 − ρ)` with N
-/// edges after the camera's; every sample of a path trace is that value. Oracle: the sum of the series.
-/// Book: path tracing.
-#[test]
-fn a_closed_sphere_that_emits_and_reflects_sums_the_series() {
-    /// A few roundings for each of up to 20 bounces.
-    const ROUNDING: f64 = 64.0 * f64::EPSILON;
-    let mut random = Pcg32::new(26, 0);
-    for rho in [0.2, 0.5, 0.9] {
-        for n in [0, 1, 2, 5, 20] {
-            let mut scene = stage(Rgb::BLACK);
-            scene.tracer = Tracer::PathTrace(Depth { max_depth: n });
-            let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
-            let matte = Some(Matte { ka: 0.0.into(), kd: rho.into(), cd: Rgb::WHITE.into() });
-            put(&mut scene, wall, Emissive { matte, ..Emissive::new(2.0, Rgb::WHITE) });
-            let expected = 2.0 * (1.0 - power(rho, f64::from(n + 1))) / (1.0 - rho);
-            let mut c = || random.uniform() - 0.5;
-            let found = look(&built(&scene), Point::new(c(), c(), c()), Vector::new(c(), c(), c()));
-            let off = (found.r - expected).abs() / expected;
-            assert!(off < ROUNDING, "ρ {rho}, depth {n}: {} instead of {expected}", found.r);
-        }
-    }
-}
-
-/// Law: Russian roulette keeps the mean: the larger weight of the paths that survive makes up for those that
-/// end. Oracle: the series above, at depths where many have ended.
-#[test]
-fn roulette_keeps_the_mean() {
-    for rho in [0.3, 0.6, 0.9] {
-        let mut scene = stage(Rgb::BLACK);
-        scene.tracer = Tracer::Path(Depth { max_depth: 40 });
-        scene.image.samples = 256;
-        let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
-        let matte = Some(Matte { ka: 0.0.into(), kd: rho.into(), cd: Rgb::WHITE.into() });
-        put(&mut scene, wall, Emissive { matte, ..Emissive::new(1.0, Rgb::WHITE) });
-        let expected = (1.0 - power(rho, 41.0)) / (1.0 - rho);
-        let found = replicas(&scene, &[(Point::ORIGIN, Vector::X)]);
-        let mean = found[0].iter().sum::<f64>() / REPLICAS as f64;
-        let p = means::one_sample(&found[0], expected);
-        assert!(p > sidak(LEVEL, TESTS), "ρ {rho}: {mean} instead of {expected}, p = {p:e}");
-        assert!(found[0].iter().any(|value| *value != mean), "no path ended by chance");
-    }
-}
-
-/// Law: a convex matte body in uniform light shows `ρ L`: each sample of a path trace is that value, as its
-/// weight is ρ in every direction and nothing hides the light. Oracle: the furnace.
-/// Book: path tracing.
-#[test]
-fn a_convex_body_in_uniform_light_shows_its_reflectance() {
-    let mut scene = stage(Rgb::grey(2.0));
-    scene.tracer = Tracer::PathTrace(Depth { max_depth: 5 });
-    let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
-    put(&mut scene, ball, Matte { ka: 0.0.into(), kd: 0.3.into(), cd: Rgb::WHITE.into() });
-    let found = look(&built(&scene), Point::new(0.2, 0.3, 5.0), -Vector::Z);
-    assert!((found.r - 0.6).abs() < 1e-15, "{} instead of 0.6", found.r);
 }
 
 /// Law: a path does not branch: at most one ray continues from a hit, so N + 1 rays are cast in a closed room
@@ -176,7 +98,7 @@ fn a_path_is_a_line() {
         let mut scene = stage(Rgb::BLACK);
         scene.tracer = Tracer::PathTrace(Depth { max_depth: n });
         let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
-        put(&mut scene, wall, Matte { ka: 0.0.into(), kd: 0.9.into(), cd: Rgb::WHITE.into() });
+        put(&mut scene, wall, matte(0.0, 0.9, Rgb::WHITE));
         let counts = counted(&built(&scene), Point::ORIGIN, Vector::X);
         assert_eq!((counts.camera, counts.reflected), (1, u64::from(n) + 1), "depth {n}");
         assert_eq!((counts.shadow, counts.too_deep), (0, 1), "depth {n}");

@@ -9,6 +9,9 @@ extern crate testkit;
 #[macro_use]
 mod support;
 
+#[macro_use]
+mod laws;
+
 mod calibration;
 
 mod ch01;

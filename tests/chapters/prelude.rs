@@ -22,6 +22,7 @@ pub use groundtruth::math::{
 pub use groundtruth::noise::Noise;
 pub use groundtruth::rgb::Rgb;
 pub use groundtruth::samplers::{Jittered, MultiJittered, Random, Regular};
+pub use groundtruth::scene::build::{boxed, ground, matte, sphere};
 pub use groundtruth::scene::{Depth, Image, Light, Material, Object, Scene, Tracer, Whitted};
 pub use groundtruth::shapes::{
     Candidate, Compound, Context, Cuboid, Disk, Instance, Kind, Lattice, Mesh, Plane, Rectangle,

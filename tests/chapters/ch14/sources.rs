@@ -12,7 +12,7 @@ const ROUNDING: f64 = 64.0 * U;
 /// A white plane in the light of one source.
 fn plane(normal: Normal, source: impl Into<Kind>) -> Scene {
     let mut scene = stage(Rgb::BLACK);
-    let white = Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() };
+    let white = matte(0.0, 1.0, Rgb::WHITE);
     put(&mut scene, Plane { point: Point::ORIGIN, normal: normal.into() }, white);
     shine(&mut scene, source);
     scene
@@ -67,10 +67,7 @@ proptest! {
         let tolerance =
             ROUNDING * expected.r.abs() + (power(far, -k) + 1.0) * (2e4 * U / width + 64.0 * U);
         for (found, expected) in found.to_array().into_iter().zip(expected.to_array()) {
-            prop_assert!(
-                (found - expected).abs() <= tolerance,
-                "{found}, expected {expected}, within {tolerance:e}"
-            );
+            near!(found, expected, tolerance);
         }
     }
 
@@ -108,32 +105,9 @@ proptest! {
         );
     }
 
-    /// Law: a spot light fades continuously: across `inner` and `outer` a small step of the angle changes its
-    /// light by the square of the step. Oracle: the smooth step is flat at both ends, `3 (δ/width)²`.
-    #[test]
-    fn a_spot_light_is_continuous(
-        (inner, width) in (1.0..60.0_f64, 2.0..60.0_f64),
-        (step, turn) in (1e-6..1e-2_f64, 0.0..TAU),
-    ) {
-        let outer = inner + width;
-        let at = |angle| {
-            let light = spot(Vector::Y, 2.0, angle, turn, inner, outer);
-            seen(&plane(Normal::Y, light), Normal::Y).r * TAU / 6.0
-        };
-        let most = 3.0 * (step / width) * (step / width) + 64.0 * U;
-        near!(1.0, at(inner - step), 64.0 * U);
-        prop_assert!(
-            (1.0 - at(inner + step)).abs() <= most,
-            "{} beyond the inner angle",
-            at(inner + step)
-        );
-        let last = at(outer - step);
-        prop_assert!(last <= most && last > 0.0, "{last} before the outer angle");
-        prop_assert_eq!(at(outer + step), 0.0);
-    }
-
     /// Law: the light of a point or spot light fades as `d^−k` along any direction, in each channel alike,
     /// for every k; the ratio at two distances on one line is `(d₁/d₂)^k`. Oracle: that power.
+    /// Book: fig. 14.11, distance attenuation.
     #[test]
     fn light_fades_with_the_power_of_the_distance(
         (n, towards) in normal_and_direction_above(),
@@ -156,35 +130,7 @@ proptest! {
         // the hit point has an error of some u of 1e-3, which matters for a near and grazing light
         let tolerance = ROUNDING * (1.0 + k) + 64.0 * U / n.dot(towards);
         close!(here, expected, tolerance);
-        prop_assert!(
-            close(there, power(ratio, -k) * here, tolerance),
-            "{there:?}, expected 1/{ratio}^{k} of {here:?}"
-        );
-    }
-
-    /// Law: an object between a spot light and the ground blocks all of its light, unless the light casts no
-    /// shadows: then the picture is that without the object, bit for bit; an object beyond the light blocks
-    /// nothing. Oracle: the scene without the object.
-    #[test]
-    fn a_spot_light_has_its_shadow_switch(
-        towards in (-0.5..0.5_f64, -0.5..0.5_f64),
-        (between, beyond) in (0.3..0.9_f64, 1.3..9.0_f64),
-    ) {
-        let towards = Vector::new(towards.0, 1.0, towards.1).unit().expect("not zero");
-        let scene = plane(Normal::Y, spot(towards, 2.0, 25.0, 1.0, 20.0, 40.0));
-        let free = seen(&scene, Normal::Y);
-        prop_assert!(!free.is_black(), "the spot does not light the ground");
-        let with = |share: f64, shadows: bool| {
-            let mut scene = scene.clone();
-            let center = Point::ORIGIN + 2.0 * share * towards;
-            let white = Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() };
-            put(&mut scene, Sphere { center, radius: 0.1, inward: false }, white);
-            scene.lights[0].shadows = shadows;
-            seen(&scene, Normal::Y)
-        };
-        prop_assert_eq!(with(between, true), Rgb::BLACK);
-        prop_assert_eq!(with(between, false), free);
-        prop_assert_eq!(with(beyond, true), free);
+        close!(there, power(ratio, -k) * here, tolerance, "1/{ratio}^{k}");
     }
 }
 

@@ -1,7 +1,6 @@
-//! Shadow rays through absorbing media.
+//! Shadow rays through absorbing media, and light without shadows.
 
 use groundtruth::lights::{AmbientOccluder, Kind, PointLight as Lamp};
-use groundtruth::scene::TransparentShadows;
 use groundtruth::trace::{RecordedRay, TermSource};
 use testkit::properties::*;
 
@@ -10,100 +9,38 @@ use crate::support::lamps::all_lights;
 use crate::support::stage::*;
 
 /// Per unit of length; blue is not absorbed.
-pub(super) const SIGMA: Rgb = Rgb::new(0.3, 0.7, 0.0);
+const SIGMA: Rgb = Rgb::new(0.3, 0.7, 0.0);
 
 /// `exp(−σ d)` in each channel.
-pub(super) fn through(distance: f64) -> Rgb {
+fn through(distance: f64) -> Rgb {
     let [r, g, b] = SIGMA.to_array().map(|sigma| exp(-sigma * distance));
     Rgb::new(r, g, b)
 }
 
-pub(super) fn water() -> Medium {
+fn water() -> Medium {
     Medium { eta: 1.0, absorption: SIGMA }
 }
 
-pub(super) fn matte() -> Matte {
-    Matte { ka: 0.5.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }
+fn white() -> Matte {
+    matte(0.5, 1.0, Rgb::WHITE)
 }
 
 /// A floor under water; the camera is under water too.
 fn sea(source: impl Into<Kind>) -> Scene {
     let mut scene = stage(Rgb::BLACK);
     scene.camera.medium = water();
-    put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, matte());
+    put(&mut scene, ground(0.0), white());
     shine(&mut scene, source);
     scene
 }
 
-pub(super) fn shadows(tree: &RayTree) -> Vec<&RecordedRay> {
+fn shadows(tree: &RayTree) -> Vec<&RecordedRay> {
     tree.rays().into_iter().filter(|node| matches!(node.kind, RayKind::Shadow { .. })).collect()
 }
 
 /// The length of a shadow ray lacks its offsets from the surface and from the light, of some error bounds
 /// each.
 const OFFSETS: f64 = 4096.0 * U;
-
-/// A ball of absorbing glass that casts no shadow, of radius 1, without refraction.
-pub(super) fn shadowless_glass(scene: &mut Scene) {
-    scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
-    let sphere = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
-    put(scene, sphere, Dielectric { inside: water(), ..Dielectric::default() });
-    scene.materials.last_mut().expect("just put").casts_shadows = false;
-}
-
-/// Law: light that reaches a surface inside glass which casts no shadow is absorbed inside the glass only.
-/// Oracle: `exp(−σ/2)` twice, from the sun and to the eye, for a ball of half the radius.
-#[test]
-fn shadowless_glass_absorbs_only_inside() {
-    let mut scene = stage(Rgb::BLACK);
-    shadowless_glass(&mut scene);
-    put(&mut scene, Sphere { center: Point::ORIGIN, radius: 0.5, inward: false }, matte());
-    shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction: Vector::Y });
-    let seen = look(&built(&scene), Point::new(0.0, 4.0, 0.0), -Vector::Y);
-    close!(seen, (2.0 * FRAC_1_PI) * through(1.0), OFFSETS);
-}
-
-/// Law: glass that casts no shadow does not colour the light that passes it, whether transparent shadows are
-/// attenuated or not. Oracle: the floor without the glass.
-#[test]
-fn shadowless_glass_leaves_no_shadow_on_the_floor() {
-    let floor = |has_glass: bool, shadows| {
-        let mut scene = stage(Rgb::BLACK);
-        scene.transparency.shadows = shadows;
-        if has_glass {
-            shadowless_glass(&mut scene);
-        }
-        let point = Point::new(0.0, -2.0, 0.0);
-        put(&mut scene, Plane { point, normal: Vector::Y }, matte());
-        shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction: Vector::Y });
-        look(&built(&scene), Point::new(3.0, -1.0, 0.0), Vector::new(-3.0, -1.0, 0.0))
-    };
-    for shadows in [TransparentShadows::Opaque, TransparentShadows::Attenuated] {
-        let bare = floor(false, shadows);
-        close!(bare, (2.0 * FRAC_1_PI) * Rgb::WHITE, OFFSETS);
-        assert_eq!(floor(true, shadows), bare, "{shadows:?}");
-    }
-}
-
-/// Law: a sun without shadows outside absorbing glass lights the ball inside as if glass and ball cast no
-/// shadow. Oracle: the same scene with shadows, and with objects that cast none.
-#[test]
-fn a_sun_without_shadows_sees_shadowless_objects() {
-    for direction in [Vector::new(0.3, 1.0, 0.2), Vector::new(-0.5, 0.1, 0.4)] {
-        let mut scene = stage(Rgb::BLACK);
-        shadowless_glass(&mut scene);
-        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 0.5, inward: false }, matte());
-        shine(&mut scene, Directional { ls: 2.0, color: Rgb::WHITE, direction });
-        let mut unshadowed = scene.clone();
-        unshadowed.lights[0].shadows = false;
-        unshadowed.materials[0].casts_shadows = true;
-        scene.materials[1].casts_shadows = false;
-        let [shadowed, unshadowed] = [scene, unshadowed]
-            .map(|scene| look(&built(&scene), Point::new(0.0, 4.0, 0.1), -Vector::Y));
-        assert!(shadowed.r > 0.01);
-        close!(unshadowed, shadowed, OFFSETS, "{direction:?}");
-    }
-}
 
 proptest! {
     #![proptest_config(laws())]
@@ -122,10 +59,7 @@ proptest! {
         let [to_lamp, to_eye] = [location, eye].map(|p| p.distance(Point::ORIGIN));
         let [shadow] = shadows(&tree)[..] else { panic!("one light, one shadow ray: {tree:?}") };
         let expected = through(to_lamp);
-        prop_assert!(
-            close(shadow.transmittance, expected, OFFSETS),
-            "the shadow ray's transmittance is {:?}, expected {expected:?}", shadow.transmittance
-        );
+        close!(shadow.transmittance, expected, OFFSETS);
         let expected = (2.0 * FRAC_1_PI * y / to_lamp) * (through(to_lamp) * through(to_eye));
         let seen = tree.root().radiance;
         close!(seen, expected, 2.0 * OFFSETS);
@@ -147,10 +81,7 @@ proptest! {
         prop_assert_eq!(shadow.transmittance, Rgb::new(0.0, 0.0, 1.0));
         let expected = Rgb::new(0.0, 0.0, 2.0 * FRAC_1_PI * direction.y());
         let seen = tree.root().radiance;
-        prop_assert!(
-            close(seen, expected, 16.0 * U / direction.y()),
-            "{seen:?}, expected {expected:?}"
-        );
+        close!(seen, expected, 16.0 * U / direction.y());
     }
 
     /// Law: ambient light, plain or occluded, has no path length to the surface and is not dimmed there. Only
@@ -222,51 +153,12 @@ fn each_shadow_ray_records_the_transmittance_of_its_length() {
                 _ => through(node.ray.direction.length()),
             };
             let found = node.transmittance;
-            assert!(
-                close(found, expected, 64.0 * U),
-                "light {light}: {found:?}, expected {expected:?}"
-            );
+            close!(found, expected, 64.0 * U, "light {light}");
             *seen.entry(light).or_insert(0) += 1;
         }
     }
     // plain ambient light casts no ray
     assert_eq!(seen.len(), scene.lights.len() - 1, "{seen:?}");
-}
-
-/// A glass ball of radius 2, filled with coloured water, around a small matte ball.
-fn aquarium(location: Point) -> Scene {
-    let mut scene = stage(Rgb::BLACK);
-    scene.tracer = Tracer::Whitted(Whitted { max_depth: 2 });
-    let glass = Dielectric { phong: Phong::default(), inside: water(), outside: Medium::default() };
-    put(&mut scene, Sphere { center: Point::ORIGIN, radius: 2.0, inward: false }, glass);
-    put(&mut scene, Sphere { center: Point::ORIGIN, radius: 0.5, inward: false }, matte());
-    shine(&mut scene, Lamp { ls: 2.0, color: Rgb::WHITE, location, attenuation: 0.0 });
-    scene
-}
-
-/// Law: a surface inside a dielectric is lit through the medium inside: the shadow ray has the transmittance
-/// of its path to a lamp inside, and the path to the eye is dimmed inside only. A lamp outside is hidden by
-/// the boundary, as shadow rays are not refracted. Oracle: Beer's law for the two distances; equal indices,
-/// so that rays pass unchanged.
-#[test]
-fn a_surface_inside_a_dielectric_is_lit_through_its_medium() {
-    let eye = Point::new(0.0, 0.0, 9.0);
-    for far in [0.2, 0.7, 1.4] {
-        let point = Point::new(0.0, 0.0, 0.5);
-        let location = point + far * Vector::new(0.6, 0.0, 0.8);
-        let tree = recorded(&built(&aquarium(location)), eye, -Vector::Z);
-        let inside = shadows(&tree).into_iter().find(|node| node.ray.origin.z() < 1.9);
-        let shadow = inside.expect("a shadow ray from the matte ball");
-        let expected = through(far);
-        let found = shadow.transmittance;
-        close!(found, expected, OFFSETS, "lamp at {far}");
-        let seen = tree.root().radiance;
-        let expected = (2.0 * FRAC_1_PI * 0.8) * (through(far) * through(1.5));
-        close!(seen, expected, OFFSETS, "lamp at {far}");
-    }
-    let outside = recorded(&built(&aquarium(Point::new(0.0, 0.0, 5.0))), eye, -Vector::Z);
-    assert_eq!(outside.root().radiance, Rgb::BLACK);
-    assert!(!shadows(&outside).is_empty(), "its shadow rays are cast and blocked");
 }
 
 /// Law: the light of a highlight on a boundary passes through the medium on the light's side, that outside
@@ -278,7 +170,7 @@ fn a_highlight_on_a_boundary_comes_through_the_medium_outside() {
         let mut scene = stage(Rgb::BLACK);
         scene.camera.medium = Medium { eta: 1.0, absorption: Rgb::new(0.0, 0.1, 0.2) };
         let glass = Dielectric { phong: phong.clone(), inside, outside };
-        put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }, glass);
+        put(&mut scene, sphere(Point::ORIGIN, 1.0), glass);
         let location = Point::new(0.5, 0.0, 4.0);
         shine(&mut scene, Lamp { ls: 2.0, color: Rgb::WHITE, location, attenuation: 0.0 });
         let tree = recorded(&built(&scene), Point::new(0.0, 0.0, 9.0), -Vector::Z);
@@ -286,13 +178,120 @@ fn a_highlight_on_a_boundary_comes_through_the_medium_outside() {
         let length = location.distance(Point::new(0.0, 0.0, 1.0));
         let expected = if outside == water() { through(length) } else { Rgb::WHITE };
         let found = shadow.transmittance;
-        assert!(
-            close(found, expected, OFFSETS),
-            "outside {outside:?}: {found:?}, expected {expected:?}"
-        );
+        close!(found, expected, OFFSETS, "outside {outside:?}");
         let direct = |term: &&groundtruth::trace::RecordedTerm| {
             matches!(term.source, TermSource::Direct { .. })
         };
         assert!(tree.root().terms.iter().any(|term| direct(&term)), "there is a highlight");
+    }
+}
+
+/// The way inside the body of radius 1 about the origin, from a point in it in a unit direction.
+fn chord(from: Point, direction: Vector) -> f64 {
+    let from = from.to_vector();
+    let b = from.dot(direction);
+    (b * b + 1.0 - from.length_squared()).sqrt() - b
+}
+
+proptest! {
+    #![proptest_config(laws())]
+
+    /// Law: light without shadows is absorbed on its way inside the body of the hit only, wherever it stands:
+    /// from infinity, outside, inside, beyond or in a second absorbing body, past a bubble, through an
+    /// opaque wall. It takes one ray, which a hit in clear air does not. Oracle: `exp(−σ d)`, d the chord
+    /// of the sphere by the quadratic, less that of the bubble.
+    #[test]
+    fn light_without_shadows_is_absorbed_inside_the_body_only(
+        (n, up) in normal_and_direction_above(),
+        distance in 0.01..8.0_f64,
+        is_sun in any::<bool>(),
+        has_wall in any::<bool>(),
+        has_second in any::<bool>(),
+        bubble in prop_oneof![Just(0.0), 0.05..0.2_f64],
+    ) {
+        let way = Vector::from(n) + up;
+        let way = way.unit().expect("n and up are less than 90° apart");
+        let mut scene = stage(Rgb::BLACK);
+        scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
+        put(&mut scene, sphere(Point::ORIGIN, 1.0), Dielectric { inside: water(), ..Dielectric::default() });
+        put(&mut scene, sphere(Point::ORIGIN, 0.25), white());
+        let start = Point::ORIGIN + 0.25 * n;
+        let inside = chord(start, way);
+        if has_wall {
+            let (min, max) = (Point::new(-9.0, -9.0, -9.0), Point::new(9.0, 9.0, 9.0));
+            put(&mut scene, boxed(min, max), white());
+            put(&mut scene, sphere(start + 0.1 * way, 0.02), white());
+        }
+        if has_second {
+            let center = start + (inside + 2.0) * way;
+            let second = Medium { eta: 1.0, absorption: 3.0 * SIGMA };
+            let glass = Dielectric { inside: second, ..Dielectric::default() };
+            put(&mut scene, sphere(center, 1.5), glass);
+        }
+        if bubble > 0.0 {
+            let air = Dielectric { inside: Medium::default(), outside: water(), ..Dielectric::default() };
+            let center = start + 0.3 * way;
+            put(&mut scene, sphere(center, bubble), air);
+        }
+        let (ls, color) = (2.0, Rgb::WHITE);
+        match is_sun {
+            true => shine(&mut scene, Directional { ls, color, direction: way }),
+            false => {
+                let location = start + distance * way;
+                shine(&mut scene, Lamp { ls, color, location, attenuation: 0.0 })
+            }
+        };
+        scene.lights[0].shadows = false;
+        let length = if is_sun { inside } else { inside.min(distance) };
+        let in_bubble = if is_sun { 2.0 * bubble } else { (distance - 0.3 + bubble).clamp(0.0, 2.0 * bubble) };
+        let eye = Point::ORIGIN + 0.27 * n;
+        scene.camera.medium = water();
+        let seen = recorded(&built(&scene), eye, -Vector::from(n));
+        let [ray] = shadows(&seen)[..] else { panic!("one ray to the light: {seen:?}") };
+        let expected = through(length - in_bubble);
+        prop_assert!(close(ray.transmittance, expected, 1e-12), "{:?}, not {expected:?}", ray.transmittance);
+        prop_assert_eq!(seen.root().folded(), seen.root().radiance);
+
+        scene.camera.medium = Medium::default();
+        let clear = counted(&built(&scene), eye, -Vector::from(n));
+        prop_assert_eq!(clear.shadow, 0);
+    }
+
+    /// Law: light without shadows that leaves its own body is absorbed by the sea outside, less where it passes a body
+    /// that absorbs less, and no more where it passes one that absorbs more; after each body the sea goes on. Oracle:
+    /// `exp(−σ Σ dᵢ σᵢ)` over the stretches of the straight way, whose lengths the test chooses.
+    #[test]
+    fn light_without_shadows_passes_body_after_body(
+        (n, up) in normal_and_direction_above(),
+        own in prop_oneof![0.01..1.0_f64, 1.0..3.0_f64],
+        sea in 0.1..2.0_f64,
+        bodies in prop::collection::vec((0.1..1.0_f64, 0.1..1.0_f64, prop_oneof![Just(0.0), 0.01..4.0_f64]), 0..4),
+        last in 0.1..1.0_f64,
+    ) {
+        let way = Vector::from(n) + up;
+        let way = way.unit().expect("n and up are less than 90° apart");
+        let medium = |times: f64| Medium { eta: 1.0, absorption: times * SIGMA };
+        let glass = |times| Dielectric { inside: medium(times), outside: medium(sea), ..Dielectric::default() };
+        let mut scene = stage(Rgb::BLACK);
+        scene.tracer = Tracer::Whitted(Whitted { max_depth: 3 });
+        put(&mut scene, sphere(Point::ORIGIN, 1.0), glass(own));
+        put(&mut scene, sphere(Point::ORIGIN, 0.25), white());
+        let start = Point::ORIGIN + 0.25 * n;
+        let inside = chord(start, way);
+        let (mut at, mut depth) = (inside, own * inside);
+        for (gap, radius, times) in bodies {
+            at += gap + radius;
+            put(&mut scene, sphere(start + at * way, radius), glass(times));
+            at += radius;
+            depth += sea * gap + 2.0 * radius * times.min(sea);
+        }
+        depth += sea * last;
+        let location = start + (at + last) * way;
+        shine(&mut scene, Lamp { ls: 2.0, color: Rgb::WHITE, location, attenuation: 0.0 });
+        scene.lights[0].shadows = false;
+        scene.camera.medium = medium(own);
+        let seen = recorded(&built(&scene), Point::ORIGIN + 0.27 * n, -Vector::from(n));
+        let [ray] = shadows(&seen)[..] else { panic!("one ray to the light: {seen:?}") };
+        close!(ray.transmittance, through(depth), 1e-12);
     }
 }

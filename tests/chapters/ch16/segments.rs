@@ -1,14 +1,11 @@
 //! Where shadow rays begin and end.
 
-use groundtruth::lights::{FakeSpherical, JitteredDirectional, Kind, PointLight as Lamp};
+use groundtruth::lights::{FakeSpherical, JitteredDirectional, Kind, PointLight as Lamp, Spot};
 use testkit::properties::*;
 
 use crate::prelude::*;
+use crate::support::lamps::white;
 use crate::support::stage::*;
-
-fn white() -> Matte {
-    Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }
-}
 
 fn lamp(location: Point) -> Lamp {
     Lamp { ls: 1.0, color: Rgb::WHITE, location, attenuation: 0.0 }
@@ -17,7 +14,7 @@ fn lamp(location: Point) -> Lamp {
 /// A lamp above a floor, which is seen at the origin.
 fn lit(scale: f64, location: Point) -> Scene {
     let mut scene = stage(Rgb::BLACK);
-    put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, white());
+    put(&mut scene, ground(0.0), white());
     shine(&mut scene, lamp(location.scaled(scale)));
     scene
 }
@@ -30,18 +27,24 @@ fn seen(scene: &Scene, scale: f64) -> Rgb {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: an object just in front of a point light blocks it, one just behind it does not, down to a
-    /// billionth of the distance, at every scale. Oracle: the order of the distances; the scene without the
+    /// Law: an object just in front of a point or spot light blocks it, one just behind it does not, down to
+    /// a billionth of the distance, at every scale. Oracle: the order of the distances; the scene without the
     /// object.
     #[test]
     fn the_shadow_ray_ends_at_the_light_to_nine_digits(
         (towards, (cosine, phi)) in ((0.2..1.0_f64, 0.0..TAU), (0.3..1.0_f64, 0.0..TAU)),
         exponent in -9.0..-1.0_f64,
         scale in -20..20_i32,
+        is_spot in any::<bool>(),
     ) {
         let towards = at_angle(Normal::Y, towards.0, towards.1);
         let (gap, scale) = (power(10.0, exponent), power_of_two(scale));
-        let lit = lit(scale, Point::ORIGIN + 3.0 * towards);
+        let mut lit = lit(scale, Point::ORIGIN + 3.0 * towards);
+        if is_spot {
+            let (ls, color, direction, attenuation) = (1.0, Rgb::WHITE, -towards, 0.0);
+            let (location, inner, outer) = ((Point::ORIGIN + 3.0 * towards).scaled(scale), 20.0, 40.0);
+            lit.lights[0].source = Spot { ls, color, location, direction, inner, outer, attenuation }.into();
+        }
         let free = seen(&lit, scale);
         prop_assert!(!free.is_black(), "the lamp does not light the ground");
         let normal = at_angle(Normal::new(towards).expect("unit"), cosine, phi);
@@ -82,7 +85,7 @@ proptest! {
         prop_assume!(3.0 * towards.y() + radius * (normal.y() - 1.0) > 0.1);
         let mut with_sphere = lit.clone();
         let center = (location + radius * normal).scaled(scale);
-        put(&mut with_sphere, Sphere { center, radius: radius * scale, inward: false }, white());
+        put(&mut with_sphere, sphere(center, radius * scale), white());
         prop_assert_eq!(seen(&with_sphere, scale), seen(&lit, scale));
     }
 
@@ -112,10 +115,7 @@ proptest! {
             shine(&mut scene, source.clone());
             let found = look(&built(&scene), Point::new(0.0, 1.0, 0.0), -Vector::Y).r;
             let expected = if below || behind { 0.0 } else { FRAC_1_PI * wi.dot(leaning) };
-            prop_assert!(
-                (found - expected).abs() < 64.0 * U,
-                "{source:?}: {found}, expected {expected}"
-            );
+            near!(found, expected, 64.0 * U, "{source:?}");
         }
     }
 }

@@ -31,8 +31,8 @@ fn plain(scene: &Scene) -> Scene {
 /// A floor with objects on it and above it, in the light of the occluder.
 fn heap() -> Scene {
     let mut scene = floor(Vector::Y);
-    put(&mut scene, ball(Point::new(0.0, 1.0, 0.0), 1.0), chalk());
-    let block = Cuboid { min: Point::new(-2.0, 0.0, -1.0), max: Point::new(-1.0, 2.0, 1.0) };
+    put(&mut scene, sphere(Point::new(0.0, 1.0, 0.0), 1.0), chalk());
+    let block = boxed(Point::new(-2.0, 0.0, -1.0), Point::new(-1.0, 2.0, 1.0));
     put(&mut scene, block, chalk());
     let stretched = vec![Step::Scale(Vector::new(1.0, 0.2, 0.6)), Step::Translate(2.0 * Vector::Y)];
     put(&mut scene, Instance::new(TessellatedSphere::new(7, 5, true), stretched), chalk());
@@ -70,9 +70,7 @@ proptest! {
         (a, b, c) in (0.1..5.0_f64, 0.1..5.0_f64, 0.0..360.0_f64),
     ) {
         let closed: Shape = match kind {
-            0 => {
-                Cuboid { min: Point::new(-1.0, -0.7, -0.9), max: Point::new(0.8, 0.9, 1.0) }.into()
-            }
+            0 => boxed(Point::new(-1.0, -0.7, -0.9), Point::new(0.8, 0.9, 1.0)).into(),
             1 => Sphere { center: Point::ORIGIN, radius: 0.8, inward: true }.into(),
             2 => TessellatedSphere::new(7, 5, false).into(),
             _ => SolidCylinder { y0: -0.8, y1: 0.9, radius: 0.7, materials: Materials::default() }
@@ -157,54 +155,13 @@ proptest! {
 #[test]
 fn nothing_is_drawn_where_no_ambient_light_is_reflected() {
     let eye = Point::new(0.0, 1.0, 0.0);
-    for (ka, cd, expected) in
-        [(0.0, CD, 0), (0.5, Rgb::BLACK, 0), (0.5, Rgb::new(0.0, 0.0, 1e-9), 1)]
-    {
+    for (ka, cd, rays) in [(0.0, CD, 0), (0.5, Rgb::BLACK, 0), (0.5, Rgb::new(0.0, 0.0, 1e-9), 1)] {
         let mut scene = floor(Vector::Y);
-        scene.materials[0].recipe = Matte { ka: ka.into(), kd: 0.5.into(), cd: cd.into() }.into();
+        scene.materials[0].recipe = matte(ka, 0.5, cd).into();
         let counts = counted(&built(&scene), eye, -Vector::Y);
-        let counted =
-            RayCounts { camera: 1, shadow: expected, draws: expected, ..RayCounts::default() };
-        assert_eq!(counts, counted, "ka {ka}, cd {cd:?}");
-        // another light does not change that
-        let direction = Vector::new(0.0, 1.0, 0.0);
-        shine(&mut scene, Directional { ls: 1.0, color: Rgb::WHITE, direction });
-        let more = u64::from(!cd.is_black());
-        let counts = self::counted(&built(&scene), eye, -Vector::Y);
-        assert_eq!(
-            (counts.shadow, counts.draws),
-            (expected + more, expected),
-            "ka {ka}, cd {cd:?}"
-        );
+        let expected = RayCounts { camera: 1, shadow: rays, draws: rays, ..RayCounts::default() };
+        assert_eq!(counts, expected, "ka {ka}, cd {cd:?}");
     }
-}
-
-/// Law: the occluder lights the side of the normal of a one-sided surface: an open surface with its normal on
-/// the side away from the viewer shows the sky behind it. A two-sided one shows that of the viewer's side.
-/// Oracle: a ceiling on one side only.
-/// Book: open surfaces.
-#[test]
-fn a_one_sided_surface_shows_the_sky_that_its_normal_sees() {
-    let ceiling = Plane { point: Point::new(0.0, 1.0, 0.0), normal: Vector::Y };
-    for (normal, two_sided, visible) in
-        [(1.0, false, 0.0), (-1.0, false, 1.0), (1.0, true, 0.0), (-1.0, true, 0.0)]
-    {
-        let mut scene = floor(normal * Vector::Y);
-        scene.materials[0].two_sided = two_sided;
-        put(&mut scene, ceiling.clone(), chalk());
-        for seen in each(&scene, Point::new(0.0, 0.5, 0.0), -Vector::Y) {
-            let expected = shade(visible);
-            assert!(
-                close(seen, expected, PRODUCTS),
-                "normal {normal} y, two-sided: {two_sided}: {seen:?}, expected {expected:?}"
-            );
-        }
-    }
-    // the sky above the ceiling is free
-    let mut scene = floor(Vector::Y);
-    put(&mut scene, ceiling, chalk());
-    let seen = each(&scene, Point::new(0.0, 2.0, 0.0), -Vector::Y);
-    seen.into_iter().for_each(|seen| close!(seen, shade(1.0), PRODUCTS));
 }
 
 /// Law: directions are distributed by the cosine around the normal, on the normal's side: one sample of a
@@ -214,7 +171,7 @@ fn a_one_sided_surface_shows_the_sky_that_its_normal_sees() {
 #[test]
 fn the_samples_of_a_pixel_are_stratified_over_the_sky() {
     let mut scene = floor(Vector::new(0.3, 1.0, -0.2));
-    put(&mut scene, ball(Point::new(0.0, 4.0, 0.0), 1.0), chalk());
+    put(&mut scene, sphere(Point::new(0.0, 4.0, 0.0), 1.0), chalk());
     let n = Normal::new(Vector::new(0.3, 1.0, -0.2)).expect("not zero");
     let world = built(&with_samples(scene, SAMPLES));
     let ray = ray(Point::ORIGIN + Vector::from(n), -Vector::from(n));

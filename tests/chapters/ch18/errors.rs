@@ -55,7 +55,7 @@ fn invalid_lamps_are_refused() {
     );
     let torus: shapes::Kind = Torus { swept_radius: 1.0, tube_radius: 0.2, inward: false }.into();
     let squeezed = vec![Step::Scale(Vector::new(1.0, 2.0, 1.0))];
-    for shape in [torus, Plane { point: Point::ORIGIN, normal: Vector::Y }.into()] {
+    for shape in [torus, ground(0.0).into()] {
         for sampling in [None, Some(Sampling::Area), Some(Sampling::SolidAngle)] {
             assert_eq!(
                 with(&|scene| {

@@ -9,12 +9,6 @@ use crate::prelude::*;
 const SAMPLES: u32 = 1024;
 const POWER: f64 = 4e-3;
 
-/// The four corners of a rectangle, counter-clockwise as seen from where `a × b` points.
-fn corners(rectangle: &Rectangle) -> [Point; 4] {
-    let Rectangle { corner, a, b } = *rectangle;
-    [corner, corner + a, corner + a + b, corner + b]
-}
-
 /// Some lamps within 1 to 4 of the origin, turned towards it, some of them partly below the
 /// horizon.
 fn rectangles(count: u32) -> Vec<Rectangle> {
@@ -35,48 +29,18 @@ fn rectangles(count: u32) -> Vec<Rectangle> {
     some
 }
 
-/// Law: the formula itself is right: it gives the known form factors of a rectangle. Oracle: the arc tangents
-/// for a corner of a parallel rectangle (ch. 18), of any size.
-#[test]
-fn lamberts_formula_is_the_form_factor_of_a_parallel_rectangle() {
-    for (a, b, h) in [(1.0, 1.0, 1.0), (3.0, 0.5, 2.0), (1e6, 1e6, 1.0_f64)] {
-        let rectangle =
-            Rectangle { corner: Point::new(0.0, h, 0.0), a: a * Vector::X, b: b * Vector::Z };
-        let found = share(Point::ORIGIN, up(), &corners(&rectangle));
-        let expected = corner_factor(a / h, b / h);
-        assert!((found - expected).abs() < 1e-12, "{a} × {b} at {h}: {found}, expected {expected}");
-    }
-}
-
-/// The form factor of a rectangle parallel to the surface, one corner straight above the point: `a` and `b`
-/// are its sides divided by the distance (ch. 18).
-fn corner_factor(a: f64, b: f64) -> f64 {
-    let (sa, sb) = ((1.0 + a * a).sqrt(), (1.0 + b * b).sqrt());
-    (a / sa * atan2(b, sa) + b / sb * atan2(a, sb)) / TAU
-}
-
-/// Law: a rectangle of sides a and b parallel to the floor, one corner at the height h straight above the
-/// point, fills the share `(A/√(1 + A²) atan(B/√(1 + A²)) + B/√(1 + B²) atan(A/√(1 + B²)))/2π` of the
-/// cosine-weighted sky, `A = a/h`, `B = b/h`; one with its centre straight above, four times that of a
-/// quarter. Sampled by area and by solid angle. Oracle: the closed form (ch. 18).
-/// Book: fig. 18.4, a rectangular light.
-#[test]
-fn a_parallel_rectangle_gives_the_form_factor_of_the_arc_tangents() {
-    for sampling in [Sampling::Area, Sampling::SolidAngle] {
-        for (a, b, h) in [(1.0, 1.0, 1.0), (2.0, 0.5, 1.5)] {
-            let center = Point::new(0.0, h, 0.0);
-            let corner = Rectangle { corner: center, a: a * Vector::X, b: b * Vector::Z };
-            let whole = panel(center, 2.0 * a * Vector::X, 2.0 * b * Vector::Z);
-            let quarter = corner_factor(a / h, b / h);
-            for (rectangle, expected) in [(corner, quarter), (whole, 4.0 * quarter)] {
-                let mut scene = floor(up());
-                let what = format!("{sampling:?} {rectangle:?}");
-                hang(&mut scene, rectangle, Some(sampling));
-                let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
-                assert_color(&what, &values, lit(expected), 8, POWER);
-            }
-        }
-    }
+/// Fails unless a lamp of this shape over a floor lights the origin with this share of the sky.
+fn assert_lights(
+    what: &str,
+    shape: impl Into<Shape>,
+    sampling: Option<Sampling>,
+    share: f64,
+    tests: usize,
+) {
+    let mut scene = floor(up());
+    hang(&mut scene, shape, sampling);
+    let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
+    assert_color(what, &values, lit(share), tests, 2.0 * POWER);
 }
 
 /// Law: any rectangle, also partly below the horizon, and an instance of a mesh that is transformed into it,
@@ -91,16 +55,10 @@ fn rectangles_and_their_instances_give_lamberts_light() {
             Step::Translate(Vector::new(1.0, -2.0, 0.5)),
         ];
         let back = Transform::from_steps(&steps).expect("not singular").inverse();
-        let [corner, at_a, at_b] =
-            [rectangle.corner, rectangle.corner + rectangle.a, rectangle.corner + rectangle.b]
-                .map(|p| back.point(p));
         // before the transform, the sides are not at right angles in general: so it is a mesh of two
         // triangles
-        let (a, b) = (at_a - corner, at_b - corner);
-        let mesh = Mesh::of_lists(
-            vec![corner, corner + a, corner + a + b, corner + b],
-            vec![[0, 1, 2], [0, 2, 3]],
-        );
+        let before = corners(&rectangle).map(|p| back.point(p));
+        let mesh = Mesh::of_lists(before.to_vec(), vec![[0, 1, 2], [0, 2, 3]]);
         let shapes: [(Shape, Option<Sampling>); 4] = [
             (rectangle.clone().into(), Some(Sampling::Area)),
             (rectangle.clone().into(), Some(Sampling::SolidAngle)),
@@ -108,11 +66,8 @@ fn rectangles_and_their_instances_give_lamberts_light() {
             (Instance::new(mesh, steps).into(), None),
         ];
         for (shape, sampling) in shapes {
-            let mut scene = floor(up());
-            hang(&mut scene, shape, sampling);
-            let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
-            let what = format!("rectangle {i}, {sampling:?}, share {share}");
-            assert_color(&what, &values, lit(share), 24, 2.0 * POWER);
+            let what = format!("rectangle {i}, {sampling:?}");
+            assert_lights(&what, shape, sampling, share, 24);
         }
     }
 }
@@ -150,10 +105,8 @@ fn an_instance_of_a_rectangle_is_the_transformed_rectangle() {
         assert!(share > 0.05, "the lamp faces the floor: {share}");
         let shape = Shape::from(Instance::new(rectangle.clone(), steps.clone()));
         for sampling in samplings(&shape) {
-            let mut scene = floor(up());
-            hang(&mut scene, shape.clone(), Some(sampling));
-            let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
-            assert_color(&format!("{sampling:?} {steps:?}"), &values, lit(share), 6, POWER);
+            let what = format!("{sampling:?} {steps:?}");
+            assert_lights(&what, shape.clone(), Some(sampling), share, 6);
         }
     }
 }
@@ -178,20 +131,14 @@ fn triangles_and_meshes_give_the_light_of_their_polygons() {
         let expected = share_of(triangle);
         assert!(expected > 0.01, "{triangle:?} faces the floor: {expected}");
         sum += expected;
-        let mut scene = floor(up());
-        let corners = triangle.map(|i| vertices[i as usize]);
-        let lamp = hang(&mut scene, Triangle { vertices: corners, normals: None }, None);
-        let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
-        assert_color(&format!("{triangle:?}"), &values, lit(expected), 4, 2.0 * POWER);
-        let [a, b, c] = corners;
-        scene.objects[lamp].shape = Triangle { vertices: [a, c, b], normals: None }.into();
-        let behind = seen(&scene, 16, Point::ORIGIN, up());
-        assert!(behind.iter().all(|seen| seen.is_black()), "{triangle:?} from behind: {behind:?}");
+        let [a, b, c] = triangle.map(|i| vertices[i as usize]);
+        for (vertices, share) in [([a, b, c], expected), ([a, c, b], 0.0)] {
+            let lamp = Triangle { vertices, normals: None };
+            assert_lights(&format!("{triangle:?}, {share}"), lamp, None, share, 7);
+        }
     }
-    let mut scene = floor(up());
-    hang(&mut scene, Mesh::of_lists(vertices.to_vec(), triangles.to_vec()), None);
-    let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
-    assert_color("the mesh", &values, lit(sum), 4, 2.0 * POWER);
+    let mesh = Mesh::of_lists(vertices.to_vec(), triangles.to_vec());
+    assert_lights("the mesh", mesh, None, sum, 7);
 }
 
 /// Law: a lamp emits the colour of its texture at the point that is sampled: each of two colours contributes
@@ -241,8 +188,5 @@ fn a_tessellated_sphere_gives_the_light_of_the_triangles_that_face_the_point() {
         .map(|of| share(Point::ORIGIN, up(), &of.map(|i| transformed(mesh.vertices()[i as usize]))))
         .sum();
     let steps = vec![Step::Scale(Vector::new(size, size, size)), Step::Translate(center)];
-    let mut scene = floor(up());
-    hang(&mut scene, Instance::new(sphere, steps), None);
-    let values = seen(&scene, SAMPLES, Point::ORIGIN, up());
-    assert_color("tessellated sphere", &values, lit(expected), 1, 2.0 * POWER);
+    assert_lights("tessellated sphere", Instance::new(sphere, steps), None, expected, 1);
 }

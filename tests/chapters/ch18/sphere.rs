@@ -1,63 +1,12 @@
-//! Lamps that are spheres: which side shines, and the density of their samples at all distances.
+//! The density of the samples of spheres at all distances, and what it is good for.
 
 use dashu_ratio::RBig;
 use groundtruth::lights::{LightContext, Target};
 use testkit::properties::*;
 
-use super::irradiance::sphere_share;
 use super::*;
 use crate::prelude::*;
-
-/// The sphere as an instance that is turned, mirrored and enlarged.
-fn mirrored_and_moved(center: Point, radius: f64, inward: bool) -> Instance {
-    let own = Sphere { center: Point::ORIGIN, radius: 0.5 * radius, inward };
-    let steps = vec![
-        Step::RotateX(40.0),
-        Step::Scale(Vector::new(-2.0, 2.0, 2.0)),
-        Step::Translate(center.to_vector()),
-    ];
-    Instance::new(own, steps)
-}
-
-/// Law: from outside, a sphere shines by its near side alone: with the whole closed form if that side is the
-/// front or the lamp has two sides, not at all if it is the back; whether or not anything casts shadows, so that
-/// the far side, which faces the point, adds nothing through the near one. Oracle: the closed form, and black;
-/// both ways of sampling,
-/// and an instance of a sphere.
-#[test]
-fn only_the_near_side_of_a_sphere_shines_outside() {
-    const SAMPLES: u32 = 128;
-    const POWER: f64 = 0.06;
-    let (radius, n) = (1.2, Normal::new(Vector::new(0.4, 1.0, -0.3)).expect("not zero"));
-    for (inward, two_sided) in [(false, false), (false, true), (true, false), (true, true)] {
-        for (distance, angle, is_instance) in [(2.0, 0.3, false), (1.6, 1.6, true)] {
-            let center = Point::ORIGIN + distance * radius * at_angle(n, cos(angle), 2.0);
-            let shape = |is_instance| match is_instance {
-                false => shapes::Kind::from(Sphere { center, radius, inward }),
-                true => mirrored_and_moved(center, radius, inward).into(),
-            };
-            let shines = two_sided || !inward;
-            let expected = if shines { lit(sphere_share(distance, angle)) } else { Rgb::BLACK };
-            for (sampling, shadows) in [Sampling::Area, Sampling::SolidAngle]
-                .into_iter()
-                .flat_map(|sampling| [0, 1, 2].map(|shadows| (sampling, shadows)))
-            {
-                let mut scene = floor(n);
-                let lamp = hang(&mut scene, shape(is_instance), Some(sampling));
-                scene.materials[lamp].two_sided = two_sided;
-                scene.lights[0].shadows = shadows != 1;
-                scene.materials[lamp].casts_shadows = shadows != 2;
-                let what = format!(
-                    "{distance} radii away, instance {is_instance}, inward {inward}, two-sided {two_sided}, {sampling:?}, \
-                     shadows {}",
-                    ["all", "none of the light", "none of the lamp"][shadows]
-                );
-                let values = seen(&scene, SAMPLES, Point::ORIGIN, n);
-                assert_color(&what, &values, expected, 4 * 2 * 6, POWER);
-            }
-        }
-    }
-}
+use crate::support::statistics::moments;
 
 fn exact(value: f64) -> RBig {
     RBig::try_from(value).expect("finite")
@@ -97,7 +46,7 @@ proptest! {
     ) {
         let radius = power(10.0, radius);
         let from = center + radius * (1.0 + power(10.0, height)) * to_point;
-        let sphere = Sphere { center, radius, inward: false };
+        let sphere = sphere(center, radius);
         let world = light(&sphere, Sampling::SolidAngle);
         let context = LightContext { point: from, normal: Normal::Y };
         let squared_sine = exact(radius) * exact(radius) / squared(from, center);
@@ -135,7 +84,7 @@ proptest! {
     ) {
         let radius = power(10.0, radius);
         let from = center + radius * (1.0 + power(10.0, height)) * to_point;
-        let sphere = Sphere { center, radius, inward: false };
+        let sphere = sphere(center, radius);
         // of the near half, what is not seen edge-on
         let normal = Normal::new(Vector::from(to_point) + 0.7 * Vector::from(towards));
         let normal = normal.expect("not opposite");
@@ -152,5 +101,34 @@ proptest! {
         let below = exact(4.0) * pi() * exact(radius) * exact(radius) * along;
         let ratio = (&pdf * &pdf * &below * &below / (&d2 * &d2 * &d2)).to_f64().value();
         near!(ratio, 1.0, 32.0 * U * (1.0 + 1.0 / cosine), "density {:e}", pdf.to_f64().value());
+    }
+}
+
+/// Law: near a lamp, the variance of samples by solid angle is at most a tenth of that by area: samples by
+/// area fall on parts that face away, and vary with `cosθ'/d²`. Both have the same mean (the laws of closed forms).
+/// Oracle: the variance over replicas.
+#[test]
+fn sampling_by_solid_angle_varies_less_near_a_lamp() {
+    for shape in [
+        shapes::Kind::from(ball(Point::new(0.0, 1.2, 0.0), 1.0)),
+        panel(Point::new(0.0, 0.4, 0.0), 4.0 * Vector::X, 4.0 * Vector::Z).into(),
+    ] {
+        let variance = |sampling| {
+            let mut scene = floor(up());
+            hang(&mut scene, shape.clone(), Some(sampling));
+            let values = seen(&scene, 64, Point::ORIGIN, up());
+            moments(&values.iter().map(|v| v.r).collect::<Vec<_>>()).1
+        };
+        let (area, angle) = (variance(Sampling::Area), variance(Sampling::SolidAngle));
+        assert!(10.0 * angle < area, "{shape:?}: {angle:e} by solid angle, {area:e} by area");
+        let mut scene = floor(up());
+        hang(&mut scene, shape, None);
+        let lights::Kind::Area(area) = &scene.lights[0].source else { panic!("an area light") };
+        assert_eq!(area.sampling, None);
+        // by default, the light samples by solid angle
+        let mut by_name = scene.clone();
+        by_name.lights[0].source =
+            Area { sampling: Some(Sampling::SolidAngle), ..area.clone() }.into();
+        assert_eq!(seen(&scene, 16, Point::ORIGIN, up()), seen(&by_name, 16, Point::ORIGIN, up()));
     }
 }

@@ -4,7 +4,7 @@ use groundtruth::render::render;
 use groundtruth::shapes::Sampling;
 
 use crate::prelude::*;
-use crate::support::replicas::{LEVEL, REPLICAS};
+use crate::support::replicas::{assert_agree, assert_known};
 
 const WIDTH: u32 = 6;
 const HEIGHT: u32 = 4;
@@ -15,13 +15,9 @@ fn lit(tracer: Tracer, sampling: Option<Sampling>) -> Scene {
     let camera = Viewpoint::new(Point::new(0.0, 6.0, 6.0), Point::new(0.2, 0.7, 0.0), lens);
     let image = Image { pixel_size: 0.45, ..Image::new(WIDTH, HEIGHT) };
     let mut scene = Scene { tracer, ..Scene::new("", image, camera) };
-    let white = Matte { ka: 0.0.into(), kd: 0.8.into(), cd: Rgb::new(1.0, 0.7, 0.4).into() };
-    put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, white.clone());
-    put(
-        &mut scene,
-        Sphere { center: Point::new(0.3, 1.0, 0.0), radius: 0.8, inward: false },
-        white,
-    );
+    let white = matte(0.0, 0.8, Rgb::new(1.0, 0.7, 0.4));
+    put(&mut scene, ground(0.0), white.clone());
+    put(&mut scene, sphere(Point::new(0.3, 1.0, 0.0), 0.8), white);
     let lamps = [
         put(
             &mut scene,
@@ -34,7 +30,7 @@ fn lit(tracer: Tracer, sampling: Option<Sampling>) -> Scene {
         ),
         put(
             &mut scene,
-            Sphere { center: Point::new(1.6, 1.2, 0.8), radius: 0.4, inward: false },
+            sphere(Point::new(1.6, 1.2, 0.8), 0.4),
             Emissive::new(4.0, Rgb::new(0.5, 0.8, 1.0)),
         ),
     ];
@@ -65,28 +61,22 @@ fn direct_light_is_one_picture_in_all_ways() {
         replicas(&lit(tracer, sampling), |world| render(world).pixels().to_vec())
     });
     let pixels = (WIDTH * HEIGHT) as usize;
-    let level = sidak(LEVEL, (ways.len() - 1) * 3 * (pixels + 1));
-    let agree = |what: &str, a: &[f64], b: &[f64]| {
-        let p = means::two_samples(a, b);
-        let [a, b] = [a, b].map(|values| values.iter().sum::<f64>() / REPLICAS as f64);
-        assert!(p > level, "{what}: {a} by area and {b}, p = {p:e}");
-    };
-    for (way, picture) in ways.iter().zip(&pictures).skip(1) {
+    let tests = (ways.len() - 1) * 3 * (pixels + 1);
+    for ((way, ..), picture) in ways.iter().zip(&pictures).skip(1) {
         for channel in 0..3 {
-            let values = |of: &[Vec<Rgb>], at: usize| -> Vec<f64> {
-                of.iter().map(|replica| replica[at].to_array()[channel]).collect()
-            };
-            let sums = |of: &[Vec<Rgb>]| -> Vec<f64> {
-                let sum = |replica: &Vec<Rgb>| replica.iter().map(|p| p.to_array()[channel]).sum();
-                of.iter().map(sum).collect()
-            };
+            let both = [&pictures[0], picture];
             for at in 0..pixels {
-                let what = format!("{}, pixel {at}, channel {channel}", way.0);
-                agree(&what, &values(&pictures[0], at), &values(picture, at));
+                let [a, b] = both.map(|of| values(of, |replica| replica[at].to_array()[channel]));
+                assert_agree(&format!("{way}, pixel {at}, channel {channel}"), &a, &b, tests);
             }
-            let (first, sums) = (sums(&pictures[0]), sums(picture));
-            agree(&format!("{}, all pixels, channel {channel}", way.0), &first, &sums);
-            crate::support::replicas::assert_known(way.0, &sums, 0.01);
+            let sum = |replica: &[Rgb]| replica.iter().map(|p| p.to_array()[channel]).sum();
+            let [a, b] = both.map(|of| values(of, sum));
+            assert_agree(&format!("{way}, all pixels, channel {channel}"), &a, &b, tests);
+            assert_known(way, &b, 0.01);
         }
     }
+}
+
+fn values(replicas: &[Vec<Rgb>], of: impl Fn(&[Rgb]) -> f64) -> Vec<f64> {
+    replicas.iter().map(|replica| of(replica)).collect()
 }

@@ -5,7 +5,6 @@ use groundtruth::materials::Kind;
 use groundtruth::render::sample;
 use groundtruth::shapes::{SolidCylinder, Torus};
 
-use super::tracers;
 use crate::prelude::*;
 use crate::support::number;
 use crate::support::optics;
@@ -29,7 +28,7 @@ fn in_white(recipe: impl Into<Kind>, mut tracer: Tracer) -> Scene {
     }
     let mut scene = stage(Rgb::WHITE);
     scene.tracer = tracer;
-    put(&mut scene, Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }, recipe);
+    put(&mut scene, sphere(Point::ORIGIN, 1.0), recipe);
     shine(&mut scene, Environment {});
     with_samples(scene, SAMPLES)
 }
@@ -146,53 +145,6 @@ fn every_material_shows_its_albedo_under_every_tracer() {
     }
 }
 
-/// Law: the book's highlight is not normalised: with `k_s = 1`, `e = 1` a surface sends back 2π/3 = 2.09
-/// times the light that arrives, under every tracer. Oracle: `2π/(e + 2)`; the lobe does not claim to
-/// conserve energy.
-#[test]
-fn a_broad_highlight_sends_back_more_than_arrives() {
-    let highlight = Phong { ks: 1.0.into(), exponent: 1.0.into(), ..Phong::default() };
-    for tracer in Tracer::ALL {
-        let found = seen(&in_white(highlight.clone(), tracer), 1.0);
-        assert_color(tracer.name(), &found, Rgb::grey(TAU / 3.0), Tracer::ALL.len(), 0.01);
-    }
-    let lobe = groundtruth::lobes::GlossySpecular { reflectance: Rgb::WHITE, exponent: 1.0 };
-    assert!(!groundtruth::lobes::Lobe::from(lobe).claims().conserves_energy);
-}
-
-/// Law: inside a closed sphere that emits E and reflects ρ the radiance is `E (1 − ρ^(N+1))/(1 − ρ)` by every
-/// path tracer, whether or not the wall is a light that is sampled: each edge counts once. Oracle: the
-/// series; means of 24 replicas.
-/// Book: listings 26.6 to 26.8, global tracing.
-#[test]
-fn a_closed_sphere_sums_the_series_under_every_path_tracer() {
-    let mut random = Pcg32::new(26, 1);
-    for rho in [0.2, 0.5, 0.9] {
-        for n in [0, 1, 2, 5, 20] {
-            let expected = 2.0 * (1.0 - power(rho, f64::from(n + 1))) / (1.0 - rho);
-            for (tracer, is_lamp) in tracers(n).into_iter().flat_map(|t| [(t, false), (t, true)]) {
-                // Russian roulette lets few paths continue from dark walls
-                let is_rare = rho < 0.5 && matches!(tracer, Tracer::Path(_));
-                let samples = if is_rare { 2048 } else { 64 };
-                let mut scene = with_samples(stage(Rgb::BLACK), samples);
-                scene.tracer = tracer;
-                let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
-                let matte = Some(Matte { ka: 0.0.into(), kd: rho.into(), cd: Rgb::WHITE.into() });
-                let wall =
-                    put(&mut scene, wall, Emissive { matte, ..Emissive::new(2.0, Rgb::WHITE) });
-                if is_lamp {
-                    shine(&mut scene, Area { object: wall.to_string(), sampling: None });
-                }
-                let mut c = || random.uniform() - 0.5;
-                let (eye, direction) = (Point::new(c(), c(), c()), Vector::new(c(), c(), c()));
-                let found = replicas(&scene, |world| view(world, eye, direction).g);
-                let what = format!("{}, ρ {rho}, depth {n}, sampled {is_lamp}", tracer.name());
-                assert_mean(&what, &found, expected, 90, 0.02);
-            }
-        }
-    }
-}
-
 /// Law: in uniform light clear glass of any shape is invisible to path tracers: the weights multiply to 1 on
 /// every path that ends outside, and all but a few do so within depth 128. Oracle: the background; enough
 /// samples hit the glass, and enough of those more than twice.
@@ -203,8 +155,8 @@ fn glass_of_any_shape_is_invisible_in_uniform_light() {
     let turned =
         |shape: shapes::Kind| Instance::new(shape, vec![Step::RotateX(25.0), Step::RotateY(40.0)]);
     let solids: [shapes::Kind; 4] = [
-        Sphere { center: Point::ORIGIN, radius: 1.0, inward: false }.into(),
-        Cuboid { min: Point::new(-0.8, -0.6, -0.5), max: Point::new(0.7, 0.8, 0.5) }.into(),
+        sphere(Point::ORIGIN, 1.0).into(),
+        boxed(Point::new(-0.8, -0.6, -0.5), Point::new(0.7, 0.8, 0.5)).into(),
         Torus { swept_radius: 0.7, tube_radius: 0.3, inward: false }.into(),
         SolidCylinder { y0: -0.7, y1: 0.6, radius: 0.7, materials: Default::default() }.into(),
     ];

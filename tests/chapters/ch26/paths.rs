@@ -7,29 +7,8 @@ use statistics::slope::power_law;
 use super::{room, tracers};
 use crate::prelude::*;
 use crate::support::number;
-use crate::support::replicas::{LEVEL, mean_and_error};
+use crate::support::replicas::{assert_agree, assert_known, mean_and_error};
 use crate::support::stage::{counted, recorded};
-
-/// Law: a lamp at the centre of a matte sphere lights all of it by E = I/r²; the k-th reflection adds
-/// `ρ E/π · ρᵏ`, so that in the limit the wall absorbs all that the lamp emits (the integrating sphere).
-/// Oracle: the series for N edges.
-#[test]
-fn a_lamp_in_a_matte_sphere_is_an_integrating_sphere() {
-    for (rho, n) in [(0.5, 1), (0.5, 2), (0.8, 3), (0.8, 6), (0.9, 30)] {
-        let mut scene = with_samples(stage(Rgb::BLACK), 256);
-        scene.tracer = Tracer::Path(Depth { max_depth: n });
-        let wall = Sphere { center: Point::ORIGIN, radius: 3.0, inward: true };
-        put(&mut scene, wall, Matte { ka: 0.0.into(), kd: rho.into(), cd: Rgb::WHITE.into() });
-        let location = Point::ORIGIN;
-        shine(&mut scene, PointLight { ls: 9.0, color: Rgb::WHITE, location, attenuation: 2.0 });
-        let seen =
-            |world: &_| view(world, Point::new(0.3, 0.5, -0.4), Vector::new(1.0, 0.2, 0.3)).g;
-        let first = rho / std::f64::consts::PI;
-        let expected = first * (1.0 - power(rho, f64::from(n))) / (1.0 - rho);
-        let what = format!("ρ {rho}, depth {n}");
-        assert_mean(&what, &replicas(&scene, seen), expected, 5, 0.01);
-    }
-}
 
 /// The room with a mirror, a glass ball and a glossy one, all of which throw light on the floor.
 fn furnished_room() -> Scene {
@@ -38,7 +17,7 @@ fn furnished_room() -> Scene {
     let wall = Plane { point: Point::new(-2.0, 0.0, 0.0), normal: Vector::X };
     put(&mut scene, wall, mirror);
     let mut ball = |center: [f64; 3], recipe: groundtruth::materials::Kind| {
-        let ball = Sphere { center: Point::from(center), radius: 0.6, inward: false };
+        let ball = sphere(Point::from(center), 0.6);
         put(&mut scene, ball, recipe);
     };
     let inside = Medium { eta: 1.5, absorption: Rgb::new(0.3, 0.1, 0.5) };
@@ -68,13 +47,9 @@ fn path_tracers_agree_over_mirrors_glass_and_gloss() {
         let [path_trace, global_trace, path] =
             [0, 1, 2].map(|t| found[t].iter().map(|seen| seen[i]).collect::<Vec<f64>>());
         for (name, other) in [("path_trace", &path_trace), ("global_trace", &global_trace)] {
-            let p = means::two_samples(other, &path);
-            let [(a, e), (b, f)] = [other, &path].map(|values| mean_and_error(values));
-            assert!(
-                p > sidak(LEVEL, 2 * targets.len()),
-                "towards {target:?}: {name} finds {a} ± {e:e}, path {b} ± {f:e}, p = {p:e}"
-            );
-            assert!(e < 0.05 * a && f < 0.05 * b, "{name} towards {target:?}: ± {e:e}, ± {f:e}");
+            let what = format!("{name} and path towards {target:?}");
+            assert_agree(&what, other, &path, 2 * targets.len());
+            [other, &path].into_iter().for_each(|values| assert_known(&what, values, 0.05));
         }
     }
 }
@@ -135,8 +110,8 @@ fn twice_the_light_is_twice_the_picture() {
 fn a_lamp_that_was_sampled_is_a_term_of_weight_zero() {
     let mut scene = stage(Rgb::BLACK);
     scene.tracer = Tracer::GlobalTrace(Depth { max_depth: 3 });
-    let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
-    put(&mut scene, floor, Matte { ka: 0.0.into(), kd: 0.8.into(), cd: Rgb::WHITE.into() });
+    let floor = ground(0.0);
+    put(&mut scene, floor, matte(0.0, 0.8, Rgb::WHITE));
     let dome = Sphere { center: Point::ORIGIN, radius: 4.0, inward: true };
     let dome = put(&mut scene, dome, Emissive::new(7.0, Rgb::WHITE));
     shine(&mut scene, Area { object: dome.to_string(), sampling: None });
@@ -154,9 +129,9 @@ fn a_lamp_that_was_sampled_is_a_term_of_weight_zero() {
 fn dim_room(tracer: Tracer) -> Scene {
     let mut scene = stage(Rgb::BLACK);
     scene.tracer = tracer;
-    let floor = Plane { point: Point::ORIGIN, normal: Vector::Y };
-    put(&mut scene, floor, Matte { ka: 0.0.into(), kd: 0.8.into(), cd: Rgb::WHITE.into() });
-    let lamp = Sphere { center: Point::new(0.0, 2.0, 0.0), radius: 0.25, inward: false };
+    let floor = ground(0.0);
+    put(&mut scene, floor, matte(0.0, 0.8, Rgb::WHITE));
+    let lamp = sphere(Point::new(0.0, 2.0, 0.0), 0.25);
     let lamp = put(&mut scene, lamp, Emissive::new(50.0, Rgb::WHITE));
     shine(&mut scene, Area { object: lamp.to_string(), sampling: None });
     scene
@@ -178,10 +153,9 @@ fn sampling_a_small_lamp_lowers_the_variance() {
         replicas(&scene, floor_seen)
     });
     for (name, sampled) in [("global_trace", &first), ("path", &path)] {
-        let [(a, e), (b, f)] = [&met, sampled].map(|values| mean_and_error(values));
-        let p = means::two_samples(&met, sampled);
-        assert!(p > sidak(LEVEL, 2), "{name}: {b} ± {f:e}, path_trace {a} ± {e:e}, p = {p:e}");
-        assert!(e > 10.0 * f, "{name}: ± {f:e}, path_trace ± {e:e}");
+        assert_agree(&format!("path_trace and {name}"), &met, sampled, 2);
+        let [e, f] = [&met, sampled].map(|values| mean_and_error(values).1);
+        above!(e, 10.0 * f, "{name}");
     }
 }
 
@@ -228,7 +202,7 @@ fn a_path_over_a_mirror_draws_nothing() {
         let mut scene = stage(Rgb::grey(2.0));
         scene.tracer = tracer;
         let mirror = Reflective { phong: Phong::default(), kr: 0.75.into(), cr: Rgb::WHITE.into() };
-        let ball = Sphere { center: Point::ORIGIN, radius: 1.0, inward: false };
+        let ball = sphere(Point::ORIGIN, 1.0);
         put(&mut scene, ball, mirror);
         let (eye, direction) = (Point::new(0.3, 0.1, 4.0), -Vector::Z);
         assert_eq!(look(&built(&scene), eye, direction), Rgb::grey(1.5));

@@ -31,7 +31,7 @@ fn a_wall_behind_a_slab_is_seen_shifted() {
     let mut scene = deep_stage(Rgb::BLACK, 2);
     scene.camera.eye = Point::new(-10.0, 10.0, 0.0);
     picture(&mut scene, 32, shift / f64::from(ROWS));
-    let slab = Cuboid { min: Point::new(-50.0, -1.0, -50.0), max: Point::new(50.0, 0.0, 50.0) };
+    let slab = boxed(Point::new(-50.0, -1.0, -50.0), Point::new(50.0, 0.0, 50.0));
     let slab = put(&mut scene, slab, glass(0.0, 0.9, 1.5));
     put(&mut scene, Plane { point: Point::new(0.0, -3.0, 0.0), normal: Vector::Y }, checker(0.37));
     let through = render(&built(&scene));

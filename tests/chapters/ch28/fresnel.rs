@@ -194,15 +194,9 @@ fn normal_incidence_reflects_as_in_the_table() {
     for (eta, expected) in table {
         for eta in [eta, 1.0 / eta] {
             let seen = fresnel(1.0, eta);
-            assert!(
-                (seen.reflected - expected).abs() < 5e-7,
-                "{eta}: {seen:?}, expected {expected}"
-            );
+            near!(seen.reflected, expected, 5e-7, "{eta}");
             let passing = 4.0 * eta / ((eta + 1.0) * (eta + 1.0));
-            assert!(
-                (seen.transmitted - passing).abs() < SUM,
-                "{eta}: {seen:?}, expected {passing}"
-            );
+            near!(seen.transmitted, passing, SUM, "{eta}");
         }
     }
 }

@@ -15,7 +15,7 @@ const CLOSE: f64 = 1e-12;
 /// A ray onto the plane y = 0 at this angle of incidence in degrees, from above or below.
 fn onto_plane(recipe: materials::Kind, degrees: f64, phi: f64, above: bool) -> RayTree {
     let mut scene = deep_stage(Rgb::WHITE, 1);
-    put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, recipe);
+    put(&mut scene, ground(0.0), recipe);
     let up = if above { Normal::Y } else { -Normal::Y };
     let towards = at_angle(up, cos(to_radians(degrees)), phi);
     recorded(&built(&scene), Point::ORIGIN + towards, -towards)
@@ -102,12 +102,8 @@ fn transparent(eta: f64) -> Transparent {
 #[test]
 fn a_matte_term_is_reflectance_and_cosine_and_light() {
     let mut scene = deep_stage(Rgb::BLACK, 1);
-    let cd = Rgb::new(1.0, 0.5, 0.25).into();
-    put(
-        &mut scene,
-        Plane { point: Point::ORIGIN, normal: Vector::Y },
-        Matte { ka: 0.0.into(), kd: 0.8.into(), cd },
-    );
+    let cd = Rgb::new(1.0, 0.5, 0.25);
+    put(&mut scene, ground(0.0), matte(0.0, 0.8, cd));
     let direction = at_angle(Normal::Y, 0.5, 2.0);
     shine(&mut scene, lights::Directional { ls: 3.0, color: Rgb::WHITE, direction });
     let tree = recorded(&built(&scene), Point::new(0.0, 1.0, 0.0), -Vector::Y);

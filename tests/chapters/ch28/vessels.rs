@@ -105,19 +105,6 @@ fn media_follow_one_another_along_every_ray() {
     }
 }
 
-/// Law: with all indices 1 and nothing absorbed a vessel is invisible. Oracle: the background, exactly.
-/// Book: 28.7 and 28.8, a glass of water and a fish bowl.
-#[test]
-fn vessels_of_one_medium_are_invisible() {
-    let background = Rgb::new(0.25, 0.5, 1.0);
-    for shape in [glass_of_water, fish_bowl] {
-        let world = built(&vessel(shape, [AIR; 3], background));
-        for ray in rays(7).take(2000) {
-            assert_eq!(look(&world, ray.origin, ray.direction), background, "{ray:?}");
-        }
-    }
-}
-
 /// Law: straight down through the water of the glass, light passes 1.2 of water and, in the base, .3 of
 /// glass, and the reflections are those of water, water to glass, and glass to air. Oracle:
 /// `(1 − R₁)(1 − R₂)(1 − R₃) exp(−1.2 σ_w − .3 σ_g)`, and what the level and the base reflect at depth 3,

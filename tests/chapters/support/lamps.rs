@@ -13,11 +13,11 @@ pub const CE: Rgb = Rgb::new(1.0, 0.5, 0.25);
 
 /// A white matte surface without ambient reflection.
 pub fn white() -> Matte {
-    Matte { ka: 0.0.into(), kd: 1.0.into(), cd: Rgb::WHITE.into() }
+    matte(0.0, 1.0, Rgb::WHITE)
 }
 
 pub fn ball(center: Point, radius: f64) -> Sphere {
-    Sphere { center, radius, inward: false }
+    sphere(center, radius)
 }
 
 /// A white plane through the origin; there is no light yet. The background is bright, but it is not a light
@@ -49,6 +49,12 @@ pub fn seen(scene: &Scene, samples: u32, point: Point, normal: impl Into<Vector>
 /// A rectangle with this centre and these sides; its front side faces along `a × b`.
 pub fn panel(center: Point, a: Vector, b: Vector) -> Rectangle {
     Rectangle { corner: center - 0.5 * (a + b), a, b }
+}
+
+/// The four corners of a rectangle, counter-clockwise as seen from where `a × b` points.
+pub fn corners(rectangle: &Rectangle) -> [Point; 4] {
+    let Rectangle { corner, a, b } = *rectangle;
+    [corner, corner + a, corner + a + b, corner + b]
 }
 
 /// The radiance of a white surface if lamps fill this share of its cosine-weighted hemisphere: `F L`.
@@ -138,7 +144,7 @@ pub fn share(point: Point, normal: Normal, polygon: &[Point]) -> f64 {
 /// One light of each kind over a floor with a ball on it, and the lamps of the area lights.
 pub fn all_lights() -> Scene {
     let mut scene = stage(Rgb::new(0.2, 0.3, 0.5));
-    let matte = Matte { ka: 0.4.into(), kd: 0.6.into(), cd: Rgb::new(0.9, 0.6, 0.3).into() };
+    let matte = matte(0.4, 0.6, Rgb::new(0.9, 0.6, 0.3));
     put(&mut scene, Plane { point: Point::ORIGIN, normal: Vector::Y }, matte.clone());
     put(&mut scene, ball(Point::new(0.3, 0.7, 0.2), 0.5), matte);
     let center = Point::new(0.0, 3.0, 0.0);

@@ -3,6 +3,7 @@
 use groundtruth::samplers;
 
 use super::stage::{built, ray};
+use super::statistics::moments;
 use crate::prelude::*;
 
 /// The number of independently seeded replicas: more than the 16 that a t test of nearly normal values needs.
@@ -12,8 +13,8 @@ pub const REPLICAS: u64 = 24;
 /// random.
 pub const LEVEL: f64 = 1e-6;
 
-/// The relative error of an estimate without variance is rounding only: a few dozen products and sums.
-const ROUNDING: f64 = 1e-13;
+/// The relative error of an estimate without variance is rounding only: some hundred products and sums.
+const ROUNDING: f64 = 5e-13;
 
 /// Gives each pixel so many multi-jittered samples.
 pub fn with_samples(mut scene: Scene, samples: u32) -> Scene {
@@ -40,12 +41,32 @@ pub fn replicas<T>(scene: &Scene, of: impl Fn(&World) -> T) -> Vec<T> {
     (0..REPLICAS).map(&mut one).collect()
 }
 
+/// The seeds over which [`variance`] is taken, and how far from the true one it may be, as a share of that: five standard
+/// deviations `√(2/n)` of the variance of so many nearly normal values.
+const SEEDS: u64 = 2048;
+pub const VARIANCE_ERROR: f64 = 5.0 * 0.03125;
+
+/// The variance of a quantity of the scene, with so many samples per pixel of this sampler.
+pub fn variance(
+    scene: &Scene,
+    sampler: impl Into<samplers::Kind>,
+    samples: u32,
+    of: impl Fn(&World) -> f64,
+) -> f64 {
+    let mut scene = scene.clone();
+    (scene.image.samples, scene.image.sampler) = (samples, Some(sampler.into()));
+    let mut world = built(&scene);
+    let one = |seed| {
+        world.reseed(seed);
+        of(&world)
+    };
+    moments(&(0..SEEDS).map(one).collect::<Vec<_>>()).1
+}
+
 /// The mean of the values, and its standard error as estimated by them.
 pub fn mean_and_error(values: &[f64]) -> (f64, f64) {
-    let n = values.len() as f64;
-    let mean = values.iter().sum::<f64>() / n;
-    let squares: f64 = values.iter().map(|x| (x - mean) * (x - mean)).sum();
-    (mean, (squares / (n - 1.0) / n).sqrt())
+    let (mean, variance) = moments(values);
+    (mean, (variance / values.len() as f64).sqrt())
 }
 
 /// Fails if the mean of the values is too imprecise for a useful test: its standard error is above `power`
@@ -53,6 +74,13 @@ pub fn mean_and_error(values: &[f64]) -> (f64, f64) {
 pub fn assert_known(what: &str, values: &[f64], power: f64) {
     let (mean, error) = mean_and_error(values);
     assert!(error <= power * mean.abs(), "{what}: the mean {mean} is known to {error:e} only");
+}
+
+/// Fails if the means of two sets of replicas differ significantly, as one of so many tests (Welch's t).
+pub fn assert_agree(what: &str, a: &[f64], b: &[f64], tests: usize) {
+    let p = means::two_samples(a, b);
+    let [(a, e), (b, f)] = [a, b].map(mean_and_error);
+    assert!(p > sidak(LEVEL, tests), "{what}: {a} ± {e:e} and {b} ± {f:e}, p = {p:e}");
 }
 
 /// Fails if the mean of the values differs significantly from what is expected, as one of so many tests; or
