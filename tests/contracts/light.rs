@@ -29,7 +29,6 @@ pub fn trials() -> Vec<Trial> {
             ("directions_are_unit_and_lead_to_the_light", directions_lead_to_the_light),
             ("what_is_blocked_is_no_brighter", what_is_blocked_is_no_brighter),
             ("a_sample_has_the_density_of_its_target", samples_have_the_density_of_their_target),
-            ("samples_follow_the_pdf", light_sampling::samples_follow_the_pdf),
             ("the_mean_is_the_integral", light_sampling::the_mean_is_the_integral),
             ("scaling_by_a_power_of_two_keeps_every_bit", scaling_keeps_every_bit),
         ],

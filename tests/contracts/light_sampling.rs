@@ -1,12 +1,9 @@
-//! Samples of lights follow their densities, and their mean is the light that arrives.
+//! The mean of the samples of a light is the light that arrives.
 
 use std::f64::consts::PI;
 
-use groundtruth::lights::{Area, Kind, LightContext, LightSample, Target};
-use groundtruth::math::{Frame, Normal, Pcg32, Point, Ray, Vector, atan2, cos, sin};
-use groundtruth::shapes::{self, Sampling};
-use rayon::prelude::*;
-use statistics::chi_square::goodness_of_fit;
+use groundtruth::lights::{Kind, LightContext, LightSample};
+use groundtruth::math::{Frame, Normal, Pcg32, Point, Ray, Vector, cos, sin};
 use statistics::means;
 use statistics::significance::sidak;
 
@@ -15,16 +12,14 @@ use super::{Holds, ensure};
 
 /// The probability that any of the tests below raises a false alarm, for seeds chosen at random.
 const LEVEL: f64 = 1e-3;
-/// At least as many tests as there will be: two laws, four places, lamps of every shape.
+/// At least as many tests as there will be: three weights, four places, lamps of every shape.
 const TESTS: usize = 500;
 
 /// Odd numbers of cells, so that no border of a cell coincides with one of a lamp.
 const ROWS: usize = 9;
 const COLUMNS: usize = 19;
-/// Steps of the quadrature along each side of a cell: `FINE` where each cell is judged, `COARSE` where only
-/// the sum of the cells is.
-const FINE: usize = 12;
-const COARSE: usize = 8;
+/// Steps of the quadrature along each side of a cell.
+const STEPS: usize = 8;
 /// The same inside each step where the integrand changes fast.
 const REFINED: u32 = 16;
 /// The allowed error of the quadrature, as a share of the whole: at a lamp's silhouette, where the integrand
@@ -32,7 +27,6 @@ const REFINED: u32 = 16;
 const QUADRATURE: f64 = 3e-3;
 /// The part that it may overlook, as a share of the solid angle: a facet seen edge-on.
 const MISSED: f64 = 1e-3;
-/// A density wrong by ±12 % in alternate cells is found (see `chi_square`).
 const SAMPLES: u64 = 15_000;
 
 /// Points beside, in front of, near, and inside or behind lamps of size 1 around the origin.
@@ -70,14 +64,6 @@ impl Sky {
         }
     }
 
-    /// The cell of a direction.
-    fn cell(&self, direction: Vector) -> usize {
-        let w = self.frame.to_local(direction);
-        let row = (1.0 - w.z()) / self.depth * ROWS as f64;
-        let column = (atan2(w.y(), w.x()) / (2.0 * PI) + 0.5) * COLUMNS as f64;
-        (row as usize).min(ROWS - 1) * COLUMNS + (column as usize).min(COLUMNS - 1)
-    }
-
     /// The direction at a row and column, which count from 0 to [`ROWS`] and [`COLUMNS`].
     fn at(&self, row: f64, column: f64) -> Vector {
         let versine = row / ROWS as f64 * self.depth;
@@ -86,13 +72,8 @@ impl Sky {
         self.frame.to_world(Vector::new(sine * cos(phi), sine * sin(phi), 1.0 - versine))
     }
 
-    /// The integrals of functions of direction over the cells, by the midpoint rule in `steps` along each
-    /// side; with more points where one of them changes fast, as at the edge of a lamp.
-    fn integrals<const N: usize>(
-        &self,
-        steps: usize,
-        f: impl Fn(Vector) -> [f64; N],
-    ) -> Vec<[f64; N]> {
+    /// The integrals of functions of direction over the cells, by the midpoint rule; with more points where one of them changes fast, as at the edge of a lamp.
+    fn integrals<const N: usize>(&self, f: impl Fn(Vector) -> [f64; N]) -> Vec<[f64; N]> {
         let solid_angle = 2.0 * PI * self.depth / (ROWS * COLUMNS) as f64;
         let values = |row: f64, column: f64, size: f64, n: u32| -> Vec<[f64; N]> {
             let step = size / f64::from(n);
@@ -109,12 +90,12 @@ impl Sky {
                 values.iter().fold(ends, |(least, most), v| (least.min(v[i]), most.max(v[i])));
             ends.1 - ends.0 > 0.1 * ends.1
         };
-        let step = 1.0 / steps as f64;
+        let step = 1.0 / STEPS as f64;
         let cell = |cell: usize| {
             let mut sums = [0.0; N];
-            for part in 0..steps * steps {
-                let row = (cell / COLUMNS) as f64 + step * (part / steps) as f64;
-                let column = (cell % COLUMNS) as f64 + step * (part % steps) as f64;
+            for part in 0..STEPS * STEPS {
+                let row = (cell / COLUMNS) as f64 + step * (part / STEPS) as f64;
+                let column = (cell % COLUMNS) as f64 + step * (part % STEPS) as f64;
                 let mut found = values(row, column, step, 3);
                 if (0..N).any(|i| changes_fast(&found, i)) {
                     found = values(row, column, step, REFINED);
@@ -127,17 +108,6 @@ impl Sky {
     }
 }
 
-/// The sum of the densities of all points of the light in a direction.
-fn density(subject: &Subject, from: &LightContext, direction: Vector) -> f64 {
-    match &subject.lamp {
-        None => subject.light.pdf(from, &Target::Infinity(direction)),
-        Some(lamp) => {
-            let points = met(&**lamp, from.point, direction);
-            points.iter().map(|at| subject.light.pdf(from, &Target::Surface(at))).sum()
-        }
-    }
-}
-
 fn samples(subject: &Subject, from: &LightContext, stream: u64) -> Vec<Option<LightSample>> {
     let mut random = Pcg32::new(18, stream);
     let mut one = || {
@@ -146,49 +116,6 @@ fn samples(subject: &Subject, from: &LightContext, stream: u64) -> Vec<Option<Li
         subject.light.sample(from, &u)
     };
     (0..SAMPLES).map(|_| one()).collect()
-}
-
-/// Whether a lamp's density is infinite at its silhouette, where the midpoint rule fails: so it is for curved
-/// lamps sampled by area, `d²/(A cosθ')`. The law of the mean, whose integrand is finite, covers these.
-fn is_singular(kind: &Kind, subject: &Subject) -> bool {
-    let by_area = matches!(kind, Kind::Area(Area { sampling: Some(Sampling::Area), .. }));
-    let shape = subject.scene.objects.first().map(|lamp| &lamp.shape);
-    by_area && matches!(shape, Some(shapes::Kind::Sphere(_) | shapes::Kind::Instance(_)))
-}
-
-/// Law: the directions of `sample` have the density that is the sum of `pdf` over the lamp's points in each
-/// direction; the rest up to 1 is the share of `None`. Oracle: χ² against the midpoint rule.
-pub fn samples_follow_the_pdf(kind: &Kind) -> Holds {
-    let all = subjects(kind);
-    let judged = all.iter().filter(|s| is_sampled(&*s.light) && !is_singular(kind, s));
-    let cases = judged.flat_map(|subject| (0..).zip(places()).map(move |case| (subject, case)));
-    let cases = Vec::from_iter(cases);
-    cases.par_iter().try_for_each(|(subject, (stream, from))| {
-        let sky = Sky::of(subject, from);
-        let mut observed = vec![0_u64; ROWS * COLUMNS];
-        let drawn = samples(subject, from, *stream);
-        drawn.iter().flatten().for_each(|sample| observed[sky.cell(sample.direction)] += 1);
-        let share = observed.iter().sum::<u64>() as f64 / SAMPLES as f64;
-        let mut expected = sky.integrals(FINE, |w| [density(subject, from, w)]).concat();
-        let whole: f64 = expected.iter().sum();
-        // the noise of a share is below 1/2√n
-        let noise = 2.0 / (SAMPLES as f64).sqrt();
-        let right = (share - whole).abs() <= QUADRATURE * whole + noise;
-        let at = format!("{} from {from:?}", subject.name);
-        ensure!(right, "{at}: pdf adds up to {whole}, {share} of the samples are light");
-        if whole == 0.0 {
-            return Ok(()); // a point that the lamp does not face
-        }
-        // a corner of a lamp may reach into a cell between the points of the quadrature
-        let missed = observed.iter_mut().zip(&expected).filter(|(_, e)| **e == 0.0);
-        let missed: u64 = missed.map(|(count, _)| std::mem::take(count)).sum();
-        ensure!(missed < SAMPLES / 100, "{at}: {missed} samples where pdf is 0");
-        let counted = observed.iter().sum::<u64>() as f64;
-        expected.iter_mut().for_each(|e| *e *= counted / whole);
-        let p = goodness_of_fit(&observed, &expected);
-        ensure!(p > sidak(LEVEL, TESTS), "{at}: p = {p:e}");
-        Ok(())
-    })
 }
 
 /// Law: the mean of `L g/pdf` is `∫ L g dω`, for three functions g of direction, the cosine among
@@ -217,7 +144,7 @@ pub fn the_mean_is_the_integral(kind: &Kind) -> Holds {
                 },
                 &|w| sky.frame.w.dot(w).max(0.0),
             ];
-            let integrals = sky.integrals(COARSE, |w| {
+            let integrals = sky.integrals(|w| {
                 let sent = sent(w);
                 weights.map(|weight| sent * weight(w))
             });

@@ -11,13 +11,14 @@ mod golden;
 mod light;
 mod light_sampling;
 mod lobe;
-mod lobe_sampling;
 mod material;
 mod rays;
 mod sampler;
 mod sampler_draws;
 mod shape;
 mod shape_exact;
+mod shape_hard;
+mod shape_leaving;
 mod texture;
 
 use std::fmt::Debug;

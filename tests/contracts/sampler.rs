@@ -22,7 +22,6 @@ pub fn trials() -> Vec<Trial> {
             ("a_set_has_as_many_points_as_it_says", a_set_has_as_many_points_as_it_says),
             ("points_are_spread_as_promised", points_are_spread_as_promised),
             ("places_in_a_stratum_are_uniform", places_in_a_stratum_are_uniform),
-            ("moments_are_those_of_the_square", moments_are_those_of_the_square),
             ("a_draw_is_uniform_over_the_square", a_draw_is_uniform_over_the_square),
             ("neighbouring_pixels_are_not_correlated", neighbouring_pixels_are_not_correlated),
             ("a_run_of_draws_uses_up_one_set", a_run_of_draws_uses_up_one_set),
@@ -138,37 +137,6 @@ fn places_in_a_stratum_are_uniform(kind: &Kind) -> Holds {
     for places in places {
         let p = ks::uniform(&places);
         ensure!(p > each_level(), "p = {p:e}");
-    }
-    Ok(())
-}
-
-/// Law: the means of x, `x²` and `x y` are ½, `1/12 + ¼` and ¼. Oracle: of any N points, one in each cell of
-/// a grid of c columns and r rows, the mean of x is off by at most half a column, `1/(2c)`; the mean of
-/// `(x − ½)²` by that and `1/(4c²)` for the places and `1/(12c²)` for the grid; and that of `(x − ½)(y − ½)`
-/// by half of `1/(2c) + 1/(2r)` and their product. This holds for every set.
-fn moments_are_those_of_the_square(kind: &Kind) -> Holds {
-    /// Sums of up to 256 terms below 1.
-    const ROUNDING: f64 = 1e-13;
-    let sampler = built(kind);
-    for n in [1, 4, 12, 16, 64, 256] {
-        let sets = SampleSets::new(&*sampler, n, 6);
-        for grid in promised(kind, sets.per_set()) {
-            let [h, k] = grid.map(|strata| 0.5 / f64::from(strata));
-            for set in (0..SETS).map(|i| sets.set(i)) {
-                let mean = |of: &dyn Fn(f64, f64) -> f64| {
-                    let terms = set.iter().map(|[x, y]| of(x - 0.5, y - 0.5));
-                    terms.sum::<f64>() / set.len() as f64
-                };
-                let within = |found: f64, bound: f64| found.abs() <= bound + ROUNDING;
-                let square = |h: f64| h + h * h + h * h / 3.0;
-                ensure!(within(mean(&|x, _| x), h), "mean of x, {n} points");
-                ensure!(within(mean(&|_, y| y), k), "mean of y, {n} points");
-                ensure!(within(mean(&|x, _| x * x) - 1.0 / 12.0, square(h)), "x², {n} points");
-                ensure!(within(mean(&|_, y| y * y) - 1.0 / 12.0, square(k)), "y², {n} points");
-                let covariance = 0.5 * (h + k) + h * k;
-                ensure!(within(mean(&|x, y| x * y), covariance), "covariance, {n} points");
-            }
-        }
     }
     Ok(())
 }

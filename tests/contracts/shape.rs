@@ -1,20 +1,19 @@
-//! The contract of [`Shape`](groundtruth::shapes::Shape): laws up to rounding.
+//! The contract of [`Shape`](groundtruth::shapes::Shape): laws up to rounding. For shapes and rays of any finite numbers see
+//! `fuzz::shapes`.
 //!
-//! Sources: Suffern, ch. 3 and 19 (hits, normals), 16 (shadow hits), 21 (instances); for leaving a
-//! surface, Pharr, Jakob & Humphreys, *PBRT*, "Managing rounding error".
+//! Sources: Suffern, ch. 3 and 19 (hits, normals), 16 (shadow hits), 21 (instances).
 
-use groundtruth::math::{Frame, Normal, Point, Ray, Span, Step, UNIT_ROUNDOFF, Vector};
-use groundtruth::shapes::{Candidate, Instance, Kind, Shape};
+use groundtruth::math::{Ray, Span, UNIT_ROUNDOFF};
+use groundtruth::shapes::{Candidate, Kind};
 use libtest_mimic::Trial;
 
 use super::rays::{Met, Rays, beside, built, cosine};
-use super::{Holds, ensure, shape_exact};
+use super::{Holds, ensure, shape_exact, shape_hard, shape_leaving};
 
 pub fn trials() -> Vec<Trial> {
     let mut trials = super::trials(
         Kind::ENTRIES,
         &[
-            ("hits_lie_inside_the_bounds", hits_lie_inside_the_bounds),
             ("the_surface_is_where_the_ray_is_at_t", the_surface_is_where_the_ray_is),
             ("hits_lie_on_the_surface", hits_lie_on_the_surface),
             ("the_normal_is_the_gradient", the_normal_is_the_gradient),
@@ -22,11 +21,11 @@ pub fn trials() -> Vec<Trial> {
             ("roots_are_the_hits_in_order", roots_are_the_hits_in_order),
             ("sides_alternate_along_a_line", sides_alternate_along_a_line),
             ("moving_the_origin_along_the_ray_moves_t", moving_the_origin_moves_t),
-            ("a_ray_that_leaves_finds_the_next_hit", a_ray_that_leaves_finds_the_next_hit),
-            ("t_is_a_number_inside_the_span", t_is_a_number_inside_the_span),
         ],
     );
     trials.extend(shape_exact::trials());
+    trials.extend(shape_hard::trials());
+    trials.extend(shape_leaving::trials());
     trials
 }
 
@@ -35,16 +34,6 @@ const RAYS: usize = 500;
 /// Rounding, as a share of the largest coordinate: a hit and a surface point take some twenty
 /// operations each, an instance twice as many, and its transform stretches them up to six times.
 const ROUNDING: f64 = 256.0 * UNIT_ROUNDOFF;
-
-/// Law: a hit's point is inside the bounds, padded as the accelerators pad them.
-fn hits_lie_inside_the_bounds(kind: &Kind) -> Holds {
-    let shape = built(kind);
-    let bounds = shape.bounds().padded();
-    for Met { ray, surface, .. } in Rays::new(&*shape).hits(&*shape, 4 * RAYS) {
-        ensure!(bounds.contains(surface.point), "{ray:?} hits at {:?}", surface.point);
-    }
-    Ok(())
-}
 
 /// Law: the surface's point is the ray's point at `t`, up to rounding, which a slanted ray enlarges along the
 /// surface.
@@ -210,93 +199,6 @@ fn moving_the_origin_moves_t(kind: &Kind) -> Holds {
             let reach = rays.size() + (1.0 + share.abs()) * (at.t * ray.direction).length();
             let off = t.map(|t| (t - expected).abs() * surface.normal.dot(ray.direction).abs());
             ensure!(off.is_some_and(|off| off <= ROUNDING * reach), "{ray:?}: off by {off:?}");
-        }
-    }
-    Ok(())
-}
-
-/// Law: a ray that leaves a surface never hits it again at the same point, also at grazing angles. Its next
-/// hit is on the side to which it left, or far away: on the inner side of an open shape, through its opening.
-/// From inside a closed shape it always has a next hit. The same holds for a shape that is turned and moved
-/// far away, where coordinates are rounded more.
-fn a_ray_that_leaves_finds_the_next_hit(kind: &Kind) -> Holds {
-    let transform = vec![Step::RotateX(30.0), Step::Translate(Vector::new(900.0, -30.0, 700.0))];
-    let far = Instance::new(kind.clone(), transform);
-    leaves(&*built(kind))?;
-    leaves(&*built(&far.into())).map_err(|broken| format!("far away: {broken}"))
-}
-
-fn leaves(shape: &dyn Shape) -> Holds {
-    let mut rays = Rays::new(shape);
-    let closed = is_closed(shape, &mut rays);
-    // in a vessel of glass and water a ray may leave two boundaries in a row from the inner side
-    let near = 1e-3 * shape.bounds().extent().max_abs().min(rays.size());
-    for Met { surface, .. } in rays.smooth_hits(shape, RAYS) {
-        let n = surface.normal;
-        let tangent = Frame::around(n).to_world(across(rays.unit()));
-        for cosine in [1.0, 0.1, 1e-3, 1e-6, 1e-9, -1.0, -0.1, -1e-3, -1e-6, -1e-9] {
-            let sine = f64::sqrt((1.0 - cosine) * (1.0 + cosine));
-            let direction = cosine * Vector::from(n) + sine * tangent;
-            let ray = Ray::new(surface.leave(direction), direction);
-            match shape.hit(&ray, Span::AHEAD) {
-                None => ensure!(
-                    !closed || cosine > 0.0,
-                    "from {:?} inward at {cosine:e}: no way out",
-                    surface.point
-                ),
-                Some(at) => {
-                    let next = shape.surface(&ray, &at).normal.dot(direction);
-                    let far = !closed && at.t > near;
-                    ensure!(
-                        next * cosine < 0.0 || far,
-                        "from {:?} at {cosine:e}: hit again at t {:e}",
-                        surface.point,
-                        at.t
-                    );
-                }
-            }
-        }
-    }
-    Ok(())
-}
-
-/// The unit vector across z.
-fn across(v: Normal) -> Vector {
-    Vector::new(v.x(), v.y(), 0.0).unit().unwrap_or(Vector::X)
-}
-
-/// Whether every random line hits the shape an even number of times, and some lines hit it.
-fn is_closed(shape: &dyn Shape, rays: &mut Rays) -> bool {
-    let counts: Vec<usize> =
-        (0..RAYS).map(|_| shape.roots(&rays.next(), Span::LINE).len()).collect();
-    counts.iter().all(|count| count % 2 == 0) && counts.iter().any(|&count| count > 0)
-}
-
-/// Law: whatever the finite ray, a hit's `t` is a number inside the span.
-fn t_is_a_number_inside_the_span(kind: &Kind) -> Holds {
-    const UGLY: [f64; 12] =
-        [0.0, -0.0, 1.0, -1.0, 0.5, 5e-324, -1e-300, 1e-160, 1e160, -1e300, f64::MAX, 1e-9];
-    let shape = built(kind);
-    let mut rays = Rays::new(&*shape);
-    let mut random = groundtruth::math::Pcg32::new(7, 7);
-    let mut any = |x: f64| match random.below(3) {
-        0 => UGLY[random.below(12) as usize],
-        _ => x,
-    };
-    for _ in 0..2 * RAYS {
-        let plain = rays.next();
-        let origin = Point::from(plain.origin.to_array().map(&mut any));
-        let direction = Vector::from(plain.direction.to_array().map(&mut any));
-        if direction == Vector::ZERO {
-            continue;
-        }
-        let ray = Ray::new(origin, direction);
-        for span in [Span::AHEAD, Span::SEGMENT, Span::LINE] {
-            let ts = [shape.hit(&ray, span).map(|at| at.t), shape.shadow_hit(&ray, span)];
-            let roots = shape.roots(&ray, span).into_iter().map(|root| root.t);
-            for t in ts.into_iter().flatten().chain(roots) {
-                ensure!(span.contains(t), "{ray:?} in {span:?}: t {t}");
-            }
         }
     }
     Ok(())

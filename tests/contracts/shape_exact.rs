@@ -5,6 +5,7 @@
 use groundtruth::math::{Axis, Point, Ray, Span, Step, Vector, power_of_two};
 use groundtruth::shapes::{Candidate, Context, Instance, Kind};
 use libtest_mimic::Trial;
+use testkit::cases::with_field;
 
 use super::rays::{Rays, built};
 use super::{Holds, ensure};
@@ -19,6 +20,7 @@ pub fn trials() -> Vec<Trial> {
             ("scaling_by_a_power_of_two_scales_every_bit", scaling_scales_every_bit),
             ("sizes_beyond_the_supported_are_refused", sizes_beyond_numbers_are_refused),
             ("a_transformed_shape_is_hit_as_by_the_ray_moved_back", transforms_commute),
+            ("every_method_finds_the_same_hits", every_method_finds_the_same_hits),
         ],
     )
 }
@@ -116,7 +118,7 @@ fn sizes_beyond_numbers_are_refused(kind: &Kind) -> Holds {
 }
 
 /// Law: an instance whose transform causes no rounding is hit exactly as the shape itself is hit by the
-/// inversely transformed ray; the texture's point stays the same; normals transform by `M⁻ᵀ`. Oracle: the
+/// inversely transformed ray; the texture's point stays the same; normals transform by `M⁻ᵀ`, those of shading too. Oracle: the
 /// steps written out here.
 fn transforms_commute(kind: &Kind) -> Holds {
     let steps = vec![
@@ -145,13 +147,37 @@ fn transforms_commute(kind: &Kind) -> Holds {
         ensure!(inner.local == outer.local, "{ray:?}: {:?}, not {:?}", outer.local, inner.local);
         let off = outer.point.distance(moved(inner.point));
         ensure!(off <= 1e-14 * rays.size(), "{ray:?}: the point is off by {off:e}");
-        let frame = groundtruth::math::Frame::around(inner.normal);
-        for tangent in [frame.u, frame.v] {
-            let slope = outer.normal.dot(turned(tangent)).abs();
-            ensure!(slope <= 1e-14, "{ray:?}: {:?} slopes by {slope:e}", outer.normal);
+        for (inner, outer) in [(inner.normal, outer.normal), (inner.shading, outer.shading)] {
+            let frame = groundtruth::math::Frame::around(inner);
+            for tangent in [frame.u, frame.v] {
+                let slope = outer.dot(turned(tangent)).abs();
+                ensure!(slope <= 1e-14, "{ray:?}: {outer:?} slopes by {slope:e}");
+            }
+            let outward = outer.dot(turned(inner.into()));
+            ensure!(outward > 0.0, "{ray:?}: {outer:?} points inward");
         }
-        let outward = outer.normal.dot(turned(inner.normal.into()));
-        ensure!(outward > 0.0, "{ray:?}: {:?} points inward", outer.normal);
+    }
+    Ok(())
+}
+
+/// Law: a shape of many parts has the same hits whichever method searches these, bit for bit, and all of them cast
+/// shadows. Oracle: the list.
+fn every_method_finds_the_same_hits(kind: &Kind) -> Holds {
+    let searched = ["list", "grid", "bvh"].map(|method| with_field(kind, "accel", method));
+    let [Some(list), Some(grid), Some(tree)] = searched else { return Ok(()) };
+    let list = built(&list);
+    let mut rays = Rays::new(&*list);
+    for other in [grid, tree].map(|kind| built(&kind)) {
+        for _ in 0..2 * RAYS {
+            let ray = rays.next();
+            let (found, expected) = (other.hit(&ray, Span::AHEAD), list.hit(&ray, Span::AHEAD));
+            ensure!(found == expected, "{ray:?}: {found:?}, not {expected:?}");
+            let blocked = other.shadow_hit(&ray, Span::AHEAD).is_some();
+            ensure!(blocked == expected.is_some(), "{ray:?}: shadow {blocked}");
+            let Some(at) = expected else { continue };
+            let (found, expected) = (other.surface(&ray, &at), list.surface(&ray, &at));
+            ensure!(found == expected, "{ray:?}: {found:?}, not {expected:?}");
+        }
     }
     Ok(())
 }

@@ -7,6 +7,9 @@ use groundtruth::render;
 use groundtruth::textures::Amount;
 use groundtruth::world::World;
 use proptest::test_runner::{FileFailurePersistence, RngSeed};
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use toml::Value;
 
 /// Half the distance from 1 to the next number: the largest relative error of one rounding.
 pub const U: f64 = f64::EPSILON / 2.0;
@@ -61,4 +64,16 @@ pub fn point(reach: f64) -> impl Strategy<Value = Point> {
 pub fn number(amount: &Amount) -> f64 {
     let Amount::Plain(value) = amount else { panic!("{amount:?} is no plain number") };
     *value
+}
+
+/// The same kind with another value of a field; `None` if it has no such field.
+pub fn with_field<Kind, Field>(kind: &Kind, field: &str, value: Field) -> Option<Kind>
+where
+    Kind: Serialize + DeserializeOwned,
+    Value: From<Field>,
+{
+    let mut data = Value::try_from(kind).expect("it is plain data");
+    let (_, fields) = data.as_table_mut()?.iter_mut().next()?;
+    fields.as_table_mut()?.insert(field.to_owned(), value.into());
+    data.try_into().ok()
 }

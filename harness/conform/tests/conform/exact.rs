@@ -15,7 +15,7 @@ fn innermost(shape: &Shape) -> &Shape {
 }
 
 /// Law: a shape of the oracle, written as one of ours and read back, is the same shape; of an instance, the shape inside
-/// it (chapter 21 has the law of the matrix). Oracle: the shape at the start.
+/// it (the contract of instances has the law of the matrix). Oracle: the shape at the start.
 #[test]
 fn shapes_go_to_ours_and_back() {
     for kind in Kind::ALL {
