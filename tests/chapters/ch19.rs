@@ -3,71 +3,48 @@
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
 //! | the hit functions of objects | on easy rays every kind has the same hits in the book's form as in the library's: the same distance, part and normal | `textbook::textbook_and_robust_agree_on_easy_rays` |
-//! |  | by the book's routines too, a shadow ray is blocked within a span exactly if a ray hits something there, for finite spans that end before, between and behind the hits, and for directions of length 10⁻³ to 10³, of which t is measured in lengths | `textbook_shadows::the_books_shadow_rays_hit_what_its_rays_hit` |
 //! |  | hits within epsilon of a ray's origin do not count, for camera rays and for shadow rays | `textbook::epsilon_is_a_distance` |
 //! |  | with the textbook's routine a ray leaves a surface from the hit point itself, `o + t d` | `textbook::rays_start_at_the_hit_point` |
+//! |  | by the book's routines too, a shadow ray is blocked within a span exactly if a ray hits something there, for finite spans that end before, between and behind the hits, and for directions of length 10⁻³ to 10³, of which t is measured in lengths | `textbook::the_books_shadow_rays_hit_what_its_rays_hit` |
 //! | listing 19.1, the bounding box | a ray may meet a box if it starts before the point where it leaves the box, and not if it starts beyond that, up to rounding | `bounding::a_ray_may_meet_a_box_up_to_where_it_leaves_it` |
 //! |  | the test of a box is right for rays along an axis, in the plane of a face and beside it, with zeros of either sign; also for empty and infinite boxes | `bounding::zeros_and_infinite_boxes_are_handled` |
-//! |  | the bounding box of a shape contains every hit | `shapes::bounds_contain_every_hit` |
+//! |  | the bounding box of a shape contains every hit, and that of an instance of it the hits of the instance | `shapes::bounds_contain_every_hit` |
 //! | boxes, triangles, rectangles and disks | a box has the hits and the outward normals of its six rectangles, from outside and from inside | `shapes::a_box_equals_its_six_rectangles` |
 //! |  | barycentric coordinates reproduce the hit, and lie in [0, 1] with a sum up to 1 | `shapes::barycentric_coordinates_reproduce_the_hit` |
 //! |  | two triangles that share an edge leave no gap, whichever way they are wound | `shapes::two_triangles_that_share_an_edge_leave_no_gap` |
 //! |  | a disk and a rectangle are hit inside their border and not outside | `shapes::disks_and_rectangles_end_at_their_borders` |
-//! | spheres, cylinders and cones, convex and concave | the normal of a sphere is the gradient of `\|p − c\|²` | `shapes::normals_of_spheres_are_gradients` |
-//! |  | every hit of a cylinder obeys `x² + z² = r²`, `y0 ≤ y ≤ y1`, and the normal is `(x, 0, z)/r` | `shapes::cylinder_hits_obey_its_equation` |
-//! |  | where the near root is beyond an end of the cylinder, the far one is found | `shapes::the_far_wall_of_a_cylinder_is_seen_through_its_open_end` |
-//! |  | every hit of a cone obeys `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`; the normal is perpendicular to the generator through the point, in the plane of the axis, and outward | `quadrics::cone_hits_obey_its_equation_and_normals_are_perpendicular_to_generators` |
-//! |  | a point of the wall of a cone is hit; a point on the other half of the double cone or below the base is not | `quadrics::a_point_of_the_wall_is_hit_and_one_beyond_its_ends_is_not` |
-//! |  | a line parallel to a generator meets the cone once; a steep line meets this half once; a level line above the apex does not meet it | `quadrics::rays_along_generators_and_down_the_axis_meet_a_cone_once` |
-//! |  | convex and concave twins are hit at the same points, with opposite normals | `inward::inward_twins_have_the_same_hits_and_opposite_normals` |
-//! | tori and their quartic equation | every hit of a torus obeys the book's equation, `(x² + y² + z² − a² − b²)² = 4a² (b² − y²)`, and its normal is the gradient of it | `torus::hits_obey_the_quartic_and_normals_are_its_gradient` |
+//! | spheres, cylinders and cones, convex and concave | a sphere, an open cylinder, a cone, a paraboloid and the quadrics of docs/book.md are hit where the quadratic of their equation has roots between their ends, the far one also where the near one is beyond an end; the normal is the gradient | `shapes::quadrics_are_hit_at_the_roots_between_their_ends` |
+//! |  | a line parallel to a generator meets the cone once; a steep line meets this half once; a level line above the apex does not meet it | `shapes::rays_along_generators_and_down_the_axis_meet_a_cone_once` |
+//! |  | convex and concave twins are hit at the same points, with opposite normals | `shapes::inward_twins_have_the_same_hits_and_opposite_normals` |
+//! | tori and their quartic equation | every hit of a torus obeys the book's equation, `(x² + y² + z² − a² − b²)² = 4a² (b² − y²)`, and its normal is the gradient of it; a ray from outside crosses it an even number of times, one from inside the tube an odd number | `torus::hits_obey_the_quartic_and_normals_are_its_gradient` |
 //! |  | the torus of radii 2 and 0.5 is met at t = 2.5, 3.5, 6.5 and 7.5 along x from x = −5, at 4.5 and 5.5 straight down from (0, 5, 2), and nowhere along its axis | `torus::a_torus_is_hit_where_arithmetic_says` |
 //! |  | the plane of its centre circle cuts a torus in two circles; a plane through its axis cuts it in the circle of the tube | `torus::a_torus_is_two_circles_across_and_along` |
 //! |  | rays through the hole of the torus of radii 0.9 and 0.1, on the axis and beside it, miss; a quartic solver finds false roots there | `torus::rays_through_the_hole_miss` |
-//! |  | a ray from outside crosses a torus an even number of times, one from inside the tube an odd number | `torus::outside_rays_cross_a_torus_an_even_number_of_times` |
-//! |  | a torus whose normals point inward is hit at the same points, with opposite normals | `torus::an_inward_torus_has_opposite_normals` |
 //! |  | the roots of known quartics are found: 1, 2, 3 and 4; ±1 and ±2 of `x⁴ − 5x² + 4`; ±1 of `x⁴ − 1`; none of `x⁴ + 1` | `polynomials::the_textbook_quartics_have_their_roots` |
-//! |  | all real roots of a polynomial are found and no others, unless a change of the coefficients by 16u changes their number | `polynomials::every_root_of_an_interval_is_found` |
+//! |  | all real roots of a polynomial are found and no others, unless a change of the coefficients by 16u changes their number, in intervals and on the whole line | `polynomials::every_root_of_an_interval_is_found` |
 //! |  | from far away the book's quartic loses many hits of a torus and finds false ones; the library's routine does neither | `textbook::quartics_lose_the_roots_of_a_far_torus` |
-//! | part objects | azimuths run from +z to +x, polar angles from +y | `parts::azimuths_run_from_z_to_x_and_polar_angles_from_y` |
-//! |  | a point of a sphere, cylinder or annulus is hit on its part exactly if its angles are in the range | `parts::a_point_is_hit_if_its_angles_are_in_range` |
-//! |  | hits of part spheres have their angles in range | `parts::hits_of_part_spheres_have_angles_in_range` |
-//! |  | where the first root is outside the range of a part, as at the opening of a bowl, the second is found | `parts::the_inside_of_a_bowl_is_seen_from_above` |
-//! |  | the ranges 350 to 360 and 0 to 10 meet at +z without a gap, each covers only its own side, and 350 to 10 covers both | `parts::ranges_meet_at_azimuth_zero` |
-//! |  | a part of a sphere, cylinder or annulus and its complement are the whole, bit for bit | `parts::a_part_and_its_complement_are_the_whole` |
-//! |  | a part of a torus has the hits of the whole whose azimuth and whose angle around the tube, `atan2(y, √(x² + z²) − a)`, are in its ranges, which may pass through 360° | `torus_parts::a_part_has_the_hits_whose_angles_are_in_its_ranges` |
-//! |  | where the near hit of a torus is outside the ranges of its part, the far one is found | `torus_parts::the_far_side_is_seen_through_the_missing_part` |
-//! |  | parts of a torus with the azimuths 350°…360° and 0°…10° meet at +z without a gap, and 350°…10° covers both | `torus_parts::the_seam_at_azimuth_zero_has_no_gap` |
-//! |  | a part of a torus and its complement are the whole: each hit of the whole is a hit of one of them, bit for bit | `torus_parts::a_part_and_the_rest_are_the_whole` |
-//! |  | an inward part of a torus has the hits of the outward one, with opposite normals | `torus_parts::an_inward_part_has_opposite_normals` |
+//! | part objects | the ranges 350 to 360 and 0 to 10 meet at +z without a gap, each covers only its own side, and 350 to 10 covers both | `parts::ranges_meet_at_azimuth_zero` |
+//! |  | a part of a sphere, cylinder, annulus or torus and its complement are the whole, bit for bit, also for rays aimed at the ends of the range, where both may have the hit | `parts::a_part_and_its_complement_are_the_whole` |
+//! |  | a part has the hits of the whole whose azimuth, polar angle or angle around the tube, `atan2(y, √(x² + z²) − a)`, are in its ranges, which may pass through 360°: the far one, too, where the near one is missing | `parts::a_part_has_the_hits_whose_angles_are_in_its_ranges` |
 //! | compound objects | a part that is named in `materials` has that material; every other part has the material of the whole solid (`None`) | `compound_parts::each_part_of_a_solid_has_its_material` |
 //! |  | a thick ring and a solid cylinder are closed; the inside of the cylinder is where `y0 ≤ y ≤ y1` and `√(x² + z²) ≤ r`, that of the ring is between two such walls | `compounds::a_thick_ring_and_a_solid_cylinder_are_closed_and_obey_their_inequalities` |
 //! |  | a solid cone is closed; its inside is where `0 ≤ y` and `√(x² + z²) ≤ r (1 − y/h)` | `compounds::a_solid_cone_is_closed_and_obeys_its_inequality` |
-//! |  | a cone with the disk of its base, and a paraboloid with its lid, are closed: every line meets them an even number of times | `quadrics::a_cone_and_its_base_are_closed` |
 //! |  | a round-rimmed bowl is closed; its inside is between two spheres up to the cone of the opening, and in a tube whose centre circle is on that cone, half-way between the spheres | `compounds::a_round_rimmed_bowl_is_closed_and_ends_in_a_tube` |
 //! |  | the rim of a round-rimmed bowl joins both spheres smoothly: at the seam points and normals agree | `compounds::the_rim_of_a_bowl_touches_both_spheres` |
 //! |  | a concave lens is closed; its inside is a disk without two balls, of the radius `ρ = (d² + R²)/2d` if each hollow is d deep: 10.10947 for (4, 2, 0.35) | `compounds::a_concave_lens_is_a_disk_without_two_balls` |
 //! |  | a cut face is the square of side `size` in the plane y = 0 without the disk `x² + z² < radius²` about its centre, and its normal is (0, 1, 0) | `compounds::a_cut_face_is_a_square_without_a_disk` |
 //! | exercise 19.25, the flat-rimmed bowl | a flat-rimmed bowl is closed; its inside is between two spheres and below the plane of the rim, where the inner sphere opens at the given angle | `compounds::a_flat_rimmed_bowl_is_closed_and_lies_between_its_spheres_below_its_rim` |
 //!
-//! Beyond the book: 7 in `algebraic`, 1 in `bounding`, 3 in `compound_parts`, 1 in `compounds`, 1 in `edges`, 2 in `hard`, 1 in `hard_compounds`, 4 in `leaving`, 2 in `light_at_edges`, 4 in `parts`, 5 in `polynomials`, 3 in `quadrics`, 3 in `shadow_parts`, 3 in `shapes`, 1 in `textbook`, 2 in `textbook_shadows`, 5 in `torus`, 2 in `torus_parts`.
+//! Beyond the book: 3 in `algebraic`, 1 in `bounding`, 1 in `compound_parts`, 1 in `compounds`, 1 in `parts`, 3 in `polynomials`, 1 in `refused`, 3 in `shadow_parts`, 1 in `textbook`, 1 in `torus`.
 
 mod algebraic;
 mod bounding;
 mod compound_parts;
-pub mod compounds;
-mod edges;
-mod hard;
-mod hard_compounds;
-mod inward;
-pub mod leaving;
-mod light_at_edges;
+mod compounds;
 mod parts;
 mod polynomials;
-mod quadrics;
+mod refused;
 mod shadow_parts;
 mod shapes;
 mod textbook;
-mod textbook_shadows;
 mod torus;
-mod torus_parts;

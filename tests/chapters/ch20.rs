@@ -2,21 +2,19 @@
 //!
 //! | of the book | what is held | by the law |
 //! | --- | --- | --- |
-//! | points, vectors and homogeneous matrices | vectors ignore translation, points do not, and `M p − M q = M (p − q)` | `vectors_ignore_translation` |
+//! | points, vectors and homogeneous matrices | vectors ignore translation, points do not, and `M p − M q = M (p − q)`: parallels, ratios and midpoints stay | `vectors_ignore_translation` |
 //! |  | a matrix is written row by row, with the translation in the last column | `matrix::a_matrix_has_its_entries_in_rows` |
-//! |  | affine maps keep parallels, ratios and midpoints | `midpoints_stay_midpoints` |
 //! | the basic transformations | determinants: rotation +1, reflection −1, translation 1, scale `abc`, shear `1 − df − ac − be + ade + bcf`; of a composition their product | `determinants_are_those_of_the_steps` |
 //! |  | quarter turns map the axes to axes exactly: about x from y to z, about y from z to x, about z from x to y | `quarter_turns_send_axes_to_axes` |
 //! |  | a reflection is its own inverse and negates one coordinate | `reflections_turn_one_coordinate` |
 //! |  | the six factors a to f of a shear are in the rows `(1, a, b)`, `(c, 1, d)` and `(e, f, 1)` of its matrix | `shears_have_their_factors_in_rows` |
-//! | composition of transformations | steps are applied first to last, `M = Tₙ … T₂ T₁` | `steps_are_applied_in_their_order` |
-//! |  | the order of steps matters: to rotate and then move differs from moving and then rotating | `order_matters` |
-//! | inverse transformations | `M M⁻¹ = M⁻¹ M = I` to 1e-12 for steps of every kind, shears included, whose inverse some copies of the book's code have wrong | `a_map_and_its_inverse_cancel` |
-//! |  | `(A B)⁻¹ = B⁻¹ A⁻¹`, and `A.after(B)` is `A B` | `the_inverse_of_a_product_is_the_product_of_inverses_turned_round` |
+//! | composition of transformations | steps are applied first to last, `M = Tₙ … T₂ T₁`, and their order matters | `steps_are_applied_in_their_order` |
+//! | inverse transformations | `(A B)⁻¹ = B⁻¹ A⁻¹`, and `A.after(B)` is `A B` | `the_inverse_of_a_product_is_the_product_of_inverses_turned_round` |
+//! |  | the inverse is that of the rounded matrix, up to one unit in the last place of its largest entry, for steps of every kind, shears included, whose inverse some copies of the book's code have wrong, also where later steps undo earlier scalings | `the_inverse_is_that_of_the_rounded_matrix` |
 //! | rotation about a line | a rotation about a line fixes the points of the line, keeps distances from it and turns by its angle, counter-clockwise if the direction points at the viewer; a rotation by 360° more is the same | `a_turn_about_a_line_keeps_it` |
 //! | normals under transformations | a normal stays perpendicular to what moves with its surface: `(M⁻ᵀ n)·(M v) = n·v` | `covectors_pair_with_vectors_as_before` |
 //!
-//! Beyond the book: 3 in this file, 3 in `matrix`.
+//! Beyond the book: 1 in this file, 1 in `matrix`.
 
 mod matrix;
 
@@ -91,19 +89,8 @@ fn size(t: &Transform) -> f64 {
 proptest! {
     #![proptest_config(laws())]
 
-    /// Law: `M M⁻¹ = M⁻¹ M = I` to 1e-12 for steps of every kind, shears included, whose inverse some
-    /// copies of the book's code have wrong. Oracle: the schoolbook product.
-    /// Book: inverse transformations.
-    #[test]
-    fn a_map_and_its_inverse_cancel(steps in steps()) {
-        let t = transform(&steps);
-        let identity = Transform::IDENTITY.rows();
-        let scale = size(&t) * size(&t.inverse());
-        below!(difference(product(&t, &t.inverse()), identity), 1e-12_f64.min(COMPOSED * scale));
-        below!(difference(product(&t.inverse(), &t), identity), 1e-12_f64.min(COMPOSED * scale));
-    }
-
-    /// Law: steps are applied first to last, `M = Tₙ … T₂ T₁`. Oracle: a point moved step by step.
+    /// Law: steps are applied first to last, `M = Tₙ … T₂ T₁`, and their order matters. Oracle: a point moved step by
+    /// step.
     /// Book: composition of transformations.
     #[test]
     fn steps_are_applied_in_their_order(steps in steps(), p in point(3.0)) {
@@ -147,7 +134,7 @@ proptest! {
         near!(determinant(&t), expected, COMPOSED * scale);
     }
 
-    /// Law: vectors ignore translation, points do not, and `M p − M q = M (p − q)`.
+    /// Law: vectors ignore translation, points do not, and `M p − M q = M (p − q)`: parallels, ratios and midpoints stay.
     /// Book: points, vectors and homogeneous matrices.
     #[test]
     fn vectors_ignore_translation(
@@ -165,21 +152,6 @@ proptest! {
         let rounding = COMPOSED * (9.0 + 10.0 * size(&t));
         near!(shifted.point(p) - t.point(p), shift.to_vector(), rounding);
         near!(t.point(p) - t.point(q), t.vector(v), rounding);
-    }
-
-    /// Law: affine maps keep parallels, ratios and midpoints. Oracle: the midpoint moved.
-    /// Book: points, vectors and homogeneous matrices.
-    #[test]
-    fn midpoints_stay_midpoints(
-        steps in steps(),
-        p in point(3.0),
-        q in point(3.0),
-        f in 0.0..1.0_f64,
-    ) {
-        let t = transform(&steps);
-        let between = t.point(p + f * (q - p));
-        let moved = t.point(p) + f * (t.point(q) - t.point(p));
-        at_most!(between.distance(moved), COMPOSED * 10.0 * size(&t));
     }
 
     /// Law: a rotation about a line fixes the points of the line, keeps distances from it and turns by
@@ -249,8 +221,9 @@ proptest! {
     }
 
     /// Law: the inverse is that of the rounded matrix, up to one unit in the last place of its largest
-    /// entry, also where later steps undo earlier scalings. Oracle: the adjugate over the determinant,
-    /// in rational numbers.
+    /// entry, for steps of every kind, shears included, whose inverse some copies of the book's code have wrong, also
+    /// where later steps undo earlier scalings. Oracle: the adjugate over the determinant, in rational numbers.
+    /// Book: inverse transformations.
     #[test]
     fn the_inverse_is_that_of_the_rounded_matrix(
         steps in steps(),
@@ -283,31 +256,17 @@ proptest! {
         };
         let terms = (0..3).map(|j| exact(m[0][j]) * minor(0, j));
         let determinant = terms.fold(RBig::ZERO, |sum, term| sum + term);
+        let inverse = |i: usize, j: usize| minor(j, i) / &determinant;
         for (i, j) in (0..9).map(|index| (index / 3, index % 3)) {
-            let off = exact(x[i][j]) - minor(j, i) / &determinant;
+            let off = exact(x[i][j]) - inverse(i, j);
             prop_assert!(off.to_f64().value().abs() <= 2.0 * U * most, "{i} {j}: {t:?}");
         }
-    }
-
-    /// Law: the accuracy of the inverse depends on the condition of the whole map, however bad that of
-    /// its steps is: here a scaling that is undone later. Oracle: the schoolbook product.
-    #[test]
-    fn the_inverse_is_right_whatever_the_steps_between(
-        degrees in -180.0..180.0_f64,
-        exponent in 0.0..6.0_f64,
-    ) {
-        let stretch = groundtruth::math::power(10.0, exponent);
-        let t = transform(&[
-            Step::RotateX(degrees),
-            Step::Scale(Vector::new(1.0, 1.0, stretch)),
-            Step::RotateZ(0.5 * degrees),
-            Step::RotateY(-degrees),
-            Step::RotateY(degrees),
-            Step::RotateZ(-0.5 * degrees),
-            Step::Scale(Vector::new(1.0, 1.0, 1.0 / stretch)),
-        ]);
-        below!(t.condition(), 4.0);
-        at_most!(difference(product(&t, &t.inverse()), Transform::IDENTITY.rows()), COMPOSED);
+        let moved = t.rows().map(|row| row[3]);
+        let far: f64 = moved.iter().map(|x| x.abs()).sum();
+        for (i, [.., found]) in t.inverse().rows().into_iter().enumerate() {
+            let back = (0..3).fold(exact(found), |sum, j| sum + inverse(i, j) * exact(moved[j]));
+            prop_assert!(back.to_f64().value().abs() <= 8.0 * U * most * far, "{i}: {t:?}");
+        }
     }
 }
 
@@ -353,14 +312,4 @@ fn shears_have_their_factors_in_rows() {
     let t = transform(&[Step::Shear([0.5, 0.25, -0.5, 0.125, 0.75, -0.25])]);
     // x' = x + a y + b z, y' = c x + y + d z, z' = e x + f y + z at (2, 4, 8)
     assert_eq!(t.point(Point::new(2.0, 4.0, 8.0)), Point::new(6.0, 4.0, 8.5));
-}
-
-/// Law: the order of steps matters: to rotate and then move differs from moving and then rotating.
-/// Book: composition of transformations.
-#[test]
-fn order_matters() {
-    let (turn, shift) = (Step::RotateZ(90.0), Step::Translate(Vector::X));
-    let p = Point::new(1.0, 0.0, 0.0);
-    assert_eq!(transform(&[turn.clone(), shift.clone()]).point(p), Point::new(1.0, 1.0, 0.0));
-    assert_eq!(transform(&[shift, turn]).point(p), Point::new(0.0, 2.0, 0.0));
 }

@@ -20,14 +20,11 @@
 //! |  | grid and tree equal the list on instances of a mesh, and on instances of such instances | `equal::acceleration_equals_the_list_on_instances_of_meshes` |
 //! |  | in a lattice of lattices of 10¹⁶ balls the ball aimed at is found, with its leaf number and the distance to it | `lattices::a_ball_among_ten_to_the_sixteenth_is_found` |
 //!
-//! Beyond the book: 1 in `chaos`, 5 in `equal`, 2 in `hard`, 4 in `lattices`, 1 in `leaving`, 3 in `stadium`, 1 in `steps`.
+//! Beyond the book: 1 in `equal`, 2 in `lattices`, 2 in `stadium`, 1 in `steps`.
 
-mod chaos;
 mod equal;
 mod everywhere;
-mod hard;
 mod lattices;
-mod leaving;
 mod searched;
 mod stadium;
 mod steps;

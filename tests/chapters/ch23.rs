@@ -7,12 +7,11 @@
 //! |  | normals of a tessellated sphere point outward, flat and smooth | `meshes::normals_of_a_tessellated_sphere_point_outward` |
 //! | the mesh and its triangles | for each triangle the search structure needs as much memory whether vertices are shared or not, and whether they have normals and texture coordinates or not; it does not grow faster than the number of triangles | `meshes::memory_for_each_triangle_does_not_depend_on_vertices` |
 //! |  | a mesh is its triangles: the same hits and normals as loose ones, the nearest of them first, bit for bit | `meshes::a_mesh_equals_its_loose_triangles` |
-//! |  | in a closed mesh every edge is passed once in each direction | `meshes::every_edge_of_a_closed_mesh_is_passed_once_each_way` |
+//! |  | in a closed mesh every edge is passed once in each direction, and vertices minus edges plus faces of a ball are two, bumpy or not | `meshes::every_edge_of_a_closed_mesh_is_passed_once_each_way` |
 //! |  | rays from outside cross a closed mesh an even number of times | `meshes::rays_from_outside_cross_a_closed_mesh_evenly` |
 //! |  | triangles of area zero change no hit, no mean normal and no count of triangles | `meshes::triangles_of_area_zero_change_nothing` |
 //! | PLY files | the three encodings of PLY give the same mesh, and the same hits and shading normals, bit for bit, with the file's normals and with mean ones | `files::the_three_encodings_of_ply_give_the_same_hits` |
 //! | normals at the vertices | a vertex normal is the mean of the normals of its faces, each counted once; (0, 1, 0) where that is zero or no face touches it | `meshes::vertex_normals_are_the_mean_of_the_adjacent_faces` |
-//! |  | on a planar mesh the vertex normals are the face normal | `meshes::vertex_normals_of_a_plane_mesh_are_the_planes` |
 //! | smooth shading | shading uses the normal `(1 − β − γ) n₀ + β n₁ + γ n₂` of the unit normals, geometry stays flat | `smooth::a_smooth_triangle_is_a_smooth_mesh_of_one_triangle` |
 //! |  | smooth shading changes the shading normal and nothing else | `meshes::flat_and_smooth_meshes_have_the_same_hits` |
 //! |  | interpolated normals of a tessellated sphere differ from the sphere's own by less than the square of the angle of an edge | `meshes::smooth_normals_of_a_sphere_are_nearly_its_own` |
@@ -20,14 +19,10 @@
 //! | reversed normals | reversing a mesh negates every normal and keeps every distance; reversing it twice changes nothing | `meshes::reversing_twice_changes_nothing` |
 //! | meshes with texture coordinates | if u and v of the vertices are affine functions of their position, u and v of a hit are the same functions; also through instances, compounds and lattices | `uv::texture_coordinates_are_interpolated_where_the_file_has_them` |
 //!
-//! Beyond the book: 6 in `bumps`, 2 in `files`, 2 in `hard`, 1 in `hard_spheres`, 1 in `leaks`, 1 in `leaving`, 2 in `lists`, 5 in `outside`, 3 in `smooth`, 3 in `watertight`.
+//! Beyond the book: 1 in `files`, 1 in `leaks`, 1 in `lists`, 1 in `meshes`, 5 in `outside`, 1 in `smooth`, 3 in `watertight`.
 
-mod bumps;
 mod files;
-mod hard;
-mod hard_spheres;
 mod leaks;
-mod leaving;
 mod lists;
 mod meshes;
 mod outside;

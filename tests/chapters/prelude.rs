@@ -39,6 +39,7 @@ pub use crate::pictures::studio::{
     RED, add_flat, assert_same_bits, bits, from_front, pixels, small,
 };
 pub use crate::support::replicas::{assert_color, assert_mean, replicas, view, with_samples};
+pub use crate::support::solids::{first, line, shape_of, some_ray, ts};
 pub use crate::support::stage::{built, deep_stage, look, put, shine, stage};
 pub use crate::support::statistics::{most_sigmas, sigmas};
 pub use crate::support::{U, camera_ray, laws, point, unit};

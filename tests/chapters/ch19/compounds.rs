@@ -1,9 +1,7 @@
 //! Solids of several parts: they are closed, and they are the sets that their inequalities describe.
 
 use crate::prelude::*;
-use crate::support::solids::built;
-use crate::support::solids::check_pieces;
-use crate::support::solids::from_axis;
+use crate::support::solids::{check_pieces, from_axis};
 use groundtruth::shapes::{
     ConcaveLens, CutFace, FlatRimmedBowl, Materials, RoundRimmedBowl, SolidCone, SolidCylinder,
     ThickRing,
@@ -112,9 +110,8 @@ fn the_rim_of_a_bowl_touches_both_spheres() {
     const BEND: f64 = 4e-8;
     for opening in [180.0, 120.0, 250.0_f64] {
         let materials = Materials::new();
-        let shape = built(
-            &RoundRimmedBowl { inner_radius: 1.0, outer_radius: 1.2, opening, materials }.into(),
-        );
+        let shape =
+            shape_of(RoundRimmedBowl { inner_radius: 1.0, outer_radius: 1.2, opening, materials });
         for (radius, side) in [(1.0, -1.0), (1.2, 1.0)] {
             for beside in [-1e-9, 1e-9] {
                 let theta = 0.5 * opening + beside;
@@ -177,7 +174,7 @@ fn the_hollows_of_flat_lenses_end_at_the_rim() {
             continue;
         }
         let lens = ConcaveLens { radius, thickness, min_distance, materials: Materials::new() };
-        let shape = built(&lens.clone().into());
+        let shape = shape_of(lens.clone());
         let out: Vector = draw.direction().into();
         let out = Vector::new(out.x(), 0.0, out.z()).unit().expect("not zero");
         let by = draw.decades(-13.0, -3.0);
@@ -200,7 +197,7 @@ fn a_cut_face_is_a_square_without_a_disk() {
     for _ in 0..10_000 {
         let size = draw.between(0.5, 2.0);
         let radius = draw.between(0.05, 0.7) * size;
-        let shape = built(&CutFace { size, radius }.into());
+        let shape = shape_of(CutFace { size, radius });
         let [x, _, z] = draw.vector(0.6 * size).to_array();
         let origin = draw.point(3.0);
         let ray = Ray::new(origin, Point::new(x, 0.0, z) - origin);

@@ -11,7 +11,7 @@ use crate::prelude::*;
 const LOST_BY_ROUNDING: f64 = 1e-9;
 
 /// Rays from a few sizes away towards the inside of a shape's box.
-pub fn easy_rays(shape: &dyn Shape, count: usize) -> Vec<Ray> {
+fn easy_rays(shape: &dyn Shape, count: usize) -> Vec<Ray> {
     let bounds = shape.bounds();
     let (center, size) = if bounds.is_bounded() {
         (bounds.center(), bounds.extent().length())
@@ -67,6 +67,52 @@ fn textbook_and_robust_agree_on_easy_rays() {
             assert!(odd <= MAY_DIFFER, "{module}: {odd} differ beside {hits} hits of {kind:?}");
         }
         assert!(all >= MUST_HIT, "{}: {all} hits", entry.module);
+    }
+}
+
+/// Law: by the book's routines too, a shadow ray is blocked within a span exactly if a ray hits something
+/// there, for finite spans that end before, between and behind the hits, and for directions of length 10⁻³ to
+/// 10³, of which t is measured in lengths. Oracle: `hit` over the same span, of the shape and of a whole
+/// object.
+/// Book: the hit functions of objects.
+#[test]
+fn the_books_shadow_rays_hit_what_its_rays_hit() {
+    for entry in Kind::ENTRIES {
+        let (mut blocked, mut free) = (0, 0);
+        for kind in (entry.specimens)() {
+            let book = by_the_book(&kind).expect("specimens are valid");
+            let mut scene = from_front(1, 1, 1.0);
+            add_flat(&mut scene, "alone", kind.clone(), RED);
+            scene.intersect = Intersect::Textbook;
+            let world = built(&scene);
+            let mut random = Pcg32::new(1901, 0);
+            for easy in easy_rays(&*book, 150) {
+                let length = power(10.0, 6.0 * random.uniform() - 3.0);
+                let ray = Ray::new(easy.origin, length * easy.direction);
+                let roots = book.roots(&ray, Span { min: 1e-3 / length, max: f64::INFINITY });
+                let ts: Vec<f64> = roots.iter().map(|at| at.t).take(4).collect();
+                let Some((first, last)) = ts.first().zip(ts.last()) else { continue };
+                let between = ts.windows(2).map(|pair| 0.5 * (pair[0] + pair[1]));
+                let ends = || [0.5 * first, 1.1 * last].into_iter().chain(between.clone());
+                for (min, max) in ends().flat_map(|min| ends().map(move |max| (min, max))) {
+                    let span = Span { min, max };
+                    let is_hit = book.hit(&ray, span).is_some();
+                    let shadow = book.shadow_hit(&ray, span);
+                    let what = format!("{kind:?}, {span:?} of {ray:?}, hits at {ts:?}");
+                    assert_eq!(shadow.is_some(), is_hit, "the shape: {what}");
+                    assert!(
+                        shadow.is_none_or(|t| span.contains(t)),
+                        "blocked at {shadow:?}: {what}"
+                    );
+                    let is_hit = world.hit(&ray, span).is_some();
+                    assert_eq!(world.occluder(&ray, span).is_some(), is_hit, "the object: {what}");
+                    blocked += u32::from(is_hit);
+                    free += u32::from(!is_hit);
+                }
+            }
+        }
+        let module = entry.module;
+        assert!(blocked > 20 && free > 20, "{module}: {blocked} spans with hits, {free} without");
     }
 }
 

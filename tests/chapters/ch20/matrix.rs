@@ -2,9 +2,8 @@
 
 use testkit::properties::*;
 
-use super::{linear, product, size, steps, transform};
+use super::{product, size, steps, transform};
 use crate::prelude::*;
-use testkit::scaling::scaled;
 
 /// The matrix of these steps as a step.
 fn as_matrix(t: &Transform) -> Step {
@@ -49,56 +48,4 @@ proptest! {
         let there = both.inverse().point(both.point(p));
         at_most!(there.distance(p), 1000.0 * U * size(&both) * size(&both.inverse()));
     }
-}
-
-/// Law: an instance with a matrix has the same hits as the instance with the steps of that matrix.
-/// Oracle: that instance. `t` is at most 20, and a thousand roundings of it are allowed, as the matrices
-/// have a small condition.
-#[test]
-fn an_instance_by_its_matrix_is_hit_where_the_one_by_steps_is() {
-    let mut draw = Draw::new(2013);
-    let block = || {
-        Kind::from(Cuboid { min: Point::new(-1.0, -0.5, -0.75), max: Point::new(0.5, 1.0, 1.0) })
-    };
-    let mut hits = 0;
-    for _ in 0..400 {
-        let steps = vec![
-            Step::Scale(Vector::new(draw.between(0.5, 2.0), -1.5, draw.between(0.5, 2.0))),
-            Step::RotateAbout {
-                point: draw.point(1.0),
-                direction: draw.direction().into(),
-                degrees: draw.between(-180.0, 180.0),
-            },
-            Step::Shear([draw.between(-0.5, 0.5), 0.0, 0.0, 0.25, 0.0, 0.0]),
-            Step::Translate(draw.vector(1.0)),
-        ];
-        let matrix = as_matrix(&transform(&steps));
-        let [by_steps, by_matrix] = [steps, vec![matrix]].map(|steps| {
-            let kind = Kind::from(Instance::new(block(), steps));
-            kind.build(&mut Context::default()).expect("valid")
-        });
-        let from = draw.point(1.0) + 9.0 * Vector::from(draw.direction());
-        let ray = Ray::new(from, draw.point(1.0) - from);
-        let [one, other] = [by_steps, by_matrix].map(|it| it.hit(&ray, Span::AHEAD));
-        assert_eq!(one.is_some(), other.is_some(), "{ray:?}");
-        if let (Some(one), Some(other)) = (one, other) {
-            hits += 1;
-            assert!((one.t - other.t).abs() <= 20_000.0 * U, "{} {}", one.t, other.t);
-            assert_eq!(one.part, other.part);
-        }
-    }
-    assert!(hits > 100, "{hits}");
-}
-
-/// Law: a matrix with dependent rows is singular; scaling a matrix step scales only its translation.
-/// Oracle: a second row that is twice the first; the rows with their last column doubled.
-#[test]
-fn singular_matrices_are_refused_and_scenes_scale() {
-    let last = [0.0, 0.0, 0.0, 1.0];
-    let flat = [[1.0, 2.0, 3.0, 0.0], [2.0, 4.0, 6.0, 0.0], [0.0, 1.0, 0.0, 0.0], last];
-    assert!(Transform::from_steps(&[Step::Matrix(flat)]).is_err());
-    let rows = [[1.0, 2.0, 3.0, 4.0], [0.0, 1.0, 5.0, 6.0], [0.0, 0.0, 1.0, 7.0], last];
-    let doubled = transform(&[scaled(&Step::Matrix(rows), 2.0)]);
-    assert_eq!(linear(&doubled), linear(&transform(&[Step::Matrix(rows)])));
-    assert_eq!(doubled.rows().map(|row| row[3]), [8.0, 12.0, 14.0]);
 }

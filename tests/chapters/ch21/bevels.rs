@@ -12,8 +12,6 @@ pub struct Case {
     pub kind: Kind,
     pub bevel: f64,
     pub from_inset: Box<dyn Fn(Point) -> f64>,
-    /// Whether a line meets it at most twice.
-    pub convex: bool,
 }
 
 /// How far `x` is outside of the interval after `bevel` is taken off both ends.
@@ -45,7 +43,7 @@ fn beveled_box(draw: &mut Draw) -> Case {
         Vector::from(off).length()
     };
     let kind = BeveledBox { min, max, bevel, materials: Materials::new() }.into();
-    Case { kind, bevel, from_inset: Box::new(from_inset), convex: true }
+    Case { kind, bevel, from_inset: Box::new(from_inset) }
 }
 
 fn beveled_cylinder(draw: &mut Draw) -> Case {
@@ -57,7 +55,7 @@ fn beveled_cylinder(draw: &mut Draw) -> Case {
         length((from_axis(p) - (radius - bevel)).max(0.0), beside([y0, y1], bevel, p.y()))
     };
     let kind = BeveledCylinder { y0, y1, radius, bevel, materials: Materials::new() }.into();
-    Case { kind, bevel, from_inset: Box::new(from_inset), convex: true }
+    Case { kind, bevel, from_inset: Box::new(from_inset) }
 }
 
 fn beveled_ring(draw: &mut Draw) -> Case {
@@ -71,7 +69,7 @@ fn beveled_ring(draw: &mut Draw) -> Case {
     };
     let materials = Materials::new();
     let kind = BeveledRing { y0, y1, inner_radius, outer_radius, bevel, materials }.into();
-    Case { kind, bevel, from_inset: Box::new(from_inset), convex: false }
+    Case { kind, bevel, from_inset: Box::new(from_inset) }
 }
 
 /// A point of the plane y = 0 as the complex number `z + i x`, whose argument is the azimuth.
@@ -148,7 +146,7 @@ fn beveled_wedge(draw: &mut Draw) -> Case {
     };
     let materials = Materials::new();
     let kind = BeveledWedge { y0, y1, inner_radius, outer_radius, phi, bevel, materials }.into();
-    Case { kind, bevel, from_inset: Box::new(from_inset), convex: false }
+    Case { kind, bevel, from_inset: Box::new(from_inset) }
 }
 
 /// A box, a cylinder, a ring and a wedge.

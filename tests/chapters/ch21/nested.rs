@@ -56,13 +56,15 @@ fn ray(draw: &mut Draw) -> Ray {
     Ray::new(origin, draw.point(0.6) - origin)
 }
 
-/// Law: leaves are numbered as if nested compounds were one list. At equal distances the first leaf is
-/// hit, `t` and surface are the leaf's own, and the innermost material counts. Oracle: the spheres one
-/// by one, bit for bit.
+/// Law: nested compounds are their parts in one list: at equal distances the first leaf is hit, `t` and surface are the
+/// leaf's own, and of the materials around a part the innermost counts, or the scene's choice if there is none; it says
+/// whether the part casts a shadow. Oracle: the spheres one by one, bit for bit.
+/// Book: nested objects and their materials.
 #[test]
 fn nested_compounds_equal_the_same_parts_in_one_list() {
     let mut draw = Draw::new(2180);
-    let (mut hits, mut ties) = (0, 0);
+    let (mut hits, mut ties, mut dark, mut light) = (0, 0, 0, 0);
+    let casts = |leaf: &&Leaf| leaf.material.is_none_or(|m| CASTS_SHADOWS[m as usize]);
     for _ in 0..300 {
         let mut leaves = Vec::new();
         let kind = tree(&mut draw, 3, None, &mut leaves);
@@ -70,6 +72,12 @@ fn nested_compounds_equal_the_same_parts_in_one_list() {
         assert_eq!(shape.leaves(), leaves.len() as u64);
         for _ in 0..30 {
             let ray = ray(&mut draw);
+            let mut opaque = leaves.iter().filter(casts);
+            let expected = opaque.any(|leaf| leaf.shape.hit(&ray, Span::SEGMENT).is_some());
+            let shadow = shape.shadow_hit(&ray, Span::SEGMENT).is_some();
+            assert_eq!(shadow, expected, "{ray:?}");
+            dark += usize::from(shadow);
+            light += usize::from(!shadow && shape.hit(&ray, Span::SEGMENT).is_some());
             let all = (0_u64..).zip(&leaves);
             let all =
                 all.filter_map(|(i, leaf)| Some((i, leaf, leaf.shape.hit(&ray, Span::AHEAD)?)));
@@ -87,57 +95,7 @@ fn nested_compounds_equal_the_same_parts_in_one_list() {
         }
     }
     assert!(hits > 2_000 && ties > 500, "{hits} hits, {ties} ties");
-}
-
-/// Law: a part blocks light exactly if the innermost material around it casts shadows, whatever the
-/// outer materials do. Oracle: the spheres one by one.
-#[test]
-fn the_innermost_material_says_whether_a_part_casts_a_shadow() {
-    let mut draw = Draw::new(2181);
-    let (mut dark, mut light) = (0, 0);
-    for _ in 0..300 {
-        let mut leaves = Vec::new();
-        let kind = tree(&mut draw, 3, None, &mut leaves);
-        let shape = kind.build(&mut context()).expect("valid");
-        for _ in 0..30 {
-            let ray = ray(&mut draw);
-            let casts = |leaf: &Leaf| leaf.material.is_none_or(|m| CASTS_SHADOWS[m as usize]);
-            let mut opaque = leaves.iter().filter(|leaf| casts(leaf));
-            let expected = opaque.any(|leaf| leaf.shape.hit(&ray, Span::SEGMENT).is_some());
-            let shadow = shape.shadow_hit(&ray, Span::SEGMENT).is_some();
-            assert_eq!(shadow, expected, "{ray:?}");
-            dark += usize::from(shadow);
-            light += usize::from(!shadow && shape.hit(&ray, Span::SEGMENT).is_some());
-        }
-    }
     assert!(dark > 1_000 && light > 200, "{dark} in shadow, {light} through glass");
-}
-
-/// Law: a material of a compound applies to all its parts, but a part's own material has priority; a
-/// part without any material leaves the choice to the scene. Oracle: worked by hand.
-/// Book: nested objects and their materials.
-#[test]
-fn the_innermost_of_three_materials_wins() {
-    let row = Compound {
-        accel: None,
-        parts: vec![
-            Part::new(ball(0.0, 0.25)),
-            Part::new(ball(1.0, 0.25)).of_material("glass"),
-            Part::new(Compound::of([ball(2.0, 0.25)])).of_material("brass"),
-        ],
-    };
-    let inside = Compound { accel: None, parts: vec![Part::new(row.clone()).of_material("stone")] };
-    for (kind, expected) in [
-        (Kind::from(row), [None, Some(1), Some(2)]),
-        (Kind::from(inside), [Some(0), Some(1), Some(2)]),
-    ] {
-        let shape = kind.build(&mut context()).expect("valid");
-        for (x, material) in [0.0, 1.0, 2.0].into_iter().zip(expected) {
-            let ray = Ray::new(Point::new(x, 0.0, 3.0), -Vector::Z);
-            let at = shape.hit(&ray, Span::AHEAD).expect("aimed at");
-            assert_eq!(shape.surface(&ray, &at).material, material, "{x}");
-        }
-    }
 }
 
 /// A ball in so many nested lattices of 2¹⁶ copies each; the outermost has `last` copies.

@@ -1,19 +1,19 @@
-//! Rosettes and archways: the number and the position of their stones, the joints between them, and the
-//! same hits with every search method.
+//! Rosettes and archways: the number and the position of their stones, and the joints between them.
 
 use groundtruth::shapes::{Archway, BeveledBox, Materials, Rosette};
 
 use crate::prelude::*;
-use crate::support::solids::{built, from_axis, line};
+use crate::support::solids::{check_known_pieces, from_axis};
+use testkit::cases::with_field;
 use testkit::scaling::scaled;
 
-fn rosette(rings: u32, bevel: f64, accel: Option<Method>) -> Rosette {
+fn rosette(rings: u32, bevel: f64) -> Rosette {
     let (hole_radius, ring_width) = (0.75, 1.0);
     let materials = Materials::new();
-    Rosette { rings, hole_radius, ring_width, bevel, y0: -0.25, y1: 0.25, accel, materials }
+    Rosette { rings, hole_radius, ring_width, bevel, y0: -0.25, y1: 0.25, accel: None, materials }
 }
 
-fn archway(blocks: u32, wedges: u32, bevel: f64, accel: Option<Method>) -> Archway {
+fn archway(blocks: u32, wedges: u32, bevel: f64) -> Archway {
     Archway {
         width: 20.0,
         height: 25.0,
@@ -22,7 +22,7 @@ fn archway(blocks: u32, wedges: u32, bevel: f64, accel: Option<Method>) -> Archw
         blocks,
         wedges,
         bevel,
-        accel,
+        accel: None,
         materials: Materials::new(),
     }
 }
@@ -41,7 +41,7 @@ fn stones(shape: &dyn Shape, rays: impl Iterator<Item = Ray>, top: f64) -> usize
 /// Book: fig. 21.11, the rosette and the archway.
 #[test]
 fn the_rings_of_a_rosette_have_the_books_numbers_of_wedges() {
-    let shape = built(&rosette(6, 0.05, None).into());
+    let shape = shape_of(rosette(6, 0.05));
     for (ring, count) in [10, 12, 15, 18, 24, 36].into_iter().enumerate() {
         let radius = 0.75 + 0.5 + ring as f64;
         let circle = (0..7201).map(|i| {
@@ -64,7 +64,7 @@ fn the_rings_of_a_rosette_have_the_books_numbers_of_wedges() {
 #[test]
 fn an_archway_has_its_blocks_and_wedges_in_its_box() {
     for (blocks, wedges) in [(6, 10), (1, 1), (4, 7)] {
-        let shape = built(&archway(blocks, wedges, 0.2, None).into());
+        let shape = shape_of(archway(blocks, wedges, 0.2));
         let from = |x: f64, y: f64| Ray::new(Point::new(x, y, 2.5), -Vector::Z);
         for x in [-8.0, 8.0] {
             // from the middle of the lowest block to the middle of the highest
@@ -98,8 +98,6 @@ fn stones_fill_the_plain_solid_but_for_grooves_and_joints() {
     let bevel = 0.1;
     let grooves = |off: f64| (off - off.round()).abs();
     for rings in [1, 3] {
-        let kind = Kind::from(rosette(rings, bevel, None));
-        let shape = built(&kind);
         let outer = 0.75 + f64::from(rings);
         let deep = |p: Point| {
             let (rho, y) = (from_axis(p), 0.25 - p.y().abs());
@@ -119,10 +117,8 @@ fn stones_fill_the_plain_solid_but_for_grooves_and_joints() {
             // a point farther than the bevel from two of the three kinds of face is not in a groove
             (away.iter().filter(|&&a| a).count() >= 2).then_some(true)
         };
-        check_known(&*shape, &mut draw, 5_000, deep);
+        check_known_pieces(&rosette(rings, bevel).into(), &mut draw, 5_000, deep);
     }
-    let kind = Kind::from(archway(6, 10, 0.3, None));
-    let shape = built(&kind);
     let deep = |p: Point| {
         let [x, y, z] = [p.x().abs(), p.y() - 15.0, 1.5 - p.z().abs()];
         let across = if y < 0.0 { x } else { (x * x + y * y).sqrt() };
@@ -141,41 +137,7 @@ fn stones_fill_the_plain_solid_but_for_grooves_and_joints() {
         let away = [z, (across - 6.0).min(10.0 - across), side].map(|d| d > 1.1 * 0.3);
         (away.iter().filter(|&&a| a).count() >= 2).then_some(true)
     };
-    check_known(&*shape, &mut draw, 5_000, deep);
-}
-
-/// Checks the intervals between roots: each point for which `known` says whether it is inside must
-/// agree.
-fn check_known(
-    shape: &dyn Shape,
-    draw: &mut Draw,
-    lines: usize,
-    known: impl Fn(Point) -> Option<bool>,
-) {
-    let mut asked = [0; 2];
-    for _ in 0..lines {
-        let ray = line(draw, shape);
-        let roots = shape.roots(&ray, Span::LINE);
-        assert_eq!(roots.len() % 2, 0, "{ray:?} crosses at {roots:?}");
-        for (i, pair) in roots.windows(2).enumerate() {
-            if pair[1].t - pair[0].t < 1e-6 {
-                continue;
-            }
-            for share in [0.01, 0.3, 0.5, 0.99] {
-                let point = ray.at(pair[0].t + share * (pair[1].t - pair[0].t));
-                if let Some(inside) = known(point) {
-                    assert_eq!(inside, i % 2 == 0, "{point:?} of {ray:?}");
-                    asked[usize::from(inside)] += 1;
-                }
-            }
-        }
-        for (i, root) in roots.iter().enumerate() {
-            let cosine = shape.surface(&ray, root).normal.dot(ray.direction);
-            let sign = if i % 2 == 0 { -1.0 } else { 1.0 };
-            assert!(sign * cosine > -1e-6, "root {i} of {ray:?} faces the wrong way");
-        }
-    }
-    assert!(asked.iter().all(|&count| count > lines / 20), "{asked:?}");
+    check_known_pieces(&archway(6, 10, 0.3).into(), &mut draw, 5_000, deep);
 }
 
 /// Law: between two stones is a joint that is 1/1024 to 1/512 of the bevel wide: a ray in its middle
@@ -183,8 +145,8 @@ fn check_known(
 #[test]
 fn a_ray_in_the_middle_of_a_joint_passes_between_the_stones() {
     let (bevel, floor_bevel) = (0.3, 0.1);
-    let arch = built(&archway(6, 10, bevel, None).into());
-    let floor = built(&rosette(3, floor_bevel, None).into());
+    let arch = shape_of(archway(6, 10, bevel));
+    let floor = shape_of(rosette(3, floor_bevel));
     let mut joints: Vec<(&dyn Shape, Point, Vector, Vector, f64)> = Vec::new();
     // between the wedges of the arch, and between them and the columns
     for joint in 0..=10 {
@@ -221,43 +183,6 @@ fn a_ray_in_the_middle_of_a_joint_passes_between_the_stones() {
     assert_eq!(stopped, 2 * (11 + 10 + 37));
 }
 
-/// Law: list and tree find the same part at the same distance, bit for bit. Oracle: the list.
-#[test]
-fn stones_are_found_alike_by_list_and_tree() {
-    let mut draw = Draw::new(2141);
-    let shapes = |accel| -> [Kind; 2] {
-        [rosette(2, 0.1, Some(accel)).into(), archway(2, 5, 0.5, Some(accel)).into()]
-    };
-    for (list, tree) in shapes(Method::List).iter().zip(&shapes(Method::Bvh)) {
-        let [list, tree] = [list, tree].map(built);
-        let mut hits = 0;
-        for _ in 0..4_000 {
-            let ray = line(&mut draw, &*list);
-            let hit = list.hit(&ray, Span::AHEAD);
-            assert_eq!(hit, tree.hit(&ray, Span::AHEAD), "{ray:?}");
-            let shadows = [&list, &tree].map(|shape| shape.shadow_hit(&ray, Span::AHEAD).is_some());
-            assert_eq!(shadows, [hit.is_some(); 2], "{ray:?}");
-            hits += usize::from(hit.is_some());
-        }
-        assert!(hits > 500, "{hits}");
-    }
-}
-
-/// The same solid with another bevel; `None` for a kind without a bevel.
-fn with_bevel(kind: &Kind, bevel: f64) -> Option<Kind> {
-    let mut kind = kind.clone();
-    *match &mut kind {
-        Kind::BeveledBox(it) => &mut it.bevel,
-        Kind::BeveledCylinder(it) => &mut it.bevel,
-        Kind::BeveledRing(it) => &mut it.bevel,
-        Kind::BeveledWedge(it) => &mut it.bevel,
-        Kind::Rosette(it) => &mut it.bevel,
-        Kind::Archway(it) => &mut it.bevel,
-        _ => return None,
-    } = bevel;
-    Some(kind)
-}
-
 /// Law: a bevel is accepted down to some roundings of the largest coordinate, at all scales. The message
 /// about a smaller one names the solid's own field and not that of a part. Oracle: 64 u of the largest
 /// coordinate; for an archway, of its largest extent.
@@ -270,7 +195,7 @@ fn bevels_may_be_as_small_as_rounding_allows() {
             let bounds = kind.build(&mut Context::default()).expect("a specimen").bounds();
             let largest = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
             for (share, builds) in [(1e-15, false), (2e-14, true), (1e-10, true)] {
-                let Some(kind) = with_bevel(&kind, share * largest) else { continue };
+                let Some(kind) = with_field(&kind, "bevel", share * largest) else { continue };
                 match kind.build(&mut Context::default()) {
                     Ok(_) => assert!(builds, "{kind:?}"),
                     Err(error) => {
@@ -306,46 +231,5 @@ fn the_advice_where_no_bevel_fits_can_be_followed() {
         let moved = vec![Step::Translate(Vector::new(1e16, 0.0, 0.0))];
         let followed = Kind::from(Instance::new(at(0.0, bevel), moved));
         followed.build(&mut Context::default()).expect("the advice can be followed");
-    }
-}
-
-/// Law: invalid rosettes and archways are refused, and the message names the field as it is written in
-/// the scene.
-#[test]
-fn stones_name_the_field_that_does_not_fit() {
-    let arch = archway(6, 10, 0.5, None);
-    for (kind, problem) in [
-        (
-            Kind::from(rosette(7, 0.1, None)),
-            "rosette.rings: found 7, but from 1 to 6 rings are needed",
-        ),
-        (rosette(0, 0.1, None).into(), "rosette.rings: found 0, but from 1 to 6 rings are needed"),
-        (
-            rosette(1, 0.3, None).into(),
-            "rosette.bevel: found 0.3, but at most 0.25 fits, half the height",
-        ),
-        (
-            Archway { height: 10.0, ..arch.clone() }.into(),
-            "archway.height: found 10, but it must be above half the width, 10",
-        ),
-        (
-            Archway { column_width: 10.0, ..arch.clone() }.into(),
-            "archway.column_width: found 10, but it must be below half the width, 10",
-        ),
-        (
-            Archway { blocks: 0, ..arch.clone() }.into(),
-            "archway.blocks: found 0, but from 1 to 1000 are needed",
-        ),
-        (
-            Archway { wedges: u32::MAX, ..arch.clone() }.into(),
-            "archway.wedges: found 4294967295, but from 1 to 1000 are needed",
-        ),
-        (
-            Archway { blocks: 20, ..arch }.into(),
-            "archway.bevel: found 0.5, but at most 0.375 fits, half the height of a block",
-        ),
-    ] {
-        let found = kind.build(&mut Context::default()).expect_err("refused").to_string();
-        assert!(found == problem, "{found}\ninstead of\n{problem}");
     }
 }

@@ -3,7 +3,7 @@
 use groundtruth::kinds::Resources;
 use groundtruth::shapes::{Part, RandomSpheres};
 
-use super::searched::ray;
+use super::searched::some_rays;
 use crate::prelude::*;
 
 /// The same shape with every level searched by this method, or by its default one for `None`.
@@ -55,11 +55,6 @@ fn agree(kind: &Kind, rays: impl Iterator<Item = Ray>) -> usize {
         }
     }
     hits
-}
-
-fn some_rays(seed: u64, count: usize, extent: f64) -> impl Iterator<Item = Ray> {
-    let mut draw = Draw::new(seed);
-    (0..count).map(move |_| ray(&mut draw, extent))
 }
 
 fn squashed(of: impl Into<Kind>, draw: &mut Draw) -> Kind {

@@ -11,7 +11,7 @@ pub fn hits(objects: &[Arc<dyn Shape>], ray: &Ray) -> impl Fn(u32, Span) -> Opti
 
 /// The greatest distance of a ray's origin, in sizes of the scene, at which all methods find the same:
 /// see `docs/accuracy.md`.
-pub const FARTHEST: f64 = (1 << 20) as f64;
+const FARTHEST: f64 = (1 << 20) as f64;
 
 /// The same objects, searched by every method.
 pub struct Both {
@@ -31,7 +31,7 @@ impl Both {
     }
 
     /// All but the list.
-    pub fn others(&self) -> [&Accel; 2] {
+    fn others(&self) -> [&Accel; 2] {
         [&self.grid, &self.tree]
     }
 
@@ -39,13 +39,6 @@ impl Both {
     fn is_near(&self, ray: &Ray) -> bool {
         let size = self.whole.extent().max_abs();
         (ray.origin - self.whole.center()).max_abs() <= FARTHEST * size
-    }
-
-    /// The first object at the least distance, found by testing each.
-    pub fn first(&self, ray: &Ray) -> Option<(u32, f64)> {
-        let hits = (0_u32..).zip(&self.objects);
-        let hits = hits.filter_map(|(i, object)| Some((i, object.hit(ray, Span::AHEAD)?.t)));
-        hits.min_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)))
     }
 
     /// Whether anything is hit; fails if the methods disagree on a ray that starts near.
@@ -74,10 +67,6 @@ impl Both {
         }
         first.is_some()
     }
-}
-
-pub fn built(kind: impl Into<Kind>) -> Arc<dyn Shape> {
-    kind.into().build(&mut Context::default()).expect("valid")
 }
 
 /// A random ray; one in three has zeros of either sign in its direction, and some start very far away.
@@ -126,5 +115,5 @@ pub fn some_rays(seed: u64, count: usize, extent: f64) -> impl Iterator<Item = R
 pub fn spheres(draw: &mut Draw, count: usize) -> Vec<Arc<dyn Shape>> {
     let sphere =
         |_| Sphere { center: draw.point(1.0), radius: draw.decades(-2.5, -0.7), inward: false };
-    (0..count).map(sphere).map(built).collect()
+    (0..count).map(sphere).map(shape_of).collect()
 }

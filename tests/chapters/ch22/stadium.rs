@@ -2,10 +2,8 @@
 //! them apart.
 
 use groundtruth::accel::{Accel, Counts};
-use groundtruth::mesh_bvh::Kernel;
-use groundtruth::shapes::TriangleMesh;
 
-use super::searched::{self, Both, built, hits};
+use super::searched::{self, Both, hits};
 use crate::prelude::*;
 
 /// Small spheres, triangles and boxes, all within `size` of a point.
@@ -35,10 +33,10 @@ fn teapot(draw: &mut Draw, count: usize, middle: Point, size: f64) -> Vec<Arc<dy
 fn stadium(draw: &mut Draw) -> Vec<Arc<dyn Shape>> {
     let floor =
         shapes::Cuboid { min: Point::new(-1.0, -1.0, -1.0), max: Point::new(1.0, -0.99, 1.0) };
-    let mut objects = vec![built(floor)];
+    let mut objects = vec![shape_of(floor)];
     for _ in 0..20 {
         let (at, radius) = (1.0 * draw.direction(), draw.between(0.01, 0.1));
-        objects.push(built(Sphere { center: Point::ORIGIN + at, radius, inward: false }));
+        objects.push(shape_of(Sphere { center: Point::ORIGIN + at, radius, inward: false }));
     }
     objects
 }
@@ -80,46 +78,6 @@ fn acceleration_equals_the_list_in_a_stadium() {
             assert!(5 * hits > count, "2^-{exponent}: {hits} of {count} hit");
         }
     }
-}
-
-/// Law: a mesh with fine detail at one point, whose leaves are blocks of triangles, has the hits of its
-/// list, with every kernel. Oracle: the list.
-#[test]
-fn a_mesh_with_fine_detail_equals_its_list() {
-    let mut draw = Draw::new(2293);
-    let detail = Point::new(0.25, -0.5, 0.125);
-    let size = power(2.0, -17.0);
-    let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
-    for i in 0..600 {
-        let (middle, size) = if i < 40 { (Point::ORIGIN, 1.0) } else { (detail, size) };
-        let corner = middle + draw.vector(0.8 * size);
-        let first = vertices.len() as u32;
-        vertices.extend([
-            corner,
-            corner + draw.vector(0.2 * size),
-            corner + draw.vector(0.2 * size),
-        ]);
-        triangles.push([first, first + 1, first + 2]);
-    }
-    let build = |method, kernel| {
-        TriangleMesh::new(vertices.clone(), triangles.clone()).accelerated_for(method, kernel)
-    };
-    let list = build(Method::List, Kernel::PLAIN);
-    let trees: Vec<_> =
-        Kernel::available().into_iter().map(|kernel| build(Method::Bvh, kernel)).collect();
-    let mut hits = 0;
-    for i in 0..6_000 {
-        let (low, high) = if i % 2 == 0 { (-6.0, -4.0) } else { (-1.0, 6.0) };
-        let ray = ray_at(&mut draw, detail, size, low, high);
-        let first = list.hit(&ray, Span::AHEAD);
-        for tree in &trees {
-            assert_eq!(tree.hit(&ray, Span::AHEAD), first, "{ray:?}");
-            let shadow = tree.shadow_hit(&ray, Span::AHEAD);
-            assert_eq!(shadow.is_some(), first.is_some(), "shadow of {ray:?}");
-        }
-        hits += usize::from(first.is_some());
-    }
-    assert!(hits > 3_000, "{hits}");
 }
 
 /// Law: to search a teapot in a stadium costs as much as to search it alone, and a few nodes for the

@@ -3,6 +3,7 @@
 use formats::meshes::{parse_ply, write_ply};
 
 use crate::prelude::*;
+use crate::support::solids::refusal;
 
 /// Law: the three encodings of PLY give the same mesh, and the same hits and shading normals, bit
 /// for bit, with the file's normals and with mean ones. Oracle: each other, and the mesh that was
@@ -29,17 +30,14 @@ fn the_three_encodings_of_ply_give_the_same_hits() {
             let file = folder.path().join(format!("{encoding:?}-{with_normals}.ply"));
             std::fs::write(&file, bytes).expect("writable");
             let mesh = Mesh { scale: 0.5, smooth: true, ..Mesh::of_file(file) };
-            Kind::from(mesh).build(&mut Context::default()).expect("valid")
+            shape_of(mesh)
         });
         let mut draw = Draw::new(2340);
         let mut hits = 0;
         for _ in 0..2_000 {
             let origin = draw.point(3.0);
             let ray = Ray::new(origin, draw.point(0.5) - origin);
-            let look = |shape: &std::sync::Arc<dyn Shape>| {
-                shape.hit(&ray, Span::AHEAD).map(|hit| (hit, shape.surface(&ray, &hit)))
-            };
-            let seen = shapes.each_ref().map(look);
+            let seen = shapes.each_ref().map(|shape| first(&**shape, &ray));
             assert_eq!(seen[0], seen[1]);
             assert_eq!(seen[0], seen[2]);
             hits += u32::from(seen[0].is_some());
@@ -57,29 +55,6 @@ fn a_file_of_flat_triangles_is_refused() {
     let text = "v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\nf 1 1 2\n";
     std::fs::write(&file, text).expect("writable");
     let mesh = Mesh::of_file(file);
-    let problem = Kind::from(mesh).build(&mut Context::default()).expect_err("flat").to_string();
+    let problem = refusal(mesh);
     assert!(problem.contains("file") && problem.contains("area zero"), "{problem}");
-}
-
-/// Law: triangles that are too large or too small for the arithmetic are refused for their size, and not
-/// for having no area. Oracle: the texts.
-#[test]
-fn a_size_that_is_not_supported_is_named() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let file = folder.path().join("one.obj");
-    std::fs::write(&file, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").expect("writable");
-    for (scale, found) in [(1e200, "coordinates up to 1e200"), (1e-200, "an extent of 1e-200")] {
-        let lengths = "but only lengths from 1e-40 to 1e40 are supported";
-        let problem =
-            |kind: Kind| kind.build(&mut Context::default()).expect_err("size").to_string();
-        let file = file.clone();
-        let mesh = Mesh { scale, ..Mesh::of_file(file) };
-        assert_eq!(problem(mesh.into()), format!("mesh.file: found {found}, {lengths}"));
-        let vertices = [[0.0, 0.0], [scale, 0.0], [0.0, scale]].map(|[x, y]| Point::new(x, y, 0.0));
-        let triangle = Triangle { vertices, normals: None };
-        assert_eq!(
-            problem(triangle.into()),
-            format!("triangle.vertices: found {found}, {lengths}")
-        );
-    }
 }

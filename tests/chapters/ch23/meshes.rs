@@ -11,6 +11,11 @@ fn sphere(horizontal: u32, vertical: u32, smooth: bool) -> TriangleMesh {
     TessellatedSphere::new(horizontal, vertical, smooth).mesh()
 }
 
+fn bumpy(horizontal: u32, vertical: u32, bumps: f64) -> TriangleMesh {
+    let sphere = TessellatedSphere::new(horizontal, vertical, true);
+    TessellatedSphere { radius: 2.0, bumps, ..sphere }.mesh()
+}
+
 fn corners(mesh: &TriangleMesh, triangle: [u32; 3]) -> [Point; 3] {
     triangle.map(|i| mesh.vertices()[i as usize])
 }
@@ -55,11 +60,15 @@ fn the_area_of_a_tessellated_sphere_nears_four_pi_quadratically() {
     }
 }
 
-/// Law: in a closed mesh every edge is passed once in each direction. Oracle: counting.
+/// Law: in a closed mesh every edge is passed once in each direction, and vertices minus edges plus faces of a ball are
+/// two, bumpy or not. Oracle: counting.
 /// Book: the mesh and its triangles.
 #[test]
 fn every_edge_of_a_closed_mesh_is_passed_once_each_way() {
-    for mesh in [sphere(3, 2, false), sphere(4, 2, false), sphere(17, 9, true), knot()] {
+    let bumpy = [(3, 2, 0.99), (7, 5, 0.5), (90, 64, 0.9)].map(|(h, v, bumps)| bumpy(h, v, bumps));
+    let balls = [sphere(3, 2, false), sphere(4, 2, false), sphere(17, 9, true)];
+    let balls = balls.into_iter().chain(bumpy).map(|mesh| (mesh, 2));
+    for (mesh, euler) in balls.chain([(knot(), 0)]) {
         let mut edges = HashMap::new();
         for t in mesh.triangles() {
             for k in 0..3 {
@@ -68,6 +77,27 @@ fn every_edge_of_a_closed_mesh_is_passed_once_each_way() {
         }
         for (&(a, b), &count) in &edges {
             assert_eq!((count, edges.get(&(b, a))), (1, Some(&1)), "edge {a}–{b}");
+        }
+        let (v, e, f) = (mesh.vertices().len(), edges.len() / 2, mesh.triangles().len());
+        assert_eq!(v + f, e + euler);
+    }
+}
+
+/// Law: each vertex is at azimuth φ, polar angle θ of the plain sphere, at the radius
+/// `r (1 + bumps (2/3 sin 9φ sin 7θ + 1/3 sin 31θ))`. Oracle: the formula; a vertex is searched for at
+/// each of its points.
+#[test]
+fn bumpy_spheres_have_the_vertices_of_their_formula() {
+    let mesh = bumpy(25, 13, 0.4);
+    for k in 0..=13 {
+        for j in 0..25 {
+            let (theta, phi) = (PI * f64::from(k) / 13.0, 2.0 * PI * f64::from(j) / 25.0);
+            let sines = 2.0 * sin(9.0 * phi) * sin(7.0 * theta) + sin(31.0 * theta);
+            let r = 2.0 * (1.0 + 0.4 * sines / 3.0);
+            let (x, z) = (sin(phi) * sin(theta), cos(phi) * sin(theta));
+            let expected = Point::new(r * x, r * cos(theta), r * z);
+            let found = mesh.vertices().iter().any(|p| p.distance(expected) < 1e-12);
+            assert!(found, "no vertex at {expected:?}");
         }
     }
 }
@@ -161,19 +191,6 @@ fn vertex_normals_are_the_mean_of_the_adjacent_faces() {
     assert_eq!(mesh.mean_normals(), [Normal::Y; 3]);
 }
 
-/// Law: on a planar mesh the vertex normals are the face normal. Oracle: the normal of the plane.
-/// Book: normals at the vertices.
-#[test]
-fn vertex_normals_of_a_plane_mesh_are_the_planes() {
-    let v = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [0.0, 3.0], [1.0, 1.0]];
-    let vertices = v.map(|[x, y]| Point::new(x, y, 2.0 * x - y)).to_vec();
-    let mesh = TriangleMesh::new(vertices, vec![[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4]]);
-    let plane = Normal::new(Vector::new(-2.0, 1.0, 1.0)).expect("not zero");
-    for normal in mesh.mean_normals() {
-        assert!((normal + -plane).length() < 8.0 * U, "{normal:?}");
-    }
-}
-
 /// Law: reversing a mesh negates every normal and keeps every distance; reversing it twice changes
 /// nothing. Oracle: the mesh before.
 /// Book: reversed normals.
@@ -207,10 +224,8 @@ fn reversing_twice_changes_nothing() {
 #[test]
 fn a_mesh_equals_its_loose_triangles() {
     for mesh in [sphere(8, 5, false), knot()] {
-        let loose = |&t: &[u32; 3]| {
-            let kind = Kind::from(Triangle { vertices: corners(&mesh, t), normals: None });
-            kind.build(&mut Context::default()).expect("an area")
-        };
+        let loose =
+            |&t: &[u32; 3]| shape_of(Triangle { vertices: corners(&mesh, t), normals: None });
         let loose: Vec<_> = mesh.triangles().iter().map(loose).collect();
         let shape = mesh.clone().accelerated(Method::Bvh);
         for ray in rays(2335, 400) {

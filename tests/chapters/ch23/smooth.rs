@@ -12,18 +12,14 @@ fn normals() -> [Vector; 3] {
     [[-0.5, 0.0, 1.0], [2.0, 0.5, 3.0], [0.0, 0.25, 0.25]].map(Vector::from)
 }
 
-fn smooth(normals: Option<[Vector; 3]>) -> std::sync::Arc<dyn Shape> {
-    let kind = Kind::from(Triangle { vertices: VERTICES, normals });
-    kind.build(&mut Context::default()).expect("valid")
-}
-
 /// Law: shading uses the normal `(1 − β − γ) n₀ + β n₁ + γ n₂` of the unit normals, geometry stays
 /// flat. Oracle: the formula at points that are aimed at, and the smooth mesh of one triangle, bit
 /// for bit.
 /// Book: smooth shading.
 #[test]
 fn a_smooth_triangle_is_a_smooth_mesh_of_one_triangle() {
-    let (flat, round) = (smooth(None), smooth(Some(normals())));
+    let [flat, round] =
+        [None, Some(normals())].map(|normals| shape_of(Triangle { vertices: VERTICES, normals }));
     let units = normals().map(|n| Normal::new(n).expect("not zero"));
     let mesh = TriangleMesh::new(VERTICES.into(), vec![[0, 1, 2]]).with_normals(units.into());
     let mesh = mesh.accelerated(Method::List);
@@ -49,28 +45,6 @@ fn a_smooth_triangle_is_a_smooth_mesh_of_one_triangle() {
         let of_mesh = mesh.surface(&ray, &mesh.hit(&ray, Span::AHEAD).expect("the same"));
         assert_eq!(surface, of_mesh);
     }
-}
-
-/// Law: a normal on the other side of the triangle, or one that is zero, is refused. Oracle: the text.
-#[test]
-fn normals_behind_the_triangle_are_refused() {
-    let problem = |normal: [f64; 3]| {
-        let [a, b, _] = normals();
-        let kind = Kind::from(Triangle {
-            vertices: [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(Point::from),
-            normals: Some([a, b, normal.into()]),
-        });
-        kind.build(&mut Context::default()).map(drop).expect_err("refused").to_string()
-    };
-    assert_eq!(
-        problem([0.5, 0.0, -1.0]),
-        "triangle.normals[2]: found [0.5, 0.0, -1.0], but a vector on the side of the triangle's \
-         normal, [0.0, 0.0, 1.0], is needed; the order of its corners decides which side that is"
-    );
-    assert_eq!(
-        problem([0.0; 3]),
-        "triangle.normals[2]: found [0.0, 0.0, 0.0], but a finite vector other than zero is needed"
-    );
 }
 
 /// Law: shading uses the triangle's own normal where the interpolated one is on the other side of the
@@ -145,72 +119,4 @@ fn the_outline_of_a_smooth_mesh_is_shaded_as_the_rest() {
         away += 1;
     }
     assert!(away > 300 && glossy > 20, "{away}, {glossy}");
-}
-
-/// The product of matrices of 3 × 3, by rows.
-fn product(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> [[f64; 3]; 3] {
-    let entry = |i: usize, j: usize| (0..3).map(|k| a[i][k] * b[k][j]).sum();
-    std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j)))
-}
-
-/// The direction of M⁻ᵀ n: the cofactors of M are cross products of its rows.
-fn inverse_transpose(m: [[f64; 3]; 3], n: Vector) -> Vector {
-    let rows = m.map(Vector::from);
-    let cofactors = [rows[1].cross(rows[2]), rows[2].cross(rows[0]), rows[0].cross(rows[1])];
-    let sign = rows[0].dot(cofactors[0]).signum();
-    Vector::from(cofactors.map(|row| sign * row.dot(n))).unit().expect("not zero")
-}
-
-/// Law: an instance's shading normal is the inner one transformed by M⁻ᵀ, for rotated, stretched,
-/// mirrored and nested instances of a smooth mesh. Oracle: the cofactors of the product of the matrices,
-/// computed here, applied to the normal interpolated here.
-#[test]
-fn an_instance_moves_shading_normals_by_the_inverse_transpose() {
-    let units = normals().map(|n| Normal::new(n).expect("not zero"));
-    let mesh = || -> Kind {
-        let mesh = TriangleMesh::new(VERTICES.into(), vec![[0, 1, 2]]).with_normals(units.into());
-        Kind::Custom(Custom(Arc::new(mesh.accelerated(Method::Bvh))))
-    };
-    let (c, s) = (cos_degrees(40.0), sin_degrees(40.0));
-    let turn = (Step::RotateZ(40.0), [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]);
-    let stretch = (
-        Step::Scale(Vector::new(2.0, 0.5, 3.0)),
-        [[2.0, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 3.0]],
-    );
-    let mirror = (
-        Step::Scale(Vector::new(-1.0, 1.0, 1.0)),
-        [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
-    );
-    let once = |step: &(Step, [[f64; 3]; 3])| (Instance::new(mesh(), vec![step.0.clone()]), step.1);
-    let nested = |inner: &(Step, [[f64; 3]; 3]), outer: &(Step, [[f64; 3]; 3])| {
-        let of = Instance::new(mesh(), vec![inner.0.clone()]);
-        (Instance::new(of, vec![outer.0.clone()]), product(outer.1, inner.1))
-    };
-    let cases = [
-        once(&turn),
-        once(&stretch),
-        once(&mirror),
-        nested(&stretch, &turn),
-        nested(&turn, &stretch),
-        nested(&mirror, &stretch),
-    ];
-    for (number, (instance, m)) in cases.into_iter().enumerate() {
-        let shape = Kind::from(instance).build(&mut Context::default()).expect("valid");
-        for (beta, gamma) in [(0.2, 0.3), (0.6, 0.1), (0.05, 0.05)] {
-            let [a, b, c] = VERTICES;
-            let inner = (a + (beta * (b - a) + gamma * (c - a))).to_vector();
-            let target = Point::from(m.map(|row| Vector::from(row).dot(inner)));
-            let [n0, n1, n2] = units;
-            let mean = (1.0 - beta - gamma) * n0 + beta * n1 + gamma * n2;
-            let expected = inverse_transpose(m, mean);
-            let ray = Ray::new(target + 3.0 * expected, -expected);
-            let hit = shape.hit(&ray, Span::AHEAD).expect("aimed inside");
-            let found = Vector::from(shape.surface(&ray, &hit).shading);
-            let off = (found - expected).length();
-            assert!(
-                off < 1e-12,
-                "case {number}: found {found:?}, expected {expected:?}, off {off:e}"
-            );
-        }
-    }
 }

@@ -4,12 +4,7 @@
 pub mod judge;
 
 pub mod asked;
-pub mod bodies;
-pub mod edged;
-pub mod exact;
-pub mod hard_cases;
 pub mod lamps;
-pub mod leaving;
 pub mod optics;
 pub mod replicas;
 pub mod samples;
