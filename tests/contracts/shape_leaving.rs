@@ -25,12 +25,13 @@ pub fn trials() -> Vec<Trial> {
     )
 }
 
-/// Random steps that move a shape of this size up to a thousand sizes away, or turn, shear, mirror and stretch it.
-fn steps(draw: &mut Draw, size: f64) -> Vec<Step> {
+/// Random steps that move a shape of this size up to a thousand sizes away, or turn, shear and mirror it and stretch it
+/// by up to `10^wildest` along each axis.
+fn steps(draw: &mut Draw, size: f64, wildest: f64) -> Vec<Step> {
     if draw.coin() {
         return vec![Step::Translate(size * draw.decades(-1.0, 3.0) * draw.direction())];
     }
-    let stretch = [(); 3].map(|()| draw.sign() * draw.decades(-1.0, 1.0));
+    let stretch = [(); 3].map(|()| draw.sign() * draw.decades(-wildest, wildest));
     vec![
         Step::RotateX(draw.between(-180.0, 180.0)),
         Step::Scale(stretch.into()),
@@ -70,16 +71,23 @@ impl Body {
         body
     }
 
-    /// The body at another scale, and in one or two instances.
-    fn placed(&self, draw: &mut Draw) -> Self {
+    /// The body at another scale, and in up to three instances; some take it back to the origin, where the digits are lost
+    /// that it had far away.
+    fn placed(&self, draw: &mut Draw, wildest: f64) -> Self {
         let is_endless = !self.shape.bounds().is_bounded();
         let factor = if is_endless { 1.0 } else { draw.decades(-6.0, 6.0) };
         let mut kind = scaled(&self.kind, factor);
         let [min, max] = [self.bounds.min, self.bounds.max].map(|p| p.scaled(factor));
         let mut map = Transform::IDENTITY;
-        for _ in 0..1 + draw.below(2) {
-            let steps = steps(draw, (max - min).max_abs());
-            map = Transform::from_steps(&steps).expect("not singular").after(&map);
+        for _ in 0..1 + draw.below(3) {
+            let mut steps = steps(draw, (max - min).max_abs(), wildest);
+            let to =
+                |steps: &[Step]| Transform::from_steps(steps).expect("not singular").after(&map);
+            if draw.below(3) == 0 {
+                let center = to(&steps).point(min + 0.5 * (max - min));
+                steps.push(Step::Translate(-center.to_vector()));
+            }
+            map = to(&steps);
             kind = Instance::new(kind, steps).into();
         }
         let shape = built(&kind);
@@ -111,12 +119,12 @@ impl Body {
 /// surface that is more than 8 error bounds away. Oracle: a line enters and leaves a closed solid in turn.
 fn a_ray_that_leaves_finds_the_next_hit(kind: &Kind) -> Holds {
     let plain = Body::new(kind);
-    for case in 0..as_many(40, 1000) {
+    for case in 0..as_many(200, 10_000) {
         let mut draw = Draw::case(1905, case);
-        let placed = (case > 3).then(|| plain.placed(&mut draw));
+        let placed = (case > 3).then(|| plain.placed(&mut draw, 2.0));
         let body = placed.as_ref().unwrap_or(&plain);
         let (mut rays, mut hits) = (0, 0);
-        while hits < 80 {
+        while hits < 20 {
             rays += 1;
             ensure!(rays < 8_000, "{:?}: only {hits} of {rays} rays hit", body.kind);
             let Some(surface) = body.hit(&body.ray(&mut draw)) else { continue };
@@ -171,7 +179,8 @@ fn no_ray_slips_through_an_edge(kind: &Kind) -> Holds {
     let plain = Body::new(kind);
     for case in 0..if plain.closed { as_many(16, 1000) } else { 0 } {
         let mut draw = Draw::case(1930, case);
-        let placed = (case % 2 == 1).then(|| plain.placed(&mut draw));
+        // walls that meet at less than a degree may leak (see `Border`)
+        let placed = (case % 2 == 1).then(|| plain.placed(&mut draw, 0.3));
         let body = placed.as_ref().unwrap_or(&plain);
         is_tight(body, &mut draw)
             .map_err(|leak| format!("case {case}, {:?}: {leak}", body.kind))?;
