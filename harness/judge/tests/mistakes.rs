@@ -11,6 +11,3 @@ mod paths;
 mod recorder;
 mod stage;
 mod table;
-mod tables;
-mod textures;
-mod twins;

@@ -49,19 +49,3 @@ fn factors_of_a_small_lamp() {
         expect_form(lacking, "and the cosine at the lamp", &scene, both, TOLERANCE);
     }
 }
-
-/// Law: a lamp that faces away lights the plane as one that faces it, if both its sides shine. Oracle: that one.
-#[test]
-fn back_of_a_lamp() {
-    let away = under_a_lamp(None, -Vector::Z);
-    assert_eq!(value(&ours(&away)), 0.0);
-    let facing = value(&ours(&under_a_lamp(None, Vector::Z)));
-    expect("lamp-two-sided", &away, facing, TOLERANCE);
-}
-
-/// Law: a lamp blocks its own light if shadow rays do not end before it. Oracle: none; it is black.
-#[test]
-fn lamp_in_its_own_shadow() {
-    let scene = under_a_lamp(None, Vector::Z);
-    expect("shadow-rays-without-end", &scene, 0.0, 0.0);
-}
