@@ -4,8 +4,6 @@ mod divisions;
 mod exact;
 mod odd;
 mod other_noise;
-mod others;
-mod renders;
 mod synthetic;
 
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
@@ -60,8 +58,9 @@ fn alarms(noise: Noise, sizes: [u64; 2], pairs: u64) -> u64 {
 /// distribution at the level: of 30, more than 4 have a probability below 2e-5, so that it is below 2e-4 for all 12.
 #[test]
 fn few_honest_sets_differ() {
-    for noise in [Noise::Even, Noise::Fireflies, Noise::Filtered] {
-        for sizes in as_many(&[[5, 5], [3, 3]][..], &[[5, 5], [4, 7], [3, 3], [1, 1]]) {
+    let all = [Noise::Even, Noise::Fireflies, Noise::Filtered];
+    for (noise, usual) in all.into_iter().zip([[3, 3], [5, 5], [4, 7]]) {
+        for sizes in as_many(&[usual][..], &[[5, 5], [4, 7], [3, 3], [1, 1]]) {
             let alarms = alarms(noise, *sizes, 30);
             assert!(alarms <= 4, "{noise:?}, {sizes:?}: {alarms} of 30");
         }
@@ -72,7 +71,7 @@ fn few_honest_sets_differ() {
 /// fall-off; of 40, fewer than 34 have a probability below 1e-3 if each is seen in 95 of 100.
 #[test]
 fn what_the_power_line_promises_is_seen() {
-    for noise in [Noise::Even, Noise::Fireflies] {
+    for noise in [Noise::Fireflies, Noise::Even].into_iter().take(as_many(1, 2)) {
         let seen = |seed: u64| {
             let start = 1000 * seed;
             let [before, honest, after] =

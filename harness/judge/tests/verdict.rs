@@ -8,7 +8,6 @@ mod edges;
 #[path = "../../pictures/tests/sums/header.rs"]
 mod header;
 mod intervals;
-mod met;
 pub mod noise;
 pub mod pictures;
 mod pool;
@@ -18,6 +17,5 @@ mod rounding;
 mod sampling;
 mod shared;
 mod statistic;
-mod student;
 mod told;
 mod writers;

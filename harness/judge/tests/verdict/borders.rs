@@ -147,9 +147,8 @@ fn ways() -> Vec<(Stored, f64)> {
     [255.0, 65_535.0].into_iter().flat_map(of).collect()
 }
 
-/// Law: in each way to store integers, the radiance that an integer is read as is stored as that integer again; it grows with
-/// the integer; and all radiance that is stored as it or a neighbour is within the tolerance. Oracle: the integers, all of 8
-/// bits and some of 16.
+/// Law: in each way to store integers, the radiance that an integer is read as is stored as that integer again, and grows with
+/// the integer. Oracle: the integers, all of 8 bits and some of 16.
 #[test]
 fn what_is_read_is_stored_so_again() {
     for (stored, largest) in ways() {
@@ -167,22 +166,6 @@ fn what_is_read_is_stored_so_again() {
             }
             assert!(radiance > before, "{what}: read as {radiance}, the one before as {before}");
             before = radiance;
-            let film = |radiance: f64| {
-                let mut film = Film::new(1, 1);
-                film.set([0, 0], Rgb::grey(radiance));
-                f64::from(stored.values(&film)[0])
-            };
-            for part in [0.999, 1.0, 1.001] {
-                let near_by = film(radiance * part);
-                let apart = (near_by - radiance).abs();
-                let neighbour = stored.integers(Rgb::grey(radiance * part)).expect("integers")[0];
-                if (neighbour - f64::from(integer)).abs() <= 1.0 {
-                    assert!(
-                        apart <= stored.tolerance(radiance),
-                        "{what}: {near_by} is apart from {radiance}"
-                    );
-                }
-            }
         }
     }
 }

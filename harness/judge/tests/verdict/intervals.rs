@@ -211,12 +211,12 @@ fn tiles_are_tested_down_to_an_eighth() {
     }
 }
 
-/// Law: the noise factor of a picture is found to 1 % (¼ and 4 to 5 %), with few or many of ours, or the mean of others; also
-/// if single pixels are bright, in theirs and in ours. Oracle: the factor of normal noise in 49,152 blocks, which chance
-/// changes by 0.4 %.
+/// Law: the noise factor of a picture is found to 2 % (¼ and 4 to 6 %), with few or many of ours, or the mean of others; also
+/// if single pixels are bright, in theirs and in ours. Oracle: the factor of normal noise in 12,288 blocks, which chance
+/// changes by 0.8 %.
 #[test]
 fn twice_the_noise_is_twice() {
-    const SIDE: usize = 256;
+    const SIDE: usize = 128;
     let areas = Areas::tiles([SIDE; 2]);
     let random = &mut Pcg32::new(6, 42);
     for (count, outside) in [(8, 0), (20, 0), (8, 50)] {
@@ -233,7 +233,7 @@ fn twice_the_noise_is_twice() {
             let values = noisy(random, SIDE * SIDE, deviation).into_iter().map(f64::from).collect();
             Mean { values, pictures: f64::from(outside) }
         });
-        for (factor, allowed) in [(0.25, 0.05), (0.5, 0.01), (1.0, 0.01), (2.0, 0.01), (4.0, 0.05)]
+        for (factor, allowed) in [(0.25, 0.06), (0.5, 0.02), (1.0, 0.02), (2.0, 0.02), (4.0, 0.06)]
         {
             let pictures = known.iter().cloned().chain([of(0.05 * factor, random)]).collect();
             let pool = Pool::new([SIDE; 2], FLOATS, pictures).against_mean(mean.clone());

@@ -3,8 +3,8 @@
 use groundtruth::film::{self, Film, OutOfGamut, Tone};
 use groundtruth::math::Pcg32;
 use judge::verdict::{
-    Areas, Bright, DifferenceKind, Evaluation, Evidence, Map, Mean, Pool, PoolContext, Quantiser,
-    Ranking, Stored, Strictness,
+    Areas, Bright, Evaluation, Evidence, Mean, Pool, PoolContext, Quantiser, Ranking, Stored,
+    Strictness,
 };
 use pictures::compare::{Picture, Transfer};
 use statistics::chi_square;
@@ -55,33 +55,6 @@ fn ranks(outside: u32) -> [u64; 5] {
         counts[Ranking::of(&pool, &areas, 0).as_far_as(PICTURES - 1).min(4)] += 1;
     }
     counts
-}
-
-/// Law: a picture with little noise is farther out from the mean of many pictures than from that of few, as the
-/// variance of the difference is less: that of its own noise and of the mean's. Oracle: the closed form, within a fifth.
-#[test]
-fn the_mean_of_many_shows_more() {
-    const REPLICAS: f64 = 8.0;
-    const OUTSIDE: f64 = 200.0;
-    const NOISE: f64 = 0.1;
-    let areas = Areas::tiles([32, 32]);
-    let random = &mut Pcg32::new(12, 5);
-    let mut normal = |mean: f64, deviation: f64| -> Vec<f64> {
-        (0..3 * 32 * 32).map(|_| mean + deviation * unit(random)).collect()
-    };
-    let single = |values: Vec<f64>| values.into_iter().map(|x| x as f32).collect::<Vec<f32>>();
-    let mut pictures: Vec<Vec<f32>> = (0..8).map(|_| single(normal(10.0, 1.0))).collect();
-    pictures.push(single(normal(10.5, NOISE)));
-    let mean = Mean { values: normal(10.0, 1.0 / OUTSIDE.sqrt()), pictures: OUTSIDE };
-    let whole = |pool: &Pool| {
-        Map::of(pool, &areas, 8, NOISE).largest(&areas, &[DifferenceKind::Tiles(5)])[0]
-    };
-    let pool = Pool::new([32, 32], FLOATS, pictures);
-    let few = whole(&pool);
-    let many = whole(&pool.against_mean(Some(mean)));
-    let own = NOISE * NOISE;
-    let expected = ((own + 1.0 / REPLICAS) / (own + 1.0 / OUTSIDE)).sqrt();
-    assert!((many / few / expected - 1.0).abs() < 0.2, "{many} and {few}, not {expected} times");
 }
 
 /// Law: our values are stored as a file stores them. Oracle: the bytes of the file that `film::write` writes.

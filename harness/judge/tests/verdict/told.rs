@@ -2,12 +2,11 @@
 
 use groundtruth::math::Pcg32;
 use judge::verdict::{
-    Area, Areas, DifferenceKind, DifferingArea, DifferingRegion, Evaluation, Finding, Map, Pool,
-    PoolContext, Ranking, Strictness, Verdict, smallest_gains,
+    Areas, DifferenceKind, DifferingRegion, Evaluation, Finding, Map, Pool, PoolContext, Ranking,
+    Strictness, Verdict, smallest_gains,
 };
 use pictures::compare::Picture;
-use text::digits::three;
-use text::percent::{of_pixels, percent, signed};
+use text::percent::of_pixels;
 
 use super::noise::noisy;
 use super::shared::FLOATS;
@@ -74,32 +73,6 @@ fn regions_have_the_box_of_their_pixels() {
     }
 }
 
-/// Law: the worst pixel of an area is the one with the largest z, of either sign; its z is that of the area. Oracle: the map.
-#[test]
-fn the_worst_pixel_has_the_largest_z() {
-    const SIZE: [usize; 2] = [6, 4];
-    let random = &mut Pcg32::new(2, 61);
-    let areas = Areas::tiles(SIZE);
-    for gain in [0.8, 1.0, 1.2] {
-        let pool = pool(random, SIZE, 0.1, [gain; 3]);
-        let map = Map::of(&pool, &areas, 4, 1.0);
-        for corner in [[0, 0], [4, 0], [0, 2]] {
-            let area = Area::Tile { corner, side: 2 };
-            let difference = DifferingArea { area, channel: 0, z: -3.5 };
-            let found =
-                DifferingRegion::of_area(&pool, &areas, &map, (difference, pool.picture(4)));
-            let z = map.pixels();
-            let most = areas.pixels(area).iter().map(|at| z[*at].abs()).fold(0.0, f64::max);
-            near("|z| of the worst", z[found.worst[1] * 6 + found.worst[0]].abs(), most, 0.0);
-            equal(
-                "z of the area",
-                (found.z, found.bounds),
-                (Some(-3.5), [corner[0], corner[1], 2, 2]),
-            );
-        }
-    }
-}
-
 /// The verdict on the last picture of a pool.
 fn verdict(pool: &Pool, areas: &Areas, level: f64) -> Verdict {
     let mut known: Vec<Vec<f32>> = (0..4).map(|it| pool.picture(it).to_vec()).collect();
@@ -111,36 +84,6 @@ fn verdict(pool: &Pool, areas: &Areas, level: f64) -> Verdict {
     let (judged, shown) = (judged.expect("enough"), (theirs.to_vec(), Vec::new()));
     let picture = Picture::of_radiance(theirs, size);
     Finding::of(judged, (areas, strictness), shown, &slack, &picture).verdict(areas, strictness)
-}
-
-/// Law: the line of means has theirs, ours, and the relative difference in percent, with half of its interval: of all channels,
-/// or of each if they differ. Oracle: the means, which other laws hold.
-#[test]
-fn means_are_told_in_percent() {
-    let random = &mut Pcg32::new(3, 61);
-    let areas = Areas::tiles([8, 8]);
-    for (gains, is_coloured) in
-        [([1.0; 3], false), ([1.5; 3], false), ([1.0, 1.0, 1.4], true), ([0.5, 1.0, 1.0], true)]
-    {
-        let found = verdict(&pool(random, [8, 8], 0.01, gains), &areas, 0.2);
-        let whole = &found.means[0];
-        let words = |relative: Option<f64>, half: f64| {
-            format!("{} ± {}", signed(relative.expect("not black"), 2), percent(half, 2))
-        };
-        let expected = match is_coloured {
-            false => words(whole.relative, whole.half),
-            true => {
-                let [red, green, blue] = whole.channels.map(|it| words(it.relative, it.half));
-                format!("red {red}, green {green}, blue {blue}")
-            }
-        };
-        let line =
-            format!("mean: {}, ours {}, {expected}\n", three(whole.theirs), three(whole.ours));
-        let text = found.to_string();
-        assert!(text.contains(&line), "gains {gains:?}: expected `{line}`, found {text}");
-        let noise = format!("noise: {:.2} of that of our pictures", found.noise);
-        assert!(text.contains(&noise), "expected `{noise}`, found {text}");
-    }
 }
 
 /// Law: a picture that differs by its mean alone is told with that percentage, too dark or too bright, and never agrees; the

@@ -1,20 +1,27 @@
 //! Ways in which programs store 8 bits, written as a student writes them.
 
-use groundtruth::film::{self, Film, Format};
-use groundtruth::math::power;
-use judge::verdict::{Quantiser, Stored, plausible};
-use pictures::compare::{Comparison, Picture};
+use std::cell::RefCell;
+use std::path::Path;
 
+use groundtruth::film::{self, Film, Format};
+use groundtruth::math::{Pcg32, power};
+use image::codecs::jpeg::JpegEncoder;
+use image::{ExtendedColorType, ImageEncoder};
+use judge::verdict::{Decision, Quantiser, Stored, Strictness, plausible};
+use pictures::compare::{Comparison, Picture};
+use testkit::as_many;
+
+use super::cases::verdict;
 use super::pictures::{films, scene, world};
 use super::power::half_a_pixel_off;
 use super::shared::{Shared, mapped};
 use crate::verbs::equal;
 
 /// A step of a writer, with its name.
-pub type Step<A, B> = (&'static str, fn(A) -> B);
+type Step<A, B> = (&'static str, fn(A) -> B);
 
 /// From a display value to a byte; the last ones cap what is beyond 255.
-pub const QUANTISERS: [Step<f64, f64>; 5] = [
+const QUANTISERS: [Step<f64, f64>; 5] = [
     ("round(255 v)", |v| (255.0 * v + 0.5).floor()),
     ("int(255 v)", |v| (255.0 * v).floor()),
     ("int(255.99 v)", |v| (255.99 * v).floor()),
@@ -26,7 +33,7 @@ fn srgb(v: f64) -> f64 {
     if v < 0.0031308 { 12.92 * v } else { 1.055 * power(v, 1.0 / 2.4) - 0.055 }
 }
 
-pub const CURVES: [Step<f64, f64>; 7] = [
+const CURVES: [Step<f64, f64>; 7] = [
     ("v", |v| v),
     ("v^(1/1.8)", |v| power(v, 1.0 / 1.8)),
     ("v^(1/2)", f64::sqrt),
@@ -73,8 +80,8 @@ fn written(film: &Film, [gamut, curve, quantiser]: Writer) -> Picture {
 /// Scenes with noise and without, dark and bright.
 const SCENES: [&str; 12] = [
     "ch28/glass-sphere",
-    "ch14/set",
     "ch18/rectangle",
+    "ch14/set",
     "ch26/cornell-box",
     "ch18/environment",
     "ch25/sphere",
@@ -86,8 +93,8 @@ const SCENES: [&str; 12] = [
     "ch24/hall-of-mirrors",
 ];
 
-/// For each writer, how many correct pictures are called wrong. Those of one film are alike: a film that is far out by chance
-/// is so for all writers.
+/// How many correct pictures of these scenes and seeds each writer has called wrong. Those of one film are alike: a film that is
+/// far out by chance is so for all writers.
 fn alarms(scenes: &[&str], side: u32, seeds: u64) -> Vec<u64> {
     let mut alarms = vec![0; writers().len()];
     for scene_name in scenes {
@@ -102,7 +109,6 @@ fn alarms(scenes: &[&str], side: u32, seeds: u64) -> Vec<u64> {
             }
         }
     }
-    println!("false alarms of each writer: {alarms:?}");
     alarms
 }
 
@@ -128,12 +134,14 @@ fn an_integer_stands_for_the_middle_of_its_values() {
     }
 }
 
-/// Law: correct pictures agree, whichever of twenty programs wrote them. Oracle: the level: of three films, none is far out
-/// with a probability of 97 %, and then none of the 60 pictures of them is but by how it is stored.
+/// Law: correct pictures with noise agree, whichever of twenty programs wrote them. Oracle: the level: of one film of each of two
+/// scenes neither is far out with a probability of 98 %, and then none of its pictures is but by how it is stored; of the 36
+/// films of twelve scenes and three seeds more than 4 are far out for a writer with a probability of 3e-5.
 #[test]
 fn pictures_agree_whoever_wrote_them() {
-    let alarms = alarms(&["ch28/glass-sphere", "ch14/set", "ch18/rectangle"], 24, 1);
-    assert!(alarms.iter().sum::<u64>() <= 4, "{alarms:?}");
+    let (scenes, side, seeds) = as_many((&SCENES[..2], 24, 1), (&SCENES[..], 48, 3));
+    let alarms = alarms(scenes, side, seeds);
+    assert!(alarms.iter().all(|alarms| *alarms <= seeds + 1), "{alarms:?}");
 }
 
 /// Every quantiser with every curve and every rule for colours beyond 1.
@@ -162,15 +170,6 @@ fn every_writer_of_a_right_picture_agrees() {
     equal("correct pictures that are called wrong", wrong, Vec::new());
 }
 
-/// Law: the same for twelve scenes and three seeds. Oracle: the binomial distribution at the level: of the 36 films of a
-/// writer, more than 4 are far out with a probability of 3e-5, in any of twenty with one below 6e-4.
-#[test]
-#[ignore = "cost: cargo test --release -p judge writers -- --ignored --nocapture"]
-fn pictures_of_twelve_scenes_agree_whoever_wrote_them() {
-    let alarms = alarms(&SCENES, 48, 3);
-    assert!(alarms.iter().all(|alarms| *alarms <= 4), "{alarms:?}");
-}
-
 /// Law: in a scene without noise, a gain of 1 % and half a pixel are found whichever program wrote the picture. Oracle: the
 /// defect that was planted.
 #[test]
@@ -181,7 +180,7 @@ fn defects_are_found_whoever_wrote_the_picture() {
     let film = films(&mut ours, std::iter::once(50_000)).remove(0);
     let brighter = mapped(&film, |_, color| 1.01 * color);
     let shifted = half_a_pixel_off(name_of_scene, [side, 1], 50_000);
-    for writer in writers() {
+    for writer in writers().into_iter().step_by(as_many(3, 1)) {
         for (what, theirs) in [("1 %", &brighter), ("half a pixel", &shifted)] {
             let differs = shared.differs(&ours, &written(theirs, writer), 1);
             assert!(differs, "{what} is not found: {}", name(writer));
@@ -220,4 +219,95 @@ fn every_scene_has_the_values_of_its_own_file() {
         beyond > 20 && negative > 0,
         "{beyond} scenes with bright colours, {negative} negative"
     );
+}
+
+/// The picture with each value made another, in steps if they are integers.
+fn each(picture: &Picture, step: Option<f64>, of: impl Fn(f64) -> f64) -> Picture {
+    let values = picture.values.iter().map(|color| color.map(|v| of(f64::from(v)) as f32));
+    Picture { values: values.collect(), step, ..picture.clone() }
+}
+
+fn jpeg(picture: &Picture, quality: u8) -> Picture {
+    let of = |v: &f32| (255.0 * power(f64::from(*v).clamp(0.0, 1.0), 1.0 / 2.2)).round() as u8;
+    let bytes: Vec<u8> = picture.values.as_flattened().iter().map(of).collect();
+    let [width, height] = picture.size;
+    let mut file = Vec::new();
+    let encoder = JpegEncoder::new_with_quality(&mut file, quality);
+    encoder.write_image(&bytes, width, height, ExtendedColorType::Rgb8).expect("it fits");
+    Picture::from_bytes(&file, Path::new("a.jpg"), None).expect("it is a picture")
+}
+
+fn png(picture: &Picture) -> Picture {
+    let byte = |v: f64| (255.0 * power(v.clamp(0.0, 1.0), 1.0 / 2.2)).round() / 255.0;
+    each(picture, Some(1.0 / 255.0), byte)
+}
+
+/// Other ways to store a picture than by one quantiser in each pixel.
+const OTHERS: [(&str, fn(&Picture) -> Picture); 7] = [
+    ("half precision", |it| {
+        // to 11 significant bits
+        let half = |v: f32| f32::from_bits((v.to_bits() + (1 << 12)) >> 13 << 13);
+        each(it, None, |v| f64::from(half(v as f32)))
+    }),
+    ("JPEG of quality 50", |it| jpeg(it, 50)),
+    ("JPEG of quality 95", |it| jpeg(it, 95)),
+    ("16 bits, sRGB", |it| {
+        each(it, Some(1.0 / 65535.0), |v| (65535.0 * srgb(v.clamp(0.0, 1.0))).round() / 65535.0)
+    }),
+    ("blue, green, red", |it| {
+        let values = it.values.iter().map(|[r, g, b]| [*b, *g, *r]).collect();
+        png(&Picture { values, ..it.clone() })
+    }),
+    ("upside down", |it| {
+        let rows = it.values.chunks(it.size[0] as usize).rev().flatten().copied();
+        png(&Picture { values: rows.collect(), ..it.clone() })
+    }),
+    ("dithered", |it| {
+        let random = RefCell::new(Pcg32::new(5, 5));
+        let below = || random.borrow_mut().uniform();
+        each(it, Some(1.0 / 255.0), |v| {
+            (255.0 * v.clamp(0.0, 1.0) + below()).floor().min(255.0) / 255.0
+        })
+    }),
+];
+
+/// Law: a right picture agrees, in whichever other way it is stored, or what was done to it is named, with noise and without.
+/// Oracle: the scene, whose picture it is.
+#[test]
+fn honest_pictures_agree_or_are_told_what_was_done_to_them() {
+    let mut wrong = Vec::new();
+    for (scene_name, samples) in [("ch14/set", 1), ("ch18/rectangle", 9)] {
+        let scene = scene(scene_name, [48, 36], samples);
+        let film = films(&mut world(&scene, 1), std::iter::once(40)).remove(0);
+        let right = Picture::of_film(&film);
+        for (way, store) in OTHERS {
+            let strictness = Strictness { level: 0.01, first: 8 };
+            let found = verdict(&scene, &[store(&right)], strictness);
+            let is_told = found.explained.as_ref().is_some_and(|it| it.agrees && !it.is_gain);
+            if found.decision != Decision::Agrees && !is_told {
+                wrong.push(format!("{scene_name}, {way}: {}", found.sentence()));
+            }
+        }
+    }
+    equal("honest pictures that differ", wrong, Vec::new());
+}
+
+/// Law: the curve and the quantiser of a picture in 8 bits are named. Oracle: those that it was written with.
+#[test]
+fn transfer_functions_are_assumed_and_named() {
+    let scene = scene("ch18/rectangle", [48; 2], 16);
+    let film = films(&mut world(&scene, 1), std::iter::once(500)).remove(0);
+    for (curve, quantiser, expected) in [
+        (0, 0, "linear, rounded to 8 bits"),
+        (1, 0, "gamma 1.8, rounded to 8 bits"),
+        (3, 0, "gamma 2.2, rounded to 8 bits"),
+        (5, 0, "sRGB, rounded to 8 bits, channels above 1 clamped"),
+        (5, 1, "sRGB, truncated to 8 bits, channels above 1 clamped"),
+    ] {
+        // at this level few other seeds or samplers would have it called wrong
+        let strictness = Strictness { level: 0.005, first: 8 };
+        let verdict = verdict(&scene, &[written(&film, [0, curve, quantiser])], strictness);
+        assert_eq!(verdict.decision, Decision::Agrees, "{verdict}");
+        assert!(verdict.assumed.starts_with(expected), "{expected}: {verdict}");
+    }
 }
