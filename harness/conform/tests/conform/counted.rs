@@ -179,20 +179,6 @@ fn three_faults_end_a_family_and_six_a_question() {
     }
 }
 
-/// Law: a family with two faults is asked to its end; with three, it ends at the third. Oracle: which cases are faults.
-#[test]
-fn a_family_ends_at_its_third_fault() {
-    let families = [family("good.x", 1.0, ANSWER), family("bad.a", 1.0, Judge::Law(by_law))];
-    for (faults, expected) in [(&[3, 7][..], 20), (&[3, 7, 11][..], 12), (&[0, 1, 2, 3][..], 3)] {
-        let mut subject = Heard::new(|question: &Value, _| {
-            let is_bad = question.get("bad").is_some() && faults.contains(&number(question));
-            if is_bad { died() } else { Ok(json!(1)) }
-        });
-        let card = card(&mut subject, &families, 20);
-        assert_eq!(card.rows[1].total(), expected, "cases asked, of which {faults:?} are faults");
-    }
-}
-
 /// Law: while nothing is answered, one question of each name is tried, of ordinary families only, and what came back is told
 /// for each; from the first reply on, also a refusal, the run goes on (docs/conform.md). Oracle: names by hand.
 #[test]
@@ -215,19 +201,6 @@ fn one_question_of_each_name_is_tried() {
         // two easy questions, and one of each of the five families
         assert_eq!(late.heard.len(), 7, "questions, of which b was the first with a reply");
         assert_eq!(card.rows.len(), 5, "families on the card");
-    }
-}
-
-/// Law: the profile `book` asks ordinary families only, `careful` all. Oracle: the names of all families of the suite.
-#[test]
-fn a_profile_asks_its_families() {
-    let ordinary = suite::all().iter().filter(|family| family.ordinary).count();
-    let all = suite::all().len();
-    for (profile, expected) in [(Profile::Book, ordinary), (Profile::Careful, all)] {
-        let options = Options { profile, ..options(1) };
-        let mut lacking = Heard::new(|_: &Value, _| Err(Stop::Unsupported("no".to_owned())));
-        let card = run(&mut lacking, &suite::all(), &options, &mut |_| ()).expect("it replies");
-        assert_eq!(card.rows.len(), expected, "families that {profile:?} asks");
     }
 }
 

@@ -36,15 +36,24 @@ impl Subject for Extreme {
 /// a terminal obeys on any form. Oracle: what was planted.
 #[test]
 fn extreme_answers_are_judged_and_command_no_terminal() {
-    let words =
-        ["intersect", "fresnel", "camera_ray", "project", "texture", "map", "lobe", "transform"];
+    let words = [
+        "shapes/sphere",
+        "fresnel",
+        "project",
+        "texture",
+        "map",
+        "lobe",
+        "camera_ray",
+        "intersect",
+    ];
+    let words = &words[..as_many(6, words.len())];
     let [nan, inf, less, obeyed] =
         ["nan", "inf", "-inf", "\u{202e}\u{1b}[31m\r<&>"].map(Value::from);
     let [most, least, small, zero] = [1e308, -1e308, 5e-324, -0.0].map(Value::from);
     let values = [
-        nan,
         obeyed,
         most, // the others behave so too
+        nan,
         inf,
         less,
         least,
@@ -53,9 +62,9 @@ fn extreme_answers_are_judged_and_command_no_terminal() {
         json!("x".repeat(100_000)),
         json!([[[[]]]]),
     ];
-    let count = as_many(3, values.len());
+    let count = as_many(2, values.len());
     for value in values.into_iter().take(count) {
-        let card = card(&mut Extreme(value.clone()), &words, Profile::Book, 1);
+        let card = card(&mut Extreme(value.clone()), words, Profile::Book, 1);
         assert!(card.is_failed(), "{value}");
         for row in &card.rows {
             assert_eq!(row.ours, 0, "{}: faults of ours with {value}", row.name);

@@ -52,7 +52,7 @@ fn places(value: &Value, path: &str, all: &mut Vec<String>) {
 fn judged_places(family: &Family, right: &Value) -> Vec<String> {
     let is_of_mesh = family.about == "shapes/mesh";
     let is_free =
-        |part: &str| NOT_JUDGED.contains(&part) && !(is_of_mesh && OF_MESHES.contains(&part));
+        |part: &str| is_in(NOT_JUDGED, part) && !(is_of_mesh && OF_MESHES.contains(&part));
     let mut all = Vec::new();
     places(right, "", &mut all);
     all.retain(|path| !path.split('/').any(is_free));
@@ -95,7 +95,7 @@ fn each_number_is_judged_to_its_tolerance() {
     ];
     for family in &cheap() {
         let judge = judge(family);
-        for (case, right) in answered(family, 11, 2) {
+        for (case, right) in answered(family, 11, as_many(1, 2)) {
             for path in judged_places(family, &right) {
                 let Some(x) = right.pointer(&path).and_then(Value::as_f64) else { continue };
                 for (profile, by, is_wrong) in moves {
@@ -115,7 +115,7 @@ fn each_number_is_judged_to_its_tolerance() {
             }
         }
     }
-    assert!(tried.values().all(|n| *n > 500), "numbers moved, of each profile: {tried:?}");
+    assert!(tried.values().all(|n| *n > 250), "numbers moved, of each profile: {tried:?}");
     assert!(problems.is_empty(), "numbers that are off by too much or too little: {problems:#?}");
 }
 
@@ -155,45 +155,19 @@ const TYPES: [Change; 6] = [
 ];
 
 /// Fields that docs/conform.md says are not judged: another program does not have them, or has them in a way of its own.
-const NOT_JUDGED: [&str; 9] = [
-    "error",
-    "path",
-    "shading_normal",
-    "uv",
-    "condition",
-    "standard_error",
-    "replicas",
-    "samples",
-    "rays",
-];
+const NOT_JUDGED: &str =
+    "error path shading_normal uv condition standard_error replicas samples rays";
 
 /// Of these, those that are judged of meshes, whose corners the question gives.
 const OF_MESHES: [&str; 2] = ["shading_normal", "uv"];
 
 /// Fields that may be left out, and are judged where they are there.
-const OPTIONAL: [&str; 21] = [
-    "vector",
-    "fractal_sum",
-    "turbulence",
-    "fbm",
-    "vector_fbm",
-    "point",
-    "front",
-    "film",
-    "pdf",
-    "albedo",
-    "distance",
-    "ambient",
-    "inverse",
-    "min",
-    "max",
-    "transmitted",
-    "r_s",
-    "r_p",
-    "t_s",
-    "t_p",
-    "refracted",
-];
+const OPTIONAL: &str = "vector fractal_sum turbulence fbm vector_fbm point front film pdf albedo distance ambient inverse min max \
+    transmitted r_s r_p t_s t_p refracted";
+
+fn is_in(fields: &str, field: &str) -> bool {
+    fields.split(' ').any(|it| it == field)
+}
 
 /// Names of parts, and what was done to them, where the answer passed.
 type Problems = BTreeMap<String, BTreeSet<String>>;
@@ -224,7 +198,7 @@ fn is_seen(
 fn each_part_of_an_answer_is_judged() {
     let (mut problems, mut tried) = (Problems::new(), 0);
     let lists = ["intersect.sphere.all_roots", "intersect.scene.first_hit"];
-    for family in suite::all().iter().filter(|family| is_cheap(family)) {
+    for (number, family) in suite::all().iter().filter(|family| is_cheap(family)).enumerate() {
         // exact answers take long, and have one judge
         let is_exact = ["intersect", "occluded"].contains(&family.question());
         let has_judge_of_another = is_exact && !family.name.ends_with(".ordinary");
@@ -237,7 +211,9 @@ fn each_part_of_an_answer_is_judged() {
             answered(family, 7, if is_exact { 1 } else { as_many(1, 3) }).iter().enumerate()
         {
             let it = (family, case, right);
-            for path in &judged_places(family, right) {
+            // a third of the places, of each family others
+            let (first, step) = as_many((number % 3, 3), (0, 1));
+            for path in judged_places(family, right).iter().skip(first).step_by(step) {
                 let before = right.pointer(path).expect("it is there");
                 let put = |after: Value| {
                     move |theirs: &mut Value| *theirs.pointer_mut(path).expect("there") = after
@@ -272,7 +248,7 @@ fn each_part_of_an_answer_is_judged() {
             for field in right.as_object().into_iter().flatten().map(|(field, _)| field) {
                 // of a hit in a scene, the object and its distance are needed
                 let is_of_scene = family.name == "intersect.scene.first_hit" && field == "normal";
-                let is_optional = NOT_JUDGED.contains(&&**field) || OPTIONAL.contains(&&**field);
+                let is_optional = is_in(NOT_JUDGED, field) || is_in(OPTIONAL, field);
                 if !is_optional && !is_of_scene {
                     let place = (&*format!("/{field}"), "missing");
                     let without = |theirs: &mut Value| remove(theirs, "", field);
@@ -281,7 +257,7 @@ fn each_part_of_an_answer_is_judged() {
             }
         }
     }
-    assert!(tried > 10_000, "{tried} alterations");
+    assert!(tried > 3_000, "{tried} alterations");
     assert!(problems.is_empty(), "alterations that pass: {problems:#?}");
 }
 

@@ -1,7 +1,6 @@
 //! Programs whose axes are left-handed, and answers that are not whole.
 
 use conform::card::verdict;
-use conform::mistakes as m;
 use conform::suite::{all, similar};
 use conform::{Profile, Status, ours};
 use serde_json::{Value, json};
@@ -101,17 +100,6 @@ fn a_texture_is_not_lit() {
         assert!(row.count(Status::Wrong) > 1, "{card}");
         assert!(row.names.is_empty(), "{card}");
     }
-}
-
-/// Law: a factor of a mean that is that of an area is said in words. Oracle: our means times 4/π.
-#[test]
-fn a_constant_of_a_mean_is_said_in_words() {
-    let mut square = Altered(|_, mut a| {
-        super::altered::at(&mut a, "/mean", |x| x * 4.0 / std::f64::consts::PI);
-        a
-    });
-    let card = card_with(&mut square, &["radiance.lamp.disk"], Profile::Careful, 48, false);
-    assert!(card.to_string().contains(m::FOUR_OVER_PI.words()), "{card}");
 }
 
 /// Law: misspelt words are answered with what they may mean. Oracle: words by hand.

@@ -1,7 +1,7 @@
 //! What the rays of programs with mistakes tell.
 
-use conform::{Profile, ours};
-use serde_json::{Value, json};
+use conform::Profile;
+use serde_json::Value;
 
 use super::altered::{Altered, card_with, each, instead};
 
@@ -74,37 +74,4 @@ fn where_all_rays_agree_the_shading_differs() {
         text.ends_with("; the rays agree with ours as far as they say; the shading differs"),
         "{text}"
     );
-}
-
-/// Law: a scene's first hit is the nearest of its objects' hits. Oracle: the question for each shape alone.
-#[test]
-fn the_first_hit_of_a_scene_is_the_nearest_of_its_objects() {
-    let scene = json!({
-        "image": {"width": 1, "height": 1},
-        "camera": {"eye": [0, 0, 5], "lens": {"orthographic": {}}},
-        "materials": [{"name": "chalk", "recipe": {"matte": {"cd": 1}}}],
-        "objects": [
-            {"name": "far", "material": "chalk", "shape": {"sphere": {"center": [0, 0, -4], "radius": 1}}},
-            {"name": "near", "material": "chalk", "shape": {"sphere": {"center": [1, 0, 0], "radius": 1}}},
-        ],
-    });
-    for x in -8..=20 {
-        let ray = json!({"origin": [f64::from(x) / 8.0, 0.25, 9.0], "direction": [0, 0, -1]});
-        let hit = |data: Value| ours(&json!({"intersect": data})).expect("an answer");
-        let objects = scene["objects"].as_array().expect("two");
-        let nearest = objects
-            .iter()
-            .map(|object| (hit(json!({"shape": object["shape"], "ray": ray})), &object["name"]))
-            .filter(|(hit, _)| !hit.is_null())
-            .min_by(|(a, _), (b, _)| {
-                a["t"].as_f64().partial_cmp(&b["t"].as_f64()).expect("numbers")
-            });
-        let found = hit(json!({"scene": scene, "ray": ray}));
-        match nearest {
-            None => assert!(found.is_null(), "{found}"),
-            Some((hit, name)) => assert_eq!([&found["t"], &found["object"]], [&hit["t"], name]),
-        }
-        let occluded = ours(&json!({"occluded": {"scene": scene, "ray": ray}})).expect("an answer");
-        assert_eq!(occluded, json!(!found.is_null()));
-    }
 }

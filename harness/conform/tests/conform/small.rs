@@ -8,6 +8,7 @@ use std::time::Duration;
 use conform::{Card, Profile, Status, card};
 use rayon::prelude::*;
 use serde_json::Value;
+use testkit::as_many;
 
 use super::altered::{card_with, families};
 
@@ -66,50 +67,7 @@ fn whitted_is_asked_only_where_something_reflects() {
 }
 
 /// Mistakes of the program, each with words of the names that are right for it; without words, it has no name.
-const MISTAKES: &[(&str, &[&str])] = &[
-    ("no 1/π", &["lacks 1/π"]),
-    ("1/π twice", &["has 1/π twice"]),
-    ("no cosine", &["lacks the cosine"]),
-    ("square of the cosine", &["cosine of its angle to the normal twice"]),
-    ("no shadows", &["cast no shadows"]),
-    ("shadow ray does not end at its lamp", &["shadow rays do not end"]),
-    ("spheres cast no shadow", &["spheres cast no shadow", "objects cast no shadows"]),
-    ("first object alone casts shadows", &[]),
-    ("sun not normalised", &["not normalised"]),
-    ("sun from the other side", &["other side"]),
-    ("ambient light is left out", &["ambient light is left out"]),
-    ("ambient over π", &["divided by π"]),
-    ("kd for ka", &["k_d instead of k_a"]),
-    ("ka for kd", &["ka instead of kd"]),
-    ("kd is left out", &["kd is left out"]),
-    ("colour of the surface is left out", &["colour cd"]),
-    ("blue first", &["red and blue"]),
-    ("first light alone", &["only the first"]),
-    ("last light alone", &["only the last"]),
-    ("lights overwrite each other", &["only the last"]),
-    ("lights are averaged", &["averaged"]),
-    ("light is added twice", &[]),
-    ("half vector", &["half vector"]),
-    ("no highlight", &["highlights are left out"]),
-    ("highlight without its cosine", &["highlights lack the cosine"]),
-    ("highlight in the surface's colour", &["diffuse colour"]),
-    ("exponent larger by 1", &["larger by 1"]),
-    ("exponent four times as large", &["four times"]),
-    ("ks is left out", &["ks is left out"]),
-    ("kd for ks", &["kd in the place of ks"]),
-    ("r with the wrong sign", &["highlights are left out"]),
-    ("1/d² everywhere", &["1/d² where it should not"]),
-    ("1/d everywhere", &["1/d where it should not"]),
-    ("gamma 2.2", &["encoded for a screen"]),
-    ("red and green exchanged", &["red and green"]),
-    ("far root", &[]),
-    ("normal without the centre", &[]),
-    ("normal not of unit length", &[]),
-    ("normal inward", &[]),
-    ("no offset", &[]),
-    ("last object wins", &[]),
-    ("half light in shadow", &[]),
-];
+const MISTAKES: &str = include_str!("../small.txt");
 
 /// Law: of the names that stand on the cards of this program with mistakes, nine of ten are right, and at least half of the
 /// mistakes that are found have a right one. Oracle: the mistakes, planted in a program that shares nothing with ours.
@@ -117,12 +75,15 @@ const MISTAKES: &[(&str, &[&str])] = &[
 fn names_of_a_foreign_program_are_right() {
     let (mut found, mut named, mut right, mut all) = (0, 0, 0, 0);
     let mut wrong = Vec::new();
-    let run = |(mistake, _): &(&str, _)| run(&[*mistake], &["scenes/basics"], 24);
-    let cards: Vec<Option<Card>> = MISTAKES.par_iter().map(run).collect();
-    for ((mistake, words), card) in MISTAKES.iter().zip(cards) {
+    let run = |(mistake, _): &(&str, &str)| run(&[*mistake], &["scenes/basics"], 24);
+    let lines = MISTAKES.lines().step_by(as_many(2, 1));
+    let some: Vec<_> = lines.map(|line| line.split_once(": ").unwrap_or((line, ""))).collect();
+    let cards: Vec<Option<Card>> = some.par_iter().map(run).collect();
+    for ((mistake, words), card) in some.into_iter().zip(cards) {
         let Some(card) = card else { return };
         let names = card.rows.iter().flat_map(|row| row.names.iter().map(ToString::to_string));
         let names: Vec<String> = names.collect();
+        let words: Vec<&str> = words.split(" | ").filter(|word| !word.is_empty()).collect();
         let is_right = |name: &&String| words.iter().any(|word| name.contains(word));
         let of_these = names.iter().filter(is_right).count();
         found += usize::from(card.is_failed());
@@ -136,6 +97,6 @@ fn names_of_a_foreign_program_are_right() {
     }
     let summary = format!("{named} of {found} named, {right} of {all} right\n{}", wrong.join("\n"));
     eprintln!("{summary}");
-    assert!(found >= 25, "{summary}");
+    assert!(found >= as_many(12, 25), "{summary}");
     assert!(100 * right >= 90 * all && 2 * named >= found, "{summary}");
 }

@@ -1,6 +1,5 @@
 //! Both eyes of a stereo pair.
 
-use groundtruth::math::{tan, to_radians};
 use serde_json::{Value, json};
 use testkit::properties::*;
 
@@ -14,19 +13,6 @@ fn pair(separation: f64) -> Value {
 
 proptest! {
     #![proptest_config(laws())]
-
-    /// Law: the eyes of a pair are to the left and the right of the camera's, in its plane, so that the directions
-    /// from `look_at` enclose the separation: `(∓10 tan β/2, 0, 10)` for a camera at z = 10 (Suffern, ch. 12).
-    #[test]
-    fn each_eye_is_on_its_side(separation in 0.5..60.0_f64) {
-        let aside = 10.0 * tan(to_radians(0.5 * separation));
-        for (side, sign) in [("left", -1.0), ("right", 1.0)] {
-            let answer = ask(&json!({"camera_ray": {"camera": pair(separation),
-                "image": {"width": 40, "height": 30}, "pixel": [3, 4], "eye": side}}));
-            let expected = [sign * aside, 0.0, 10.0];
-            prop_assert!(close(&answer["origin"], &expected, 1e-13), "{side}: {answer}");
-        }
-    }
 
     /// Law: a point on an eye's ray is seen by this eye at the ray's place in its pixel, and by the other elsewhere.
     /// Oracle: the place that was asked for.

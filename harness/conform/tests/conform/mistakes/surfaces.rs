@@ -5,7 +5,7 @@ use conform::ours;
 use serde_json::{Value, json};
 
 use super::super::altered::{at, data, each, instead, only, swap, vector};
-use super::planted::{Answer, Numbers, Question, planted};
+use super::planted::{Answer, Question, planted};
 
 planted! {
     TEXTURE_COLOURS_EXCHANGED in ["texture.checker3d"] => Question(|data| {
@@ -25,21 +25,6 @@ planted! {
             None => color.clone(),
         }
     });
-    CHECKER_TRUNCATED in ["texture.plane_checker.values"] => Answer(|q, a| {
-        let checker = &data(q)["texture"]["plane_checker"];
-        let size = checker["size"].as_f64().unwrap_or(1.0);
-        let [x, _, z] = vector(&data(q)["point"]).map(|x| x / size);
-        let width = checker["outline_width"].as_f64().unwrap_or(0.0) / size;
-        if [x, z].iter().any(|x| (x - x.round()).abs() < 0.5 * width) {
-            return a;
-        }
-        let is_even = (x.trunc() + z.trunc()).rem_euclid(2.0) == 0.0;
-        let color = &checker[if is_even { "color1" } else { "color2" }];
-        match color.as_f64() {
-            Some(grey) => json!([grey, grey, grey]),
-            None => color.clone(),
-        }
-    });
     DIVIDED_BY_ZERO_AXIS in ["mapping.light_probe.axis"] => Answer(|q, mut a| {
         let [x, y, _] = vector(&data(q)["point"]);
         if x == 0.0 && y == 0.0 {
@@ -47,29 +32,13 @@ planted! {
         }
         a
     });
-    "checker without its size" in ["texture.checker3d"] =>
-        Question(|data| only(&mut data["texture"])["size"] = json!(1.0));
     SWAP_XY in ["mapping.square", "mapping.spherical"] => Answer(|_, mut a| { swap(&mut a, 0, 1); a });
-    MIRROR_U in ["mapping.cylindrical"] => Numbers("/0", |u| 1.0 - u);
-    MIRROR_V in ["mapping.spherical"] => Numbers("/1", |v| 1.0 - v);
     "noise of the cell" in ["noise.lattice.smooth"] => Answer(|q, _| {
         // jumps from one thousandth of a cell to the next: almost all neighbours differ
         instead(q, |data| each(&mut data["point"], |x| 1e4 * x))
     });
-    NO_SHADOWS in ["radiance.basics.shadows_of_point.values"] => Question(|data| {
-        data["scene"]["lights"].as_array_mut().into_iter().flatten().for_each(|light| {
-            light["shadows"] = json!(false);
-        });
-    });
-    NO_AMBIENT in ["radiance.phong.values"] => Question(|data| {
-        if let Some(lights) = data["scene"]["lights"].as_array_mut() {
-            lights.retain(|light| light["source"].get("ambient").is_none());
-        }
-    });
     "max_depth 0" in ["radiance.reflective.values"] =>
         Question(|data| data["scene"]["tracer"]["whitted"]["max_depth"] = json!(0));
-    "an index of 1" in ["radiance.dielectric.values"] =>
-        Question(|data| { data["scene"]["materials"][0]["recipe"]["dielectric"]["inside"]["eta"] = json!(1.0); });
     OTHER_CORNERS in ["intersect.triangle.normals"] =>
         Question(|data| swap(&mut data["shape"]["triangle"]["normals"], 1, 2));
     OTHER_FRACTIONS in ["noise.lattice.linear", "noise.lattice.cubic"] => Question(|data| {
