@@ -61,12 +61,6 @@ fn values_are_asked_for_all_around_a_direction() {
     assert!(seen > 20, "directions with four around them: {seen}");
 }
 
-/// Whether a subject breaks the law that numbers are possible.
-fn is_impossible(subject: &mut dyn Subject) -> bool {
-    let card = card(subject, 1);
-    card.rows[0].broken().any(|(law, _)| law.name == "positive")
-}
-
 /// The smallest step below 0.
 const BELOW: f64 = -1e-300;
 
@@ -77,96 +71,59 @@ fn set(value: &mut Value, number: f64) {
     }
 }
 
-/// Law: a density of a map may be 0 and not less, wherever in the domain a point is. Oracle: numbers on both sides, in a quarter of
-/// the disk, and on both sides of the sphere.
+/// Whether a subject breaks the law that numbers are possible, with a number in place of a field: of each sample, or of `eval`
+/// and `pdf` in the directions and points that are chosen.
+fn is_impossible(
+    right: impl Subject,
+    (name, field, number): (&str, &str, f64),
+    is_chosen: impl Fn(Vector) -> bool,
+) -> bool {
+    let change = |question: &Value, answer: &mut Value| {
+        let Some(asked) = question.get(name) else { return };
+        if name == "sample" {
+            let some = answer.as_array_mut().into_iter().flatten().filter(|it| !it.is_null());
+            return some.for_each(|sample| set(&mut sample[field], number));
+        }
+        let values = if field.is_empty() { answer } else { &mut answer[field] };
+        let at = asked.get("wi").unwrap_or(&asked["x"]).as_array().into_iter().flatten();
+        for (value, at) in values.as_array_mut().into_iter().flatten().zip(at) {
+            if is_chosen(vector(at)) {
+                set(value, number);
+            }
+        }
+    };
+    let card = card(&mut Changed { right, change }, 1);
+    card.rows[0].broken().any(|(law, _)| law.name == "positive")
+}
+
+/// Law: a value or density may be 0 and not less, wherever it is, but the density of a light's sample must be more. Oracle: numbers
+/// on both sides, in a quarter of the disk, on both sides of the sphere, and in directions that graze a lobe.
 #[test]
-fn densities_of_maps_may_be_nothing_and_not_less() {
+fn values_may_be_nothing_and_not_less() {
     type Part<'a> = (&'static [&'static str], &'a dyn Fn(Vector) -> bool);
     let parts: [Part<'_>; 3] = [
         (&["disk"], &|x| x[0] < -0.2 && x[1] > 0.2),
         (&["sphere"], &|x| x[2] > 0.7),
         (&["sphere"], &|x| x[2] < -0.7),
     ];
-    for (maps, holds) in parts {
-        for (number, expected) in [(0.0, false), (BELOW, true)] {
-            let change = |question: &Value, answer: &mut Value| {
-                let Some(asked) = question.get("pdf") else { return };
-                let points = asked["x"].as_array().into_iter().flatten();
-                for (pdf, x) in answer.as_array_mut().into_iter().flatten().zip(points) {
-                    if holds(vector(x)) {
-                        set(pdf, number);
-                    }
-                }
-            };
-            let found =
-                is_impossible(&mut Changed { right: Squares::new(maps, "", false), change });
-            assert_eq!(
-                found, expected,
-                "whether a density of {number:e} of {maps:?} is impossible"
-            );
+    for (number, expected) in [(0.0, false), (BELOW, true)] {
+        for (maps, holds) in parts {
+            let found = is_impossible(Squares::new(maps, "", false), ("pdf", "", number), holds);
+            assert_eq!(found, expected, "a density of {number:e} of {maps:?}");
         }
-    }
-}
-
-/// Law: radiance and densities of lights may be 0 and not less, but the density of a sample must be more. Oracle: numbers on both
-/// sides of each answer.
-#[test]
-fn answers_of_lights_may_be_nothing_and_not_less() {
-    for (name, key, number, expected) in [
-        ("sample", "radiance", 0.0, false),
-        ("sample", "radiance", BELOW, true),
-        ("sample", "pdf", 0.0, true),
-        ("sample", "pdf", BELOW, true),
-        ("eval", "pdf", 0.0, false),
-        ("eval", "pdf", BELOW, true),
-        ("eval", "radiance", BELOW, true),
-    ] {
-        let change = |question: &Value, answer: &mut Value| {
-            if question.get(name).is_none() {
-                return;
-            }
-            match answer {
-                Value::Array(samples) => {
-                    let some = samples.iter_mut().filter(|it| !it.is_null());
-                    some.for_each(|sample| set(&mut sample[key], number));
-                }
-                eval => set(&mut eval[key], number),
-            }
-        };
-        let right = Lamps::new(&["rectangle"], "", false);
-        let found = is_impossible(&mut Changed { right, change });
-        assert_eq!(found, expected, "whether {key} = {number:e} of {name} is impossible");
-    }
-}
-
-/// Law: values of a lobe may be 0 and not less, where light or viewer graze the surface, too. Oracle: numbers on both sides, in
-/// directions whose cosine is below 0.002 only.
-#[test]
-fn values_of_lobes_may_be_nothing_and_not_less() {
-    let low = |z: f64| z.abs() < 2e-3;
-    for (of_viewer, key, number, expected) in [
-        (false, "f", 0.0, false),
-        (false, "f", BELOW, true),
-        (true, "f", BELOW, true),
-        (false, "pdf", BELOW, true),
-    ] {
-        let change = |question: &Value, mut answer: Value| {
-            if question.get("eval").is_some() {
-                let wo = vector(&data(question)["wo"]);
-                let all = data(question)["wi"].as_array().into_iter().flatten();
-                for (value, wi) in answer[key].as_array_mut().into_iter().flatten().zip(all) {
-                    if low(if of_viewer { wo[2] } else { vector(wi)[2] }) {
-                        set(value, number);
-                    }
-                }
-            }
-            answer
-        };
-        let found = is_impossible(&mut Lambert::new(json!({}), json!({}), change));
-        assert_eq!(
-            found, expected,
-            "whether {key} = {number:e} of a grazing direction is impossible"
-        );
+        for field in ["f", "pdf"] {
+            let right = Lambert::new(json!({}), json!({}), |_, answer| answer);
+            let found = is_impossible(right, ("eval", field, number), |wi| wi[2].abs() < 2e-3);
+            assert_eq!(found, expected, "{field} = {number:e} of a grazing direction");
+        }
+        for (name, field) in
+            [("sample", "radiance"), ("sample", "pdf"), ("eval", "pdf"), ("eval", "radiance")]
+        {
+            let right = Lamps::new(&["rectangle"], "", false);
+            let found = is_impossible(right, (name, field, number), |_| true);
+            let expected = expected || (name, field) == ("sample", "pdf");
+            assert_eq!(found, expected, "{field} = {number:e} of {name}");
+        }
     }
 }
 

@@ -104,7 +104,8 @@ fn extreme_values_end_after_few_questions() {
     let none = ["nan", "inf", "-inf"].map(Value::from).into_iter().take(as_many(1, 3));
     let negative = [-1.0, -1e308].map(Value::from).into_iter().take(as_many(1, 2));
     let bad = none.chain(negative).map(|value| (value, true));
-    let others = [json!(1e308), json!("x")].into_iter().map(|value| (value, false));
+    let others =
+        [json!(1e308), json!("x")].into_iter().take(as_many(1, 2)).map(|value| (value, false));
     let fields: [&[&str]; 3] = [
         &["f", "pdf", "weight", "wi"],
         &["radiance", "pdf", "wi", "distance"],
@@ -137,7 +138,8 @@ fn extreme_values_end_after_few_questions() {
 /// them; the questions on the card can still be read. Oracle: the name, found in the questions as JSON reads them.
 #[test]
 fn names_command_no_terminal_and_are_asked_as_they_are() {
-    for name in ["a\u{1b}[31m", "b\u{202e}c", "d\r\ne", "\"<&>'\u{7f}\u{e0001}", &"n".repeat(900)] {
+    let names = ["b\u{202e}\u{1b}[31mc\r\n", "\"<&>'\u{7f}\u{e0001}", &"n".repeat(900)];
+    for name in names {
         let mut subject = Extreme { list: list(name), field: "f", value: json!(-1), asked: 0 };
         let lobes = listed(&mut subject).expect("a list");
         let card = run(&mut subject, &lobes, ClaimsOptions { cases: 1, seed: 3 }, &mut |_| {});

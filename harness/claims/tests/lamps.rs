@@ -71,8 +71,7 @@ impl Lamps {
         let way = minus(x, p);
         let squared = dot(way, way);
         let mut cosine = -dot(normal, w);
-        let is_two_sided = name == "window" && !self.is("window of one side");
-        if is_two_sided || self.is("both sides shine") {
+        if name == "window" || self.is("both sides shine") {
             cosine = cosine.abs();
         }
         let mut radiance = if cosine > 0.0 { 2.0 } else { 0.0 };
@@ -86,17 +85,8 @@ impl Lamps {
         if self.is("no d²") {
             pdf /= squared;
         }
-        if self.is("d for d²") {
-            pdf /= squared.sqrt();
-        }
-        if self.is("no cosine") {
-            pdf *= cosine.abs();
-        }
         if self.is("area of the half") {
             pdf *= 2.0;
-        }
-        if self.is("pdf of area") {
-            pdf = 1.0 / area;
         }
         if self.is("negative cosine") {
             pdf = -pdf;
@@ -107,7 +97,7 @@ impl Lamps {
     fn eval(&self, name: &str, p: V, w: V) -> Option<At> {
         match name {
             "sky" => {
-                let pdf = if self.is("half a sky") { 0.5 / PI } else { 0.25 / PI };
+                let pdf = 0.25 / PI;
                 Some(At { distance: f64::INFINITY, normal: w, radiance: 1.0 + w[1], pdf })
             }
             "ball" | "cone" => {
@@ -123,9 +113,6 @@ impl Lamps {
                 let mut at = self.seen(name, p, w, (x, normal, 4.0 * PI * RADIUS * RADIUS));
                 if name == "cone" {
                     at.pdf = 1.0 / self.cone(p)?;
-                    if self.is("sine for cosine of the cone") {
-                        at.pdf = 0.5 / PI / (RADIUS / dot(way, way).sqrt());
-                    }
                 }
                 Some(at)
             }
@@ -187,7 +174,7 @@ impl Lamps {
             }
             _ => {
                 let mut u = u;
-                if self.is("half of it sampled") || self.is("half of it never sampled") {
+                if self.is("half of it never sampled") {
                     u[0] *= 0.5;
                 }
                 if self.is("more in the middle") {

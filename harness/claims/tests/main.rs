@@ -17,7 +17,6 @@ mod named;
 mod own;
 mod protocol;
 mod right;
-mod scattering;
+mod rough;
 mod smaller;
 mod squares;
-mod subject;

@@ -31,7 +31,7 @@ fn described((name, lobe): &(String, Lobe)) -> Value {
     let transmits = lobe.sample(Vector::Z, [0.3, 0.4]).is_some_and(|sample| sample.wi.z() < 0.0);
     let mut claims = json!({
         "reciprocal": lobe.claims().reciprocal && !is_delta, "delta": is_delta,
-        "sides": if transmits { "transmits" } else { "reflects" },
+        "sides": if transmits { "transmits" } else { "reflects" }, "from_below": true, "isotropic": true,
     });
     if let Some(eta) = lobe.relative_eta(Vector::Z) {
         claims["eta"] = json!(eta);

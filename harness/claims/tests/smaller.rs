@@ -10,6 +10,7 @@ use groundtruth::math::{cos, sin};
 use serde_json::{Value, json};
 
 use super::right::card;
+use testkit::as_many;
 
 /// Parameters and viewer of a question.
 struct At<'a> {
@@ -146,7 +147,7 @@ fn a_viewer_keeps_what_the_mistake_needs() {
 #[test]
 fn no_parameter_can_be_simpler() {
     let mut draw = Draw::new(7);
-    for _ in 0..30 {
+    for _ in 0..as_many(8, 30) {
         let (most, least) = (draw.between(0.001, 0.5), draw.between(0.0, 8.0));
         let has = move |a: f64, b: f64| a < most && b > least;
         let factor = |at: &At| if has(at.a, at.b) { 2.0 } else { 1.0 };

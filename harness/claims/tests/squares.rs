@@ -36,39 +36,25 @@ impl Squares {
         if self.is("numbers of its own") {
             a = (a + 0.618 * self.asked as f64).fract();
         }
-        let phi = match self.is("half a turn") {
-            true => PI * b,
-            false => 2.0 * PI * b,
-        };
+        let phi = 2.0 * PI * b;
         let (sin, cos) = (phi.sin(), phi.cos());
         match name {
             "disk" => {
                 let r = if self.is("radius without root") { a } else { a.sqrt() };
-                let sin = if self.is("no sign of the sine") { sin.abs() } else { sin };
                 let r = if self.is("square not halved") { 2.0 * r } else { r };
                 vec![r * cos, r * sin]
             }
             "hemisphere" => {
-                let z = match self.is("exponent not raised by 1") {
-                    true => (1.0 - a).powf(1.0 / e.max(0.01)),
-                    false => (1.0 - a).powf(1.0 / (e + 1.0)),
-                };
-                let r = if self.is("not unit") { 1.0 } else { (1.0 - z * z).max(0.0).sqrt() };
+                let z = (1.0 - a).powf(1.0 / (e + 1.0));
+                let r = (1.0 - z * z).max(0.0).sqrt();
                 vec![r * cos, r * sin, z]
             }
             "sphere" => {
-                let z = match self.mistake {
-                    "uniform angle" => (PI * a).cos(),
-                    "half a sphere" => 1.0 - a,
-                    _ => 1.0 - 2.0 * a,
-                };
+                let z = if self.is("half a sphere") { 1.0 - a } else { 1.0 - 2.0 * a };
                 let r = (1.0 - z * z).max(0.0).sqrt();
                 vec![r * cos, r * sin, if self.is("upper half") { z.abs() } else { z }]
             }
-            "triangle" => match self.is("no root in the triangle") {
-                true => vec![1.0 - a, b * a],
-                false => vec![1.0 - a.sqrt(), b * a.sqrt()],
-            },
+            "triangle" => vec![1.0 - a.sqrt(), b * a.sqrt()],
             _ => {
                 let tent = |u: f64| match u < 0.5 {
                     true => (0.5 * u).sqrt(),
@@ -80,14 +66,11 @@ impl Squares {
     }
 
     fn pdf(&self, name: &str, e: f64, x: &[f64]) -> f64 {
-        let pdf = match name {
+        match name {
             "disk" => 1.0 / PI,
             "hemisphere" => {
                 let z = if self.is("no absolute value") { x[2] - 0.5 } else { x[2].max(0.0) };
-                match self.is("no cosine in the pdf") {
-                    true => (e + 1.0) / (2.0 * PI),
-                    false => (e + 1.0) / (2.0 * PI) * z.abs().powf(e).copysign(z),
-                }
+                (e + 1.0) / (2.0 * PI) * z.abs().powf(e).copysign(z)
             }
             "sphere" => {
                 if self.is("half a sphere") {
@@ -101,20 +84,12 @@ impl Squares {
                 let tent = |x: f64| 4.0 * x.min(1.0 - x).max(0.0);
                 tent(x[0]) * tent(x[1])
             }
-        };
-        match self.mistake {
-            "no pi" => pdf * PI,
-            "half of it" => 0.5 * pdf,
-            _ => pdf,
         }
     }
 
     fn inverse(&self, name: &str, e: f64, x: &[f64]) -> [f64; 2] {
         let turn = |x: &[f64]| {
-            let turn = match self.is("angle not turned up") {
-                true => (x[1] / x[0]).atan() / (2.0 * PI),
-                false => x[1].atan2(x[0]) / (2.0 * PI),
-            };
+            let turn = x[1].atan2(x[0]) / (2.0 * PI);
             if turn < 0.0 { turn + 1.0 } else { turn }
         };
         let [a, b] = match name {
@@ -139,7 +114,7 @@ impl Squares {
             "hemisphere" => json!({"e": [0, 20]}),
             _ => json!({}),
         };
-        let torn = ["scrambled", "no sign of the sine", "upper half", "half a sphere"];
+        let torn = ["scrambled", "upper half", "half a sphere"];
         let claims = json!({
             "domain": domain, "invertible": !torn.contains(&self.mistake), "stratified": true, "float": self.is_single,
         });
