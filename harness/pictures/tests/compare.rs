@@ -12,7 +12,7 @@ use groundtruth::film::Film;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use pictures::compare::{
-    Comparison, Differences, Picture, SizesDiffer, Transfer, half_pixel_shifts, noise_note,
+    Comparison, Differences, Picture, SizesDiffer, half_pixel_shifts, noise_note,
 };
 
 use self::films::{SIZE, film_through, rendered, world};
@@ -122,66 +122,6 @@ fn noise_is_noted_where_the_seed_counts() {
         assert_eq!(half_pixel_shifts(&mut world, &other, "B"), [], "noise is no shift");
         assert_eq!(Picture::of_film(&render::render(&world)).values, picture.values);
     }
-}
-
-/// Law: 8-bit values stand for the radiance that is rounded, truncated or clamped to them, with the right
-/// transfer function; with another one they differ, and the right one is named. Oracle: encoding by hand.
-#[test]
-fn bytes_are_intervals() {
-    let ours = picture();
-    let encode = |transfer: Transfer, round: f64| {
-        let byte = |value: f32| {
-            let value = f64::from(value).min(1.0);
-            let encoded = match transfer {
-                Transfer::Linear => value,
-                Transfer::Srgb if value <= 0.0031308 => 12.92 * value,
-                Transfer::Srgb => 1.055 * groundtruth::math::power(value, 1.0 / 2.4) - 0.055,
-                Transfer::Gamma(gamma) => groundtruth::math::power(value, 1.0 / gamma),
-            };
-            // 1.055 − 0.055 is a little less than 1
-            ((255.0 * encoded + round + 1e-9).floor() / 255.0) as f32
-        };
-        let values = ours.values.iter().map(|color| color.map(byte)).collect();
-        Picture { values, transfer, step: Some(1.0 / 255.0), ..ours.clone() }
-    };
-    let transfers = [Transfer::Linear, Transfer::Srgb, Transfer::Gamma(1.8), Transfer::Gamma(2.2)];
-    for transfer in transfers {
-        for round in [0.0, 0.5] {
-            let theirs = encode(transfer, round);
-            let comparison = compared(&ours, &theirs);
-            assert!(comparison.is_same(), "{transfer}, {round}: {comparison}");
-            assert!(compared(&theirs, &ours).is_same(), "{transfer}, {round}");
-        }
-    }
-    let taken = Picture { transfer: Transfer::Srgb, ..encode(Transfer::Linear, 0.5) };
-    assert!(!compared(&ours, &taken).is_same());
-    assert_eq!(explanation(&ours, &taken), "B is encoded as linear, not as sRGB");
-    // two steps off
-    let mut off = encode(Transfer::Srgb, 0.5);
-    off.values[7][1] -= 2.0 / 255.0;
-    let comparison = compared(&ours, &off);
-    assert_eq!((comparison.differing, comparison.regions[0].worst), (1, [7, 0]));
-}
-
-/// Law: regions are connected, also at corners, and come with their box, size and worst pixel. Oracle: shapes
-/// drawn by hand.
-#[test]
-fn regions_are_boxes_of_connected_pixels() {
-    let black = Picture::of_film(&Film::new(20, 10));
-    let mut theirs = black.clone();
-    for [x, y] in [[2, 2], [3, 3], [4, 2], [10, 9], [19, 0], [18, 0]] {
-        theirs.values[y * 20 + x] = [0.5; 3];
-    }
-    theirs.values[3 * 20 + 3] = [0.5, 0.75, 0.5];
-    let comparison = compared(&black, &theirs);
-    let found: Vec<_> = comparison
-        .regions
-        .iter()
-        .map(|region| (region.pixels, region.bounds, region.worst))
-        .collect();
-    let expected =
-        [(3, [2, 2, 3, 2], [3, 3]), (2, [18, 0, 2, 1], [18, 0]), (1, [10, 9, 1, 1], [10, 9])];
-    assert_eq!(found, expected);
 }
 
 /// Law: the largest difference is listed with its region, also if ten regions are larger, and once. Oracle: a

@@ -87,23 +87,6 @@ proptest! {
             prop_assert!((found - expected).abs() <= SEVERAL_ULPS * expected, "{} {}", found, expected);
         }
     }
-
-    /// Law: the sums of pictures do not depend on their order. Oracle: another order.
-    #[test]
-    fn sums_do_not_depend_on_the_order(values in prop::collection::vec(ugly(), 12..13)) {
-        let film = |i: usize| {
-            let mut film = Film::new(2, 1);
-            film.set([0, 0], Rgb::new(values[3 * i], values[3 * i + 1], f64::NAN));
-            film.set([1, 0], Rgb::new(values[3 * i + 2], f64::INFINITY, 0.0));
-            film
-        };
-        let sum = |order: [usize; 4]| {
-            let mut sums = Sums::new(header([2, 1]));
-            order.iter().for_each(|&i| sums.add(&film(i), i as u64).expect("they fit"));
-            sums
-        };
-        prop_assert_eq!(sum([0, 1, 2, 3]), sum([2, 0, 3, 1]));
-    }
 }
 
 /// The quotient, the root and the powers of `n` are each rounded, at most five times.

@@ -1,7 +1,6 @@
 //! Numbers for people.
 
 use text::digits::{rough, short, shortened};
-use text::percent::of_pixels;
 
 /// Law: a number of any size is told with at most four digits, and at most half a unit of the fourth off. Oracle: the text
 /// read again.
@@ -34,11 +33,4 @@ fn long_numbers_of_texts_are_shortened() {
         shortened(text),
         "wi2 = [-0.7674, 0.5], 123456 of ch03 ± 2e-4, 0.005565, m2.500001.pfm"
     );
-}
-
-/// Law: a share is never told as nought unless it is. Oracle: shares by hand.
-#[test]
-fn shares_are_nought_only_if_they_are() {
-    let told = [0.0, 1e-9, 0.00463, 0.5, 0.9999, 1.0].map(of_pixels);
-    assert_eq!(told, ["0 %", "less than 0.001 %", "0.463 %", "50.0 %", "100 %", "100 %"]);
 }

@@ -97,15 +97,6 @@ fn every_change_is_named() {
     }
 }
 
-/// Law: a picture has its transposed one among its changes exactly if it is square. Oracle: the definition.
-#[test]
-fn only_squares_are_transposed() {
-    for (size, is_square) in [([3, 3], true), ([3, 4], false), ([4, 3], false), ([1, 1], true)] {
-        let has = Change::of_pixels(size).contains(&Change::Transposed);
-        equal(format!("{size:?} may be transposed"), has, is_square);
-    }
-}
-
 /// Law: a changed picture has the radiance that the change gives each pixel, of floats and of integers by any curve; where the
 /// change takes a value from outside, it has none. Oracle: the change of single pixels.
 #[test]
