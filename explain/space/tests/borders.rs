@@ -1,11 +1,10 @@
 //! Counts and closed forms of the view of rays: how many pieces are drawn and numbered, what hides, where the camera stands.
 
-use groundtruth::explain::{self, RecordedRay};
-use groundtruth::math::{Pcg32, Point, Ray, Span, Vector, cos_degrees, sin_degrees};
+use groundtruth::explain::RecordedRay;
+use groundtruth::math::{Point, Ray, Span, Vector, cos_degrees, sin_degrees};
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::{Outcome, RayKind};
 use groundtruth::world::World;
-use space::{Backdrop, End, Orbit, Section, hiding, of_scene, of_segments, segments, svg_of_rays};
+use space::{Backdrop, End, Orbit, hiding, of_scene, of_segments, segments, svg_of_rays};
 
 use super::seen::{MATTE, ball};
 use super::support::{DOWN, FRONT, WHITE, built, light, object, traced};
@@ -35,7 +34,7 @@ const ABOVE: Orbit = Orbit { target: Point::ORIGIN, yaw: 20.0, pitch: 30.0, dist
 /// the numbers of their rays (each once). Oracle: the number of lamps, of which a later one shines more.
 #[test]
 fn a_thousand_pieces_are_drawn_and_24_are_numbered() {
-    for count in [0, 1, 22, 23, 24, 998, 999, 1000, 1004] {
+    for count in [0, 23, 24, 999, 1000, 1004] {
         let (world, root) = lamps(count, "");
         let svg = svg_of_rays(&world, &root, &ABOVE, &[]);
         let pieces = 1 + count;
@@ -190,118 +189,4 @@ fn balls_are_around_boxes() {
     assert_eq!(of_segments(&[]), None, "the ball around nothing");
     let point = of_segments(&[piece([1.0; 3], [5.0; 3], End::Leaves)]);
     assert_eq!(point, Some((Point::from([1.0; 3]), 1.0)), "the ball around a point");
-}
-
-/// Law: a ray that was not cast has no piece; a blocked shadow ray has two, any other has one. Oracle: the recorded outcomes of
-/// the gallery's mirrors and shadows.
-#[test]
-fn rays_have_as_many_pieces_as_their_outcomes_say() {
-    let (mut uncast, mut blocked) = (0, 0);
-    for name in ["ch24/hall-of-mirrors", "ch16/shadows", "ch28/glass-sphere", "ch24/floor-mirror"] {
-        let scene = (gallery::find(name).expect("a scene").build)();
-        let world = World::build(&scene).expect("valid");
-        let [width, height] = world.picture_size();
-        let mut random = Pcg32::new(3, 3);
-        for _ in 0..12 {
-            let pixel = [random.below(width), random.below(height)];
-            let Some(root) = explain::sample(&scene, &world, pixel, 0).ray else { continue };
-            let pieces = segments(&world, &root, 1.0);
-            for ray in root.rays() {
-                let expected = match ray.outcome {
-                    Outcome::TooDeep | Outcome::OverBudget => 0,
-                    Outcome::Blocked { .. } => 2,
-                    _ => 1,
-                };
-                let found = pieces.iter().filter(|piece| piece.ray == ray.number).count();
-                assert_eq!(
-                    found, expected,
-                    "pieces of ray {} ({:?}) of {name}",
-                    ray.number, ray.outcome
-                );
-                uncast += usize::from(expected == 0);
-                blocked += usize::from(expected == 2);
-            }
-        }
-    }
-    assert!(uncast > 3 && blocked > 3, "{uncast} uncast and {blocked} blocked rays");
-}
-
-/// The numbers of a text, a minus sign or a true one before them.
-pub fn numbers(text: &str) -> Vec<f64> {
-    let parts = text.split(|c: char| !(c.is_ascii_digit() || ".e-−".contains(c)));
-    parts.filter_map(|part| part.trim_end_matches('.').replace('−', "-").parse().ok()).collect()
-}
-
-/// Law: the numbers that a section prints are those of its hit: both products of Snell's law, the angle of a shadow ray and its
-/// cosine, the distance of a lamp whose way is cut, and angles of labels. Oracle: computed from the recorded directions, to the
-/// four digits that are shown.
-#[test]
-fn printed_numbers_of_a_section_are_those_of_its_hit() {
-    let mut seen = [0; 3];
-    for name in ["ch28/glass-sphere", "ch28/in-a-diamond", "ch16/shadows", "ch27/torus"] {
-        let scene = (gallery::find(name).expect("a scene").build)();
-        let world = World::build(&scene).expect("valid");
-        let [width, height] = world.picture_size();
-        for pixel in [[width / 2, height / 2], [width / 3, height / 2], [width / 2, 2 * height / 3]]
-        {
-            let Some(root) = explain::sample(&scene, &world, pixel, 0).ray else { continue };
-            for ray in root.rays() {
-                let Some(section) = Section::of(&world, &root, ray.number) else { continue };
-                let notes = &section.drawing.notes;
-                if let Some(law) = &section.refraction {
-                    let text = law.to_string();
-                    let line = text.lines().nth(1).expect("a second line");
-                    let found = numbers(line);
-                    let mut products = vec![(law.indices[0], law.incidence)];
-                    products.extend(law.refraction.map(|degrees| (law.indices[1], degrees)));
-                    for ((n, degrees), found) in products.iter().zip(found.chunks(3)) {
-                        let expected = [*n, *degrees, n * sin_degrees(*degrees)];
-                        for (found, expected) in found.iter().zip(expected) {
-                            near(*found, expected, 5e-4 * expected.abs() + 1e-12, line);
-                        }
-                        seen[0] += 1;
-                    }
-                    if law.refraction.is_none() {
-                        let last = found.last().copied().unwrap_or(f64::NAN);
-                        near(last, law.indices[1], 5e-4 * law.indices[1], line);
-                        assert!(text.starts_with("n₁ sin θ₁ > n₂"), "total reflection: {text}");
-                    }
-                }
-                if matches!(ray.kind, RayKind::Shadow { .. }) {
-                    let path = root.path_to(ray.number);
-                    let hit = path[path.len() - 2].hit.as_ref().expect("it was sent by a hit");
-                    let normal = Vector::from(if hit.front {
-                        hit.shading_normal
-                    } else {
-                        -hit.shading_normal
-                    });
-                    let cosine = ray.ray.direction.unit().expect("a way").dot(normal);
-                    let degrees = groundtruth::math::to_degrees(groundtruth::math::acos(cosine));
-                    let note =
-                        notes.iter().find(|note| note.starts_with("θ = ")).expect("an angle");
-                    let found = numbers(note);
-                    near(found[0], degrees, 5e-4 * degrees + 1e-5, note);
-                    near(found[1], cosine, 5e-4 * cosine.abs() + 1e-9, note);
-                    seen[1] += 1;
-                    if let Some(note) = notes.iter().find(|note| note.starts_with("The light is "))
-                    {
-                        let distance = ray.ray.direction.length();
-                        near(numbers(note)[0], distance, 5e-4 * distance, note);
-                    }
-                } else {
-                    for angle in &section.angles {
-                        let of_ray = format!("ray {}\n", angle.ray);
-                        let label =
-                            section.drawing.labels.iter().find(|it| it.text.contains(&of_ray));
-                        let Some(label) = label else { continue };
-                        let line = label.text.lines().nth(1).expect("an angle");
-                        let found = numbers(line.rsplit(' ').next().unwrap_or_default());
-                        near(found[0], angle.degrees, 5e-4 * angle.degrees + 1e-9, line);
-                        seen[2] += 1;
-                    }
-                }
-            }
-        }
-    }
-    assert!(seen.iter().all(|n| *n > 10), "products, shadow angles and labels seen: {seen:?}");
 }

@@ -1,12 +1,14 @@
 //! Goldens of words and lines, written anew by `scripts/renew-texts.sh`; the laws about them are in the other files.
 
 use groundtruth::explain::RecordedRay;
+use groundtruth::math::{cos_degrees, sin_degrees};
 use groundtruth::trace::RayKind;
 use groundtruth::world::World;
-use space::{Drawing, Label, Section, Stroke, orbit_of, svg_of_rays};
+use space::{Drawing, Label, Role, Section, Stroke, obj, orbit_of, segments, svg_of_rays};
 
 use super::drawing::ROLES;
-use super::{incidence, section, shadow};
+use super::section;
+use super::support::{DOWN, WHITE, block, light, object, traced};
 
 /// An SVG without its pictures, and of long lines of points the first and the last.
 fn shortened(svg: &str) -> String {
@@ -27,7 +29,7 @@ fn shortened(svg: &str) -> String {
 }
 
 /// Golden: each role, whole and dashed, with an arrow and room for it and without; a dot; words on all sides, on one line and on
-/// two; notes with long words and lines of their own; markup in names.
+/// two; notes with long words and lines of their own; markup in names; a drawing as high as allowed, and one whose words have no room.
 #[test]
 fn a_drawing_reads_as_before() {
     let mut drawing = Drawing { title: "<&>".to_owned(), ..Drawing::default() };
@@ -46,7 +48,22 @@ fn a_drawing_reads_as_before() {
     }
     let word = "é".repeat(29);
     drawing.notes.push(format!("{word} {word}é a < b {}\n{word} {word} next", word.repeat(3)));
-    insta::assert_snapshot!(shortened(&drawing.svg()));
+    let mut text = shortened(&drawing.svg());
+    // as high as allowed; and with words that have no room at any scale
+    for (way, words) in [([0.01, 300.0], "n"), ([1.0, 0.5], &"a word ".repeat(20))] {
+        let line = Stroke::new(Role::Arc, vec![[0.0; 2], way]);
+        let label = Label { at: way, text: words.to_owned(), role: Role::Arc, side: [1, 1] };
+        let drawing = Drawing { strokes: vec![line], labels: vec![label], ..Drawing::default() };
+        text += &format!("\n{}", shortened(&drawing.svg()));
+    }
+    insta::assert_snapshot!(text);
+}
+
+/// Golden: the lines of an OBJ file, each piece in the group of its kind; the second line of a name is no line of the file.
+#[test]
+fn rays_in_a_file_read_as_before() {
+    let (_, world, root) = section::tree("ch28/glass-sphere", [2, 2]);
+    insta::assert_snapshot!(obj(&root, &segments(&world, &root, 10.0), "glass\nsphere"));
 }
 
 /// The sections of the rays of a tree that are no shadow rays.
@@ -58,15 +75,22 @@ fn sections(name: &str, (world, root): (&World, &RecordedRay), text: &mut String
 }
 
 /// Golden: planes of incidence: of a block of glass under angles beside those at which arcs, letters and indices change (0.1°,
-/// 12°, 45°), of total reflection, of shading normals, of rays that leave the plane and of rays that are not cast.
+/// 12°, 45°), with the ways that rays should go, of total reflection, of shading normals, of rays that leave the plane and of rays that are not cast.
 #[test]
 fn sections_read_as_before() {
     let mut text = String::new();
     for degrees in [0.0, 0.05, 0.2, 11.9, 12.1, 44.9, 45.1] {
-        let (name, world, root) = incidence::block(degrees);
+        let (name, world, root) = block(degrees);
         let section = Section::of(&world, &root, 0).expect("it hits");
         text += &format!("== {name} under {degrees}°\n{}\n", shortened(&section.drawing.svg()));
     }
+    let (_, world, root) = block(30.0);
+    let mut told = Section::of(&world, &root, 0).expect("it hits");
+    for (degrees, up) in [(50.0, 1.0), (12.5, -1.0)] {
+        let way = told.plane.vector([sin_degrees(degrees), up * cos_degrees(degrees)]);
+        told.expect(|_| Some(way));
+    }
+    text += &format!("== where two rays should go\n{}\n", shortened(&told.drawing.svg()));
     for (name, world, root) in [
         section::tree("ch28/glass-box", [3, 2]),
         section::tree("ch24/mirror-meshes", [2, 2]),
@@ -77,14 +101,43 @@ fn sections_read_as_before() {
     insta::assert_snapshot!(text);
 }
 
+/// What is above a floor at y = 0, which the middle pixel sees at (0, 0, 0) from the height 9: a name, the floor, the light,
+/// and objects, of which the first ball blocks the way to a light on the right after 2.
+const ABOVE: [(&str, &str, &str, &str); 11] = [
+    ("near lamp", LARGE, "point = { location = [-3, 4, 0], ls = 1 }", BALLS),
+    ("far lamp", SMALL, FAR, ""),
+    ("far lamp over an endless floor", ENDLESS, FAR, ""),
+    ("lamp above", LARGE, "point = { location = [0, 5, 0], ls = 1 }", ""),
+    ("sun", SMALL, "directional = { direction = [-3, 4, 0], ls = 1 }", ""),
+    ("sun and floor", ENDLESS, "directional = { direction = [-3, 4, 0], ls = 1 }", BALLS),
+    ("near lamp behind a ball", LARGE, "point = { location = [3, 4, 0], ls = 1 }", BALLS),
+    ("far lamp behind a ball", SMALL, THROUGH, BALLS),
+    ("far lamp behind a ball, endless floor", ENDLESS, THROUGH, BALLS),
+    ("sun behind a ball", LARGE, "directional = { direction = [3, 4, 0], ls = 1 }", BALLS),
+    ("shining ball", LARGE, "area = { object = \"tube\" }", TUBE),
+];
+const SMALL: &str = "shape.disk = { center = [0, 0, 0], normal = [0, 1, 0], radius = 0.5 }";
+const LARGE: &str = "shape.disk = { center = [0, 0, 0], normal = [0, 1, 0], radius = 20 }";
+const ENDLESS: &str = "shape.plane = { point = [0, 0, 0], normal = [0, 1, 0] }";
+const FAR: &str = "point = { location = [-30, 40, 0], ls = 1 }";
+const THROUGH: &str = "point = { location = [30, 40, 0], ls = 1 }";
+const BALLS: &str = "[[objects]]\nname = \"ball\"\nmaterial = \"white\"\n\
+                     shape.sphere = { center = [1.5, 2, 0], radius = 0.5 }\n\
+                     [[objects]]\nname = \"beside\"\nmaterial = \"white\"\n\
+                     shape.sphere = { center = [-2, 1, 0], radius = 0.25 }\n";
+const TUBE: &str = "[[materials]]\nname = \"shining\"\nrecipe.emissive = { ls = 1, ce = 1 }\n\
+                    [[objects]]\nname = \"tube\"\nmaterial = \"shining\"\n\
+                    shape.sphere = { center = [3, 4, 0], radius = 1e-3 }\n";
+
 /// Golden: shadow rays to near and far lamps, suns and lamps that are seen, over small, large and endless floors, blocked or not.
 #[test]
 fn sections_of_shadow_rays_read_as_before() {
     let mut text = String::new();
-    for case in shadow::cases() {
-        let (world, root) = shadow::tree(&case);
+    for (name, floor, source, objects) in ABOVE {
+        let parts = [DOWN, WHITE, &light("it", source), &object("floor", floor), objects];
+        let (world, root) = traced(&parts.concat(), [2, 2]);
         let section = Section::of(&world, &root, 1).expect("a shadow ray");
-        text += &format!("== {}\n{}\n", case.name, shortened(&section.drawing.svg()));
+        text += &format!("== {name}\n{}\n", shortened(&section.drawing.svg()));
     }
     insta::assert_snapshot!(text);
 }

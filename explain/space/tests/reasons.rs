@@ -1,11 +1,8 @@
-//! Reasons at their borders: what ends a ray, which of two blocks, the light's own object, backs, wholes without end.
+//! Reasons at their borders: what ends a ray, which of two blocks, backs, and the whole surfaces of parts.
 
-use std::path::Path;
-
-use groundtruth::world;
 use space::why_not::{WhyNot, WhyNotAnswer};
 
-use super::support::object;
+use super::support::{WHITE, built, object};
 use super::why_not::{BALL, ask, near, scene};
 
 /// A lamp at (−2, 0, 5), which the pixel (4, 2) sends the shadow ray 1 to: (2, 0, −3) + s (−4, 0, 8).
@@ -68,21 +65,6 @@ fn what_blocks_is_met_at_its_opaque_surface() {
     near(found.ended.expect("it is blocked").at.t, (64.0 - 1091.2_f64.sqrt()) / 160.0);
 }
 
-/// Law: the object of a light is not before the light: a shadow ray to it ends on it. Oracle: the scene.
-#[test]
-fn the_object_of_a_light_is_not_before_it() {
-    let rest = "[[materials]]\nname = \"shining\"\nrecipe.emissive = { ls = 1, ce = 1 }\n\
-        [[lights]]\nname = \"light\"\nsource.area = { object = \"lamp\" }\n\
-        [[objects]]\nname = \"lamp\"\nmaterial = \"shining\"\n\
-        shape.rectangle = { corner = [4, -1, 3], a = [0, 1, 0], b = [1, 0, 0] }\n";
-    let built = scene(rest);
-    for pixel in [[4, 2], [2, 2], [3, 1], [4, 4]] {
-        let found = ask(&built, pixel, 1, "lamp");
-        assert_eq!(found.answer, WhyNotAnswer::BeyondLight, "the lamp, seen by {pixel:?}");
-        near(found.meets.expect("it is met").t, 1.0);
-    }
-}
-
 /// Law: a back is dark if the material is one-sided and lets nothing through. Oracle: the materials.
 #[test]
 fn the_back_of_a_one_sided_opaque_surface_is_dark() {
@@ -101,32 +83,6 @@ fn the_back_of_a_one_sided_opaque_surface_is_dark() {
             assert_eq!(found.answer, expected, "{material}, front {front}");
         }
     }
-}
-
-/// Law: a ray has a nearest point of what it passes, and none of what it meets or starts on. Oracle: the answers.
-#[test]
-fn what_is_met_has_no_nearest_point() {
-    let built = scene(&(LAMP.to_owned() + &object("ball", BALL)));
-    let mut seen = [0; 3];
-    for y in 0..5 {
-        for x in 0..5 {
-            for (ray, name) in [(0, "ball"), (0, "wall"), (1, "ball"), (1, "wall")] {
-                // only the wall's right side sends a shadow ray for certain
-                if ray == 1 && (x < 4 || y == 0) {
-                    continue;
-                }
-                let WhyNot { answer, approach, meets, .. } = ask(&built, [x, y], ray, name);
-                let kind = match (meets.is_some(), &answer) {
-                    (true, _) => 0,
-                    (false, WhyNotAnswer::StartsOnIt) => 1,
-                    _ => 2,
-                };
-                assert_eq!(approach.is_some(), kind == 2, "whether {answer:?} has a nearest point");
-                seen[kind] += 1;
-            }
-        }
-    }
-    assert!(seen.iter().all(|n| *n > 3), "met, started on, passed: {seen:?}");
 }
 
 /// Law: what is switched off answers as if it were on, with the routines of the scene or its own. Closed form: the ball's front is
@@ -202,31 +158,81 @@ fn a_whole_goes_on_without_end() {
 
 /// Why the ray along (0, y) to −z does not hit a shape.
 fn seen_from(y: f64, shape: &str) -> WhyNot {
-    alone(&format!("eye = [0, {y}, 10], look_at = [0, {y}, 0]"), shape)
-}
-
-/// Why the ray of a camera does not hit a shape.
-fn alone(camera: &str, shape: &str) -> WhyNot {
     let text = format!(
         "image = {{ width = 1, height = 1 }}\n\
-         camera = {{ {camera}, lens.orthographic = {{}} }}\n\
-         [[materials]]\nname = \"white\"\nrecipe.matte = {{ kd = 1, cd = 1 }}\n\
-         [[objects]]\nname = \"part\"\nmaterial = \"white\"\nshape.{shape}\n"
+         camera = {{ eye = [0, {y}, 10], look_at = [0, {y}, 0], lens.orthographic = {{}} }}\n{WHITE}{}",
+        object("part", &format!("shape.{shape}"))
     );
-    ask(&world::from_toml(&text, Path::new("here.toml")).expect("valid"), [0, 0], 0, "part")
+    ask(&built(&text), [0, 0], 0, "part")
 }
 
-/// Law: a part of a level annulus is one of its plane. Closed form: from 10 above, the plane is met after 10, in the hole and
-/// beyond the last azimuth.
+/// Law: a ray that passes a part meets its whole elsewhere. Closed forms: along the line (x, y) to −z, the plane z = 0 is met
+/// after 10, the sphere and cylinder of radius 1 after 9, the paraboloid y = 2 (x² + z²) where z = √(y/2 − x²), the cylinder of radius 2 where z = √(4 − x²), the torus
+/// where z = 2.5.
 #[test]
-fn a_part_annulus_is_a_part_of_its_plane() {
-    let shape = "part_annulus = { center = [0, 0, 0], inner_radius = 0.5, outer_radius = 1, phi = [0, 90] }";
-    for (x, z) in [(0.0, 0.0), (-0.6, 0.5)] {
-        let camera = format!("eye = [{x}, 10, {z}], look_at = [{x}, 0, {z}], up = [0, 0, -1]");
-        let WhyNotAnswer::OutsidePart { whole, at } = alone(&camera, shape).answer else {
-            panic!("the ray at {x}, {z} is not outside the part")
+fn the_whole_of_each_part_is_where_it_goes_on() {
+    for (shape, pixel, whole, t) in [
+        ("disk = { center = [5, 0, 0], normal = [0, 0, 1], radius = 1 }", [2, 2], "plane", 10.0),
+        ("rectangle = { corner = [1, 0, 0], a = [1, 0, 0], b = [0, 1, 0] }", [2, 2], "plane", 10.0),
+        (
+            "part_sphere = { center = [0, 0, 0], radius = 1, theta = [0, 30] }",
+            [2, 2],
+            "whole sphere",
+            9.0,
+        ),
+        ("open_cylinder = { y0 = 1, y1 = 2, radius = 1 }", [2, 2], "cylinder without ends", 9.0),
+        (
+            "instance = { of.disk = { center = [5, 0, 0], normal = [0, 0, 1], radius = 1 }, transform = \
+             [{ translate = [0, 0, 1] }] }",
+            [2, 2],
+            "plane",
+            9.0,
+        ),
+        (
+            "paraboloid = { height = 0.5, radius = 0.5 }",
+            [2, 1],
+            "paraboloid without end",
+            10.0 - 0.5_f64.sqrt(),
+        ),
+        ("paraboloid = { height = 0.5, radius = 0.5 }", [2, 0], "paraboloid without end", 9.0),
+        (
+            "annulus = { center = [0, 0, 0], normal = [0, 0, 1], inner_radius = 0.5, outer_radius = 0.75 }",
+            [4, 2],
+            "plane",
+            10.0,
+        ),
+        (
+            "instance = { of.part_annulus = { center = [0, 0, 0], inner_radius = 0.5, outer_radius = 1, phi = [0, 90] }, \
+             transform = [{ rotate_x = 90 }] }",
+            [2, 2],
+            "plane",
+            10.0,
+        ),
+        (
+            "triangle = { vertices = [[0.2, 0.2, 0], [0.4, 0.2, 0], [0.2, 0.4, 0]] }",
+            [2, 2],
+            "plane",
+            10.0,
+        ),
+        (
+            "part_cylinder = { y0 = -3, y1 = 3, radius = 2, phi = [200, 300] }",
+            [3, 2],
+            "cylinder without ends",
+            10.0 - 3.0_f64.sqrt(),
+        ),
+        (
+            "part_torus = { swept_radius = 2, tube_radius = 0.5, phi = [200, 300] }",
+            [2, 2],
+            "whole torus",
+            7.5,
+        ),
+    ] {
+        let built = scene(&object("part", &format!("shape.{shape}")));
+        let found = ask(&built, pixel, 0, "part");
+        let WhyNotAnswer::OutsidePart { whole: named, at } = found.answer else {
+            panic!("the answer of {shape}: {:?}, not outside the part", found.answer)
         };
-        assert_eq!(whole, "plane", "the whole of {shape}");
-        near(at.t, 10.0);
+        assert_eq!(named, whole, "the whole of {shape}");
+        near(at.t, t);
     }
 }

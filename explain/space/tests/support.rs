@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use groundtruth::explain::{self, RecordedRay};
+use groundtruth::math::{cos_degrees, sin_degrees};
 use groundtruth::scene::Scene;
 use groundtruth::world::{self, World};
 
@@ -33,4 +34,26 @@ pub fn traced(text: &str, pixel: [u32; 2]) -> (World, RecordedRay) {
     let (scene, world) = built(text);
     let root = explain::sample(&scene, &world, pixel, 0).ray.expect("the camera sees something");
     (world, root)
+}
+
+/// A block of glass under y = 0, seen in the middle under this angle to the y axis, and a matte floor far below; the tree.
+pub fn block(degrees: f64) -> (&'static str, World, RecordedRay) {
+    let (x, y) = (10.0 * sin_degrees(degrees), 10.0 * cos_degrees(degrees));
+    let floor = object("floor", "shape.plane = { point = [0, -9, 0], normal = [0, 1, 0] }");
+    let text = format!(
+        r#"
+        image = {{ width = 5, height = 5 }}
+        camera = {{ eye = [{x}, {y}, 0], look_at = [0, 0, 0], up = [0, 0, -1], lens.orthographic = {{}} }}
+        tracer.whitted = {{ max_depth = 4 }}
+        {WHITE}{floor}[[materials]]
+        name = "glass"
+        recipe.dielectric = {{ inside = {{ eta = 1.5 }} }}
+        [[objects]]
+        name = "block"
+        material = "glass"
+        shape.box = {{ min = [-6, -3, -6], max = [6, 0, 6] }}
+        "#
+    );
+    let (world, root) = traced(&text, [2, 2]);
+    ("block", world, root)
 }
