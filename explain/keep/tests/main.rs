@@ -3,7 +3,6 @@
 #[macro_use]
 extern crate testkit;
 
-mod counted;
 mod kept_shadows;
 mod page;
 mod reduced;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use groundtruth::scene::{self, Scene};
 use groundtruth::world::{self, DEFAULT_SEED, World};
 use groundtruth::{render, rgb::Rgb};
-use keep::{Irreducible, Kept, ReducedScene};
+use keep::{Kept, ReducedScene};
 use testkit::same_text::{Printed, hold};
 
 fn bits(color: Rgb) -> [u64; 3] {
@@ -105,17 +105,28 @@ fn a_sample_with_another_seed_keeps_its_bits() {
     );
 }
 
-/// Law: what is not there cannot be kept. Oracle: the size of the picture.
+/// Law: pixels and samples are refused from the first that is not there on, and the error says how many there are.
+/// Oracle: the size of the picture and its samples.
 #[test]
-fn a_pixel_outside_of_the_picture_is_refused() {
-    let scene = scene_of("ch16/shadows");
-    let [width, samples] = [scene.image.width, scene.image.samples];
-    for kept in [
-        Kept { pixel: [width, 0], sample: None, seed: DEFAULT_SEED },
-        Kept { pixel: [0, 0], sample: Some(samples), seed: DEFAULT_SEED },
+fn the_first_pixel_and_sample_beyond_are_refused() {
+    let mut scene = scene_of("ch16/shadows");
+    scene.image.resize(5, 3);
+    scene.image.samples = 4;
+    for (pixel, sample, is_there) in [
+        ([4, 2], None, true),
+        ([5, 2], None, false),
+        ([4, 3], None, false),
+        ([0, 0], Some(0), true),
+        ([0, 0], Some(3), true),
+        ([0, 0], Some(4), false),
     ] {
-        let refused = ReducedScene::of(&scene, Path::new(""), kept);
-        assert!(matches!(refused, Err(Irreducible::Outside { .. })), "{kept:?}");
+        let kept = Kept { pixel, sample, seed: DEFAULT_SEED };
+        let found = ReducedScene::of(&scene, Path::new(""), kept);
+        assert_eq!(found.is_ok(), is_there, "pixel {pixel:?}, sample {sample:?}");
+        if let Err(error) = found {
+            let expected = "the picture is 5x3, with 4 samples a pixel";
+            assert!(error.to_string().ends_with(expected), "{error}, not {expected}");
+        }
     }
 }
 

@@ -1,14 +1,12 @@
-//! Numbers of legends and files, recomputed: ranges, steps, counts, crops; and which layers a scene has.
+//! False colours and legends, recomputed: ranges, steps, counts; and which layers a scene has.
 
 use groundtruth::film::Tone;
-use groundtruth::math::{Pcg32, power};
-use groundtruth::render::{self, Crop};
+use groundtruth::math::power;
 use groundtruth::rgb::Rgb;
 use groundtruth::world::World;
-use layers::{Colors, Layer, NOTHING, Part, centre_sample};
+use layers::{Colors, Layer, NOT_A_NUMBER, NOTHING, Part};
 
-use super::files::{channel, contents, made};
-use super::scenes::{films, named, whole};
+use super::scenes::named;
 
 /// Viridis at ninths of its range, as van der Walt and Smith published it (entries 0, 32, 64 … 255 of 256).
 const VIRIDIS: [[u8; 3]; 9] = [
@@ -80,6 +78,8 @@ fn a_ramp_has_its_steps_and_its_colours() {
                 "the colour of {name} at {eighth}/8: {found:?}, not {expected:?}"
             );
         }
+        assert_eq!(colors.color(None), NOTHING);
+        assert_eq!(colors.color(Some(Rgb::grey(f64::NAN))), NOT_A_NUMBER);
         let middle = colors.color(Some(Rgb::grey(at(1.0 / 16.0))));
         let mean = |i: usize| (f64::from(VIRIDIS[0][i]) + f64::from(VIRIDIS[1][i])) / 2.0;
         let off = (0..3).map(|i| (f64::from(middle[i]) - mean(i)).abs()).fold(0.0, f64::max);
@@ -182,31 +182,6 @@ fn directions_and_coordinates_have_their_colours() {
     }
 }
 
-/// Law: a part of the picture has the values of the whole there, in each channel, wherever it begins. Oracle: the whole.
-#[test]
-fn a_crop_has_the_values_of_the_whole() {
-    let (_, world) = named("ch28/glass-sphere", 9, 2);
-    let all = whole(&world);
-    let (film, _) = films(&world, all);
-    let (_, expected, _) = contents(&film.encode(&world, &made()).expect("encoded"));
-    let (w, h) = (all.width, all.height);
-    for [x, y, width, height] in
-        [[0, 0, 1, 1], [w - 1, h - 1, 1, 1], [2, 1, w - 2, 2], [0, 2, 3, h - 2]]
-    {
-        let (film, _) = films(&world, Crop { x, y, width, height });
-        let (size, found, _) = contents(&film.encode(&world, &made()).expect("encoded"));
-        assert_eq!(size, (width as usize, height as usize), "the size of the part");
-        for (name, values) in &found {
-            for (at, value) in values.iter().enumerate() {
-                let (column, row) = (x + at as u32 % width, y + at as u32 / width);
-                let expected = channel(&expected, name)[(row * w + column) as usize];
-                let is_same = value.to_bits() == expected.to_bits();
-                assert!(is_same, "{name} at {column}, {row}: {value}, not {expected}");
-            }
-        }
-    }
-}
-
 /// Law: a scene has one layer of each kind without a part, one of each light that is on, and depths from 0 to the
 /// largest of the tracer, at most 9. Oracle: the scene.
 #[test]
@@ -235,27 +210,23 @@ fn a_scene_has_layers_of_its_lights_and_depths() {
     }
 }
 
-/// Law: the centre sample is the first of those that are nearest to the pixel's centre. Oracle: all distances.
+/// Law: an object keeps its colour when others are there and when its index is another. Oracle: two scenes with one object of the same name.
 #[test]
-fn the_centre_sample_is_the_first_of_the_nearest() {
-    let mut random = Pcg32::new(4, 9);
-    for (name, samples) in
-        [("ch28/glass-sphere", 1), ("ch28/glass-sphere", 4), ("ch14/page-one", 16)]
-    {
-        let (_, world) = named(name, 16, samples);
-        let [width, height] = world.picture_size();
-        for _ in 0..20 {
-            let pixel = [random.below(width), random.below(height)];
-            let distance = |index: u32| {
-                let sample = render::camera_sample(&world, pixel, index).expect("it is seen");
-                let centre = render::film_point(&world.image, sample.pixel, [0.5, 0.5]);
-                let [x, y] = [0, 1].map(|axis| sample.film[axis] - centre[axis]);
-                x * x + y * y
-            };
-            let all: Vec<f64> = (0..world.samples_per_pixel()).map(distance).collect();
-            let least = all.iter().copied().fold(f64::INFINITY, f64::min);
-            let expected = all.iter().position(|it| *it == least).map(|it| it as u32);
-            assert_eq!(centre_sample(&world, pixel), expected, "the nearest of {all:?}");
-        }
+fn an_object_keeps_its_colour() {
+    let (mut scene, world) = named("ch14/page-one", 8, 1);
+    scene.objects.reverse();
+    let turned = World::build(&scene).expect("valid");
+    let layer = layer("object", &world);
+    let last = world.names.objects.len() - 1;
+    let color = |world, index: usize| {
+        colors(&layer, &[Rgb::WHITE, Rgb::BLACK], world).color(Some(Rgb::grey(index as f64)))
+    };
+    let mut seen = Vec::new();
+    for index in 0..=last {
+        assert_eq!(color(&world, index), color(&turned, last - index));
+        seen.push(color(&world, index));
     }
+    seen.sort_unstable();
+    seen.dedup();
+    assert_eq!(seen.len(), last + 1, "two objects of one colour");
 }

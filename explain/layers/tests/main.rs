@@ -4,7 +4,6 @@
 extern crate testkit;
 
 mod borders;
-mod colors;
 mod explained;
 mod files;
 mod named;

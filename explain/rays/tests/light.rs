@@ -26,20 +26,24 @@ fn assert_law(lines: &dyn Fn(usize) -> Vec<Value>, law: &str, causes: &[&str]) {
     }
 }
 
-/// A camera ray down to a floor, and what else is known of it.
-fn seen(at: usize, x: f64, more: Value) -> Value {
-    let mut line = json!({"pixel": [at, 0], "ray": 0, "kind": "camera", "origin": [x, 2, 0], "direction": [0, -1, 0], "t": 2, "normal": [0, 1, 0], "object": "floor"});
+/// A line with what else is known of it.
+fn with(mut line: Value, more: &Value) -> Value {
     line.as_object_mut().expect("an object").extend(more.as_object().expect("an object").clone());
     line
+}
+
+/// A camera ray down to a floor, and what else is known of it.
+fn seen(at: usize, x: f64, more: Value) -> Value {
+    let line = json!({"pixel": [at, 0], "ray": 0, "kind": "camera", "origin": [x, 2, 0], "direction": [0, -1, 0], "t": 2, "normal": [0, 1, 0], "object": "floor"});
+    with(line, &more)
 }
 
 /// A shadow ray from there to a point, and what else is known of it.
 fn to_lamp(at: usize, x: f64, lamp: [f64; 3], more: Value) -> Value {
     let way = [lamp[0] - x, lamp[1], lamp[2]];
     let far = (way[0] * way[0] + way[1] * way[1] + way[2] * way[2]).sqrt();
-    let mut line = json!({"pixel": [at, 0], "ray": 1, "parent": 0, "kind": "shadow", "light": "lamp", "origin": [x, 0, 0], "direction": way.map(|it| it / far), "end": far});
-    line.as_object_mut().expect("an object").extend(more.as_object().expect("an object").clone());
-    line
+    let line = json!({"pixel": [at, 0], "ray": 1, "parent": 0, "kind": "shadow", "light": "lamp", "origin": [x, 0, 0], "direction": way.map(|it| it / far), "end": far});
+    with(line, &more)
 }
 
 /// Law: light falls with the square of the distance. Oracle: powers of the distance.
@@ -94,13 +98,12 @@ fn a_path_brings_the_sum() {
             let (direct, second) = (0.5 * 3.0, if blocked { 0.0 } else { 0.25 * 3.0 });
             let sum = [direct + second, direct + 2.0 * second, direct + 0.25 * 3.0][mistake];
             let light = if blocked { json!({"radiance": 0, "t": 1, "object": "wall"}) } else { json!({"radiance": 3}) };
-            let mut last = to_lamp(at, 0.0, [0.0, 3.0, 0.0], json!({"ray": 3, "parent": 2, "origin": [0, 3, 0], "direction": [0, -0.6, 0.8], "end": 5, "weight": 0.5, "throughput": 0.25}));
-            last.as_object_mut().expect("an object").extend(light.as_object().expect("an object").clone());
+            let last = to_lamp(at, 0.0, [0.0, 3.0, 0.0], json!({"ray": 3, "parent": 2, "origin": [0, 3, 0], "direction": [0, -0.6, 0.8], "end": 5, "weight": 0.5, "throughput": 0.25}));
             [
                 seen(at, 0.0, json!({"radiance": sum, "throughput": 1})),
                 to_lamp(at, 0.0, [3.0, 3.0, 0.0], json!({"weight": 0.5, "throughput": 0.5, "radiance": 3})),
                 json!({"pixel": [at, 0], "ray": 2, "parent": 0, "kind": "path", "origin": [0, 0, 0], "direction": [0, 1, 0], "t": 3, "object": "wall", "weight": 0.5, "throughput": 0.5}),
-                last,
+                with(last, &light),
             ]
         });
         rays.map(|mut line| {
@@ -136,16 +139,10 @@ fn shares_follow_fresnel() {
 /// A ray that meets the floor at this sine, and one that leaves it at another.
 fn meets(at: usize, sine: f64, leaves: [f64; 2], more: [Value; 2]) -> [Value; 2] {
     let cosine = (1.0 - sine * sine).sqrt();
-    let mut ray = json!({"pixel": [at, 0], "ray": 1, "parent": 0, "origin": [0, 0, 0], "direction": [leaves[0], leaves[1], 0]});
+    let ray = json!({"pixel": [at, 0], "ray": 1, "parent": 0, "origin": [0, 0, 0], "direction": [leaves[0], leaves[1], 0]});
     let [first, next] = more;
-    ray.as_object_mut().expect("an object").extend(next.as_object().expect("an object").clone());
-    let mut from = seen(
-        at,
-        0.0,
-        json!({"origin": [-2.0 * sine, 2.0 * cosine, 0], "direction": [sine, -cosine, 0]}),
-    );
-    from.as_object_mut().expect("an object").extend(first.as_object().expect("an object").clone());
-    [from, ray]
+    let from = json!({"origin": [-2.0 * sine, 2.0 * cosine, 0], "direction": [sine, -cosine, 0]});
+    [with(seen(at, 0.0, from), &first), with(ray, &next)]
 }
 
 /// Law: a ray that was chosen with a probability is divided by it. Oracle: the library's Fresnel terms and a probability that is
@@ -213,9 +210,8 @@ fn a_mirror_shows_the_lamp() {
         let rays = (0..8).flat_map(|at| {
             let lamp = |light: f64| json!({"object": "lamp", "front": true, "emitted": light, "radiance": light});
             let seen = seen(at, 9.0, lamp(5.0));
-            let mut back = lamp([5.0, 0.0][mistake]);
             let more = json!({"sample": 1, "kind": "reflected", "t": 2, "normal": [-0.6, -0.8, 0]});
-            back.as_object_mut().expect("an object").extend(more.as_object().expect("an object").clone());
+            let back = with(lamp([5.0, 0.0][mistake]), &more);
             let mirror = json!({"sample": 1, "object": "mirror", "front": true});
             std::iter::once(seen).chain(meets(at, 0.6, [0.6, 0.8], [mirror, back]))
         });
