@@ -1,9 +1,7 @@
 //! Descriptions of scenes: whole, without words that the scene does not use, and true.
 
-mod drawings;
-mod entries;
 mod formulas;
-mod noise;
+mod random;
 mod truth;
 mod whole;
 

@@ -3,7 +3,6 @@
 mod cameras;
 mod exposure;
 mod fixtures;
-mod function;
 mod kinds;
 mod mitsuba;
 mod mitsuba_surfaces;

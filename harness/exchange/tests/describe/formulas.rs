@@ -1,16 +1,9 @@
-//! The printed formulas that no pixel of a simple scene shows: spot lights, other cameras, Fresnel's equations,
-//! mappings.
+//! The printed formulas of all cameras.
 
 use exchange::describe;
-use groundtruth::lights::{self, LightContext, Specification, Spot};
-use groundtruth::lobes::fresnel;
-use groundtruth::math::{
-    Frame, Normal, Pcg32, Point, Vector, acos, atan2, cos_degrees, power, sin_degrees,
-};
+use groundtruth::math::{Pcg32, cos_degrees, sin_degrees};
 use groundtruth::render::{self, CameraSample};
-use groundtruth::rgb::Rgb;
 use groundtruth::scene::Scene;
-use groundtruth::textures::Mapping;
 use groundtruth::{cameras, scene};
 
 use super::truth::{Camera, V, add, largest_difference, times, unit};
@@ -19,50 +12,9 @@ use super::{described, numbers};
 /// Some dozen operations on numbers of about 1.
 const ROUNDING: f64 = 1e-13;
 
-/// The text of a gallery scene as one line.
-pub fn line_of(name: &str) -> String {
-    let scene = (gallery::find(name).expect("it is there").build)();
-    let text = described(name, &scene).text;
-    text.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
 /// Fails if a text does not contain a formula.
 pub fn assert_says(text: &str, formula: &str) {
     assert!(text.contains(formula), "{formula} in\n{text}");
-}
-
-/// Law: the printed share of a spot light is that of its light. Oracle: the printed formula.
-#[test]
-fn the_printed_cone_is_that_of_the_spot_light() {
-    let text = Spot::FORMULA;
-    assert_says(
-        text,
-        "s² (3 - 2 s) · ls · color / d^attenuation · cosθ, where ωi leads from the hit to `location` and d is its \
-         distance",
-    );
-    assert_says(
-        text,
-        "s is 1 for α ≤ inner, 0 for α ≥ outer, and (outer - α) / (outer - inner) between",
-    );
-    let (color, location) = (Rgb::new(1.0, 0.5, 0.0), Point::new(10.0, 15.0, 20.0));
-    let (direction, inner, outer) = (Vector::new(-1.0, -1.5, -2.0), 30.0, 60.0);
-    let spot = Spot { ls: 600.0, color, location, direction, inner, outer, attenuation: 2.0 };
-    let light = spot.build(&mut lights::Context::default()).expect("it is valid");
-    let mut lit = 0;
-    for angle in (0..90).map(f64::from) {
-        // 10 away from the light, at this angle to its axis
-        let frame = Frame::around(Normal::new(spot.direction).expect("it is not zero"));
-        let (s, c) = (sin_degrees(angle), cos_degrees(angle));
-        let point = spot.location + 10.0 * (c * frame.w + s * frame.u);
-        let found = light.sample(&LightContext { point, normal: Normal::Y }, &[]);
-        let s = ((spot.outer - angle) / (spot.outer - spot.inner)).clamp(0.0, 1.0);
-        let share = s * s * (3.0 - 2.0 * s) * spot.ls / power(10.0, spot.attenuation);
-        let expected = times(share, spot.color.to_array());
-        let found = found.map_or([0.0; 3], |sample| sample.radiance.to_array());
-        lit += u32::from(share > 0.0);
-        assert!(largest_difference(found, expected) < 1e-9, "{angle}: {found:?}, {expected:?}");
-    }
-    assert!(lit > 50, "only {lit} directions are lit");
 }
 
 /// Law: the axes, the film and the formula of the ray that a description prints give the rays of the tracer, of each eye. Oracle:
@@ -151,82 +103,6 @@ fn printed_ray(scene: &Scene, camera: &Camera, (e, shift): (V, f64), at: &Camera
             (e, unit(along([sin_degrees(lambda), yn * a, -cos_degrees(lambda)])))
         }
         _ => panic!("no formula here"),
-    }
-}
-
-/// Law: the printed R of glass is the share that the tracer reflects. Oracle: the printed formula.
-#[test]
-fn the_printed_fresnel_equations_are_those_of_the_tracer() {
-    let text = line_of("ch28/glass-sphere");
-    assert_says(
-        &text,
-        "R = (a² + b²)/2 with a = (h cosθ - cosθt)/(h cosθ + cosθt) and b = (cosθ - h cosθt)/(cosθ + h cosθt); on \
-         total reflection (sinθ > h) R = 1",
-    );
-    for h in [1.5, 1.0 / 1.5, 1.33, 2.42] {
-        for cos in (1..100).map(|i| f64::from(i) / 100.0) {
-            let sin_squared = 1.0 - cos * cos;
-            let expected = if sin_squared > h * h {
-                1.0
-            } else {
-                let cos_t = (1.0 - sin_squared / (h * h)).sqrt();
-                let a = (h * cos - cos_t) / (h * cos + cos_t);
-                let b = (cos - h * cos_t) / (cos + h * cos_t);
-                (a * a + b * b) / 2.0
-            };
-            let found = fresnel(cos, h);
-            assert!((found.reflected - expected).abs() < ROUNDING, "{h}, {cos}");
-            assert!((found.transmitted - (1.0 - expected)).abs() < ROUNDING, "{h}, {cos}");
-        }
-    }
-}
-
-/// Law: the printed texture coordinates of mappings are those of images. Oracle: the printed formulas.
-#[test]
-fn the_printed_mappings_are_those_of_images() {
-    use std::f64::consts::{PI, TAU};
-    let says = |tag: &str, formula: &str| {
-        let of_tag = describe::details().filter(|(_, its, _)| *its == tag);
-        let of_mapping = of_tag.filter(|(list, ..)| list.starts_with("mappings"));
-        of_mapping.for_each(|(_, _, text)| assert_says(&text, formula));
-    };
-    says("square", "u = (z + 1)/2, v = (x + 1)/2");
-    says("cylindrical", "u = φ/2π with φ = atan2(x, z) from 0 to 2π, v = (y + 1)/2");
-    says(
-        "spherical",
-        "u = φ/2π with φ = atan2(x, z) from 0 to 2π, v = 1 - θ/π with the angle θ to +y",
-    );
-    says("hemispherical", "from 0 to 2π, v = 1 - 2θ/π with the angle θ to +y");
-    says(
-        "light_probe",
-        "the angle α to +z, r = α/π and d = √(x² + y²): u = (1 + r x/d)/2, v = (1 + r y/d)/2",
-    );
-    says(
-        "panoramic",
-        "the angle α to -z, r = α/π and d = √(x² + y²): u = (1 + r x/d)/2, v = (1 + r y/d)/2",
-    );
-    let mut random = Pcg32::new(29, 0);
-    for _ in 0..100 {
-        let [x, y, z] = [0; 3].map(|_| 2.0 * random.uniform() - 1.0);
-        let length = (x * x + y * y + z * z).sqrt();
-        let u = atan2(x, z).rem_euclid(TAU) / TAU;
-        let theta = acos(y / length);
-        let angular = |z: f64| {
-            let (r, d) = (acos(z / length) / PI, (x * x + y * y).sqrt());
-            [(1.0 + r * x / d) / 2.0, (1.0 + r * y / d) / 2.0]
-        };
-        for (mapping, expected) in [
-            (Mapping::Square, [(z + 1.0) / 2.0, (x + 1.0) / 2.0]),
-            (Mapping::Cylindrical, [u, (y + 1.0) / 2.0]),
-            (Mapping::Spherical, [u, 1.0 - theta / PI]),
-            (Mapping::Hemispherical, [u, 1.0 - 2.0 * theta / PI]),
-            (Mapping::LightProbe, angular(z)),
-            (Mapping::Panoramic, angular(-z)),
-        ] {
-            let found = mapping.uv(Point::new(x, y, z));
-            let error = (found[0] - expected[0]).abs().max((found[1] - expected[1]).abs());
-            assert!(error < 1e-7, "{mapping:?}: {found:?}, expected {expected:?}"); // acos near 1
-        }
     }
 }
 

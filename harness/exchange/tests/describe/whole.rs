@@ -70,24 +70,6 @@ fn lights_materials_and_objects_have_all_their_numbers() {
     });
 }
 
-/// Law: every number of the exported scene file is in the description. Oracle: the file.
-#[test]
-fn every_number_of_the_scene_file_is_in_the_description() {
-    for_each_scene(|name, scene, text| {
-        let (before_words, _) = text.split_once("\nWORDS\n").expect("it has words");
-        let found: BTreeSet<u64> = numbers(before_words).into_iter().map(bits).collect();
-        let file = scene::to_toml(scene).expect("it is plain data");
-        for number in numbers(&file) {
-            assert!(found.contains(&bits(number)), "{name}: {number} is not in the description");
-        }
-    });
-}
-
-/// The bits of a number; of −0 those of 0.
-fn bits(number: f64) -> u64 {
-    (number + 0.0).to_bits()
-}
-
 /// The tags of all lists of kinds in the schema.
 fn tags() -> BTreeSet<String> {
     let definitions = scene::schema()["definitions"].as_object().expect("it has definitions");

@@ -3,10 +3,10 @@
 use std::f64::consts::PI;
 
 use groundtruth::lights::{Area, Directional, PointLight};
-use groundtruth::materials::{Emissive, Phong, Reflective};
+use groundtruth::materials::Emissive;
 use groundtruth::math::{Normal, Point, Ray, Span, Step, Transform, Vector};
-use groundtruth::scene::build::{add, phong, point, rgb, sphere, vector};
-use groundtruth::scene::{Depth, Light, Scene, Tracer};
+use groundtruth::scene::build::{add, point, rgb, sphere, vector};
+use groundtruth::scene::{Light, Scene};
 use groundtruth::shapes::{Cuboid, Disk, Instance, Kind, OpenCylinder, Rectangle};
 use groundtruth::world::World;
 
@@ -79,29 +79,6 @@ fn an_area_light_shines_on_its_front() {
         let back = Transform::from_steps(&steps).expect("it has an inverse").inverse();
         near_all(&back.point(Point::from(corner)).to_array(), [0.0, 5.0, 0.0]);
     }
-}
-
-/// Law: a mirror over a matte base is a blend of both that adds up to kr · cr and kd · cd; the back of a one-sided surface
-/// has the mirror only. Oracle: weight · specular reflectance and (1 − weight) · reflectance.
-#[test]
-fn a_mirror_over_a_matte_base_is_a_blend() {
-    let mut scene = askew(narrow(), sphere(Point::ORIGIN, 1.0));
-    scene.tracer = Tracer::Path(Depth { max_depth: 3 });
-    let mirror = |phong| Reflective { phong, kr: 0.25.into(), cr: rgb(1.0, 0.5, 0.25).into() };
-    scene.materials[0].recipe = mirror(phong(0.0, 0.5, rgb(0.8, 0.4, 0.2), 0.0, 1.0)).into();
-    let parts = Parts::mitsuba(&scene);
-    let blends = parts.one("<bsdf").split("<bsdf type=\"blendbsdf\">").skip(1);
-    for (blend, kd) in blends.zip([0.5, 0.0]) {
-        let weight = values(blend, "weight")[0];
-        let reflectance = three(values(blend, "reflectance")).map(|it| (1.0 - weight) * it);
-        near_all(&reflectance, [0.8, 0.4, 0.2].map(|cd| kd * cd));
-        let specular = three(values(blend, "specular_reflectance")).map(|it| weight * it);
-        near_all(&specular, [0.25, 0.125, 0.0625]);
-    }
-    // without a base: the mirror alone, on both sides
-    scene.materials[0].recipe = mirror(Phong::default()).into();
-    let parts = Parts::mitsuba(&scene);
-    near_all(&values(parts.one("<bsdf"), "specular_reflectance"), [0.25, 0.125, 0.0625]);
 }
 
 /// The numbers of this name of the written shapes of an instance.

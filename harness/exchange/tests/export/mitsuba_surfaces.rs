@@ -124,31 +124,6 @@ fn a_plane_is_covered_once() {
     }
 }
 
-/// Law: rays that go down from the eye hit the ground, also just below the horizon, and its normal there is ours but for
-/// 1/4000. Oracle: each ray with each written rectangle.
-#[test]
-fn a_plane_reaches_the_horizon() {
-    let (scene, _, all) = plane_with_a_checker();
-    let eye = scene.camera.eye.to_vector();
-    for index in 0..500 {
-        let angle = 0.7 * f64::from(index) + 0.1;
-        let down = math::power(0.95, f64::from(index));
-        let [x, z] = [math::cos(angle), math::sin(angle)];
-        let direction = vector(x, -down, z);
-        let hits = |[a, b, middle]: &&[Vector; 3]| {
-            let normal = a.cross(*b);
-            let t = (*middle - eye).dot(normal) / direction.dot(normal);
-            let at = eye + t * direction - *middle;
-            t > 0.0 && [a, b].iter().all(|side| at.dot(**side).abs() <= side.length_squared())
-        };
-        assert!(all.iter().any(|it| hits(&it)), "{angle} {down}");
-    }
-    for [a, b, _] in all {
-        let normal = a.cross(b).unit().expect("an area");
-        assert!((normal - Vector::Y).length() < 1.0 / 4000.0, "{normal:?}");
-    }
-}
-
 /// The triangles of a PLY file.
 fn mesh(bytes: &[u8]) -> Vec<[Vector; 3]> {
     let text = std::str::from_utf8(bytes).expect("it is text");

@@ -1,17 +1,13 @@
 //! The three fixtures: coordinates, radiance and scaling; and each factor of a convention.
 
 use std::f64::consts::PI;
-use std::path::Path;
 
-use exchange::export::Target;
-use groundtruth::kinds::Resources;
 use groundtruth::lights::{Ambient, Directional, PointLight};
-use groundtruth::math::{self, Normal, Point, Step, Transform};
+use groundtruth::math::{self, Step, Transform};
 use groundtruth::rgb::Rgb;
-use groundtruth::scene::build::{matte, point, rgb, sphere, vector};
+use groundtruth::scene::build::{point, rgb, sphere, vector};
 use groundtruth::scene::{Light, Scene};
-use groundtruth::shapes::{Instance, Surface};
-use groundtruth::textures::{self, Checker3d, PlaneChecker, TexturePoint};
+use groundtruth::shapes::Instance;
 
 use super::fixtures::{askew, narrow, near_all, ours, plane_below, unit};
 use super::texts::{Parts, numbers, vector_of};
@@ -114,38 +110,4 @@ fn ambient_lights_add_up() {
         ..Light::new("off", Ambient { ls: 9.0, color: Rgb::WHITE })
     });
     radiances_agree(&scene, 1.0, 1.0);
-}
-
-/// Law: the functions of checkers are ours. Oracle: our texture, beside the written function computed here by the rules of
-/// POV-Ray's functions (`floor`, `abs`, `mod` as the remainder of C, `select` for negative or not).
-#[test]
-fn checkers_are_our_functions() {
-    let colors = [rgb(1.0, 0.0, 0.0), rgb(0.0, 1.0, 0.0), rgb(0.0, 0.0, 1.0)];
-    let [color1, color2, outline_color] = colors.map(Into::into);
-    let solid = Checker3d { size: 0.75, color1, color2 };
-    let [color1, color2] = [colors[0], colors[1]].map(Into::into);
-    let lines = PlaneChecker { size: 0.5, color1, color2, outline_width: 0.0625, outline_color };
-    let kinds: [textures::Kind; 2] = [solid.into(), lines.into()];
-    for kind in kinds {
-        let text = function_of(&kind);
-        let built = kind.build(&mut Resources::new(Path::new(""))).expect("it is valid");
-        for index in 0..200 {
-            let at = [0.137, -0.219, 0.0913].map(|step| f64::from(index) * step - 3.0 * step);
-            let surface = Surface::new(point(at[0], at[1], at[2]), 0.0, Normal::Y);
-            let value = super::function::value(&text, at);
-            let color = colors[usize::from(value > 1.0 / 3.0) + usize::from(value > 2.0 / 3.0)];
-            assert_eq!(built.color(&TexturePoint::new(&surface)), color, "{text} at {at:?}");
-        }
-    }
-}
-
-/// The function in the pigment of a material with this texture.
-fn function_of(kind: &textures::Kind) -> String {
-    let mut scene = askew(narrow(), sphere(Point::ORIGIN, 1.0));
-    let cd = textures::Paint::Textured(Box::new(kind.clone()));
-    scene.materials[0].recipe = matte(0.0, 0.5, cd).into();
-    let exported = Target::Pov.write("scene", "scene", &scene, "".as_ref());
-    let text = exported.expect("it can be said").text;
-    let (_, function) = text.split_once("function { ").expect("a function");
-    function.split(" }").next().expect("its end").to_owned()
 }

@@ -5,7 +5,7 @@ use groundtruth::math::Point;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::build::{add, boxed, pinhole, point, sphere};
 use groundtruth::scene::{Scene, Tracer, Whitted};
-use groundtruth::shapes::{SolidCylinder, Sphere};
+use groundtruth::shapes::Sphere;
 
 use super::fixtures::{near, near_all, ours};
 use super::texts::{Parts, each, numbers, three};
@@ -83,23 +83,6 @@ fn a_pane_of_glass_has_its_radiance() {
         near(ior(&parts, 0), 1.5);
         near_all(&their_pane(&parts), ours);
     }
-}
-
-/// Law: all surfaces of a material are one body, so that a ray may leave by another than it entered; the index of a body is
-/// the one inside over the one outside. Oracle: 1.5 / 1.2 by hand.
-#[test]
-fn bodies_are_of_one_interior() {
-    let mut scene = scene(8);
-    let can = SolidCylinder { y0: -2.0, y1: 2.0, radius: 2.0, materials: Default::default() };
-    add(&mut scene, "can", can, transparent(1.5));
-    let (inside, outside) = (Medium::clear(1.5), Medium::clear(1.2));
-    let unseen = Sphere { center: Point::new(100.0, 0.0, 0.0), ..ball(1.0) };
-    let recipe = Dielectric { inside, outside, phong: Phong::default() };
-    add(&mut scene, "far", unseen, recipe);
-    let parts = Parts::pov(&scene);
-    assert!(body(&parts, 0).contains("disc") && body(&parts, 0).contains("cylinder"));
-    near(ior(&parts, 0), 1.5);
-    near(ior(&parts, 1), 1.25);
 }
 
 /// Law: a surface between equal indices still counts as an edge there: POV-Ray takes indices in single precision, and does

@@ -1,19 +1,18 @@
 //! POV-Ray: meshes, and shapes made of many.
 
 use groundtruth::cameras::{Orthographic, Viewpoint};
-use groundtruth::math::{Point, Ray, Span, Vector};
+use groundtruth::math::{Point, Vector};
 use groundtruth::render;
 use groundtruth::scene::build::{add, ambient, matte, moved, point, sphere, vector};
 use groundtruth::scene::{Image, Scene};
 use groundtruth::shapes::{
-    Compound, Instance, Kind, Lattice, Mesh, Part, RandomSpheres, Rectangle, TessellatedSphere,
-    Triangle,
+    Compound, Instance, Kind, Lattice, Mesh, Part, Rectangle, TessellatedSphere, Triangle,
 };
 use groundtruth::textures::RandomColors;
 use groundtruth::world::World;
 
 use super::fixtures::{are_fronts, askew, mirrored, narrow, near_all};
-use super::texts::{Parts, each, numbers, vector_of};
+use super::texts::{Parts, each, vector_of};
 
 fn ball(radius: f64) -> Kind {
     sphere(Point::ORIGIN, radius).into()
@@ -50,41 +49,6 @@ fn meshes_are_their_triangles() {
         let theirs = |it: &Vec<f64>| [6, 3, 0].map(|i| vector_of(&it[i..]));
         let fronts = are_fronts(&scene, &triangles.iter().map(theirs).collect::<Vec<_>>());
         assert!(fronts.iter().all(|it| *it == outside_is_front), "fronts: {fronts:?}");
-    }
-}
-
-/// Law: the copies of a lattice stand at multiples of its spacing, moved as a whole. Oracle: the numbers by hand.
-#[test]
-fn lattices_are_their_copies() {
-    let lattice = Lattice {
-        counts: [2, 1, 3],
-        spacing: vector(3.0, 5.0, 4.0),
-        of: Box::new(ball(1.0)),
-        accel: None,
-    };
-    let parts = Parts::pov(&askew(narrow(), moved(lattice, 100.0 * Vector::Z)));
-    let translation = |it: &&str| numbers(it, "matrix")[9..].to_vec();
-    let mut found: Vec<Vec<f64>> = parts.all("sphere").iter().map(translation).collect();
-    found.sort_by(|a, b| a.partial_cmp(b).expect("no NaN"));
-    let places = [0.0, 3.0].into_iter().flat_map(|x| [100.0, 104.0, 108.0].map(|z| [x, 0.0, z]));
-    assert_eq!(found, places.map(|place| place.to_vec()).collect::<Vec<_>>());
-}
-
-/// Law: random spheres are all written, where ours are. Oracle: our hit from each centre, at its radius.
-#[test]
-fn random_spheres_are_spheres() {
-    let scene = askew(
-        narrow(),
-        RandomSpheres { count: 7, radius: 0.01, half_side: 1.0, seed: 4, accel: None },
-    );
-    let (world, parts) = (World::build(&scene).expect("it is valid"), Parts::pov(&scene));
-    let spheres = parts.all("sphere");
-    assert_eq!(spheres.len(), 7);
-    for it in spheres {
-        let sphere = numbers(it, "sphere");
-        let (centre, radius) = (Point::ORIGIN + vector_of(&sphere), sphere[3]);
-        let hit = world.hit(&Ray::new(centre, Vector::X), Span::AHEAD).expect("it is there");
-        assert!((hit.t / radius - 1.0).abs() < 1e-9, "{} instead of {radius}", hit.t);
     }
 }
 
