@@ -12,26 +12,6 @@ fn grey(value: f64) -> Film {
 }
 
 #[test]
-fn drift_ends_at_one_millionth_of_the_larger_value() {
-    // single precision near 1 steps by 1.2e-7: eight steps are 9.5e-7, nine are 1.07e-6
-    let step = f64::from(f32::EPSILON);
-    assert_eq!(verdict(&grey(1.0), &grey(1.0)), GoldenStatus::Same);
-    assert_eq!(verdict(&grey(1.0), &grey(1.0 + step)), GoldenStatus::Drift);
-    assert_eq!(verdict(&grey(1.0), &grey(1.0 + 8.0 * step)), GoldenStatus::Drift);
-    assert_eq!(verdict(&grey(1.0), &grey(1.0 + 9.0 * step)), GoldenStatus::Changed);
-}
-
-#[test]
-fn one_channel_of_one_pixel_decides() {
-    let mut film = grey(0.5);
-    film.set([7, 5], Rgb::new(0.5, 0.5, 0.5 + 1e-3));
-    assert_eq!(verdict(&grey(0.5), &film), GoldenStatus::Changed);
-    let found = differences(&grey(0.5), &film);
-    assert_eq!(found.len(), 1);
-    assert_eq!(found[0].pixel, [7, 5]);
-}
-
-#[test]
 fn what_is_not_a_number_is_never_drift_and_is_the_worst() {
     let mut film = grey(0.5);
     film.set([1, 2], Rgb::grey(9.0));

@@ -1,82 +1,14 @@
 //! What a review counts, what a proposal takes for granted, and borders of comparisons, against enumerations.
 
-use std::path::Path;
 
 use golden::compare::{differences, verdict};
-use golden::review::{DEFAULT_FOLDER, accept_command, told, words};
-use golden::{GoldenFinding, GoldenSettings, GoldenStatus, Goldens, View, leaf};
+use golden::{GoldenSettings, GoldenStatus, Goldens, View, leaf};
 use groundtruth::explain;
 use groundtruth::film::Film;
 use groundtruth::math::Pcg32;
 use groundtruth::rgb::Rgb;
 use groundtruth::trace::Outcome;
 use groundtruth::world::World;
-
-const STATUSES: [GoldenStatus; 6] = [
-    GoldenStatus::Same,
-    GoldenStatus::Drift,
-    GoldenStatus::Changed,
-    GoldenStatus::Missing,
-    GoldenStatus::Mismatch,
-    GoldenStatus::NoScene,
-];
-
-fn finding(index: usize, status: GoldenStatus) -> GoldenFinding {
-    let (golden, expected, got) = (None, None, None);
-    let (name, folder) = (format!("ch03/scene-{index}"), Path::new(DEFAULT_FOLDER).to_owned());
-    GoldenFinding { name, folder, status, golden, expected, got }
-}
-
-/// Law: a review says how many goldens are not the same, of how many, names the first of them, lists all, and proposes
-/// to accept the first whose scene is there. Oracle: the statuses of all lists of up to three goldens.
-#[test]
-fn a_review_counts_what_is_not_the_same() {
-    let lists = (0..4).flat_map(|length: u32| {
-        (0..6_usize.pow(length)).map(move |code| {
-            let of = |place: u32| STATUSES[code / 6_usize.pow(place) % 6].clone();
-            (0..length).map(of).collect::<Vec<GoldenStatus>>()
-        })
-    });
-    for statuses in lists {
-        let findings: Vec<GoldenFinding> =
-            statuses.iter().cloned().enumerate().map(|(i, it)| finding(i, it)).collect();
-        let other: Vec<&GoldenFinding> =
-            findings.iter().filter(|it| it.status != GoldenStatus::Same).collect();
-        let found = told(&findings, Path::new(DEFAULT_FOLDER));
-        let n = findings.len();
-        let s = if n == 1 { "" } else { "s" };
-        let expected = match other.first() {
-            None if n == 0 => "same: no golden differs".to_owned(),
-            None => format!("same: none of {n} golden{s} differs"),
-            Some(it) if n == 1 => format!("differs: {} is {}", it.name, words(&it.status)),
-            Some(it) => format!(
-                "differs: {} of {n} golden{s}; the first, {}, is {}",
-                other.len(),
-                it.name,
-                words(&it.status)
-            ),
-        };
-        assert_eq!(found.verdict, expected, "the verdict of {statuses:?}");
-        let lines: Vec<(String, &str)> = found
-            .details
-            .lines()
-            .filter_map(|line| line.rsplit_once(' '))
-            .map(|(status, name)| (status.trim().to_owned(), name))
-            .collect();
-        let expected: Vec<_> =
-            other.iter().map(|it| (words(&it.status).to_owned(), it.name.as_str())).collect();
-        assert_eq!(lines, expected, "the list of {statuses:?}");
-        let expected = match other.first() {
-            None => "groundtruth goldens check".to_owned(),
-            // a golden without a scene is removed
-            Some(it) if it.status == GoldenStatus::NoScene => {
-                format!("groundtruth goldens remove {}", it.name)
-            }
-            Some(it) => accept_command(it),
-        };
-        assert_eq!(found.next, expected, "the next step of {statuses:?}");
-    }
-}
 
 /// Law: a golden that says nothing of its size is 96 pixels wide, in the form of its scene, with at most 4 samples, one
 /// for other views; what is said replaces it, and accepting again keeps what was said before. Oracle: `round(96 h /

@@ -193,21 +193,6 @@ fn a_manifest_that_gives_no_reason_or_a_name_twice_is_refused() {
     assert!(error.contains("ch03/three-objects is there twice"), "{error}");
 }
 
-#[test]
-fn views_show_distance_object_rays_and_normal_of_the_first_hit() {
-    let mut golden = Golden::first_version(NAME, Path::new("")).unwrap();
-    golden.size = [3, 3];
-    golden.view = View::Hits;
-    // the middle pixel sees the red sphere, (0, −25, 0) of radius 80, from z = 100
-    let t = 100.0 - (80.0_f64 * 80.0 - 25.0 * 25.0).sqrt();
-    let hits = golden.render(Path::new("")).unwrap();
-    assert!((hits.get([1, 1]).r - t).abs() < 1e-12, "{}", hits.get([1, 1]).r);
-    assert_eq!((hits.get([1, 1]).g, hits.get([1, 1]).b), (1.0, 1.0));
-    golden.view = View::Normals;
-    let normal = golden.render(Path::new("")).unwrap().get([1, 1]);
-    assert!((normal.g - 25.0 / 80.0).abs() < 1e-12 && normal.b > 0.9, "{normal:?}");
-}
-
 /// Law: what two runs accept at the same time is all there, and neither fails. Oracle: both names and their
 /// pictures, read again; the runs begin with the same old manifest.
 #[test]

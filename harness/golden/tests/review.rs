@@ -71,3 +71,36 @@ fn a_page_needs_no_other_file_and_no_network() {
         assert!(!html.contains(link), "{link}");
     }
 }
+
+/// Law: a review says how many goldens are not the same, of how many, names the first of them and lists all; the next step accepts
+/// that one, or removes it if it has no scene. Oracle: lists by hand.
+#[test]
+fn a_review_counts_what_is_not_the_same() {
+    use GoldenStatus::{Changed, Drift, NoScene, Same};
+    let finding = |(index, status): (usize, &GoldenStatus)| GoldenFinding {
+        name: format!("ch03/scene-{index}"),
+        folder: Path::new(DEFAULT_FOLDER).to_owned(),
+        status: status.clone(),
+        golden: None,
+        expected: None,
+        got: None,
+    };
+    for (statuses, verdict, lines, next) in [
+        (&[][..], "same: no golden differs", 0, "groundtruth goldens check"),
+        (&[Same], "same: none of 1 golden differs", 0, "groundtruth goldens check"),
+        (&[Drift], "differs: ch03/scene-0 is ", 1, "groundtruth goldens accept ch03/scene-0"),
+        (
+            &[Same, NoScene, Changed],
+            "differs: 2 of 3 goldens; the first, ch03/scene-1, is ",
+            2,
+            "groundtruth goldens remove ch03/scene-1",
+        ),
+    ] {
+        let findings: Vec<GoldenFinding> = statuses.iter().enumerate().map(finding).collect();
+        let found = told(&findings, Path::new(DEFAULT_FOLDER));
+        assert!(found.verdict.starts_with(verdict), "{}, not {verdict}", found.verdict);
+        let listed = found.details.lines().filter(|line| line.contains("ch03/scene-")).count();
+        assert_eq!(listed, lines, "{}", found.details);
+        assert!(found.next.starts_with(next), "{}, not {next}", found.next);
+    }
+}
