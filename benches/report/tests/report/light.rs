@@ -111,26 +111,6 @@ fn what_a_depth_limit_leaves_out_falls_with_the_depth() {
     }
 }
 
-/// Law: at depth 1 `path` computes only direct light, so its bias is that of ray_cast. Oracle: ray_cast, in
-/// the scenes without mirrors, where the two tracers sum the same paths.
-#[test]
-fn a_path_of_depth_one_is_direct_light() {
-    for scene in scenes() {
-        let name = text(&scene["scene"]);
-        if !["Cornell box", "many small lights"].contains(&name) {
-            continue;
-        }
-        let one = list(&scene["depths"]).iter().find(|b| b["name"] == "path, max_depth 1");
-        let one = ends(one.expect("depth 1"));
-        let cast = list(&scene["choices"]).iter().find(|c| c["choice"] == "ray_cast (solid angle)");
-        let cast = ends(&cast.expect("it is there")["bias"]);
-        let half = |ends: [f64; 3]| 0.5 * (ends[2] - ends[1]);
-        let apart = (one[0] - cast[0]).abs();
-        assert!(apart < 2.0 * (half(one) + half(cast)), "{name}: {one:?} {cast:?}");
-        assert!(cast[2] < 0.0, "{name}: {cast:?}");
-    }
-}
-
 /// Law: the normalised rule for glossy reflection is darker than the book's by the mean cosine, which is
 /// between 0 and 1: its weight f·cos/p is `k_r c_r cosθ (e + 2)/(e + 1)`. Oracle: the two formulas.
 #[test]
@@ -163,34 +143,6 @@ fn the_error_without_bias_is_the_noise() {
         (median - 1.0).abs() < ALLOWED,
         "the squared error is {median} of the variance, expected 1: {ratios:?}"
     );
-}
-
-/// Law: the error of an unbiased choice falls with the number of samples; that of ray_cast stays at its
-/// bias. Oracle: 64 times as many independent samples have an eighth of the error; the test requires only a
-/// third, because rare bright paths make the errors uncertain.
-#[test]
-fn errors_without_bias_fall() {
-    let error = |choice: &Value, samples: u32| {
-        let levels = list(&choice["levels"]).iter();
-        let level = levels.clone().find(|level| level["samples"] == samples).expect("a level");
-        level["relative_rmse"].as_f64()
-    };
-    for scene in scenes() {
-        let of = |name: &str| {
-            let found = list(&scene["choices"]).iter().find(|c| c["choice"] == name);
-            found.expect("it is there")
-        };
-        let name = text(&scene["scene"]);
-        let path = of("path (solid angle)");
-        let (few, many) = (error(path, 4).expect("an error"), error(path, 256));
-        assert!(many.is_none_or(|many| many < few / 3.0), "{name}: {few} {many:?}");
-        if name != "caustic ring" {
-            let (few, many) =
-                (error(of("ray_cast (area)"), 256), error(of("ray_cast (area)"), 1024));
-            let ratio = many.expect("a bias") / few.expect("a bias");
-            assert!((ratio - 1.0).abs() < 0.2, "{name}: {few:?} {many:?}");
-        }
-    }
 }
 
 /// Law: everything but the times is the same on one thread and on two. Oracle: each other.

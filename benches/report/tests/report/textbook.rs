@@ -1,11 +1,9 @@
 //! The textbook's formulas are implemented correctly: a comparison with a misprint would be worthless.
 
 use exact::{backward_error, composites};
-use groundtruth::math::{Pcg32, Point, Ray, Span, Vector};
+use groundtruth::math::{Point, Ray, Span, Vector};
 use groundtruth::shapes::textbook::{EPSILON, quartic_roots};
-use groundtruth::shapes::{
-    self, Annulus, Cone, Disk, PartAnnulus, PartCylinder, PartSphere, PartTorus, Shape, Torus,
-};
+use groundtruth::shapes::{Shape, Torus};
 use oracle::Answer;
 use oracle::hard::{Family, Kind, cases};
 
@@ -79,126 +77,6 @@ fn compounds_and_grids_are_right_on_ordinary_rays() {
         assert!(10 * (hits + misses) >= 9 * COUNT, "{kind:?}: {hits} and {misses} of {COUNT}");
         assert_eq!(missed, 0, "{kind:?}: {hits} hit");
     }
-}
-
-/// The first `t` at which a function changes its sign along a ray at a point for which `there` holds: by
-/// small steps, then by bisection.
-fn marched(ray: &Ray, f: impl Fn(Point) -> f64, there: impl Fn(Point) -> bool) -> Option<f64> {
-    const STEPS: u32 = 20_000;
-    let at = |i: u32| 20.0 * f64::from(i) / f64::from(STEPS);
-    let value = |t: f64| f(ray.at(t));
-    for i in 0..STEPS {
-        let (mut low, mut high) = (at(i), at(i + 1));
-        if (value(low) > 0.0) == (value(high) > 0.0) {
-            continue;
-        }
-        for _ in 0..60 {
-            let middle = 0.5 * (low + high);
-            if (value(low) > 0.0) == (value(middle) > 0.0) { low = middle } else { high = middle }
-        }
-        if low > EPSILON && there(ray.at(low)) {
-            return Some(low);
-        }
-    }
-    None
-}
-
-/// Rays from a shell around the origin towards its middle.
-fn rays(count: usize) -> Vec<Ray> {
-    let mut random = Pcg32::new(19, 0);
-    let mut vector = |size: f64| {
-        let mut x = || size * (2.0 * random.uniform() - 1.0);
-        Vector::new(x(), x(), x())
-    };
-    let ray = |_| {
-        let origin = Point::ORIGIN + 6.0 * vector(1.0).unit().expect("not zero");
-        let target = Point::ORIGIN + vector(1.6);
-        Ray::new(origin, (target - origin).unit().expect("elsewhere"))
-    };
-    (0..count).map(ray).collect()
-}
-
-/// Law: a routine's hit is the first sign change of the implicit function on the existing part. Oracle: the
-/// function in small steps, and the part by signs of coordinates instead of angles. One ray in 200 may
-/// differ: two sign changes within one step, or a border within rounding.
-fn agrees(
-    name: &str,
-    kind: impl Into<shapes::Kind>,
-    f: impl Fn(Point) -> f64,
-    there: impl Fn(Point) -> bool,
-) {
-    let book = backward_error::by_the_book(&kind.into()).expect("it is valid");
-    let (mut hits, mut misses, mut odd) = (0, 0, 0);
-    for ray in rays(400) {
-        match (first(&*book, &ray), marched(&ray, &f, &there)) {
-            (Some(a), Some(b)) if (a - b).abs() < RIGHT => hits += 1,
-            (None, None) => misses += 1,
-            _ => odd += 1,
-        }
-    }
-    assert!(odd <= 2, "{name}: {odd} differ of {hits} hits and {misses} misses");
-    assert!(hits > 20 && misses > 20, "{name}: {hits} hits, {misses} misses");
-}
-
-const QUARTER: [f64; 2] = [0.0, 90.0];
-const HALF: [f64; 2] = [0.0, 180.0];
-
-/// Whether the azimuth is in [`QUARTER`].
-fn in_quarter(p: Point) -> bool {
-    p.x() >= 0.0 && p.z() >= 0.0
-}
-
-#[test]
-fn tori_whole_and_in_part_are_where_their_function_changes_sign() {
-    let (a, b) = (2.0, 0.5);
-    let f = |p: Point| {
-        let rho = (p.x() * p.x() + p.z() * p.z()).sqrt();
-        (rho - a) * (rho - a) + p.y() * p.y() - b * b
-    };
-    agrees("torus", Torus { swept_radius: a, tube_radius: b, inward: false }, f, |_| true);
-    let part =
-        |phi, theta| PartTorus { swept_radius: a, tube_radius: b, phi, theta, inward: false };
-    agrees("part torus", part(HALF, HALF), f, |p| p.x() >= 0.0 && p.y() >= 0.0);
-    let is_outer = |p: Point| p.x() * p.x() + p.z() * p.z() >= a * a;
-    agrees("outer half of a torus", part([0.0, 360.0], [270.0, 90.0]), f, is_outer);
-}
-
-#[test]
-fn cones_are_where_their_function_changes_sign() {
-    let (height, radius) = (2.0, 1.0);
-    let f = |p: Point| {
-        (p.x() * p.x() + p.z() * p.z()).sqrt() - radius * ((height - p.y()) / height).abs()
-    };
-    let cone = Cone { height, radius, inward: false };
-    agrees("cone", cone, f, |p| (0.0..=height).contains(&p.y()));
-}
-
-#[test]
-fn annuli_and_part_annuli_are_where_their_plane_is_crossed() {
-    let center = Point::new(0.1, 0.3, -0.2);
-    let (normal, inner_radius, outer_radius) = (Vector::Y, 0.6, 1.7);
-    let whole = Annulus { center, normal, inner_radius, outer_radius };
-    let f = |p: Point| p.y() - center.y();
-    let ring = |p: Point| (0.6..=1.7).contains(&p.distance(center));
-    agrees("annulus", whole, f, ring);
-    let turned = |p: Point| Point::ORIGIN + (p - center);
-    let part = PartAnnulus { center, normal, inner_radius, outer_radius, phi: QUARTER };
-    agrees("part annulus", part, f, |p| ring(p) && in_quarter(turned(p)));
-    let disk = Disk { center, normal, radius: 1.7 };
-    agrees("disk", disk, f, |p| p.distance(center) <= 1.7);
-}
-
-#[test]
-fn part_spheres_and_part_cylinders_are_where_their_function_changes_sign() {
-    let center = Point::new(0.25, -0.125, 0.5);
-    let sphere = PartSphere { center, radius: 1.5, phi: QUARTER, theta: QUARTER, inward: false };
-    let moved = |p: Point| Point::ORIGIN + (p - center);
-    let f = |p: Point| p.distance(center) - 1.5;
-    agrees("part sphere", sphere, f, |p| in_quarter(moved(p)) && p.y() >= center.y());
-    let cylinder = PartCylinder { y0: -0.5, y1: 1.0, radius: 1.25, phi: HALF, inward: false };
-    let f = |p: Point| (p.x() * p.x() + p.z() * p.z()).sqrt() - 1.25;
-    let there = |p: Point| p.x() >= 0.0 && (-0.5..=1.0).contains(&p.y());
-    agrees("part cylinder", cylinder, f, there);
 }
 
 /// Law: the solver finds the known roots of quartics. Oracle: quartics made from their roots, and a torus.
