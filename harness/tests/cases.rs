@@ -132,4 +132,4 @@ macro_rules! files_of_cases {
     };
 }
 
-files_of_cases!(conform errors explain export goldens help laws list merge processes ranges render renderers);
+files_of_cases!(conform errors exercise explain export goldens help laws list merge processes ranges render renderers verify);

@@ -166,22 +166,6 @@ fn an_adapter_to_fill_in_runs_and_supports_nothing() {
     }
 }
 
-/// Law: the adapters in C++ compile behind a header that brings all names of the standard library, as the book's do.
-/// Oracle: the compiler.
-#[test]
-fn adapters_in_cpp_compile_behind_a_header_of_the_book() {
-    if !has("g++") {
-        return;
-    }
-    let header = "#include <algorithm>\n#include <list>\n#include <map>\nusing namespace std;\n\
-                  struct Json; struct Reader; int hits; double text, object; void reply();\n";
-    let folder = Folder::new();
-    for file in ["init.cpp", "adapter.cpp"] {
-        folder.write(file, header.to_owned() + &text_of_example(file));
-        folder.good(&format!("g++ {FLAGS} -fsyntax-only {file}"));
-    }
-}
-
 /// Law: adapters of a language have the same reader of JSON and the same protocol as the one to fill in. Oracle: the
 /// texts.
 #[test]

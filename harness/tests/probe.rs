@@ -129,17 +129,6 @@ proptest! {
     }
 }
 
-#[test]
-fn null_is_a_valid_id() {
-    let answer = probe::answer(r#"{"id": null, "fresnel": {"cos_i": 1, "eta": 1}}"#);
-    assert_eq!(
-        answer,
-        r#"{"id":null,"answer":{"reflected":0.0,"transmitted":1.0,"r_s":0.0,"r_p":0.0,"t_s":1.0,"t_p":1.0}}"#
-    );
-    let error = probe::answer(r#"{"id": null, "fresnel": {}}"#);
-    assert_eq!(error, r#"{"id":null,"error":"column 26: missing field `eta`"}"#);
-}
-
 /// Law: a line that is too long gets one error, and the next line gets its answer.
 #[test]
 fn a_long_line_is_refused_and_the_next_one_answered() {

@@ -8,15 +8,13 @@ use pictures::compare::Picture;
 use crate::kit::{Folder, Run, repaint};
 
 /// The commands that judge, with `PAGE` where options go, and whether they have a page and JSON.
-const COMMANDS: [(&str, bool, bool); 13] = [
+const COMMANDS: [(&str, bool, bool); 10] = [
     ("compare wrong.pfm right.pfm PAGE", true, true),
     ("compare ch14/set wrong.pfm PAGE", true, true),
-    ("compare ch14/set right.pfm PAGE", true, true),
     ("compare one.toml one.pfm PAGE", true, true),
     ("verify ch14/set wrong.pfm PAGE", true, true),
     ("verify ch14/set right.pfm PAGE", true, true),
     ("verify --before right.pfm --after wrong.pfm PAGE", true, true),
-    ("verify --before right.pfm --after right.pfm PAGE", true, true),
     (
         "conform optics project.pinhole --cases 12 PAGE -- python3 $ROOT/examples/conform/wrong.py",
         true,
@@ -27,7 +25,6 @@ const COMMANDS: [(&str, bool, bool); 13] = [
         true,
         true,
     ),
-    ("laws lambert --cases 2 PAGE -- python3 $ROOT/examples/laws/bsdfs.py", true, true),
     ("merge sum1.sums sum2.sums -o mean.exr PAGE", false, false),
     ("goldens review ch03/single-sphere --folder kept PAGE", true, false),
 ];
@@ -106,50 +103,6 @@ fn the_next_step_can_be_pasted() {
     }
 }
 
-/// Law: the next step of a program that failed nothing keeps what was typed, with a seed that nobody has seen; after such a
-/// seed, ten times the cases. Oracle: the words.
-#[test]
-fn the_next_step_keeps_what_was_typed() {
-    const TYPED: &str =
-        "conform optics lobe.lambertian --only 'fresnel.*' --profile book --timeout 7";
-    let typed = |rest: &str| format!("{TYPED} {rest} -- groundtruth probe");
-    let wrong = |rest: &str| format!("conform {rest} --cases 12 -- python3 conform/wrong.py");
-    let laws = |seed: &str| format!("laws 'lamb*'{seed} --cases 2 -- python3 laws/bsdfs.py");
-    for (line, expected) in [
-        (typed("--seed 3 --cases 2"), typed("--fresh --cases 2")),
-        (typed("--fresh --cases 2"), typed("--fresh --cases 20")),
-        (wrong("optics --seed 4"), wrong("fresnel.directions --seed 4")),
-        (laws(""), laws(" --fresh")),
-    ] {
-        let run = Folder::new().run(&format!("cd $ROOT/examples; groundtruth {line}"));
-        assert_eq!(run.next_step(), format!("groundtruth {expected}"));
-    }
-}
-
-/// Law: no row of a page and no line of a table in the terminal has only noughts, and "0.00" stands nowhere beside a family.
-/// Oracle: the cells.
-#[test]
-fn no_row_has_only_noughts() {
-    let is_nought = |cell: &str| ["0", "·", "0.00", "0.0"].contains(&cell);
-    for Told { line, run, page, .. } in &ALL.1 {
-        for row in run.stdout.lines() {
-            let cells: Vec<&str> = row.split_whitespace().skip(1).collect();
-            assert!(cells.len() < 2 || !cells.iter().all(|cell| is_nought(cell)), "{line}: {row}");
-        }
-        let html = page.as_deref().unwrap_or_default();
-        for row in html.split("<tr").skip(1).filter(|row| row.contains("<td")) {
-            let row = row.split("</tr>").next().unwrap_or_default();
-            let cells = row.split("<td").skip(1).map(|cell| {
-                let cell = cell.split_once('>').map_or("", |(_, text)| text);
-                cell.split('<').next().unwrap_or_default()
-            });
-            let cells: Vec<&str> = cells.collect();
-            assert!(cells.is_empty() || !cells.iter().all(|cell| is_nought(cell)), "{line}: {row}");
-            assert!(!row.contains("0.00<"), "{line}: {row}");
-        }
-    }
-}
-
 /// Law: the first line names the object that was changed, in which direction, in how many of its pixels; and the
 /// mistake that was made. Oracle: pixels of one sphere that are halved or doubled by hand; a picture of a known mistake, without whose cosine
 /// all light is brighter.
@@ -178,35 +131,10 @@ fn the_first_line_names_object_direction_and_mistake() {
             assert!(line.starts_with(&expected), "{command}: {line}, expected {expected}");
         }
     }
-    for Told { run, .. } in [&ALL.1[3], &ALL.1[4]] {
+    for Told { run, .. } in [&ALL.1[2], &ALL.1[3]] {
         let line = run.stdout.lines().next().unwrap_or_default();
         assert!(line.contains("is too bright, ") && line.contains("% of its pixels"), "{line}");
         let is_named = line.contains("; known mistake: ") && line.contains("(no-cosine, ch. 14)");
         assert!(is_named, "{line}");
     }
-}
-
-/// Law: a picture is that of a known mistake if all pixels are; not with another value in one of them, and not if the right
-/// one is rounded otherwise. Oracle: the changes.
-#[test]
-fn a_picture_that_is_nearly_that_of_a_mistake_is_not_named() {
-    let folder = Folder::new();
-    folder.good("groundtruth export ch14/set --size 45x30 --samples 1 -o one.toml");
-    folder.good("groundtruth render one.toml --mistake no-cosine -o wrong.pfm");
-    folder.good("groundtruth render one.toml -o right.pfm");
-    folder.run("groundtruth compare one.toml wrong.pfm").expect(1, &["; known mistake: "]);
-    let is_named_as_mistake = || {
-        let printed = folder.run("groundtruth compare one.toml changed.pfm").stdout;
-        assert!(printed.starts_with("differs: "), "{printed}");
-        printed.contains("mistake")
-    };
-    repaint(&folder, "wrong.pfm", "changed.pfm", &|index, color| {
-        if index == 45 * 15 + 22 { 1.01 * color } else { color }
-    });
-    assert!(!is_named_as_mistake(), "one pixel has another value");
-    // not all of them, which would be a gain
-    repaint(&folder, "right.pfm", "changed.pfm", &|index, color| {
-        if index.is_multiple_of(2) { 1.000_002 * color } else { color }
-    });
-    assert!(!is_named_as_mistake(), "the right picture is rounded otherwise");
 }

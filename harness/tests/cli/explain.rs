@@ -116,18 +116,6 @@ fn the_document_of_the_json_has_every_field_and_no_other() {
     }
 }
 
-/// Law: an explanation says how its pixel was made. Oracle: the arguments.
-#[test]
-fn an_explanation_says_how_its_pixel_was_made() {
-    let answer = explained(
-        "ch28/glass-sphere 10 12 --max-depth 3 --size 30x20 --samples 4 --seed 7 --tracer path",
-    );
-    let expected = serde_json::json!({"scene": "ch28/glass-sphere", "size": [30, 20], "samples": 4, "seed": 7,
-        "tracer": "path", "max_depth": 3, "version": env!("CARGO_PKG_VERSION")});
-    assert_eq!(answer["made"], expected);
-    assert_eq!(answer["pixel"], serde_json::json!([10, 12]));
-}
-
 /// Law: `--formulas` changes nothing else in the JSON; each term has a formula, whose factors are its value, whose letters
 /// and numbers those of the text. Oracles: the JSON without it; the product by hand; the printed text.
 #[test]
@@ -188,74 +176,4 @@ fn take_formulas(data: &mut Value, seen: &mut impl FnMut(&Value, &Value)) {
         }
         _ => {}
     }
-}
-
-/// The shares of all rays of a tree as JSON, by their numbers.
-fn shares(ray: &Value, all: &mut Vec<f64>) {
-    all.push(ray["share"].as_f64().expect("a share"));
-    ray["children"].as_array().into_iter().flatten().for_each(|child| shares(child, all));
-}
-
-/// Law: `explain --min-share P` shows each ray whose share is at least P percent, and counts the others, so that all
-/// rays are shown or counted; at 0 all are shown. Oracle: the shares as JSON.
-#[test]
-fn rays_of_a_share_are_shown_and_the_others_counted() {
-    let pixel = "ch28/glass-sphere 300,250";
-    let json = explained(pixel);
-    let mut all = Vec::new();
-    shares(&json["samples"][0]["ray"], &mut all);
-    assert!(all.len() > 10, "rays of the tree: {}", all.len());
-    for percent in ["0", "1", "5", "60", "99"] {
-        let text =
-            Folder::new().good(&format!("groundtruth explain {pixel} --min-share {percent}"));
-        let heads = text.lines().filter_map(|line| {
-            let (share, rest) = line.split_once(" %  ")?;
-            // `< 0.1 %`
-            let share = share.trim().trim_start_matches("< ");
-            share.parse::<f64>().ok().map(|share| (share, rest.trim_start()))
-        });
-        let (mut shown, mut counted) = (Vec::new(), 0);
-        for (share, rest) in heads {
-            let number = rest.split_whitespace().next().and_then(|word| word.parse::<usize>().ok());
-            let number = number.expect("a number of a ray, or of rays");
-            if rest.contains(" more ray") {
-                counted += number;
-            } else {
-                // two digits, but no more than one behind the point
-                let off = (share - 100.0 * all[number]).abs();
-                assert!(
-                    off <= 0.051 * share + 0.1,
-                    "ray {number}: {share} %, not {}",
-                    100.0 * all[number]
-                );
-                shown.push(number);
-            }
-        }
-        assert_eq!(
-            shown.len() + counted,
-            all.len(),
-            "rays shown and counted at {percent} %:\n{text}"
-        );
-        let least: f64 = percent.parse().expect("a number");
-        let expected = (0..all.len()).filter(|ray| 100.0 * all[*ray] >= least);
-        let missing: Vec<usize> = expected.filter(|ray| !shown.contains(ray)).collect();
-        assert_eq!(missing, [0_usize; 0], "rays of at least {percent} % that are not shown");
-        assert_eq!(counted == 0, percent == "0", "whether all are shown at {percent} %");
-    }
-}
-
-/// Law: `--test` prints a test with the file's path, whose bits are those of `--json`. Oracle: the JSON.
-#[test]
-fn a_test_is_printed_with_the_bits_of_the_pixel() {
-    let folder = Folder::new();
-    let printed = folder.good("groundtruth explain ch16/shadows 210,160 --test");
-    let radiance = explained("ch16/shadows 210,160")["radiance"].clone();
-    let bits = |channel: &Value| format!("{:#018x}", channel.as_f64().expect("a number").to_bits());
-    let expected: Vec<String> = radiance.as_array().expect("a colour").iter().map(bits).collect();
-    let expected = format!("let expected = [{}];", expected.join(", "));
-    for part in [&*expected, "fn pixel_210_160_of_ch16_shadows()"] {
-        assert!(printed.contains(part), "no {part} in {printed}");
-    }
-    folder.good("groundtruth explain ch16/shadows 210,160 --test -o a.rs");
-    assert_eq!(folder.text("a.rs"), printed);
 }

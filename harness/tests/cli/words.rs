@@ -40,25 +40,6 @@ fn announced_times_are_rounded_in_their_unit() {
     }
 }
 
-/// Law: no line is longer than asked, unless it is one word; the words are the same, in their order. Oracle: the
-/// words of the text.
-#[test]
-fn broken_lines_fit_and_keep_their_words() {
-    let text = "  100 %  0  camera\n      at [0.1, 0.2], front, material \"a b\"\n\n".repeat(3)
-        + &" ".repeat(90)
-        + "deep inside, and a word_that_is_longer_than_the_line_that_it_stands_in\nend";
-    for columns in [20, 41, 60, 100] {
-        let broken = wrapped(&text, columns);
-        for line in broken.lines() {
-            let fits = line.chars().count() <= columns;
-            assert!(fits || line.split_whitespace().count() == 1, "{columns}: {line}");
-        }
-        assert!(broken.split_whitespace().eq(text.split_whitespace()), "{columns}: {broken}");
-    }
-    let short = "a  b\n  c\n";
-    assert_eq!(wrapped(short, 100), short);
-}
-
 /// Law: a line is broken only where the next word would not fit, and goes on four spaces further in; a line that just
 /// fits is left as it is. Oracle: the lengths of lines and words; all widths from 50 to 70 for texts of words of one to
 /// nine letters.

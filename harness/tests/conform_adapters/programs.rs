@@ -27,16 +27,6 @@ fn the_programs_have_cards() {
     }
 }
 
-/// Law: the adapters in Python are programs. Oracle: Python's own parser.
-#[test]
-fn the_adapters_of_programs_can_be_read() {
-    if !has("python3") {
-        return;
-    }
-    let code = "import ast, sys; [ast.parse(open(name).read()) for name in sys.argv[1:]]";
-    Folder::new().good(&format!("python3 -c '{code}' $ROOT/examples/conform/programs/ask_*.py"));
-}
-
 /// Law: the adapter that reads a whole window gives each line one reply, under its id, and asks POV-Ray nothing
 /// where it knows that there is no answer. Oracle: the protocol.
 #[test]

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-use super::{code_by_module, read, root, sources, without_comments};
+use super::{code_by_module, read, root, sources};
 
 /// The other modules that each module may name.
 const MAY_NAME: &str = include_str!("arrows.csv");
@@ -142,20 +142,4 @@ fn only_the_mathematics_names_glam() {
             assert!(module == "math" || !names, "src/{}: names glam", path.display());
         }
     }
-}
-
-/// Law: names are found in each form of a path, and not in comments. Oracle: texts by hand.
-#[test]
-fn names_are_found_in_paths_and_in_groups_but_not_in_comments() {
-    let found = |code: &str| -> Vec<String> { named_modules(code).into_iter().collect() };
-    assert_eq!(found("use crate::world::World;"), ["world"]);
-    assert_eq!(found("let x = crate::trace::radiance(w, r);"), ["trace"]);
-    assert_eq!(
-        found("use crate::{accel, shapes::{Plane, Sphere},\n    lights};"),
-        ["accel", "lights", "shapes"]
-    );
-    assert!(
-        found(&without_comments("//! See crate::world.\nlet a = 1; // crate::trace")).is_empty()
-    );
-    assert_eq!(found("$crate::kinds::Entry"), ["kinds"]);
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{code_by_module, read, root, rust_files, sources, without_comments};
+use super::{code_by_module, read, rust_files, sources, without_comments};
 
 /// The folders whose files are kinds.
 const KINDS: [&str; 9] = [
@@ -111,28 +111,4 @@ fn every_file_is_a_kind_with_an_entry_or_shared_by_the_kinds() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-}
-
-/// Each chapter's list of scenes is part of the gallery's list.
-#[test]
-fn every_chapter_of_the_gallery_is_in_its_list() {
-    let gallery = root().join("gallery/src");
-    let text = read(&gallery.join("lib.rs"));
-    for path in rust_files(&gallery) {
-        let stem = path.file_stem().expect("files have names").to_string_lossy().into_owned();
-        let listed = text.contains(&format!("{stem}::SCENES"));
-        assert!(
-            !stem.starts_with("ch") || listed,
-            "gallery/src/{stem}.rs: its scenes are not in the list of gallery/src/lib.rs"
-        );
-    }
-}
-
-/// Law: the names from a folder are those after its path, to the end of the group. Oracle: texts by hand.
-#[test]
-fn words_are_found_in_the_paths_of_their_folder() {
-    let words =
-        words_from("shapes", "use crate::shapes::{Shape, Plane as P}; crate::shapes::Disk {");
-    assert!(["Shape", "Plane", "Disk"].iter().all(|&word| words.contains(word)), "{words:?}");
-    assert!(words_from("shapes", "use crate::math::{Point, Plane};").is_empty());
 }
