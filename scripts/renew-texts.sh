@@ -7,9 +7,9 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 # INSTA_UPDATE is insta's own
 export RENEW_TEXTS=1 INSTA_UPDATE=always
-cargo test --quiet --workspace --test chapters --test commands --test exchange --test keep --test rays --test report --test space -- reads_as_before read_as_before the_document the_schema ticks_are_round what_has_a_logarithm
+cargo test --quiet --workspace --test chapters --test commands --test exchange --test keep --test rays --test report --test space --test window -- reads_as_before read_as_before the_document the_schema ticks_are_round what_has_a_logarithm
 page=$(mktemp)
 trap 'rm -f "$page"' EXIT
 cargo run --quiet -- kinds --page > "$page" && cp "$page" docs/scene.md
 cargo run --quiet -- mistakes --page > "$page" && cp "$page" docs/mistakes.md
-git status --short docs tests benches/report/tests harness/exchange/tests explain/*/tests
+git status --short docs tests benches/report/tests harness/exchange/tests explain/*/tests inspector/tests
