@@ -2,14 +2,12 @@
 
 use std::path::Path;
 
-use clap::Parser;
 use eframe::egui::{Key, Pos2, accesskit::Role, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use groundtruth::film::{self, Film, Tone};
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
 use inspector::action::Shows;
-use inspector::window::arguments::Arguments;
 
 use crate::support::*;
 
@@ -161,49 +159,6 @@ fn another_size_is_not_compared() {
     assert!(text_with(&window, "pixels (").contains("4 pixels (0.17 %) differ"));
 }
 
-/// Law: while a field has the keys, letters change no view and select no pixel. Oracle: the state before, and the
-/// same keys without the field.
-#[test]
-fn typed_letters_are_text() {
-    let mut window = held_against(&films()[1]);
-    let field = window.get_by_role_and_label(Role::TextInput, "Pixel").rect().center();
-    click_at(&mut window, field);
-    for key in [Key::T, Key::D, Key::N] {
-        press(&mut window, key);
-        assert_eq!(
-            (shows(&window), window.state().selection.pixel),
-            (Shows::Swipe, None),
-            "{key:?}"
-        );
-    }
-    window.key_press(Key::Escape);
-    for key in [Key::T, Key::N] {
-        press(&mut window, key);
-    }
-    assert_eq!((shows(&window), window.state().selection.pixel), (Shows::Theirs, Some(RIGHT)));
-}
-
-/// Law: a file that says nothing of its curve is decoded by that of sRGB, unless the command line names another. Oracle: a
-/// grey of the standard (IEC 61966-2-1), in a PPM file, which cannot say it.
-#[test]
-fn bytes_are_decoded_as_srgb() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("grey.ppm");
-    let mut grey = Film::new(1, 1);
-    grey.set([0, 0], Rgb::grey(188.0 / 255.0));
-    film::write(&grey, &Tone::PLAIN, &path).expect("written");
-    let file = path.to_str().expect("UTF-8");
-    // ((188/255 + 0.055)/1.055)^2.4
-    for (encoding, expected) in [(&[][..], 0.5029), (&["--encoding", "linear"], 188.0 / 255.0)] {
-        let line = [&["inspector", "ch28/glass-sphere", "--compare", file], encoding].concat();
-        let theirs = Arguments::parse_from(line).theirs().expect("it is read").remove(0);
-        let value = theirs.radiance([0, 0]).expect("inside");
-        assert!(value.to_array().iter().all(|c| (c - expected).abs() < 1e-4), "{value:?}");
-        assert!(theirs.value([0, 0]).is_some_and(|it| it.ends_with("188, 188, 188 of 255")));
-        assert_eq!(theirs.radiance([1, 0]), None);
-    }
-}
-
 /// A file that is dropped on the window.
 #[derive(Debug)]
 struct Dropped(std::path::PathBuf);
@@ -280,54 +235,4 @@ fn the_list_of_layers_has_the_difference() {
     // the legend is over the left one
     assert_eq!(both(&mut window)[1], colors.color(layer.value(&world, RIGHT)));
     assert_eq!(shows(&window), Shows::Ours);
-}
-
-fn drop_file(window: &mut Window, path: &Path) {
-    let file = std::sync::Arc::new(Dropped(path.to_owned()));
-    window.input_mut().dropped_files.push(file);
-    settle(window);
-}
-
-/// Law: a picture that is dropped on the window is compared with ours, rendered at its size, beside the picture of a
-/// mistake, which comes back when the bar lets the dropped one go; what is no picture is an error, and ours stays. Oracle: a picture of ours in
-/// another size, of which no pixel differs.
-#[test]
-fn a_dropped_picture_is_compared() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut scene = small_glass_sphere();
-    scene.image.resize(24, 24);
-    let smaller = render::render(&built(&scene));
-    let path = folder.path().join("Theirs.EXR");
-    let written = folder.path().join("theirs.exr");
-    film::write(&smaller, &Tone::PLAIN, &written).expect("written");
-    std::fs::rename(written, &path).expect("renamed");
-    let mut window = glass_window();
-    set(&mut window, |it| it.others.set_mistake(judge::mistakes::find("no-eta-squared")));
-    assert!(window.state().others.shown().is_some_and(|theirs| theirs.program.is_some()));
-
-    drop_file(&mut window, &path);
-    let inspector = window.state();
-    assert_eq!(inspector.session.rendering.size(), [24, 24]);
-    let theirs = inspector.others.shown().expect("it was dropped");
-    assert!(theirs.program.is_none() && theirs.name.ends_with("Theirs.EXR"));
-    assert_eq!(theirs.comparison(&inspector.session.rendering).expect("compared").differing, 0);
-
-    let broken = folder.path().join("broken.png");
-    std::fs::write(&broken, "no picture").expect("written");
-    drop_file(&mut window, &broken);
-    let inspector = window.state();
-    assert!(inspector.others.shown().is_some());
-    assert!(
-        inspector
-            .message
-            .as_ref()
-            .is_some_and(|(text, is_error)| { *is_error && text.contains("broken.png") })
-    );
-    window.state_mut().message = None;
-    window.run_steps(2);
-    push_button(&mut window, "×");
-    // the picture with the mistake was not lost
-    assert!(window.state().others.shown().is_some_and(|theirs| theirs.program.is_some()));
-    push_button(&mut window, "×");
-    assert!(window.state().others.shown().is_none());
 }

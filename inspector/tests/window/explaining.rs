@@ -3,38 +3,14 @@
 use eframe::egui::{Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::cameras::{Stereo, Viewing};
-use groundtruth::explain::{self, RecordedRay};
+use groundtruth::explain::RecordedRay;
 use groundtruth::render;
 use groundtruth::rgb::Rgb;
-use groundtruth::trace::RayKind;
 
 use crate::support::*;
 
 /// A pixel in which both spheres are seen.
 const ON_GLASS: [u32; 2] = [17, 19];
-
-/// Law: after a click on a pixel of the glass sphere the tree begins with the camera's ray of that
-/// pixel. Oracle: the library's explanation of the same pixel of a world built anew.
-#[test]
-fn a_click_on_the_glass_sphere_shows_its_tree() {
-    let mut window = glass_window();
-    assert!(window.query_by_label_contains("hits \"glass sphere\"").is_none());
-    click(&mut window, ON_GLASS);
-    let scene = small_glass_sphere();
-    let ray = ray_of(&scene, ON_GLASS, 0);
-    assert!(ray.line().starts_with("0  camera"));
-    assert!(ray.line().contains("hits \"glass sphere\""));
-    // in the tree and above the details
-    assert_eq!(window.get_all_by_label(&ray.line()).count(), 2);
-    assert!(window.query_by_label("Pixel (17, 19)").is_some());
-    let ray_count = ray.count();
-    assert!(
-        ray_count > 5 && text_with(&window, " rays, at ").starts_with(&format!("{ray_count} "))
-    );
-    for child in &ray.children {
-        assert!(window.query_all_by_label(&child.line()).next().is_some(), "{}", child.line());
-    }
-}
 
 /// The printed sum of the pixel's samples.
 fn sum(window: &Window) -> String {
@@ -177,61 +153,6 @@ fn many_samples_are_explained_one_at_a_time() {
     assert_eq!(explanation.samples[0].index, 1);
 }
 
-/// Law: a click on a line of the tree shows that ray's numbers, all of them.
-/// Oracle: the library's explanation.
-#[test]
-fn a_click_on_a_ray_shows_its_details() {
-    let mut window = glass_window_at(ON_GLASS);
-    let scene = small_glass_sphere();
-    let root = ray_of(&scene, ON_GLASS, 0);
-    let transmitted = |ray: &&RecordedRay| matches!(ray.kind, RayKind::Transmitted);
-    let ray = root.children.iter().find(transmitted).expect("it is glass");
-    push(&mut window, &ray.line());
-    let hit = ray.hit.as_ref().expect("it leaves the sphere");
-    let critical = hit.optics.and_then(|optics| optics.critical_angle).expect("from within");
-    let exact = |[x, y, z]: [f64; 3]| format!("({x:?}, {y:?}, {z:?})");
-    let color = |color: Rgb| match color.to_array() {
-        [r, g, b] if [g, b] == [r, r] => format!("{r:?}"),
-        channels => exact(channels),
-    };
-    let expected = [
-        ("kind", "transmitted, depth 1".to_owned()),
-        ("outcome", "hit".to_owned()),
-        ("origin", exact(ray.ray.origin.into())),
-        ("direction", exact(ray.ray.direction.into())),
-        ("hits", "\"glass sphere\", material \"glass sphere\"".to_owned()),
-        ("side", "back".to_owned()),
-        ("t", format!("{:?}", hit.t)),
-        ("point", exact(hit.point.into())),
-        ("error at most", format!("{:?}", hit.error)),
-        ("normal", exact(hit.normal.into())),
-        ("shading normal", "the normal".to_owned()),
-        ("angle of incidence", format!("{:?}°", hit.angle_of_incidence)),
-        ("medium in front", "η 1.5, absorption 0".to_owned()),
-        ("medium behind", "η 1, absorption 0".to_owned()),
-        ("critical angle", format!("{critical:?}°")),
-        ("weight", color(ray.weight)),
-        ("transmittance", color(ray.transmittance)),
-        ("radiance", color(ray.radiance)),
-        ("contributes", color(ray.contribution)),
-    ];
-    for (name, text) in expected {
-        // four digits on the screen
-        let text = text::digits::shortened(&text);
-        let height = |rect: eframe::egui::Rect| rect.center().y;
-        let mut names = window.query_all_by_label(name);
-        let values: Vec<f32> =
-            window.query_all_by_label(&text).map(|value| height(value.rect())).collect();
-        let beside = |at: f32| values.iter().any(|value| (value - at).abs() < 3.0);
-        assert!(names.any(|label| beside(height(label.rect()))), "{name}: {text}");
-    }
-    for term in &ray.terms {
-        let [name, factors] = [term.name(), term.factors()];
-        assert!(window.query_all_by_label(&name).next().is_some(), "{name}");
-        assert!(window.query_all_by_label(&factors).next().is_some(), "{factors}");
-    }
-}
-
 /// Law: an arrow key keeps the ray: of the next pixel the one is selected to which the same kinds of rays lead; where there is
 /// none, the camera's. Oracle: the kinds on both paths of the library's trees.
 #[test]
@@ -252,55 +173,6 @@ fn an_arrow_key_keeps_the_ray() {
         assert_eq!(kinds(&there, found), if has_it { wanted } else { kinds(&there, 0) });
         press(&mut window, Key::ArrowLeft);
     }
-}
-
-/// Law: lights that add nothing are one line until it is clicked, and then stand with their reasons, each reason once; a hit
-/// from within says so in the tree, and total reflection, too. Oracle: the library's lines; the side and the angle of the hits.
-#[test]
-fn what_adds_nothing_is_folded() {
-    let mut window = glass_window_at(ON_GLASS);
-    let root = ray_of(&small_glass_sphere(), ON_GLASS, 0);
-    let reasons = explain::lines(&root.unlit);
-    assert!(root.unlit.len() > 1 && reasons.len() > 1, "{reasons:?}");
-    let shown =
-        |window: &Window| reasons.iter().filter(|it| window.query_by_label(it).is_some()).count();
-    assert_eq!(shown(&window), 0);
-    push(&mut window, &format!("{} lights add nothing", root.unlit.len()));
-    assert_eq!(shown(&window), reasons.len());
-
-    let behind = |ray: &&RecordedRay| ray.hit.as_ref().is_some_and(|hit| !hit.front);
-    let inside = root.children.iter().find(behind).expect("it leaves the sphere");
-    let row = window.get_by_label(&inside.line()).rect();
-    let notes: Vec<_> = window.query_all_by_label_contains("inside").map(|it| it.rect()).collect();
-    assert!(notes.iter().any(|it| (it.center().y - row.center().y).abs() < 2.0), "{notes:?}");
-    let mut window = open(small("ch27/mirror-ring", [48, 48], 1));
-    let at_rim = (0..48).map(|x| [x, 28]).find(|&pixel| {
-        let root = ray_of(&small("ch27/mirror-ring", [48, 48], 1), pixel, 0);
-        let optics = root.hit.as_ref().and_then(|hit| hit.optics.as_ref());
-        optics.is_some_and(|optics| optics.angle_of_refraction.is_none())
-    });
-    click(&mut window, at_rim.expect("the ring"));
-    text_with(&window, "total reflection");
-}
-
-/// Law: the numbers of a ray include the texture at its hit: field, colour, texel and coordinates.
-/// Oracle: the library's explanation.
-#[test]
-fn the_texture_of_a_hit_is_among_the_numbers() {
-    let scene = small("ch29/earth", [48, 48], 1);
-    let mut window = open(scene.clone());
-    click(&mut window, [24, 24]);
-    let root = ray_of(&scene, [24, 24], 0);
-    let hit = root.hit.as_ref().expect("the middle of the globe");
-    let [texture] = &hit.textures[..] else { panic!("one texture, not {:?}", hit.textures) };
-    let texel = texture.texel.expect("of an image");
-    let ([r, g, b], [u, v]) = (texture.color.to_array(), texel.uv);
-    let expected = format!(
-        "cd ({r:?}, {g:?}, {b:?}), texel ({}, {}) at u {u:?}, v {v:?}",
-        texel.column, texel.row
-    );
-    let expected = text::digits::shortened(&expected);
-    assert!(window.query_all_by_label(&expected).next().is_some(), "not shown: {expected}");
 }
 
 /// Law: the hits on the path to a ray are marked where the camera sees them. The hit of the camera's ray is

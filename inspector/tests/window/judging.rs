@@ -111,32 +111,6 @@ fn the_verdict_is_that_of_the_command() {
     assert!(seen.len() > 2, "{seen:?}");
 }
 
-/// Law: the verdict is larger than other text, and coloured by what it says. Oracle: the height of a button's text, and
-/// the colours of its ink: red for a difference, green for our own picture.
-#[test]
-fn the_verdict_is_large_and_coloured() {
-    for (film, begins, channel) in
-        [(brighter(), "differs: ", 0), (film(&open(noisy())), "agrees: ", 1)]
-    {
-        let mut window = held_against(noisy(), written(&film).0);
-        settle(&mut window);
-        push(&mut window, "Judge");
-        let verdict = window.get_by_label_contains(begins).rect();
-        let usual = window.get_by_label("Lights").rect();
-        let lines = (verdict.height() / usual.height()).floor();
-        assert!(verdict.height() > 1.1 * lines.max(1.0) * usual.height(), "{verdict}, {usual}");
-        let image = window.render().expect("drawn");
-        let of_ink = |x: u32| {
-            let column = verdict.top() as u32..verdict.bottom() as u32;
-            column.map(|y| image.get_pixel(x, y).0).max_by_key(|pixel| pixel[channel])
-        };
-        let ink = (verdict.left() as u32..verdict.right() as u32).filter_map(of_ink);
-        let [r, g, b, _] = ink.max_by_key(|pixel| pixel[channel]).expect("ink");
-        let others = [r, g, b].into_iter().enumerate().filter(|(at, _)| *at != channel);
-        assert!(others.max().is_some_and(|(_, it)| it + 40 < [r, g, b][channel]), "{r} {g} {b}");
-    }
-}
-
 /// Law: a brighter patch gets a region whose box has all of it and nothing more; a click in the list, or on the number
 /// over the picture, explains its worst pixel. Oracle: where the patch was planted.
 #[test]
@@ -184,20 +158,6 @@ fn another_picture_drops_the_verdict() {
     assert!(window.query_by_label_contains("differs: ").is_none());
     press(&mut window, Key::Z);
     assert_eq!(theirs(&window).shows, Shows::Ours, "there is no map");
-}
-
-/// Law: a judgement waits for our picture, which takes hours here.
-#[test]
-fn a_judgement_waits_for_our_picture() {
-    let mut scene = noisy();
-    scene.image.resize(64, 64);
-    scene.image.samples = 65_536;
-    let mut window = held_against(scene, written(&Film::new(64, 64)).0);
-    window.run_steps(2);
-    window.get_by_label("Judge").click();
-    window.run_steps(3);
-    assert!(!theirs(&window).judgement.is_busy());
-    assert!(window.query_by_label("Stop").is_none());
 }
 
 /// Law: a judgement that is stopped says so. (It takes far longer than the frames between both clicks.)

@@ -233,17 +233,6 @@ fn a_histogram_counts_pixels_by_stops() {
     assert_eq!(stops.iter().sum::<u64>(), 6);
 }
 
-/// Law: the histogram unfolds in the panel of the scene and says how many pixels are black. Oracle: the film.
-#[test]
-fn the_histogram_is_of_the_picture() {
-    let mut window = glass_window();
-    push(&mut window, "Histogram");
-    let film = film(&window);
-    let black = film.pixels().iter().filter(|pixel| pixel.is_black()).count();
-    let text = text_with(&window, "log₂ of the radiance");
-    assert!(text.ends_with(&format!("; {black} black")), "{text}");
-}
-
 /// Law: the buttons of the zooms keep the selected pixel in view, at the border of the picture, too, and below grid and values
 /// its column and row stand at the edges. Oracle: the place of the pixel; dark ground at the edges, which the picture lacks.
 #[test]

@@ -73,44 +73,6 @@ fn the_bounces_of_a_path_are_not_indented() {
     }
 }
 
-/// Law: the light that a bounce adds itself has a line in the tree: the lamp, seen directly. Oracle: the
-/// library's term.
-#[test]
-fn local_light_is_in_the_tree() {
-    let (mut window, _) = noisy_pixel();
-    let on_the_lamp = [12, 3];
-    let scene = small_cornell_box();
-    let found = (0..16).find_map(|index| {
-        let root = ray_of(&scene, on_the_lamp, index);
-        let local = root.terms.iter().find(|term| term.ray.is_none())?.line();
-        Some((index, local))
-    });
-    let (index, local) = found.expect("the lamp is in the pixel");
-    click(&mut window, on_the_lamp);
-    window.state_mut().selection.sample = index;
-    push(&mut window, "The sum");
-    assert!(window.query_by_label(&local).is_some(), "{local}");
-}
-
-/// Law: the sum lists what each light and each lobe adds, divided in both ways, in the library's order.
-/// Oracle: the library's tables.
-#[test]
-fn the_sum_is_divided_among_lights_and_lobes() {
-    let (mut window, explained) = noisy_pixel();
-    push(&mut window, "The sum");
-    let mut above = 0.0;
-    for (words, sources) in explained.sources.lists() {
-        assert_eq!(sources.len(), 2, "the lamp and the Lambertian lobe");
-        let mut lines = vec![words.to_owned()];
-        lines.extend(explain::table(sources).split_off(1));
-        for line in lines {
-            let top = window.get_by_label(&line).rect().top();
-            assert!(top > above, "{line}");
-            above = top;
-        }
-    }
-}
-
 /// Law: the samples are sorted, the greatest first; a click on one shows its tree. They can be sorted
 /// by index. Oracle: the library's samples, sorted by hand.
 #[test]
@@ -140,26 +102,4 @@ fn a_sample_is_one_click_from_its_tree() {
     push(&mut window, "index");
     let [first, second] = [0, 1].map(|index| height(&window, index));
     assert!(first.is_some() && first < second, "samples 0 and 1 at {first:?} and {second:?}");
-}
-
-/// Law: the sample that is far from the others is marked. Oracle: one of forty paths meets the small lamp.
-#[test]
-fn a_sample_far_from_the_others_is_marked() {
-    let mut scene = small_cornell_box();
-    scene.tracer = (gallery::find("ch26/cornell-box-path-trace").expect("it").build)().tracer;
-    scene.image.samples = 36;
-    let world = built(&scene);
-    let lit = |pixel: [u32; 2]| {
-        let explained = explain::pixel(&scene, &world, pixel, Some(0)).expect("few rays");
-        let lit = explained.radiances.iter().filter(|radiance| radiance.average() > 0.0);
-        (lit.count() == 1).then_some((pixel, explained.statistics.greatest))
-    };
-    let pixels = (4..20).flat_map(|y| (4..20).map(move |x| [x, y]));
-    let (pixel, greatest) = pixels.filter_map(lit).next().expect("one path of a pixel is lit");
-    let mut window = open(scene.clone());
-    click(&mut window, pixel);
-    push(&mut window, "The sum");
-    let mark = window.get_by_label("outlier").rect().center().y;
-    let row = window.get_by_label_contains(&format!("sample {greatest:>3}  ")).rect().center().y;
-    assert!((mark - row).abs() < 4.0, "the mark is at {mark}, the sample at {row}");
 }

@@ -185,26 +185,6 @@ fn a_log_is_followed() {
     assert!(has_value(&window, "0.75") && !has_value(&window, "0.25"));
 }
 
-/// Law: a log without a ray is refused with what is wrong, and a log that names an unknown scene, too. Oracle: the messages of
-/// the command.
-#[test]
-fn what_is_no_log_is_refused() {
-    let folder = tempfile::tempdir().expect("a folder");
-    for (text, problem) in [
-        ("not a log", "no ray"),
-        (
-            r#"{"rays": 1, "scene": "ch99/none"}
-{"origin": [0, 0, 0], "direction": [0, 0, 1]}"#,
-            "ch99/none",
-        ),
-    ] {
-        let path = written(folder.path(), text);
-        let words = ["inspector", "--rays", path.to_str().expect("a name")];
-        let problem_found = Start::read(&Arguments::parse_from(words)).err().expect("refused");
-        assert!(problem_found.contains(problem), "{problem_found}");
-    }
-}
-
 /// Law: two logs stand beside each other: O changes from one to the other at the same pixel and ray, and the tab has the numbers
 /// of both. Oracle: a log and the same with its mistake mended.
 #[test]

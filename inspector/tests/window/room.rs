@@ -44,16 +44,6 @@ fn a_narrow_window_folds_the_scene_away() {
     assert!(window_of(SIZES[0]).0.query_by_label("The scene").is_none());
 }
 
-/// Law: the picture has about a third of the window, whatever its size.
-#[test]
-fn the_picture_has_a_third_of_the_window() {
-    for size in SIZES {
-        let (window, whole) = window_of(size);
-        let share = picture(&window).area() / whole.area();
-        assert!(share > 0.3, "{share} of {size:?}");
-    }
-}
-
 /// Law: every field and button of the bars is completely inside the window, and no two of them overlap.
 #[test]
 fn every_button_of_the_bars_is_whole() {
@@ -110,22 +100,6 @@ fn nothing_moves_when_something_is_told() {
     }
 }
 
-/// Law: the three parts are side by side inside the window; the chooser of samples can be reached.
-#[test]
-fn the_parts_are_side_by_side() {
-    for size in SIZES {
-        let (mut window, whole) = window_of(size);
-        unfold(&mut window);
-        let middle = picture(&window);
-        let lamp = window.get_by_label("high lamp").rect();
-        let heading = window.get_by_label("Pixel (17, 19)").rect();
-        assert!(lamp.right() <= middle.left() && heading.left() >= middle.right(), "{size:?}");
-        for name in ["<", ">", "The ray", "The sum", "The samples"] {
-            assert!(whole.contains_rect(window.get_by_label(name).rect()), "{name} of {size:?}");
-        }
-    }
-}
-
 /// Law: the bars beside the picture are wide enough to be hit, and dragging one moves the border
 /// with the mouse; a double click moves it back; no drag can make a part vanish.
 #[test]
@@ -160,36 +134,6 @@ fn the_bars_between_the_parts_can_be_grabbed() {
     }
 }
 
-/// Law: the details keep their share of the height when the window becomes small and large again, and it is stored for
-/// the next run; a drag of the bar above them moves it with the mouse, a double click moves it back.
-#[test]
-fn the_details_keep_their_share() {
-    let (mut window, _) = window_of([1400.0, 830.0]);
-    let bar = |window: &Window| window.get_by_role_and_label(Role::Splitter, "lower bar").rect();
-    let first = bar(&window);
-    let stored = window.state().stored_settings();
-    for size in [[800.0, 500.0], [1400.0, 830.0]] {
-        window.set_size(size.into());
-        window.run_steps(4);
-    }
-    assert_eq!(bar(&window), first);
-    assert_eq!(window.state().stored_settings(), stored);
-
-    let at = first.center();
-    window.hover_at(at);
-    window.drag_at(at);
-    window.step();
-    window.hover_at(at - vec2(0.0, 100.0));
-    window.step();
-    window.drop_at(at - vec2(0.0, 100.0));
-    window.run_steps(3);
-    let moved = bar(&window);
-    assert!((first.top() - moved.top() - 100.0).abs() < 2.0, "{moved} from {first}");
-    assert_ne!(window.state().stored_settings(), stored);
-    double_click(&mut window, moved.center());
-    assert_eq!(bar(&window), first, "moved back");
-}
-
 /// Law: every setting of the scene's panel can be scrolled into view, also in a window that is enlarged by Ctrl-+; a
 /// button at the end of a line needs no scrolling to the right.
 #[test]
@@ -208,28 +152,6 @@ fn every_setting_of_the_scene_can_be_reached() {
             assert!(rect.right() <= panel && rect.width() > 20.0, "{name} at {rect} of {size:?}");
         }
     }
-}
-
-/// Law: at the program's own size the lines of the tree end inside it: what is too long ends in an ellipsis, and the
-/// whole text is shown under the mouse.
-#[test]
-fn long_lines_of_the_tree_end_inside_it() {
-    let (mut window, whole) = window_of([1400.0, 830.0]);
-    let end = window.get_by_role_and_label(Role::Splitter, "lower bar").rect().top();
-    let lines: Vec<(String, Rect)> = window
-        .query_all_by_label_contains("weight ")
-        .map(|node| (node.accesskit_node().value().unwrap_or_default(), node.rect()))
-        .filter(|(_, rect)| rect.bottom() < end)
-        .collect();
-    assert!(lines.len() > 3, "{lines:?}");
-    for (line, rect) in &lines {
-        assert!(rect.right() <= whole.right() - 8.0, "{line} at {rect}");
-    }
-    let (longest, rect) = lines.iter().max_by_key(|(line, _)| line.len()).expect("lines");
-    window.hover_at(rect.center());
-    window.run_steps(60);
-    let texts = window.query_all_by_label_contains(longest).count();
-    assert!(texts >= 2, "{longest}");
 }
 
 /// Law: beside the rays of the tree all numbers stand whole, also in narrow windows; of the details no text, least of all a
@@ -264,44 +186,4 @@ fn numbers_are_not_cut() {
             assert!(is_inside, "{text}: {rect} of {size:?}");
         }
     }
-}
-
-/// Law: the last number of a ray is completely visible after scrolling to it.
-#[test]
-fn the_last_number_of_a_ray_is_whole() {
-    for size in SIZES {
-        let (mut window, _) = window_of(size);
-        window.get_by_label("contributes").scroll_to_me();
-        window.run_steps(20);
-        let row = window.get_by_label("contributes").rect();
-        // the row ends above the bar at the bottom of the window
-        let foot = window.get_by_role_and_label(Role::Button, "?").rect();
-        assert!(row.bottom() <= foot.top(), "{row} over {foot} of {size:?}");
-        let image = window.render().expect("drawn");
-        let ink = (row.left() as u32..row.right() as u32).any(|x| {
-            (row.top() as u32..row.bottom() as u32).any(|y| image.get_pixel(x, y).0[0] > 150)
-        });
-        assert!(ink, "the row is hidden in {size:?}");
-    }
-}
-
-/// Law: a name that is too long for its panel is cut, with an ellipsis, and shown in full under the mouse.
-#[test]
-fn a_long_name_is_cut_and_shown_under_the_mouse() {
-    let name = "an object whose name is far too long for the panel of any small window";
-    let mut scene = small_glass_sphere();
-    scene.objects[0].name = name.to_owned();
-    let mut window = open_sized(scene, [800.0, 500.0]);
-    unfold(&mut window);
-    let edge = picture(&window).left();
-    window.get_by_label(name).scroll_to_me();
-    window.run_steps(10);
-    let rect = window.get_by_label(name).rect();
-    assert!(rect.right() < edge, "{rect} over {edge}");
-    window.hover_at(rect.center());
-    window.run_steps(60);
-    // the switch, and the text under the mouse
-    let all: Vec<Role> =
-        window.get_all_by_label(name).map(|node| node.accesskit_node().role()).collect();
-    assert!(all.contains(&Role::Label), "{all:?}");
 }

@@ -210,24 +210,3 @@ fn the_light_is_shown_where_one_is_sampled() {
     let positions: Vec<_> = (0..16).map(draws).collect();
     assert_drawn_as(&window, 2, 78.0, &positions);
 }
-
-/// Law: at the program's own size all plots are whole. Oracle: the edge of the window.
-#[test]
-fn the_plots_fit_the_window() {
-    let mut scene = sixteen();
-    scene.lights.push(Light::new("occluder", AmbientOccluder::default()));
-    scene.image.sampler = Some(Regular {}.into());
-    let mut window = open_sized(scene, [1400.0, 830.0]);
-    click(&mut window, ON_GLASS);
-    push(&mut window, "The samples");
-    let of_light: Vec<f32> = (0..16).map(|sample| point(&window, 2, sample).x).collect();
-    // margin and scroll bar
-    let edge = 1400.0 - 8.0 - 9.0;
-    let [low, high] =
-        of_light.iter().fold([f32::INFINITY, 0.0], |[a, b], x| [a.min(*x), b.max(*x)]);
-    // the outer columns of the 4 × 4 points are at ±3/4
-    let right = 0.5 * (low + high) + (high - low) / 1.5;
-    assert!(high > low && right <= edge, "the plot ends at {right}");
-    let verdict = window.get_by_label_contains("χ² of ").rect();
-    assert!(verdict.right() <= edge, "{verdict}");
-}

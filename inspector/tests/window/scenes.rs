@@ -70,57 +70,6 @@ fn only_this_object_is_left_and_all_come_back() {
     assert_eq!(pixels(&window), before);
 }
 
-/// Law: a bad scene file is reported with the library's message, and the old scene stays.
-#[test]
-fn a_bad_scene_file_shows_its_error_and_keeps_the_old_scene() {
-    let mut window = glass_window_at(ON_GROUND);
-    let before = pixels(&window);
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let file = folder.path().join("bad.toml");
-    std::fs::write(&file, "about = \"no camera\"\nimage = { width = 0, height = 3 }\n")
-        .expect("writable");
-    for path in [file, folder.path().join("missing.toml")] {
-        let error = groundtruth::world::read(&path).expect_err("it is bad").to_string();
-        type_into(&mut window, "File", &path.display().to_string());
-        assert!(window.query_by_label(&error).is_some(), "{error}");
-        assert_eq!(window.state().session.rendering.source.name(), "ch28/glass-sphere");
-        assert_eq!(pixels(&window), before);
-        assert_eq!(window.state().selection.pixel, Some(ON_GROUND));
-    }
-    push(&mut window, "×");
-    assert!(window.query_by_label_contains("missing.toml: ").is_none());
-}
-
-/// Law: a good scene file is opened: its picture is the one the library renders, and the old
-/// selection is gone.
-#[test]
-fn a_scene_file_is_opened() {
-    let mut window = glass_window_at(ON_GROUND);
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let path = folder.path().join("small.toml");
-    let mut scene = small_glass_sphere();
-    scene.image.resize(20, 10);
-    write(&path, &scene);
-    type_into(&mut window, "File", &path.display().to_string());
-    assert_eq!(window.state().message, None);
-    assert_eq!(window.state().session.rendering.size(), [20, 10]);
-    assert_eq!(window.state().selection.pixel, None);
-    assert_eq!(pixels(&window), groundtruth::render::render(&built(&scene)).pixels());
-}
-
-/// Law: every scene of the gallery can be opened by its name. (Built only: rendering is the
-/// library's.)
-#[test]
-fn every_gallery_scene_can_be_named() {
-    for entry in gallery::scenes() {
-        let source = Source::named(entry.name).expect("it is in the gallery");
-        assert_eq!(source.name(), entry.name);
-        assert!(source.load().is_ok(), "{}", entry.name);
-    }
-    let error = Source::named("ch28/no-such").expect_err("it does not exist");
-    assert_eq!(error, gallery::unknown("ch28/no-such"));
-}
-
 /// Law: the saved EXR holds the picture in single precision, whatever the exposure on the screen;
 /// a name without a known format is an error in the window.
 #[test]

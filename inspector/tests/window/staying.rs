@@ -140,22 +140,6 @@ fn a_changed_mesh_file_is_read_again() {
     assert!(watch.changed());
 }
 
-/// Law: opening another scene lets the selected pixel go, and proposes the scene's name for its picture.
-#[test]
-fn another_scene_lets_the_pixel_go() {
-    let folder = tempfile::tempdir().expect("a temporary folder");
-    let mut window = glass_window();
-    assert_eq!(window.state().fields.save, "glass-sphere.png");
-    click(&mut window, ON_GLASS);
-    let path = folder.path().join("large.toml");
-    let mut scene = small_glass_sphere();
-    scene.image.resize(60, 50);
-    write(&path, &scene);
-    type_into(&mut window, "File", &path.display().to_string());
-    assert_eq!(window.state().selection.pixel, None);
-    assert_eq!(window.state().fields.save, "large.png");
-}
-
 /// Law: before a pixel is selected, one with many rays is explained, which leaves the message of an error, and a click chooses
 /// another. Oracle: the pixel in the corner sees the background alone.
 #[test]

@@ -2,10 +2,10 @@
 
 use std::time::{Duration, Instant};
 
-use eframe::egui::{Key, OutputCommand};
+use eframe::egui::{Key, OutputCommand, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::explain::{Outline, RecordedRay, Row};
-use groundtruth::scene::{Scene, Tracer, Whitted};
+use groundtruth::scene::{Depth, Scene, Tracer, Whitted};
 use inspector::explanation::tree::MIN_SHARE;
 
 use crate::support::*;
@@ -50,19 +50,6 @@ fn small_rays_are_folded_until_they_are_asked_for() {
     first.click();
     settle(&mut window);
     assert_eq!(lines(&window, small), 1, "{}", small.line());
-}
-
-/// Law: only lines in view are drawn, however many the tree has. Oracle: the height of the window.
-#[test]
-fn lines_out_of_view_cost_nothing() {
-    let (mut window, root) = deep_window();
-    for number in 0..root.count() {
-        window.state_mut().selection.tree.go_to(&root, number);
-    }
-    settle(&mut window);
-    let drawn = window.query_all_by_label_contains("  hits ").count()
-        + window.query_all_by_label_contains("  beyond ").count();
-    assert!(drawn > 5 && drawn < 50, "{drawn} of {} lines", root.count());
 }
 
 /// Law: L steps down the path that carries the light, and from its end back to the camera's ray.
@@ -130,29 +117,6 @@ fn what_is_copied_reproduces_the_pixel() {
     assert!(numbers.contains("\nt\t") && numbers.contains("\nrelative η\t1.5\n"), "{numbers}");
 }
 
-/// Law: each line of the tree tells number, parent and depth of its ray. Oracle: the library's tree, walked.
-#[test]
-fn each_line_tells_parent_and_depth() {
-    fn walk(ray: &RecordedRay, depth: usize, starts: &mut Vec<String>) {
-        for child in &ray.children {
-            starts.push(format!("{}  from {}, depth {}  ", child.number, ray.number, depth + 1));
-            walk(child, depth + 1, starts);
-        }
-    }
-    let (window, root) = deep_window();
-    let mut starts = Vec::new();
-    walk(&root, 0, &mut starts);
-    let lines: Vec<_> = window.get_all_by_label_contains(", depth ").collect();
-    assert!(lines.len() > 6, "{} lines", lines.len());
-    for line in lines {
-        let node = line.accesskit_node();
-        let text = node.label().or_else(|| node.value()).unwrap_or_default();
-        // the details of the selected ray, the camera's, name its depth, too
-        let is_told = starts.iter().any(|start| text.starts_with(start));
-        assert!(is_told || text == "camera, depth 0", "{text}");
-    }
-}
-
 /// What a click on a button puts on the clipboard; the window says so.
 pub fn copied(window: &mut Window, button: &str) -> String {
     window.run_steps(3);
@@ -178,4 +142,42 @@ pub fn copied(window: &mut Window, button: &str) -> String {
         }
     }
     panic!("{button} copies nothing");
+}
+
+/// What assistive programs read of a window, without times: the role of each part, and its text, which is not broken into lines.
+fn read_aloud(window: &Window) -> String {
+    let mut lines = Vec::new();
+    for node in window.query_all_by(|_| true) {
+        let node = node.accesskit_node();
+        let text = text_of(&node);
+        let is_part = node.role() == Role::TextRun || text.starts_with("rendered in ");
+        if !text.is_empty() && !is_part {
+            lines.push(format!("{:?}: {text}\n", node.role()));
+        }
+    }
+    lines.concat()
+}
+
+/// Golden: the texts of a window: of a ray that leaves glass, with all its numbers, its terms in letters and the lights that add
+/// nothing; of the sum of a noisy pixel that sees a lamp, by lights and lobes; of an image on a globe and the histogram, under a tracer that leaves
+/// out the lights.
+#[test]
+fn windows_read_as_before() {
+    let mut glass = glass_window_at(ON_GLASS);
+    let unlit = text_with(&glass, "lights add nothing");
+    push(&mut glass, &unlit);
+    let root = ray_of(&small_glass_sphere(), ON_GLASS, 0);
+    push(&mut glass, &root.largest_child().expect("glass").line());
+    push(&mut glass, "The section");
+    push(&mut glass, "The ray");
+    let mut noisy = open(small("ch26/cornell-box", [24, 24], 16));
+    click(&mut noisy, [12, 3]);
+    push(&mut noisy, "The sum");
+    let mut globe = small("ch29/earth", [48, 48], 1);
+    globe.tracer = Tracer::PathTrace(Depth { max_depth: 2 });
+    let mut globe = open(globe);
+    click(&mut globe, [24, 24]);
+    push(&mut globe, "Histogram");
+    let all = [glass, noisy, globe].each_ref().map(read_aloud);
+    insta::assert_snapshot!(all.join("== another window\n"));
 }
