@@ -1,5 +1,4 @@
-//! What a review counts, what a proposal takes for granted, and borders of comparisons, against enumerations.
-
+//! What a proposal takes for granted, names, and borders of comparisons.
 
 use golden::compare::{differences, verdict};
 use golden::{GoldenSettings, GoldenStatus, Goldens, View, leaf};
