@@ -2,6 +2,7 @@
 
 use arrayvec::ArrayVec;
 
+use super::shadow::Arrival;
 use super::{
     Budget, EmitterHits, PathState, RadianceSum, Recorder, ShadingPoint, TermSource, Tracing,
     absorption_towards, light_context, power_heuristic,
@@ -46,9 +47,9 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             return;
         }
         let Some(sample) = self.sample(path, point, light) else { return };
-        let (arriving, traced) = self.arriving(Rgb::BLACK, point, light, &sample);
+        let Arrival { radiance, traced } = self.arriving(Rgb::BLACK, point, light, &sample);
         let source = TermSource::Ambient { light: light.index, traced };
-        sum.add(self.recorder, source, reflectance, arriving);
+        sum.add(self.recorder, source, reflectance, radiance);
     }
 
     /// Direct light of a light, reflected by each lobe that accepts its samples.
@@ -83,11 +84,11 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             return;
         }
         let medium = absorption_towards(path.medium, point, sample.direction);
-        let (arriving, traced) = self.arriving(medium, point, light, &sample);
+        let Arrival { radiance, traced } = self.arriving(medium, point, light, &sample);
         for (Lit { lobe, f, cos_i }, weight) in terms {
             let source =
                 TermSource::Direct { light: light.index, lobe: *lobe, f, cos_i, pdf, mis, traced };
-            sum.add(self.recorder, source, weight, arriving);
+            sum.add(self.recorder, source, weight, radiance);
         }
     }
 }

@@ -221,9 +221,7 @@ fn power_heuristic(pdf: f64, other: f64) -> f64 {
 /// leaves to; elsewhere, that of the ray before it.
 fn absorption_towards(before: Rgb, point: &ShadingPoint<'_>, direction: Vector) -> Rgb {
     match point.hit.material.recipe.boundary() {
-        Some(boundary) if point.normals.geometry.dot(direction) > 0.0 => {
-            boundary.outside.absorption
-        }
+        Some(boundary) if point.is_outward(direction) => boundary.outside.absorption,
         Some(boundary) => boundary.inside.absorption,
         None => before,
     }

@@ -27,6 +27,11 @@ impl<'a> ShadingPoint<'a> {
         Self { hit, wo, cos_o: if turned { -cos_o } else { cos_o }, normals }
     }
 
+    /// Whether a direction leads to the side of the true surface that the normal points to.
+    pub(super) fn is_outward(&self, direction: Vector) -> bool {
+        self.normals.geometry.dot(direction) > 0.0
+    }
+
     /// The local frame of a lobe.
     pub fn frame(&self, kind: NormalKind) -> Frame {
         Frame::around(self.normals.of(kind))

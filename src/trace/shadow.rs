@@ -1,7 +1,7 @@
 //! Shadow rays: the visible part of a light's sample (Suffern, ch. 16).
 
 use super::{
-    Budget, Optics, Outcome, RayKind, Recorder, ShadingPoint, Term, TermSource, Tracing,
+    Budget, Optics, Outcome, RadianceSum, RayKind, Recorder, ShadingPoint, TermSource, Tracing,
     absorption_towards,
 };
 use crate::lights::{LightSample, Segment, Unlit};
@@ -11,9 +11,39 @@ use crate::rgb::Rgb;
 use crate::scene::TransparentShadows;
 use crate::world::{Hit, PlacedLight, Search};
 
+/// The light of a sample that arrives at a surface.
+#[derive(Clone, Copy)]
+pub(super) struct Arrival {
+    pub radiance: Rgb,
+    /// Whether a shadow ray found it.
+    pub traced: bool,
+}
+
+/// The surfaces that end a shadow ray.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Blockers {
+    /// None: the light casts no shadows.
+    None,
+    /// Those that cast shadows and transmit no light.
+    Opaque,
+    /// Those that cast shadows.
+    Casting,
+    /// All, also those that cast no shadow. For lights that paths can hit: where a path reaches such a light
+    /// by itself, a sample of the light would count it twice.
+    All,
+}
+
+/// The straight way from a point to a light.
+struct Way {
+    origin: Point,
+    /// Unit.
+    direction: Vector,
+    segment: Segment,
+}
+
 /// What lies between a point and a light.
 struct Between {
-    /// An opaque object, which ends the search.
+    /// An object that ends the search.
     blocked_by: Option<u32>,
     /// The number of transparent surfaces between them.
     boundaries: u32,
@@ -23,231 +53,158 @@ struct Between {
     transmittance: Rgb,
 }
 
-/// The surfaces that end a shadow ray.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Blockers {
-    /// All, also those that cast no shadow. For lights that paths can hit: where a path reaches such a light
-    /// by itself, a sample of the light would count it twice.
-    All,
-    /// Those that cast shadows.
-    Casting,
-    /// Those of them that transmit no light.
-    Opaque,
-}
-
 impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
-    /// The radiance of a light's sample that arrives, and whether a shadow ray was cast.
+    /// The radiance of a light's sample that arrives.
     pub(super) fn arriving(
         &mut self,
         medium: Rgb,
         point: &ShadingPoint<'_>,
         light: &PlacedLight,
         sample: &LightSample,
-    ) -> (Rgb, bool) {
+    ) -> Arrival {
+        let blockers = self.blockers(light);
         match sample.segment {
-            Some(segment) if light.shadows || self.is_met(light) => {
-                // The hemisphere is about the interpolated normal. The surface itself hides the part of it
-                // below the true normal's horizon, also if the surface is open.
-                let cos_i = point.normals.geometry.dot(sample.direction);
-                if cos_i <= 0.0 {
-                    if sample.blocked.is_black() {
-                        self.recorder.unlit(light.index, || Unlit::BehindTrueSurface { cos_i });
-                    }
-                    return (sample.blocked, false);
+            // The hemisphere is about the interpolated normal. The surface itself hides the part of it
+            // below the true normal's horizon, also if the surface is open.
+            Some(_) if blockers != Blockers::None && !point.is_outward(sample.direction) => {
+                if sample.blocked.is_black() {
+                    let cos_i = point.normals.geometry.dot(sample.direction);
+                    self.recorder.unlit(light.index, || Unlit::BehindTrueSurface { cos_i });
                 }
-                (self.shadow(medium, point, light, segment, sample), true)
+                Arrival { radiance: sample.blocked, traced: false }
             }
-            Some(segment) if !medium.is_black() && self.world.has_boundaries => {
-                (self.unshadowed(medium, point, light, segment, sample), true)
+            Some(segment) if blockers != Blockers::None || self.may_leave(medium) => {
+                let origin = point.hit.surface.leave(sample.direction);
+                let way = Way { origin, direction: sample.direction, segment };
+                let radiance = self.shadow(medium, way, blockers, light, sample);
+                Arrival { radiance, traced: true }
             }
             // one medium everywhere: it absorbs over the whole distance, without a ray
             segment => {
                 let from = point.hit.surface.point;
                 let length = segment.map_or(0.0, |segment| segment.length(from));
-                (medium.transmittance(length) * sample.radiance, false)
+                Arrival { radiance: medium.transmittance(length) * sample.radiance, traced: false }
             }
         }
-    }
-
-    /// Casts the ray to a light without shadows from a point in an absorbing medium, and returns the
-    /// radiance that arrives. Nothing blocks it: it only finds where it leaves the medium.
-    fn unshadowed(
-        &mut self,
-        medium: Rgb,
-        point: &ShadingPoint<'_>,
-        light: &PlacedLight,
-        segment: Segment,
-        sample: &LightSample,
-    ) -> Rgb {
-        let origin = point.hit.surface.leave(sample.direction);
-        let (ray, ..) = stretch(origin, sample.direction, segment);
-        self.budget.spend();
-        self.recorder.enter(RayKind::Shadow { light: light.index }, &ray, 0, Rgb::WHITE);
-        let from = point.hit.surface.point;
-        let (boundaries, transmittance) =
-            self.way_out(medium, from, origin, sample.direction, segment);
-        self.recorder.outcome(Outcome::Unblocked { boundaries });
-        let (weight, value) = (Rgb::WHITE, sample.radiance);
-        let source = TermSource::Light { light: light.index };
-        self.recorder.term(Term { source, weight, arriving: value, value });
-        let arriving = transmittance * value;
-        self.recorder.leave(transmittance, arriving);
-        arriving
     }
 
     /// Casts a shadow ray and returns the radiance of the light's sample that arrives.
     fn shadow(
         &mut self,
         medium: Rgb,
-        point: &ShadingPoint<'_>,
+        way: Way,
+        blockers: Blockers,
         light: &PlacedLight,
-        segment: Segment,
         sample: &LightSample,
     ) -> Rgb {
-        let origin = point.hit.surface.leave(sample.direction);
-        let (ray, span, length) = stretch(origin, sample.direction, segment);
-        let kind = RayKind::Shadow { light: light.index };
         self.budget.spend();
-        self.recorder.enter(kind, &ray, 0, Rgb::WHITE);
-        let blockers = self.blockers(light);
-        let is_simple = match blockers {
-            Blockers::All => self.world.all_cast_shadows,
-            Blockers::Casting => self.world.all_boundaries_cast_shadows,
-            Blockers::Opaque => false,
-        };
-        let between = if !is_simple {
-            self.straight_through(origin, sample.direction, segment, medium, blockers)
-        } else {
-            self.recorder.search(Search::Occluder, &ray, span);
-            let blocked_by = self.world.occluder(&ray, span).map(|object| object.index);
-            let passed = if blocked_by.is_some() { Rgb::BLACK } else { Rgb::WHITE };
-            let transmittance = medium.transmittance(length);
-            Between { blocked_by, boundaries: 0, passed, transmittance }
-        };
-        let Between { blocked_by, boundaries, passed, transmittance } = between;
+        let (ray, ..) = way.stretch();
+        self.recorder.enter(RayKind::Shadow { light: light.index }, &ray, 0, Rgb::WHITE);
+        let Between { blocked_by, boundaries, passed, transmittance } =
+            self.between(medium, way, blockers);
         self.recorder.outcome(match blocked_by {
             Some(blocked_by) => Outcome::Blocked { blocked_by },
             None => Outcome::Unblocked { boundaries },
         });
-        let mut sent = Rgb::BLACK;
-        for (weight, arriving) in
-            [(passed, sample.radiance), (passed.map(|passed| 1.0 - passed), sample.blocked)]
-        {
+        let mut sum = RadianceSum(Rgb::BLACK);
+        let held_off = passed.map(|passed| 1.0 - passed);
+        for (weight, sent) in [(passed, sample.radiance), (held_off, sample.blocked)] {
             if !weight.is_black() {
-                let value = weight * arriving;
-                sent += value;
-                let source = TermSource::Light { light: light.index };
-                self.recorder.term(Term { source, weight, arriving, value });
+                sum.add(self.recorder, TermSource::Light { light: light.index }, weight, sent);
             }
         }
-        let arriving = transmittance * sent;
+        let arriving = transmittance * sum.0;
         self.recorder.leave(transmittance, arriving);
         arriving
-    }
-
-    /// Whether paths can hit this light.
-    fn is_met(&self, light: &PlacedLight) -> bool {
-        self.strategy.is_path() && light.light.is_met()
     }
 
     /// The surfaces that end a shadow ray of this light.
     fn blockers(&self, light: &PlacedLight) -> Blockers {
         match self.world.transparency.shadows {
-            _ if self.is_met(light) => Blockers::All,
+            _ if self.strategy.is_path() && light.light.is_met() => Blockers::All,
+            _ if !light.shadows => Blockers::None,
             TransparentShadows::Opaque => Blockers::Casting,
             TransparentShadows::Attenuated => Blockers::Opaque,
         }
     }
 
-    /// Follows a shadow ray straight through the surfaces that do not block it, an approximation. Each
-    /// transparent surface that casts shadows transmits its share for the straight ray's angle on the side
-    /// of the smaller index, and each stretch between surfaces its medium's transmittance.
-    fn straight_through(
-        &mut self,
-        mut origin: Point,
-        direction: Vector,
-        segment: Segment,
-        mut medium: Rgb,
-        blockers: Blockers,
-    ) -> Between {
-        let (mut boundaries, mut passed, mut transmittance) = (0, Rgb::WHITE, Rgb::WHITE);
-        loop {
-            let (ray, span, length) = stretch(origin, direction, segment);
-            let hit = self.first_hit(&ray, span);
-            let end = hit.as_ref().map_or(length, |hit| hit.t * ray.direction.length());
-            transmittance = transmittance * medium.transmittance(end);
-            let Some(hit) = hit else {
-                return Between { blocked_by: None, boundaries, passed, transmittance };
-            };
-            origin = hit.surface.leave(direction);
-            if blockers == Blockers::All || hit.casts_shadow() {
-                passed = match blockers {
-                    Blockers::Opaque => passed * transmitted(&hit, direction),
-                    Blockers::All | Blockers::Casting => Rgb::BLACK,
-                };
-                if passed.is_black() {
-                    let blocked_by = Some(hit.object.index);
-                    return Between { blocked_by, boundaries, passed, transmittance };
-                }
-                boundaries += 1;
-            }
-            let point = ShadingPoint::new(&hit, -direction);
-            let beyond = absorption_towards(medium, &point, direction);
-            // light may leave a medium through what casts no shadow, but is not absorbed on its way in
-            if hit.casts_shadow() || beyond.average() < medium.average() {
-                medium = beyond;
-            }
-        }
+    /// Whether light may leave a medium that absorbs it on a straight way.
+    fn may_leave(&self, medium: Rgb) -> bool {
+        !medium.is_black() && self.world.has_boundaries
     }
 
-    /// The number of boundaries between media on the straight way from a point to a light without shadows,
-    /// and the transmittance of the way: each stretch between boundaries counts with its medium. Bodies that
-    /// the point is not in do not absorb, as they do not for a point in a clear medium.
-    fn way_out(
-        &mut self,
-        mut medium: Rgb,
-        mut from: Point,
-        mut origin: Point,
-        direction: Vector,
-        segment: Segment,
-    ) -> (u32, Rgb) {
-        let (mut boundaries, mut transmittance) = (0, Rgb::WHITE);
-        // bodies that the ray has entered and not left
+    /// What a shadow ray meets. If all that ends it is opaque, any blocker will do.
+    fn between(&mut self, medium: Rgb, way: Way, blockers: Blockers) -> Between {
+        let (ray, span, length) = way.stretch();
+        let blocked_by = match blockers {
+            Blockers::None => None,
+            Blockers::Opaque => return self.straight_through(medium, way, blockers),
+            Blockers::All if !self.world.all_cast_shadows => {
+                self.first_hit(&ray, span).map(|hit| hit.object.index)
+            }
+            Blockers::Casting | Blockers::All => {
+                self.recorder.search(Search::Occluder, &ray, span);
+                self.world.occluder(&ray, span).map(|object| object.index)
+            }
+        };
+        if blocked_by.is_none() && self.may_leave(medium) {
+            return self.straight_through(medium, way, blockers);
+        }
+        let passed = if blocked_by.is_some() { Rgb::BLACK } else { Rgb::WHITE };
+        Between { blocked_by, boundaries: 0, passed, transmittance: medium.transmittance(length) }
+    }
+
+    /// Follows a shadow ray straight through the surfaces that do not block it, an approximation. Each
+    /// transparent surface that casts shadows transmits its share for the straight ray's angle on the side
+    /// of the smaller index, and each stretch between surfaces its medium's transmittance. Bodies that cast
+    /// no shadow do not absorb, unless the point is in them.
+    fn straight_through(&mut self, mut medium: Rgb, mut way: Way, blockers: Blockers) -> Between {
+        let (passed, transmittance) = (Rgb::WHITE, Rgb::WHITE);
+        let mut between = Between { blocked_by: None, boundaries: 0, passed, transmittance };
+        // bodies without a shadow that the ray has entered and not left
         let mut entered = 0_u32;
         loop {
-            let (ray, span, _) = stretch(origin, direction, segment);
-            let Some(hit) = self.first_hit(&ray, span) else { break };
-            origin = hit.surface.leave(direction);
-            if hit.material.recipe.boundary().is_none() {
-                continue;
+            let (ray, span, length) = way.stretch();
+            let hit = self.first_hit(&ray, span);
+            let end = hit.as_ref().map_or(length, |hit| hit.t * ray.direction.length());
+            between.transmittance = between.transmittance * medium.transmittance(end);
+            let Some(hit) = hit else { return between };
+            let casts_shadow = blockers == Blockers::Opaque && hit.casts_shadow();
+            if casts_shadow {
+                between.passed = between.passed * transmitted(&hit, way.direction);
+                if between.passed.is_black() {
+                    return Between { blocked_by: Some(hit.object.index), ..between };
+                }
             }
-            boundaries += 1;
-            let point = ShadingPoint::new(&hit, -direction);
-            let beyond = absorption_towards(medium, &point, direction);
+            way.origin = hit.surface.leave(way.direction);
+            let is_boundary = hit.material.recipe.boundary().is_some();
+            between.boundaries += u32::from(casts_shadow || is_boundary);
+            let point = ShadingPoint::new(&hit, -way.direction);
+            let beyond = absorption_towards(medium, &point, way.direction);
             let absorbs_less = beyond.average() < medium.average();
-            let enters = point.normals.geometry.dot(direction) < 0.0;
-            if absorbs_less || !(enters || entered > 0) {
-                let end = hit.surface.point;
-                transmittance = transmittance * medium.transmittance(end.distance(from));
-                (from, medium) = (end, beyond);
+            let leaves = point.is_outward(way.direction);
+            if casts_shadow || absorbs_less || leaves && entered == 0 {
+                medium = beyond;
             }
-            entered = match enters {
-                true if absorbs_less => entered,
-                true => entered + 1,
-                false => entered.saturating_sub(1),
-            };
+            if is_boundary && !casts_shadow {
+                entered = match leaves {
+                    true => entered.saturating_sub(1),
+                    false => entered + u32::from(!absorbs_less),
+                };
+            }
         }
-        (boundaries, transmittance * medium.transmittance(segment.length(from)))
     }
 }
 
-/// The ray from `origin` to a light, without the light itself, and its length.
-fn stretch(origin: Point, direction: Vector, segment: Segment) -> (Ray, Span, f64) {
-    match segment {
-        Segment::Infinity => (Ray::new(origin, direction), Span::AHEAD, segment.length(origin)),
-        Segment::To(end) => {
-            (Ray::new(origin, end - origin), up_to(end, origin), segment.length(origin))
-        }
+impl Way {
+    /// The ray from its origin to the light, without the light itself, and its length.
+    fn stretch(&self) -> (Ray, Span, f64) {
+        let Self { origin, direction, segment } = *self;
+        let (ray, span) = match segment {
+            Segment::Infinity => (Ray::new(origin, direction), Span::AHEAD),
+            Segment::To(end) => (Ray::new(origin, end - origin), up_to(end, origin)),
+        };
+        (ray, span, segment.length(origin))
     }
 }
 

@@ -68,9 +68,8 @@ impl World {
         notes.extend(reflectance_notes(&materials));
         let lights = placed_lights(scene, &background, &materials, &mut objects)?;
         let bounds: Vec<Aabb> = objects.iter().map(PlacedObject::bounds).collect();
-        let all_cast_shadows = objects.iter().all(|object| object.all_cast_shadows);
-        let all_boundaries_cast_shadows =
-            objects.iter().all(|object| object.all_boundaries_cast_shadows);
+        let all_cast_shadows = objects.iter().all(|object| object.casts_shadows)
+            && materials.iter().all(|material| material.casts_shadows);
         let has_boundaries = materials.iter().any(|it| it.recipe.boundary().is_some());
         // a single object needs no structure
         let method = if bounds.len() == 1 { Method::List } else { scene.accel };
@@ -90,7 +89,6 @@ impl World {
             accel: Accel::build(method, &bounds),
             objects,
             all_cast_shadows,
-            all_boundaries_cast_shadows,
             has_boundaries,
         })
     }

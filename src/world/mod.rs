@@ -56,10 +56,8 @@ pub struct World {
     pub names: Arc<Names>,
     objects: Vec<PlacedObject>,
     accel: Accel,
-    /// Whether every part of every object casts shadows.
+    /// Whether every object and every material casts shadows.
     pub(crate) all_cast_shadows: bool,
-    /// Whether every boundary between media does.
-    pub(crate) all_boundaries_cast_shadows: bool,
     /// Whether some material is a boundary between media.
     pub(crate) has_boundaries: bool,
 }
@@ -123,10 +121,6 @@ pub struct PlacedObject {
     material: u32,
     /// Whether some part of it blocks light.
     casts_shadows: bool,
-    /// Whether each part of it does.
-    all_cast_shadows: bool,
-    /// Whether each of its boundaries between media does.
-    all_boundaries_cast_shadows: bool,
     /// Whether it emits the light of its material: not while its area light is off.
     pub(crate) shines: bool,
     /// The area light whose lamp it is, by its index among those that are on.

@@ -193,19 +193,11 @@ pub(super) fn placed_objects(
             return Err(here(Invalid::field("shape", problem)));
         }
         let blocks = |part: &PartMaterial| object.casts_shadows && part.casts_shadows;
-        let is_boundary = |part: &PartMaterial| {
-            let recipe = &materials[part.index as usize].recipe;
-            recipe.boundary().is_some()
-        };
         objects.push(PlacedObject {
             name: Arc::clone(&names.objects[index]),
             index: index as u32,
             material: material.index,
             casts_shadows: made_of.iter().any(blocks),
-            all_cast_shadows: made_of.iter().all(blocks),
-            all_boundaries_cast_shadows: made_of
-                .iter()
-                .all(|part| blocks(part) || !is_boundary(part)),
             shines: true,
             lamp_of: None,
             shape,
