@@ -26,11 +26,7 @@ impl Recorder for Deaf {
         std::hint::black_box(ray);
     }
     #[inline(never)]
-    fn outcome(&mut self, outcome: Outcome) {
-        std::hint::black_box(&outcome);
-    }
-    #[inline(never)]
-    fn surface(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
+    fn hit(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
         std::hint::black_box(point);
     }
     #[inline(never)]
@@ -38,8 +34,8 @@ impl Recorder for Deaf {
         std::hint::black_box(&term);
     }
     #[inline(never)]
-    fn leave(&mut self, _: Rgb, arriving: Rgb) {
-        std::hint::black_box(&arriving);
+    fn leave(&mut self, outcome: Outcome, _: Rgb, arriving: Rgb) {
+        std::hint::black_box((&outcome, &arriving));
     }
 }
 

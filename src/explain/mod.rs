@@ -12,6 +12,7 @@ mod page;
 mod sources;
 mod text;
 mod unlit;
+mod why_unlit;
 
 use serde::Serialize;
 
@@ -30,6 +31,7 @@ pub use page::table;
 pub use sources::{Source, SourceExplanation, Sources, Sums};
 pub use text::{brief, count, percent, quoted, short, unblocked};
 pub use unlit::lines;
+pub use why_unlit::add_unlit;
 
 /// The largest number of rays of a pixel that is explained: some seconds.
 const MAX_RAYS: u64 = 1 << 25;
@@ -127,7 +129,7 @@ pub fn pixel(
         let camera = render::camera_sample(world, pixel, index);
         let weight = camera.as_ref().map_or(0.0, |camera| camera.weight);
         sums.add(radiance, sources, weight);
-        samples.extend(tree.map(|tree| explained(scene, camera, index, radiance, tree)));
+        samples.extend(tree.map(|tree| explained((scene, world), camera, index, radiance, tree)));
     }
     let (radiances, sources) = sums.explained(world);
     Ok(PixelExplanation {
@@ -147,30 +149,28 @@ pub fn pixel(
 pub fn sample(scene: &Scene, world: &World, pixel: [u32; 2], index: u32) -> SampleExplanation {
     let mut tree = RayTree::of(world);
     let radiance = render::sample(world, pixel, index, &mut tree);
-    explained(scene, render::camera_sample(world, pixel, index), index, radiance, tree)
+    explained((scene, world), render::camera_sample(world, pixel, index), index, radiance, tree)
 }
 
 fn explained(
-    scene: &Scene,
+    (scene, world): (&Scene, &World),
     camera: Option<CameraSample>,
     index: u32,
     radiance: Rgb,
     tree: RayTree,
 ) -> SampleExplanation {
     let complete = tree.is_complete();
-    let Some(CameraSample { film, lens, weight, .. }) = camera else {
+    let Some(CameraSample { pixel, film, lens, weight, .. }) = camera else {
         let (film, lens, weight, ray) = (None, None, 0.0, None);
         return SampleExplanation { index, film, lens, weight, radiance, complete, ray };
     };
-    let ray = tree.into_root().map(|root| ray(scene, root, weight));
+    let mut ray = tree.into_root();
+    if let Some(root) = &mut ray {
+        add_unlit(world, world.draws(pixel, index), root);
+        let weight = Rgb::grey(weight);
+        Explaining { scene, sample: weight * root.radiance }.explain(root, weight);
+    }
     SampleExplanation { index, film: Some(film), lens, weight, radiance, complete, ray }
-}
-
-/// Explains the recorded rays of a sample with this weight.
-pub fn ray(scene: &Scene, mut root: RecordedRay, weight: f64) -> RecordedRay {
-    let weight = Rgb::grey(weight);
-    Explaining { scene, sample: weight * root.radiance }.explain(&mut root, weight);
-    root
 }
 
 impl Statistics {
@@ -202,8 +202,7 @@ impl Explaining<'_> {
         }
     }
 
-    /// Works out the contributions of a ray and of those after it, the reasons of its lights, and why it is
-    /// black. `throughput` is the weight at the eye of the radiance that arrives at the ray's origin.
+    /// Works out the contributions of a ray and of those after it, and why it is black. `throughput` is the weight at the eye of the radiance that arrives at the ray's origin.
     fn explain(&self, ray: &mut RecordedRay, throughput: Rgb) {
         if let Some(optics) = ray.hit.as_mut().and_then(|hit| hit.optics.as_mut()) {
             optics.scales_radiance = self.scene.transparency.scales_radiance;
@@ -229,7 +228,6 @@ impl Explaining<'_> {
         ray.own_contribution = leaving * own_terms.map(|term| term.value).sum::<Rgb>();
         ray.contribution = throughput * ray.radiance;
         ray.share = self.share(ray.contribution);
-        ray.unlit = self.unlit(ray);
         ray.black = self.black(ray);
     }
 }

@@ -178,8 +178,6 @@ impl Recorder for SourceRecorder {
         self.open.push(Sums::default());
     }
 
-    fn outcome(&mut self, _: Outcome) {}
-
     fn term(&mut self, term: Term) {
         let source = match term.source {
             TermSource::Emission { .. } => Source::Emission,
@@ -206,7 +204,7 @@ impl Recorder for SourceRecorder {
         }
     }
 
-    fn leave(&mut self, transmittance: Rgb, _: Rgb) {
+    fn leave(&mut self, _: Outcome, transmittance: Rgb, _: Rgb) {
         let sums = self.open.pop().expect("a ray has begun");
         self.finished = sums.times(transmittance);
         if self.open.is_empty() {

@@ -79,21 +79,6 @@ impl fmt::Display for Unlit {
 }
 
 impl Explaining<'_> {
-    /// Each light of the scene that adds nothing at the hit of a ray, in the scene's order.
-    pub(super) fn unlit(&self, ray: &RecordedRay) -> Vec<UnlitLight> {
-        if ray.hit.is_none() {
-            return Vec::new();
-        }
-        let unlit = self.scene.lights.iter().filter_map(|light| {
-            let reason = match light.enabled {
-                true => reason(ray, &light.name)?,
-                false => Unlit::SwitchedOff,
-            };
-            Some(UnlitLight { light: light.name.as_str().into(), reason })
-        });
-        unlit.collect()
-    }
-
     /// One sentence about a ray, not a shadow ray, that brings no light: the first factor of each of its
     /// terms that is 0.
     pub(super) fn black(&self, ray: &RecordedRay) -> Option<String> {
@@ -124,29 +109,6 @@ impl Explaining<'_> {
             }
         })
     }
-}
-
-/// Why a light that is on adds nothing; `None` if it does.
-fn reason(ray: &RecordedRay, light: &str) -> Option<Unlit> {
-    if let Some(known) = ray.unlit.iter().find(|unlit| &*unlit.light == light) {
-        return Some(known.reason.clone());
-    }
-    let mut terms = ray.terms.iter().filter(|term| term.light.as_deref() == Some(light));
-    if terms.clone().any(|term| !term.value.is_black()) {
-        return None;
-    }
-    let term = terms.next()?;
-    let shadow = term.ray.and_then(|number| ray.child(number));
-    if let Some(blocked_by) = shadow.and_then(|shadow| shadow.blocked_by.clone()) {
-        return Some(Unlit::Blocked { blocked_by });
-    }
-    let is_ambient = matches!(term.source, TermSource::Ambient { .. });
-    Some(match term.arriving.is_black() {
-        // a sample without radiance makes no direct term
-        true if !is_ambient => Unlit::Absorbed,
-        true => Unlit::Dark,
-        false => Unlit::OtherColors,
-    })
 }
 
 /// What global_trace says of a lamp or sky that a path meets.

@@ -5,12 +5,11 @@ use arrayvec::ArrayVec;
 use super::shadow::Arrival;
 use super::{
     Budget, EmitterHits, PathState, RadianceSum, Recorder, ShadingPoint, TermSource, Tracing,
-    absorption_towards, light_context, power_heuristic,
+    absorption_towards, power_heuristic,
 };
-use crate::lights::{LightSample, MAX_DRAWS, Unlit};
-use crate::lobes::{Bsdf, Lit, LobeSet, MAX_LOBES};
+use crate::lights::LightSample;
+use crate::lobes::{Bsdf, Lit, MAX_LOBES};
 use crate::rgb::Rgb;
-use crate::samplers::Purpose;
 use crate::world::PlacedLight;
 
 impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
@@ -21,16 +20,8 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         point: &ShadingPoint<'_>,
         light: &PlacedLight,
     ) -> Option<LightSample> {
-        let from = light_context(point);
-        let mut u = ArrayVec::<[f64; 2], MAX_DRAWS>::new();
-        for pair in 0..light.light.draws() as u32 {
-            u.push(self.draw(Purpose::Light { path: path.key, light: light.index, pair }));
-        }
-        let sample = light.light.sample(&from, &u);
-        if sample.is_none() {
-            self.recorder.unlit(light.index, || light.light.unlit(&from, &u));
-        }
-        sample
+        let u = light.numbers(path.key, |purpose| self.draw(purpose));
+        light.light.sample(&point.light_context(), &u)
     }
 
     /// The ambient term: ambient light times the ambient reflectance.
@@ -43,7 +34,6 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         sum: &mut RadianceSum,
     ) {
         if reflectance.is_black() {
-            self.recorder.unlit(light.index, || Unlit::NoAmbientReflectance);
             return;
         }
         let Some(sample) = self.sample(path, point, light) else { return };
@@ -61,9 +51,8 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         bsdf: &Bsdf<'_>,
         sum: &mut RadianceSum,
     ) {
-        let set = if self.strategy.is_path() { LobeSet::NonDelta } else { LobeSet::DirectOnly };
+        let set = self.strategy.lit_lobes();
         if !bsdf.is_lit(set) {
-            self.recorder.unlit(light.index, || unlit_surface(point, bsdf));
             return;
         }
         let Some(sample) = self.sample(path, point, light) else { return };
@@ -78,9 +67,6 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             .filter(|(_, weight)| is_representable(*weight, &sample))
             .collect();
         if terms.is_empty() {
-            self.recorder.unlit(light.index, || {
-                unlit_sample(&sample, point, &bsdf.lit(set, sample.direction))
-            });
             return;
         }
         let medium = absorption_towards(path.medium, point, sample.direction);
@@ -90,35 +76,6 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
                 TermSource::Direct { light: light.index, lobe: *lobe, f, cos_i, pdf, mis, traced };
             sum.add(self.recorder, source, weight, radiance);
         }
-    }
-}
-
-/// Why samples of lights meet no lobe of a surface.
-fn unlit_surface(point: &ShadingPoint<'_>, bsdf: &Bsdf<'_>) -> Unlit {
-    match bsdf.lobes().is_empty() {
-        true => Unlit::NoLobes,
-        false if point.cos_o <= 0.0 => Unlit::ViewerBehind { cos_o: point.cos_o },
-        false => Unlit::TracedLobesOnly,
-    }
-}
-
-/// Why a light's sample contributes nothing: the first reason that holds. `lit` are the lobes' values for it.
-fn unlit_sample(sample: &LightSample, point: &ShadingPoint<'_>, lit: &[Lit<'_>]) -> Unlit {
-    let sent = sample.radiance + sample.blocked;
-    let [shading, geometry] = [point.normals.shading, point.normals.geometry];
-    let [cos_i, cos_true] = [shading, geometry].map(|normal| normal.dot(sample.direction));
-    if sent.is_black() {
-        Unlit::Dark
-    } else if lit.iter().any(|lit| !(lit.f * sent).is_black()) {
-        Unlit::TooWeak
-    } else if !lit.is_empty() {
-        Unlit::OtherColors
-    } else if cos_i <= 0.0 {
-        Unlit::BehindSurface { cos_i }
-    } else if cos_true <= 0.0 {
-        Unlit::BehindTrueSurface { cos_i: cos_true }
-    } else {
-        Unlit::OutsideLobes { cos_i }
     }
 }
 

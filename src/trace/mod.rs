@@ -17,7 +17,7 @@ mod shadow;
 mod strategy;
 mod tree;
 
-use crate::lights::{LightContext, Target, Unlit};
+use crate::lights::{LightContext, Target};
 use crate::lobes::Bsdf;
 use crate::materials::Response;
 use crate::math::{Ray, Span, Vector};
@@ -110,28 +110,25 @@ impl<'a, R: Recorder, B: Budget> Tracing<'a, R, B> {
         let PathState { ray, kind, depth, medium, .. } = path;
         self.recorder.enter(*kind, ray, *depth, weight);
         let mut sum = RadianceSum(Rgb::BLACK);
-        let mut transmittance = Rgb::WHITE;
         let is_within = self.budget.spend();
-        if *depth > self.strategy.max_depth {
-            self.recorder.outcome(Outcome::TooDeep);
+        let (outcome, transmittance) = if *depth > self.strategy.max_depth {
+            (Outcome::TooDeep, Rgb::WHITE)
         } else if !is_within {
-            self.recorder.outcome(Outcome::OverBudget);
+            (Outcome::OverBudget, Rgb::WHITE)
         } else if let Some(hit) = &self.first_hit(ray, Span::AHEAD) {
-            self.recorder.outcome(Outcome::Hit);
-            transmittance = medium.transmittance(hit.t);
             self.shade(path, hit, &mut sum);
+            (Outcome::Hit, medium.transmittance(hit.t))
         } else {
-            self.recorder.outcome(Outcome::Background);
-            transmittance = medium.transmittance(f64::INFINITY);
             let radiance = self.world.background.radiance(ray);
             let sky = self.world.sky();
             let mis =
                 sky.and_then(|sky| self.mis_weight(path, sky, &Target::Infinity(ray.direction)));
             let share = mis.unwrap_or(1.0);
             sum.add(self.recorder, TermSource::Background { mis }, Rgb::grey(share), radiance);
-        }
+            (Outcome::Background, medium.transmittance(f64::INFINITY))
+        };
         let arriving = transmittance * sum.0;
-        self.recorder.leave(transmittance, arriving);
+        self.recorder.leave(outcome, transmittance, arriving);
         arriving
     }
 
@@ -162,22 +159,16 @@ impl<'a, R: Recorder, B: Budget> Tracing<'a, R, B> {
         if self.strategy.is_path() {
             bsdf.weigh_lobes();
         }
-        self.recorder.surface(&point, &response.lobes);
+        self.recorder.hit(&point, &response.lobes);
 
         if self.strategy.samples_lights(path.depth) {
             for light in &self.world.lights {
                 match light.light.is_ambient() {
                     // ambient light replaces indirect light, which paths find themselves
-                    true if self.strategy.is_path() => {
-                        self.recorder.unlit(light.index, || Unlit::LeftOut);
-                    }
+                    true if self.strategy.is_path() => {}
                     true => self.ambient(path, &point, light, response.ambient, sum),
                     false => self.direct(path, &point, light, &bsdf, sum),
                 }
-            }
-        } else {
-            for light in &self.world.lights {
-                self.recorder.unlit(light.index, || self.strategy.unsampled(&*light.light));
             }
         }
         match self.strategy.scatter {
@@ -203,11 +194,6 @@ impl<'a, R: Recorder, B: Budget> Tracing<'a, R, B> {
         self.recorder.draw();
         self.draws.draw(purpose)
     }
-}
-
-/// The data that lights need of a shading point.
-fn light_context(point: &ShadingPoint<'_>) -> LightContext {
-    LightContext { point: point.hit.surface.point, normal: point.normals.shading }
 }
 
 /// The weight of a direction drawn with density `pdf`, if another strategy would draw it with density

@@ -5,7 +5,6 @@
 use serde::Serialize;
 
 use super::ShadingPoint;
-use crate::lights::Unlit;
 use crate::lobes::{Lobe, Lobes};
 use crate::math::{Ray, Span};
 use crate::rgb::Rgb;
@@ -140,22 +139,16 @@ pub trait Recorder {
     /// A search along it, or along a part of it: a shadow ray that passes transparent surfaces needs several.
     #[inline(always)]
     fn search(&mut self, _search: Search, _ray: &Ray, _span: Span) {}
-    /// Its outcome.
-    fn outcome(&mut self, outcome: Outcome);
     /// The surface that it hit, with its lobes.
     #[inline(always)]
-    fn surface(&mut self, _point: &ShadingPoint<'_>, _lobes: &Lobes) {}
+    fn hit(&mut self, _point: &ShadingPoint<'_>, _lobes: &Lobes) {}
     /// Two random numbers are drawn.
     #[inline(always)]
     fn draw(&mut self) {}
-    /// A light of the scene, by its index, adds nothing at the surface. `why` is called only by recorders
-    /// that explain.
-    #[inline(always)]
-    fn unlit(&mut self, _light: u32, _why: impl FnOnce() -> Unlit) {}
     /// A term of its sum, in the order of addition.
     fn term(&mut self, term: Term);
-    /// It ends, with the transmittance of its medium and the radiance that arrives at its origin.
-    fn leave(&mut self, transmittance: Rgb, arriving: Rgb);
+    /// It ends so, with the transmittance of its medium and the radiance that arrives at its origin.
+    fn leave(&mut self, outcome: Outcome, transmittance: Rgb, arriving: Rgb);
 }
 
 /// Records nothing.
@@ -163,11 +156,9 @@ impl Recorder for () {
     #[inline(always)]
     fn enter(&mut self, _: RayKind, _: &Ray, _: u32, _: Rgb) {}
     #[inline(always)]
-    fn outcome(&mut self, _: Outcome) {}
-    #[inline(always)]
     fn term(&mut self, _: Term) {}
     #[inline(always)]
-    fn leave(&mut self, _: Rgb, _: Rgb) {}
+    fn leave(&mut self, _: Outcome, _: Rgb, _: Rgb) {}
 }
 
 /// Counts rays, those that were too deep to be cast among them.
@@ -202,15 +193,11 @@ impl Recorder for RayCounts {
         self.draws += 1;
     }
 
-    fn outcome(&mut self, outcome: Outcome) {
-        if matches!(outcome, Outcome::TooDeep) {
-            self.too_deep += 1;
-        }
-    }
-
     fn term(&mut self, _: Term) {}
 
-    fn leave(&mut self, _: Rgb, _: Rgb) {}
+    fn leave(&mut self, outcome: Outcome, _: Rgb, _: Rgb) {
+        self.too_deep += u64::from(outcome == Outcome::TooDeep);
+    }
 }
 
 /// Two recorders hear the same.
@@ -225,14 +212,9 @@ impl<A: Recorder, B: Recorder> Recorder for (A, B) {
         self.1.search(search, ray, span);
     }
 
-    fn outcome(&mut self, outcome: Outcome) {
-        self.0.outcome(outcome);
-        self.1.outcome(outcome);
-    }
-
-    fn surface(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
-        self.0.surface(point, lobes);
-        self.1.surface(point, lobes);
+    fn hit(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
+        self.0.hit(point, lobes);
+        self.1.hit(point, lobes);
     }
 
     fn draw(&mut self) {
@@ -240,19 +222,13 @@ impl<A: Recorder, B: Recorder> Recorder for (A, B) {
         self.1.draw();
     }
 
-    fn unlit(&mut self, light: u32, why: impl FnOnce() -> Unlit) {
-        let why = why();
-        self.0.unlit(light, || why.clone());
-        self.1.unlit(light, || why);
-    }
-
     fn term(&mut self, term: Term) {
         self.0.term(term);
         self.1.term(term);
     }
 
-    fn leave(&mut self, transmittance: Rgb, arriving: Rgb) {
-        self.0.leave(transmittance, arriving);
-        self.1.leave(transmittance, arriving);
+    fn leave(&mut self, outcome: Outcome, transmittance: Rgb, arriving: Rgb) {
+        self.0.leave(outcome, transmittance, arriving);
+        self.1.leave(outcome, transmittance, arriving);
     }
 }

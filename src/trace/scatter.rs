@@ -2,7 +2,7 @@
 
 use super::{
     Budget, PathState, PreviousVertex, RadianceSum, RayKind, Recorder, Scatter, ShadingPoint,
-    TermSource, Tracing, absorption_towards, light_context,
+    TermSource, Tracing, absorption_towards,
 };
 use crate::lobes::{Bsdf, BsdfSample, Lobe};
 use crate::math::Ray;
@@ -90,7 +90,7 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         let sampled = self.strategy.samples_lights(path.depth) && sample.pdf.is_some();
         let previous = sampled.then(|| {
             let pdf = bsdf.pdf(sample.direction);
-            PreviousVertex { light_context: light_context(point), pdf }
+            PreviousVertex { light_context: point.light_context(), pdf }
         });
         let continuation = Continuation {
             previous,

@@ -1,5 +1,6 @@
 //! Shading points: a hit and the direction to the viewer.
 
+use crate::lights::LightContext;
 use crate::lobes::{NormalKind, Normals};
 use crate::math::{Frame, Normal, Vector};
 use crate::world::Hit;
@@ -18,13 +19,19 @@ pub struct ShadingPoint<'a> {
 }
 
 impl<'a> ShadingPoint<'a> {
-    pub(super) fn new(hit: &'a Hit<'a>, wo: Vector) -> Self {
+    /// The point of a hit that a viewer in the unit direction `wo` sees.
+    pub fn new(hit: &'a Hit<'a>, wo: Vector) -> Self {
         let turned = hit.material.two_sided && !hit.front;
         let cos_o = hit.surface.normal.dot(wo);
         let turn = |n: Normal| if turned { -n } else { n };
         let normals =
             Normals { shading: turn(hit.shading_normal()), geometry: turn(hit.surface.normal) };
         Self { hit, wo, cos_o: if turned { -cos_o } else { cos_o }, normals }
+    }
+
+    /// The data that lights need of it.
+    pub fn light_context(&self) -> LightContext {
+        LightContext { point: self.hit.surface.point, normal: self.normals.shading }
     }
 
     /// Whether a direction leads to the side of the true surface that the normal points to.

@@ -4,7 +4,7 @@ use super::{
     Budget, Optics, Outcome, RadianceSum, RayKind, Recorder, ShadingPoint, TermSource, Tracing,
     absorption_towards,
 };
-use crate::lights::{LightSample, Segment, Unlit};
+use crate::lights::{LightSample, Segment};
 use crate::materials::Response;
 use crate::math::{Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::rgb::Rgb;
@@ -67,10 +67,6 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             // The hemisphere is about the interpolated normal. The surface itself hides the part of it
             // below the true normal's horizon, also if the surface is open.
             Some(_) if blockers != Blockers::None && !point.is_outward(sample.direction) => {
-                if sample.blocked.is_black() {
-                    let cos_i = point.normals.geometry.dot(sample.direction);
-                    self.recorder.unlit(light.index, || Unlit::BehindTrueSurface { cos_i });
-                }
                 Arrival { radiance: sample.blocked, traced: false }
             }
             Some(segment) if blockers != Blockers::None || self.may_leave(medium) => {
@@ -102,10 +98,6 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         self.recorder.enter(RayKind::Shadow { light: light.index }, &ray, 0, Rgb::WHITE);
         let Between { blocked_by, boundaries, passed, transmittance } =
             self.between(medium, way, blockers);
-        self.recorder.outcome(match blocked_by {
-            Some(blocked_by) => Outcome::Blocked { blocked_by },
-            None => Outcome::Unblocked { boundaries },
-        });
         let mut sum = RadianceSum(Rgb::BLACK);
         let held_off = passed.map(|passed| 1.0 - passed);
         for (weight, sent) in [(passed, sample.radiance), (held_off, sample.blocked)] {
@@ -114,14 +106,16 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             }
         }
         let arriving = transmittance * sum.0;
-        self.recorder.leave(transmittance, arriving);
+        let blocked = blocked_by.map(|blocked_by| Outcome::Blocked { blocked_by });
+        let outcome = blocked.unwrap_or(Outcome::Unblocked { boundaries });
+        self.recorder.leave(outcome, transmittance, arriving);
         arriving
     }
 
     /// The surfaces that end a shadow ray of this light.
     fn blockers(&self, light: &PlacedLight) -> Blockers {
         match self.world.transparency.shadows {
-            _ if self.strategy.is_path() && light.light.is_met() => Blockers::All,
+            _ if self.strategy.meets(&*light.light) => Blockers::All,
             _ if !light.shadows => Blockers::None,
             TransparentShadows::Opaque => Blockers::Casting,
             TransparentShadows::Attenuated => Blockers::Opaque,

@@ -1,6 +1,7 @@
 //! The book's tracers as values.
 
-use crate::lights::{Light, Unlit};
+use crate::lights::Light;
+use crate::lobes::LobeSet;
 use crate::scene::Tracer;
 
 /// How light is traced: every tracer of the book is a value of it.
@@ -86,16 +87,14 @@ impl Strategy {
         matches!(self.scatter, Scatter::OneLobe | Scatter::OneLobeOrNone)
     }
 
-    /// Why a light is not sampled at a hit at which none is.
-    pub(super) fn unsampled(self, light: &dyn Light) -> Unlit {
-        match self.direct {
-            Direct::Shading => unreachable!("lights are sampled at every hit"),
-            _ if light.is_ambient() => Unlit::LeftOut,
-            Direct::FirstHit if self.max_depth > 0 => Unlit::FirstHitOnly,
-            Direct::FirstHit | Direct::EveryHit => Unlit::TooDeep,
-            Direct::Never if light.is_met() => Unlit::NotSampled,
-            Direct::Never => Unlit::LeftOut,
-        }
+    /// The lobes that take samples of lights.
+    pub fn lit_lobes(self) -> LobeSet {
+        if self.is_path() { LobeSet::NonDelta } else { LobeSet::DirectOnly }
+    }
+
+    /// Whether its paths can hit this light.
+    pub fn meets(self, light: &dyn Light) -> bool {
+        self.is_path() && light.is_met()
     }
 
     /// Whether lights are sampled at a hit of this depth.

@@ -67,8 +67,7 @@ pub struct RecordedRay {
     pub blocked_by: Option<Arc<str>>,
     /// The terms of what leaves the surface towards its origin, in order.
     pub terms: Vec<RecordedTerm>,
-    /// The lights that add nothing at its hit. The tree knows those that tracing left out; an explanation adds
-    /// those that are blocked, dark or switched off.
+    /// The lights that add nothing at its hit; asked by an explanation.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unlit: Vec<UnlitLight>,
     /// Of an explained ray that brings no light and is no shadow ray, one sentence: which factors are 0.
@@ -312,28 +311,9 @@ impl Recorder for RayTree {
         });
     }
 
-    fn outcome(&mut self, outcome: Outcome) {
-        let blocked_by = match outcome {
-            Outcome::Blocked { blocked_by } => {
-                Some(Arc::clone(&self.names.objects[blocked_by as usize]))
-            }
-            _ => None,
-        };
-        if let Some(ray) = self.current() {
-            (ray.outcome, ray.blocked_by) = (outcome, blocked_by);
-        }
-    }
-
-    fn surface(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
+    fn hit(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
         if let Some(ray) = self.current() {
             ray.hit = Some(RecordedHit::of(point, lobes));
-        }
-    }
-
-    fn unlit(&mut self, light: u32, why: impl FnOnce() -> Unlit) {
-        let name = self.light(light);
-        if let Some(ray) = self.current() {
-            ray.unlit.push(UnlitLight { light: name, reason: why() });
         }
     }
 
@@ -365,13 +345,16 @@ impl Recorder for RayTree {
         }
     }
 
-    fn leave(&mut self, transmittance: Rgb, arriving: Rgb) {
+    fn leave(&mut self, outcome: Outcome, transmittance: Rgb, arriving: Rgb) {
         if self.beyond > 0 {
             self.beyond -= 1;
             return;
         }
         let mut ray = self.open.pop().expect("a ray has begun");
-        (ray.transmittance, ray.radiance) = (transmittance, arriving);
+        if let Outcome::Blocked { blocked_by } = outcome {
+            ray.blocked_by = Some(Arc::clone(&self.names.objects[blocked_by as usize]));
+        }
+        (ray.outcome, ray.transmittance, ray.radiance) = (outcome, transmittance, arriving);
         match self.open.last_mut() {
             Some(parent) => parent.children.push(ray),
             None => self.root = Some(ray),

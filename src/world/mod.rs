@@ -8,15 +8,17 @@ mod placing;
 
 use std::sync::Arc;
 
+use arrayvec::ArrayVec;
+
 use crate::accel::Accel;
 use crate::background::Sky;
 use crate::bumps::Bump;
 use crate::cameras::View;
 use crate::filters::Filter;
-use crate::lights::Light;
+use crate::lights::{Light, MAX_DRAWS};
 use crate::materials::Material;
 use crate::math::{Aabb, Ray, Span};
-use crate::samplers::{Draws, SampleSets};
+use crate::samplers::{Draws, PathKey, Purpose, SampleSets};
 use crate::scene::{Image, Scene, Tracer, Transparency};
 use crate::shapes::{Candidate, PartPath, Shape, Surface};
 use crate::textures::TexturePoint;
@@ -90,6 +92,18 @@ pub struct PlacedLight {
     pub shadows: bool,
     /// The light.
     pub light: Arc<dyn Light>,
+}
+
+impl PlacedLight {
+    /// The random numbers of its sample at a hit of a path.
+    pub fn numbers(
+        &self,
+        path: PathKey,
+        mut draw: impl FnMut(Purpose) -> [f64; 2],
+    ) -> ArrayVec<[f64; 2], MAX_DRAWS> {
+        let pairs = 0..self.light.draws() as u32;
+        pairs.map(|pair| draw(Purpose::Light { path, light: self.index, pair })).collect()
+    }
 }
 
 /// A material that objects and their parts are made of.

@@ -249,13 +249,7 @@ impl Recorder for Touched {
         }
     }
 
-    fn outcome(&mut self, outcome: Outcome) {
-        if let Outcome::Blocked { blocked_by } = outcome {
-            self.objects.insert(blocked_by);
-        }
-    }
-
-    fn surface(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
+    fn hit(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
         self.objects.insert(point.hit.object.index);
     }
 
@@ -268,5 +262,9 @@ impl Recorder for Touched {
         }
     }
 
-    fn leave(&mut self, _: Rgb, _: Rgb) {}
+    fn leave(&mut self, outcome: Outcome, _: Rgb, _: Rgb) {
+        if let Outcome::Blocked { blocked_by } = outcome {
+            self.objects.insert(blocked_by);
+        }
+    }
 }

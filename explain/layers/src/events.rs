@@ -130,17 +130,12 @@ impl Recorder for Listening<'_> {
     }
 
     fn search(&mut self, search: Search, ray: &Ray, span: Span) {
+        // a ray that is searched along is cast
+        self.depth = self.depth.max(self.last);
         if self.counts_cost {
             let cost = self.world.search_cost(search, ray, span);
             self.cost.tests += cost.tests;
             self.cost.steps += cost.steps;
-        }
-    }
-
-    fn outcome(&mut self, outcome: Outcome) {
-        // shadow rays end otherwise
-        if let Outcome::Hit | Outcome::Background = outcome {
-            self.depth = self.depth.max(self.last);
         }
     }
 
@@ -150,9 +145,9 @@ impl Recorder for Listening<'_> {
         }
     }
 
-    fn leave(&mut self, transmittance: Rgb, arriving: Rgb) {
+    fn leave(&mut self, outcome: Outcome, transmittance: Rgb, arriving: Rgb) {
         if let Some(terms) = &mut self.terms {
-            terms.leave(transmittance, arriving);
+            terms.leave(outcome, transmittance, arriving);
         }
     }
 }

@@ -67,8 +67,6 @@ impl Recorder for Dividing {
         self.frames.push((Terms::new(), Terms::new()));
     }
 
-    fn outcome(&mut self, _: Outcome) {}
-
     fn term(&mut self, term: Term) {
         let (sums, child) = self.frames.last_mut().expect("a ray is under way");
         let source = match term.source {
@@ -89,7 +87,7 @@ impl Recorder for Dividing {
         *sums.entry(TermKey { source, by: None, depth: 0 }).or_default() += term.value;
     }
 
-    fn leave(&mut self, transmittance: Rgb, _: Rgb) {
+    fn leave(&mut self, _: Outcome, transmittance: Rgb, _: Rgb) {
         let (mut sums, _) = self.frames.pop().expect("a ray is under way");
         sums.values_mut().for_each(|value| *value = transmittance * *value);
         match self.frames.last_mut() {

@@ -3,7 +3,7 @@
 //! Random directions are the program's own. So only those rays are compared that no draw decides, and what is added up of
 //! draws is not compared at all; a difference that the rounding of the camera's ray makes, too, is none.
 
-use groundtruth::explain::{RecordedRay, RecordedTerm, UnlitLight};
+use groundtruth::explain::{RecordedRay, RecordedTerm, UnlitLight, add_unlit};
 use groundtruth::lights::Unlit;
 use groundtruth::math::{Frame, Normal, Ray, Vector, atan2, power, to_degrees};
 use groundtruth::render::Renderer;
@@ -107,8 +107,10 @@ fn compared(
     let origin = Some(traced.ray(root).origin).filter(|origin| origin.is_finite())?;
     let (world, ray) = (program.world(), Ray::new(origin, direction.unit()?));
     let (mut tree, mut budget) = (RayTree::of(world), RayBudget::up_to(MAX_RAYS));
-    program.radiance(&ray, world.draws([0, 0], 0), &mut tree, &mut budget);
-    let ours = tree.into_root().filter(|_| !budget.is_exceeded())?;
+    let draws = world.draws([0, 0], 0);
+    program.radiance(&ray, draws, &mut tree, &mut budget);
+    let mut ours = tree.into_root().filter(|_| !budget.is_exceeded())?;
+    add_unlit(world, draws, &mut ours);
     let mut comparison = Comparison { traced, world, agreed: Vec::new() };
     let parted = match comparison.ray(root, &ours, 1.0) {
         Compared::Parted(parting) => Some(parting),

@@ -124,13 +124,7 @@ impl Recorder for FirstHit {
         self.rays += 1;
     }
 
-    fn outcome(&mut self, outcome: Outcome) {
-        if outcome == Outcome::TooDeep {
-            self.rays -= 1; // it was not cast
-        }
-    }
-
-    fn surface(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
+    fn hit(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
         if self.rays == 1 {
             self.t = point.hit.t;
             self.object = point.hit.object.index + 1;
@@ -140,5 +134,9 @@ impl Recorder for FirstHit {
 
     fn term(&mut self, _: Term) {}
 
-    fn leave(&mut self, _: Rgb, _: Rgb) {}
+    fn leave(&mut self, outcome: Outcome, _: Rgb, _: Rgb) {
+        if outcome == Outcome::TooDeep {
+            self.rays -= 1; // it was not cast
+        }
+    }
 }

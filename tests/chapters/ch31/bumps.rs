@@ -33,13 +33,12 @@ struct Recorded {
 
 impl Recorder for Recorded {
     fn enter(&mut self, _: RayKind, _: &Ray, _: u32, _: Rgb) {}
-    fn outcome(&mut self, _: Outcome) {}
-    fn surface(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
+    fn hit(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
         self.normals.get_or_insert(point.normals);
         self.at.get_or_insert_with(|| point.hit.surface.clone());
     }
     fn term(&mut self, _: Term) {}
-    fn leave(&mut self, _: Rgb, _: Rgb) {}
+    fn leave(&mut self, _: Outcome, _: Rgb, _: Rgb) {}
 }
 
 /// The surface that a ray hits, and the normals with which it is shaded.

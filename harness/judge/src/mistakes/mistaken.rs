@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use groundtruth::lights::Unlit;
 use groundtruth::lobes::Lobes;
 use groundtruth::math::{Ray, Span};
 use groundtruth::render::Renderer;
@@ -99,21 +98,13 @@ impl<R: Recorder> Recorder for Altered<'_, '_, R> {
         self.recorder.search(search, ray, span);
     }
 
-    fn outcome(&mut self, outcome: Outcome) {
-        self.recorder.outcome(outcome);
-    }
-
-    fn surface(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
-        self.found.surface(point, lobes);
-        self.recorder.surface(point, lobes);
+    fn hit(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
+        self.found.hit(point, lobes);
+        self.recorder.hit(point, lobes);
     }
 
     fn draw(&mut self) {
         self.recorder.draw();
-    }
-
-    fn unlit(&mut self, light: u32, why: impl FnOnce() -> Unlit) {
-        self.recorder.unlit(light, why);
     }
 
     fn term(&mut self, term: Term) {
@@ -121,9 +112,9 @@ impl<R: Recorder> Recorder for Altered<'_, '_, R> {
         self.found.term(term);
     }
 
-    fn leave(&mut self, transmittance: Rgb, radiance: Rgb) {
+    fn leave(&mut self, outcome: Outcome, transmittance: Rgb, radiance: Rgb) {
         let (altered, arriving) = self.found.ended(transmittance);
-        self.recorder.leave(altered, arriving);
-        self.found.leave(transmittance, radiance);
+        self.recorder.leave(outcome, altered, arriving);
+        self.found.leave(outcome, transmittance, radiance);
     }
 }

@@ -138,9 +138,7 @@ impl Recorder for Reweighing<'_> {
         self.frames.push(Frame { ray, sums, child: None });
     }
 
-    fn outcome(&mut self, _: Outcome) {}
-
-    fn surface(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
+    fn hit(&mut self, point: &ShadingPoint<'_>, lobes: &Lobes) {
         let frame = self.frames.last_mut().expect("a ray is under way");
         frame.ray.surface = Some(ObservedSurface::of(point, lobes));
     }
@@ -156,7 +154,7 @@ impl Recorder for Reweighing<'_> {
         }
     }
 
-    fn leave(&mut self, transmittance: Rgb, _: Rgb) {
+    fn leave(&mut self, _: Outcome, transmittance: Rgb, _: Rgb) {
         let is_last_sample = self.is_last_sample;
         let Frame { ray, mut sums, child } = self.frames.pop().expect("a ray is under way");
         sums[0] = transmittance * sums[0];

@@ -75,13 +75,7 @@ impl Recorder for Walk {
         self.rays.push(Edge { within, beyond: within });
     }
 
-    fn outcome(&mut self, outcome: Outcome) {
-        if outcome == Outcome::Background {
-            self.ends();
-        }
-    }
-
-    fn surface(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
+    fn hit(&mut self, point: &ShadingPoint<'_>, _: &Lobes) {
         let body = point.hit.material.index as usize;
         if !self.boxes.iter().any(|(glass, _)| *glass == body) {
             return self.ends();
@@ -97,7 +91,10 @@ impl Recorder for Walk {
 
     fn term(&mut self, _: Term) {}
 
-    fn leave(&mut self, _: Rgb, _: Rgb) {
+    fn leave(&mut self, outcome: Outcome, _: Rgb, _: Rgb) {
+        if outcome == Outcome::Background {
+            self.ends();
+        }
         self.rays.pop();
     }
 }

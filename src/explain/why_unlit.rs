@@ -1,0 +1,154 @@
+//! Why a light adds nothing at a hit: the hit is asked again, with the random numbers that were drawn there.
+
+use std::sync::Arc;
+
+use super::{RecordedRay, RecordedTerm, UnlitLight};
+use crate::lights::{Light, LightSample, Unlit};
+use crate::lobes::{Bsdf, Lit};
+use crate::materials::Response;
+use crate::math::Span;
+use crate::rgb::Rgb;
+use crate::samplers::{Draws, PathKey};
+use crate::trace::{Direct, ShadingPoint, Strategy, TermSource};
+use crate::world::{PlacedLight, World};
+
+/// Adds to each hit of a recorded sample of this world the lights that add nothing there, in the scene's order.
+pub fn add_unlit(world: &World, draws: Draws<'_>, root: &mut RecordedRay) {
+    ask(world, draws, root, PathKey::CAMERA);
+}
+
+fn ask(world: &World, draws: Draws<'_>, ray: &mut RecordedRay, path: PathKey) {
+    let RecordedRay { terms, children, .. } = ray;
+    for term in terms.iter() {
+        let child = children.iter_mut().find(|child| term.ray == Some(child.number));
+        if let (TermSource::Traced { lobe, .. }, Some(child)) = (&term.source, child) {
+            ask(world, draws, child, path.then(lobe.branch()));
+        }
+    }
+    let hit = ray.hit.as_ref().and_then(|_| world.hit(&ray.ray, Span::AHEAD));
+    let Some(hit) = hit else { return };
+    let point = &ShadingPoint::new(&hit, -ray.ray.direction);
+    let mut response = Response::default();
+    hit.material.recipe.respond(&hit.texture_point(), point.cos_o, &mut response);
+    let bsdf = Bsdf::new(&response.lobes, point.normals, point.wo);
+    let (strategy, depth) = (Strategy::of(world.tracer), ray.depth);
+    let vertex = Vertex { strategy, draws, path, depth, point, ambient: response.ambient, bsdf };
+    let unlit = (0..).zip(&world.names.lights).filter_map(|(index, name)| {
+        let reason = match world.lights.iter().find(|light| light.index == index) {
+            Some(light) => vertex.reason(ray, light)?,
+            None => Unlit::SwitchedOff,
+        };
+        Some(UnlitLight { light: Arc::clone(name), reason })
+    });
+    ray.unlit = unlit.collect();
+}
+
+/// A hit as tracing met it.
+struct Vertex<'a> {
+    strategy: Strategy,
+    draws: Draws<'a>,
+    path: PathKey,
+    depth: u32,
+    point: &'a ShadingPoint<'a>,
+    /// The reflectance for ambient light.
+    ambient: Rgb,
+    bsdf: Bsdf<'a>,
+}
+
+impl Vertex<'_> {
+    /// Why a light that is on adds nothing: the first reason that holds; `None` if it adds something.
+    fn reason(&self, ray: &RecordedRay, light: &PlacedLight) -> Option<Unlit> {
+        let its = |term: &&RecordedTerm| term.light.as_ref() == Some(&light.name);
+        let mut terms = ray.terms.iter().filter(its);
+        if terms.clone().any(|term| !term.value.is_black()) {
+            return None;
+        }
+        let Some(term) = terms.next() else { return Some(self.no_term(light)) };
+        let shadow = term.ray.and_then(|number| ray.child(number));
+        Some(match shadow.and_then(|shadow| shadow.blocked_by.clone()) {
+            Some(blocked_by) => Unlit::Blocked { blocked_by },
+            None if !term.arriving.is_black() => Unlit::OtherColors,
+            None => match self.hidden(light).filter(|_| shadow.is_none()) {
+                Some(hidden) => hidden,
+                // a sample without radiance makes no direct term
+                None if !light.light.is_ambient() => Unlit::Absorbed,
+                None => Unlit::Dark,
+            },
+        })
+    }
+
+    /// Whether the surface itself hides what the light sends, which then takes no shadow ray.
+    fn hidden(&self, light: &PlacedLight) -> Option<Unlit> {
+        let casts_shadows = light.shadows || self.strategy.meets(&*light.light);
+        let sample = self.sample(light).ok()?;
+        let cos_i = self.point.normals.geometry.dot(sample.direction);
+        let is_hidden = casts_shadows && sample.segment.is_some() && sample.blocked.is_black();
+        (is_hidden && cos_i <= 0.0).then_some(Unlit::BehindTrueSurface { cos_i })
+    }
+
+    /// Why a light has no term.
+    fn no_term(&self, light: &PlacedLight) -> Unlit {
+        let is_ambient = light.light.is_ambient();
+        let is_sampled = self.strategy.samples_lights(self.depth);
+        if !is_sampled || is_ambient && self.strategy.is_path() {
+            return unsampled(self.strategy, &*light.light);
+        }
+        let set = self.strategy.lit_lobes();
+        match is_ambient {
+            true if self.ambient.is_black() => return Unlit::NoAmbientReflectance,
+            false if !self.bsdf.is_lit(set) => return self.unlit_surface(),
+            _ => {}
+        }
+        match self.sample(light) {
+            Ok(sample) => self.unlit_sample(&sample, &self.bsdf.lit(set, sample.direction)),
+            Err(reason) => reason,
+        }
+    }
+
+    /// The light's sample, or why there is none.
+    fn sample(&self, light: &PlacedLight) -> Result<LightSample, Unlit> {
+        let from = self.point.light_context();
+        let u = light.numbers(self.path, |purpose| self.draws.draw(purpose));
+        light.light.sample(&from, &u).ok_or_else(|| light.light.unlit(&from, &u))
+    }
+
+    /// Why samples of lights meet no lobe of the surface.
+    fn unlit_surface(&self) -> Unlit {
+        match self.bsdf.lobes().is_empty() {
+            true => Unlit::NoLobes,
+            false if self.point.cos_o <= 0.0 => Unlit::ViewerBehind { cos_o: self.point.cos_o },
+            false => Unlit::TracedLobesOnly,
+        }
+    }
+
+    /// Why a light's sample contributes nothing. `lit` are the lobes' values for it.
+    fn unlit_sample(&self, sample: &LightSample, lit: &[Lit<'_>]) -> Unlit {
+        let sent = sample.radiance + sample.blocked;
+        let [shading, geometry] = [self.point.normals.shading, self.point.normals.geometry];
+        let [cos_i, cos_true] = [shading, geometry].map(|normal| normal.dot(sample.direction));
+        if sent.is_black() {
+            Unlit::Dark
+        } else if lit.iter().any(|lit| !(lit.f * sent).is_black()) {
+            Unlit::TooWeak
+        } else if !lit.is_empty() {
+            Unlit::OtherColors
+        } else if cos_i <= 0.0 {
+            Unlit::BehindSurface { cos_i }
+        } else if cos_true <= 0.0 {
+            Unlit::BehindTrueSurface { cos_i: cos_true }
+        } else {
+            Unlit::OutsideLobes { cos_i }
+        }
+    }
+}
+
+/// Why a light is not sampled at a hit.
+fn unsampled(strategy: Strategy, light: &dyn Light) -> Unlit {
+    match strategy.direct {
+        _ if light.is_ambient() => Unlit::LeftOut,
+        Direct::FirstHit if strategy.max_depth > 0 => Unlit::FirstHitOnly,
+        Direct::Shading | Direct::FirstHit | Direct::EveryHit => Unlit::TooDeep,
+        Direct::Never if light.is_met() => Unlit::NotSampled,
+        Direct::Never => Unlit::LeftOut,
+    }
+}
