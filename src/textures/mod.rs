@@ -1,18 +1,15 @@
 //! Textures: colours that vary over a surface (Suffern, ch. 29–31). Every colour or number of a
 //! material may be a texture.
 
+mod checker;
 mod checker3d;
-mod cone_checker;
 mod constant;
-mod cylinder_checker;
-mod disk_checker;
 mod fbm;
 mod image;
 mod plane_checker;
 mod ramp;
 mod ramp_fbm;
 mod random_colors;
-mod rectangle_checker;
 mod sphere_checker;
 mod sphere_textures;
 mod stripes;
@@ -107,10 +104,10 @@ crate::kinds! {
     ch30 checker3d::Checker3d,
     ch30 plane_checker::PlaneChecker,
     ch30 sphere_checker::SphereChecker,
-    ch30 cylinder_checker::CylinderChecker,
-    ch30 cone_checker::ConeChecker,
-    ch30 disk_checker::DiskChecker,
-    ch30 rectangle_checker::RectangleChecker,
+    ch30 checker::CylinderChecker,
+    ch30 checker::ConeChecker,
+    ch30 checker::DiskChecker,
+    ch30 checker::RectangleChecker,
     ch30 stripes::Stripes,
     ch30 ramp::Ramp,
     ch30 wireframe::Wireframe,
