@@ -3,12 +3,10 @@
 use std::borrow::Cow;
 use std::fmt;
 use std::iter::Sum;
-use std::marker::PhantomData;
 use std::ops::{Add, AddAssign, Div, Mul, Sub};
 
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::value::MapAccessDeserializer;
-use serde::de::{self, MapAccess, SeqAccess, Visitor};
+use serde::de::{self, SeqAccess, Visitor};
 use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::invalid::{BRIGHTEST, Invalid, shown};
@@ -218,67 +216,5 @@ impl<'de> Visitor<'de> for ColorVisitor {
             return Err(de::Error::invalid_length(4, &self));
         }
         Ok(channels.into())
-    }
-}
-
-/// What gives colours and is read from `{ kind = { … } }`.
-pub(crate) trait Colorful {
-    /// What people call it, with its article.
-    const NAME: &'static str;
-}
-
-/// A colour, or a kind that gives colours.
-pub(crate) enum ColorOr<K> {
-    Color(Rgb),
-    Kind(K),
-}
-
-impl<K: Colorful + JsonSchema> JsonSchema for ColorOr<K> {
-    fn schema_name() -> Cow<'static, str> {
-        format!("ColourOr{}", K::schema_name().trim_end_matches("Kind")).into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "description": format!("A colour as `[r, g, b]`, one number for a grey, or {} as \
-                `{{ kind = {{ … }} }}`.", K::NAME),
-            "anyOf": [generator.subschema_for::<Rgb>(), generator.subschema_for::<K>()],
-        })
-    }
-}
-
-impl<'de, K: Colorful + Deserialize<'de>> Deserialize<'de> for ColorOr<K> {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        deserializer.deserialize_any(ColorOrVisitor(PhantomData))
-    }
-}
-
-struct ColorOrVisitor<K>(PhantomData<K>);
-
-impl<'de, K: Colorful + Deserialize<'de>> Visitor<'de> for ColorOrVisitor<K> {
-    type Value = ColorOr<K>;
-
-    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "a colour [r, g, b], one number for a grey, or {}", K::NAME)
-    }
-
-    fn visit_f64<E: de::Error>(self, grey: f64) -> Result<ColorOr<K>, E> {
-        ColorVisitor.visit_f64(grey).map(ColorOr::Color)
-    }
-
-    fn visit_i64<E: de::Error>(self, grey: i64) -> Result<ColorOr<K>, E> {
-        ColorVisitor.visit_i64(grey).map(ColorOr::Color)
-    }
-
-    fn visit_u64<E: de::Error>(self, grey: u64) -> Result<ColorOr<K>, E> {
-        ColorVisitor.visit_u64(grey).map(ColorOr::Color)
-    }
-
-    fn visit_seq<A: SeqAccess<'de>>(self, seq: A) -> Result<ColorOr<K>, A::Error> {
-        ColorVisitor.visit_seq(seq).map(ColorOr::Color)
-    }
-
-    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<ColorOr<K>, A::Error> {
-        K::deserialize(MapAccessDeserializer::new(map)).map(ColorOr::Kind)
     }
 }

@@ -7,19 +7,20 @@ use std::borrow::Cow;
 use std::sync::Arc;
 
 use schemars::{JsonSchema, Schema, SchemaGenerator};
-use serde::{Deserialize, Deserializer, Serialize, Serializer};
+use serde::{Deserialize, Deserializer, Serialize};
 
 use crate::invalid::{Invalid, positive};
-use crate::kinds::{self, Resources};
+use crate::kinds::{self, Field, Giving, Resources};
 use crate::math::{Length, Ray, sin};
-use crate::rgb::{ColorOr, Colorful, Rgb};
+use crate::rgb::Rgb;
 
 pub use directions::Directions;
 pub use image::{Dome, Image, ImageSky};
 
 /// A colour, in scene files `[r, g, b]` or one number for a grey; or a pattern, as
 /// `{ sinusoid = {} }` or `{ image = { file = "sky.hdr" } }`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize)]
+#[serde(untagged)]
 pub enum Background {
     /// The same everywhere.
     Color(Rgb),
@@ -125,34 +126,25 @@ impl Default for Sky {
     }
 }
 
-impl Serialize for Background {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self {
-            Self::Color(color) => color.serialize(serializer),
-            Self::Pattern(pattern) => pattern.serialize(serializer),
-        }
-    }
-}
-
-impl Colorful for Pattern {
+impl Giving for Pattern {
     const NAME: &'static str = "a pattern";
 }
 
 impl JsonSchema for Background {
     fn schema_name() -> Cow<'static, str> {
-        ColorOr::<Pattern>::schema_name()
+        Field::<Rgb, Pattern>::schema_name()
     }
 
     fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        ColorOr::<Pattern>::json_schema(generator)
+        Field::<Rgb, Pattern>::json_schema(generator)
     }
 }
 
 impl<'de> Deserialize<'de> for Background {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        Ok(match ColorOr::deserialize(deserializer)? {
-            ColorOr::Color(color) => Self::Color(color),
-            ColorOr::Kind(pattern) => Self::Pattern(pattern),
+        Ok(match Field::deserialize(deserializer)? {
+            Field::Plain(color) => Self::Color(color),
+            Field::Textured(pattern) => Self::Pattern(*pattern),
         })
     }
 }

@@ -5,6 +5,7 @@
 //! [`kinds!`](crate::kinds!), makes of all of them one enum, and gives each its tag. The folder's
 //! `specimens.toml` has valid examples of each, for contracts, docs, exporters and fuzz bodies.
 
+mod field;
 mod resources;
 
 use std::fmt::Debug;
@@ -14,6 +15,7 @@ use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
+pub use field::{Field, Giving, Plain};
 pub use resources::{ImageSource, Resources};
 
 /// One line of the list of kinds.

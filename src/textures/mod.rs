@@ -23,12 +23,11 @@ mod wrapped_fbm;
 mod wrapped_ramp;
 
 // shared by the kinds
-mod amount;
 mod cells;
 mod color_table;
+mod field;
 mod mapping;
 mod noise_field;
-mod paint;
 mod point;
 mod sampling;
 mod sphere_cells;
@@ -38,12 +37,11 @@ use std::fmt::Debug;
 use crate::kinds::Resources;
 use crate::rgb::Rgb;
 
-pub use amount::{Amount, Value};
 pub use cells::Lines;
 pub(crate) use cells::{ten, twenty};
 pub use color_table::ColorTable;
+pub use field::{Amount, Color, Paint, Textured, Value, Varying};
 pub use mapping::Mapping;
-pub use paint::{Color, Paint};
 pub use point::TexturePoint;
 pub(crate) use sampling::Sampling;
 pub use sampling::{Filtering, Rule, Wrap};
