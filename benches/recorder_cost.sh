@@ -20,7 +20,7 @@ cp "$target/$example" "$copy/with"
 
 git archive HEAD | tar -x -C "$copy"
 traced=$(ls "$copy"/src/trace/*.rs | grep -v -e recorder.rs -e tree.rs)
-calls='recorder\.(enter|outcome|surface|draw|unlit|term|leave)\('
+calls='recorder\.(enter|hit|draw|term|leave)\('
 # shellcheck disable=SC2086
 perl -0pi -e "s/^\s*(self\.)?$calls[^;]*\);\n//mg" $traced
 # shellcheck disable=SC2086

@@ -56,10 +56,13 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
             return;
         }
         let Some(sample) = self.sample(path, point, light) else { return };
+        let lit = bsdf.lit(set, sample.direction);
+        if lit.is_empty() {
+            return;
+        }
         let pdf = sample.pdf;
         let weighted = pdf.filter(|_| self.strategy.emitter_hits == EmitterHits::Mis);
         let mis = weighted.map(|pdf| power_heuristic(pdf, bsdf.pdf(sample.direction)));
-        let lit = bsdf.lit(set, sample.direction);
         let terms: ArrayVec<_, MAX_LOBES> = lit
             .into_iter()
             .map(|lit| (lit, (lit.cos_i / pdf.unwrap_or(1.0)) * lit.f))

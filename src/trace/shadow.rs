@@ -94,10 +94,10 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         sample: &LightSample,
     ) -> Rgb {
         self.budget.spend();
-        let (ray, ..) = way.stretch();
-        self.recorder.enter(RayKind::Shadow { light: light.index }, &ray, 0, Rgb::WHITE);
+        let stretch = way.stretch();
+        self.recorder.enter(RayKind::Shadow { light: light.index }, &stretch.0, 0, Rgb::WHITE);
         let Between { blocked_by, boundaries, passed, transmittance } =
-            self.between(medium, way, blockers);
+            self.between(medium, way, stretch, blockers);
         let mut sum = RadianceSum(Rgb::BLACK);
         let held_off = passed.map(|passed| 1.0 - passed);
         for (weight, sent) in [(passed, sample.radiance), (held_off, sample.blocked)] {
@@ -128,8 +128,13 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
     }
 
     /// What a shadow ray meets. If all that ends it is opaque, any blocker will do.
-    fn between(&mut self, medium: Rgb, way: Way, blockers: Blockers) -> Between {
-        let (ray, span, length) = way.stretch();
+    fn between(
+        &mut self,
+        medium: Rgb,
+        way: Way,
+        (ray, span, length): (Ray, Span, f64),
+        blockers: Blockers,
+    ) -> Between {
         let blocked_by = match blockers {
             Blockers::None => None,
             Blockers::Opaque => return self.straight_through(medium, way, blockers),

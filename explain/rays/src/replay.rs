@@ -107,10 +107,9 @@ fn compared(
     let origin = Some(traced.ray(root).origin).filter(|origin| origin.is_finite())?;
     let (world, ray) = (program.world(), Ray::new(origin, direction.unit()?));
     let (mut tree, mut budget) = (RayTree::of(world), RayBudget::up_to(MAX_RAYS));
-    let draws = world.draws([0, 0], 0);
-    program.radiance(&ray, draws, &mut tree, &mut budget);
+    program.radiance(&ray, world.draws([0, 0], 0), &mut tree, &mut budget);
     let mut ours = tree.into_root().filter(|_| !budget.is_exceeded())?;
-    add_unlit(world, draws, &mut ours);
+    add_unlit(world, world.draws([0, 0], 0), &mut ours);
     let mut comparison = Comparison { traced, world, agreed: Vec::new() };
     let parted = match comparison.ray(root, &ours, 1.0) {
         Compared::Parted(parting) => Some(parting),
