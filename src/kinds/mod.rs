@@ -206,7 +206,7 @@ macro_rules! kinds {
                     ),)*
                     Self::Custom(custom) => return Ok(::std::sync::Arc::clone(&custom.0)),
                 };
-                $(let built = built.and_then(|built| $finish(self, built, context));)?
+                $(let built = built.and_then(|built| $finish(built, context));)?
                 built.map_err(|e| e.inside($crate::kinds::tag_of(name, given).as_str()))
             }
         }

@@ -141,35 +141,22 @@ pub trait Shape: Debug + Send + Sync {
     fn leaves(&self) -> u64 {
         1
     }
-}
 
-/// The first of the two roots `ts` (ascending; NaN for none) that is in the span and on the shape. Both are
-/// tested: if the near one is beyond an end of the shape, the far one may be on it.
-fn first_of(ts: [f64; 2], span: Span, has: impl Fn(f64) -> bool) -> Option<Candidate> {
-    let counts = |t: f64| span.contains(t) && has(t);
-    let [near, far] = ts;
-    // not a loop, which costs as much as the square root
-    if counts(near) {
-        return Some(Candidate::at(near));
+    /// The surface without edges of which the shape is a part, and what it is called: the plane of a disk.
+    fn whole(&self) -> Option<(&'static str, Arc<dyn Shape>)> {
+        None
     }
-    counts(far).then(|| Candidate::at(far))
-}
 
-/// Both roots, or those of them that are in the span and on the shape.
-fn all_of(ts: Option<[f64; 2]>, span: Span, has: impl Fn(f64) -> bool) -> Vec<Candidate> {
-    let counted = ts.into_iter().flatten().filter(|&t| span.contains(t) && has(t));
-    counted.map(Candidate::at).collect()
+    /// The shape as the book hits it, beyond epsilon; `None` if the book has no routine for it, or if it is made
+    /// of parts that have theirs.
+    fn textbook(&self, _epsilon: f64) -> Option<Arc<dyn Shape>> {
+        None
+    }
 }
 
 /// The normal along `v`. If `v` is zero or not finite, as for extreme lengths, it faces the ray.
 fn normal_along(v: Vector, ray: &Ray) -> Normal {
     Normal::new(v).or_else(|| Normal::new(-ray.direction)).unwrap_or(Normal::Y)
-}
-
-/// Where a ray meets the plane through `a`, `anchor`, with this normal: `t = (a − o)·n / d·n`. For a ray
-/// parallel to the plane it is infinite or NaN, and no span contains it.
-fn plane_distance(ray: &Ray, anchor: Point, normal: Normal) -> f64 {
-    (anchor - ray.origin).dot(normal) / ray.direction.dot(normal)
 }
 
 // shared by the kinds
@@ -178,6 +165,7 @@ mod context;
 mod facet;
 mod sampled;
 pub mod textbook;
+mod trimmed;
 mod within;
 
 mod composite;
@@ -249,16 +237,10 @@ crate::kinds! {
 }
 
 /// What was built of these data: of a supported size, and in the book's form if the scene asks for that.
-fn finished(
-    kind: &Kind,
-    shape: Arc<dyn Shape>,
-    context: &Context,
-) -> Result<Arc<dyn Shape>, Invalid> {
+fn finished(shape: Arc<dyn Shape>, context: &Context) -> Result<Arc<dyn Shape>, Invalid> {
     let shape = of_supported_size(shape)?;
-    Ok(match context.textbook() {
-        Some(epsilon) => textbook::form(kind, shape, epsilon),
-        None => shape,
-    })
+    let form = context.textbook().and_then(|epsilon| shape.textbook(epsilon));
+    Ok(form.unwrap_or(shape))
 }
 
 /// The shape, if its extent and its distance from the origin are in [`LENGTHS`]; the unbounded have

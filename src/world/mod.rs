@@ -147,6 +147,11 @@ impl PlacedObject {
     pub fn bounds(&self) -> Aabb {
         self.shape.bounds()
     }
+
+    /// The surface without edges of which it is a part, and what that is called.
+    pub fn whole(&self) -> Option<(&'static str, Arc<dyn Shape>)> {
+        self.shape.whole()
+    }
 }
 
 /// The first hit of a ray.

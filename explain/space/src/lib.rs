@@ -15,7 +15,6 @@ mod obj;
 mod orbit;
 mod section;
 mod segments;
-mod untrimmed;
 mod view;
 mod visibility;
 pub mod why_not;

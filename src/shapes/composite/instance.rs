@@ -155,6 +155,11 @@ impl Shape for Placed {
     fn leaves(&self) -> u64 {
         self.shape.leaves()
     }
+
+    fn whole(&self) -> Option<(&'static str, Arc<dyn Shape>)> {
+        let (name, shape) = self.shape.whole()?;
+        Some((name, Arc::new(Self { shape, ..*self })))
+    }
 }
 
 /// The surface of a shape at a hit of the ray, outside.

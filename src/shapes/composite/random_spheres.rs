@@ -12,6 +12,7 @@ use crate::accel::{Accel, Method};
 use crate::invalid::{Invalid, length};
 use crate::kinds;
 use crate::math::{Aabb, Length, Pcg32, Point, Ray, Span};
+use crate::shapes::trimmed::{Carrier, Roots};
 use crate::shapes::{Candidate, Context, Shape, Specification, Sphere, Surface, Within, textbook};
 
 /// Equal spheres whose centres are uniform in the cube `[−half_side, half_side]³`.
@@ -79,21 +80,28 @@ impl RandomSpheres {
     }
 }
 
+impl RandomSpheresShape {
+    /// The first hit of the sphere of this index.
+    #[inline]
+    fn sphere(&self, index: u32, ray: &Ray, span: Span) -> Option<Candidate> {
+        self.spheres[index as usize].distances(ray).first(span, |_| true)
+    }
+}
+
 impl Shape for RandomSpheresShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let (index, at) = self
-            .accel
-            .nearest(ray, span, |index, span| self.spheres[index as usize].hit(ray, span))?;
+        let sphere = |index: u32, span| self.sphere(index, ray, span);
+        let (index, at) = self.accel.nearest(ray, span, sphere)?;
         Some(Candidate { leaf: index.into(), ..at })
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
-        let sphere = |index: u32| self.spheres[index as usize].shadow_hit(ray, span);
+        let sphere = |index: u32| self.sphere(index, ray, span).map(|at| at.t);
         self.accel.any(ray, span, sphere).map(|(_, t)| t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        self.spheres[at.leaf as usize].surface(ray, at)
+        self.spheres[at.leaf as usize].surface(ray, at.t)
     }
 
     fn within(&self, at: &Candidate) -> Within<'_> {
@@ -103,7 +111,7 @@ impl Shape for RandomSpheresShape {
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
         let mut roots = Vec::new();
         for (index, sphere) in (0..).zip(&self.spheres) {
-            let within = sphere.roots(ray, span).into_iter();
+            let within = sphere.distances(ray).all(span, |_| true).into_iter();
             roots.extend(within.map(|at| Candidate { leaf: index, ..at }));
         }
         roots.sort_by(|a, b| a.t.total_cmp(&b.t));

@@ -1,7 +1,9 @@
 //! Ranges of angles of part objects (Suffern, ch. 19).
 
 use crate::invalid::Invalid;
-use crate::math::{Vector, cos_degrees, sin_degrees};
+use crate::math::{Aabb, Point, Vector, cos_degrees, sin_degrees};
+use crate::shapes::textbook;
+use crate::shapes::trimmed::Trim;
 
 /// The directions of a plane from one angle up to another, both included: azimuths φ about the y
 /// axis (as the book measures them, `x = ρ sin φ` and `z = ρ cos φ`), or angles θ around a tube.
@@ -13,6 +15,8 @@ pub struct Angles {
     /// `[cos, sin]` of the first end and of the last.
     ends: [[f64; 2]; 2],
     width: Width,
+    /// As the book tests them.
+    pub book: textbook::Angles,
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -51,7 +55,8 @@ impl Angles {
             w if w > 180.0 => Width::Wide,
             _ => Width::Narrow,
         };
-        Ok(Self { ends: range.map(|angle| [cos_degrees(angle), sin_degrees(angle)]), width })
+        let ends = range.map(|angle| [cos_degrees(angle), sin_degrees(angle)]);
+        Ok(Self { ends, width, book: textbook::Angles::degrees(range) })
     }
 
     /// Whether the direction `[cos, sin]`, of any length, is in the range; `[0, 0]` is.
@@ -84,21 +89,6 @@ impl Angles {
         [[-start[1], start[0]], [end[1], -end[0]]]
     }
 
-    /// The distances of a point from the meridians at the ends of a range of azimuths about the y axis.
-    pub fn meridian_distances(&self, v: Vector) -> [f64; 2] {
-        self.end_distances([v.z(), v.x()])
-    }
-
-    /// The unit vectors away from both meridians.
-    pub fn away_from_meridians(&self) -> [Vector; 2] {
-        self.away_from_ends().map(|[z, x]| Vector::new(x, 0.0, z))
-    }
-
-    /// Whether the direction from the y axis to this point is in a range of azimuths.
-    pub fn has_azimuth_of(&self, v: Vector) -> bool {
-        self.contains([v.z(), v.x()])
-    }
-
     /// The least and the greatest cosine and sine: `[[cos, sin]; 2]`.
     pub fn extremes(&self) -> [[f64; 2]; 2] {
         let [a, b] = self.ends;
@@ -110,13 +100,32 @@ impl Angles {
         [[end(0, -1.0), end(1, -1.0)], [end(0, 1.0), end(1, 1.0)]]
     }
 
-    /// The corners of the smallest box of height 0 around the points of these azimuths at distances from
-    /// `near` to `far` from the axis.
-    pub fn bounds(&self, near: f64, far: f64) -> [Vector; 2] {
+    /// The box around the points of these azimuths, at distances from `near` to `far` from the axis and heights
+    /// from `low` to `high`, from the centre.
+    pub fn bounds(&self, center: Point, [near, far]: [f64; 2], [low, high]: [f64; 2]) -> Aabb {
         let [[z0, x0], [z1, x1]] = self.extremes();
         // a coordinate is farthest out where its cosine or sine and the distance are
         let least = |c: f64| (near * c).min(far * c);
         let most = |c: f64| (near * c).max(far * c);
-        [Vector::new(least(x0), 0.0, least(z0)), Vector::new(most(x1), 0.0, most(z1))]
+        Aabb {
+            min: center + Vector::new(least(x0), low, least(z0)),
+            max: center + Vector::new(most(x1), high, most(z1)),
+        }
+    }
+}
+
+/// A range of azimuths about the y axis, between two meridians.
+impl Trim for Angles {
+    fn book_has(&self, v: Vector) -> bool {
+        self.book.contains(textbook::angle(v.x(), v.z()))
+    }
+
+    #[inline]
+    fn distances(&self, v: Vector) -> [f64; 2] {
+        self.end_distances([v.z(), v.x()])
+    }
+
+    fn away(&self, _: Vector) -> [Vector; 2] {
+        self.away_from_ends().map(|[z, x]| Vector::new(x, 0.0, z))
     }
 }

@@ -13,9 +13,10 @@ use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
-use crate::math::{Aabb, Length, Point, Ray, Span, Vector, cos_degrees, lists, sin_degrees};
-use crate::shapes::border::{Border, along, is_rounding, nears};
-use crate::shapes::{Candidate, Context, Shape, Specification, Sphere, Surface, all_of, first_of};
+use crate::math::{Length, Point, Vector, cos_degrees, lists, sin_degrees};
+use crate::shapes::border::along;
+use crate::shapes::trimmed::{Trim, Trimmed};
+use crate::shapes::{Context, Shape, Specification, Sphere};
 
 /// The part of a sphere within a range of azimuths φ and one of polar angles θ.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -43,12 +44,13 @@ fn pole_to_pole() -> [f64; 2] {
     [0.0, 180.0]
 }
 
-#[derive(Debug)]
-struct PartSphereShape {
-    whole: Sphere,
-    phi: Angles,
+/// The points of a sphere with a polar angle in this range.
+#[derive(Clone, Debug)]
+struct PolarRange {
     /// `(sin θ, cos θ)` of `θ_min` and `θ_max`.
     theta: [[f64; 2]; 2],
+    /// The book's `r cos θ_max` and `r cos θ_min`.
+    heights: [f64; 2],
 }
 
 impl Specification for PartSphere {
@@ -63,79 +65,47 @@ impl Specification for PartSphere {
                 format!("found {theta:?}, but two ascending angles from 0 to 180 are needed");
             return Err(Invalid::field("theta", problem));
         }
-        Ok(Arc::new(PartSphereShape {
-            whole,
-            phi,
-            theta: theta.map(|a| [sin_degrees(a), cos_degrees(a)]),
-        }))
+        let polar = PolarRange::new(theta, radius);
+        let bounds = phi.bounds(center, polar.axis_distances(radius), polar.heights);
+        let size = radius + center.to_vector().max_abs();
+        Ok(Arc::new(Trimmed::new(whole, (polar, phi), size, bounds)))
     }
 }
 
-impl PartSphereShape {
-    fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
-        |t| {
-            let v = ray.at(t) - self.whole.center;
-            self.contains(v)
-                || nears(self.edge_distances(v), self.size()) && is_rounding(self, ray, t)
-        }
+impl PolarRange {
+    fn new(theta: [f64; 2], radius: f64) -> Self {
+        let theta = theta.map(|angle| [sin_degrees(angle), cos_degrees(angle)]);
+        let [[_, c0], [_, c1]] = theta;
+        Self { theta, heights: [radius * c1, radius * c0] }
     }
 
-    fn contains(&self, v: Vector) -> bool {
-        let (y, rho) = (v.y(), v.across_y().length());
+    /// The least and the greatest distance from the axis.
+    fn axis_distances(&self, r: f64) -> [f64; 2] {
         let [[s0, c0], [s1, c1]] = self.theta;
-        let below_start = rho * c0 - y * s0 >= 0.0; // r sin(θ − θ_min)
-        let above_end = y * s1 - rho * c1 >= 0.0; // r sin(θ_max − θ)
-        below_start && above_end && self.phi.has_azimuth_of(v)
-    }
-
-    /// The distances from the circles at `θ_min` and `θ_max`, infinite for a pole, and from the meridians at
-    /// the ends of φ.
-    fn edge_distances(&self, v: Vector) -> [f64; 4] {
-        let (y, rho) = (v.y(), v.across_y().length());
-        let [[s0, c0], [s1, c1]] = self.theta;
-        let upper = if s0 > 0.0 { rho * c0 - y * s0 } else { f64::INFINITY };
-        let lower = if s1 > 0.0 { y * s1 - rho * c1 } else { f64::INFINITY };
-        let [start, end] = self.phi.meridian_distances(v);
-        [upper, lower, start, end]
-    }
-
-    /// The largest number in the test.
-    fn size(&self) -> f64 {
-        self.whole.radius + self.whole.center.to_vector().max_abs()
-    }
-
-    fn border(&self, v: Vector) -> Option<Box<Border>> {
-        Border::of(self.edge_distances(v), self.size(), || {
-            let level = v.across_y();
-            let down = along(v.y() * along(level) - level.length() * Vector::Y);
-            let [start, end] = self.phi.away_from_meridians();
-            [down, -down, start, end]
-        })
-    }
-}
-
-impl Shape for PartSphereShape {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_of(self.whole.distances(ray)?, span, self.has(ray))
-    }
-
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let surface = self.whole.surface(ray, at);
-        let border = self.border(surface.point - self.whole.center);
-        surface.within(border)
-    }
-
-    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        all_of(self.whole.distances(ray), span, self.has(ray))
-    }
-
-    fn bounds(&self) -> Aabb {
-        let [[s0, c0], [s1, c1]] = self.theta;
-        let r = self.whole.radius;
         let across_equator = c0 >= 0.0 && c1 <= 0.0;
         let far = if across_equator { r } else { r * s0.max(s1) };
-        let [min, max] = self.phi.bounds(r * s0.min(s1), far);
-        let center = self.whole.center;
-        Aabb { min: center + min + r * c1 * Vector::Y, max: center + max + r * c0 * Vector::Y }
+        [r * s0.min(s1), far]
+    }
+}
+
+impl Trim for PolarRange {
+    fn book_has(&self, v: Vector) -> bool {
+        let [lowest, highest] = self.heights;
+        (lowest..=highest).contains(&v.y())
+    }
+
+    /// `r sin(θ − θ_min)` and `r sin(θ_max − θ)`; a pole is no edge.
+    #[inline]
+    fn distances(&self, v: Vector) -> [f64; 2] {
+        let (y, rho) = (v.y(), v.across_y().length());
+        let [[s0, c0], [s1, c1]] = self.theta;
+        let unless_pole = |sine: f64, distance| if sine > 0.0 { distance } else { f64::INFINITY };
+        [unless_pole(s0, rho * c0 - y * s0), unless_pole(s1, y * s1 - rho * c1)]
+    }
+
+    fn away(&self, v: Vector) -> [Vector; 2] {
+        let level = v.across_y();
+        let down = along(v.y() * along(level) - level.length() * Vector::Y);
+        [down, -down]
     }
 }

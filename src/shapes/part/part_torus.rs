@@ -11,10 +11,11 @@ use serde::{Deserialize, Serialize};
 
 use super::angles::{Angles, full_turn};
 use crate::invalid::Invalid;
-use crate::math::{Aabb, Length, Point, Ray, Span, Vector, lists};
-use crate::shapes::border::{Border, along, is_rounding, nears};
-use crate::shapes::plain::torus::{Torus, from_axis};
-use crate::shapes::{Candidate, Context, Shape, Specification, Surface};
+use crate::math::{Length, Point, Vector, lists};
+use crate::shapes::border::along;
+use crate::shapes::textbook;
+use crate::shapes::trimmed::{Trim, Trimmed};
+use crate::shapes::{Context, Shape, Specification, Torus};
 
 /// The points of a [`Torus`] with azimuth φ (`x = ρ sin φ`, `z = ρ cos φ`) and angle around the tube
 /// θ (`ρ = a + b cos θ`, `y = b sin θ`) in these ranges, ends included. A range whose first end is the
@@ -41,13 +42,11 @@ pub struct PartTorus {
     pub inward: bool,
 }
 
-#[derive(Debug)]
-struct PartTorusShape {
-    torus: Torus,
-    phi: Angles,
+/// The points at these angles around the tube.
+#[derive(Clone, Debug)]
+struct AroundTube {
+    swept_radius: f64,
     theta: Angles,
-    /// Its bounds, padded by more than the rounding of a hit.
-    padded: Aabb,
 }
 
 impl Specification for PartTorus {
@@ -56,72 +55,34 @@ impl Specification for PartTorus {
         let torus = Torus { swept_radius, tube_radius, inward };
         torus.check()?;
         let (phi, theta) = (Angles::new("phi", self.phi)?, Angles::new("theta", self.theta)?);
-        let padded = bounds(&torus, &phi, &theta).padded();
-        Ok(Arc::new(PartTorusShape { torus, phi, theta, padded }))
+        let [[near, low], [far, high]] = theta
+            .extremes()
+            .map(|[cos, sin]| [swept_radius + tube_radius * cos, tube_radius * sin]);
+        let bounds = phi.bounds(Point::ORIGIN, [near, far], [low, high]);
+        let trims = (AroundTube { swept_radius, theta }, phi);
+        Ok(Arc::new(Trimmed::new(torus, trims, swept_radius + tube_radius, bounds)))
     }
 }
 
-impl PartTorusShape {
-    fn hits(&self, ray: &Ray, span: Span) -> impl Iterator<Item = Candidate> {
-        self.torus.hits(ray, span, &self.padded, |t, p| {
-            self.phi.has_azimuth_of(p) && self.theta.contains(self.section_point(p))
-                || nears(self.edge_distances(p), self.size()) && is_rounding(self, ray, t)
-        })
-    }
-
+impl AroundTube {
     /// The point in the plane of a section, from the middle of the tube.
-    fn section_point(&self, p: Vector) -> [f64; 2] {
-        [from_axis(p) - self.torus.swept_radius, p.y()]
-    }
-
-    /// The distances from both circles and both sections.
-    fn edge_distances(&self, p: Vector) -> [f64; 4] {
-        let [first, last] = self.theta.end_distances(self.section_point(p));
-        let [start, end] = self.phi.meridian_distances(p);
-        [first, last, start, end]
-    }
-
-    /// The largest number in the test.
-    fn size(&self) -> f64 {
-        self.torus.swept_radius + self.torus.tube_radius
-    }
-
-    fn border(&self, p: Vector) -> Option<Box<Border>> {
-        Border::of(self.edge_distances(p), self.size(), || {
-            let radial = along(p.across_y());
-            let in_section = |[out, up]: [f64; 2]| out * radial + up * Vector::Y;
-            let [first, last] = self.theta.away_from_ends().map(in_section);
-            let [start, end] = self.phi.away_from_meridians();
-            [first, last, start, end]
-        })
+    fn in_section(&self, v: Vector) -> [f64; 2] {
+        [v.across_y().length() - self.swept_radius, v.y()]
     }
 }
 
-impl Shape for PartTorusShape {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span).next()
+impl Trim for AroundTube {
+    fn book_has(&self, v: Vector) -> bool {
+        let [out, up] = self.in_section(v);
+        self.theta.book.contains(textbook::angle(up, out))
     }
 
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let surface = self.torus.surface_at(ray, at);
-        let border = self.border(surface.point.to_vector());
-        surface.within(border)
+    fn distances(&self, v: Vector) -> [f64; 2] {
+        self.theta.end_distances(self.in_section(v))
     }
 
-    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span).collect()
+    fn away(&self, v: Vector) -> [Vector; 2] {
+        let radial = along(v.across_y());
+        self.theta.away_from_ends().map(|[out, up]| out * radial + up * Vector::Y)
     }
-
-    fn bounds(&self) -> Aabb {
-        bounds(&self.torus, &self.phi, &self.theta)
-    }
-}
-
-/// A box around the part.
-fn bounds(torus: &Torus, phi: &Angles, theta: &Angles) -> Aabb {
-    let (a, b) = (torus.swept_radius, torus.tube_radius);
-    let tube = theta.extremes().map(|[cos, sin]| [a + b * cos, b * sin]);
-    let [[near, low], [far, high]] = tube;
-    let [min, max] = phi.bounds(near, far);
-    Aabb { min: Point::new(min.x(), low, min.z()), max: Point::new(max.x(), high, max.z()) }
 }

@@ -19,7 +19,9 @@ use crate::math::polynomial::{MAX_DEGREE, roots_between};
 use crate::math::{
     Aabb, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, bracketed_root, lists, power,
 };
-use crate::shapes::{Candidate, Context, Cuboid, Shape, Specification, Surface, normal_along};
+use crate::shapes::{
+    Candidate, Context, Cuboid, Shape, Specification, Surface, normal_along, textbook,
+};
 
 /// `coefficient · xⁱ yʲ zᵏ` for powers `[i, j, k]`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -83,11 +85,11 @@ impl Chord {
     }
 }
 
-#[derive(Debug)]
-struct AlgebraicShape {
-    terms: Vec<Term>,
+#[derive(Clone, Debug)]
+pub struct AlgebraicShape {
+    pub terms: Vec<Term>,
     degree: usize,
-    domain: Cuboid,
+    pub domain: Cuboid,
 }
 
 impl Specification for Algebraic {
@@ -323,5 +325,9 @@ impl Shape for AlgebraicShape {
 
     fn bounds(&self) -> Aabb {
         self.domain.bounds()
+    }
+
+    fn textbook(&self, epsilon: f64) -> Option<Arc<dyn Shape>> {
+        textbook::form(self.clone(), self.clone(), epsilon)
     }
 }

@@ -11,8 +11,6 @@
 //!   the point of the ray nearest to the apex, and `t` is counted from it.
 //! - A hit on the other half of the double cone, above the apex, is recognised by the signs of the
 //!   coefficients, not by its rounded height.
-//!
-//! The book's own routine: `src/shapes/textbook/cone.rs`.
 
 use std::sync::Arc;
 
@@ -21,10 +19,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length};
 use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
-use crate::shapes::border::{Border, is_rounding, nears_level};
-use crate::shapes::{
-    Candidate, Context, Shape, Specification, Surface, all_of, first_of, normal_along,
-};
+use crate::shapes::plain::rim::Rim;
+use crate::shapes::textbook::schoolbook_roots;
+use crate::shapes::trimmed::{All, Carrier, Roots, Trimmed};
+use crate::shapes::{Context, Shape, Specification, Surface, normal_along};
 
 /// The points with `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`: the apex is at `(0, h, 0)`, the
 /// circle of radius `r` in the plane `y = 0`. The normal points outward, or to the axis.
@@ -45,8 +43,9 @@ pub struct Cone {
 /// A ray is nearly along the wall if `|Q(d)|` is less than this part of `|d|²`.
 const ALONG_WALL: f64 = 1.0 / 16.0;
 
-#[derive(Debug)]
-struct ConeShape {
+/// The wall from the apex down, without an end.
+#[derive(Clone, Debug)]
+struct Wall {
     data: Cone,
     /// `r/h`.
     slope: f64,
@@ -54,18 +53,22 @@ struct ConeShape {
 
 impl Specification for Cone {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        length("height", self.height)?;
-        length("radius", self.radius)?;
-        let slope = self.radius / self.height;
-        Ok(Arc::new(ConeShape { data: self.clone(), slope }))
+        let (h, r) = (length("height", self.height)?, length("radius", self.radius)?);
+        let wall = Wall { data: self.clone(), slope: r / h };
+        let rim =
+            Rim { y: 0.0, radius: r, is_flat: h < r, slopes: [-h / r; 2], book_heights: [0.0, h] };
+        let bounds = Aabb { min: Point::new(-r, 0.0, -r), max: Point::new(r, h, r) };
+        Ok(Arc::new(Trimmed::new(wall, (rim, All), h.max(r), bounds)))
     }
 }
 
-impl ConeShape {
-    /// Where the line meets the half of the double cone below the apex, ascending; NaN for none. `l` is
-    /// `w`, or the point nearest to the apex that replaces it.
+impl Carrier for Wall {
+    const WHOLE: &'static str = "cone without end";
+
+    /// On the half of the double cone below the apex. `l` is `w`, or the point nearest to the apex that
+    /// replaces it.
     #[inline(always)] // a call would hand the roots over in memory, which stalls
-    fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
+    fn roots(&self, ray: &Ray, _: Span, _: &Aabb) -> impl Roots {
         let stretched = |v: Vector| Vector::new(v.x(), self.slope * v.y(), v.z());
         let apex = Point::new(0.0, self.data.height, 0.0);
         let (w, d) = (stretched(ray.origin - apex), stretched(ray.direction));
@@ -112,52 +115,27 @@ impl ConeShape {
         Some(if first < second { [first, second] } else { [second, first] })
     }
 
-    /// `y ≥ 0`, or, for a flat cone, where y is rounded more than ρ, the same as `ρ ≤ r`.
-    fn is_above_base(&self, ray: &Ray, t: f64) -> bool {
-        let (o, d) = (ray.origin, ray.direction);
-        if self.data.height >= self.data.radius {
-            return o.y() + t * d.y() >= 0.0;
-        }
-        let (x, z) = (o.x() + t * d.x(), o.z() + t * d.z());
-        x * x + z * z <= self.data.radius * self.data.radius
-    }
-}
-
-impl ConeShape {
-    fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
-        |t| self.is_above_base(ray, t) || nears_level(ray, t, 0.0) && is_rounding(self, ray, t)
+    /// `(h/r)² (x² + z²) = (h − y)²`.
+    fn book_roots(&self, ray: &Ray, _: Span) -> impl IntoIterator<Item = f64> {
+        let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin.to_array(), ray.direction.to_array());
+        let (h, k) = (self.data.height, self.data.height / self.data.radius);
+        let k2 = k * k;
+        let a = k2 * (dx * dx + dz * dz) - dy * dy;
+        let b = 2.0 * (k2 * (ox * dx + oz * dz) + dy * (h - oy));
+        let c = k2 * (ox * ox + oz * oz) - (h - oy) * (h - oy);
+        let mut roots = schoolbook_roots(a, b, c);
+        // a < 0 turns their order around
+        roots.iter_mut().for_each(|roots| roots.sort_by(f64::total_cmp));
+        roots.into_iter().flatten()
     }
 
-    /// The base's circle and the apex, by the distances from them along the wall.
-    fn border(&self, p: Point, radial: Vector) -> Option<Box<Border>> {
-        let Cone { height: h, radius: r, .. } = self.data;
-        let rho = p.to_vector().across_y().length();
-        let slant = Vector::new(h, r, 0.0).length();
-        let from_base = if h >= r { p.y() * (slant / h) } else { (r - rho) * (slant / r) };
-        let border = Border::of([from_base, rho * (slant / r)], h.max(r), || {
-            let up = (h / slant) * Vector::Y - (r / slant) * radial;
-            [up, -up]
-        });
-        border.map(|border| Box::new(border.cut_across(Vector::Y)))
-    }
-}
-
-/// From the axis to the point; the apex belongs to each line of the wall, one of which is taken.
-fn radial(p: Point) -> Vector {
-    p.to_vector().across_y().unit().unwrap_or(Vector::X)
-}
-
-impl Shape for ConeShape {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_of(self.distances(ray)?, span, self.has(ray))
-    }
-
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+    fn surface(&self, ray: &Ray, t: f64) -> Surface {
         let Cone { height: h, radius: r, inward } = self.data;
-        let raw = ray.at(at.t);
+        let raw = ray.at(t);
         let rho = raw.to_vector().across_y().length();
-        // the gradient ((h/r)² x, h − y, (h/r)² z), with h − y = (h/r) ρ, divided by hρ/r²
-        let radial = radial(raw);
+        // the gradient ((h/r)² x, h − y, (h/r)² z), with h − y = (h/r) ρ, divided by hρ/r²; the apex belongs to
+        // each line of the wall, one of which is taken
+        let radial = raw.to_vector().across_y().unit().unwrap_or(Vector::X);
         let normal = normal_along(h * radial + r * Vector::Y, ray);
         // the distance from the wall, which in the plane of axis and point is a line through the apex
         let slant = Vector::new(h, r, 0.0).length();
@@ -165,15 +143,6 @@ impl Shape for ConeShape {
         let point = raw - off * normal;
         // rounding of the stretched coordinates, which are of the size of ρ, and of y itself
         let error = UNIT_ROUNDOFF * ((24.0 * rho * h + 8.0 * point.y().abs() * r) / slant);
-        Surface::new(point, error, normal).turned(inward).within(self.border(point, radial))
-    }
-
-    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        all_of(self.distances(ray), span, self.has(ray))
-    }
-
-    fn bounds(&self) -> Aabb {
-        let r = self.data.radius;
-        Aabb { min: Point::new(-r, 0.0, -r), max: Point::new(r, self.data.height, r) }
+        Surface::new(point, error, normal).turned(inward)
     }
 }

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 use crate::invalid::{Invalid, finite_point};
 use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 use crate::shapes::border::Border;
-use crate::shapes::{Candidate, Context, Face, Shape, Specification, Surface, Within};
+use crate::shapes::{Candidate, Context, Face, Shape, Specification, Surface, Within, textbook};
 
 /// The surface of the box between two corners; normals point outward.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -124,5 +124,9 @@ impl Shape for Cuboid {
 
     fn bounds(&self) -> Aabb {
         Aabb { min: self.min, max: self.max }
+    }
+
+    fn textbook(&self, epsilon: f64) -> Option<Arc<dyn Shape>> {
+        textbook::form(self.clone(), self.clone(), epsilon)
     }
 }

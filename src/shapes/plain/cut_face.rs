@@ -2,8 +2,6 @@
 //! `|x|, |z| ≤ size/2` and `x² + z² ≥ radius²`.
 //!
 //! A ray meets the plane at `t = −o_y/d_y`, and then the point is tested, as in the book.
-//!
-//! The book's own routine: `src/shapes/textbook/cut_face.rs`.
 
 use std::sync::Arc;
 
@@ -11,9 +9,11 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length, shown};
-use crate::math::{Aabb, Length, Normal, Point, Ray, Span, Vector};
-use crate::shapes::border::{Border, along, is_rounding, nears};
-use crate::shapes::{Candidate, Context, Shape, Specification, Surface, plane_distance};
+use crate::math::{Aabb, Length, Normal, Point, Vector};
+use crate::shapes::border::along;
+use crate::shapes::plain::plane::PlaneThrough;
+use crate::shapes::trimmed::{Trim, Trimmed};
+use crate::shapes::{Context, Shape, Specification};
 
 /// The points of the plane y = 0 with `|x|, |z| ≤ size/2` and `x² + z² ≥ radius²`; the normal is
 /// (0, 1, 0).
@@ -41,42 +41,50 @@ impl Specification for CutFace {
             );
             return Err(Invalid::field("radius", problem));
         }
-        Ok(Arc::new(self.clone()))
+        let half = 0.5 * size;
+        let bounds = Aabb { min: Point::new(-half, 0.0, -half), max: Point::new(half, 0.0, half) };
+        let plane = PlaneThrough::new(Point::ORIGIN, Normal::Y);
+        Ok(Arc::new(Trimmed::new(plane, (Square { half }, Hole { radius }), size, bounds)))
     }
 }
 
-impl CutFace {
-    /// The distances from the nearer sides and from the hole.
-    fn edge_distances(&self, p: Vector) -> [f64; 3] {
-        let half = 0.5 * self.size;
-        [half - p.x().abs(), half - p.z().abs(), p.length() - self.radius]
+/// The points with `|x|, |z| ≤ size/2`.
+#[derive(Clone, Debug)]
+struct Square {
+    half: f64,
+}
+
+impl Trim for Square {
+    /// From the nearer sides.
+    #[inline]
+    fn distances(&self, v: Vector) -> [f64; 2] {
+        [self.half - v.x().abs(), self.half - v.z().abs()]
+    }
+
+    fn away(&self, v: Vector) -> [Vector; 2] {
+        let to_middle = |x: f64| -1.0_f64.copysign(x);
+        [to_middle(v.x()) * Vector::X, to_middle(v.z()) * Vector::Z]
     }
 }
 
-impl Shape for CutFace {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let t = plane_distance(ray, Point::ORIGIN, Normal::Y);
-        if !span.contains(t) {
-            return None;
-        }
-        let p = ray.at(t).to_vector().across_y();
-        let in_square = p.max_abs() <= 0.5 * self.size;
-        let in_hole = p.length_squared() < self.radius * self.radius;
-        let is_nearly = || nears(self.edge_distances(p), self.size) && is_rounding(self, ray, t);
-        (in_square && !in_hole || is_nearly()).then(|| Candidate::at(t))
+/// The points with `x² + z² ≥ radius²`.
+#[derive(Clone, Debug)]
+struct Hole {
+    radius: f64,
+}
+
+impl Trim for Hole {
+    #[inline]
+    fn has(&self, v: Vector) -> bool {
+        v.x() * v.x() + v.z() * v.z() >= self.radius * self.radius
     }
 
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let surface = Surface::flat(ray.at(at.t), Point::ORIGIN, Normal::Y);
-        let p = surface.point.to_vector().across_y();
-        surface.within(Border::of(self.edge_distances(p), self.size, || {
-            let to_middle = |x: f64| -1.0_f64.copysign(x);
-            [to_middle(p.x()) * Vector::X, to_middle(p.z()) * Vector::Z, along(p)]
-        }))
+    #[inline]
+    fn distances(&self, v: Vector) -> [f64; 2] {
+        [v.length() - self.radius, f64::INFINITY]
     }
 
-    fn bounds(&self) -> Aabb {
-        let half = 0.5 * self.size;
-        Aabb { min: Point::new(-half, 0.0, -half), max: Point::new(half, 0.0, half) }
+    fn away(&self, v: Vector) -> [Vector; 2] {
+        [along(v), Vector::ZERO]
     }
 }

@@ -1,6 +1,7 @@
 //! Surfaces of one equation (Suffern, ch. 3 and 19).
 
 // shared by the kinds
+pub mod rim;
 pub mod spherical_rectangle;
 
 pub mod algebraic;

@@ -6,8 +6,6 @@
 //! one is beyond an end, the far one may not be. The discriminant `b² − a c` is taken as
 //! `a r² − (o_x d_z − o_z d_x)²`, which keeps its digits for far origins and thin cylinders
 //! ([`circle_roots`]).
-//!
-//! The book's own routine: `src/shapes/textbook/open_cylinder.rs`.
 
 use std::sync::Arc;
 
@@ -16,10 +14,9 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, finite, length};
 use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector, circle_roots};
-use crate::shapes::border::{Border, is_rounding, nears};
-use crate::shapes::{
-    Candidate, Context, Shape, Specification, Surface, all_of, first_of, normal_along,
-};
+use crate::shapes::textbook::schoolbook_roots;
+use crate::shapes::trimmed::{All, Carrier, Roots, Trim, Trimmed};
+use crate::shapes::{Context, Shape, Specification, Surface, normal_along};
 
 /// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward, or to the axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -41,7 +38,9 @@ pub struct OpenCylinder {
 
 impl Specification for OpenCylinder {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        Ok(Arc::new(self.checked()?))
+        let Self { y0, y1, radius: r, .. } = self.checked()?;
+        let bounds = Aabb { min: Point::new(-r, y0, -r), max: Point::new(r, y1, r) };
+        Ok(Arc::new(Trimmed::new(self.cylinder(), (Heights { y0, y1 }, All), self.size(), bounds)))
     }
 }
 
@@ -56,61 +55,69 @@ impl OpenCylinder {
         Ok(self.clone())
     }
 
-    /// Where the line meets the endless cylinder, ascending.
-    #[inline(always)] // as the roots it calls
-    pub(in crate::shapes) fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
-        let ([ox, _, oz], [dx, _, dz]) = (ray.origin.to_array(), ray.direction.to_array());
-        circle_roots([ox, oz], [dx, dz], self.radius)
-    }
-
-    /// Whether `y0 ≤ y ≤ y1` at `t`.
-    pub(in crate::shapes) fn is_between_ends(&self, ray: &Ray, t: f64) -> bool {
-        let y = ray.origin.y() + t * ray.direction.y();
-        self.y0 <= y && y <= self.y1
-    }
-
-    /// The distances from both ends.
-    pub(in crate::shapes) fn end_distances(&self, y: f64) -> [f64; 2] {
-        [y - self.y0, self.y1 - y]
-    }
-
     /// The largest number in its tests.
     pub(in crate::shapes) fn size(&self) -> f64 {
         self.radius.max(self.y0.abs()).max(self.y1.abs())
     }
 
-    fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
-        |t| {
-            let nears_end = || nears(self.end_distances(ray.at(t).y()), self.size());
-            self.is_between_ends(ray, t) || nears_end() && is_rounding(self, ray, t)
-        }
+    /// The cylinder without ends.
+    pub(in crate::shapes) fn cylinder(&self) -> Cylinder {
+        Cylinder { radius: self.radius, inward: self.inward }
     }
 }
 
-impl Shape for OpenCylinder {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_of(self.distances(ray)?, span, self.has(ray))
+/// All points with `x² + z² = radius²`.
+#[derive(Clone, Debug)]
+pub struct Cylinder {
+    radius: f64,
+    inward: bool,
+}
+
+impl Carrier for Cylinder {
+    const WHOLE: &'static str = "cylinder without ends";
+
+    #[inline(always)] // as the roots it calls
+    fn roots(&self, ray: &Ray, _: Span, _: &Aabb) -> impl Roots {
+        let ([ox, _, oz], [dx, _, dz]) = (ray.origin.to_array(), ray.direction.to_array());
+        circle_roots([ox, oz], [dx, dz], self.radius)
     }
 
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let raw = ray.at(at.t);
+    fn book_roots(&self, ray: &Ray, _: Span) -> impl IntoIterator<Item = f64> {
+        let ([ox, _, oz], [dx, _, dz]) = (ray.origin.to_array(), ray.direction.to_array());
+        let a = dx * dx + dz * dz;
+        let b = 2.0 * (ox * dx + oz * dz);
+        let c = ox * ox + oz * oz - self.radius * self.radius;
+        schoolbook_roots(a, b, c).into_iter().flatten()
+    }
+
+    fn surface(&self, ray: &Ray, t: f64) -> Surface {
+        let raw = ray.at(t);
         let flat_ray = Ray::new(ray.origin, ray.direction.across_y());
         let normal = normal_along(raw.to_vector().across_y(), &flat_ray);
         let r = self.radius * normal;
         let point = Point::new(r.x(), raw.y(), r.z());
-        let border =
-            Border::of(self.end_distances(point.y()), self.size(), || [Vector::Y, -Vector::Y]);
-        Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal)
-            .turned(self.inward)
-            .within(border)
+        Surface::new(point, 12.0 * UNIT_ROUNDOFF * self.radius, normal).turned(self.inward)
+    }
+}
+
+/// The points with `y0 ≤ y ≤ y1`; of the book's with `y0 < y < y1`.
+#[derive(Clone, Debug)]
+pub struct Heights {
+    pub y0: f64,
+    pub y1: f64,
+}
+
+impl Trim for Heights {
+    fn book_has(&self, v: Vector) -> bool {
+        self.y0 < v.y() && v.y() < self.y1
     }
 
-    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        all_of(self.distances(ray), span, self.has(ray))
+    #[inline]
+    fn distances(&self, v: Vector) -> [f64; 2] {
+        [v.y() - self.y0, self.y1 - v.y()]
     }
 
-    fn bounds(&self) -> Aabb {
-        let r = self.radius;
-        Aabb { min: Point::new(-r, self.y0, -r), max: Point::new(r, self.y1, r) }
+    fn away(&self, _: Vector) -> [Vector; 2] {
+        [Vector::Y, -Vector::Y]
     }
 }

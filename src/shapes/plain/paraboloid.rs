@@ -5,8 +5,6 @@
 //! `e = o_x d_x + o_z d_z` and `c = o_x² + o_z² − w o_y`. The discriminant `b² − a c` is taken as
 //! `k (d_y (k d_y − 2 e) + 2 a o_y) − (o_z d_x − o_x d_z)²`: the parts of `e²` and `a (o_x² + o_z²)` that
 //! cancel are left out.
-//!
-//! The textbook's routine, as the book solves its cone: `src/shapes/textbook/paraboloid.rs`.
 
 use std::sync::Arc;
 
@@ -15,10 +13,10 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, length};
 use crate::math::{Aabb, Length, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
-use crate::shapes::border::{Border, along, is_rounding, nears_level};
-use crate::shapes::{
-    Candidate, Context, Shape, Specification, Surface, all_of, first_of, normal_along,
-};
+use crate::shapes::plain::rim::Rim;
+use crate::shapes::textbook::schoolbook_roots;
+use crate::shapes::trimmed::{All, Carrier, Roots, Trimmed};
+use crate::shapes::{Context, Shape, Specification, Surface, normal_along};
 
 /// The points with `y/h = (x² + z²)/r²` and `y ≤ h`: from the origin up to the circle of radius `r`
 /// at height `h`. The focus is at `y = r²/4h`. The normal points outward (down), or to the axis.
@@ -38,24 +36,33 @@ pub struct Paraboloid {
 
 impl Specification for Paraboloid {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        length("height", self.height)?;
-        length("radius", self.radius)?;
-        let Self { height: h, radius: r, .. } = *self;
-        Ok(Arc::new(ParaboloidShape { data: self.clone(), w: r * r / h }))
+        let (h, r) = (length("height", self.height)?, length("radius", self.radius)?);
+        let endless = Endless { data: self.clone(), w: r * r / h };
+        let bounds = Aabb { min: Point::new(-r, 0.0, -r), max: Point::new(r, h, r) };
+        let rim = Rim {
+            y: h,
+            radius: r,
+            is_flat: h < r,
+            slopes: [0.0, 2.0 * h / r],
+            book_heights: [f64::NEG_INFINITY, h],
+        };
+        Ok(Arc::new(Trimmed::new(endless, (rim, All), h.max(r), bounds)))
     }
 }
 
-#[derive(Debug)]
-struct ParaboloidShape {
+/// The paraboloid without an end.
+#[derive(Clone, Debug)]
+struct Endless {
     data: Paraboloid,
     /// `w = r²/h`.
     w: f64,
 }
 
-impl ParaboloidShape {
-    /// Where the line meets the endless paraboloid, ascending.
+impl Carrier for Endless {
+    const WHOLE: &'static str = "paraboloid without end";
+
     #[inline(always)] // as the roots it calls
-    fn distances(&self, ray: &Ray) -> Option<[f64; 2]> {
+    fn roots(&self, ray: &Ray, _: Span, _: &Aabb) -> impl Roots {
         let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin.to_array(), ray.direction.to_array());
         let k = 0.5 * self.w;
         let a = dx * dx + dz * dz;
@@ -67,49 +74,24 @@ impl ParaboloidShape {
         quadratic(a, b, c, discriminant)
     }
 
-    /// `y ≤ h`, or, for a flat paraboloid, where y is rounded more than ρ, the same as `ρ ≤ r`.
-    fn is_below_rim(&self, ray: &Ray, t: f64) -> bool {
-        let (o, d) = (ray.origin, ray.direction);
-        if self.data.height >= self.data.radius {
-            return o.y() + t * d.y() <= self.data.height;
-        }
-        let (x, z) = (o.x() + t * d.x(), o.z() + t * d.z());
-        x * x + z * z <= self.data.radius * self.data.radius
-    }
-}
-
-impl ParaboloidShape {
-    fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
-        |t| {
-            self.is_below_rim(ray, t)
-                || nears_level(ray, t, self.data.height) && is_rounding(self, ray, t)
-        }
+    /// `(h/r²) (x² + z²) = y`, solved as the book solves its cone.
+    fn book_roots(&self, ray: &Ray, _: Span) -> impl IntoIterator<Item = f64> {
+        let ([ox, oy, oz], [dx, dy, dz]) = (ray.origin.to_array(), ray.direction.to_array());
+        let k = self.data.height / (self.data.radius * self.data.radius);
+        let a = k * (dx * dx + dz * dz);
+        let b = 2.0 * k * (ox * dx + oz * dz) - dy;
+        let c = k * (ox * ox + oz * oz) - oy;
+        schoolbook_roots(a, b, c).into_iter().flatten()
     }
 
-    /// The rim, by the distance from it along the wall, which slopes by `2 h ρ/r²`.
-    fn border(&self, p: Point) -> Option<Box<Border>> {
-        let Paraboloid { height: h, radius: r, .. } = self.data;
-        let (rho, radial) = (p.to_vector().across_y().length(), along(p.to_vector().across_y()));
-        let up = along(radial + (2.0 * h / r) * (rho / r) * Vector::Y);
-        let below_rim = if h >= r { (h - p.y()) / up.y() } else { (r - rho) / up.dot(radial) };
-        let border = Border::of([below_rim], h.max(r), || [-up]);
-        border.map(|border| Box::new(border.cut_across(Vector::Y)))
-    }
-}
-
-impl Shape for ParaboloidShape {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_of(self.distances(ray)?, span, self.has(ray))
-    }
-
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
+    fn surface(&self, ray: &Ray, t: f64) -> Surface {
         let Paraboloid { height: h, radius: r, inward } = self.data;
         // F = (x² + z²)/r² − y/h and its gradient
         let f = |p: Point| {
             let across = p.to_vector().across_y() / r;
             (across.length_squared() - p.y() / h, (2.0 / r) * across - (1.0 / h) * Vector::Y)
         };
-        let mut point = ray.at(at.t);
+        let mut point = ray.at(t);
         for _ in 0..2 {
             let (value, gradient) = f(point); // Newton's method; two steps, as the origin may be far away
             point = point - (value / gradient.length_squared()) * gradient;
@@ -119,15 +101,6 @@ impl Shape for ParaboloidShape {
         // rounding of the terms of F, each of the size of y/h, and of the ray's next origin
         let error = 32.0 * UNIT_ROUNDOFF * (point.y().abs() / h) / gradient.length()
             + 4.0 * UNIT_ROUNDOFF * point.to_vector().abs().dot(Vector::from(normal).abs());
-        Surface::new(point, error, normal).turned(inward).within(self.border(point))
-    }
-
-    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        all_of(self.distances(ray), span, self.has(ray))
-    }
-
-    fn bounds(&self) -> Aabb {
-        let Paraboloid { height, radius: r, .. } = self.data;
-        Aabb { min: Point::new(-r, 0.0, -r), max: Point::new(r, height, r) }
+        Surface::new(point, error, normal).turned(inward)
     }
 }

@@ -1,9 +1,7 @@
 //! The infinite plane (Suffern, ch. 3): the points `p` with `(p − a)·n = 0`.
 //!
 //! A ray meets it at `t = (a − o)·n / d·n`, as in the book. For a ray parallel to the plane that is
-//! infinite or NaN, and no span contains it.
-//!
-//! The book's own routine: `src/shapes/textbook/plane.rs`.
+//! infinite or NaN, and no span contains it. The book's own routine takes `n` as the scene gives it.
 
 use std::sync::Arc;
 
@@ -12,7 +10,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::invalid::{Invalid, direction, finite_point};
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector};
-use crate::shapes::{Candidate, Context, Shape, Specification, Surface, plane_distance};
+use crate::shapes::trimmed::{Carrier, Roots, Trimmed};
+use crate::shapes::{Context, Shape, Specification, Surface};
 
 /// All points `p` with `(p − point)·normal = 0`; the normal need not be unit.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -24,30 +23,66 @@ pub struct Plane {
     pub normal: Vector,
 }
 
-#[derive(Debug)]
-struct PlaneShape {
-    point: Point,
-    normal: Normal,
+/// The plane through a point.
+#[derive(Clone, Debug)]
+pub struct PlaneThrough {
+    pub anchor: Point,
+    pub normal: Normal,
+    /// As the scene gives it, of any length.
+    pub given_normal: Vector,
 }
 
 impl Specification for Plane {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        let point = finite_point("point", self.point)?;
-        Ok(Arc::new(PlaneShape { point, normal: direction("normal", self.normal)? }))
+        Ok(Arc::new(Trimmed::whole(PlaneThrough::checked("point", self.point, self.normal)?)))
     }
 }
 
-impl Shape for PlaneShape {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let t = plane_distance(ray, self.point, self.normal);
-        span.contains(t).then(|| Candidate::at(t))
+impl PlaneThrough {
+    /// The plane of the fields `anchor` and `normal`.
+    pub fn checked(field: &str, anchor: Point, normal: Vector) -> Result<Self, Invalid> {
+        finite_point(field, anchor)?;
+        Ok(Self { anchor, normal: direction("normal", normal)?, given_normal: normal })
     }
 
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        Surface::flat(ray.at(at.t), self.point, self.normal)
+    pub fn new(anchor: Point, normal: Normal) -> Self {
+        Self { anchor, normal, given_normal: normal.into() }
     }
 
-    fn bounds(&self) -> Aabb {
-        Aabb::EVERYTHING
+    /// `(a − o)·n / d·n`.
+    #[inline]
+    fn distance(&self, ray: &Ray, n: Vector) -> f64 {
+        (self.anchor - ray.origin).dot(n) / ray.direction.dot(n)
+    }
+
+    /// The box around the disk of this radius about the anchor. It extends `r sin θ` along an axis at the
+    /// angle θ to the normal.
+    pub fn bounds_within(&self, radius: f64) -> Aabb {
+        let [x, y, z] = self.normal.to_array();
+        let sine = |a: f64, b: f64| (a * a + b * b).sqrt();
+        let half = radius * Vector::new(sine(y, z), sine(z, x), sine(x, y));
+        Aabb { min: self.anchor - half, max: self.anchor + half }
+    }
+}
+
+impl Carrier for PlaneThrough {
+    const WHOLE: &'static str = "plane";
+
+    #[inline]
+    fn center(&self) -> Point {
+        self.anchor
+    }
+
+    #[inline]
+    fn roots(&self, ray: &Ray, _: Span, _: &Aabb) -> impl Roots {
+        Some([self.distance(ray, self.normal.into()), f64::NAN])
+    }
+
+    fn book_roots(&self, ray: &Ray, _: Span) -> impl IntoIterator<Item = f64> {
+        [self.distance(ray, self.given_normal)]
+    }
+
+    fn surface(&self, ray: &Ray, t: f64) -> Surface {
+        Surface::flat(ray.at(t), self.anchor, self.normal)
     }
 }

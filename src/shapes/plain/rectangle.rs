@@ -2,8 +2,6 @@
 //! which `0 ≤ (p − p0)·a ≤ a·a` and `0 ≤ (p − p0)·b ≤ b·b`.
 //!
 //! A ray meets the plane at `t = (p0 − o)·n / d·n`, and then the point is tested, as in the book.
-//!
-//! The book's own routine: `src/shapes/textbook/rectangle.rs`.
 
 use std::sync::Arc;
 
@@ -12,12 +10,12 @@ use serde::{Deserialize, Serialize};
 
 use super::spherical_rectangle::SphericalRectangle;
 use crate::invalid::{Invalid, finite_point, finite_vector};
-use crate::math::{Aabb, Length, Normal, Point, Ray, Span, Vector, exact_cross};
-use crate::shapes::border::{Border, is_rounding, nears};
+use crate::math::{Aabb, Length, Normal, Point, Ray, Vector, exact_cross};
+use crate::shapes::border::nears;
+use crate::shapes::plain::plane::PlaneThrough;
 use crate::shapes::sampled::{ByArea, EvenSurface};
-use crate::shapes::{
-    Candidate, Context, SampledSurface, Sampling, Shape, Specification, Surface, plane_distance,
-};
+use crate::shapes::trimmed::{Trim, Trimmed};
+use crate::shapes::{Context, SampledSurface, Sampling, Shape, Specification, Surface};
 
 /// The rectangle from `corner` along `a` and `b`; its normal is `a × b` normalised.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -33,16 +31,16 @@ pub struct Rectangle {
     pub b: Vector,
 }
 
+type RectangleShape = Trimmed<PlaneThrough, Side, Side>;
+
+/// The points with `0 ≤ (p − p0)·a ≤ a·a` for one side a.
 #[derive(Clone, Debug)]
-struct RectangleShape {
-    data: Rectangle,
-    normal: Normal,
-    /// `|a|²` and `|b|²`.
-    squared: [f64; 2],
-    /// `|a|` and `|b|`.
-    lengths: [f64; 2],
-    /// The largest number in the test.
-    size: f64,
+struct Side {
+    a: Vector,
+    /// `|a|²`.
+    square: f64,
+    /// `|a|`.
+    length: f64,
 }
 
 /// How far from perpendicular the sides may be, as the cosine between them: more than the rounding
@@ -68,68 +66,64 @@ impl Specification for Rectangle {
                 format!("found {b:?}, but it must be perpendicular to a, {a:?}"),
             ));
         }
-        let squared = [a.length_squared(), b.length_squared()];
-        let lengths = squared.map(f64::sqrt);
         let size = [self.corner.to_vector(), a, b].iter().map(|v| v.max_abs()).sum();
-        Ok(Arc::new(RectangleShape { data: self.clone(), normal, squared, lengths, size }))
+        let given_normal = a.cross(b).unit().unwrap_or(Vector::ZERO);
+        let plane = PlaneThrough { anchor: self.corner, normal, given_normal };
+        let [p, q] = [self.corner, self.corner + a];
+        let bounds = Aabb::around([p, q, p + b, p + (a + b)]);
+        let sampler = |it: &RectangleShape, sampling| -> Option<Box<dyn SampledSurface>> {
+            Some(match sampling {
+                Sampling::Area => Box::new(ByArea(it.clone())),
+                Sampling::SolidAngle => Box::new(BySolidAngle(it.clone())),
+            })
+        };
+        let rectangle = Trimmed::new(plane, (Side::along(a), Side::along(b)), size, bounds);
+        Ok(Arc::new(Trimmed { sampler, ..rectangle }))
     }
 }
 
-impl Shape for RectangleShape {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let Rectangle { corner, a, b } = self.data;
-        let t = plane_distance(ray, corner, self.normal);
-        if !span.contains(t) {
-            return None;
-        }
-        let d = ray.at(t) - corner;
-        let [a_squared, b_squared] = self.squared;
-        let (along_a, along_b) = (d.dot(a), d.dot(b));
-        let inside_a = 0.0 <= along_a && along_a <= a_squared;
-        let inside_b = 0.0 <= along_b && along_b <= b_squared;
-        if inside_a && inside_b {
-            return Some(Candidate::at(t));
-        }
-        let nears = |along: f64, squared: f64| nears([along, squared - along], squared);
-        let is_nearly = nears(along_a, a_squared) && nears(along_b, b_squared);
-        (is_nearly && is_rounding(self, ray, t)).then(|| Candidate::at(t))
+impl Side {
+    fn along(a: Vector) -> Self {
+        let square = a.length_squared();
+        Self { a, square, length: square.sqrt() }
+    }
+}
+
+impl Trim for Side {
+    #[inline]
+    fn has(&self, v: Vector) -> bool {
+        let along = v.dot(self.a);
+        0.0 <= along && along <= self.square
     }
 
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let Rectangle { corner, a, b } = self.data;
-        let surface = Surface::flat(ray.at(at.t), corner, self.normal);
-        let d = surface.point - corner;
-        let [a_length, b_length] = self.lengths;
-        let (from_b, from_a) = (d.dot(a) / a_length, d.dot(b) / b_length);
-        let distances = [from_b, a_length - from_b, from_a, b_length - from_a];
-        surface.within(Border::of(distances, self.size, || {
-            let (a, b) = (a / a_length, b / b_length);
-            [a, -a, b, -b]
-        }))
+    #[inline]
+    fn distances(&self, v: Vector) -> [f64; 2] {
+        let along = v.dot(self.a) / self.length;
+        [along, self.length - along]
     }
 
-    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
-        Some(match sampling {
-            Sampling::Area => Box::new(ByArea(self.clone())),
-            Sampling::SolidAngle => Box::new(BySolidAngle(self.clone())),
-        })
+    fn away(&self, _: Vector) -> [Vector; 2] {
+        let unit = self.a / self.length;
+        [unit, -unit]
     }
 
-    fn bounds(&self) -> Aabb {
-        let Rectangle { corner, a, b } = self.data;
-        Aabb::around([corner, corner + a, corner + b, corner + (a + b)])
+    /// Without a division.
+    #[inline]
+    fn nears(&self, v: Vector, _size: f64, _: &Ray, _t: f64) -> bool {
+        let along = v.dot(self.a);
+        nears([along, self.square - along], self.square)
     }
 }
 
 impl EvenSurface for RectangleShape {
     fn area(&self) -> f64 {
-        let [a_length, b_length] = self.lengths;
-        a_length * b_length
+        let (a, b) = &self.trims;
+        a.length * b.length
     }
 
     fn point(&self, [u, v]: [f64; 2]) -> Surface {
-        let Rectangle { corner, a, b } = self.data;
-        Surface::flat(corner + (u * a + v * b), corner, self.normal)
+        let (PlaneThrough { anchor, normal, .. }, (a, b)) = (&self.carrier, &self.trims);
+        Surface::flat(*anchor + (u * a.a + v * b.a), *anchor, *normal)
     }
 }
 
@@ -137,17 +131,25 @@ impl EvenSurface for RectangleShape {
 #[derive(Debug)]
 struct BySolidAngle(RectangleShape);
 
+impl BySolidAngle {
+    fn seen_from(&self, from: Point) -> Option<SphericalRectangle> {
+        let (a, b) = &self.0.trims;
+        SphericalRectangle::seen_from(from, self.0.carrier.anchor, [a.a, b.a])
+    }
+}
+
 impl SampledSurface for BySolidAngle {
     fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
-        let Some(seen) = SphericalRectangle::seen_from(from, &self.0.data) else {
+        let Some(seen) = self.seen_from(from) else {
             return self.0.sample_by_area(from, u);
         };
-        let at = Surface::flat(seen.point(u), self.0.data.corner, self.0.normal);
+        let PlaneThrough { anchor, normal, .. } = self.0.carrier;
+        let at = Surface::flat(seen.point(u), anchor, normal);
         Some((at, 1.0 / seen.solid_angle))
     }
 
     fn pdf(&self, from: Point, at: &Surface) -> f64 {
-        match SphericalRectangle::seen_from(from, &self.0.data) {
+        match self.seen_from(from) {
             Some(seen) => 1.0 / seen.solid_angle,
             None => self.0.pdf_by_area(from, at),
         }

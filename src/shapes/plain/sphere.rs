@@ -3,8 +3,6 @@
 //! With `f = o − c` a ray meets it where `d·d t² + 2 f·d t + f·f − r² = 0`. The book takes the
 //! discriminant as `b² − 4ac`; here a quarter of it is `r² d·d − |f × d|²`, which keeps its digits for
 //! far and for small spheres ([`perpendicular_roots`]).
-//!
-//! The book's own routine: `src/shapes/textbook/sphere.rs`.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -17,9 +15,10 @@ use crate::math::{
     Aabb, Frame, Length, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector, maps, perpendicular_roots,
 };
 use crate::shapes::sampled::{ByArea, EvenSurface};
+use crate::shapes::textbook::schoolbook_roots;
+use crate::shapes::trimmed::{Carrier, Roots, Trimmed};
 use crate::shapes::{
-    Candidate, Context, SampledSurface, Sampling, Shape, Specification, Surface, all_of, first_of,
-    normal_along,
+    Context, SampledSurface, Sampling, Shape, Specification, Surface, normal_along,
 };
 
 /// All points `p` with `|p − center| = radius`; the normal points outward, or to the centre.
@@ -38,7 +37,13 @@ pub struct Sphere {
 
 impl Specification for Sphere {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        Ok(Arc::new(self.checked()?))
+        let sampler = |it: &Trimmed<Self>, sampling| -> Option<Box<dyn SampledSurface>> {
+            Some(match sampling {
+                Sampling::Area => Box::new(ByArea(it.carrier.clone())),
+                Sampling::SolidAngle => Box::new(BySolidAngle(it.carrier.clone())),
+            })
+        };
+        Ok(Arc::new(Trimmed { sampler, ..Trimmed::whole(self.checked()?) }))
     }
 }
 
@@ -67,24 +72,29 @@ impl Sphere {
     }
 }
 
-impl Shape for Sphere {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_of(self.distances(ray)?, span, |_| true)
+impl Carrier for Sphere {
+    const WHOLE: &'static str = "whole sphere";
+
+    #[inline]
+    fn center(&self) -> Point {
+        self.center
     }
 
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        self.surface_along(normal_along(ray.at(at.t) - self.center, ray))
+    #[inline]
+    fn roots(&self, ray: &Ray, _: Span, _: &Aabb) -> impl Roots {
+        self.distances(ray)
     }
 
-    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        all_of(self.distances(ray), span, |_| true)
+    fn book_roots(&self, ray: &Ray, _: Span) -> impl IntoIterator<Item = f64> {
+        let temp = ray.origin - self.center;
+        let a = ray.direction.dot(ray.direction);
+        let b = 2.0 * temp.dot(ray.direction);
+        let c = temp.dot(temp) - self.radius * self.radius;
+        schoolbook_roots(a, b, c).into_iter().flatten()
     }
 
-    fn sampled(&self, sampling: Sampling) -> Option<Box<dyn SampledSurface>> {
-        Some(match sampling {
-            Sampling::Area => Box::new(ByArea(self.clone())),
-            Sampling::SolidAngle => Box::new(BySolidAngle(self.clone())),
-        })
+    fn surface(&self, ray: &Ray, t: f64) -> Surface {
+        self.surface_along(normal_along(ray.at(t) - self.center, ray))
     }
 
     fn bounds(&self) -> Aabb {

@@ -7,7 +7,6 @@
 use std::f64::consts::PI;
 
 use crate::math::{Point, Vector, atan2, cos, sin};
-use crate::shapes::Rectangle;
 
 /// A rectangle seen from a point, in coordinates along its sides about that point; `z < 0`.
 #[derive(Clone, Copy, Debug)]
@@ -32,11 +31,11 @@ const MIN_SIZE_SQUARED: f64 = 1e-4;
 
 impl SphericalRectangle {
     /// `None` for a rectangle that looks too small for it, or is seen edge-on.
-    pub fn seen_from(from: Point, Rectangle { corner, a, b }: &Rectangle) -> Option<Self> {
+    pub fn seen_from(from: Point, corner: Point, [a, b]: [Vector; 2]) -> Option<Self> {
         let (width, height) = (a.length(), b.length());
-        let (along_x, along_y) = (*a / width, *b / height);
+        let (along_x, along_y) = (a / width, b / height);
         let across = along_x.cross(along_y);
-        let d = *corner - from;
+        let d = corner - from;
         let z = d.dot(across);
         let sign = 1.0_f64.copysign(-z);
         let axes = [along_x, along_y, sign * across];

@@ -31,7 +31,8 @@ use crate::math::{
     Aabb, Length, Normal, Point, Ray, Span, Tolerance, UNIT_ROUNDOFF, Vector, acos, bracketed_root,
     cbrt, sin_cos,
 };
-use crate::shapes::{Candidate, Context, Shape, Specification, Surface};
+use crate::shapes::trimmed::{Carrier, Roots, Searched, Trimmed};
+use crate::shapes::{Context, Shape, Specification, Surface, textbook};
 
 /// The points at `tube_radius` from the circle of `swept_radius` about the origin in the plane
 /// y = 0; the normal points out of the tube.
@@ -52,7 +53,7 @@ pub struct Torus {
 impl Specification for Torus {
     fn build(&self, _: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         self.check()?;
-        Ok(Arc::new(self.clone()))
+        Ok(Arc::new(Trimmed::whole(self.clone())))
     }
 }
 
@@ -213,33 +214,30 @@ impl Torus {
         let g = |s: f64| self.tube_function(line, s);
         bracketed_root(g, [inside, outside], inside + step, tolerance)
     }
+}
 
-    /// The hits inside the span that are wanted, by `t` and point, ascending; `bounds` is a box around them.
-    pub(in crate::shapes) fn hits(
-        &self,
-        ray: &Ray,
-        span: Span,
-        bounds: &Aabb,
-        wanted: impl Fn(f64, Vector) -> bool,
-    ) -> impl Iterator<Item = Candidate> {
-        let line = if bounds.may_meet(ray, span.min) { Line::new(ray) } else { None };
+impl Carrier for Torus {
+    const WHOLE: &'static str = "whole torus";
+
+    fn roots(&self, ray: &Ray, span: Span, bounds: &Aabb) -> impl Roots {
+        let line = if bounds.padded().may_meet(ray, span.min) { Line::new(ray) } else { None };
         let brackets = line.as_ref().map(|line| self.brackets(line)).unwrap_or_default();
-        brackets.into_iter().filter_map(move |bracket| {
+        Searched(brackets.into_iter().filter_map(move |bracket| {
             let line = line.as_ref()?;
             let Bracket { inside, outside, .. } = bracket;
             let [first, last] = [inside.min(outside), inside.max(outside)];
-            if line.t(last) <= span.min || line.t(first) >= span.max {
-                return None;
-            }
-            let s = self.solve(line, bracket);
-            let t = line.t(s);
-            (span.contains(t) && wanted(t, line.at(s))).then(|| Candidate::at(t))
-        })
+            let is_beyond = line.t(last) <= span.min || line.t(first) >= span.max;
+            (!is_beyond).then(|| line.t(self.solve(line, bracket)))
+        }))
+    }
+
+    fn book_roots(&self, ray: &Ray, span: Span) -> impl IntoIterator<Item = f64> {
+        textbook::torus_roots(ray, self.swept_radius, self.tube_radius, span)
     }
 
     /// The normal points away from the circle in the middle of the tube, and the point is `b` along it.
-    pub(in crate::shapes) fn surface_at(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let raw = ray.at(at.t).to_vector();
+    fn surface(&self, ray: &Ray, t: f64) -> Surface {
+        let raw = ray.at(t).to_vector();
         let rho = from_axis(raw);
         // a far hit may be rounded onto the axis: any direction from it will do
         let radial = raw.across_y().unit().unwrap_or(Vector::X);
@@ -251,20 +249,6 @@ impl Torus {
         // roundings of the sums above, and of the next ray's m, p and ρ
         let error = 20.0 * UNIT_ROUNDOFF * (self.swept_radius + self.tube_radius);
         Surface::new(point, error, if self.inward { -outward } else { outward })
-    }
-}
-
-impl Shape for Torus {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hits(ray, span, &self.bounds().padded(), |_, _| true).next()
-    }
-
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        self.surface_at(ray, at)
-    }
-
-    fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        self.hits(ray, span, &self.bounds().padded(), |_, _| true).collect()
     }
 
     fn bounds(&self) -> Aabb {

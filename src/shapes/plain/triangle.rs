@@ -14,10 +14,12 @@ use crate::invalid::{Invalid, direction, finite_point};
 use crate::math::watertight;
 use crate::math::{Aabb, Normal, Point, Ray, Span, Vector, exact_cross, lists, maps};
 use crate::shapes::border::Border;
+use crate::shapes::plain::plane::PlaneThrough;
 use crate::shapes::sampled::{ByArea, EvenSurface};
+use crate::shapes::trimmed::Trimmed;
 use crate::shapes::{
     Candidate, Context, Facet, SampledSurface, Sampling, Shape, Specification, Surface, Within,
-    size_problem,
+    size_problem, textbook,
 };
 
 /// A triangle; its normal is `(v1 − v0) × (v2 − v0)` normalised, the one that shading uses may be
@@ -103,6 +105,15 @@ impl Shape for TriangleShape {
 
     fn bounds(&self) -> Aabb {
         Aabb::around(self.vertices)
+    }
+
+    fn whole(&self) -> Option<(&'static str, Arc<dyn Shape>)> {
+        let plane = PlaneThrough::new(self.vertices[0], self.normal);
+        Trimmed::whole(plane).whole()
+    }
+
+    fn textbook(&self, epsilon: f64) -> Option<Arc<dyn Shape>> {
+        textbook::form(self.vertices, self.clone(), epsilon)
     }
 }
 

@@ -10,7 +10,8 @@
 
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
 use crate::shapes::border::{Border, along};
-use crate::shapes::{Candidate, Shape, Surface, all_of, first_of, normal_along};
+use crate::shapes::trimmed::Roots;
+use crate::shapes::{Candidate, Shape, Surface, normal_along};
 
 /// The part of a sphere about a point of the y axis that is nearer to a level plane than its rim,
 /// which is a circle of radius `radius`; the normal points to the centre.
@@ -92,7 +93,7 @@ impl SphericalCap {
 
 impl Shape for SphericalCap {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_of(self.distances(ray)?, span, self.has(ray))
+        self.distances(ray).first(span, self.has(ray))
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
@@ -113,7 +114,7 @@ impl Shape for SphericalCap {
     }
 
     fn roots(&self, ray: &Ray, span: Span) -> Vec<Candidate> {
-        all_of(self.distances(ray), span, self.has(ray))
+        self.distances(ray).all(span, self.has(ray))
     }
 
     fn bounds(&self) -> Aabb {

@@ -9,21 +9,18 @@
 //! So the inner wall goes from `φ0 + α` to `φ1 − α` and the outer one from `φ0 + β` to `φ1 − β`, each with
 //! a part torus above and below it; a side is a rectangle from `s0` to `s1`, with a part cylinder along
 //! each of its edges. The book makes top and bottom of a part annulus and patches; here each is one
-//! [`Cap`].
+//! annulus, [`Clear`] of the sides.
 
 use std::sync::Arc;
 
 use super::edges::{Named, corner, inset, left_of, moved, tube, wall};
 use crate::kinds::Custom;
-use crate::math::{
-    Aabb, Axis, Normal, Point, Ray, Span, Step, Vector, atan2, cos_degrees, sin_degrees, to_degrees,
-};
-use crate::shapes::border::{Border, is_rounding};
+use crate::math::{Axis, Normal, Point, Step, Vector, atan2, cos_degrees, sin_degrees, to_degrees};
 use crate::shapes::part::angles::Angles;
-use crate::shapes::plain::annulus::{away_from_rims, between, rim_distances};
-use crate::shapes::{
-    Candidate, Instance, Kind, PartCylinder, Rectangle, Shape, Surface, plane_distance,
-};
+use crate::shapes::plain::annulus::Radii;
+use crate::shapes::plain::plane::PlaneThrough;
+use crate::shapes::trimmed::{Trim, Trimmed};
+use crate::shapes::{Instance, Kind, PartCylinder, Rectangle};
 
 /// A wedge whose numbers are fit for use.
 #[derive(Clone, Debug)]
@@ -78,7 +75,11 @@ impl Wedge {
         let Some(r) = left_of(self.r, self.bevel) else { return Vec::new() };
         let sides = self.phi.map(|phi| [sin_degrees(phi), cos_degrees(phi)]);
         let cap = |y, normal| {
-            let cap = Cap { y, normal, r, phi: self.range, sides, bevel: self.bevel };
+            let anchor = Point::new(0.0, y, 0.0);
+            let (radii, clear) =
+                (Radii::between(r), Clear { phi: self.range, sides, bevel: self.bevel });
+            let (size, bounds) = (radii.size(anchor), self.range.bounds(anchor, r, [0.0; 2]));
+            let cap = Trimmed::new(PlaneThrough::new(anchor, normal), (radii, clear), size, bounds);
             Kind::Custom(Custom(Arc::new(cap)))
         };
         let [bottom, top] = self.y;
@@ -157,70 +158,38 @@ impl Wedge {
     }
 }
 
-/// The flat top or bottom of a wedge: the points of the plane `y` between two radii and two sides that
-/// are at least `bevel` from both sides.
-#[derive(Debug)]
-struct Cap {
-    y: f64,
-    normal: Normal,
-    r: [f64; 2],
+/// The points between two sides that are at least `bevel` from both.
+#[derive(Clone, Debug)]
+struct Clear {
     phi: Angles,
     /// `(sin φ, cos φ)` of both sides.
     sides: [[f64; 2]; 2],
     bevel: f64,
 }
 
-impl Cap {
-    fn contains(&self, v: Vector) -> bool {
-        let is_clear = |side| {
-            let [along, across] = Self::along_and_across(side, v);
-            along <= 0.0 || across.abs() >= self.bevel
-        };
-        between(self.r, v) && self.phi.has_azimuth_of(v) && self.sides.into_iter().all(is_clear)
-    }
-
+impl Clear {
     /// `v` in coordinates along a side, which starts at the axis, and across it.
     fn along_and_across([s, c]: [f64; 2], v: Vector) -> [f64; 2] {
         [v.x() * s + v.z() * c, v.x() * c - v.z() * s]
     }
-
-    fn anchor(&self) -> Point {
-        Point::new(0.0, self.y, 0.0)
-    }
 }
 
-impl Shape for Cap {
-    fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let t = plane_distance(ray, self.anchor(), self.normal);
-        if !span.contains(t) {
-            return None;
+impl Trim for Clear {
+    /// A point that is not between the sides is on no edge.
+    fn distances(&self, v: Vector) -> [f64; 2] {
+        if !self.phi.has(v) {
+            return [f64::NEG_INFINITY; 2];
         }
-        let v = (ray.at(t) - self.anchor()).across_y();
-        let within = self.contains(v) || self.phi.has_azimuth_of(v) && is_rounding(self, ray, t);
-        within.then(|| Candidate::at(t))
-    }
-
-    fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
-        let surface = Surface::flat(ray.at(at.t), self.anchor(), self.normal);
-        let v = (surface.point - self.anchor()).across_y();
-        let from_side = |side| {
+        self.sides.map(|side| {
             let [along, across] = Self::along_and_across(side, v);
             if along > 0.0 { across.abs() - self.bevel } else { f64::INFINITY }
-        };
-        let ([outer, inner], [first, last]) = (rim_distances(self.r, v), self.sides.map(from_side));
-        let size = self.r[1] + self.y.abs();
-        surface.within(Border::of([outer, inner, first, last], size, || {
-            let off_side = |side @ [s, c]: [f64; 2]| {
-                let [_, across] = Self::along_and_across(side, v);
-                across.signum() * Vector::new(c, 0.0, -s)
-            };
-            let ([outer, inner], [first, last]) = (away_from_rims(v), self.sides.map(off_side));
-            [outer, inner, first, last]
-        }))
+        })
     }
 
-    fn bounds(&self) -> Aabb {
-        let [min, max] = self.phi.bounds(self.r[0], self.r[1]);
-        Aabb { min: self.anchor() + min, max: self.anchor() + max }
+    fn away(&self, v: Vector) -> [Vector; 2] {
+        self.sides.map(|side @ [s, c]| {
+            let [_, across] = Self::along_and_across(side, v);
+            across.signum() * Vector::new(c, 0.0, -s)
+        })
     }
 }

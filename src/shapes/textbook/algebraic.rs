@@ -5,7 +5,8 @@ use std::iter::repeat_n;
 
 use super::{Form, cuboid};
 use crate::math::{Point, Ray, Span};
-use crate::shapes::{Algebraic, Candidate, Term};
+use crate::shapes::plain::algebraic::AlgebraicShape;
+use crate::shapes::{Candidate, Term};
 
 /// The steps of a ray through the box.
 const STEPS: u32 = 100;
@@ -19,9 +20,9 @@ fn value(terms: &[Term], p: Point) -> f64 {
     terms.iter().map(term).sum()
 }
 
-impl Form for Algebraic {
+impl Form for AlgebraicShape {
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let (t0, t1) = cuboid::slabs(ray, self.min, self.max);
+        let (t0, t1) = cuboid::slabs(ray, self.domain.min, self.domain.max);
         let t0 = t0.max(span.min);
         if t0 >= t1 {
             return None;

@@ -2,32 +2,20 @@
 //! they stand, with a constant epsilon and no care for rounding. They show what the library's own
 //! routines are for: surface acne, lost roots, and leaks.
 //!
-//! One file for each shape of one equation; where the book has no formula, what would usually be done.
-//! A form only says where a ray hits. Normals, materials and texture coordinates are those of the
-//! library's shape, at that hit. Compounds, solids, instances and lattices are the library's, made
-//! of such forms (the book's compound is its list of parts); meshes and random spheres are searched
-//! as the scene says. The caps of a beveled wedge, for which the book has no part, and shapes of a user's
-//! own keep their routine.
+//! The book's roots of a carrier and its test of a trim stand beside the library's own: `book_roots` and
+//! `book_has` of [`trimmed`](super::trimmed). Here are the other shapes, and what is longer. Where the
+//! book has no formula, what would usually be done. A form only says where a ray hits. Normals, materials
+//! and texture coordinates are those of the library's shape, at that hit. Compounds, solids, instances and
+//! lattices are the library's, made of such forms (the book's compound is its list of parts); meshes and
+//! random spheres are searched as the scene says. The caps of a beveled wedge, for which the book has no
+//! part, and shapes of a user's own keep their routine.
 
 // shared by the kinds
 mod quartic;
 mod searched;
 
 mod algebraic;
-mod annulus;
-mod cone;
 mod cuboid;
-mod cut_face;
-mod disk;
-mod open_cylinder;
-mod paraboloid;
-mod part_annulus;
-mod part_cylinder;
-mod part_sphere;
-mod part_torus;
-mod plane;
-mod rectangle;
-mod sphere;
 mod torus;
 mod triangle;
 
@@ -37,16 +25,17 @@ use std::sync::Arc;
 
 pub use quartic::{cubic_roots, quartic_roots};
 pub(super) use searched::{mesh, spheres};
+pub(super) use torus::torus_roots;
 
-use super::{Candidate, Kind, Role, SampledSurface, Sampling, Shape, Surface, Within};
-use crate::math::{Aabb, Point, Ray, Span, Vector, atan2, to_radians};
+use super::{Candidate, Role, SampledSurface, Sampling, Shape, Surface, Within};
+use crate::math::{Aabb, Ray, Span, Vector, atan2, to_radians};
 
 /// Where a hit is too near to the ray's origin to count, as a distance: the book's `kEpsilon` of most
 /// shapes, here of all (its tori, cones and part objects have a tenth of it).
 pub const EPSILON: f64 = 0.001;
 
 /// Where a ray hits a shape, as the book finds it.
-trait Form: Debug + Send + Sync {
+pub(super) trait Form: Debug + Send + Sync {
     /// The first hit inside the span, whose start is the book's epsilon.
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate>;
 
@@ -82,34 +71,13 @@ fn grown(bounds: Aabb, epsilon: f64) -> Aabb {
     Aabb { min: bounds.min - more, max: bounds.max + more }
 }
 
-/// The book's form of a shape that was built of these data; the shape itself if it has none, as those that are
-/// made of parts, which are such forms already.
-pub(super) fn form(kind: &Kind, ours: Arc<dyn Shape>, epsilon: f64) -> Arc<dyn Shape> {
-    macro_rules! textbook {
-        ($form:expr) => {
-            Arc::new(Textbook::new($form, ours, epsilon))
-        };
-    }
-    match kind {
-        Kind::Plane(plane) => textbook!(plane.clone()),
-        Kind::Sphere(sphere) => textbook!(sphere.clone()),
-        Kind::Cuboid(cuboid) => textbook!(cuboid.clone()),
-        Kind::Triangle(triangle) => textbook!(triangle.clone()),
-        Kind::Rectangle(rectangle) => textbook!(rectangle::RectangleForm::new(rectangle)),
-        Kind::Disk(disk) => textbook!(disk.clone()),
-        Kind::Annulus(annulus) => textbook!(annulus.clone()),
-        Kind::OpenCylinder(cylinder) => textbook!(cylinder.clone()),
-        Kind::CutFace(face) => textbook!(face.clone()),
-        Kind::Cone(cone) => textbook!(cone.clone()),
-        Kind::Paraboloid(paraboloid) => textbook!(paraboloid.clone()),
-        Kind::PartSphere(part) => textbook!(part_sphere::PartSphereForm::new(part)),
-        Kind::PartCylinder(part) => textbook!(part_cylinder::PartCylinderForm::new(part)),
-        Kind::PartAnnulus(part) => textbook!(part_annulus::PartAnnulusForm::new(part)),
-        Kind::Torus(torus) => textbook!(torus.clone()),
-        Kind::PartTorus(part) => textbook!(part_torus::PartTorusForm::new(part)),
-        Kind::Algebraic(algebraic) => textbook!(algebraic.clone()),
-        _ => ours,
-    }
+/// A shape hit by this form.
+pub(super) fn form(
+    form: impl Form + 'static,
+    ours: impl Shape + 'static,
+    epsilon: f64,
+) -> Option<Arc<dyn Shape>> {
+    Some(Arc::new(Textbook::new(form, Arc::new(ours), epsilon)))
 }
 
 /// A whole object, of the book's forms, as the book's tracer meets it: rays are of unit direction, hits
@@ -194,10 +162,14 @@ impl<F: Form> Shape for Textbook<F> {
     fn leaves(&self) -> u64 {
         self.ours.leaves()
     }
+
+    fn whole(&self) -> Option<(&'static str, Arc<dyn Shape>)> {
+        self.ours.whole()
+    }
 }
 
 /// The first of the `ts`, which ascend, inside the span and on the shape.
-fn first_on(
+pub(super) fn first_on(
     ts: impl IntoIterator<Item = f64>,
     span: Span,
     is_on: impl Fn(f64) -> bool,
@@ -207,7 +179,7 @@ fn first_on(
 
 /// The roots of `a t² + b t + c` by the schoolbook's formula, smaller first for `a > 0`. The book
 /// has no case for `a = 0`, where both are infinite or NaN.
-fn schoolbook_roots(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
+pub(super) fn schoolbook_roots(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
     let disc = b * b - 4.0 * a * c;
     if disc < 0.0 {
         return None;
@@ -219,14 +191,14 @@ fn schoolbook_roots(a: f64, b: f64, c: f64) -> Option<[f64; 2]> {
 
 /// A range of angles in radians; a minimum above the maximum goes through 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-struct Angles {
+pub(super) struct Angles {
     min: f64,
     max: f64,
 }
 
 impl Angles {
     /// The range between two angles in degrees, as scenes have them.
-    fn degrees([min, max]: [f64; 2]) -> Self {
+    pub(super) fn degrees([min, max]: [f64; 2]) -> Self {
         if max - min >= 360.0 {
             return Self { min: 0.0, max: TAU };
         }
@@ -234,22 +206,17 @@ impl Angles {
         Self { min, max }
     }
 
-    fn contains(self, angle: f64) -> bool {
+    pub(super) fn contains(self, angle: f64) -> bool {
         if self.min <= self.max {
             self.min <= angle && angle <= self.max
         } else {
             angle >= self.min || angle <= self.max
         }
     }
-
-    /// Whether the azimuth about the y axis of a point, from +z towards +x, is in the range.
-    fn has_azimuth_of(self, p: Point) -> bool {
-        self.contains(angle(p.x(), p.z()))
-    }
 }
 
 /// The angle of the direction `(cos, sin)` of any length, in `[0, 2π)`.
-fn angle(sin: f64, cos: f64) -> f64 {
+pub(super) fn angle(sin: f64, cos: f64) -> f64 {
     let angle = atan2(sin, cos);
     if angle < 0.0 { angle + TAU } else { angle }
 }

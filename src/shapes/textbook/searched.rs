@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
-use super::{Form, Textbook, grown};
+use super::{Form, Textbook, first_on, grown};
 use crate::accel::{Accel, Method};
 use crate::math::{Aabb, Ray, Span};
-use crate::shapes::{Candidate, Shape, Sphere, Triangle, TriangleMesh};
+use crate::shapes::trimmed::Carrier;
+use crate::shapes::{Candidate, Shape, Sphere, TriangleMesh};
 
 #[derive(Debug)]
 struct Searched<F> {
@@ -32,11 +33,16 @@ impl<F: Form> Form for Searched<F> {
 /// The mesh, its triangles hit as the book does.
 pub(in crate::shapes) fn mesh(mesh: TriangleMesh, method: Method, epsilon: f64) -> Arc<dyn Shape> {
     let corners = |t: &[u32; 3]| t.map(|vertex| mesh.vertices()[vertex as usize]);
-    let triangle = |t: &[u32; 3]| Triangle { vertices: corners(t), normals: None };
-    let forms: Vec<_> = mesh.triangles().iter().map(triangle).collect();
-    let bounds = forms.iter().map(|form| grown(Aabb::around(form.vertices), epsilon)).collect();
+    let forms: Vec<_> = mesh.triangles().iter().map(corners).collect();
+    let bounds = forms.iter().map(|&form| grown(Aabb::around(form), epsilon)).collect();
     let numbered = |part, at| Candidate { part, ..at };
     searched(forms, bounds, numbered, Arc::new(mesh.accelerated(method)), method, epsilon)
+}
+
+impl Form for Sphere {
+    fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
+        first_on(self.book_roots(ray, span), span, |_| true)
+    }
 }
 
 /// The random spheres `ours`, each hit as the book does.

@@ -1,13 +1,12 @@
 //! The torus about the y axis (Suffern, ch. 19): a quartic.
 
-use super::{Form, cuboid, first_on, quartic_roots};
+use super::{cuboid, quartic_roots};
 use crate::math::{Point, Ray, Span};
-use crate::shapes::{Candidate, Torus};
 
 /// The roots of `(|p|² − a² − b²)² = 4 a² (b² − y²)`, ascending: after a test of the bounding box, with
 /// `e = o·o − a² − b²`, `g = o·d`, `D = d·d`,
 /// `D² t⁴ + 4 D g t³ + (2 D e + 4 g² + 4 a² dy²) t² + (4 g e + 8 a² oy dy) t + e² − 4 a² (b² − oy²)`.
-pub(super) fn roots(ray: &Ray, a: f64, b: f64, span: Span) -> Vec<f64> {
+pub fn torus_roots(ray: &Ray, a: f64, b: f64, span: Span) -> Vec<f64> {
     let corner = Point::new(a + b, b, a + b);
     let (t0, t1) = cuboid::slabs(ray, corner.scaled(-1.0), corner);
     if !(t0 < t1 && t1 > span.min) {
@@ -26,10 +25,4 @@ pub(super) fn roots(ray: &Ray, a: f64, b: f64, span: Span) -> Vec<f64> {
     let mut roots = quartic_roots([c0, c1, c2, c3, c4]);
     roots.sort_by(f64::total_cmp);
     roots
-}
-
-impl Form for Torus {
-    fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        first_on(roots(ray, self.swept_radius, self.tube_radius, span), span, |_| true)
-    }
 }

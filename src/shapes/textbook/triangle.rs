@@ -1,14 +1,15 @@
 //! The triangle (Suffern, ch. 19): barycentric coordinates by Cramer's rule.
 
 use super::Form;
-use crate::math::{Ray, Span};
-use crate::shapes::{Candidate, Triangle};
+use crate::math::{Point, Ray, Span};
+use crate::shapes::Candidate;
 
-impl Form for Triangle {
+/// The corners.
+impl Form for [Point; 3] {
     /// `p = (1 − β − γ) v₀ + β v₁ + γ v₂`: the columns are `v₀ − v₁`, `v₀ − v₂` and `d`, the right side is
     /// `v₀ − o`.
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let [v0, v1, v2] = self.vertices;
+        let [v0, v1, v2] = *self;
         let [a, e, i] = (v0 - v1).to_array();
         let [b, f, j] = (v0 - v2).to_array();
         let [c, g, k] = ray.direction.to_array();

@@ -13,8 +13,10 @@ const RAYS: usize = 400;
 /// of the book's grid that it crosses in the cube.
 fn cost(method: Method, count: u32, radius: f64) -> [f64; 3] {
     let data = RandomSpheres { count, radius, half_side: 1.0, seed: 15, accel: None };
-    let spheres = data.spheres();
-    let bounds: Vec<Aabb> = spheres.iter().map(Shape::bounds).collect();
+    let sphere =
+        |data: Sphere| Kind::from(data).build(&mut Context::default()).expect("a valid sphere");
+    let spheres: Vec<_> = data.spheres().into_iter().map(sphere).collect();
+    let bounds: Vec<Aabb> = spheres.iter().map(|sphere| sphere.bounds()).collect();
     let accel = Accel::build(method, &bounds);
     let mut draw = Draw::new(2298);
     let (mut counts, mut planes) = (Counts::default(), 0.0);
@@ -23,7 +25,7 @@ fn cost(method: Method, count: u32, radius: f64) -> [f64; 3] {
         let mut place = || draw.between(-1.0, 1.0);
         let (from, to) = (Point::new(place(), place(), -1.0), Point::new(place(), place(), 1.0));
         let ray = Ray::new(from - 2.0 * (to - from), to - from);
-        let hit = |index, span| Shape::hit(&spheres[index as usize], &ray, span);
+        let hit = |index, span| spheres[index as usize].hit(&ray, span);
         let _ = accel.nearest_counted(&ray, Span::AHEAD, &mut counts, hit);
         let cells = 2.0 * cbrt(f64::from(count));
         let way: Vector = to - from;

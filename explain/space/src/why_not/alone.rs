@@ -6,21 +6,14 @@ use groundtruth::background::Background;
 use groundtruth::materials::Matte;
 use groundtruth::rgb::Rgb;
 use groundtruth::scene::{Material, Object, Scene, SceneError};
-use groundtruth::shapes::Kind;
 use groundtruth::textures::Amount;
 use groundtruth::world::World;
 
-/// A world with this object alone, switched on, perhaps with another shape. Its materials are matte, as they do not
-/// decide where it is hit, and no image needs to be read.
-pub fn world(
-    scene: &Scene,
-    folder: &Path,
-    object: u32,
-    shape: Option<Kind>,
-) -> Result<World, SceneError> {
+/// A world with this object alone, switched on. Its materials are matte, as they do not decide where it is hit, and
+/// no image needs to be read.
+pub fn world(scene: &Scene, folder: &Path, object: u32) -> Result<World, SceneError> {
     let mut object: Object = scene.objects[object as usize].clone();
     object.enabled = true;
-    object.shape = shape.unwrap_or(object.shape);
     let matte = |material: &Material| {
         let black = Matte { ka: Amount::default(), kd: Amount::default(), cd: Rgb::BLACK.into() };
         Material { recipe: black.into(), bump: None, ..material.clone() }

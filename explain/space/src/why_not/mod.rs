@@ -20,7 +20,6 @@ use serde::Serialize;
 use super::approach::{Approach, Beside};
 use super::hits::Hits;
 use super::segments::light_point;
-use super::untrimmed::untrimmed;
 
 /// A question about a ray of a recorded tree.
 #[derive(Clone, Copy, Debug)]
@@ -197,7 +196,7 @@ impl Question<'_> {
         match self.world.objects().iter().find(|object| object.index == self.object) {
             Some(object) => Ok(cast.answer(self.world, object, met_by)),
             None => {
-                let world = alone::world(self.scene, self.folder, self.object, None);
+                let world = alone::world(self.scene, self.folder, self.object);
                 let world = world.map_err(|error| error.to_string())?;
                 Ok(Cast { is_on: false, ..cast }.answer(&world, &world.objects()[0], met_by))
             }
@@ -234,7 +233,7 @@ impl Cast<'_> {
             WhyNotAnswer::Hits { .. } | WhyNotAnswer::Blocks => {
                 ended.as_ref().map(|ended| ended.at)
             }
-            _ => first.as_ref().map(|hit| meeting(ray, hit.t, hit)),
+            _ => first.as_ref().map(|hit| meeting(ray, hit.t, hit.surface.point)),
         };
         let is_apart = meets.is_none() && answer != WhyNotAnswer::StartsOnIt;
         let beside = Beside { world, object, ray: *ray, end: self.end };
@@ -266,7 +265,10 @@ impl Cast<'_> {
         let hits = || Hits::of(world, blocker, *ray).filter(|(t, _)| *t < self.end);
         let opaque = hits().find(|(_, hit)| hit.casts_shadow() && !self.lets_through(hit));
         let (t, hit) = opaque.or_else(|| hits().next())?;
-        Some(Ended { object: self.ray.blocked_by.as_ref()?.to_string(), at: meeting(ray, t, &hit) })
+        Some(Ended {
+            object: self.ray.blocked_by.as_ref()?.to_string(),
+            at: meeting(ray, t, hit.surface.point),
+        })
     }
 
     /// Whether shadow rays pass a surface because it is transparent.
@@ -336,13 +338,13 @@ impl Cast<'_> {
         if parent.is_some_and(|parent| meets(parent, self.name)) {
             return WhyNotAnswer::StartsOnIt;
         }
-        if let Some((whole, at)) = self.whole() {
+        if let Some((whole, at)) = self.whole(object) {
             return WhyNotAnswer::OutsidePart { whole, at };
         }
         let backward = Ray::new(ray.ray.origin, -ray.ray.direction);
         match world.hit_of(object, &backward, Span::AHEAD) {
             Some(hit) => {
-                let Meeting { t, distance, point } = meeting(&backward, hit.t, &hit);
+                let Meeting { t, distance, point } = meeting(&backward, hit.t, hit.surface.point);
                 WhyNotAnswer::Behind { at: Meeting { t: -t, distance, point } }
             }
             None => WhyNotAnswer::Passes,
@@ -350,17 +352,14 @@ impl Cast<'_> {
     }
 
     /// The larger surface of which the object is a part, and where the ray meets it.
-    fn whole(&self) -> Option<(&'static str, Meeting)> {
-        let Question { scene, folder, object, .. } = *self.question;
-        let (whole, shape) = untrimmed(&scene.objects[object as usize].shape)?;
-        let world = alone::world(scene, folder, object, Some(shape)).ok()?;
-        let span = Span { min: 0.0, max: self.end };
-        let hit = world.hit_of(&world.objects()[0], &self.ray.ray, span)?;
-        Some((whole, meeting(&self.ray.ray, hit.t, &hit)))
+    fn whole(&self, object: &PlacedObject) -> Option<(&'static str, Meeting)> {
+        let (name, whole) = object.whole()?;
+        let ray = &self.ray.ray;
+        let at = whole.hit(ray, Span { min: 0.0, max: self.end })?;
+        Some((name, meeting(ray, at.t, whole.surface(ray, &at).point)))
     }
 }
 
-fn meeting(ray: &Ray, t: f64, hit: &Hit<'_>) -> Meeting {
-    let distance = t * ray.direction.length();
-    Meeting { t, distance, point: hit.surface.point }
+fn meeting(ray: &Ray, t: f64, point: Point) -> Meeting {
+    Meeting { t, distance: t * ray.direction.length(), point }
 }
