@@ -15,7 +15,7 @@ impl Cells {
     /// boxes overlap so many cells that memory would run out.
     pub fn of(bounds: &[Aabb], multiplier: f64) -> Self {
         let all = Vec::from_iter(0..bounds.len() as u32);
-        let grid = Grid::build_with(bounds, &all, multiplier);
+        let grid = Grid::build(bounds, &all, multiplier);
         let whole = bounds.iter().fold(Aabb::EMPTY, |all, &b| all.union(b));
         Self { grid, bounds: whole }
     }

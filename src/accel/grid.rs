@@ -19,7 +19,7 @@ use super::Counter;
 use crate::math::{Aabb, BoxRay, Ray, Span, Vector, cbrt};
 
 /// The book's `multiplier`: `n` primitives in a cube get about `multiplier · ∛n` cells on each axis.
-const MULTIPLIER: f64 = 2.0;
+pub(super) const MULTIPLIER: f64 = 2.0;
 /// The padding of boxes, in cells.
 const PAD: f64 = 1.0 / 64.0;
 /// The least padding, relative to the longest extent or the largest coordinate.
@@ -59,13 +59,9 @@ struct Division {
 }
 
 impl Grid {
-    /// The grid over the primitives `which`; `bounds` are the boxes of all.
-    pub(super) fn build(bounds: &[Aabb], which: &[u32]) -> Self {
-        Self::build_with(bounds, which, MULTIPLIER)
-    }
-
-    /// The same with this `multiplier`, which is reduced until the entries fit.
-    pub(super) fn build_with(bounds: &[Aabb], which: &[u32], mut multiplier: f64) -> Self {
+    /// The grid over the primitives `which`; `bounds` are the boxes of all. `multiplier` is reduced until the entries
+    /// fit.
+    pub(super) fn build(bounds: &[Aabb], which: &[u32], mut multiplier: f64) -> Self {
         let boxes: Vec<Aabb> = which.iter().map(|&i| bounds[i as usize]).collect();
         let most = (MAX_ENTRIES * boxes.len()).max(FEW_ENTRIES);
         let cells = loop {

@@ -104,26 +104,15 @@ impl Accel {
         let largest = if bounded.is_empty() { 0.0 } else { whole.largest_coordinate() };
         let bounded = match method {
             Method::List => Structure::List(bounded),
-            Method::Grid => Structure::Grid(grid::Grid::build(bounds, &bounded)),
+            Method::Grid => Structure::Grid(grid::Grid::build(bounds, &bounded, grid::MULTIPLIER)),
             Method::Bvh => Structure::Bvh(bvh::Bvh::build(bounds, bounded)),
         };
         Self { unbounded, bounded, largest }
     }
 
-    /// The first hit along the ray, and the index of its primitive. `hit` finds the nearest hit of the primitive
-    /// of an index inside a span; its `t` must not depend on the span.
+    /// The first hit along the ray, and the index of its primitive; `counter` counts the cost. `hit` finds the
+    /// nearest hit of the primitive of an index inside a span; its `t` must not depend on the span.
     pub fn nearest(
-        &self,
-        ray: &Ray,
-        span: Span,
-        hit: impl Fn(u32, Span) -> Option<Candidate>,
-    ) -> Option<(u32, Candidate)> {
-        self.nearest_counted(ray, span, &mut (), hit)
-    }
-
-    /// The same; `counter` counts the cost.
-    #[inline]
-    pub fn nearest_counted(
         &self,
         ray: &Ray,
         mut span: Span,
@@ -143,21 +132,10 @@ impl Accel {
         nearest
     }
 
-    /// Any hit along the ray, and the index of its primitive; `hit` finds some hit of the primitive of an index.
-    /// Whether there is one does not depend on the method, but which one is found may.
+    /// Any hit along the ray, and the index of its primitive; `counter` counts the cost. `hit` finds some hit of
+    /// the primitive of an index. Whether there is one does not depend on the method, but which one is found may.
     #[inline]
     pub fn any<T>(
-        &self,
-        ray: &Ray,
-        span: Span,
-        hit: impl Fn(u32) -> Option<T>,
-    ) -> Option<(u32, T)> {
-        self.any_counted(ray, span, &mut (), hit)
-    }
-
-    /// The same; `counter` counts the cost.
-    #[inline]
-    pub fn any_counted<T>(
         &self,
         ray: &Ray,
         span: Span,

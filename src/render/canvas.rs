@@ -162,13 +162,9 @@ impl Canvas {
     }
 
     /// Renders one sample of each pixel of the coarse picture, for [`Partial::coarse`]: the first picture of a
-    /// scene whose pixels take long. They do not count as done.
-    pub fn preview(&self, renderer: &impl Renderer) {
-        self.preview_until(renderer, &never);
-    }
-
-    /// As [`Canvas::preview`], until it is time to pause; the next call goes on there. Whether all is done.
-    pub fn preview_until(&self, renderer: &impl Renderer, is_over: &Pause<'_>) -> bool {
+    /// scene whose pixels take long. They do not count as done. It stops when it is time to pause, and the next call
+    /// goes on there. Whether all is done.
+    pub fn preview(&self, renderer: &impl Renderer, is_over: &Pause<'_>) -> bool {
         let Crop { width, height, .. } = self.crop;
         let blocks = width.div_ceil(BLOCK) as usize * height.div_ceil(BLOCK) as usize;
         self.lock().preview.resize(blocks, None);

@@ -23,7 +23,7 @@ impl World {
         match search {
             Search::FirstHit => {
                 let hit = |index: u32, span| self.objects[index as usize].shape.hit(ray, span);
-                self.accel.nearest_counted(ray, span, &mut counts, hit);
+                self.accel.nearest(ray, span, &mut counts, hit);
             }
             Search::Occluder => {
                 let tested = Cell::new(0);
@@ -35,7 +35,7 @@ impl World {
                     tested.set(tested.get() + 1);
                     object.shape.shadow_hit(ray, span)
                 };
-                self.accel.any_counted(ray, span, &mut counts, blocked);
+                self.accel.any(ray, span, &mut counts, blocked);
                 counts.tests = tested.get();
             }
         }

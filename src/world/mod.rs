@@ -202,7 +202,7 @@ impl World {
     pub fn hit(&self, ray: &Ray, span: Span) -> Option<Hit<'_>> {
         let objects = &*self.objects;
         let hit = move |index: u32, span| objects[index as usize].shape.hit(ray, span);
-        let (index, candidate) = self.accel.nearest(ray, span, hit)?;
+        let (index, candidate) = self.accel.nearest(ray, span, &mut (), hit)?;
         Some(self.hit_at(&objects[index as usize], ray, candidate))
     }
 
@@ -232,7 +232,7 @@ impl World {
             let object = &objects[index as usize];
             if object.casts_shadows { object.shape.shadow_hit(ray, span) } else { None }
         };
-        let (index, _) = self.accel.any(ray, span, blocked)?;
+        let (index, _) = self.accel.any(ray, span, &mut (), blocked)?;
         Some(&objects[index as usize])
     }
 

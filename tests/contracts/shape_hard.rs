@@ -92,7 +92,8 @@ impl Case {
         let expected: Vec<f64> = exact.roots.iter().map(|root| root.t).collect();
         ensure!(ts.len() == expected.len(), "{ts:?} for {expected:?}, margin {:e}", exact.margin);
         let accel = Accel::build(Method::List, &[ours.bounds()]);
-        let first = accel.nearest(ray, *span, |_, span| ours.hit(ray, span)).map(|(_, at)| at);
+        let first =
+            accel.nearest(ray, *span, &mut (), |_, span| ours.hit(ray, span)).map(|(_, at)| at);
         ensure!(first == found.first().copied(), "the shape's own box loses the first of {ts:?}");
         for (hit, root) in found.iter().zip(&exact.roots) {
             let error = t_error(root, hit.t);

@@ -31,15 +31,16 @@ pub fn run(data: &[u8]) {
         let is_near = away <= FARTHEST * whole.extent().max_abs()
             && LENGTHS.contains(&ray.direction.max_abs());
         for span in [Span::AHEAD, Span::LINE, Span { min: input.number(), max: input.number() }] {
-            let by_list = list.nearest(&ray, span, hit);
-            let by_bvh = bvh.nearest(&ray, span, hit);
+            let by_list = list.nearest(&ray, span, &mut (), hit);
+            let by_bvh = bvh.nearest(&ray, span, &mut (), hit);
             assert!(by_bvh.is_none_or(|(_, hit)| span.contains(hit.t)));
             if !is_near {
                 continue;
             }
             assert_eq!(by_list.map(bits), by_bvh.map(bits), "{ray:?} {span:?}");
             assert!(by_list.is_none_or(|(_, hit)| span.contains(hit.t)));
-            let some = [&list, &bvh].map(|accel| accel.any(&ray, span, |index| hit(index, span)));
+            let some =
+                [&list, &bvh].map(|accel| accel.any(&ray, span, &mut (), |index| hit(index, span)));
             assert!(some.iter().all(|hit| hit.is_some() == by_list.is_some()), "{ray:?} {span:?}");
             if input.mode == Mode::Grid {
                 assert_eq!(

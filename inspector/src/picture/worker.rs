@@ -135,7 +135,7 @@ impl Rendering {
             let (note, took) = (Arc::clone(&note), Arc::clone(&took));
             move |slice: &Slice| {
                 let is_over = || slice.is_over();
-                if !canvas.preview_until(&*world, &is_over) {
+                if !canvas.preview(&*world, &is_over) {
                     return canvas.is_cancelled();
                 }
                 note.get_or_init(|| {

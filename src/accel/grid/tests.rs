@@ -22,7 +22,7 @@ fn cube_of_boxes(n: usize, seed: u64, radius: f64) -> Vec<Aabb> {
 }
 
 fn grid(boxes: &[Aabb]) -> Grid {
-    Grid::build(boxes, &Vec::from_iter(0..boxes.len() as u32))
+    Grid::build(boxes, &Vec::from_iter(0..boxes.len() as u32), MULTIPLIER)
 }
 
 /// Law: a thousand objects in a cube have 20 or 21 cells on each axis, and any number of them about

@@ -30,20 +30,12 @@ pub struct PartData<'a> {
 /// The materials of a solid's parts, by the names that its kind gives them.
 pub type Materials = BTreeMap<String, String>;
 
-/// Builds a solid of parts that its kind names; `materials` is its field of that name.
+/// Builds a solid of parts that its kind names; `materials` is its field of that name. Rays find the parts by
+/// `accel`, if it is given.
 pub fn solid(
     parts: &[(&'static str, Kind)],
     materials: &Materials,
-    context: &mut Context,
-) -> Result<Arc<dyn Shape>, Invalid> {
-    solid_by(None, parts, materials, context)
-}
-
-/// The same; rays find the parts by `accel`, if it is given.
-pub fn solid_by(
     accel: Option<Method>,
-    parts: &[(&'static str, Kind)],
-    materials: &Materials,
     context: &mut Context,
 ) -> Result<Arc<dyn Shape>, Invalid> {
     let names: BTreeSet<&str> = parts.iter().map(|(name, _)| *name).collect();
@@ -141,9 +133,9 @@ impl Shape for Assembly {
         if !self.bounds.may_meet(ray, span.min) {
             return None;
         }
-        let (index, at) = self
-            .accel
-            .nearest(ray, span, |index, span| self.parts[index as usize].shape.hit(ray, span))?;
+        let (index, at) = self.accel.nearest(ray, span, &mut (), |index, span| {
+            self.parts[index as usize].shape.hit(ray, span)
+        })?;
         Some(Candidate { leaf: self.leaves[index as usize] + at.leaf, ..at })
     }
 
@@ -155,7 +147,7 @@ impl Shape for Assembly {
             let part = &self.parts[index as usize];
             if part.casts_shadows { part.shape.shadow_hit(ray, span) } else { None }
         };
-        self.accel.any(ray, span, blocked).map(|(_, t)| t)
+        self.accel.any(ray, span, &mut (), blocked).map(|(_, t)| t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {

@@ -126,7 +126,7 @@ impl LatticeShape {
 
 impl Shape for LatticeShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let (copy, at) = self.accel.nearest(ray, span, |copy, span| {
+        let (copy, at) = self.accel.nearest(ray, span, &mut (), |copy, span| {
             self.shape.hit(&self.places.ray_back(copy, ray), span)
         })?;
         Some(Candidate { leaf: u64::from(copy) * self.leaves + at.leaf, ..at })
@@ -134,7 +134,7 @@ impl Shape for LatticeShape {
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
         let copy = |copy| self.shape.shadow_hit(&self.places.ray_back(copy, ray), span);
-        self.accel.any(ray, span, copy).map(|(_, t)| t)
+        self.accel.any(ray, span, &mut (), copy).map(|(_, t)| t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {

@@ -91,13 +91,13 @@ impl RandomSpheresShape {
 impl Shape for RandomSpheresShape {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let sphere = |index: u32, span| self.sphere(index, ray, span);
-        let (index, at) = self.accel.nearest(ray, span, sphere)?;
+        let (index, at) = self.accel.nearest(ray, span, &mut (), sphere)?;
         Some(Candidate { leaf: index.into(), ..at })
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
         let sphere = |index: u32| self.sphere(index, ray, span).map(|at| at.t);
-        self.accel.any(ray, span, sphere).map(|(_, t)| t)
+        self.accel.any(ray, span, &mut (), sphere).map(|(_, t)| t)
     }
 
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {

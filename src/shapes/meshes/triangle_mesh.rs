@@ -13,7 +13,7 @@
 use std::sync::Arc;
 
 use super::vertex_normals::{mean_normals, reverse_winding};
-use crate::accel::{self, Accel, Counter};
+use crate::accel::{self, Accel};
 use crate::math::watertight::{self, ShearedRay};
 use crate::math::{Aabb, Normal, ONE_MINUS, Point, Ray, Span, exact_cross, maps};
 use crate::mesh_bvh::{Kernel, MeshBvh};
@@ -170,22 +170,6 @@ impl AcceleratedMesh {
         }
     }
 
-    /// The first hit; `counter` counts the tests.
-    pub fn hit_counted(
-        &self,
-        ray: &Ray,
-        span: Span,
-        counter: &mut impl Counter,
-    ) -> Option<Candidate> {
-        match &self.structure {
-            Structure::Mesh(tree) => tree.nearest(ray, span, counter),
-            Structure::General(accel) => {
-                let first = accel.nearest_counted(ray, span, counter, self.tested(ray));
-                first.map(|(_, candidate)| candidate)
-            }
-        }
-    }
-
     /// The memory of the acceleration structure, without vertices and triangles.
     pub fn memory_bytes(&self) -> usize {
         match &self.structure {
@@ -197,7 +181,13 @@ impl AcceleratedMesh {
 
 impl Shape for AcceleratedMesh {
     fn hit(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        self.hit_counted(ray, span, &mut ())
+        match &self.structure {
+            Structure::Mesh(tree) => tree.nearest(ray, span, &mut ()),
+            Structure::General(accel) => {
+                let first = accel.nearest(ray, span, &mut (), self.tested(ray));
+                first.map(|(_, candidate)| candidate)
+            }
+        }
     }
 
     fn shadow_hit(&self, ray: &Ray, span: Span) -> Option<f64> {
@@ -205,7 +195,7 @@ impl Shape for AcceleratedMesh {
             Structure::Mesh(tree) => tree.any(ray, span).map(|candidate| candidate.t),
             Structure::General(accel) => {
                 let test = self.tested(ray);
-                accel.any(ray, span, |index| test(index, span)).map(|(_, at)| at.t)
+                accel.any(ray, span, &mut (), |index| test(index, span)).map(|(_, at)| at.t)
             }
         }
     }

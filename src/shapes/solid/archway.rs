@@ -16,7 +16,7 @@ use super::edges::{Named, check_fits, half_joint, inset};
 use crate::accel::Method;
 use crate::invalid::{Invalid, length, shown};
 use crate::math::{Length, Point, Step, Vector, to_degrees};
-use crate::shapes::composite::assembly::{Materials, solid_by};
+use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::{Context, Instance, Shape, Specification};
 
 /// More stones than anyone could see.
@@ -146,6 +146,6 @@ impl Specification for Archway {
             wedge.checked()?;
             stones.push(("arch", Instance::new(wedge, upright.clone()).into()));
         }
-        solid_by(self.accel, &stones, &self.materials, context)
+        solid(&stones, &self.materials, self.accel, context)
     }
 }

@@ -136,6 +136,6 @@ impl Specification for BeveledBox {
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         self.check()?;
         let parts = [self.faces(), self.edges(), self.corners()].concat();
-        solid(&parts, &self.materials, context)
+        solid(&parts, &self.materials, None, context)
     }
 }

@@ -77,6 +77,6 @@ impl Specification for BeveledCylinder {
         let up = |y: f64| Step::Translate(y * Vector::Y);
         parts.push(("bottom_edge", edge(vec![Step::Reflect(Axis::Y), up(low)])));
         parts.push(("top_edge", edge(vec![up(high)])));
-        solid(&parts, &self.materials, context)
+        solid(&parts, &self.materials, None, context)
     }
 }

@@ -76,6 +76,6 @@ impl Specification for BeveledRing {
             let edge = tube(swept, bevel, full_turn(), theta);
             parts.push(("edges", moved(edge, y * Vector::Y)));
         }
-        solid(&parts, &self.materials, context)
+        solid(&parts, &self.materials, None, context)
     }
 }

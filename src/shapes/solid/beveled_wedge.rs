@@ -93,6 +93,6 @@ impl BeveledWedge {
 
 impl Specification for BeveledWedge {
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
-        solid(&self.checked()?.parts(), &self.materials, context)
+        solid(&self.checked()?.parts(), &self.materials, None, context)
     }
 }

@@ -95,6 +95,6 @@ impl Specification for ConcaveLens {
         };
         let wall = OpenCylinder { y0: -half, y1: half, radius: self.radius, inward: false };
         let parts = [("top", hollow(false)), ("bottom", hollow(true)), ("wall", wall.into())];
-        solid(&parts, &self.materials, context)
+        solid(&parts, &self.materials, None, context)
     }
 }

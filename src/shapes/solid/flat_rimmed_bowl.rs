@@ -79,6 +79,6 @@ impl Specification for FlatRimmedBowl {
             inner_radius: rim[0],
             outer_radius: rim[1],
         };
-        solid(&[outside, inside, ("rim", rim.into())], &self.materials, context)
+        solid(&[outside, inside, ("rim", rim.into())], &self.materials, None, context)
     }
 }

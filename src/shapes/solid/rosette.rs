@@ -13,7 +13,7 @@ use super::edges::{Named, check_fits, half_joint, inset};
 use crate::accel::Method;
 use crate::invalid::{Invalid, length};
 use crate::math::{Length, to_degrees};
-use crate::shapes::composite::assembly::{Materials, solid_by};
+use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::{Context, Shape, Specification};
 
 /// How many wedges each ring has, from the innermost.
@@ -92,6 +92,6 @@ impl Specification for Rosette {
                 parts.push((NAMES[ring as usize], wedge.into()));
             }
         }
-        solid_by(self.accel, &parts, &self.materials, context)
+        solid(&parts, &self.materials, self.accel, context)
     }
 }

@@ -56,6 +56,6 @@ impl Specification for RoundRimmedBowl {
         let half = tube(swept, thin, full_turn(), [from, 270.0 - theta]);
         let rim = moved(half, middle * cos_degrees(theta) * Vector::Y);
         let [outside, inside] = shells([inner, outer], [theta, theta]);
-        solid(&[outside, inside, ("rim", rim)], &self.materials, context)
+        solid(&[outside, inside, ("rim", rim)], &self.materials, None, context)
     }
 }

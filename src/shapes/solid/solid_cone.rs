@@ -35,6 +35,6 @@ impl Specification for SolidCone {
         wall.build(context)?; // names the field that does not fit
         let base = Disk { center: Point::ORIGIN, normal: -Vector::Y, radius };
         let parts = [("base", Kind::from(base)), ("wall", Kind::from(wall))];
-        solid(&parts, &self.materials, context)
+        solid(&parts, &self.materials, None, context)
     }
 }

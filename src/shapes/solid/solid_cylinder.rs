@@ -42,6 +42,6 @@ impl Specification for SolidCylinder {
             ("top", Kind::from(cap(y1, Vector::Y))),
             ("wall", Kind::from(wall)),
         ];
-        solid(&parts, &self.materials, context)
+        solid(&parts, &self.materials, None, context)
     }
 }

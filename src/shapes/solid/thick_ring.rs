@@ -54,6 +54,6 @@ impl Specification for ThickRing {
             ("inner_wall", wall(inner_radius, true).into()),
             ("outer_wall", wall(outer_radius, false).into()),
         ];
-        solid(&parts, &self.materials, context)
+        solid(&parts, &self.materials, None, context)
     }
 }

@@ -18,15 +18,15 @@ struct Searched<F> {
 
 impl<F: Form> Form for Searched<F> {
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
-        let (index, at) = self
-            .accel
-            .nearest(ray, span, |index, span| self.forms[index as usize].first(ray, span))?;
+        let (index, at) = self.accel.nearest(ray, span, &mut (), |index, span| {
+            self.forms[index as usize].first(ray, span)
+        })?;
         Some((self.numbered)(index, at))
     }
 
     fn shadow(&self, ray: &Ray, span: Span) -> Option<f64> {
         let first = |index: u32| self.forms[index as usize].first(ray, span);
-        self.accel.any(ray, span, first).map(|(_, at)| at.t)
+        self.accel.any(ray, span, &mut (), first).map(|(_, at)| at.t)
     }
 }
 

@@ -210,14 +210,14 @@ fn a_colour_can_be_one_number() {
 #[test]
 fn a_preview_has_one_sample_of_each_coarse_pixel() {
     let (interrupter, world, canvas) = interrupted_of(100, u32::MAX);
-    canvas.preview(&world);
+    canvas.preview(&world, &|| false);
     assert_eq!(interrupter.rays.load(Relaxed), 12);
     assert_eq!(canvas.progress(), (0, 768));
     let mut scene = small("ch28/glass-sphere", 37, 35, 16);
     scene.camera.exposure_time = 3.0;
     let world = built(&scene);
     let canvas = Canvas::new(&world);
-    canvas.preview(&world);
+    canvas.preview(&world, &|| false);
     let corner = |[x, y]: [u32; 2]| [x / 8 * 8, y / 8 * 8];
     canvas.look_partly(|picture| {
         for at in pixels(37, 35) {
@@ -250,7 +250,7 @@ fn a_picture_in_slices_is_the_same() {
                 let end = interrupter.rays.load(Relaxed) + given;
                 let is_over = || interrupter.rays.load(Relaxed) >= end;
                 is_whole =
-                    canvas.preview_until(&world, &is_over) && canvas.render_until(&world, &is_over);
+                    canvas.preview(&world, &is_over) && canvas.render_until(&world, &is_over);
                 slices += 1;
                 let rays = interrupter.rays.load(Relaxed);
                 assert_eq!(rays, (slices * given).min(of_one_ray), "slices of {given}");
@@ -296,7 +296,7 @@ fn a_pixel_that_is_stopped_casts_no_further_ray() {
         });
     }
     let (interrupter, world, canvas) = interrupted_of(1024, 1);
-    on_threads(1, || canvas.preview(&world));
+    on_threads(1, || canvas.preview(&world, &|| false));
     assert_eq!(interrupter.rays.load(Relaxed), 1);
     canvas.look_partly(|picture| assert_eq!(picture.coarse([0, 0]), None));
 }

@@ -45,7 +45,7 @@ impl Both {
     pub fn check(&self, ray: &Ray, span: Span, case: &str) -> bool {
         let hit = hits(&self.objects, ray);
         let find = |accel: &Accel| {
-            let found = accel.nearest(ray, span, &hit);
+            let found = accel.nearest(ray, span, &mut (), &hit);
             found.map(|(i, hit)| (i, hit.t.to_bits(), hit.part, hit.parameters.map(f64::to_bits)))
         };
         let first = find(&self.list);
@@ -58,7 +58,7 @@ impl Both {
         for accel in self.others() {
             assert_eq!(find(accel), first, "{case}: {ray:?} in {span:?}");
         }
-        let any = |accel: &Accel| accel.any(ray, span, |i| hit(i, span)).map(|(_, at)| at.t);
+        let any = |accel: &Accel| Some(accel.any(ray, span, &mut (), |i| hit(i, span))?.1.t);
         let shadows: Vec<_> = [&self.list].into_iter().chain(self.others()).map(any).collect();
         let same = shadows.iter().all(|t| t.is_some() == first.is_some());
         assert!(same, "{case}: shadow of {ray:?} in {span:?}");

@@ -98,7 +98,7 @@ fn a_teapot_costs_the_same_in_a_stadium() {
                 let accel = Accel::build(Method::Bvh, &bounds);
                 let mut counts = Counts::default();
                 for ray in &rays {
-                    accel.nearest_counted(ray, Span::AHEAD, &mut counts, hits(objects, ray));
+                    accel.nearest(ray, Span::AHEAD, &mut counts, hits(objects, ray));
                 }
                 counts.tests + counts.steps
             };

@@ -26,7 +26,7 @@ fn cost(method: Method, count: u32, radius: f64) -> [f64; 3] {
         let (from, to) = (Point::new(place(), place(), -1.0), Point::new(place(), place(), 1.0));
         let ray = Ray::new(from - 2.0 * (to - from), to - from);
         let hit = |index, span| spheres[index as usize].hit(&ray, span);
-        let _ = accel.nearest_counted(&ray, Span::AHEAD, &mut counts, hit);
+        let _ = accel.nearest(&ray, Span::AHEAD, &mut counts, hit);
         let cells = 2.0 * cbrt(f64::from(count));
         let way: Vector = to - from;
         planes += way.to_array().iter().map(|x| x.abs() * cells / 2.0).sum::<f64>();
@@ -80,9 +80,9 @@ fn a_counted_search_finds_the_same() {
     for ray in some_rays(2256, 1_000, 1.0) {
         let hit = searched::hits(&both.objects, &ray);
         let (mut by_list, mut by_tree) = (Counts::default(), Counts::default());
-        let found = both.list.nearest_counted(&ray, Span::AHEAD, &mut by_list, &hit);
-        assert_eq!(found, both.list.nearest(&ray, Span::AHEAD, &hit));
-        assert_eq!(found, both.tree.nearest_counted(&ray, Span::AHEAD, &mut by_tree, &hit));
+        let found = both.list.nearest(&ray, Span::AHEAD, &mut by_list, &hit);
+        assert_eq!(found, both.list.nearest(&ray, Span::AHEAD, &mut (), &hit));
+        assert_eq!(found, both.tree.nearest(&ray, Span::AHEAD, &mut by_tree, &hit));
         assert_eq!([by_list.steps, by_list.tests], [0, 300]);
         tests += by_tree.tests;
         steps += by_tree.steps;

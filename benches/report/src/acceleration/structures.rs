@@ -142,10 +142,10 @@ fn search(
     hit: impl Fn(u32, Span) -> Option<Candidate>,
 ) -> Option<Candidate> {
     let Some(counts) = counts else {
-        return accel.nearest(ray, span, hit).map(|(_, hit)| hit);
+        return accel.nearest(ray, span, &mut (), hit).map(|(_, hit)| hit);
     };
     let mut here = accel::Counts::default();
-    let found = accel.nearest_counted(ray, span, &mut here, hit);
+    let found = accel.nearest(ray, span, &mut here, hit);
     counts.steps.set(counts.steps.get() + here.steps);
     found.map(|(_, hit)| hit)
 }

@@ -1,10 +1,10 @@
 //! The printed random numbers.
 
-use groundtruth::kinds::{Resources, Specification};
+use groundtruth::kinds::Resources;
 use groundtruth::math::{Point, Ray, Span, Vector, power};
 use groundtruth::scene;
 use groundtruth::shapes::RandomSpheres;
-use groundtruth::textures::RandomColors;
+use groundtruth::textures::{RandomColors, Specification};
 use groundtruth::world::World;
 
 use super::described;
