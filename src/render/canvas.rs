@@ -33,6 +33,7 @@ pub struct Canvas {
     picture: Mutex<Partial>,
     crop: Crop,
     done: AtomicU64,
+    previewed: AtomicU64,
     cancelled: AtomicBool,
 }
 
@@ -50,6 +51,8 @@ const TILE: u32 = 16;
 
 /// The coarse picture has one pixel in each square of this side, which divides [`TILE`].
 const BLOCK: u32 = 8;
+/// One sample in each square of this side comes before all others, so that something of the whole view is seen at once.
+const FIRST: u32 = 64;
 
 /// Says when to pause. At least one pixel should be rendered before it says so, or nothing ever is.
 pub type Pause<'a> = dyn Fn() -> bool + Sync + 'a;
@@ -77,10 +80,12 @@ impl Partial {
     }
 
     /// The coarse picture's radiance around a pixel: that of the top left pixel of its block, or before it
-    /// is rendered, of one of its samples.
+    /// is rendered, of one of its samples, or of a larger block.
     pub fn coarse(&self, pixel: [u32; 2]) -> Option<Rgb> {
-        let corner = pixel.map(|along| along - along % BLOCK);
-        self.get(corner).or_else(|| *self.preview.get(self.block(corner))?)
+        [BLOCK, FIRST].into_iter().find_map(|side| {
+            let corner = pixel.map(|along| along - along % side);
+            self.get(corner).or_else(|| *self.preview.get(self.block(corner))?)
+        })
     }
 
     /// The index of a pixel's block.
@@ -117,6 +122,7 @@ impl Canvas {
             picture: Mutex::new(Partial::new(crop)),
             crop,
             done: AtomicU64::new(0),
+            previewed: AtomicU64::new(0),
             cancelled: AtomicBool::new(false),
         }
     }
@@ -147,6 +153,12 @@ impl Canvas {
         (self.done.load(Ordering::Relaxed), whole)
     }
 
+    /// The number of values that were found so far, those of the coarse picture among them: another one, and there is
+    /// more to look at.
+    pub fn seen(&self) -> u64 {
+        self.done.load(Ordering::Relaxed) + self.previewed.load(Ordering::Relaxed)
+    }
+
     /// Asks the rendering to stop soon.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::Relaxed);
@@ -172,12 +184,18 @@ impl Canvas {
             let radiance = renderer.sample(at, 0, &mut (), &mut UntilStopped(&self.cancelled));
             (!self.is_cancelled()).then(|| expose(renderer.world(), [radiance].into_iter()))
         };
-        let wanted =
-            |picture: &Partial, at| is_coarse(at) && picture.preview[picture.block(at)].is_none();
-        self.each_tile(&sample, wanted, is_over, |picture, at, color| {
-            let block = picture.block(at);
-            picture.preview[block] = Some(color);
-        })
+        let each = |side: u32| {
+            let wanted = |picture: &Partial, at: [u32; 2]| {
+                let is_corner = at.iter().all(|along| along.is_multiple_of(side));
+                is_corner && picture.preview[picture.block(at)].is_none()
+            };
+            self.each_tile(&sample, wanted, is_over, |picture, at, color| {
+                let block = picture.block(at);
+                picture.preview[block] = Some(color);
+                self.previewed.fetch_add(1, Ordering::Relaxed);
+            })
+        };
+        each(FIRST) && each(BLOCK)
     }
 
     /// Renders every pixel once, in parallel on the current rayon pool; returns early if cancelled.

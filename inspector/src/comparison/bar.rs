@@ -1,8 +1,8 @@
 //! The bar of comparisons: with what, what is shown, and the next region; what differs is said over the picture.
 
 use eframe::egui::{
-    Align2, Area, Button, ComboBox, Frame, Id, Label, Order, Rect, RichText, Ui, WidgetInfo,
-    accesskit::Role, vec2,
+    Align2, Area, Button, ComboBox, Frame, Id, Label, Order, PopupCloseBehavior, Rect, RichText,
+    Ui, WidgetInfo, accesskit::Role, vec2,
 };
 use groundtruth::explain::{brief, count};
 use groundtruth::printable;
@@ -12,7 +12,7 @@ use rays::Logged;
 use crate::action::{Action, Shows, With};
 use crate::comparison::menu::CompareMenu;
 use crate::comparison::others::Others;
-use crate::comparison::theirs::{SCALES, Theirs};
+use crate::comparison::theirs::Theirs;
 use crate::comparison::{mistake, opening};
 use crate::picture::worker::Rendering;
 use crate::splits::NARROW;
@@ -40,17 +40,25 @@ const OF_LOG: [(Shows, &str, &str); 3] = [
 /// The width of a list, and in a narrow window, in points of the screen.
 const LIST_WIDTH: [f32; 2] = [130.0, 90.0];
 
-/// Shows a list in a width that its text does not change.
-pub fn list(ui: &mut Ui, text: &str, name: &str, hint: &str, entries: impl FnOnce(&mut Ui)) {
+/// Shows a list in a width that its text does not change; `entries` close it. Returns nothing while it is closed.
+pub fn list(
+    ui: &mut Ui,
+    text: &str,
+    name: &str,
+    hint: &str,
+    entries: impl FnOnce(&mut Ui),
+) -> Option<()> {
     let width = LIST_WIDTH[usize::from(ui.max_rect().width() < NARROW)];
     let show = |ui: &mut Ui| {
         ui.set_max_width(width);
         let list = ComboBox::from_id_salt(name).selected_text(text).truncate().width(width);
-        let response = list.show_ui(ui, entries).response;
-        response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, name));
-        response.on_hover_text(hint);
+        let list = list.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+        let list = list.show_ui(ui, entries);
+        list.response.widget_info(|| WidgetInfo::labeled(Role::ComboBox, true, name));
+        list.response.on_hover_text(format!("{text}\n{hint}"));
+        list.inner
     };
-    ui.allocate_ui(vec2(width, ui.spacing().interact_size.y), show);
+    ui.allocate_ui(vec2(width, ui.spacing().interact_size.y), show).inner
 }
 
 /// Shows the bar. Returns what the user asks for.
@@ -63,7 +71,7 @@ pub fn show(
     ui.horizontal_wrapped(|ui| {
         let mut asked = None;
         if rendering.source.rays().is_none() {
-            mistake::show(ui, others, rendering);
+            mistake::show(ui, &mut menu.mistake, others, rendering);
             asked = menu.show(ui, rendering);
         }
         if others.count() == 0 {
@@ -96,7 +104,10 @@ fn choice(ui: &mut Ui, others: &Others) -> Option<Action> {
         for (index, [name, about]) in names.iter().enumerate() {
             let is_chosen = index == others.chosen();
             let entry = ui.selectable_label(is_chosen, last_part(name)).on_hover_text(about);
-            next = next.take().or(entry.clicked().then_some(Action::Compare(With::Other(index))));
+            if entry.clicked() {
+                next = Some(Action::Compare(With::Other(index)));
+                ui.close();
+            }
         }
     });
     closed.or(next)
@@ -135,41 +146,42 @@ fn views(ui: &mut Ui, theirs: &mut Theirs, rendering: &Rendering) -> Option<Acti
     if theirs.shows == Shows::Difference
         && let Some(largest) = theirs.largest(rendering)
     {
-        for scale in SCALES {
-            let percent = format!("{} %", 100.0 * scale);
-            let hint = "The share of the differences that are shown unclipped";
-            ui.selectable_value(&mut theirs.scale, scale, percent).on_hover_text(hint);
-        }
-        ui.weak(format!("white: +{largest:.2e}"));
+        let hint = "Nine tenths of the differences are smaller";
+        ui.weak(format!("white: +{largest:.2e}")).on_hover_text(hint);
         ui.separator();
     }
     let differs = theirs.comparison(rendering).is_some_and(|comparison| !comparison.is_same());
     let next = ui.add_enabled(differs, Button::new("Next region"));
     let next = next.on_hover_text("Explains the worst pixel of the next region (N)");
-    let judges = theirs.judgement.button(ui, rendering.is_finished());
+    let judges = theirs.judgement.button(ui, rendering.is_finished() && theirs.part().is_none());
     next.clicked().then_some(Action::NextRegion).or(judges.then_some(Action::Compare(With::Judge)))
 }
 
 /// Shows what differs, over the lower edge of the picture in this area, so that nothing moves: the verdict once somebody
-/// asked for it. Returns what the user asks for.
-pub fn caption(ui: &Ui, area: Rect, theirs: &Theirs, rendering: &Rendering) -> Option<Action> {
+/// asked for it.
+pub fn caption(ui: &Ui, area: Rect, theirs: &Theirs, rendering: &Rendering) {
     if theirs.program.as_ref().is_some_and(|program| program.log().is_some()) {
-        return None;
+        return;
     }
     let over = Area::new(Id::unique("caption")).order(Order::Middle).pivot(Align2::LEFT_BOTTOM);
     let over = over.fixed_pos(area.left_bottom() + vec2(6.0, -6.0));
     let show = |ui: &mut Ui| {
         ui.set_max_width(area.width() - 28.0);
-        if let Some(judged) = theirs.judgement.show(ui, theirs.shows) {
-            return judged;
+        if theirs.judgement.show(ui, theirs.shows) {
+            return;
         }
         let comparison = theirs.comparison(rendering);
-        let text = comparison.map_or("compared when our picture is finished".to_owned(), summary);
+        let text = match (comparison, theirs.part()) {
+            (Some(comparison), _) => summary(comparison),
+            (None, Some(part)) => {
+                format!("{}: {:.0} %, then compared", theirs.short_name(), 100.0 * part)
+            }
+            (None, None) => "compared when our picture is finished".to_owned(),
+        };
         let hint = comparison.map_or(String::new(), Comparison::to_string);
         ui.label(text).on_hover_text(RichText::new(hint).monospace());
-        None
     };
-    over.show(ui.ctx(), |ui| Frame::popup(ui.style()).show(ui, show).inner).inner
+    over.show(ui.ctx(), |ui| Frame::popup(ui.style()).show(ui, show));
 }
 
 /// Shows whose rays there are to choose from, and what the laws found in the log.

@@ -220,7 +220,7 @@ impl Judgement {
         }
     }
 
-    /// Shows the button that starts it, which waits until our picture is finished, and stops it. Returns whether to judge.
+    /// Shows the button that starts it, which waits until both pictures are finished, and stops it. Returns whether to judge.
     pub fn button(&self, ui: &mut Ui, is_finished: bool) -> bool {
         if let State::Running(..) = &self.state {
             if ui.button("Stop").on_hover_text("What is known by then is said").clicked() {
@@ -230,14 +230,13 @@ impl Judgement {
         }
         let hint = "Is the difference noise? Renders pictures of ours with other seeds, as `groundtruth verify` does";
         let button = ui.add_enabled(is_finished, Button::new("Judge")).on_hover_text(hint);
-        button.on_disabled_hover_text("When our picture is finished").clicked()
+        button.on_disabled_hover_text("When both pictures are finished").clicked()
     }
 
-    /// Shows how far it is, or the verdict and its regions. Returns what the user asks for, or nothing if nobody asked to
-    /// judge.
-    pub fn show(&self, ui: &mut Ui, shows: Shows) -> Option<Option<Action>> {
+    /// Shows how far it is, or the verdict; `false` if nobody asked to judge.
+    pub fn show(&self, ui: &mut Ui, shows: Shows) -> bool {
         match &self.state {
-            State::Nothing => return None,
+            State::Nothing => return false,
             State::Running(course, _) => {
                 ui.horizontal_wrapped(|ui| {
                     ui.spinner();
@@ -247,7 +246,7 @@ impl Judgement {
             State::Done(Err(problem)) => drop(ui.label(problem)),
             State::Done(Ok(verdict)) => {
                 let color = match verdict.decision {
-                    Decision::Agrees => ink(ui, AGREES),
+                    Decision::Agrees => ink(ui.visuals(), AGREES),
                     Decision::Differs => ui.visuals().error_fg_color,
                     Decision::Undecided => ui.visuals().warn_fg_color,
                 };
@@ -255,29 +254,10 @@ impl Judgement {
                 ui.label(text).on_hover_text(RichText::new(verdict.to_string()).monospace());
             }
         }
-        let regions = self.verdict().map_or(&[][..], |verdict| &verdict.regions);
-        let list = |ui: &mut Ui| {
-            let mut explained = None;
-            for (number, region) in (1..).zip(regions) {
-                let DifferingRegion { name, z, .. } = region;
-                let z = z.map_or(String::new(), |z| format!(", z = {z:+.1}"));
-                let link = ui.link(format!("{number} {name}{z}"));
-                if link.on_hover_text(region.to_string()).clicked() {
-                    explained = Some(Action::Reveal(worst(region)));
-                }
-            }
-            explained
-        };
-        let row = |ui: &mut Ui| {
-            let name = count(regions.len(), "region");
-            let asked = ui.menu_button(name, list).inner;
-            if shows == Shows::Map {
-                ui.weak("white: theirs is brighter, z ≥ 6 · grey: 0 · black: darker, z ≤ −6");
-            }
-            asked.flatten()
-        };
-        let is_empty = regions.is_empty() && shows != Shows::Map;
-        Some(if is_empty { None } else { ui.horizontal_wrapped(row).inner })
+        if shows == Shows::Map {
+            ui.weak("white: theirs is brighter, z ≥ 6 · grey: 0 · black: darker, z ≤ −6");
+        }
+        true
     }
 
     /// Draws the map of z; `false` if it is not made yet.

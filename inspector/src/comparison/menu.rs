@@ -26,6 +26,8 @@ const FIELD_MARGIN: Margin = Margin::symmetric(6, 4);
 #[derive(Default)]
 pub struct CompareMenu {
     typed: String,
+    /// The words by which a mistake is looked for.
+    pub mistake: String,
     problem: Option<String>,
     /// Frames until the open menu is in position.
     opening: u8,

@@ -9,6 +9,7 @@ pub mod mistake;
 pub mod opening;
 pub mod others;
 pub mod pixel_command;
+pub mod pixels;
 pub mod program;
 pub mod recipe;
 pub mod theirs;

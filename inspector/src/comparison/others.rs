@@ -39,8 +39,8 @@ pub struct Others {
     working: Background<Made>,
     /// The view of the picture before.
     shows: Shows,
-    /// The files that are read, in the order in which they were named.
-    opening: VecDeque<Background<Result<Theirs, String>>>,
+    /// The files that are read, in the order in which they were named, and what is said of each.
+    opening: VecDeque<(String, Background<Result<Theirs, String>>)>,
     /// How many states were kept.
     kept: usize,
     /// The logs of rays, which are read again when they are written again.
@@ -72,9 +72,10 @@ impl Others {
     ) -> Option<Message> {
         match asked {
             With::Picture(path) => {
+                let said = format!("reading {}", path.display());
                 let mut reading = Background::default();
                 reading.start(ctx, move || Theirs::read(&path, None));
-                self.opening.push_back(reading);
+                self.opening.push_back((said, reading));
             }
             With::Field(change) => self.add(Recipe::Field(change)),
             With::Scene(source) => self.add(Recipe::Scene(source)),
@@ -112,7 +113,7 @@ impl Others {
 
     /// Holds the picture of a file that is read now against ours, which is rendered at its size.
     pub fn accept_opened(&mut self, ctx: &Context, session: &mut Session) -> Option<Message> {
-        let read = self.opening.front_mut()?.poll()?;
+        let read = self.opening.front_mut()?.1.poll()?;
         self.opening.pop_front();
         let picture = match read.unwrap_or_else(|lost| Err(lost.to_string())) {
             Ok(picture) if session.waiting.is_none() => picture,
@@ -128,6 +129,11 @@ impl Others {
         }
         self.add_picture(picture);
         (!notes.is_empty()).then(|| (notes.join("; "), false))
+    }
+
+    /// What is being read, in words.
+    pub fn reading(&self) -> Option<&str> {
+        self.opening.front().map(|(said, _)| &**said)
     }
 
     /// How many there are.
@@ -231,9 +237,10 @@ impl Others {
         }
     }
 
-    /// Adds a picture that is made from the scene, and holds it against ours.
+    /// Adds a picture that is made from the scene, and holds it against ours, side by side.
     pub fn add(&mut self, recipe: Recipe) {
         self.push(Some(recipe), None);
+        self.shows = Shows::default();
     }
 
     fn push(&mut self, recipe: Option<Recipe>, theirs: Option<Theirs>) {
@@ -330,7 +337,7 @@ impl Others {
                 program.number = self.number();
                 let first = program.log().and_then(Logged::first_place);
                 let problem = program.problem.take();
-                let theirs = Theirs::of_program(program, film, self.shows);
+                let theirs = Theirs::of_program(ctx, program, film, self.shows);
                 let entry = self.entries.get_mut(self.chosen)?;
                 self.first = first.filter(|_| entry.theirs.is_none());
                 (entry.theirs, entry.made_beside) = (Some(theirs), Some(beside));
@@ -359,7 +366,7 @@ impl Others {
         let Some(recipe) = &entry.recipe else { return };
         self.is_stopped = Arc::default();
         let (pixel, is_stopped) = (self.pixel.unwrap_or_default(), Arc::clone(&self.is_stopped));
-        self.working.start_in_slices(ctx, recipe.work(rendering, pixel, is_stopped));
+        self.working.start(ctx, recipe.work(rendering, pixel, is_stopped));
         let log = entry.theirs.as_ref().and_then(|theirs| theirs.program.as_ref()?.log());
         let has_pixel = log.is_some_and(|log| log.nearest(pixel) == Some(pixel));
         if entry.log().is_some() || has_pixel {

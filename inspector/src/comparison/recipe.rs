@@ -1,10 +1,9 @@
 //! How another picture is made from the open scene, to be held against ours.
 
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::AtomicBool;
 
 use groundtruth::film::Film;
-use groundtruth::render::{Canvas, Renderer};
 use groundtruth::scene::Scene;
 use judge::mistakes::{Mistake, Mistaken};
 use pictures::compare;
@@ -12,7 +11,7 @@ use pictures::compare;
 use crate::comparison::pixel_command::PixelCommand;
 use crate::comparison::program::Program;
 use crate::picture::worker::Rendering;
-use crate::platform::{self, Slice, watched};
+use crate::platform;
 use crate::scene::fields::Change;
 use crate::scene::source::{Built, Source};
 
@@ -31,8 +30,8 @@ pub enum Recipe {
     Run(PixelCommand),
 }
 
-/// The program and its picture; `None` if the mistake changes nothing of the scene.
-pub type Made = Result<Option<(Program, Film)>, String>;
+/// The program, and its picture if that is not to be rendered; `None` if the mistake changes nothing of the scene.
+pub type Made = Result<Option<(Program, Option<Film>)>, String>;
 
 impl Recipe {
     /// What is other, in a few words.
@@ -57,44 +56,21 @@ impl Recipe {
         }
     }
 
-    /// The work that makes the picture beside this one of ours, in its size; `is_stopped` ends it early. A program is run
-    /// for `pixel`.
+    /// The work that makes the program of the picture beside this one of ours, in its size; `is_stopped` ends it early. A
+    /// program is run for `pixel`.
     pub fn work(
         &self,
         rendering: &Rendering,
         pixel: [u32; 2],
         is_stopped: Arc<AtomicBool>,
-    ) -> impl FnMut(&Slice) -> Option<Made> + Send + 'static {
+    ) -> impl FnOnce() -> Made + Send + 'static {
         let (recipe, ours, size) = (self.clone(), rendering.built.clone(), rendering.size());
-        let mut made = None;
-        move |slice| {
-            let (program, canvas) = match made.take() {
-                Some(made) => made,
-                None => match recipe.program(&ours, size, (pixel, &is_stopped)) {
-                    Ok(Some(program)) if program.log().is_some() => {
-                        let film = program.picture(size);
-                        return Some(Ok(Some((program, film))));
-                    }
-                    Ok(Some(program)) => {
-                        let canvas = Canvas::new(program.world());
-                        (program, canvas)
-                    }
-                    Ok(None) => return Some(Ok(None)),
-                    Err(problem) => return Some(Err(problem)),
-                },
-            };
-            let stop = || {
-                if is_stopped.load(Ordering::Relaxed) {
-                    canvas.cancel();
-                }
-            };
-            let work = || canvas.render_until(&program, &|| slice.is_over());
-            if watched(work, stop) || canvas.is_cancelled() {
-                let film = canvas.film();
-                return Some(Ok(Some((program, film))));
-            }
-            made = Some((program, canvas));
-            None
+        move || {
+            let program = recipe.program(&ours, size, (pixel, &is_stopped))?;
+            Ok(program.map(|program| {
+                let film = program.log().map(|_| program.picture(size));
+                (program, film)
+            }))
         }
     }
 

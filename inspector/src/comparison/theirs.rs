@@ -16,16 +16,17 @@ use rays::RayPlace;
 
 use crate::action::Shows;
 use crate::comparison::judgement::Judgement;
+use crate::comparison::pixels::Pixels;
 use crate::comparison::program::Program;
 use crate::picture::chosen_layer::named;
 use crate::picture::developed::{self, Developed, Version};
 use crate::picture::saving::Beside;
 use crate::picture::view::Placement;
-use crate::picture::worker::{Background, Rendering};
+use crate::picture::worker::{Background, Growing, Rendering};
 use crate::platform;
 
-/// The scales of the difference: the shares of differing channels that are shown unclipped.
-pub const SCALES: [f64; 3] = [0.5, 0.9, 1.0];
+/// The share of the differing channels that the picture of the difference shows unclipped.
+const UNCLIPPED: f64 = 0.9;
 
 /// The width of the divider that reacts to the mouse, in points of the screen.
 const DIVIDER: f32 = 10.0;
@@ -41,16 +42,13 @@ pub struct Theirs {
     pub shows: Shows,
     /// The place of the divider, as a share of the width of the picture's part of the window.
     pub divider: f32,
-    /// The scale of the difference.
-    pub scale: f64,
     /// The verdict on it.
     pub judgement: Judgement,
     /// The program that made it, if it is not of a file.
     pub program: Option<Arc<Program>>,
-    picture: Arc<Picture>,
-    radiance: Arc<Film>,
+    pixels: Pixels,
     layer: Developed<()>,
-    differences: Developed<(u64, f64)>,
+    differences: Developed<u64>,
     compared: Option<Compared>,
     comparing: Background<Compared>,
     /// The region that was selected last.
@@ -65,28 +63,31 @@ impl Theirs {
     /// If it is no picture, or damaged.
     pub fn read(path: &Path, encoding: Option<Transfer>) -> Result<Self, String> {
         let picture = platform::read_picture(path, encoding)?;
-        let radiance = picture.radiance();
-        Ok(Self::of(path.display().to_string(), picture, radiance))
+        let pixels = Pixels::Whole(picture.radiance().into(), Some(picture.into()));
+        Ok(Self::of(path.display().to_string(), pixels))
     }
 
-    /// The picture of a program, in this view.
-    pub fn of_program(program: Program, film: Film, shows: Shows) -> Self {
-        let theirs = Self::of(program.name.clone(), Picture::of_film(&film), film);
+    /// The picture of a program, in this view: a film, or what it renders from now on.
+    pub fn of_program(ctx: &Context, program: Program, film: Option<Film>, shows: Shows) -> Self {
+        let program = Arc::new(program);
+        let pixels = match film {
+            Some(film) => Pixels::Whole(film.into(), None),
+            None => Pixels::Growing(Growing::render(ctx, Arc::clone(&program))),
+        };
+        let theirs = Self::of(program.name.clone(), pixels);
         // a log opens at the first of its broken rays
         let region = program.log().map(|_| 0);
-        Self { program: Some(Arc::new(program)), shows, region, ..theirs }
+        Self { program: Some(program), shows, region, ..theirs }
     }
 
-    fn of(name: String, picture: Picture, radiance: Film) -> Self {
+    fn of(name: String, pixels: Pixels) -> Self {
         Self {
             name,
             program: None,
             shows: Shows::default(),
             divider: 0.5,
-            scale: 0.9,
             judgement: Judgement::default(),
-            radiance: Arc::new(radiance),
-            picture: Arc::new(picture),
+            pixels,
             layer: Developed::default(),
             differences: Developed::default(),
             compared: None,
@@ -116,28 +117,34 @@ impl Theirs {
 
     /// Pixels across and down.
     pub fn size(&self) -> [u32; 2] {
-        self.picture.size
+        self.pixels.size()
+    }
+
+    /// The rendered part, from 0 to 1, while a program renders it.
+    pub fn part(&self) -> Option<f32> {
+        self.pixels.part()
     }
 
     /// Notes on what was ignored in its file.
     pub fn notes(&self) -> &[String] {
-        &self.picture.notes
+        self.stored().map_or(&[], |picture| &picture.notes)
     }
 
-    /// Its radiance at a pixel; `None` outside.
-    pub fn radiance(&self, [x, y]: [u32; 2]) -> Option<Rgb> {
-        let [width, height] = self.size();
-        (x < width && y < height).then(|| self.radiance.get([x, y]))
+    fn stored(&self) -> Option<&Picture> {
+        if let Pixels::Whole(_, stored) = &self.pixels { stored.as_deref() } else { None }
+    }
+
+    /// Its radiance at a pixel; `None` outside, and where it is not rendered yet.
+    pub fn radiance(&self, pixel: [u32; 2]) -> Option<Rgb> {
+        self.pixels.radiance(pixel)
     }
 
     /// Its value at a pixel in words: as stored if that is radiance, else radiance and the stored integers.
     pub fn value(&self, pixel: [u32; 2]) -> Option<String> {
         let radiance = self.radiance(pixel)?;
-        if self.program.is_some() {
-            return Some(explain::short(radiance));
-        }
-        let [r, g, b] = self.picture.values[self.picture.index(pixel)];
-        Some(match self.picture.step {
+        let Some(picture) = self.stored() else { return Some(explain::short(radiance)) };
+        let [r, g, b] = picture.values[picture.index(pixel)];
+        Some(match picture.step {
             None if [g, b] == [r, r] => format!("{r:?}"),
             None => format!("({r:?}, {g:?}, {b:?})"),
             Some(step) => {
@@ -167,7 +174,7 @@ impl Theirs {
 
     /// The difference that is white; its negative is black.
     pub fn largest(&self, rendering: &Rendering) -> Option<f64> {
-        Some(self.compared_with(rendering)?.1.within(self.scale))
+        Some(self.compared_with(rendering)?.1.within(UNCLIPPED))
     }
 
     fn compared_with(&self, rendering: &Rendering) -> Option<&Arc<(Comparison, Differences)>> {
@@ -209,7 +216,7 @@ impl Theirs {
 
     /// The difference or the map of z that is shown, to be saved; `Some(None)` if it is not there yet.
     pub fn layer(&self, rendering: &Rendering) -> Option<Option<Beside>> {
-        let (name, _) = named(self.shows).filter(|_| self.fits(rendering))?;
+        let name = named(self.shows).filter(|_| self.fits(rendering))?;
         if self.shows == Shows::Map {
             let map = self.judgement.verdict().map(|verdict| {
                 let (z, size) = (&verdict.shown.z, verdict.shown.theirs.size);
@@ -223,7 +230,7 @@ impl Theirs {
             let differences = &compared.1;
             let at = |index: usize| [index as u32 % width, index as u32 / width];
             let values = film(size, |index| differences.at(at(index)).into());
-            Beside { name, colors: differences.film(differences.within(self.scale)), values }
+            Beside { name, colors: differences.film(differences.within(UNCLIPPED)), values }
         });
         Some(difference)
     }
@@ -232,13 +239,15 @@ impl Theirs {
     pub fn is_busy(&self, rendering: &Rendering) -> bool {
         let is_compared = self.comparison(rendering).is_some();
         let is_due = self.is_comparable(rendering) && !is_compared;
-        self.layer.is_busy() || self.differences.is_busy() || self.judgement.is_busy() || is_due
+        let is_developing = self.layer.is_busy() || self.differences.is_busy();
+        self.part().is_some() || is_developing || self.judgement.is_busy() || is_due
     }
 
     /// Whether it can be compared with our picture: a log has few of the pixels.
     fn is_comparable(&self, rendering: &Rendering) -> bool {
         let is_log = self.program.as_ref().is_some_and(|program| program.log().is_some());
-        rendering.is_finished() && self.fits(rendering) && !is_log
+        let is_whole = rendering.is_finished() && self.part().is_none();
+        is_whole && self.fits(rendering) && !is_log
     }
 
     /// Whether our picture has its size.
@@ -248,7 +257,7 @@ impl Theirs {
 
     /// Judges it as a picture of the scene that is shown.
     pub fn judge(&mut self, ctx: &Context, rendering: &Rendering) {
-        self.judgement.start(ctx, rendering, &self.picture);
+        self.judgement.start(ctx, rendering, &self.pixels.picture()());
     }
 
     /// Compares with our picture once it is finished, and makes the layer that is shown.
@@ -264,14 +273,12 @@ impl Theirs {
         if !self.fits(rendering) {
             return;
         }
-        let radiance = Arc::clone(&self.radiance);
-        let shown = move || ((), developed::of_film(&radiance, &tone));
-        self.layer.refresh(ctx, Version::whole((), tone), shown);
+        self.pixels.develop(ctx, &mut self.layer, tone);
         let is_compared = self.comparison(rendering).is_some();
         if self.is_comparable(rendering) && !is_compared && !self.comparing.is_busy() {
-            let (canvas, theirs) = (Arc::clone(&rendering.canvas), Arc::clone(&self.picture));
+            let (canvas, theirs) = (Arc::clone(&rendering.canvas), self.pixels.picture());
             self.comparing.start(ctx, move || {
-                let ours = Picture::of_film(&canvas.film());
+                let (ours, theirs) = (Picture::of_film(&canvas.film()), theirs());
                 let comparison =
                     Comparison::of(&ours, &theirs, 0.0).expect("only pictures of one size");
                 (generation, Arc::new((comparison, Differences::of(&ours, &theirs, 0.0))))
@@ -280,10 +287,9 @@ impl Theirs {
         if let Some(compared) = self.compared_with(rendering).map(Arc::clone)
             && self.shows == Shows::Difference
         {
-            let scale = self.scale;
-            let wanted = Version::whole((generation, scale), Tone::PLAIN);
+            let wanted = Version::whole(generation, Tone::PLAIN);
             self.differences.refresh(ctx, wanted, move || {
-                let film = compared.1.film(compared.1.within(scale));
+                let film = compared.1.film(compared.1.within(UNCLIPPED));
                 ((), developed::of_film(&film, &Tone::PLAIN))
             });
         }
@@ -295,21 +301,24 @@ impl Theirs {
         let is_ready = match self.shows {
             Shows::Ours => true,
             _ if !is_whole => true,
-            Shows::Theirs => self.layer.paint(painter, placement, |_| true),
+            Shows::Theirs => self.pixels.paint(painter, &self.layer, placement),
             Shows::Swipe => {
                 let area = painter.clip_rect();
                 let right = area.with_min_x(divider_x(area, self.divider));
-                self.layer.paint(&painter.with_clip_rect(right), placement, |_| true)
+                {
+                    let painter = painter.with_clip_rect(right);
+                    self.pixels.paint(&painter, &self.layer, placement)
+                }
             }
             Shows::Difference => {
-                self.differences.paint(painter, placement, |(of, _)| *of == rendering.generation)
+                self.differences.paint(painter, placement, |of| *of == rendering.generation)
             }
             Shows::Map => self.judgement.paint_map(painter, placement),
         };
         if !is_ready {
             let text = match self.shows {
-                Shows::Difference if rendering.is_finished() => "the difference is computed",
-                Shows::Difference => "the difference follows when our picture is finished",
+                Shows::Difference if self.is_comparable(rendering) => "the difference is computed",
+                Shows::Difference => "the difference follows when both pictures are finished",
                 Shows::Map => "the map of z follows",
                 _ => "the other picture follows",
             };

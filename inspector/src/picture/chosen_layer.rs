@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use eframe::egui::{Button, ComboBox, Context, Painter, Ui};
+use eframe::egui::{ComboBox, Context, Painter, Ui};
 use groundtruth::film::{Film, Tone};
 use groundtruth::render::Canvas;
 use groundtruth::rgb::Rgb;
@@ -10,42 +10,16 @@ use groundtruth::world::World;
 use layers::{Colors, Layer, LegendRow};
 
 use crate::action::Shows;
-use crate::picture::developed::{self, Developed, Version};
+use crate::picture::developed::{self, Developed};
 use crate::picture::tiles::Images;
 use crate::picture::view::Placement;
-use crate::picture::worker::{Background, Rendering};
+use crate::picture::worker::{Background, Growing, Rendering};
 
-/// The layers of a comparison, which are chosen in the same list.
-pub struct Compared<'a> {
-    /// The view of the two pictures.
-    pub shows: &'a mut Shows,
-    /// Whether there is a verdict, and so a map of z.
-    pub is_judged: bool,
-}
-
-impl Compared<'_> {
-    /// Shows their entries of the list. Returns whether one was chosen.
-    fn choose(&mut self, ui: &mut Ui) -> bool {
-        let mut is_chosen = false;
-        for wanted in [Shows::Difference, Shows::Map] {
-            let Some((name, about)) = named(wanted) else { continue };
-            let entry = Button::selectable(*self.shows == wanted, name);
-            let is_there = wanted != Shows::Map || self.is_judged;
-            let entry = ui.add_enabled(is_there, entry).on_hover_text(about);
-            let entry = entry.on_disabled_hover_text("Once the picture is judged");
-            if entry.clicked() {
-                (*self.shows, is_chosen) = (wanted, true);
-            }
-        }
-        is_chosen
-    }
-}
-
-/// The name of a view of two pictures that is a layer, and what it is.
-pub fn named(shows: Shows) -> Option<(&'static str, &'static str)> {
+/// The name of a view of two pictures that is a layer.
+pub fn named(shows: Shows) -> Option<&'static str> {
     match shows {
-        Shows::Difference => Some(("difference", "The other picture less ours, around grey (D)")),
-        Shows::Map => Some(("map of z", "The difference in standard deviations, around grey (Z)")),
+        Shows::Difference => Some("difference"),
+        Shows::Map => Some("map of z"),
         Shows::Ours | Shows::Theirs | Shows::Swipe => None,
     }
 }
@@ -59,47 +33,20 @@ pub struct ChosenLayer {
     /// The rendering whose layers are offered.
     offered_of: Option<u64>,
     offering: Background<(u64, Vec<Layer>)>,
-    finding: Option<Finding>,
+    finding: Option<(Found, Growing)>,
     developed: Developed<Found, (Colors, Vec<LegendRow>)>,
 }
 
 /// A layer, and the rendering that it is of.
 type Found = (Layer, u64);
 
-/// A layer that is being found. Dropping it stops the work.
-struct Finding {
-    of: Found,
-    canvas: Arc<Canvas>,
-    running: Background<()>,
-}
-
-impl Drop for Finding {
-    fn drop(&mut self) {
-        self.canvas.cancel();
-    }
-}
-
-impl Finding {
-    fn start(ctx: &Context, rendering: &Rendering, of: Found) -> Self {
-        let canvas = Arc::new(Canvas::new(&rendering.world));
-        let mut running = Background::default();
-        let (world, found) = (Arc::clone(&rendering.world), Arc::clone(&canvas));
-        let layer = of.0.clone();
-        let value = move |pixel| layer.to_film(layer.value(&*world, pixel));
-        running.start_in_slices(ctx, move |slice| {
-            let is_whole = found.fill_until(&value, &|| slice.is_over());
-            (is_whole || found.is_cancelled()).then_some(())
-        });
-        Self { of, canvas, running }
-    }
-
-    fn version(&mut self, tone: Tone) -> Version<Found> {
-        // in this order: a layer that is finished now is completely in its film
-        let _ = self.running.poll();
-        let is_finished = !self.running.is_busy();
-        let done = self.canvas.progress().0;
-        Version { of: self.of.clone(), done, is_finished, tone }
-    }
+/// Starts to find a layer.
+fn find(ctx: &Context, rendering: &Rendering, layer: Layer) -> Growing {
+    let world = Arc::clone(&rendering.world);
+    let value = move |pixel| layer.to_film(layer.value(&*world, pixel));
+    Growing::start(ctx, &rendering.world, move |canvas, slice| {
+        canvas.fill_until(&value, &|| slice.is_over())
+    })
 }
 
 /// A layer so far: its colours, its legend and its tiles.
@@ -122,13 +69,14 @@ fn develop(
 }
 
 impl ChosenLayer {
-    /// Shows the list of layers, with those of a comparison below the picture; in a narrow bar without its name.
-    pub fn choose(&mut self, ui: &mut Ui, is_narrow: bool, mut compared: Option<Compared<'_>>) {
+    /// Shows the list of layers; in a narrow bar without its name. One that is chosen is seen in place of another picture.
+    pub fn choose(&mut self, ui: &mut Ui, is_narrow: bool, shows: Option<&mut Shows>) {
         let label = (!is_narrow).then(|| ui.label("Layer"));
         let width = if is_narrow { 64.0 } else { 130.0 };
-        let beside = compared.as_ref().and_then(|it| named(*it.shows));
-        let of_scene = || self.chosen.as_ref().map_or("picture".to_owned(), Layer::to_string);
-        let name = beside.map_or_else(of_scene, |(name, _)| name.to_owned());
+        let beside = shows.as_deref().copied().and_then(named);
+        let of_scene = self.chosen.as_ref().map_or("picture".to_owned(), Layer::to_string);
+        let name = beside.map_or(of_scene, str::to_owned);
+        let mut is_clicked = false;
         let list = ComboBox::from_id_salt("layer")
             .selected_text(name)
             .truncate()
@@ -140,17 +88,7 @@ impl ChosenLayer {
                 let is_shown = beside.is_none() && self.chosen == chosen;
                 let entry = ui.selectable_label(is_shown, layer.to_string());
                 if entry.on_hover_text(layer.kind().about).clicked() {
-                    let is_hidden = chosen.is_some() || beside.is_some();
-                    if let Some(compared) = compared.as_mut().filter(|_| is_hidden) {
-                        // ours, of which it is a layer
-                        *compared.shows = Shows::Ours;
-                    }
-                    self.chosen = chosen;
-                }
-                if let Some(compared) = compared.as_mut().filter(|_| *layer == Layer::PICTURE)
-                    && compared.choose(ui)
-                {
-                    self.chosen = None;
+                    (self.chosen, is_clicked) = (chosen, true);
                 }
             }
         };
@@ -158,6 +96,9 @@ impl ChosenLayer {
         if let Some(label) = label {
             list.labelled_by(label.id);
         }
+        let is_hidden = self.chosen.is_some() || beside.is_some();
+        // ours, of which it is a layer
+        shows.filter(|_| is_clicked && is_hidden).into_iter().for_each(|it| *it = Shows::Ours);
     }
 
     /// Starts to find the layer that is chosen, and shows it as far as it is found.
@@ -168,15 +109,16 @@ impl ChosenLayer {
             return;
         };
         let of = (layer.clone(), rendering.generation);
-        if self.finding.as_ref().is_none_or(|finding| finding.of != of) {
+        if self.finding.as_ref().is_none_or(|(found, _)| *found != of) {
             // the old one is dropped here, which stops it
-            self.finding = Some(Finding::start(ctx, rendering, of.clone()));
+            self.finding = Some((of.clone(), find(ctx, rendering, of.0.clone())));
             self.developed = Developed::default();
         }
-        let Some(finding) = &mut self.finding else { return };
-        let (canvas, world) = (Arc::clone(&finding.canvas), Arc::clone(&rendering.world));
+        let Some((_, growing)) = &self.finding else { return };
+        let (canvas, world) = (Arc::clone(&growing.canvas), Arc::clone(&rendering.world));
+        let version = growing.version(of.clone(), tone);
         let develop = move || develop(&canvas, &world, &of.0, tone);
-        self.developed.refresh(ctx, finding.version(tone), develop);
+        self.developed.refresh(ctx, version, develop);
     }
 
     /// Finds out which layers the scene has.
@@ -203,23 +145,21 @@ impl ChosenLayer {
 
     /// The found part of the layer, from 0 to 1, while it is being found.
     pub fn progress(&self) -> Option<f32> {
-        let finding = self.finding.as_ref().filter(|finding| finding.running.is_busy())?;
-        let (done, whole) = finding.canvas.progress();
-        Some(done as f32 / whole as f32)
+        self.finding.as_ref()?.1.part()
     }
 
     /// The layer, and a film of its values once all are found.
     pub fn film(&self) -> Option<(Layer, Option<Film>)> {
         let layer = self.chosen.clone()?;
-        let finding = self.finding.as_ref().filter(|it| it.of.0 == layer && self.is_complete());
-        Some((layer, finding.map(|finding| finding.canvas.film())))
+        let finding = self.finding.as_ref().filter(|(of, _)| of.0 == layer && self.is_complete());
+        Some((layer, finding.map(|(_, growing)| growing.canvas.film())))
     }
 
     /// The value of the layer at a pixel, if it is found; `Some(None)` where nothing is hit.
     pub fn value(&self, pixel: [u32; 2]) -> Option<Option<Rgb>> {
-        let finding = self.finding.as_ref()?;
-        let value = finding.canvas.look_partly(|picture| picture.get(pixel))?;
-        Some(finding.of.0.from_film(value))
+        let ((layer, _), growing) = self.finding.as_ref()?;
+        let value = growing.canvas.look_partly(|picture| picture.get(pixel))?;
+        Some(layer.from_film(value))
     }
 
     /// The layer's name and its value at a pixel, in words.

@@ -22,7 +22,7 @@ const COARSE_ALPHA: u8 = 215;
 pub struct Version<K> {
     /// Which picture.
     pub of: K,
-    /// The number of its pixels so far.
+    /// The number of its values so far, of the coarse picture or its own.
     pub done: u64,
     /// Whether the film is complete; the count of pixels alone does not tell, because it is raised a little
     /// before the last pixels are in the film.
@@ -132,12 +132,16 @@ pub fn so_far(canvas: &Canvas, color: impl Fn(Rgb) -> [u8; 3]) -> Images {
     })
 }
 
-/// A film in the colours of the screen; what is not a number is magenta.
+/// Radiance in the colours of the screen; what is not a number is magenta.
+pub fn bytes(tone: &Tone, radiance: Rgb) -> [u8; 3] {
+    let is_number = radiance.to_array().iter().all(|channel| !channel.is_nan());
+    if is_number { tone.to_bytes(radiance) } else { [255, 0, 255] }
+}
+
+/// A film in the colours of the screen.
 pub fn of_film(film: &Film, tone: &Tone) -> Images {
     let color = |at| {
-        let radiance = film.get(at);
-        let is_number = radiance.to_array().iter().all(|channel| !channel.is_nan());
-        let [r, g, b] = if is_number { tone.to_bytes(radiance) } else { [255, 0, 255] };
+        let [r, g, b] = bytes(tone, film.get(at));
         Color32::from_rgb(r, g, b)
     };
     images([film.width(), film.height()], |positions| positions.map(color).collect())

@@ -8,11 +8,14 @@ use std::sync::{Arc, OnceLock};
 use std::time::Duration;
 
 use eframe::egui;
+use groundtruth::film::Tone;
 use groundtruth::math::Span;
-use groundtruth::render::{self, Canvas, MAX_COUNTED, RaysPerSample};
+use groundtruth::render::{self, Canvas, MAX_COUNTED, RaysPerSample, Renderer};
 use groundtruth::rgb::Rgb;
+use groundtruth::world::World;
 use web_time::Instant;
 
+use crate::picture::developed::Version;
 use crate::platform::{self, Slice, Task};
 use crate::scene::source::Built;
 
@@ -98,7 +101,58 @@ impl<T: Send + 'static> Background<T> {
     }
 }
 
-/// A picture that is being rendered. Dropping it stops the work.
+/// A picture that is filled beside the window. Dropping it stops the work.
+#[derive(Debug)]
+pub struct Growing {
+    /// The picture so far.
+    pub canvas: Arc<Canvas>,
+    task: Task,
+}
+
+impl Growing {
+    /// Starts to fill a picture of this world: `fill` is called until it returns true.
+    pub fn start(
+        ctx: &egui::Context,
+        world: &World,
+        mut fill: impl FnMut(&Canvas, &Slice) -> bool + Send + 'static,
+    ) -> Self {
+        let canvas = Arc::new(Canvas::new(world));
+        let filled = Arc::clone(&canvas);
+        let task = Task::start(ctx, move |slice| fill(&filled, slice) || filled.is_cancelled());
+        Self { canvas, task }
+    }
+
+    /// Starts to render, with the coarse picture at once, even while another picture is rendered.
+    pub fn render(ctx: &egui::Context, renderer: Arc<impl Renderer + Send + 'static>) -> Self {
+        let of = Arc::clone(&renderer);
+        Self::start(ctx, of.world(), move |canvas, slice| {
+            let is_over = || slice.is_over();
+            platform::at_once(|| canvas.preview(&*renderer, &is_over))
+                && canvas.render_until(&*renderer, &is_over)
+        })
+    }
+
+    /// The filled part, from 0 to 1; `None` once the work has ended.
+    pub fn part(&self) -> Option<f32> {
+        let (done, whole) = self.canvas.progress();
+        (!self.task.is_ended()).then_some(done as f32 / whole as f32)
+    }
+
+    /// The version of the picture so far.
+    pub fn version<K>(&self, of: K, tone: Tone) -> Version<K> {
+        // in this order: a picture that is finished now is completely in its film
+        let is_finished = self.task.is_ended();
+        Version { of, done: self.canvas.seen(), is_finished, tone }
+    }
+}
+
+impl Drop for Growing {
+    fn drop(&mut self) {
+        self.canvas.cancel();
+    }
+}
+
+/// Our picture, which is being rendered. Dropping it stops the work.
 #[derive(Debug)]
 pub struct Rendering {
     /// The number of this rendering: answers about another one are dropped.
@@ -110,7 +164,7 @@ pub struct Rendering {
     start: Instant,
     note: Arc<OnceLock<Option<String>>>,
     took: Arc<OnceLock<Duration>>,
-    task: Task,
+    growing: Growing,
 }
 
 /// The progress of a picture.
@@ -127,31 +181,27 @@ pub enum Progress {
 impl Rendering {
     /// Starts to render.
     pub fn start(ctx: &egui::Context, built: Built, generation: u64) -> Self {
-        let canvas = Arc::new(Canvas::new(&built.world));
-        let (start, took) = (Instant::now(), Arc::new(OnceLock::new()));
-        let note = Arc::new(OnceLock::new());
-        let work = {
-            let (canvas, world) = (Arc::clone(&canvas), Arc::clone(&built.world));
-            let (note, took) = (Arc::clone(&note), Arc::clone(&took));
-            move |slice: &Slice| {
-                let is_over = || slice.is_over();
-                if !canvas.preview(&*world, &is_over) {
-                    return canvas.is_cancelled();
-                }
-                note.get_or_init(|| {
-                    let rays = RaysPerSample::measured(&world, MAX_COUNTED);
-                    let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
-                    rays.note(samples)
-                });
-                let is_whole = canvas.render_until(&*world, &is_over);
-                if is_whole {
-                    let _ = took.set(start.elapsed());
-                }
-                is_whole || canvas.is_cancelled()
+        let (start, world) = (Instant::now(), Arc::clone(&built.world));
+        let (note, took) = (Arc::<OnceLock<_>>::default(), Arc::<OnceLock<_>>::default());
+        let (noted, taken) = (Arc::clone(&note), Arc::clone(&took));
+        let growing = Growing::start(ctx, &built.world, move |canvas, slice| {
+            let is_over = || slice.is_over();
+            if !canvas.preview(&*world, &is_over) {
+                return false;
             }
-        };
-        let task = Task::start(ctx, work);
-        Self { generation, built, canvas, start, note, took, task }
+            noted.get_or_init(|| {
+                let rays = RaysPerSample::measured(&world, MAX_COUNTED);
+                let samples = canvas.progress().1 as f64 * f64::from(world.samples_per_pixel());
+                rays.note(samples)
+            });
+            let is_whole = canvas.render_until(&*world, &is_over);
+            if is_whole {
+                let _ = taken.set(start.elapsed());
+            }
+            is_whole
+        });
+        let canvas = Arc::clone(&growing.canvas);
+        Self { generation, built, canvas, start, note, took, growing }
     }
 
     /// A note for the user, if the picture has many rays.
@@ -162,7 +212,7 @@ impl Rendering {
     /// The progress so far.
     pub fn progress(&self) -> Progress {
         // in this order: a task that succeeds sets its time before it ends
-        let ended = self.task.is_ended();
+        let ended = self.growing.task.is_ended();
         if let Some(&took) = self.took.get() {
             return Progress::Done(took);
         }
@@ -200,11 +250,5 @@ impl Deref for Rendering {
 
     fn deref(&self) -> &Built {
         &self.built
-    }
-}
-
-impl Drop for Rendering {
-    fn drop(&mut self) {
-        self.canvas.cancel();
     }
 }

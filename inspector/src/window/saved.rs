@@ -13,7 +13,7 @@ fn layer_name(picture: &Picture, theirs: Option<&Theirs>, rendering: &Rendering)
     let theirs = theirs.filter(|theirs| theirs.fits(rendering));
     let beside = theirs.and_then(|theirs| named(theirs.shows));
     let of_scene = || picture.layer.chosen.as_ref().map(Layer::to_string);
-    beside.map(|(name, _)| name.to_owned()).or_else(of_scene)
+    beside.map(str::to_owned).or_else(of_scene)
 }
 
 /// The file name that is proposed for what is shown.
