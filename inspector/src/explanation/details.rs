@@ -37,7 +37,7 @@ pub fn exact_color(color: Rgb) -> String {
 
 /// Shows the line of a ray.
 pub fn head(ui: &mut Ui, ray: &RecordedRay) {
-    ui.label(RichText::new(ray.line()).color(ink(ui, kind_color(ray))).strong());
+    ui.label(RichText::new(ray.line()).color(ink(ui.visuals(), kind_color(ray))).strong());
 }
 
 /// Shows all fields of a ray and of its hit. Returns the number of another ray if it was clicked, and notes the one that

@@ -15,6 +15,7 @@ use crate::explanation::asked::Question;
 use crate::explanation::tree::{BLOCKED, BROKEN, CAMERA, LOCAL, REFLECTED, TRANSMITTED, UNBLOCKED};
 use crate::explanation::{copying, pointing};
 use crate::picture::display::ink;
+use crate::picture::view::zoomed;
 
 /// The length of an arrowhead, in points of the screen.
 const HEAD: f64 = 11.0;
@@ -52,10 +53,7 @@ impl View {
     /// Follows the mouse: the wheel zooms under it, a drag moves, a double click fits the drawing again.
     fn follow(&mut self, ui: &Ui, response: &Response) {
         if let Some(at) = response.hover_pos() {
-            let (wheel, pinch) =
-                ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
-            let factor = f64::from((wheel * 0.005).exp() * pinch);
-            let zoom = (self.zoom * factor).clamp(ZOOM[0], ZOOM[1]);
+            let zoom = (self.zoom * f64::from(zoomed(ui, 0.005))).clamp(ZOOM[0], ZOOM[1]);
             let from_middle = at - response.rect.center();
             self.moved = from_middle + (zoom / self.zoom) as f32 * (self.moved - from_middle);
             self.zoom = zoom;
@@ -121,8 +119,7 @@ impl SectionView {
             ui.strong(&drawing.title);
             let hint = "wheel: zoom · drag: move · double click: all of it";
             if ui.small_button("Copy as SVG").on_hover_text(hint).clicked() {
-                ui.ctx().copy_text(drawing.svg());
-                copying::set_copied(ui.ctx());
+                copying::copy(ui.ctx(), drawing.svg());
             }
             copying::show_copied(ui);
         });
@@ -149,7 +146,7 @@ fn paint(
     let mut lines = Vec::new();
     for stroke in &drawing.strokes {
         let is_broken = stroke.ray.is_some_and(|ray| broken.contains_key(&ray));
-        let color = if is_broken { BROKEN } else { color(ui, stroke.role) };
+        let color = if is_broken { ink(ui.visuals(), BROKEN) } else { color(ui, stroke.role) };
         let points: Vec<Pos2> = stroke.points.iter().map(|&at| place.screen(at)).collect();
         let width = if stroke.ray.is_some() { 2.0 } else { 1.2 };
         let pen = Stroke::new(width, color);
@@ -190,13 +187,13 @@ fn write(ui: &Ui, painter: &Painter, place: &Place, label: &Label) {
 fn color(ui: &Ui, role: Role) -> Color32 {
     let text = ui.visuals().text_color();
     match role {
-        Role::Incoming => ink(ui, CAMERA),
-        Role::Reflected => ink(ui, REFLECTED),
-        Role::Transmitted => ink(ui, TRANSMITTED),
-        Role::Shadow => ink(ui, UNBLOCKED),
-        Role::Blocked => ink(ui, BLOCKED),
+        Role::Incoming => ink(ui.visuals(), CAMERA),
+        Role::Reflected => ink(ui.visuals(), REFLECTED),
+        Role::Transmitted => ink(ui.visuals(), TRANSMITTED),
+        Role::Shadow => ink(ui.visuals(), UNBLOCKED),
+        Role::Blocked => ink(ui.visuals(), BLOCKED),
         Role::Dark => text.gamma_multiply(0.5),
-        Role::Normal => ink(ui, LOCAL),
+        Role::Normal => ink(ui.visuals(), LOCAL),
         Role::Outline => text,
         Role::Surroundings => text.gamma_multiply(0.45),
         Role::Arc => text.gamma_multiply(0.8),

@@ -1,11 +1,12 @@
 //! The path to the selected ray, projected into the picture.
 
-use eframe::egui::{Color32, Painter, Pos2, Stroke};
+use eframe::egui::{Color32, Pos2, Stroke, Ui};
 use groundtruth::explain::RecordedRay;
 use groundtruth::render;
 use groundtruth::world::World;
 
 use crate::explanation::tree::kind_color;
+use crate::picture::display::{halo, ink};
 use crate::picture::view::Placement;
 
 /// A hit along the path: its position in the picture, in pixels from the top left corner, if it is in
@@ -35,21 +36,22 @@ pub fn points(
 }
 
 /// Draws lines between the hits, without those out of view.
-pub fn paint(painter: &Painter, placement: &Placement, points: &[TrailPoint]) {
+pub fn paint(ui: &Ui, placement: &Placement, points: &[TrailPoint]) {
+    let (painter, halo) = (ui.painter(), halo(ui.visuals()));
     let on_screen = |[x, y]: [f64; 2]| -> Pos2 {
         let whole = placement.whole();
         whole.min + placement.scale * eframe::egui::vec2(x as f32, y as f32)
     };
     let visible: Vec<(Pos2, Color32)> = points
         .iter()
-        .filter_map(|&(position, color)| position.map(|at| (on_screen(at), color)))
+        .filter_map(|&(at, color)| at.map(|at| (on_screen(at), ink(ui.visuals(), color))))
         .collect();
     for pair in visible.windows(2) {
-        for (width, color) in [(3.5, Color32::BLACK), (1.5, pair[1].1)] {
+        for (width, color) in [(3.5, halo), (1.5, pair[1].1)] {
             painter.line_segment([pair[0].0, pair[1].0], Stroke::new(width, color));
         }
     }
     for (at, color) in visible {
-        painter.circle(at, 3.5, color, Stroke::new(1.5, Color32::BLACK));
+        painter.circle(at, 3.5, color, Stroke::new(1.5, halo));
     }
 }

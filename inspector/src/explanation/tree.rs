@@ -39,9 +39,9 @@ pub const CAMERA: Color32 = Color32::from_rgb(235, 235, 235);
 /// The colour of shadow rays that reach their light.
 pub const UNBLOCKED: Color32 = Color32::from_rgb(250, 225, 100);
 /// The colour of shadow rays that an object blocks.
-pub const BLOCKED: Color32 = Color32::from_rgb(165, 150, 185);
+pub const BLOCKED: Color32 = Color32::from_rgb(185, 170, 205);
 /// The colour of rays that break a law.
-pub const BROKEN: Color32 = Color32::from_rgb(255, 70, 70);
+pub const BROKEN: Color32 = Color32::from_rgb(255, 110, 110);
 /// The colour of terms without a ray, and of normals.
 pub const LOCAL: Color32 = Color32::from_rgb(150, 215, 150);
 
@@ -54,21 +54,23 @@ pub const KINDS: [(&str, Color32); 5] = [
     ("shadow, blocked", BLOCKED),
 ];
 
+/// The place of blocked shadow rays among the kinds.
+pub const OF_BLOCKED: usize = 4;
+
+/// The place of a ray's kind among them.
+pub fn kind(ray: &RecordedRay) -> usize {
+    match ray.kind {
+        RayKind::Camera => 0,
+        RayKind::Reflected => 1,
+        RayKind::Transmitted => 2,
+        RayKind::Shadow { .. } if matches!(ray.outcome, Outcome::Blocked { .. }) => OF_BLOCKED,
+        RayKind::Shadow { .. } => 3,
+    }
+}
+
 /// The colour of a ray's line.
 pub fn kind_color(ray: &RecordedRay) -> Color32 {
-    match ray.kind {
-        RayKind::Camera => CAMERA,
-        RayKind::Reflected => REFLECTED,
-        RayKind::Transmitted => TRANSMITTED,
-        RayKind::Shadow { .. } => match ray.outcome {
-            Outcome::Blocked { .. } => BLOCKED,
-            Outcome::Hit
-            | Outcome::Background
-            | Outcome::TooDeep
-            | Outcome::OverBudget
-            | Outcome::Unblocked { .. } => UNBLOCKED,
-        },
-    }
+    KINDS[kind(ray)].1
 }
 
 /// Shows what the colours mean.
@@ -76,7 +78,7 @@ pub fn legend(ui: &mut Ui) {
     ui.horizontal_wrapped(|ui| {
         ui.weak("Rays:");
         for (name, color) in KINDS.into_iter().chain([("no ray", LOCAL)]) {
-            ui.label(RichText::new(name).color(ink(ui, color)));
+            ui.label(RichText::new(name).color(ink(ui.visuals(), color)));
         }
     });
 }
@@ -161,7 +163,11 @@ impl Tree {
                         // no children: a space in place of the triangle
                         ui.allocate_exact_size(vec2(INDENT, LINE), Sense::hover());
                         swatch(ui, display::color(tone, term.contribution));
-                        cut(ui, RichText::new(term.line()).color(ink(ui, LOCAL)), &term.line());
+                        cut(
+                            ui,
+                            RichText::new(term.line()).color(ink(ui.visuals(), LOCAL)),
+                            &term.line(),
+                        );
                     }
                     Row::Folded { parent, indent, rays, share } => {
                         bar(ui, share);
@@ -206,7 +212,7 @@ impl Tree {
         let told = [notes(ray), &drawn].into_iter().filter(|it| !it.is_empty());
         let told = told.collect::<Vec<_>>().join(", ");
         let [line, numbers] = fitting(ui, &whole, &told);
-        let mut text = RichText::new(&line).color(ink(ui, kind_color(ray)));
+        let mut text = RichText::new(&line).color(ink(ui.visuals(), kind_color(ray)));
         if let Some(found) = broken {
             let mark = RichText::new("×").strong().color(ui.visuals().error_fg_color);
             ui.label(mark).on_hover_text(found.join("\n"));

@@ -7,6 +7,7 @@ use groundtruth::explain::brief;
 use rays::{Logged, LoggedValue, RayPlace};
 
 use crate::explanation::asked::Question;
+use crate::picture::display::{ground, ink};
 
 /// The height of the plot and of a line of the list, in points of the screen.
 const HEIGHT: f32 = 130.0;
@@ -85,7 +86,7 @@ fn plot(ui: &mut Ui, values: &[LoggedValue], samples: u32) -> Option<usize> {
     let finite = || values.iter().map(|it| it.value).filter(|value| value.is_finite());
     let (low, high) = (finite().fold(f64::MAX, f64::min), finite().fold(f64::MIN, f64::max));
     let painter = ui.painter_at(whole);
-    painter.rect_filled(area, 2.0, Color32::from_gray(18));
+    painter.rect_filled(area, 2.0, ground(ui.visuals()));
     let last = f64::from(samples.max(2) - 1);
     let span = if high > low { high - low } else { 1.0 };
     let on_screen = |it: &LoggedValue| -> Pos2 {
@@ -98,8 +99,8 @@ fn plot(ui: &mut Ui, values: &[LoggedValue], samples: u32) -> Option<usize> {
     let mut drawn = HashSet::new();
     for at in shown().map(on_screen) {
         if drawn.insert([at.x, at.y].map(|it| (it / APART) as i32)) {
-            let edge = Stroke::new(0.7, Color32::from_gray(30));
-            painter.circle(at, 2.5, Color32::from_rgb(120, 180, 255), edge);
+            let edge = Stroke::new(0.7, ground(ui.visuals()));
+            painter.circle(at, 2.5, ink(ui.visuals(), Color32::from_rgb(120, 180, 255)), edge);
         }
     }
     let font = FontId::proportional(11.0);
@@ -118,6 +119,7 @@ fn plot(ui: &mut Ui, values: &[LoggedValue], samples: u32) -> Option<usize> {
     let distance = |it: &&LoggedValue| on_screen(it).distance(at);
     let nearest = shown().min_by(|a, b| distance(a).total_cmp(&distance(b)));
     let nearest = nearest.filter(|it| distance(it) <= REACH)?;
-    painter.circle_stroke(on_screen(nearest), 5.0, Stroke::new(2.0, Color32::WHITE));
+    let ring = Stroke::new(2.0, ui.visuals().strong_text_color());
+    painter.circle_stroke(on_screen(nearest), 5.0, ring);
     response.clicked().then_some(nearest.ray)
 }

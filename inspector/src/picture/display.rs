@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use eframe::egui::{
-    self, Align2, Color32, CursorIcon, EventFilter, FontId, Id, Key, Painter, Rect, Sense, Shape,
-    Stroke, StrokeKind, Ui, WidgetInfo, accesskit::Role,
+    self, Align2, Color32, CursorIcon, FontId, Id, Key, Modifiers, Painter, Rect, Sense, Shape,
+    Stroke, StrokeKind, Ui, Visuals, WidgetInfo, accesskit::Role,
 };
 use groundtruth::film::Tone;
 use groundtruth::rgb::Rgb;
@@ -13,7 +13,7 @@ use crate::picture::chosen_layer::ChosenLayer;
 use crate::picture::developed::{self, Developed, Version};
 use crate::picture::tiles::Tiles;
 use crate::picture::values;
-use crate::picture::view::{Placement, View};
+use crate::picture::view::{self, Placement, View};
 use crate::picture::worker::Rendering;
 
 /// The least size of a pixel on the screen with which the grid appears.
@@ -41,16 +41,35 @@ pub struct Picture {
 fn version(rendering: &Rendering, tone: Tone) -> Version<u64> {
     // in this order: a picture that is finished now is completely in the film
     let is_finished = rendering.is_finished();
-    let done = rendering.canvas.progress().0;
-    Version { of: rendering.generation, done, is_finished, tone }
+    Version { of: rendering.generation, done: rendering.canvas.seen(), is_finished, tone }
 }
 
 /// The colour of what is as it should be.
 pub const AGREES: Color32 = Color32::from_rgb(120, 220, 120);
 
-/// A colour of text with contrast to the ground of the theme.
-pub fn ink(ui: &Ui, color: Color32) -> Color32 {
-    if ui.visuals().dark_mode { color } else { color.lerp_to_gamma(Color32::BLACK, 0.55) }
+/// A colour of text and lines with contrast to the ground of the theme.
+pub fn ink(visuals: &Visuals, color: Color32) -> Color32 {
+    if visuals.dark_mode { color } else { color.lerp_to_gamma(Color32::BLACK, 0.65) }
+}
+
+/// The colour around lines and text of [`ink`] that are drawn over a picture.
+pub fn halo(visuals: &Visuals) -> Color32 {
+    if visuals.dark_mode { Color32::BLACK } else { Color32::WHITE }
+}
+
+/// The neutral ground of pictures, plots and the space view.
+pub fn ground(visuals: &Visuals) -> Color32 {
+    Color32::from_gray(if visuals.dark_mode { 24 } else { 225 })
+}
+
+/// Writes a text over a picture, into a corner of an area or at the middle of a side.
+pub fn write(painter: &Painter, area: Rect, corner: Align2, text: String) {
+    let inner = area.shrink(6.0);
+    let (font, color) = (FontId::proportional(12.5), Color32::from_gray(230));
+    let galley = painter.layout(text, font, color, inner.width());
+    let place = corner.anchor_size(corner.pos_in_rect(&inner), galley.size());
+    painter.rect_filled(place.expand(3.0), 3.0, Color32::from_black_alpha(180));
+    painter.galley(place.min, galley, color);
 }
 
 /// A colour of the screen.
@@ -77,7 +96,8 @@ impl Picture {
     pub fn refresh(&mut self, ctx: &egui::Context, rendering: &Rendering) {
         self.layer.refresh(ctx, rendering, self.tone);
         let (canvas, tone) = (Arc::clone(&rendering.canvas), self.tone);
-        let develop = move || ((), developed::so_far(&canvas, |radiance| tone.to_bytes(radiance)));
+        let develop =
+            move || ((), developed::so_far(&canvas, |radiance| developed::bytes(&tone, radiance)));
         self.developed.refresh(ctx, version(rendering, tone), develop);
         if self.developed.is_whole() {
             self.previous_tiles = Tiles::default();
@@ -140,10 +160,9 @@ impl Picture {
         response.widget_info(|| WidgetInfo::labeled(Role::Image, true, "picture"));
         let pointer = response.hover_pos();
         if let Some(at) = pointer {
-            let (wheel, pinch) =
-                ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
-            if wheel != 0.0 || pinch != 1.0 {
-                self.view.zoom_at(self.area, size, at, (wheel * 0.005).exp() * pinch);
+            let factor = view::zoomed(ui, 0.005);
+            if factor != 1.0 {
+                self.view.zoom_at(self.area, size, at, factor);
             }
         }
         if response.dragged() {
@@ -160,12 +179,8 @@ impl Picture {
         if response.clicked() || response.dragged() {
             response.request_focus();
         }
-        // the arrow keys step through pixels instead of moving the focus
-        let keys =
-            EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
-        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, keys));
-
-        self.paint(&painter, (&placement, rendering), selected, over);
+        view::keep_arrows(ui, response.id);
+        self.paint(&painter, (&placement, rendering, ui.visuals()), selected, over);
         values::legend(ui, self.area, &self.layer);
         hovered
     }
@@ -173,12 +188,12 @@ impl Picture {
     fn paint(
         &self,
         painter: &Painter,
-        (placement, rendering): (&Placement, &Rendering),
+        (placement, rendering, visuals): (&Placement, &Rendering, &Visuals),
         selected: Option<[u32; 2]>,
         over: impl FnOnce(&Painter, &Placement),
     ) {
         let whole = placement.whole();
-        painter.rect_filled(painter.clip_rect(), 0.0, Color32::from_gray(24));
+        painter.rect_filled(painter.clip_rect(), 0.0, ground(visuals));
         painter.rect_filled(whole, 0.0, Color32::BLACK);
         let is_layer = self.layer.chosen.is_some();
         if !is_layer {
@@ -198,10 +213,10 @@ impl Picture {
         if placement.scale >= GRID_MIN_SCALE {
             grid(painter, placement);
         }
-        let edge = Stroke::new(1.0, Color32::from_gray(70));
+        let edge = Stroke::new(1.0, ground(visuals).lerp_to_gamma(Color32::from_gray(128), 0.5));
         painter.rect_stroke(whole, 0.0, edge, StrokeKind::Outside);
         if let Some(pixel) = selected {
-            mark(painter, placement.rect(pixel));
+            mark(painter, placement.rect(pixel), SELECTED);
         }
         if placement.scale >= COORDINATES_MIN_SCALE {
             coordinates(painter, placement);
@@ -235,7 +250,7 @@ fn coordinates(painter: &Painter, placement: &Placement) {
 }
 
 /// Hatches the visible area, to mark pixels that are not rendered yet.
-fn hatch(painter: &Painter) {
+pub fn hatch(painter: &Painter) {
     const STEP: f32 = 7.0;
     let visible = painter.clip_rect();
     let stroke = Stroke::new(1.0, Color32::from_gray(85));
@@ -263,10 +278,15 @@ fn grid(painter: &Painter, placement: &Placement) {
     }
 }
 
-/// Draws a frame around the selected pixel, and four strokes that lead to it.
-fn mark(painter: &Painter, pixel: Rect) {
+/// The colour of the frame around the selected pixel.
+const SELECTED: Color32 = Color32::from_rgb(255, 230, 60);
+/// The colour of the frame around the pinned pixel.
+pub const PINNED: Color32 = Color32::from_rgb(120, 220, 255);
+
+/// Draws a frame around a pixel, and four strokes that lead to it.
+pub fn mark(painter: &Painter, pixel: Rect, color: Color32) {
     let frame = pixel.expand((3.0 - 0.5 * pixel.width()).max(1.0));
-    for (stroke, color) in [(4.0, Color32::BLACK), (2.0, Color32::from_rgb(255, 230, 60))] {
+    for (stroke, color) in [(4.0, Color32::BLACK), (2.0, color)] {
         let stroke = Stroke::new(stroke, color);
         painter.rect_stroke(frame, 0.0, stroke, StrokeKind::Outside);
         for (inner, outward) in [
@@ -284,7 +304,12 @@ fn mark(painter: &Painter, pixel: Rect) {
 /// The pixel of a picture of this size to which the arrow keys lead from another; with shift, ten pixels away.
 pub fn stepped(ui: &Ui, [x, y]: [u32; 2], [width, height]: [u32; 2]) -> Option<[u32; 2]> {
     let [dx, dy] = ui.input(|input| {
-        let length = if input.modifiers.shift { 10 } else { 1 };
+        let length = match input.modifiers {
+            // these go back and forward
+            Modifiers { alt: true, .. } => 0,
+            Modifiers { shift: true, .. } => 10,
+            _ => 1,
+        };
         let pressed = |key| input.num_presses(key) as i64;
         let x = pressed(Key::ArrowRight) - pressed(Key::ArrowLeft);
         let y = pressed(Key::ArrowDown) - pressed(Key::ArrowUp);

@@ -1,9 +1,20 @@
 //! The view: zoom and pan, which map the pixels of a picture to the screen.
 
-use eframe::egui::{Pos2, Rect, Vec2, pos2, vec2};
+use eframe::egui::{EventFilter, Id, Pos2, Rect, Ui, Vec2, pos2, vec2};
 
 /// The least and the largest zoom, in points of the screen for a pixel.
 const ZOOM: std::ops::RangeInclusive<f32> = 0.02..=160.0;
+
+/// The factor by which wheel and pinch ask to zoom, `speed` for a point of the wheel.
+pub fn zoomed(ui: &Ui, speed: f32) -> f32 {
+    ui.input(|input| (input.smooth_scroll_delta.y * speed).exp() * input.zoom_delta())
+}
+
+/// Lets a widget have the arrow keys, which else move the focus.
+pub fn keep_arrows(ui: &Ui, id: Id) {
+    let keys = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
+    ui.memory_mut(|memory| memory.set_focus_lock_filter(id, keys));
+}
 
 /// The zoom and pan that the user chose.
 #[derive(Clone, Copy, Debug)]

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 
-use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, vec2};
+use eframe::egui::{Align2, Color32, FontId, Painter, Pos2, Shape, Stroke, Visuals, vec2};
 use groundtruth::explain::RecordedRay;
 use groundtruth::math::{Point, atan2, ln, to_degrees};
 use groundtruth::render;
@@ -11,6 +11,7 @@ use groundtruth::world::World;
 use space::{End, Segment, Sight};
 
 use crate::explanation::tree::{BROKEN, LOCAL, kind_color};
+use crate::picture::display::{halo, ink};
 use crate::space::backdrop::Runs;
 
 /// The opacity of what a surface hides.
@@ -32,6 +33,8 @@ pub struct Canvas<'a> {
     pub corner: Pos2,
     /// The camera.
     pub sight: Sight,
+    /// The colours of the theme.
+    pub visuals: &'a Visuals,
 }
 
 /// What is drawn of a tree.
@@ -76,9 +79,9 @@ impl Canvas<'_> {
         Some(self.sight.clip(from, to)?.map(|(at, _)| self.screen(at)))
     }
 
-    /// Draws a line over a darker one, so that it can be seen on any ground.
+    /// Draws a line over a wider one, so that it can be seen on any ground.
     fn stroke(&self, line: [Pos2; 2], width: f32, color: Color32, opacity: f32) {
-        let halo = if color == DARK { Color32::from_gray(150) } else { Color32::BLACK };
+        let halo = if color == DARK { Color32::from_gray(150) } else { halo(self.visuals) };
         for (width, color) in [(width + 2.0, halo), (width, color)] {
             self.painter.line_segment(line, Stroke::new(width, color.gamma_multiply(opacity)));
         }
@@ -96,9 +99,11 @@ impl Canvas<'_> {
             let width = if is_lit || is_broken { 3.0 } else { 0.8 + 1.4 * weight };
             let dimmed = if is_lit || is_broken { dimmed } else { dimmed * (0.4 + 0.6 * weight) };
             let color = match segment.end {
-                _ if is_broken => BROKEN,
+                _ if is_broken => ink(self.visuals, BROKEN),
                 End::Dark => DARK,
-                End::Hit | End::Leaves | End::Light | End::Occluder => kind_color(ray),
+                End::Hit | End::Leaves | End::Light | End::Occluder => {
+                    ink(self.visuals, kind_color(ray))
+                }
             };
             let whole = [([0.0, 1.0], false)];
             let runs = rays.runs.and_then(|runs| runs.get(index)).map_or(&whole[..], Vec::as_slice);
@@ -123,7 +128,7 @@ impl Canvas<'_> {
             {
                 let normal = if hit.front { hit.shading_normal } else { -hit.shading_normal };
                 if let Some(line) = self.line(hit.point, hit.point + length * normal) {
-                    self.stroke(line, 1.0, LOCAL, opacity);
+                    self.stroke(line, 1.0, ink(self.visuals, LOCAL), opacity);
                 }
             }
         }
@@ -140,13 +145,13 @@ impl Canvas<'_> {
             false => (end(), "they part here".to_owned()),
         };
         let Some(at) = at.and_then(|at| self.sight.project(at)) else { return };
-        let at = self.screen(at);
-        for (width, color) in [(4.0, Color32::BLACK), (2.0, Color32::WHITE)] {
+        let (at, strong) = (self.screen(at), self.visuals.strong_text_color());
+        for (width, color) in [(4.0, halo(self.visuals)), (2.0, strong)] {
             self.painter.circle_stroke(at, 9.0, Stroke::new(width, color));
         }
         let font = FontId::proportional(13.0);
         let place = at + vec2(12.0, -12.0);
-        self.painter.text(place, Align2::LEFT_BOTTOM, text, font, Color32::WHITE);
+        self.painter.text(place, Align2::LEFT_BOTTOM, text, font, strong);
     }
 
     /// Marks the end of a piece: an arrowhead where it goes on or hits, a dot at a lamp, a cross at an occluder.
@@ -162,7 +167,7 @@ impl Canvas<'_> {
         }
         let along = (end - start).normalized();
         let fill = color.gamma_multiply(opacity);
-        let edge = Stroke::new(1.0, Color32::BLACK.gamma_multiply(opacity));
+        let edge = Stroke::new(1.0, halo(self.visuals).gamma_multiply(opacity));
         match segment.end {
             End::Hit | End::Leaves if (end - start).length() > 4.0 => {
                 let side = 4.0 * along.rot90();
@@ -191,7 +196,7 @@ impl Canvas<'_> {
         let on_film =
             |film: [f64; 2]| eye.ray(film, [0.0, 0.0]).map(|ray| (ray.origin, ray.at(length)));
         let corners = [[-x, -y], [x, -y], [x, y], [-x, y]];
-        let color = Color32::from_gray(210);
+        let color = ink(self.visuals, Color32::from_gray(210));
         let draw = |from: Point, to: Point| {
             if let Some(line) = self.line(from, to) {
                 self.painter.line_segment(line, Stroke::new(1.0, color.gamma_multiply(0.6)));

@@ -41,6 +41,7 @@ pub fn set_style(ctx: &Context) {
         // lines between parts that can be resized
         widgets.noninteractive.bg_stroke = Stroke::new(1.0, Color32::from_gray(85));
         style.visuals.weak_text_color = Some(Color32::from_gray(165));
+        style.visuals.selection.bg_fill = Color32::from_rgb(0, 52, 78);
         style.visuals.error_fg_color = Color32::from_rgb(255, 120, 110);
         set_spacing(style);
     });
@@ -50,6 +51,9 @@ pub fn set_style(ctx: &Context) {
         widgets.inactive.fg_stroke.color = Color32::from_gray(20);
         style.visuals.weak_text_color = Some(Color32::from_gray(85));
         style.visuals.error_fg_color = Color32::from_rgb(180, 20, 10);
+        style.visuals.warn_fg_color = Color32::from_rgb(140, 65, 0);
+        style.visuals.hyperlink_color = Color32::from_rgb(0, 90, 170);
+        style.visuals.selection.bg_fill = Color32::from_rgb(200, 228, 255);
         set_spacing(style);
     });
 }
