@@ -19,6 +19,8 @@ use super::{
 const SIZE: [f64; 2] = [800.0, 520.0];
 /// Units of the picture for each pixel of the scene behind the lines.
 const BLOCK: u32 = 2;
+/// The least share of its sample of a ray whose hit is framed.
+const FRAMED: f64 = 0.01;
 /// How much of the scene's colours remains: lines and words must stand out, also on paper.
 const REMAINS: f64 = 0.5;
 /// The most pieces that are drawn.
@@ -30,10 +32,14 @@ const PARTS: u32 = 48;
 /// The height of the legend.
 const LEGEND: f64 = 34.0;
 
-/// A camera that sees what the rays of a tree meet: across the plane of incidence of the section that says most, a little
+/// A camera that sees what the rays of a tree meet that have at least 1 % of its light, or all if none hits anything: across the plane of incidence of the section that says most, a little
 /// from above, from the side where less is hidden.
 pub fn orbit_of(world: &World, root: &RecordedRay) -> Orbit {
-    let pieces = segments(world, root, 1.0);
+    let shares: BTreeMap<usize, f64> = root.rays().iter().map(|it| (it.number, it.share)).collect();
+    let mut pieces = segments(world, root, 1.0);
+    if pieces.iter().any(|piece| piece.end == End::Hit && shares[&piece.ray] >= FRAMED) {
+        pieces.retain(|piece| shares[&piece.ray] >= FRAMED);
+    }
     let ball = of_hits(world, &pieces).unwrap_or_else(|| of_scene(world));
     let section = Section::first(root).and_then(|ray| Section::of(world, root, ray));
     let across = section.map_or(Vector::Z, |section| section.plane.normal());

@@ -9,15 +9,21 @@ use eframe::egui::{
     Color32, ColorImage, Context, Painter, Rect, TextureHandle, TextureOptions, pos2,
 };
 use groundtruth::film::Tone;
+use groundtruth::rgb::Rgb;
 use groundtruth::world::World;
 use space::{Backdrop as Scene, Orbit, Segment, Visibility};
+use web_time::Instant;
 
 use crate::explanation::Version;
 use crate::picture::worker::Background;
 use crate::platform::Slice;
 
-/// The sides of the squares that share one ray, in points of the screen, from the first picture to the last.
-const SIDES: [usize; 3] = [8, 3, 1];
+/// The sides of the squares that have one colour, in points of the screen, from the first picture to the last.
+const SIDES: [usize; 2] = [2, 1];
+/// How many such squares of the first picture, across and down, share one ray inside of an object.
+const SHARED: usize = 4;
+/// The time for the rays of the first picture that make the borders of objects sharp.
+const SHARPENING: Duration = Duration::from_millis(8);
 /// The longest wait for the first picture, which is then drawn in the frame of the change.
 const MAX_WAIT: Duration = Duration::from_millis(16);
 /// The tone of the backdrop.
@@ -44,19 +50,21 @@ pub struct Request {
     pub size: [usize; 2],
     /// The objects that are looked through.
     pub faded: Vec<u32>,
+    /// The grey where no surface is, as on the screen.
+    pub ground: u8,
     /// The pieces of rays over it.
     pub segments: Arc<Vec<Segment>>,
 }
+
+type Square = (Color32, Option<u32>);
 
 /// The scene as far as it is drawn.
 struct Drawn {
     request: Request,
     /// The step, from 0, after which it is drawn in squares of `SIDES[step]`.
     step: usize,
-    /// The colours of its squares, row by row.
-    colors: Vec<Color32>,
-    /// The index of the object in each square.
-    objects: Vec<Option<u32>>,
+    /// The colour of each of its squares and the index of the object there, row by row.
+    squares: Vec<Square>,
     /// The runs of its segments, once they are found.
     runs: Option<Arc<Vec<Runs>>>,
 }
@@ -102,7 +110,7 @@ impl Backdrop {
         self.cancelled = Arc::new(AtomicBool::new(false));
         let (world, cancelled) = (Arc::clone(world), Arc::clone(&self.cancelled));
         let runs = self.drawn.as_ref().filter(|_| step > 0).and_then(|drawn| drawn.runs.clone());
-        let drawn = Drawn { request, step, colors: Vec::new(), objects: Vec::new(), runs };
+        let drawn = Drawn { request, step, squares: Vec::new(), runs };
         let mut drawing = Some(drawn);
         self.working.start_in_slices(ctx, move |slice| {
             let is_whole = drawing.as_mut()?.go_on(&world, slice, &cancelled);
@@ -116,7 +124,8 @@ impl Backdrop {
 
     fn accept(&mut self, ctx: &Context, wait: Duration) {
         if let Some(Ok(Some(drawn))) = self.working.wait(wait) {
-            let image = ColorImage::new(drawn.size(), drawn.colors.clone());
+            let colors = drawn.squares.iter().map(|(color, _)| *color).collect();
+            let image = ColorImage::new(drawn.size(), colors);
             match &mut self.texture {
                 Some(texture) => texture.set(image, TextureOptions::LINEAR),
                 None => {
@@ -176,14 +185,14 @@ impl Backdrop {
         let side = SIDES[drawn.step];
         let [column, row] = [x, y].map(|along| along.max(0.0) as usize / side);
         let [across, _] = drawn.size();
-        (column < across).then(|| drawn.objects.get(row * across + column).copied().flatten())?
+        (column < across).then(|| drawn.squares.get(row * across + column)?.1)?
     }
 }
 
 impl Drawn {
     /// Squares across and down.
     fn size(&self) -> [usize; 2] {
-        self.request.size.map(|along| along.div_ceil(SIDES[self.step]))
+        squares(self.request.size, SIDES[self.step])
     }
 
     /// Whether each of the squares is at the border of an object, inside of it.
@@ -193,7 +202,7 @@ impl Drawn {
         let width = (OUTLINE / SIDES[self.step]).max(1);
         let is_object = move |[column, row]: [usize; 2]| {
             let index = row.min(rows - 1) * columns + column.min(columns - 1);
-            self.objects.get(index) == Some(&Some(object))
+            self.squares.get(index).is_some_and(|(_, it)| *it == Some(object))
         };
         (0..columns * rows).map(move |index| {
             let [x, y] = [index % columns, index / columns];
@@ -205,27 +214,74 @@ impl Drawn {
 
     /// Draws more rows; whether it is whole. It may be cancelled before.
     fn go_on(&mut self, world: &World, slice: &Slice, cancelled: &AtomicBool) -> bool {
-        let (side, [columns, rows]) = (SIDES[self.step], self.size());
-        let Self { request, colors, objects, runs, .. } = self;
+        let Self { request, step, squares: drawn, runs } = self;
         let sight = request.orbit.sight(request.size.map(|along| along as f64));
         let scene = Scene { world, faded: &request.faded };
-        for row in colors.len() / columns..rows {
+        let empty = Rgb::grey(f64::from(request.ground) / 255.0).powc(TONE.gamma);
+        let look = |at: [usize; 2], side: usize| {
+            let middle = at.map(|at| (at as f64 + 0.5) * side as f64);
+            let (radiance, object) = scene.seen_before(&sight.ray(middle), empty);
+            let [r, g, b] = TONE.to_bytes(radiance);
+            (Color32::from_rgb(r, g, b), object)
+        };
+        let side = if *step == 0 { SHARED * SIDES[0] } else { SIDES[*step] };
+        let [columns, rows] = squares(request.size, side);
+        for row in drawn.len() / columns..rows {
             if slice.is_over() || cancelled.load(Ordering::Relaxed) {
                 return false;
             }
-            for column in 0..columns {
-                let middle = [column, row].map(|at| (at as f64 + 0.5) * side as f64);
-                let (radiance, object) = scene.seen(&sight.ray(middle));
-                let [r, g, b] = TONE.to_bytes(radiance);
-                colors.push(Color32::from_rgb(r, g, b));
-                objects.push(object);
-            }
+            drawn.extend((0..columns).map(|column| look([column, row], side)));
+        }
+        if *step == 0 {
+            *drawn = sharpened(drawn, request.size, |at| look(at, SIDES[0]));
         }
         let seen = Visibility { backdrop: scene, eye: sight.eye };
         let new = || hidden_runs(&seen, &request.segments, cancelled).map(Arc::new);
         *runs = runs.take().or_else(new);
         runs.is_some()
     }
+}
+
+/// How many squares of this side cover a view, across and down.
+fn squares(size: [usize; 2], side: usize) -> [usize; 2] {
+    size.map(|along| along.div_ceil(side))
+}
+
+/// The squares of the first picture: at the borders of objects each has a ray of its own, while there is time; elsewhere
+/// colours are interpolated between those of the rays so far, inside of an object.
+fn sharpened(
+    coarse: &[Square],
+    size: [usize; 2],
+    look: impl Fn([usize; 2]) -> Square,
+) -> Vec<Square> {
+    let start = Instant::now();
+    let [columns, rows] = squares(size, SHARED * SIDES[0]);
+    let at =
+        |column: usize, row: usize| coarse[row.min(rows - 1) * columns + column.min(columns - 1)];
+    let is_border = |index: usize| {
+        let [x, y] = [index % columns, index / columns];
+        let [left, up] = [x, y].map(|at| at.saturating_sub(1));
+        let around = [(left, y), (x + 1, y), (x, up), (x, y + 1)];
+        around.into_iter().any(|(x, y)| at(x, y).1 != coarse[index].1)
+    };
+    let borders: Vec<bool> = (0..coarse.len()).map(is_border).collect();
+    let [across, down] = squares(size, SIDES[0]);
+    let square = |index: usize| {
+        let place @ [x, y] = [index % across, index / across];
+        let inside = y / SHARED * columns + x / SHARED;
+        if borders[inside] && start.elapsed() < SHARPENING {
+            return look(place);
+        }
+        let (own, object) = coarse[inside];
+        let color = |x: usize, y: usize| if at(x, y).1 == object { at(x, y).0 } else { own };
+        let [(x, right), (y, below)] = [x, y].map(|at| {
+            let along = ((at as f32 + 0.5) / SHARED as f32 - 0.5).max(0.0);
+            (along as usize, along.fract())
+        });
+        let [above, under] = [y, y + 1].map(|y| color(x, y).lerp_to_gamma(color(x + 1, y), right));
+        (above.lerp_to_gamma(under, below), object)
+    };
+    (0..across * down).map(square).collect()
 }
 
 fn hidden_runs(

@@ -1,10 +1,12 @@
 //! The camera of the space view: the buttons, keys and drags that move it, and what it looks through.
 
-use eframe::egui::{EventFilter, Key, PointerButton, Response, Ui, Vec2};
+use eframe::egui::{Key, PointerButton, Response, Ui, Vec2};
 use groundtruth::explain::RecordedRay;
 use groundtruth::math::Vector;
 use groundtruth::world::World;
 use space::{Orbit, Segment};
+
+use crate::picture::view::{keep_arrows, zoomed};
 
 /// The turn of the camera, in degrees for a point of the screen.
 const TURN: f32 = 0.4;
@@ -29,10 +31,11 @@ const LOOKS: [(&str, Key, Look, &str); 7] = [
     ("Top", Key::Num3, Look::From(Vector::Y), "The scene from there (3)"),
     ("Camera", Key::C, Look::AsCamera, "As the scene's camera sees it (C)"),
     ("Fit rays", Key::F, Look::AtRays, FIT),
-    ("Fit scene", Key::A, Look::AtScene, "(A)"),
+    ("Fit scene", Key::A, Look::AtScene, "All objects, from this side, none looked through (A)"),
     ("Along ray", Key::R, Look::AlongRay, "Look along the selected ray (R)"),
 ];
-const FIT: &str = "What the rays meet, across their plane, through what hides them (F)";
+const FIT: &str =
+    "What the rays of at least 1 % meet, across their plane, through what hides them (F)";
 
 /// What the camera looks at.
 pub struct Seen<'a> {
@@ -97,6 +100,7 @@ impl Camera {
             Look::AtRays => self.face(scene),
             Look::AtScene => {
                 *orbit = Orbit::around(space::of_scene(scene.world), orbit.yaw, orbit.pitch);
+                self.faded.clear();
             }
             Look::AlongRay => {
                 let is_selected = |piece: &&Segment| piece.ray == scene.selected;
@@ -125,9 +129,7 @@ impl Camera {
         if response.clicked() || response.dragged() {
             response.request_focus();
         }
-        let keys =
-            EventFilter { horizontal_arrows: true, vertical_arrows: true, ..Default::default() };
-        ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, keys));
+        keep_arrows(ui, response.id);
         let Some(orbit) = &mut self.orbit else { return };
         let Vec2 { x, y } = response.drag_delta();
         let pans = ui.input(|input| input.modifiers.shift);
@@ -138,9 +140,7 @@ impl Camera {
             orbit.pan(f64::from(-x / side), f64::from(y / side));
         }
         if response.hovered() {
-            let (wheel, pinch) =
-                ui.input(|input| (input.smooth_scroll_delta.y, input.zoom_delta()));
-            let distance = orbit.distance / f64::from((wheel * 0.003).exp() * pinch);
+            let distance = orbit.distance / f64::from(zoomed(ui, 0.003));
             orbit.distance = distance.clamp(f64::MIN_POSITIVE, f64::MAX);
         }
         if response.has_focus() {

@@ -4,8 +4,7 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use eframe::egui::{
-    Align2, Color32, Context, FontId, Id, Rect, Response, Sense, Ui, Vec2, WidgetInfo,
-    accesskit::Role, vec2,
+    Align2, Context, Id, Rect, Response, Sense, Ui, Vec2, WidgetInfo, accesskit::Role, vec2,
 };
 use groundtruth::explain::{RecordedRay, count};
 use groundtruth::printable::name;
@@ -16,6 +15,7 @@ use crate::explanation::Subject;
 use crate::explanation::asked::Question;
 use crate::explanation::selection::Selection;
 use crate::explanation::{beside, pointing};
+use crate::picture::display::{ground, write};
 use crate::space::backdrop::{Backdrop, Request};
 use crate::space::camera::{Camera, Seen};
 use crate::space::filter::Filter;
@@ -162,6 +162,7 @@ impl SpaceView {
             orbit,
             size: [view.width(), view.height()].map(|side| side as usize),
             faded: self.camera.faded.clone(),
+            ground: ground(ui.visuals()).r(),
             segments: Arc::clone(&segments),
         };
         self.backdrop.refresh(ui.ctx(), world, request);
@@ -222,7 +223,8 @@ impl SpaceView {
         let painter = ui.painter().with_clip_rect(view.intersect(ui.clip_rect()));
         let Some(orbit) = self.camera.orbit else { return Pointed::default() };
         let sight = orbit.sight([view.width(), view.height()].map(f64::from));
-        let canvas = Canvas { painter: &painter, corner: view.min, sight };
+        let visuals = ui.visuals();
+        let canvas = Canvas { painter: &painter, corner: view.min, sight, visuals };
         let by_number = selection.root().map_or(Vec::new(), |(_, root)| root.rays());
         let (selected, lit) = (selection.tree.ray, selection.tree.lit);
         let lit_ray = lit.and_then(|number| numbered(&by_number, number));
@@ -230,7 +232,7 @@ impl SpaceView {
         let object = at.and_then(|at| self.backdrop.object_at((at - view.min).into()));
         let of_ray = lit_ray.and_then(|ray| Some(&*ray.hit.as_ref()?.object));
         let of_ray = world.objects().iter().find(|object| Some(&*object.name) == of_ray);
-        painter.rect_filled(view, 0.0, Color32::from_gray(24));
+        painter.rect_filled(view, 0.0, ground(visuals));
         let of_ray = of_ray.map(|object| object.index);
         self.backdrop.paint(&painter, view, self.pointed.or(of_ray).or(object));
         if has_camera {
@@ -272,7 +274,7 @@ impl SpaceView {
             if pieces.left_out > 0 {
                 let left_out = count(pieces.left_out, "ray");
                 let text = format!("{left_out} of small share not drawn (Rays)");
-                self.write(&painter, view, Align2::RIGHT_TOP, &text);
+                write(&painter, view, Align2::RIGHT_TOP, text);
             }
         }
         let under = pointed.hovered.and_then(|number| numbered(&by_number, number));
@@ -282,20 +284,9 @@ impl SpaceView {
             (None, Some(object)) => format!("{} (right click: look through it)", name(object)),
             (None, None) => "drag: turn · Shift or right drag: move · wheel: nearer".to_owned(),
         };
-        self.write(&painter, view, Align2::LEFT_BOTTOM, &text);
+        write(&painter, view, Align2::LEFT_BOTTOM, text);
         pointed.why_not = self.object_menu(response, object, world);
         pointed
-    }
-
-    /// Writes a line into a corner of the view.
-    fn write(&self, painter: &eframe::egui::Painter, view: Rect, corner: Align2, text: &str) {
-        let inner = view.shrink(6.0);
-        let at = corner.pos_in_rect(&inner);
-        let font = FontId::proportional(12.5);
-        let galley = painter.layout(text.to_owned(), font, Color32::from_gray(230), inner.width());
-        let place = corner.anchor_size(at, galley.size());
-        painter.rect_filled(place.expand(3.0), 3.0, Color32::from_black_alpha(170));
-        painter.galley(place.min, galley, Color32::WHITE);
     }
 
     /// Shows the menu of the object that was clicked with the right button. Returns the object of which is asked why the
