@@ -24,12 +24,18 @@ pub enum Action {
     NameScene,
     /// Select a pixel.
     Select([u32; 2]),
-    /// Select a pixel, and move the picture if it is not in view.
-    Reveal([u32; 2]),
     /// Select the pixel of these coordinates, as typed, and move the picture if it is not in view.
     RevealTyped(String),
     /// Reveal the worst pixel of the next region of difference.
     NextRegion,
+    /// Pin the selected pixel, to be compared with another one, or let the pinned one go.
+    Pin,
+    /// Go back (−1) or forward (1) through the pixels that were selected.
+    Go(isize),
+    /// Undo a change of the scene's settings, switches and numbers.
+    Undo,
+    /// Do it again.
+    Redo,
     /// Show the picture, the picture and the space view, or the space view: the next of them.
     NextView,
     /// Change from a dark ground to a light one, or back.

@@ -183,6 +183,9 @@ impl Inspector {
             self.selection.keep_ray();
             self.reveal(pixel);
         }
+        if let Some(pixel) = self.selection.again.take() {
+            self.reveal(pixel);
+        }
         if let Some(pixel) = self.selection.proposed() {
             // nobody asked for it, so that no message is answered by it
             let message = self.message.take();
@@ -254,10 +257,12 @@ impl Inspector {
             actions.extend(panels::files(ui, &mut self.fields, &mut self.picker, source));
         });
         egui::Panel::bottom("status").frame(bar).show(ui, |ui| {
-            let (theirs, is_loading) = (self.others.shown(), self.session.loading.is_busy());
+            let theirs = self.others.shown();
+            let loading = self.session.loading.is_busy().then_some(&*self.session.what.0);
+            let loading = loading.or(self.others.reading());
             let shown = (theirs, &self.picture.layer);
             let pointed = (self.hovered, self.selection.is_proposed);
-            actions.extend(panels::status(ui, rendering, shown, pointed, is_loading));
+            actions.extend(panels::status(ui, rendering, shown, pointed, loading));
         });
         egui::Panel::top("view").frame(bar).show(ui, |ui| {
             let (theirs, mode) = (self.others.shown_mut(), &mut self.space.mode);
@@ -310,10 +315,14 @@ impl Inspector {
             let (hovered, framed) = part(ui, "picture", area, Vec2::ZERO, show);
             self.hovered = hovered;
             actions.extend(framed);
+            if self.session.is_old {
+                panels::mark_old(ui, area);
+            }
         }
         if let Some(area) = of_space {
             let program = others.shown().and_then(Theirs::explained);
-            let is_both = others.shown().is_some_and(|theirs| theirs.shows == Shows::Swipe);
+            let is_both = others.shown().is_some_and(|theirs| theirs.shows == Shows::Swipe)
+                || selection.pinned.is_some();
             let subject = (&Subject { rendering, program }, is_both);
             let show = |ui: &mut Ui| space.show(ui, area, subject, selection);
             part(ui, "space", area, Vec2::ZERO, show);

@@ -44,12 +44,15 @@ impl Inspector {
                 ctx.memory_mut(|memory| memory.request_focus(panels::file_field()))
             }
             Action::Select(pixel) => self.select(pixel),
-            Action::Reveal(pixel) => self.reveal(pixel),
             Action::RevealTyped(text) => match parse_pixel(&text) {
                 Ok(pixel) => self.reveal(pixel),
                 Err(error) => self.message = Some((error, true)),
             },
             Action::NextRegion => self.reveal_next_region(),
+            Action::Pin => self.selection.pin(),
+            Action::Go(by) => self.selection.go(by),
+            Action::Undo => self.session.undo(ctx, false),
+            Action::Redo => self.session.undo(ctx, true),
             Action::NextView => self.space.mode = self.space.mode.next(),
             Action::ChangeGround => self.frame.set_ground(ctx, self.frame.ground().other()),
             Action::ToggleKeys => self.is_showing_keys ^= true,

@@ -93,13 +93,19 @@ impl Beside {
             self.compared = Some((of, first_differing(this, other), rays));
         }
         let (_, first, parted) = self.compared?;
-        let Some(first) = first else {
-            ui.weak("No ray has other numbers of its own.");
-            return None;
+        let clicked = match (of[0].pixel == of[1].pixel, first, parted) {
+            (true, None, _) => {
+                ui.weak("No ray has other numbers of its own.");
+                return None;
+            }
+            (true, Some(first), _) => link(ui, first, "is the first whose own numbers differ"),
+            // the numbers of two pixels differ from the camera on
+            (false, _, None) => {
+                ui.weak("All rays end alike.");
+                return None;
+            }
+            (false, _, Some([here, _])) => link(ui, here, "is the first that ends elsewhere"),
         };
-        let clicked =
-            ui.link(format!("ray {first} is the first whose own numbers differ")).clicked();
-        let clicked = clicked.then_some(first);
         let Some([here, there]) = parted else { return clicked };
         ui.strong("the first rays that end elsewhere, of several those with the most light:");
         let lines = [(this, here), (other, there)].map(|(root, number)| {
@@ -110,6 +116,11 @@ impl Beside {
         }
         clicked
     }
+}
+
+/// Shows what is said of a ray, as a link to it. Returns its number if it was clicked.
+fn link(ui: &mut Ui, ray: usize, said: &str) -> Option<usize> {
+    ui.link(format!("ray {ray} {said}")).clicked().then_some(ray)
 }
 
 /// Shows the fields that differ in two columns, ours first, and names the others.

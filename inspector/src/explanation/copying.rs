@@ -28,10 +28,7 @@ impl Making {
     /// Puts the text on the clipboard once it is made.
     pub fn refresh(&mut self, ctx: &Context) {
         match self.working.poll().map(|made| made.unwrap_or_else(|lost| Err(lost.to_string()))) {
-            Some(Ok(text)) => {
-                ctx.copy_text(text);
-                set_copied(ctx);
-            }
+            Some(Ok(text)) => copy(ctx, text),
             Some(Err(problem)) => self.problem = Some(problem),
             None => {}
         }
@@ -146,8 +143,9 @@ fn copied_at() -> Id {
     Id::unique("copied at")
 }
 
-/// Notes that something was put on the clipboard now.
-pub fn set_copied(ctx: &Context) {
+/// Puts a text on the clipboard, and notes when.
+pub fn copy(ctx: &Context, text: String) {
+    ctx.copy_text(text);
     let now = ctx.input(|input| input.time);
     ctx.data_mut(|data| data.insert_temp(copied_at(), now));
 }

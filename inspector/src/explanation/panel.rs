@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use eframe::egui::{
-    self, Align, Frame, Key, Label, Layout, Margin, RichText, ScrollArea, Ui, vec2,
+    self, Align, Button, Frame, Key, Label, Layout, Margin, RichText, ScrollArea, Ui, vec2,
 };
 use groundtruth::explain::{self, PixelExplanation, SampleExplanation};
 use groundtruth::film::Tone;
@@ -13,7 +13,7 @@ use judge::verdict::Verdict;
 use crate::explanation::asked::{Question, sample_of};
 use crate::explanation::beside::Beside;
 use crate::explanation::copying::{self, Making};
-use crate::explanation::pixel::{self, Order, SumList};
+use crate::explanation::pixel::{self, SumList};
 use crate::explanation::samples::Samples;
 use crate::explanation::section::SectionView;
 use crate::explanation::selection::{Selection, Tab};
@@ -38,7 +38,6 @@ const ONE_ROW_MIN_WIDTH: f32 = 460.0;
 pub struct Panel {
     /// The samples, when they are below the tree.
     pub samples: Samples,
-    order: Order,
     section: SectionView,
     why_not: WhyNotView,
     /// What is made for the clipboard.
@@ -97,7 +96,7 @@ impl Panel {
     ) -> bool {
         let verdict = shown.theirs.and_then(|theirs| theirs.judgement.verdict());
         let log = shown.subject().log();
-        let is_twin = shown.beside.is_some();
+        let is_twin = shown.beside.is_some() || selection.pinned_beside().is_some();
         // one that is not there now is shown when it is there again
         let mut shown_tab = Tab::default();
         ui.horizontal_wrapped(|ui| {
@@ -131,9 +130,9 @@ impl Panel {
             Tab::Verdict => drop(area.show(ui, |ui| verdict.map(|it| verdict_text(ui, it)))),
             Tab::Section => self.section_of_ray(ui, selection, &shown.subject()),
             Tab::Sum => {
-                let (tone, order) = (shown.tone, &mut self.order);
+                let tone = shown.tone;
                 let (chosen, pointed) = (&mut selection.sample, &mut selection.pointed);
-                SumList { answer, tone, order, chosen, pointed }.show(ui, area);
+                SumList { answer, tone, chosen, pointed }.show(ui, area);
             }
             Tab::Samples if log.is_some() => {
                 let question =
@@ -181,11 +180,17 @@ impl Panel {
         let names = programs.map(|program| program.map_or("ours", |program| &program.name));
         match (selection.root(), selection.root_beside()) {
             (Some(this), Some(other)) => {
-                let whose = (programs[1].is_some(), names);
+                let name =
+                    |(Question { pixel: [x, y], .. }, _): (Question, _)| format!("({x}, {y})");
+                let pixels = [name(this), name(other)];
+                let whose = match selection.pinned_beside() {
+                    Some(_) => (true, pixels.each_ref().map(String::as_str)),
+                    None => (programs[1].is_some(), names),
+                };
                 self.numbers.show(ui, [this, other], selection.tree.ray, whose)
             }
             _ => {
-                ui.weak("One of the pictures has no ray here, or is not explained yet.");
+                ui.weak("One of the two has no ray here, or is not explained yet.");
                 None
             }
         }
@@ -223,6 +228,18 @@ impl Panel {
         ui.horizontal(|ui| {
             swatch(ui, display::color(shown.tone, answer.radiance));
             ui.heading(format!("Pixel ({x}, {y})"));
+            for (by, name, hint) in [(-1, "‹", "back (Alt-Left)"), (1, "›", "forward (Alt-Right)")]
+            {
+                let button = ui.add_enabled(selection.can_go(by), Button::new(name).small());
+                if button.on_hover_text(hint).clicked() {
+                    selection.go(by);
+                }
+            }
+            let pin = Button::new("Pin").small().selected(selection.pinned.is_some());
+            let hint = "Compares the next pixel that is selected with this one (P)";
+            if ui.add(pin).on_hover_text(hint).clicked() {
+                selection.pin();
+            }
             if last > 0 && !is_narrow {
                 pixel::chooser(ui, &mut selection.sample, last);
             }
@@ -249,7 +266,21 @@ impl Panel {
         }
         pixel::sum(ui, answer, shown);
         if let Some(theirs) = shown.theirs.filter(|_| shown.subject().has_camera()) {
-            pixel::theirs(ui, answer.pixel, theirs, shown);
+            let explained = match theirs.explained() {
+                Some(_) => Some(answer),
+                None => selection.beside.explanation().filter(|_| theirs.is_twin()),
+            };
+            let explained = explained.filter(|it| it.pixel == answer.pixel).map(|it| it.radiance);
+            pixel::theirs(ui, answer.pixel, (theirs, explained), shown);
+        }
+        let beside = selection.beside.explanation();
+        let pinned = beside.filter(|it| Some(it.pixel) == selection.pinned_beside());
+        if let Some(PixelExplanation { pixel: [x, y], radiance, .. }) = pinned {
+            ui.horizontal_wrapped(|ui| {
+                swatch(ui, display::color(shown.tone, *radiance));
+                let text = format!("pinned ({x}, {y}): {}", explain::short(*radiance));
+                ui.label(RichText::new(text).monospace().size(12.0));
+            });
         }
     }
 }
@@ -286,8 +317,7 @@ fn verdict_text(ui: &mut Ui, verdict: &Verdict) {
     let text = verdict.to_string();
     ui.horizontal(|ui| {
         if ui.small_button("Copy the verdict").clicked() {
-            ui.ctx().copy_text(text.clone());
-            copying::set_copied(ui.ctx());
+            copying::copy(ui.ctx(), text.clone());
         }
         copying::show_copied(ui);
     });

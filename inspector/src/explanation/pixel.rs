@@ -12,16 +12,6 @@ use crate::explanation::{Shown, details, tree};
 use crate::picture::display;
 use crate::platform;
 
-/// The order of the list of samples.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Order {
-    /// Sorted by index.
-    Index,
-    /// The greatest radiance first, averaged over the channels.
-    #[default]
-    Value,
-}
-
 /// The height of a line of the list of sources and samples.
 const LINE: f32 = 18.0;
 
@@ -91,8 +81,7 @@ pub fn copy_menu(
             text = Some(details::text(ray));
         }
         if let Some(text) = text {
-            ui.ctx().copy_text(text);
-            copying::set_copied(ui.ctx());
+            copying::copy(ui.ctx(), text);
             ui.close();
         }
     });
@@ -120,7 +109,7 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
     match rendered {
         None => ui.weak("this pixel is not rendered yet"),
         Some(radiance) if bits(radiance) == bits(answer.radiance) => {
-            let good = display::ink(ui, display::AGREES);
+            let good = display::ink(ui.visuals(), display::AGREES);
             ui.colored_label(good, "= the pixel of the picture, bit for bit")
         }
         // what a picture file can hold of it
@@ -135,14 +124,19 @@ pub fn sum(ui: &mut Ui, answer: &PixelExplanation, shown: &Shown<'_>) {
     };
 }
 
-/// Shows their value of the pixel, and the difference from ours.
-pub fn theirs(ui: &mut Ui, pixel: [u32; 2], theirs: &Theirs, shown: &Shown<'_>) {
-    let (Some(radiance), Some(value)) = (theirs.radiance(pixel), theirs.value(pixel)) else {
-        return;
-    };
+/// Shows their value of the pixel, the explained one until it is rendered, and the difference from ours.
+pub fn theirs(
+    ui: &mut Ui,
+    pixel: [u32; 2],
+    (theirs, explained): (&Theirs, Option<Rgb>),
+    shown: &Shown<'_>,
+) {
+    let Some(radiance) = theirs.radiance(pixel).or(explained) else { return };
+    let value = theirs.value(pixel).unwrap_or_else(|| short(radiance));
     let name = theirs.short_name();
     let small = |text: String| RichText::new(text).monospace().size(12.0);
-    let difference = theirs.difference(shown.rendering, pixel);
+    let early = || Some(explained? - shown.rendering.radiance(pixel)?);
+    let difference = theirs.difference(shown.rendering, pixel).or_else(early);
     let equal = if difference == Some(Rgb::BLACK) { ": equal" } else { "" };
     ui.horizontal_wrapped(|ui| {
         tree::swatch(ui, display::color(shown.tone, radiance));
@@ -157,7 +151,6 @@ pub fn theirs(ui: &mut Ui, pixel: [u32; 2], theirs: &Theirs, shown: &Shown<'_>) 
 enum Line {
     Words(&'static str),
     Numbers(String),
-    Order,
     Spread,
     Sample(u32),
 }
@@ -168,40 +161,23 @@ pub struct SumList<'a> {
     pub answer: &'a PixelExplanation,
     /// The tone in which radiance is shown.
     pub tone: &'a Tone,
-    /// The order of the samples.
-    pub order: &'a mut Order,
     /// The sample whose tree is shown; a click chooses another one.
     pub chosen: &'a mut u32,
     /// The sample that is pointed at.
     pub pointed: &'a mut Option<u32>,
 }
 
-/// The most samples that are marked as outliers.
-const MAX_OUTLIERS: usize = 10;
-/// The level of the test for outliers.
-const OUTLIER_LEVEL: f64 = 0.01;
-/// What the mark says.
-const OUTLIER: &str = "Far from the other samples: Rosner's test for many outliers, at 1 %";
-
-/// The samples that are far from the others.
-pub fn outliers(answer: &PixelExplanation) -> Vec<usize> {
-    let values: Vec<f64> = answer.radiances.iter().map(|radiance| radiance.average()).collect();
-    let most = MAX_OUTLIERS.min(values.len() / 4);
-    statistics::outliers(&values, most, OUTLIER_LEVEL)
-}
-
 impl SumList<'_> {
     /// Shows the lines in view.
     pub fn show(mut self, ui: &mut Ui, area: ScrollArea) {
         let lines = self.lines();
-        let outliers = outliers(self.answer);
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.spacing_mut().interact_size.y = LINE;
         ui.spacing_mut().button_padding.y = 0.0;
         area.show_rows(ui, LINE, lines.len(), |ui, visible| {
             ui.style_mut().wrap_mode = Some(TextWrapMode::Extend);
             for line in &lines[visible] {
-                ui.horizontal(|ui| self.line(ui, line, &outliers));
+                ui.horizontal(|ui| self.line(ui, line));
             }
         });
     }
@@ -213,31 +189,24 @@ impl SumList<'_> {
             lines.extend(explain::table(sources).into_iter().map(Line::Numbers));
         }
         if self.answer.samples_per_pixel > 1 {
-            lines.extend([Line::Spread, Line::Order]);
-            lines.extend(sorted(self.answer, *self.order).into_iter().map(Line::Sample));
+            lines.extend([
+                Line::Spread,
+                Line::Words("samples with their shares, the greatest first"),
+            ]);
+            lines.extend(sorted(self.answer).into_iter().map(Line::Sample));
         }
         lines
     }
 
-    fn line(&mut self, ui: &mut Ui, line: &Line, outliers: &[usize]) {
+    fn line(&mut self, ui: &mut Ui, line: &Line) {
         match line {
             Line::Words(words) => drop(ui.strong(*words).on_hover_text(*words)),
             Line::Numbers(text) => {
                 let small = RichText::new(text).monospace().size(11.5);
                 ui.label(small).on_hover_text(text);
             }
-            Line::Order => {
-                ui.weak("samples with their shares, by");
-                ui.selectable_value(self.order, Order::Value, "value");
-                ui.selectable_value(self.order, Order::Index, "index");
-            }
             Line::Spread => drop(ui.horizontal(|ui| self.spread(ui))),
-            Line::Sample(index) => {
-                if outliers.contains(&(*index as usize)) {
-                    ui.colored_label(ui.visuals().warn_fg_color, "outlier").on_hover_text(OUTLIER);
-                }
-                self.sample(ui, *index);
-            }
+            Line::Sample(index) => self.sample(ui, *index),
         }
     }
 
@@ -276,12 +245,10 @@ impl SumList<'_> {
     }
 }
 
-/// The indices of all samples in this order.
-pub fn sorted(answer: &PixelExplanation, order: Order) -> Vec<u32> {
+/// The indices of all samples, the greatest radiance first, averaged over the channels.
+fn sorted(answer: &PixelExplanation) -> Vec<u32> {
     let mut indices: Vec<u32> = (0..answer.samples_per_pixel).collect();
     let value = |index: &u32| answer.radiances[*index as usize].average();
-    if order == Order::Value {
-        indices.sort_by(|a, b| value(b).total_cmp(&value(a)));
-    }
+    indices.sort_by(|a, b| value(b).total_cmp(&value(a)));
     indices
 }

@@ -1,16 +1,13 @@
-//! The samples of the selected pixel: their positions in pixel, lens and light, and whether their sampler
-//! is unbiased.
+//! The samples of the selected pixel: their positions in pixel, lens and light.
 
 use eframe::egui::{
-    Align2, Color32, ComboBox, FontId, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, pos2, vec2,
+    Align2, Color32, ComboBox, FontId, Pos2, Rect, Sense, Stroke, StrokeKind, Ui, Vec2, vec2,
 };
 use groundtruth::explain::{PixelExplanation, RecordedRay, count, short};
 use groundtruth::render;
-use groundtruth::samplers::{self, Key, PathKey, Purpose, SETS};
+use groundtruth::samplers::{self, Key, PathKey, Purpose};
 use groundtruth::scene::Scene;
 use groundtruth::trace::RayKind;
-use groundtruth::world::World;
-use statistics::chi_square;
 
 use crate::explanation::selection::Selection;
 use crate::explanation::{Shown, Subject, Version};
@@ -30,7 +27,6 @@ pub struct Samples {
     /// Of which picture, and the pixel.
     of: Option<(Version, [u32; 2])>,
     plots: Vec<Plot>,
-    uniformity: Option<Uniformity>,
     /// The light of the last plot.
     light: Option<u32>,
     /// The sample under the mouse in the last frame, whose points are lit in all plots.
@@ -58,60 +54,6 @@ enum Outline {
     Disk,
 }
 
-/// The distribution of all points that a sampler may draw, compared with an unbiased sampler's.
-struct Uniformity {
-    /// The number of points in each strip of x.
-    strips: Vec<u64>,
-    points: usize,
-    /// The p-value of χ² over [`CELLS`]² cells.
-    p: f64,
-}
-
-/// Cells along each side, for χ²: odd, so that strata do not line up with them.
-const CELLS: usize = 15;
-const STRIPS: usize = 32;
-/// The largest number of points that are counted.
-const MAX_COUNTED: usize = 400_000;
-
-impl Uniformity {
-    /// Counts the points of all sets. If the sampler shifts or centres the points of a set, counts the draws
-    /// of as many pixels instead.
-    fn of(world: &World) -> Self {
-        let samples = &world.samples;
-        let (mut strips, mut cells) = (vec![0; STRIPS], vec![0; CELLS * CELLS]);
-        let of_pixel = |x: u32| {
-            let key = Key::new(world.seed, [x, 0], Purpose::Pixel);
-            (0..samples.per_set()).map(move |i| samples.draw(key, i))
-        };
-        let sets = 0..SETS as u32;
-        let points: Vec<[f64; 2]> = if samples.is_shifted() || samples.is_centered() {
-            sets.flat_map(of_pixel).take(MAX_COUNTED).collect()
-        } else {
-            sets.flat_map(|i| samples.set(i as usize)).copied().take(MAX_COUNTED).collect()
-        };
-        for [x, y] in &points {
-            let cell = |x: &f64, n: usize| (x * n as f64) as usize;
-            strips[cell(x, STRIPS)] += 1;
-            cells[cell(y, CELLS) * CELLS + cell(x, CELLS)] += 1;
-        }
-        let expected = vec![points.len() as f64 / cells.len() as f64; cells.len()];
-        let p = chi_square::goodness_of_fit(&cells, &expected);
-        Self { strips, points: points.len(), p }
-    }
-
-    fn verdict(&self) -> String {
-        let words = match self.p {
-            p if p < 1e-3 => {
-                "biased: some parts of the square are drawn too often (as on a fixed grid)"
-            }
-            p if p > 0.999 => "unbiased, and more even than independent points: stratified",
-            _ => "unbiased: as even as independent points",
-        };
-        let Self { points, p, .. } = self;
-        format!("χ² of {points} places in {CELLS} × {CELLS} cells: p = {p:.3}; {words}")
-    }
-}
-
 impl Samples {
     /// Computes the contents, unless that is done.
     fn refresh(&mut self, subject: &Subject<'_>, pixel: [u32; 2]) {
@@ -120,9 +62,6 @@ impl Samples {
             return;
         }
         let world = &subject.built().world;
-        if self.of.is_none_or(|(of, _)| of != version) {
-            self.uniformity = Some(Uniformity::of(world));
-        }
         self.of = Some((version, pixel));
         let count = world.samples_per_pixel().min(MAX_POINTS);
         // for a stereo pair, the pixel of the eye's image
@@ -197,12 +136,6 @@ impl Samples {
         if answer.samples_per_pixel > MAX_POINTS {
             ui.weak(format!("the first {MAX_POINTS} samples"));
         }
-        if let Some(uniformity) = &self.uniformity {
-            let mean = uniformity.points as f64 / STRIPS as f64;
-            ui.weak(format!("x of {} points of all sets, in {STRIPS} strips", uniformity.points));
-            histogram(ui, &uniformity.strips, mean);
-            ui.label(uniformity.verdict());
-        }
         changed
     }
 }
@@ -239,7 +172,7 @@ impl Plot {
             let (area, response) = ui.allocate_exact_size(Vec2::splat(side), Sense::click());
             self.area = area;
             let painter = ui.painter_at(area);
-            painter.rect_filled(area, 2.0, Color32::from_gray(18));
+            painter.rect_filled(area, 2.0, display::ground(ui.visuals()));
             let edge = Stroke::new(1.0, Color32::from_gray(110));
             let [low, high] = [[-1.0, 1.0], [1.0, -1.0]].map(|corner| self.to_screen(corner));
             match self.outline {
@@ -253,7 +186,7 @@ impl Plot {
             }
             if self.points.is_empty() {
                 let font = FontId::proportional(13.0);
-                let grey = Color32::from_gray(165);
+                let grey = ui.visuals().weak_text_color();
                 painter.text(area.center(), Align2::CENTER_CENTER, "not used", font, grey);
             }
             let radius = if self.points.len() > 400 { 1.2 } else { 2.4 };
@@ -264,12 +197,13 @@ impl Plot {
             }
             if let Some(&chosen) = self.points.get(*sample as usize) {
                 let at = self.to_screen(chosen);
-                painter.circle_filled(at, radius + 1.0, Color32::from_rgb(255, 200, 60));
-                let ring = Stroke::new(1.5, Color32::from_rgb(255, 200, 60));
+                let color = display::ink(ui.visuals(), Color32::from_rgb(255, 200, 60));
+                painter.circle_filled(at, radius + 1.0, color);
+                let ring = Stroke::new(1.5, color);
                 painter.circle_stroke(at, radius + 4.0, ring);
             }
             if let Some(&lit) = lit.and_then(|lit| self.points.get(lit as usize)) {
-                let ring = Stroke::new(2.5, Color32::WHITE);
+                let ring = Stroke::new(2.5, ui.visuals().strong_text_color());
                 painter.circle_stroke(self.to_screen(lit), radius + 5.5, ring);
             }
             if let (true, Some(at)) = (response.clicked(), response.interact_pointer_pos())
@@ -284,20 +218,10 @@ impl Plot {
 
     /// Writes a line into the plot, at the end that is away from the mouse.
     fn say(&self, ui: &Ui, text: String) {
-        let is_low = ui
-            .input(|input| input.pointer.hover_pos())
-            .is_some_and(|at| at.y > self.area.center().y);
+        let at = ui.input(|input| input.pointer.hover_pos());
+        let is_low = at.is_some_and(|at| at.y > self.area.center().y);
         let corner = if is_low { Align2::CENTER_TOP } else { Align2::CENTER_BOTTOM };
-        let at = corner.pos_in_rect(&self.area.shrink(4.0));
-        let galley = ui.painter().layout(
-            text,
-            FontId::proportional(12.0),
-            Color32::from_gray(230),
-            self.area.width() - 8.0,
-        );
-        let place = corner.anchor_size(at, galley.size());
-        ui.painter().rect_filled(place.expand(2.0), 2.0, Color32::from_black_alpha(190));
-        ui.painter().galley(place.min, galley, Color32::WHITE);
+        display::write(ui.painter(), self.area, corner, text);
     }
 
     /// The sample nearest to a position on the screen, if it is near.
@@ -345,37 +269,4 @@ fn choose(ui: &mut Ui, rendering: &Rendering, wanted: &mut Scene) -> bool {
         }
     });
     changed
-}
-
-/// Draws the number of points in each strip of the square, with axes: x from 0 to 1, and a line at the mean number.
-fn histogram(ui: &mut Ui, strips: &[u64], mean: f64) {
-    let max = strips.iter().copied().max().unwrap_or(0).max(1);
-    let size = vec2(ui.available_width().min(3.0 * SIDES[1]), 60.0);
-    let (whole, response) = ui.allocate_exact_size(size, Sense::hover());
-    response.on_hover_text("Histogram of x over all sets: level if the sampler is unbiased");
-    let painter = ui.painter_at(whole);
-    let (font, grey) = (FontId::proportional(11.0), Color32::from_gray(165));
-    // room for the numbers at the left and below
-    let area = whole.with_min_x(whole.left() + 44.0).with_max_y(whole.bottom() - 14.0);
-    let area = area.with_max_x(whole.right() - 6.0);
-    painter.rect_filled(area, 2.0, Color32::from_gray(18));
-    let height = |count: f64| area.bottom() - (area.height() - 4.0) * (count / max as f64) as f32;
-    let width = area.width() / strips.len() as f32;
-    for (index, &count) in strips.iter().enumerate() {
-        let left = area.left() + width * index as f32;
-        let [near, far] =
-            [pos2(left + 0.5, height(count as f64)), pos2(left + width - 0.5, area.bottom())];
-        painter.rect_filled(Rect::from_min_max(near, far), 0.0, Color32::from_rgb(120, 180, 255));
-    }
-    painter.hline(area.x_range(), height(mean), Stroke::new(1.0, Color32::from_rgb(255, 200, 60)));
-    for (at, words) in [(height(mean), format!("{mean:.0}")), (area.bottom(), "0".to_owned())] {
-        let at = pos2(area.left() - 4.0, at.max(area.top() + 5.0));
-        painter.text(at, Align2::RIGHT_CENTER, words, font.clone(), grey);
-    }
-    for (share, words) in [(0.0, "x = 0"), (0.5, "0.5"), (1.0, "1")] {
-        let x = area.left() + share * area.width();
-        painter.vline(x, area.bottom()..=area.bottom() + 3.0, Stroke::new(1.0, grey));
-        let at = pos2(x, whole.bottom());
-        painter.text(at, Align2::CENTER_BOTTOM, words, font.clone(), grey);
-    }
 }

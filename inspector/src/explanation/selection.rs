@@ -44,6 +44,11 @@ pub struct Selection {
     sought: Option<usize>,
     /// The path to a ray of another pixel, whose like is selected then.
     path: Vec<Step>,
+    /// The pixel whose rays stand beside those of the selected one.
+    pub pinned: Option<[u32; 2]>,
+    visited: Visited,
+    /// One of the visited pixels, to which the window goes in the next frame.
+    pub again: Option<[u32; 2]>,
     /// The tree whose rays are known by their numbers, and their indices in its log.
     pub logged: Option<(Question, BTreeMap<usize, usize>)>,
 }
@@ -69,6 +74,32 @@ pub enum Tab {
     Beside,
 }
 
+/// The pixels that were selected, as the pages of a browser.
+#[derive(Default)]
+struct Visited {
+    pixels: Vec<[u32; 2]>,
+    /// The place of the present one.
+    at: usize,
+    /// Whether arrow keys led to it, and lead to the next one: of several such steps the last one is kept.
+    is_step: [bool; 2],
+}
+
+impl Visited {
+    fn next(&self, by: isize) -> Option<(usize, [u32; 2])> {
+        let at = self.at.checked_add_signed(by)?;
+        Some((at, *self.pixels.get(at)?))
+    }
+
+    fn visit(&mut self, pixel: [u32; 2]) {
+        let [was_step, is_step] = self.is_step;
+        if self.pixels.get(self.at) != Some(&pixel) {
+            self.pixels.truncate(self.at + usize::from(!(was_step && is_step)));
+            self.pixels.push(pixel);
+            (self.at, self.is_step) = (self.pixels.len() - 1, [is_step, false]);
+        }
+    }
+}
+
 /// What leads from a ray to the next one.
 type Step = (RayKind, Option<Arc<str>>);
 
@@ -83,14 +114,19 @@ impl Selection {
         let shown = Subject { rendering, program: others.shown().and_then(Theirs::explained) };
         let other = others.beside();
         let (program, is_twin) = (other.flatten(), other.is_some());
-        let other = Subject { rendering, program };
         let asked = self.pixel.map(|pixel| (pixel, self.sample));
-        if self.beside.version() == Some(shown.version()) {
-            // the pictures were flipped
+        let is_flipped = self.beside.pixel() == self.pixel;
+        if is_flipped && self.beside.version() == Some(shown.version()) {
             std::mem::swap(&mut self.asked, &mut self.beside);
         }
         self.asked.refresh(ctx, &shown, asked);
-        self.beside.refresh(ctx, &other, asked.filter(|_| is_twin));
+        match self.pinned_beside() {
+            Some(pinned) => self.beside.refresh(ctx, &shown, Some((pinned, self.sample))),
+            None => {
+                let other = Subject { rendering, program };
+                self.beside.refresh(ctx, &other, asked.filter(|_| is_twin));
+            }
+        }
         self.read_off(shown.log());
         if self.asked.pixel() == self.pixel {
             let path = std::mem::take(&mut self.path);
@@ -121,8 +157,32 @@ impl Selection {
         self.sought = Some(number);
     }
 
+    /// The pinned pixel, if another one is selected.
+    pub fn pinned_beside(&self) -> Option<[u32; 2]> {
+        self.pinned.filter(|pinned| Some(*pinned) != self.pixel)
+    }
+
+    /// Pins the selected pixel, or lets the pinned one go.
+    pub fn pin(&mut self) {
+        self.pinned = if self.pinned.is_some() { None } else { self.pixel };
+    }
+
+    /// Goes back (−1) or forward (1) through the pixels that were selected.
+    pub fn go(&mut self, by: isize) {
+        if let Some((at, pixel)) = self.visited.next(by) {
+            (self.visited.at, self.visited.is_step) = (at, [false; 2]);
+            self.again = Some(pixel);
+        }
+    }
+
+    /// Whether there is a pixel to go to.
+    pub fn can_go(&self, by: isize) -> bool {
+        self.visited.next(by).is_some()
+    }
+
     /// Of the pixel that is explained next, selects the ray to which the same kinds of rays lead as to this one.
     pub fn keep_ray(&mut self) {
+        self.visited.is_step[1] = true;
         let path = self.root().map_or(Vec::new(), |(_, root)| root.path_to(self.tree.ray));
         self.path = path.into_iter().skip(1).map(step_to).collect();
     }
@@ -190,6 +250,7 @@ impl Selection {
         if self.pixel != Some(pixel) {
             self.tree = Tree::default();
         }
+        self.visited.visit(pixel);
         (self.pixel, self.is_proposed) = (Some(pixel), false);
         Ok(())
     }

@@ -13,7 +13,6 @@ pub struct ImageSettings {
 impl ImageSettings {
     /// Shows the numbers; returns whether one was changed.
     pub fn show(&mut self, ui: &mut Ui, scene: &mut Scene, seed: &mut u64) -> bool {
-        ui.strong("Picture");
         let grid = Grid::new("image").num_columns(2).spacing([6.0, 3.0]);
         grid.show(ui, |ui| {
             let resized = size(ui, scene);

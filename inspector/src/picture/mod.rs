@@ -4,7 +4,6 @@
 pub mod chosen_layer;
 pub mod developed;
 pub mod display;
-pub mod histogram;
 pub mod image_settings;
 pub mod saving;
 pub mod session;

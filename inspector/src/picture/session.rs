@@ -4,7 +4,7 @@ use std::mem::take;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use eframe::egui::Context;
+use eframe::egui::{Context, Pos2};
 use groundtruth::scene::Scene;
 
 use crate::picture::worker::{Background, Rendering};
@@ -26,6 +26,16 @@ pub struct Session {
     /// The requests of the command line, until its scene file is valid; there is no picture before.
     pub waiting: Option<Broken>,
     watch: Watch,
+    /// Whether the file was changed, but has an error: the picture is of what it was before.
+    pub is_old: bool,
+    /// What is being loaded, and whether it is the open file again.
+    pub what: (String, bool),
+    /// Whether the scene was changed again while it was built.
+    is_due: bool,
+    /// The scenes and seeds before and after the present one, to which undo and redo lead.
+    changes: [Vec<(Arc<Scene>, u64)>; 2],
+    /// Where the mouse was pressed for the last change: a drag is undone at once.
+    pressed: Option<Pos2>,
 }
 
 /// The relation of a scene that was opened to the one before it.
@@ -49,6 +59,11 @@ impl Session {
             loading: Background::default(),
             watch: loaded.watch.take().unwrap_or_default(),
             waiting: None,
+            is_old: false,
+            what: (String::new(), false),
+            is_due: false,
+            changes: Default::default(),
+            pressed: None,
             rendering: Rendering::start(ctx, loaded.built, 0),
         }
     }
@@ -61,13 +76,54 @@ impl Session {
 
     /// Opens another scene; the present one stays if the other is invalid.
     pub fn open(&mut self, ctx: &Context, source: Source) {
+        self.what = (format!("reading {}", source.name()), false);
         self.loading.start(ctx, move || source.load());
     }
 
-    /// Builds the scene again with its present settings and switches.
+    /// Builds the scene again with its present settings and switches; after the one that is being built.
     pub fn rebuild(&mut self, ctx: &Context) {
+        let pressed = ctx.input(|input| input.pointer.press_origin());
+        if pressed.is_none() || pressed != self.pressed {
+            let present = self.present();
+            self.changes[0].push(present);
+            self.changes[1].clear();
+        }
+        self.pressed = pressed;
+        self.build(ctx);
+    }
+
+    fn build(&mut self, ctx: &Context) {
+        self.is_due = self.loading.is_busy();
+        if self.is_due {
+            return;
+        }
+        self.what = ("building".to_owned(), false);
         let (built, scene, seed) = (self.rendering.built.clone(), self.wanted.clone(), self.seed);
         self.loading.start(ctx, move || built.changed(scene, seed).map(Loaded::from));
+    }
+
+    fn present(&self) -> (Arc<Scene>, u64) {
+        (Arc::clone(&self.rendering.scene), self.rendering.world.seed)
+    }
+
+    /// Whether there is a change to undo.
+    pub fn can_undo(&self) -> bool {
+        !self.changes[0].is_empty()
+    }
+
+    /// Undoes the last change that was made in the window, or does it `again`.
+    pub fn undo(&mut self, ctx: &Context, again: bool) {
+        let present = self.present();
+        let [past, future] = &mut self.changes;
+        let [from, to] = if again { [future, past] } else { [past, future] };
+        // a change that could not be built led to no other scene
+        let other = from.iter().rposition(|it| !is_same(it, &present));
+        from.truncate(other.map_or(0, |at| at + 1));
+        if let Some((scene, seed)) = from.pop() {
+            to.push(present);
+            (self.wanted, self.seed) = ((*scene).clone(), seed);
+            self.build(ctx);
+        }
     }
 
     /// Reads the scene again if its file was changed; keeps the changes made in the window.
@@ -86,13 +142,21 @@ impl Session {
             Some(change) => change(now),
             None => Ok(reload::with_changes(&read, &wanted, now)),
         };
+        self.what = (format!("reading {}", source.name()), true);
         self.loading.start(ctx, move || source.load_changed(seed, change));
     }
 
     /// Renders the scene that was loaded meanwhile, if there is one; after an error, the changes are undone.
     pub fn poll(&mut self, ctx: &Context) -> Option<Result<Opened, String>> {
         let loaded = self.loading.poll()?.unwrap_or_else(|lost| Err(lost.to_string()));
+        let is_read = self.what.1 || loaded.as_ref().is_ok_and(|loaded| loaded.watch.is_some());
+        self.is_old = if is_read { loaded.is_err() } else { self.is_old };
         let opened = loaded.map(|loaded| self.replace(ctx, loaded));
+        if take(&mut self.is_due) && !is_read {
+            // the values of a drag go on
+            self.build(ctx);
+            return Some(opened);
+        }
         self.wanted = (*self.rendering.scene).clone();
         self.seed = self.rendering.world.seed;
         Some(opened)
@@ -103,7 +167,7 @@ impl Session {
         let waited = self.waiting.take();
         let (is_same_scene, old_size) = (is_same_source && waited.is_none(), self.rendering.size());
         if let Some(watch) = loaded.watch.take() {
-            self.watch = watch;
+            (self.watch, self.changes) = (watch, Default::default());
         }
         // the old rendering is dropped here, which stops it
         self.rendering = Rendering::start(ctx, loaded.built, self.rendering.generation + 1);
@@ -114,4 +178,8 @@ impl Session {
             asked: waited.filter(|_| is_same_source).and_then(|broken| broken.asked),
         }
     }
+}
+
+fn is_same(a: &(Arc<Scene>, u64), b: &(Arc<Scene>, u64)) -> bool {
+    Arc::ptr_eq(&a.0, &b.0) && a.1 == b.1
 }

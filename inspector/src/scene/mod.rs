@@ -2,6 +2,7 @@
 //! and objects on and off.
 
 pub mod fields;
+pub mod numbers;
 pub mod reload;
 pub mod source;
 pub mod switches;

@@ -2,9 +2,12 @@
 
 use groundtruth::scene::Scene;
 
-/// The scene of the new file, with every setting and switch that was changed in the window since the file
+use crate::scene::numbers;
+
+/// The scene of the new file, with every setting, number and switch that was changed in the window since the file
 /// was last read.
-pub fn with_changes(before: &Scene, wanted: &Scene, mut now: Scene) -> Scene {
+pub fn with_changes(before: &Scene, wanted: &Scene, now: Scene) -> Scene {
+    let mut now = numbers::with_changes(before, wanted, now);
     let size = |scene: &Scene| [scene.image.width, scene.image.height];
     if size(wanted) != size(before) {
         now.image.resize(wanted.image.width, wanted.image.height);

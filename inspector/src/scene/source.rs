@@ -170,15 +170,6 @@ impl Source {
             None => Err(gallery::unknown(name)),
         }
     }
-
-    /// Builds a scene as one of this source.
-    ///
-    /// # Errors
-    /// The scene error.
-    pub fn build(self, scene: Scene) -> Result<Loaded, String> {
-        let read = Arc::new(scene.clone());
-        Built::of((self, read), scene, DEFAULT_SEED).map(Loaded::from)
-    }
 }
 
 /// What changes a scene before it is built.

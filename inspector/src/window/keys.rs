@@ -1,14 +1,21 @@
 //! The global shortcuts of the window, and the list of all keys.
 
-use eframe::egui::{Align2, Context, Grid, Key, KeyboardShortcut, Modifiers, RichText, Window};
+use eframe::egui::{
+    Align2, Context, Grid, Key, KeyboardShortcut, Modifiers, PointerButton, RichText, Window,
+};
 
 use crate::action::{Action, Shows, With};
 
 /// The keys and what they do.
-const KEYS: [(&str, &str); 21] = [
+const KEYS: [(&str, &str); 24] = [
     ("click", "explain this pixel"),
     ("right click", "on an object: why does the selected ray not hit it?"),
     ("arrows", "explain the next pixel, the same ray (Shift: ten pixels on)"),
+    (
+        "Alt-Left, Alt-Right",
+        "back and forward through the selected pixels (or the mouse's buttons)",
+    ),
+    ("P", "pin the pixel: another one is compared with it, ray by ray; again: let it go"),
     ("L", "follow the light: the next ray on the path of the largest share"),
     ("wheel, pinch", "zoom in and out under the mouse"),
     ("drag", "move the picture; a bar between two parts: resize them"),
@@ -23,6 +30,7 @@ const KEYS: [(&str, &str); 21] = [
     ("1 2 3, C, F, A, R", "in space: front, side, top; scene's camera; fit rays, all; along ray"),
     ("Ctrl-O", "type the name of a scene file"),
     ("Ctrl-S", "save the picture"),
+    ("Ctrl-Z, Ctrl-Y", "undo a change of the scene in the panel at the left, or do it again"),
     ("Ctrl-+, Ctrl-−, Ctrl-0", "everything larger, smaller, or as at first"),
     ("B", "a dark ground, or a light one for projectors"),
     ("?, F1", "show or hide these keys"),
@@ -40,6 +48,13 @@ pub fn pressed(ctx: &Context, is_text: bool) -> Option<Action> {
         (Key::O, Action::Compare(With::Next)),
         (Key::S, Action::NextView),
         (Key::B, Action::ChangeGround),
+        (Key::P, Action::Pin),
+    ];
+    let held = [
+        (Modifiers::ALT, Key::ArrowLeft, Action::Go(-1)),
+        (Modifiers::ALT, Key::ArrowRight, Action::Go(1)),
+        (Modifiers::COMMAND, Key::Z, Action::Undo),
+        (Modifiers::COMMAND, Key::Y, Action::Redo),
     ];
     let command = |key| KeyboardShortcut::new(Modifiers::COMMAND, key);
     ctx.input_mut(|input| {
@@ -50,8 +65,15 @@ pub fn pressed(ctx: &Context, is_text: bool) -> Option<Action> {
         } else if input.key_pressed(Key::F1) || (!is_text && input.key_pressed(Key::Questionmark)) {
             Some(Action::ToggleKeys)
         } else if !is_text {
-            let mut is_pressed = |key| input.consume_key(Modifiers::NONE, key);
-            letters.into_iter().find(|(key, _)| is_pressed(*key)).map(|(_, action)| action)
+            let keys = letters.into_iter().map(|(key, action)| (Modifiers::NONE, key, action));
+            let buttons = [(PointerButton::Extra1, -1), (PointerButton::Extra2, 1)];
+            let is_clicked =
+                |(button, _): &(PointerButton, _)| input.pointer.button_pressed(*button);
+            let gone = buttons.into_iter().find(is_clicked).map(|(_, by)| Action::Go(by));
+            let mut is_pressed = |held: Modifiers, key| input.consume_key(held, key);
+            let pressed =
+                held.into_iter().chain(keys).find(|(held, key, _)| is_pressed(*held, *key));
+            pressed.map(|(.., action)| action).or(gone)
         } else {
             None
         }

@@ -1,15 +1,15 @@
 //! The bars: fields for scene, file and pixel, the message, settings of the view, and the pixel under the mouse.
 
 use eframe::egui::{
-    Align, Align2, Area, Button, Context, Frame, Id, Key, Label, Layout, ProgressBar, RichText,
-    Slider, TextEdit, Ui, vec2,
+    Align, Align2, Area, Button, Context, Frame, Id, Key, Label, Layout, Order, ProgressBar, Rect,
+    RichText, Slider, TextEdit, Ui, vec2,
 };
 use groundtruth::explain::{count, short};
 
 use crate::action::Action;
 use crate::comparison::opening;
 use crate::comparison::theirs::Theirs;
-use crate::picture::chosen_layer::{ChosenLayer, Compared};
+use crate::picture::chosen_layer::ChosenLayer;
 use crate::picture::display::Picture;
 use crate::picture::view::View;
 use crate::picture::worker::{Progress, Rendering};
@@ -165,6 +165,17 @@ pub fn message(ctx: &Context, message: &mut Option<(String, bool)>) {
     area.show(ctx, |ui| Frame::popup(ui.style()).show(ui, |ui| ui.horizontal_top(show)));
 }
 
+/// Says over the upper edge of the picture in this area that it is not of the file as it is now.
+pub fn mark_old(ui: &Ui, area: Rect) {
+    let show = |ui: &mut Ui| {
+        let text = "the picture of before: the scene file has an error";
+        ui.colored_label(ui.visuals().warn_fg_color, text);
+    };
+    let over = Area::new(Id::unique("old")).order(Order::Middle).pivot(Align2::CENTER_TOP);
+    let over = over.fixed_pos(area.center_top() + vec2(0.0, 6.0));
+    over.show(ui.ctx(), |ui| Frame::popup(ui.style()).show(ui, show));
+}
+
 /// Shows the settings of the view.
 pub fn view_settings(
     ui: &mut Ui,
@@ -192,11 +203,7 @@ pub fn view_settings(
         }
         separator(ui);
         let theirs = theirs.filter(|theirs| theirs.fits(rendering));
-        let compared = theirs.map(|theirs| {
-            let is_judged = theirs.judgement.verdict().is_some();
-            Compared { shows: &mut theirs.shows, is_judged }
-        });
-        picture.layer.choose(ui, is_narrow, compared);
+        picture.layer.choose(ui, is_narrow, theirs.map(|theirs| &mut theirs.shows));
         separator(ui);
         let label = ui.label("Exposure");
         let exposure = Slider::new(&mut picture.tone.exposure, 0.01..=100.0).logarithmic(true);
@@ -231,29 +238,29 @@ pub fn view_settings(
     });
 }
 
-/// Shows the progress and the pixel under the mouse; a button shows the keys.
+/// Shows what is being loaded or the progress, and the pixel under the mouse; a button shows the keys.
 pub fn status(
     ui: &mut Ui,
     rendering: &Rendering,
     (theirs, layer): (Option<&Theirs>, &ChosenLayer),
     (hovered, is_proposed): (Option<[u32; 2]>, bool),
-    is_loading: bool,
+    loading: Option<&str>,
 ) -> Option<Action> {
     ui.horizontal(|ui| {
         let [width, height] = rendering.size();
         let samples = count(rendering.world.samples_per_pixel() as usize, "sample");
         fixed(ui, SIZE_WIDTH, |ui| drop(ui.label(format!("{width} × {height}, {samples}"))));
         ui.separator();
-        fixed(ui, PROGRESS_WIDTH, |ui| match (is_loading, layer.progress()) {
-            (true, _) => {
+        fixed(ui, PROGRESS_WIDTH, |ui| match (loading, layer.progress()) {
+            (Some(what), _) => {
                 ui.spinner();
-                ui.label("loading");
+                ui.add(Label::new(what).truncate());
             }
-            (false, Some(part)) => {
+            (None, Some(part)) => {
                 let text = format!("layer, {:.0} %", 100.0 * part);
                 ui.add(ProgressBar::new(part).desired_width(120.0).text(text));
             }
-            (false, None) => progress(ui, rendering),
+            (None, None) => progress(ui, rendering),
         });
         ui.separator();
         match hovered {
@@ -268,9 +275,6 @@ pub fn status(
         }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
             let keys = ui.small_button("?").on_hover_text("The keys");
-            let help = "click: explain a pixel · arrows: the next · wheel: zoom · drag: move";
-            let help = Label::new(RichText::new(help).weak()).truncate();
-            ui.add_enabled(true, help);
             keys.clicked().then_some(Action::ToggleKeys)
         })
         .inner

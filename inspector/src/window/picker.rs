@@ -1,8 +1,8 @@
 //! The list of the gallery's scenes by chapter, with thumbnails and a search field.
 
 use eframe::egui::{
-    Align, Button, FontId, Image, Key, Modifiers, Popup, PopupCloseBehavior, Rect, ScrollArea,
-    Shape, Stroke, TextEdit, TextFormat, TextureId, Ui, WidgetInfo,
+    Align, Button, FontId, Image, Key, Modifiers, Popup, PopupCloseBehavior, Rect, RichText,
+    ScrollArea, TextEdit, TextFormat, TextureId, Ui, WidgetInfo,
     accesskit::Role,
     load::SizedTexture,
     text::{LayoutJob, TextWrapping},
@@ -34,14 +34,13 @@ impl ScenePicker {
     pub fn show(&mut self, ui: &mut Ui, current: &str, width: f32) -> Option<Entry> {
         let label = ui.label("Scene");
         let height = ui.spacing().interact_size.y;
-        // the spaces leave room for the arrow
-        let button = Button::new(current).truncate().right_text("    ");
+        let button = Button::new(current).truncate().right_text(RichText::new("▾").monospace());
         let button = ui.add_sized([width, height], button).labelled_by(label.id);
         let button = button.on_hover_text(current);
-        arrow(ui, button.rect);
         if button.clicked() {
             self.typed.clear();
-            self.chosen = found("").iter().position(|entry| entry.name == current).unwrap_or(0);
+            self.chosen =
+                gallery::ranked("").iter().position(|entry| entry.name == current).unwrap_or(0);
             self.opening = FRAMES_TO_OPEN;
         }
         let max_height = 0.8 * ui.ctx().content_rect().height();
@@ -58,7 +57,7 @@ impl ScenePicker {
         if self.opening > 0 {
             field.request_focus();
         }
-        let found = found(&self.typed);
+        let found = gallery::ranked(&self.typed);
         if field.changed() {
             self.chosen = 0;
         }
@@ -143,23 +142,10 @@ fn described(ui: &Ui, name: &str, about: &str) -> LayoutJob {
     text
 }
 
-/// Draws the arrow at the right end of a button that opens a list.
-fn arrow(ui: &Ui, button: Rect) {
-    let middle = button.right_center() - vec2(11.0, 0.0);
-    let corners = [vec2(-4.0, -2.0), vec2(4.0, -2.0), vec2(0.0, 3.0)].map(|to| middle + to);
-    let color = ui.visuals().widgets.inactive.fg_stroke.color;
-    ui.painter().add(Shape::convex_polygon(corners.into(), color, Stroke::NONE));
-}
-
 /// The step in the list that the arrow keys ask for; the field does not get them.
 fn arrow_step(ui: &Ui) -> isize {
     ui.input_mut(|input| {
         let mut presses = |key| input.count_and_consume_key(Modifiers::NONE, key) as isize;
         presses(Key::ArrowDown) - presses(Key::ArrowUp)
     })
-}
-
-/// The scenes that fit the typed words, the likeliest first.
-pub fn found(typed: &str) -> Vec<Entry> {
-    gallery::ranked(typed)
 }

@@ -7,7 +7,7 @@ use crate::comparison::bar;
 use crate::comparison::others::Others;
 use crate::explanation::selection::Selection;
 use crate::explanation::{Subject, checks, trail};
-use crate::picture::display::Picture;
+use crate::picture::display::{PINNED, Picture, mark};
 use crate::picture::worker::Rendering;
 
 /// Shows both pictures in this area. Returns the pixel under the mouse, and what the user asks for.
@@ -20,6 +20,7 @@ pub fn show(
     rendering: &Rendering,
 ) -> (Option<[u32; 2]>, Option<Action>) {
     let theirs = others.shown_mut().filter(|theirs| theirs.fits(rendering));
+    let pinned = selection.pinned_beside();
     let hovered = picture.show(ui, rendering, selection.pixel, |painter, placement| {
         if let Some(theirs) = &theirs {
             theirs.paint(painter, placement, rendering);
@@ -28,6 +29,7 @@ pub fn show(
                 checks::mark_pixels(painter, placement, log);
             }
         }
+        pinned.into_iter().for_each(|at| mark(painter, placement.rect(at), PINNED));
     });
     let asks = ui.input(|input| input.pointer.secondary_clicked());
     let pointed = hovered.filter(|_| asks);
@@ -38,12 +40,12 @@ pub fn show(
     let program = theirs.as_ref().and_then(|theirs| theirs.explained().cloned());
     let framed = theirs.and_then(|theirs| {
         theirs.show_divider(ui, area);
-        let asked = bar::caption(ui, area, theirs, rendering);
-        theirs.judgement.show_frames(ui, &placement).or(asked)
+        bar::caption(ui, area, theirs, rendering);
+        theirs.judgement.show_frames(ui, &placement)
     });
     let subject = Subject { rendering, program: program.as_ref() };
     if subject.has_camera() {
-        trail::paint(ui.painter(), &placement, &selection.trail(&subject.built().world));
+        trail::paint(ui, &placement, &selection.trail(&subject.built().world));
     }
     (hovered, framed)
 }

@@ -1,21 +1,21 @@
-//! The panel of the scene: what the scene is, its settings and switches, and the histogram.
+//! The panel of the scene: what the scene is, its settings, numbers and switches.
 
-use eframe::egui::{RichText, ScrollArea, Ui};
+use eframe::egui::{Button, RichText, ScrollArea, Ui};
 use groundtruth::explain::{self, count};
 use groundtruth::printable;
 use rays::Logged;
 
 use crate::comparison::others::Others;
-use crate::picture::histogram::Histogram;
 use crate::picture::image_settings::ImageSettings;
 use crate::picture::session::Session;
+use crate::scene::numbers::Numbers;
 use crate::scene::switches;
 
 /// The panel's own state.
 #[derive(Default)]
 pub struct ScenePanel {
     settings: ImageSettings,
-    histogram: Histogram,
+    numbers: Numbers,
 }
 
 impl ScenePanel {
@@ -32,27 +32,37 @@ impl ScenePanel {
                 of_log(ui, log, pointed);
                 return false;
             }
-            let is_changed = self.scene(ui, session, pointed);
-            ui.add_space(8.0);
-            self.histogram.show(ui, &session.rendering);
-            is_changed
+            self.scene(ui, session, pointed)
         };
         ScrollArea::both().auto_shrink(false).show(ui, show).inner
     }
 
     /// Shows what the scene is, its settings and switches. Returns whether it was changed.
     fn scene(&mut self, ui: &mut Ui, session: &mut Session, pointed: &mut Option<u32>) -> bool {
+        let can_undo = session.can_undo();
         let Session { rendering, wanted, seed, .. } = session;
         if !wanted.about.is_empty() {
             ui.label(RichText::new(&wanted.about).italics());
             ui.add_space(6.0);
         }
-        let changed = self.settings.show(ui, wanted, seed);
+        let mut is_undone = false;
+        ui.horizontal(|ui| {
+            ui.strong("Picture");
+            let undo = ui.add_enabled(can_undo, Button::new("Undo").small());
+            is_undone =
+                undo.on_hover_text("The last change in this panel (Ctrl-Z; Ctrl-Y)").clicked();
+        });
+        let mut changed = self.settings.show(ui, wanted, seed);
         for note in explain::notes(&rendering.world) {
             ui.label(RichText::new(note).color(ui.visuals().warn_fg_color));
         }
+        changed |= self.numbers.show(ui, (rendering.generation, &rendering.built.scene), wanted);
         ui.add_space(8.0);
-        changed | switches::show(ui, wanted, pointed)
+        changed |= switches::show(ui, wanted, pointed);
+        if is_undone {
+            session.undo(ui.ctx(), false);
+        }
+        changed && !is_undone
     }
 }
 
