@@ -152,8 +152,9 @@ fn a_copied_link_opens_the_same_sample() {
     }
     let dark = rendering(&|scene| scene.lights[0].enabled = false, 1);
     assert_eq!(copying::link(&dark, [12, 21], 0, Mode::Picture), None);
-    let file = Source::File("a.toml".into()).build((entry.build)()).expect("a scene");
-    let file = Rendering::start(&ctx, file.built, 0);
+    let source = (Source::File("a.toml".into()), std::sync::Arc::new((entry.build)()));
+    let file = Built::of(source, (entry.build)(), 1).expect("a scene");
+    let file = Rendering::start(&ctx, file, 0);
     assert_eq!(copying::link(&file, [12, 21], 0, Mode::Picture), None);
 }
 

@@ -4,7 +4,7 @@ use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable;
 use groundtruth::scene::Intersect;
 use groundtruth::world::World;
-use inspector::window::picker::found;
+use gallery::ranked as found;
 
 use crate::support::*;
 

@@ -6,9 +6,6 @@ use eframe::egui::{
 };
 use egui_kittest::kittest::Queryable;
 use egui_kittest::{SnapshotOptions, image_snapshot_options};
-use groundtruth::film::Film;
-use groundtruth::rgb::Rgb;
-use inspector::picture::histogram::Counts;
 use inspector::picture::view::View;
 use pictures::parse_pixel;
 
@@ -215,22 +212,6 @@ fn tree_looks_as_before() {
     let mut window = glass_window_at([17, 19]);
     window.run_steps(3);
     snapshot(&mut window, "tree", Rect::from_min_max(pos2(776.0, 60.0), pos2(1276.0, 370.0)));
-}
-
-/// Law: a pixel is counted at the stop of its radiance: from 2^s to 2^(s + 1), what is beyond the ends at the outermost,
-/// black ones apart. Closed form.
-#[test]
-fn a_histogram_counts_pixels_by_stops() {
-    let mut film = Film::new(4, 2);
-    let values = [1.0, 1.999, 2.0, 0.5, 0.0, 1e9, 1e-9, f64::NAN];
-    for (at, value) in (0..).zip(values) {
-        film.set([at % 4, at / 4], Rgb::grey(value));
-    }
-    let Counts { stops, black } = Counts::of(&film);
-    assert_eq!(black, 2);
-    // from −12 on: 2^0 is at 12
-    assert_eq!([stops[12], stops[13], stops[11], stops[0], stops[19]], [2, 1, 1, 1, 1]);
-    assert_eq!(stops.iter().sum::<u64>(), 6);
 }
 
 /// Law: the buttons of the zooms keep the selected pixel in view, at the border of the picture, too, and below grid and values

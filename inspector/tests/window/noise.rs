@@ -73,8 +73,7 @@ fn the_bounces_of_a_path_are_not_indented() {
     }
 }
 
-/// Law: the samples are sorted, the greatest first; a click on one shows its tree. They can be sorted
-/// by index. Oracle: the library's samples, sorted by hand.
+/// Law: the samples are sorted, the greatest first; a click on one shows its tree. Oracle: the library's samples, sorted by hand.
 #[test]
 fn a_sample_is_one_click_from_its_tree() {
     let (mut window, explained) = noisy_pixel();
@@ -99,7 +98,4 @@ fn a_sample_is_one_click_from_its_tree() {
         assert!(window.query_by_label(&line).is_some(), "{line}");
         assert!(window.query_by_label(&format!("Sample {index}")).is_some());
     }
-    push(&mut window, "index");
-    let [first, second] = [0, 1].map(|index| height(&window, index));
-    assert!(first.is_some() && first < second, "samples 0 and 1 at {first:?} and {second:?}");
 }

@@ -1,4 +1,4 @@
-//! The samples of the selected pixel: points linked to rays, another sampler, and its uniformity.
+//! The samples of the selected pixel: points linked to rays, and another sampler.
 
 use eframe::egui::Pos2;
 use egui_kittest::kittest::Queryable;
@@ -161,20 +161,6 @@ fn the_picture_follows_sampler_and_count() {
     assert_eq!(window.state().session.rendering.scene.image.samples, 5);
     assert_eq!(rendered(&window), render::render(&built(&scene)).pixels());
     assert!(window.query_by_label("rounded up to 9").is_some());
-}
-
-/// Law: the verdict is that of the χ² test: jittered draws are unbiased, those of a fixed grid are not.
-#[test]
-fn the_verdict_tells_a_fair_sampler_from_a_fixed_one() {
-    for (sampler, words) in
-        [(Kind::from(Jittered {}), "; unbiased"), (Regular {}.into(), "; biased")]
-    {
-        let mut scene = sixteen();
-        scene.image.sampler = Some(sampler);
-        let window = samples_of(scene, ON_GLASS);
-        let verdict = text_with(&window, "χ² of ");
-        assert!(verdict.contains(words), "{verdict}");
-    }
 }
 
 /// Law: a camera without a lens uses no lens samples; with a lens, each sample is shown on the disk where

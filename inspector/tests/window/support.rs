@@ -1,6 +1,7 @@
 //! A window that exists only in memory: small scenes, and the actions of a user.
 
 use std::path::Path;
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use eframe::egui::{Context, Event, Key, Modifiers, PointerButton, Pos2, Theme, accesskit::Role};
@@ -9,10 +10,10 @@ use egui_kittest::kittest::{NodeT, Queryable};
 use groundtruth::explain::{self, RecordedRay};
 use groundtruth::film::{self, Film, Tone};
 use groundtruth::scene::Scene;
-use groundtruth::world::World;
+use groundtruth::world::{DEFAULT_SEED, World};
 use inspector::app::Inspector;
 use inspector::comparison::theirs::Theirs;
-use inspector::scene::source::{Loaded, Source};
+use inspector::scene::source::{Built, Loaded, Source};
 use inspector::window::style::set_style;
 
 use crate::renderer::Software;
@@ -54,8 +55,9 @@ pub fn open_sized(scene: Scene, size: [f32; 2]) -> Window {
 /// The same, of which nothing is rendered yet.
 pub fn begin(scene: Scene, size: [f32; 2]) -> Window {
     let entry = gallery::find("ch28/glass-sphere").expect("in the gallery");
-    let loaded = Source::Gallery(entry).build(scene).expect("the scene is valid");
-    window(loaded, size)
+    let source = (Source::Gallery(entry), Arc::new(scene.clone()));
+    let built = Built::of(source, scene, DEFAULT_SEED).expect("the scene is valid");
+    window(built.into(), size)
 }
 
 /// A window of this size on a loaded scene.
