@@ -189,10 +189,7 @@ impl SumList<'_> {
             lines.extend(explain::table(sources).into_iter().map(Line::Numbers));
         }
         if self.answer.samples_per_pixel > 1 {
-            lines.extend([
-                Line::Spread,
-                Line::Words("samples with their shares, the greatest first"),
-            ]);
+            lines.extend([Line::Spread, Line::Words("samples with their shares, by value")]);
             lines.extend(sorted(self.answer).into_iter().map(Line::Sample));
         }
         lines
