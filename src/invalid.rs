@@ -111,9 +111,9 @@ pub fn positive(field: &str, value: f64) -> Result<f64, Invalid> {
     ))
 }
 
-/// The lengths that shapes are made for: from Planck's to far beyond the universe's, in metres. Within
-/// it no square of a square leaves the range of `f64`, not even where an instance of one end of it
-/// stands in a scene of the other; beyond, hits would be lost.
+/// The lengths that shapes are made for: from Planck's to far beyond the universe's, in metres.
+/// Within it no square of a square leaves the range of `f64`, not even where an instance of one end
+/// of it stands in a scene of the other; beyond, hits would be lost.
 pub const LENGTHS: std::ops::RangeInclusive<f64> = 1e-40..=1e40;
 
 /// `value`, if it is one of the [`LENGTHS`].
@@ -125,8 +125,8 @@ pub fn length(field: &str, value: f64) -> Result<f64, Invalid> {
     Err(Invalid::field(field, format!("found {}, but {}", shown(value), lengths())))
 }
 
-/// The most instances, lattices and compounds nested in one another: far more than in any scene. The text
-/// readers allow that many; their limit is 80 nested tables and lists.
+/// The most instances, lattices and compounds nested in one another: far more than in any scene.
+/// The text readers allow that many; their limit is 80 nested tables and lists.
 pub const MAX_NESTING: usize = 16;
 
 /// What lengths there may be, as the end of a sentence.
@@ -146,8 +146,9 @@ pub fn not_negative(field: &str, value: f64) -> Result<f64, Invalid> {
     ))
 }
 
-/// The largest channel of a colour and the largest factor of one: their products stay far from the largest
-/// number also in a scene that is scaled by 2³⁰. Picture files store what is beyond `f32` as its largest number.
+/// The largest channel of a colour and the largest factor of one: their products stay far from the
+/// largest number also in a scene that is scaled by 2³⁰. Picture files store what is beyond `f32`
+/// as its largest number.
 pub const BRIGHTEST: f64 = 1e30;
 
 /// `value`, if it can be a share or strength of light: from 0 to [`BRIGHTEST`].
@@ -172,8 +173,8 @@ pub fn within(
     Err(Invalid::field(field, format!("found {}, but {least} to {most} fit", shown(value))))
 }
 
-/// The indices of refraction of media. Fresnel's equations and the change of radiance square the ratio of
-/// two: 1e40 at most, far from the ends of `f64`.
+/// The indices of refraction of media. Fresnel's equations and the change of radiance square the
+/// ratio of two: 1e40 at most, far from the ends of `f64`.
 const INDICES: std::ops::RangeInclusive<f64> = 1e-10..=1e10;
 
 /// `eta`, if it can be the index of a medium.
@@ -244,7 +245,8 @@ fn with_short_names(message: &str) -> String {
     parts.join("`")
 }
 
-/// The message of a text reader about an unknown field or kind: with similar names, or else with all.
+/// The message of a text reader about an unknown field or kind: with similar names, or else with
+/// all.
 fn of_unknown(message: &str) -> Option<String> {
     let variant = message.strip_prefix("unknown variant `").map(|rest| ("kind", rest));
     let unknown = || message.strip_prefix("unknown field `").map(|rest| ("field", rest));

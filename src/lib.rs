@@ -1,11 +1,12 @@
 //! Groundtruth: a readable ray tracer after Suffern's *Ray Tracing from the Ground Up*.
 //!
-//! A [`Scene`](scene::Scene) is plain data, from a function of the package `gallery` or a TOML file. It is
-//! checked and built into a [`World`](world::World). [`render`] turns each sample of each pixel
-//! into a ray, [`trace`] follows it, asking [`shapes`] what it hits, [`materials`] of which
-//! [`lobes`] that is made, and [`lights`] what arrives; [`film`] keeps the result. A recorder can
-//! listen to every ray ([`trace::RayTree`]) and [`explain`] says in words why a pixel has
-//! its colour. Other packages verify with it, explain it and measure it; `harness` is their command line (ARCHITECTURE.md).
+//! A [`Scene`](scene::Scene) is plain data, from a function of the package `gallery` or a TOML
+//! file. It is checked and built into a [`World`](world::World). [`render`] turns each sample of
+//! each pixel into a ray, [`trace`] follows it, asking [`shapes`] what it hits, [`materials`] of
+//! which [`lobes`] that is made, and [`lights`] what arrives; [`film`] keeps the result. A recorder
+//! can listen to every ray ([`trace::RayTree`]) and [`explain`] says in words why a pixel has its
+//! colour. Other packages verify with it, explain it and measure it; `harness` is their command
+//! line (ARCHITECTURE.md).
 //!
 //! Each module names only modules of lines above its own:
 //!

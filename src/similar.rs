@@ -11,9 +11,9 @@ pub fn did_you_mean(name: &str, known: &[&str]) -> String {
     }
 }
 
-/// The names that begin with `name` (or whose part after a chapter does); if there are none, those with the
-/// smallest edit distance to it, if that is at most a third of its length; if there are none, those that contain
-/// it. Capital letters are as good as small ones.
+/// The names that begin with `name` (or whose part after a chapter does); if there are none, those
+/// with the smallest edit distance to it, if that is at most a third of its length; if there are
+/// none, those that contain it. Capital letters are as good as small ones.
 fn similar_names<'a>(name: &str, known: &[&'a str]) -> Vec<&'a str> {
     /// Shorter texts are part of too many names.
     const MIN_LENGTH: usize = 3;
@@ -40,8 +40,8 @@ fn similar_names<'a>(name: &str, known: &[&'a str]) -> Vec<&'a str> {
     ways.into_iter().map(found).find(|found| !found.is_empty()).unwrap_or_default()
 }
 
-/// The number of bytes that must be inserted, deleted, changed or exchanged with the next one to turn `a` into `b` (the
-/// restricted distance of Damerau 1964).
+/// The number of bytes that must be inserted, deleted, changed or exchanged with the next one to
+/// turn `a` into `b` (the restricted distance of Damerau 1964).
 fn edit_distance(a: &str, b: &str) -> usize {
     let (a, b) = (&a.as_bytes()[..a.len().min(100)], b.as_bytes());
     let mut rows: Vec<Vec<usize>> = vec![(0..=b.len()).collect()];
@@ -62,8 +62,8 @@ fn edit_distance(a: &str, b: &str) -> usize {
 mod tests {
     use super::*;
 
-    /// Law: beginnings come before similar names, and these before names that contain the mistyped one. Oracle: names,
-    /// by hand.
+    /// Law: beginnings come before similar names, and these before names that contain the mistyped
+    /// one. Oracle: names, by hand.
     #[test]
     fn the_likeliest_names_are_suggested() {
         let known =

@@ -11,8 +11,8 @@ pub struct Cells {
 }
 
 impl Cells {
-    /// The grid over these boxes, which must be bounded. `multiplier` is the book's; it is reduced if the
-    /// boxes overlap so many cells that memory would run out.
+    /// The grid over these boxes, which must be bounded. `multiplier` is the book's; it is reduced
+    /// if the boxes overlap so many cells that memory would run out.
     pub fn of(bounds: &[Aabb], multiplier: f64) -> Self {
         let all = Vec::from_iter(0..bounds.len() as u32);
         let grid = Grid::build(bounds, &all, multiplier);
@@ -36,8 +36,8 @@ impl Cells {
         self.grid.cell(x + nx * (y + ny * z))
     }
 
-    /// The cells that the ray visits if it hits nothing, in order; `None` for a ray from so far away that every object is
-    /// tested instead.
+    /// The cells that the ray visits if it hits nothing, in order; `None` for a ray from so far
+    /// away that every object is tested instead.
     pub fn visited(&self, ray: &Ray) -> Option<Vec<[usize; 3]>> {
         let [nx, ny, _] = self.resolution();
         let indices = |cell: usize| [cell % nx, cell / nx % ny, cell / nx / ny];

@@ -1,24 +1,25 @@
-//! The regular grid (Suffern, ch. 22): equal cells, each with the primitives whose boxes overlap it,
-//! walked cell by cell along the ray.
+//! The regular grid (Suffern, ch. 22): equal cells, each with the primitives whose boxes overlap
+//! it, walked cell by cell along the ray.
 //!
 //! As in the book, `n` primitives in a box of sides `w` get `⌊2 w/s⌋ + 1` cells on each axis, where
-//! `s` is the cube root of the volume for each primitive: about eight cells for each. The walk differs
-//! from the book's in two ways. A hit may lie beyond the cell in which its primitive is tested; the book
-//! discards it and finds it again later. Here it stays the best so far, and the walk ends at the first
-//! cell that begins beyond it. And the planes between cells are computed from their indices, not by
-//! repeated addition, so that errors do not grow along the ray.
+//! `s` is the cube root of the volume for each primitive: about eight cells for each. The walk
+//! differs from the book's in two ways. A hit may lie beyond the cell in which its primitive is
+//! tested; the book discards it and finds it again later. Here it stays the best so far, and the
+//! walk ends at the first cell that begins beyond it. And the planes between cells are computed
+//! from their indices, not by repeated addition, so that errors do not grow along the ray.
 //!
-//! No hit is lost. A hit lies in its primitive's box grown by the ray's slack ([`BoxRay`]). The box that
-//! is sorted into cells is grown by [`PAD`], which is larger. The walk visits the cell of every point of
-//! the ray except for rounding, which is far less than the difference of the two. A ray from so far away
-//! that its slack is not less than the padding tests every primitive.
+//! No hit is lost. A hit lies in its primitive's box grown by the ray's slack ([`BoxRay`]). The box
+//! that is sorted into cells is grown by [`PAD`], which is larger. The walk visits the cell of
+//! every point of the ray except for rounding, which is far less than the difference of the two. A
+//! ray from so far away that its slack is not less than the padding tests every primitive.
 
 use std::ops::Range;
 
 use super::Counter;
 use crate::math::{Aabb, BoxRay, Ray, Span, Vector, cbrt};
 
-/// The book's `multiplier`: `n` primitives in a cube get about `multiplier · ∛n` cells on each axis.
+/// The book's `multiplier`: `n` primitives in a cube get about `multiplier · ∛n` cells on each
+/// axis.
 pub(super) const MULTIPLIER: f64 = 2.0;
 /// The padding of boxes, in cells.
 const PAD: f64 = 1.0 / 64.0;
@@ -26,13 +27,13 @@ const PAD: f64 = 1.0 / 64.0;
 const MIN_PAD: f64 = 1.0 / (1 << 20) as f64;
 /// The least extent of the grid, relative to the largest coordinate.
 const MIN_EXTENT: f64 = 1.0 / (1 << 30) as f64;
-/// The number of primitives that a walk remembers, in order not to test them again in the next cell.
-/// Without mailboxes a ray that misses tests most primitives three times, and nine times in a grid in a
-/// grid (Shevtsov, Soupikov & Kapustin, "Ray-Triangle Intersection Algorithm for Modern CPU
-/// Architectures", 2007).
+/// The number of primitives that a walk remembers, in order not to test them again in the next
+/// cell. Without mailboxes a ray that misses tests most primitives three times, and nine times in a
+/// grid in a grid (Shevtsov, Soupikov & Kapustin, "Ray-Triangle Intersection Algorithm for Modern
+/// CPU Architectures", 2007).
 const MAILBOXES: usize = 16;
-/// The most entries of all cells, for each primitive. A grid of large primitives, which overlap many
-/// cells, gets larger cells; otherwise memory would run out.
+/// The most entries of all cells, for each primitive. A grid of large primitives, which overlap
+/// many cells, gets larger cells; otherwise memory would run out.
 const MAX_ENTRIES: usize = 32;
 const FEW_ENTRIES: usize = 1 << 20;
 
@@ -59,8 +60,8 @@ struct Division {
 }
 
 impl Grid {
-    /// The grid over the primitives `which`; `bounds` are the boxes of all. `multiplier` is reduced until the entries
-    /// fit.
+    /// The grid over the primitives `which`; `bounds` are the boxes of all. `multiplier` is reduced
+    /// until the entries fit.
     pub(super) fn build(bounds: &[Aabb], which: &[u32], mut multiplier: f64) -> Self {
         let boxes: Vec<Aabb> = which.iter().map(|&i| bounds[i as usize]).collect();
         let most = (MAX_ENTRIES * boxes.len()).max(FEW_ENTRIES);
@@ -130,8 +131,8 @@ impl Grid {
         }
     }
 
-    /// The cells along the ray, each with the `t` at which the ray leaves it; `None` for a ray from too
-    /// far away.
+    /// The cells along the ray, each with the `t` at which the ray leaves it; `None` for a ray from
+    /// too far away.
     pub(super) fn walk(&self, ray: &Ray, span: Span) -> Option<Vec<(usize, f64)>> {
         let box_ray = BoxRay::new(ray, self.cells.bounds.largest_coordinate());
         Some(Walk::new(&self.cells, ray, &box_ray, span)?.collect())
@@ -201,8 +202,8 @@ impl Division {
     }
 }
 
-/// Extents without a flat one, for which the formula has no answer. A sheet gets the thickness of the
-/// width of each primitive's share of it, a line that of the length of its share.
+/// Extents without a flat one, for which the formula has no answer. A sheet gets the thickness of
+/// the width of each primitive's share of it, a line that of the length of its share.
 fn thickened(extent: Vector, least: f64, n: f64) -> [f64; 3] {
     let mut w = extent.to_array();
     let mut by_length = [0, 1, 2];
@@ -250,8 +251,9 @@ impl<'a> Walk<'a> {
         self.inverse[axis].is_sign_negative()
     }
 
-    /// The `t` at which the ray leaves its cell on this axis. It is infinite for a ray parallel to the
-    /// borders, and at an outermost border, because boxes grown by a ray's slack may extend beyond it.
+    /// The `t` at which the ray leaves its cell on this axis. It is infinite for a ray parallel to
+    /// the borders, and at an outermost border, because boxes grown by a ray's slack may extend
+    /// beyond it.
     fn end(&self, axis: usize) -> f64 {
         let k = self.cell[axis] + usize::from(!self.backward(axis));
         if k == 0 || k == self.cells.counts[axis] || self.inverse[axis].is_infinite() {

@@ -1,9 +1,11 @@
-//! Acceleration structures: they find the first of many primitives that a ray hits (Suffern, ch. 22).
+//! Acceleration structures: they find the first of many primitives that a ray hits (Suffern, ch.
+//! 22).
 //!
 //! A structure only chooses the primitives to test; each primitive computes its own hit. So every
-//! structure finds the same hit: the nearest, and of equally near hits that of the first primitive. This
-//! relies on one promise: **a hit lies in its primitive's box, up to the error of the hit.** Boxes are
-//! grown by more than that error ([`BoxRay`]) for rays that start within 2²⁰ sizes of the scene.
+//! structure finds the same hit: the nearest, and of equally near hits that of the first primitive.
+//! This relies on one promise: **a hit lies in its primitive's box, up to the error of the hit.**
+//! Boxes are grown by more than that error ([`BoxRay`]) for rays that start within 2²⁰ sizes of the
+//! scene.
 
 mod bvh;
 mod cells;
@@ -95,7 +97,8 @@ impl Method {
 }
 
 impl Accel {
-    /// Builds the structure for primitives with these boxes; unbounded primitives are kept separately.
+    /// Builds the structure for primitives with these boxes; unbounded primitives are kept
+    /// separately.
     pub fn build(method: Method, bounds: &[Aabb]) -> Self {
         let count = u32::try_from(bounds.len()).expect("primitives are numbered by u32");
         let (bounded, unbounded): (Vec<u32>, Vec<u32>) =
@@ -110,8 +113,9 @@ impl Accel {
         Self { unbounded, bounded, largest }
     }
 
-    /// The first hit along the ray, and the index of its primitive; `counter` counts the cost. `hit` finds the
-    /// nearest hit of the primitive of an index inside a span; its `t` must not depend on the span.
+    /// The first hit along the ray, and the index of its primitive; `counter` counts the cost.
+    /// `hit` finds the nearest hit of the primitive of an index inside a span; its `t` must not
+    /// depend on the span.
     pub fn nearest(
         &self,
         ray: &Ray,
@@ -132,8 +136,9 @@ impl Accel {
         nearest
     }
 
-    /// Any hit along the ray, and the index of its primitive; `counter` counts the cost. `hit` finds some hit of
-    /// the primitive of an index. Whether there is one does not depend on the method, but which one is found may.
+    /// Any hit along the ray, and the index of its primitive; `counter` counts the cost. `hit`
+    /// finds some hit of the primitive of an index. Whether there is one does not depend on the
+    /// method, but which one is found may.
     #[inline]
     pub fn any<T>(
         &self,
@@ -150,8 +155,8 @@ impl Accel {
         found
     }
 
-    /// Tests the primitives that the ray may hit. `test` returns the largest `t` of a useful hit; −∞ ends
-    /// the search.
+    /// Tests the primitives that the ray may hit. `test` returns the largest `t` of a useful hit;
+    /// −∞ ends the search.
     #[inline(always)]
     fn visit<C: Counter>(
         &self,

@@ -5,10 +5,10 @@ use std::sync::Arc;
 use super::ImageSky;
 use crate::math::{ONE_MINUS, Vector};
 
-/// A density of directions. The probability of a texel is proportional to its largest radiance times its
-/// solid angle; within the texel, all points of the image are equally likely. The density is positive
-/// wherever the sky shines, so that no light is missed (Pharr, Jakob, Humphreys, *Physically Based
-/// Rendering*, on infinite area lights).
+/// A density of directions. The probability of a texel is proportional to its largest radiance
+/// times its solid angle; within the texel, all points of the image are equally likely. The density
+/// is positive wherever the sky shines, so that no light is missed (Pharr, Jakob, Humphreys,
+/// *Physically Based Rendering*, on infinite area lights).
 #[derive(Debug)]
 pub struct Directions {
     sky: Arc<ImageSky>,
@@ -34,8 +34,8 @@ impl Directions {
         self.rows.total() <= 0.0
     }
 
-    /// A unit direction for two numbers in `[0, 1)`; `None` for a black sky, and sometimes in texels across
-    /// the rim of an angular map.
+    /// A unit direction for two numbers in `[0, 1)`; `None` for a black sky, and sometimes in
+    /// texels across the rim of an angular map.
     pub fn sample(&self, [u1, u2]: [f64; 2]) -> Option<Vector> {
         let (row, v) = self.rows.draw(u2)?;
         let (column, u) = self.columns[row].draw(u1)?;
@@ -43,9 +43,9 @@ impl Directions {
         self.sky.direction([(column as f64 + u) / width, (row as f64 + v) / height])
     }
 
-    /// The density of [`Directions::sample`] per steradian: the probability of the texel divided by its area
-    /// in the image, then by the solid angle per area. 0 at the poles and on the rim, where it would be
-    /// infinite.
+    /// The density of [`Directions::sample`] per steradian: the probability of the texel divided by
+    /// its area in the image, then by the solid angle per area. 0 at the poles and on the rim,
+    /// where it would be infinite.
     pub fn pdf(&self, direction: Vector) -> f64 {
         let Some([u, v]) = self.sky.uv(direction) else { return 0.0 };
         let [width, height] = self.sky.size().map(f64::from);

@@ -1,5 +1,5 @@
-//! An image as the sky (Suffern, ch. 29): the book's huge concave sphere with a texture, without the
-//! sphere.
+//! An image as the sky (Suffern, ch. 29): the book's huge concave sphere with a texture, without
+//! the sphere.
 
 use std::f64::consts::{PI, TAU};
 use std::path::PathBuf;
@@ -29,8 +29,8 @@ pub struct Image {
     /// In place of a file: an image drawn by a formula.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drawn: Option<Drawn>,
-    /// In place of a file: its colours, linear, row by row from the top down, as `[[[1, 0, 0], [0, 0, 1]], [[0, 1, 0],
-    /// 1]]`.
+    /// In place of a file: its colours, linear, row by row from the top down, as
+    /// `[[[1, 0, 0], [0, 0, 1]], [[0, 1, 0], 1]]`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub texels: Option<Vec<Vec<Rgb>>>,
     /// Where in the image a direction is found.
@@ -39,18 +39,19 @@ pub struct Image {
     /// Which texels count; the nearest if left out.
     #[serde(default)]
     pub filtering: Filtering,
-    /// What the numbers of a PNG, JPEG or PPM file mean; if left out, what a PNG file says of itself (sRGB,
-    /// gAMA), else `srgb`. Those of HDR, EXR and PFM are
-    /// linear.
+    /// What the numbers of a PNG, JPEG or PPM file mean; if left out, what a PNG file says of
+    /// itself (sRGB, gAMA), else `srgb`. Those of HDR, EXR and PFM are linear.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub encoding: Option<Encoding>,
-    /// The layer or view of an EXR file, such as `ViewLayer.Combined`; only needed if it has several.
+    /// The layer or view of an EXR file, such as `ViewLayer.Combined`; only needed if it has
+    /// several.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layer: Option<String>,
     /// The factor from the image's colours to radiance; not negative.
     #[serde(default = "kinds::one")]
     pub ls: f64,
-    /// How far the sky is turned about the y axis, in degrees, as the step `rotate_y` turns an object.
+    /// How far the sky is turned about the y axis, in degrees, as the step `rotate_y` turns an
+    /// object.
     #[serde(default)]
     pub rotate_y: f64,
 }
@@ -59,8 +60,8 @@ fn example() -> Image {
     Image::of_drawn(Drawn { picture: Picture::Globe, width: 256, height: 128 }, Dome::Spherical)
 }
 
-/// Where in the image of a sky a direction is found: the mapping of chapter 29 on a sphere around the
-/// viewer.
+/// Where in the image of a sky a direction is found: the mapping of chapter 29 on a sphere around
+/// the viewer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "mappings of skies")]
@@ -179,10 +180,10 @@ impl Dome {
         }
     }
 
-    /// `|dω/d(u, v)|`, the solid angle per area of the image at a direction. With the angles of [`Mapping`]
-    /// it is `2π² sinθ` for the whole sphere, `π² sinθ` for half of it, and `4π sin(πr)/r` for an angular
-    /// map with the distance `r = α/π` from the centre. 0 at the poles and on the rim, where a line of the
-    /// image is a single direction.
+    /// `|dω/d(u, v)|`, the solid angle per area of the image at a direction. With the angles of
+    /// [`Mapping`] it is `2π² sinθ` for the whole sphere, `π² sinθ` for half of it, and
+    /// `4π sin(πr)/r` for an angular map with the distance `r = α/π` from the centre. 0 at the
+    /// poles and on the rim, where a line of the image is a single direction.
     pub fn solid_angle(self, direction: Vector) -> f64 {
         let [x, y, z] = direction.to_array();
         let sine = |a: f64, b: f64| (a * a + b * b).sqrt() / direction.length();
@@ -198,8 +199,8 @@ impl Dome {
         }
     }
 
-    /// The solid angle of the part of the image between two texture coordinates; for an angular map, an
-    /// upper bound.
+    /// The solid angle of the part of the image between two texture coordinates; for an angular
+    /// map, an upper bound.
     pub(super) fn solid_angle_between(self, [u0, v0]: [f64; 2], [u1, v1]: [f64; 2]) -> f64 {
         let zone = |half_turn: f64| {
             // cosθ₁ − cosθ₀ as a product: exact also for the flat zones at a pole

@@ -28,7 +28,8 @@ pub struct Viewpoint {
     /// picture rotates clockwise.
     #[serde(default)]
     pub roll: f64,
-    /// Whether the coordinates of the scene are those of a right-handed renderer, as the book's, or of a left-handed one.
+    /// Whether the coordinates of the scene are those of a right-handed renderer, as the book's, or
+    /// of a left-handed one.
     #[serde(default, skip_serializing_if = "Handedness::is_right")]
     pub handedness: Handedness,
     /// The factor of every pixel; positive.
@@ -47,9 +48,9 @@ pub struct Viewpoint {
 
 /// The handedness of the axes x, y and z.
 ///
-/// The same numbers, read as left-handed coordinates, are the mirror image of the scene. So the picture of `left` is that
-/// of `right`, mirrored: +x is on the right for a camera that looks along +z. Normals and the
-/// order of the vertices of triangles stay as they are written.
+/// The same numbers, read as left-handed coordinates, are the mirror image of the scene. So the
+/// picture of `left` is that of `right`, mirrored: +x is on the right for a camera that looks along
+/// +z. Normals and the order of the vertices of triangles stay as they are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 #[schemars(title = "handedness")]

@@ -110,7 +110,8 @@ impl RecordedRay {
         besides(formula, term.value)
     }
 
-    /// The `η` of the factor `1/η²` that a weight has: the relative index of a refracting lobe, or 1.
+    /// The `η` of the factor `1/η²` that a weight has: the relative index of a refracting lobe, or
+    /// 1.
     fn scaling(&self, lobe: &Lobe, weight: Rgb) -> f64 {
         let optics = self.hit.as_ref().and_then(|hit| hit.optics.as_ref());
         let Some(optics) = optics.filter(|_| lobe.refracts()) else { return 1.0 };

@@ -1,9 +1,9 @@
 //! Why a pixel has its colour: the ray tree in words and numbers, for people and for scripts.
 //!
-//! A [`RecordedRay`] is explained by its contribution to the pixel, the lights that add nothing, and why it is
-//! black.
-//! [`Sources`] are the contributions of each light and each lobe to the pixel, over all samples. The
-//! command line prints them and the inspector shows them; neither computes anything.
+//! A [`RecordedRay`] is explained by its contribution to the pixel, the lights that add nothing,
+//! and why it is black. [`Sources`] are the contributions of each light and each lobe to the pixel,
+//! over all samples. The command line prints them and the inspector shows them; neither computes
+//! anything.
 
 mod formula;
 mod omissions;
@@ -41,7 +41,8 @@ const MAX_RAYS: u64 = 1 << 25;
 pub struct PixelExplanation {
     /// x right and y down from the top left, from 0.
     pub pixel: [u32; 2],
-    /// What was ignored or clamped in the scene's files and what the tracer leaves out, a sentence each.
+    /// What was ignored or clamped in the scene's files and what the tracer leaves out, a sentence
+    /// each.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub notes: Vec<String>,
     /// The number of samples of the pixel.
@@ -66,8 +67,8 @@ pub struct PixelExplanation {
 pub struct Statistics {
     /// The mean.
     pub mean: Rgb,
-    /// The standard error of the mean for independent samples; the error of well-spread samples is smaller.
-    /// None for a single sample.
+    /// The standard error of the mean for independent samples; the error of well-spread samples is
+    /// smaller. None for a single sample.
     pub standard_error: Option<Rgb>,
     /// The index of the sample with the least radiance, averaged over the channels.
     pub least: u32,
@@ -96,7 +97,8 @@ pub struct SampleExplanation {
     pub ray: Option<RecordedRay>,
 }
 
-/// Sentences for the user: what was ignored or clamped in the scene's files, and what the tracer leaves out.
+/// Sentences for the user: what was ignored or clamped in the scene's files, and what the tracer
+/// leaves out.
 pub fn notes(world: &World) -> Vec<String> {
     world.notes.iter().cloned().chain(omissions(world)).collect()
 }
@@ -202,7 +204,8 @@ impl Explaining<'_> {
         }
     }
 
-    /// Works out the contributions of a ray and of those after it, and why it is black. `throughput` is the weight at the eye of the radiance that arrives at the ray's origin.
+    /// Works out the contributions of a ray and of those after it, and why it is black.
+    /// `throughput` is the weight at the eye of the radiance that arrives at the ray's origin.
     fn explain(&self, ray: &mut RecordedRay, throughput: Rgb) {
         if let Some(optics) = ray.hit.as_mut().and_then(|hit| hit.optics.as_mut()) {
             optics.scales_radiance = self.scene.transparency.scales_radiance;

@@ -5,8 +5,8 @@ use crate::trace::{Direct, Scatter, Strategy};
 use crate::world::{PlacedLight, PlacedMaterial, World};
 use formats::printable;
 
-/// A sentence for the user about each light that the world's tracer leaves out, about each mirror and
-/// glass that it does not trace, and about objects without any light.
+/// A sentence for the user about each light that the world's tracer leaves out, about each mirror
+/// and glass that it does not trace, and about objects without any light.
 pub fn omissions(world: &World) -> Vec<String> {
     let strategy = Strategy::of(world.tracer);
     let tracer = world.tracer.name();
@@ -40,8 +40,8 @@ fn dark(world: &World, strategy: Strategy) -> Option<String> {
     })
 }
 
-/// What is done with light of this kind instead of counting it at every hit, and why, in words for the
-/// user.
+/// What is done with light of this kind instead of counting it at every hit, and why, in words for
+/// the user.
 fn leaves_out(strategy: Strategy, light: &dyn Light) -> Option<[&'static str; 2]> {
     match strategy.direct {
         _ if !strategy.is_path() => None,

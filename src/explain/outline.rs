@@ -1,5 +1,5 @@
-//! The lines of a ray tree: rays of small contribution are folded together, and a path is a flat list of
-//! its bounces, each with its shadow rays and local terms below it.
+//! The lines of a ray tree: rays of small contribution are folded together, and a path is a flat
+//! list of its bounces, each with its shadow rays and local terms below it.
 
 use std::collections::BTreeSet;
 
@@ -26,8 +26,8 @@ pub enum Row<'a> {
     Ray {
         /// The ray.
         ray: &'a RecordedRay,
-        /// The first term of the ray before it that uses its light. `None` for the camera's ray, and for a
-        /// ray whose light no term uses.
+        /// The first term of the ray before it that uses its light. `None` for the camera's ray,
+        /// and for a ray whose light no term uses.
         term: Option<&'a RecordedTerm>,
         /// How far the line is indented.
         indent: usize,

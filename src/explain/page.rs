@@ -21,8 +21,8 @@ struct Shown {
 }
 
 impl PixelExplanation {
-    /// The explanation as text; rays that add less than `min_share` of their sample are folded. With
-    /// `largest` only the path that carries most light is shown.
+    /// The explanation as text; rays that add less than `min_share` of their sample are folded.
+    /// With `largest` only the path that carries most light is shown.
     pub fn text(&self, min_share: f64, largest: bool) -> String {
         self.written(Shown { min_share, largest, formulas: false })
     }

@@ -1,7 +1,7 @@
 //! The contribution of each light and each lobe to a pixel, and its variation between samples.
 //!
-//! The light of a sample is divided in two ways: by where light enters a path, and by how it leaves the
-//! first hit towards the camera. Both times the parts add up to the sample.
+//! The light of a sample is divided in two ways: by where light enters a path, and by how it leaves
+//! the first hit towards the camera. Both times the parts add up to the sample.
 
 use std::sync::Arc;
 
@@ -13,14 +13,15 @@ use crate::rgb::Rgb;
 use crate::trace::{Outcome, RayKind, Recorder, Term, TermSource};
 use crate::world::{Names, World};
 
-/// The contributions of the sources of light to a pixel. The means of each list add up to the pixel; the
-/// largest standard deviation comes first.
+/// The contributions of the sources of light to a pixel. The means of each list add up to the
+/// pixel; the largest standard deviation comes first.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Sources {
     /// By where light enters: a light contributes its samples at every hit, a lobe the emission and
     /// background that its rays hit.
     pub by_entry: Vec<SourceExplanation>,
-    /// By the first hit: a light contributes its samples there, a lobe all light along its rays from there.
+    /// By the first hit: a light contributes its samples there, a lobe all light along its rays
+    /// from there.
     pub by_first_hit: Vec<SourceExplanation>,
 }
 
@@ -55,8 +56,8 @@ pub struct SourceExplanation {
     pub source: Source,
     /// The exposure time times the mean of its contributions to the samples.
     pub mean: Rgb,
-    /// The exposure time times the standard deviation of its contributions to the samples. None for a
-    /// single sample.
+    /// The exposure time times the standard deviation of its contributions to the samples. None for
+    /// a single sample.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub standard_deviation: Option<Rgb>,
 }

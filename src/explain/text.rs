@@ -56,8 +56,8 @@ pub fn count(number: usize, thing: &str) -> String {
 }
 
 impl RecordedRay {
-    /// One line that a person can read: `3  from 1, depth 2  reflected  t 12.3  hits "red sphere"`. The camera's
-    /// ray has no parent.
+    /// One line that a person can read: `3  from 1, depth 2  reflected  t 12.3  hits "red sphere"`.
+    /// The camera's ray has no parent.
     pub fn line(&self) -> String {
         let kind = match &self.kind {
             RayKind::Camera => "camera".to_owned(),
@@ -145,7 +145,8 @@ impl RecordedHit {
     }
 }
 
-/// `texture of cd: (0.2, 0.4, 0.1), texel (12, 5) at u 0.1, v 0.22`: column and row, from the bottom left.
+/// `texture of cd: (0.2, 0.4, 0.1), texel (12, 5) at u 0.1, v 0.22`: column and row, from the
+/// bottom left.
 impl fmt::Display for RecordedTexture {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "texture of {}: {}", self.field, short(self.color))?;
@@ -156,7 +157,8 @@ impl fmt::Display for RecordedTexture {
     }
 }
 
-/// `from η 1 into η 1.5: relative η 1.5, refracted at 27.4° (radiance × 1/η² = 0.444), R 0.05, T 0.95`.
+/// `from η 1 into η 1.5: relative η 1.5, refracted at 27.4° (radiance × 1/η² = 0.444),`
+/// `R 0.05, T 0.95`.
 impl fmt::Display for Optics {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if let Some(media) = self.media {
@@ -192,8 +194,9 @@ impl RecordedTerm {
         format!("+ {}  {}: {}", short(self.value), self.name(), self.factors())
     }
 
-    /// The weight of the ray that brings its light, and how the ray was drawn: `weight 0.6, pdf 0.2 /sr,
-    /// Lambertian` for a lobe's ray, `pdf 24 /sr, MIS 0.9` for a light's; empty if nothing was drawn.
+    /// The weight of the ray that brings its light, and how the ray was drawn:
+    /// `weight 0.6, pdf 0.2 /sr, Lambertian` for a lobe's ray, `pdf 24 /sr, MIS 0.9` for a light's;
+    /// empty if nothing was drawn.
     pub fn sampling(&self) -> String {
         match &self.source {
             TermSource::Traced { lobe, pdf, lobe_probability, survival } => {

@@ -79,8 +79,8 @@ impl fmt::Display for Unlit {
 }
 
 impl Explaining<'_> {
-    /// One sentence about a ray, not a shadow ray, that brings no light: the first factor of each of its
-    /// terms that is 0.
+    /// One sentence about a ray, not a shadow ray, that brings no light: the first factor of each
+    /// of its terms that is 0.
     pub(super) fn black(&self, ray: &RecordedRay) -> Option<String> {
         if !ray.radiance.is_black() || matches!(ray.kind, RayKind::Shadow { .. }) {
             return None;

@@ -1,4 +1,5 @@
-//! Why a light adds nothing at a hit: the hit is asked again, with the random numbers that were drawn there.
+//! Why a light adds nothing at a hit: the hit is asked again, with the random numbers that were
+//! drawn there.
 
 use std::sync::Arc;
 
@@ -12,7 +13,8 @@ use crate::samplers::{Draws, PathKey};
 use crate::trace::{Direct, ShadingPoint, Strategy, TermSource};
 use crate::world::{PlacedLight, World};
 
-/// Adds to each hit of a recorded sample of this world the lights that add nothing there, in the scene's order.
+/// Adds to each hit of a recorded sample of this world the lights that add nothing there, in the
+/// scene's order.
 pub fn add_unlit(world: &World, draws: Draws<'_>, root: &mut RecordedRay) {
     ask(world, draws, root, PathKey::CAMERA);
 }
@@ -56,7 +58,8 @@ struct Vertex<'a> {
 }
 
 impl Vertex<'_> {
-    /// Why a light that is on adds nothing: the first reason that holds; `None` if it adds something.
+    /// Why a light that is on adds nothing: the first reason that holds; `None` if it adds
+    /// something.
     fn reason(&self, ray: &RecordedRay, light: &PlacedLight) -> Option<Unlit> {
         let its = |term: &&RecordedTerm| term.light.as_ref() == Some(&light.name);
         let mut terms = ray.terms.iter().filter(its);

@@ -64,14 +64,15 @@ impl Format {
         format.map(|(format, _)| format).ok_or(ImageError::Format { path: path.to_owned() })
     }
 
-    /// Whether its values are encoded for display, by the gamma of a [`Tone`]; linear radiance if not.
+    /// Whether its values are encoded for display, by the gamma of a [`Tone`]; linear radiance if
+    /// not.
     pub fn is_for_display(self) -> bool {
         matches!(self, Self::Png | Self::Ppm)
     }
 }
 
-/// The bytes of a picture file: `.png` and `.ppm` as shown by `tone`, `.exr` and `.pfm` as linear radiance in single
-/// precision. PNG and EXR say how it was made; a PNG file also its gamma.
+/// The bytes of a picture file: `.png` and `.ppm` as shown by `tone`, `.exr` and `.pfm` as linear
+/// radiance in single precision. PNG and EXR say how it was made; a PNG file also its gamma.
 ///
 /// # Errors
 /// Of the encoder; none is known.
@@ -108,8 +109,8 @@ fn of_one_part(exr: &[u8], entries: &[(&str, String)]) -> Vec<u8> {
     with_attributes(exr, entries).expect("an EXR file of one part")
 }
 
-/// The bytes of an EXR file of such channels, each with `width × height` values, in single precision and with the
-/// comment. It says how it was made.
+/// The bytes of an EXR file of such channels, each with `width × height` values, in single
+/// precision and with the comment. It says how it was made.
 ///
 /// # Errors
 /// A name that EXR cannot say, or that is there twice.
@@ -123,8 +124,8 @@ pub fn encode_channels(
 }
 
 /// Writes a picture: `.png` and `.ppm` as shown by `tone`, `.exr` and `.pfm` as linear radiance in
-/// single precision, without a word about how it was made but the gamma of a PNG file. It is written to a temporary file in the same folder and then
-/// renamed, so never partly.
+/// single precision, without a word about how it was made but the gamma of a PNG file. It is
+/// written to a temporary file in the same folder and then renamed, so never partly.
 ///
 /// # Errors
 /// [`ImageError::Format`] and [`ImageError::Unwritable`].
@@ -158,7 +159,8 @@ pub fn read_exr(path: &Path) -> Result<Film, ImageError> {
     film.map_err(unreadable)
 }
 
-/// A picture as shown by `tone`, as the address of an HTML image that needs no file: a PNG in base 64.
+/// A picture as shown by `tone`, as the address of an HTML image that needs no file: a PNG in base
+/// 64.
 pub fn data_uri(film: &Film, tone: &Tone) -> String {
     let png = pictures::png([film.width(), film.height()], shown(film, tone));
     let png = png.expect("nothing fails that is written to memory");

@@ -70,15 +70,15 @@ impl Film {
     }
 }
 
-/// A channel as it is stored in files. What is too large for them becomes `f32::MAX`: readers refuse
-/// infinities, also ours.
+/// A channel as it is stored in files. What is too large for them becomes `f32::MAX`: readers
+/// refuse infinities, also ours.
 fn stored(channel: f64) -> f32 {
     let single = channel as f32;
     if single == f32::INFINITY { f32::MAX } else { single }
 }
 
-/// One picture for red and cyan glasses: red from the left eye's image, green and blue from the right
-/// eye's, which must be of the same size.
+/// One picture for red and cyan glasses: red from the left eye's image, green and blue from the
+/// right eye's, which must be of the same size.
 pub fn anaglyph(left: &Film, right: &Film) -> Film {
     assert_eq!((left.width, left.height), (right.width, right.height), "both are of one size");
     let both = left.pixels.iter().zip(&right.pixels);

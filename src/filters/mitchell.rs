@@ -11,8 +11,8 @@ use crate::invalid::{Invalid, within};
 
 /// Two cubics, for `|x| < 1` and `1 ≤ |x| < 2` pixels (equation 8 of the paper).
 ///
-/// Samples that count negatively add noise, even where nothing changes: of a level grey, 64 jittered
-/// samples are off by 7 %, multi-jittered or Sobol ones by 2 %.
+/// Samples that count negatively add noise, even where nothing changes: of a level grey, 64
+/// jittered samples are off by 7 %, multi-jittered or Sobol ones by 2 %.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Mitchell {

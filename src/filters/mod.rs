@@ -1,9 +1,10 @@
 //! Filters: how much a pixel counts what lies around its centre (Suffern, ch. 4; Pharr, Jakob &
 //! Humphreys, "Physically Based Rendering", ch. 8).
 //!
-//! A sample's position is drawn with a density proportional to the filter's absolute value; its radiance
-//! is weighted by the filter over the density, ±1 times a constant (Ernst, Stamminger & Greiner, "Filter
-//! Importance Sampling", 2006). So a sample belongs to one pixel and is a pure function.
+//! A sample's position is drawn with a density proportional to the filter's absolute value; its
+//! radiance is weighted by the filter over the density, ±1 times a constant (Ernst, Stamminger &
+//! Greiner, "Filter Importance Sampling", 2006). So a sample belongs to one pixel and is a pure
+//! function.
 
 mod cuboid;
 mod gaussian;
@@ -18,11 +19,13 @@ use crate::math::{Tolerance, UNIT_ROUNDOFF, bracketed_root};
 /// A filter of the plane: the product of the same function of x and of y. Contract:
 /// `tests/contracts/filter.rs`.
 pub trait Filter: Debug + Send + Sync {
-    /// Along one axis, for a uniform number in `[0, 1)`: the position of a sample, in pixels from the
-    /// pixel's lower edge (its centre is at ½), and its weight. The position increases with `u`.
+    /// Along one axis, for a uniform number in `[0, 1)`: the position of a sample, in pixels from
+    /// the pixel's lower edge (its centre is at ½), and its weight. The position increases with
+    /// `u`.
     fn draw(&self, u: f64) -> (f64, f64);
 
-    /// The filter along one axis, at a distance in pixels from the pixel's centre; its integral is 1.
+    /// The filter along one axis, at a distance in pixels from the pixel's centre; its integral is
+    /// 1.
     fn value(&self, x: f64) -> f64;
 
     /// Beyond this distance in pixels from the centre, along each axis, the filter is 0.

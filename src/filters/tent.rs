@@ -13,7 +13,8 @@ use crate::kinds;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Tent {
-    /// The radius in pixels: positive, at most 16. At 1 the tents of all pixels add up to 1 everywhere.
+    /// The radius in pixels: positive, at most 16. At 1 the tents of all pixels add up to 1
+    /// everywhere.
     #[serde(default = "kinds::one")]
     pub radius: f64,
 }
@@ -26,8 +27,8 @@ impl Specification for Tent {
 }
 
 impl Filter for Tent {
-    /// The area of a corner of the triangle is the square of its side: `u = ½ (1 + x/r)²` left of the
-    /// centre.
+    /// The area of a corner of the triangle is the square of its side: `u = ½ (1 + x/r)²` left of
+    /// the centre.
     fn draw(&self, u: f64) -> (f64, f64) {
         let x = if u < 0.5 { (2.0 * u).sqrt() - 1.0 } else { 1.0 - (2.0 - 2.0 * u).sqrt() };
         (0.5 + self.radius * x, 1.0)

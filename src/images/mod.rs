@@ -1,4 +1,5 @@
-//! Images for textures and environment lights that need no file: drawn by a formula, or listed (Suffern, ch. 29).
+//! Images for textures and environment lights that need no file: drawn by a formula, or listed
+//! (Suffern, ch. 29).
 
 mod drawn;
 
@@ -20,7 +21,8 @@ pub fn color(texels: &Texels, column: u32, row: u32) -> Rgb {
 /// The image of these rows of linear colours, from the top down.
 ///
 /// # Errors
-/// [`Invalid`] if there are none, if the rows differ in length, or if a colour is negative or not finite.
+/// [`Invalid`] if there are none, if the rows differ in length, or if a colour is negative or not
+/// finite.
 pub(crate) fn listed(rows: &[Vec<Rgb>]) -> Result<Texels, Invalid> {
     let width = rows.first().map_or(0, Vec::len);
     if width == 0 {

@@ -26,7 +26,8 @@ pub struct Entry<Kind> {
     pub module: &'static str,
     /// Valid examples.
     pub specimens: fn() -> Vec<Kind>,
-    /// What a light adds at a hit, or a surface of a material sends to the viewer; empty for kinds of other lists.
+    /// What a light adds at a hit, or a surface of a material sends to the viewer; empty for kinds
+    /// of other lists.
     pub formula: &'static str,
 }
 
@@ -81,7 +82,8 @@ pub fn schema_of_list(
 
 const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
 
-/// The examples of the kind with this tag in the text of its list, where `{scenes}` stands for the folder of scenes.
+/// The examples of the kind with this tag in the text of its list, where `{scenes}` stands for the
+/// folder of scenes.
 #[doc(hidden)]
 pub fn specimens<Data: DeserializeOwned>(text: &str, tag: &str) -> Vec<Data> {
     let list: Result<toml::Table, _> = toml::from_str(&text.replace("{scenes}", SCENES));
@@ -121,8 +123,9 @@ macro_rules! kinds {
 
         /// Plain data that describes one thing of this list.
         pub trait Specification {
-            /// What a light adds at a hit, or a surface of a material sends to the viewer, as a formula for people who
-            /// build the scene in another renderer; empty for kinds of other lists, whose fields say all.
+            /// What a light adds at a hit, or a surface of a material sends to the viewer, as a
+            /// formula for people who build the scene in another renderer; empty for kinds of other
+            /// lists, whose fields say all.
             const FORMULA: &'static str = "";
 
             /// Checks the data and builds.

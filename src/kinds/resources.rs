@@ -10,7 +10,8 @@ use crate::rgb::Rgb;
 use formats::images::{self, Encoding, Texels};
 use formats::meshes::{self, MeshData};
 
-/// The most bytes in the mesh files of one scene: more would take gigabytes, because they are read whole.
+/// The most bytes in the mesh files of one scene: more would take gigabytes, because they are read
+/// whole.
 const MAX_BYTES: u64 = meshes::MAX_BYTES;
 /// The most texels in its images, of 12 bytes each.
 const MAX_TEXELS: u64 = 1 << 26;
@@ -170,7 +171,8 @@ impl Resources {
         Ok(texels)
     }
 
-    /// Subtracts the size of a file from the budget. The reader reports a file whose size cannot be read.
+    /// Subtracts the size of a file from the budget. The reader reports a file whose size cannot be
+    /// read.
     fn take_bytes(&mut self, path: &Path) -> Result<(), String> {
         let Ok(file) = std::fs::metadata(path) else { return Ok(()) };
         if !file.is_file() {
@@ -188,7 +190,8 @@ impl Resources {
     }
 }
 
-/// The problem of a file; if its name has a `\b` or `\n` in it, which is no part of a name, what to write instead.
+/// The problem of a file; if its name has a `\b` or `\n` in it, which is no part of a name, what to
+/// write instead.
 fn with_advice(file: &Path, problem: String) -> String {
     match file.to_string_lossy().contains(char::is_control) {
         true => format!("{problem}; {BACKSLASH}"),

@@ -12,10 +12,10 @@ use crate::kinds;
 use crate::math::{Frame, Length, maps};
 use crate::rgb::Rgb;
 
-/// Ambient light `ls · color` where nothing is in the way, and a share of it where something is: each
-/// sample looks in one direction, distributed by the cosine, so that the mean is the visible share of
-/// the hemisphere. It meets the ambient reflectance `ka` of materials. The hemisphere is that of the
-/// normal: open surfaces that are seen from behind need a two-sided material.
+/// Ambient light `ls · color` where nothing is in the way, and a share of it where something is:
+/// each sample looks in one direction, distributed by the cosine, so that the mean is the visible
+/// share of the hemisphere. It meets the ambient reflectance `ka` of materials. The hemisphere is
+/// that of the normal: open surfaces that are seen from behind need a two-sided material.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AmbientOccluder {
@@ -28,7 +28,8 @@ pub struct AmbientOccluder {
     /// The share of light where something is, from 0 to 1.
     #[serde(default)]
     pub min_amount: f64,
-    /// The colour of the light where something is, which `min_amount` multiplies; `color` if left out.
+    /// The colour of the light where something is, which `min_amount` multiplies; `color` if left
+    /// out.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub occluded_color: Option<Rgb>,
     /// Objects farther away than this are not in the way; positive. Without end if left out.

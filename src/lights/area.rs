@@ -19,8 +19,8 @@ use formats::printable;
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Area {
-    /// The `name` of the object: a rectangle, disk, sphere, triangle, mesh, tessellated sphere or an
-    /// instance of one. Its material is emissive.
+    /// The `name` of the object: a rectangle, disk, sphere, triangle, mesh, tessellated sphere or
+    /// an instance of one. Its material is emissive.
     pub object: String,
     /// How its surface is sampled. If left out: by solid angle where that is known (spheres,
     /// rectangles, and instances of them that keep angles), else by area, as in the book.
@@ -82,8 +82,8 @@ impl Specification for Area {
 }
 
 impl Lamp {
-    /// The cosine at the lamp, if the side towards `from` shines. On the back of a two-sided lamp it is
-    /// taken with the opposite normal.
+    /// The cosine at the lamp, if the side towards `from` shines. On the back of a two-sided lamp
+    /// it is taken with the opposite normal.
     fn cosine(&self, from: math::Point, at: &Surface) -> Option<f64> {
         let cosine = cosine_at(at, from)?;
         let cosine = if self.two_sided { cosine.abs() } else { cosine };
@@ -105,8 +105,8 @@ fn cosine_at(lamp: &Surface, from: math::Point) -> Option<f64> {
     Some(lamp.normal.dot((from - lamp.point).unit()?))
 }
 
-/// The end of the shadow ray to a point of a lamp. It is in front of the lamp by more than the error of a
-/// hit: the lamp, and a surface in its plane, block no light, even at grazing angles.
+/// The end of the shadow ray to a point of a lamp. It is in front of the lamp by more than the
+/// error of a hit: the lamp, and a surface in its plane, block no light, even at grazing angles.
 fn end(from: math::Point, at: &Surface, direction: Vector) -> math::Point {
     // the error of a hit on such a surface is a few u of the coordinates
     let size = at.point.to_vector().max_abs() + from.to_vector().max_abs();

@@ -13,9 +13,9 @@ use crate::kinds;
 use crate::math::{self, Length};
 use crate::rgb::Rgb;
 
-/// Light `ls · color / d^k` from one place for each sample, which is moved by at most `jitter` along
-/// each axis. An approximation of a spherical lamp, from before there were area lights: the places fill
-/// a cube, and none of them is seen.
+/// Light `ls · color / d^k` from one place for each sample, which is moved by at most `jitter`
+/// along each axis. An approximation of a spherical lamp, from before there were area lights: the
+/// places fill a cube, and none of them is seen.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct FakeSpherical {

@@ -11,8 +11,8 @@ use crate::kinds;
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
-/// Light `ls · color` from one direction for each sample, which is moved by at most `jitter` along each
-/// axis. An approximation of a sun: the directions fill a cube, not a disk.
+/// Light `ls · color` from one direction for each sample, which is moved by at most `jitter` along
+/// each axis. An approximation of a sun: the directions fill a cube, not a disk.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JitteredDirectional {

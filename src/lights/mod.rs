@@ -1,9 +1,9 @@
 //! Lights: where light comes from, and how much (Suffern, ch. 14, 16–18).
 //!
-//! A light returns data; it never casts a ray. `trace` tests whether an object blocks the light, the book's
-//! `in_shadow`. The book's `G` and `pdf` are one number here, the density per steradian, and its shared
-//! sample point is a returned value. A light of some extent draws one point or direction for each sample;
-//! the mean over many samples is the light of all of it.
+//! A light returns data; it never casts a ray. `trace` tests whether an object blocks the light,
+//! the book's `in_shadow`. The book's `G` and `pdf` are one number here, the density per steradian,
+//! and its shared sample point is a returned value. A light of some extent draws one point or
+//! direction for each sample; the mean over many samples is the light of all of it.
 
 mod ambient;
 mod ambient_occluder;
@@ -36,13 +36,14 @@ pub trait Light: Debug + Send + Sync {
         0
     }
 
-    /// Whether it is ambient light in the book's way: reflected by the ambient reflectance of a material
-    /// instead of its lobes, and not attenuated by media.
+    /// Whether it is ambient light in the book's way: reflected by the ambient reflectance of a
+    /// material instead of its lobes, and not attenuated by media.
     fn is_ambient(&self) -> bool {
         false
     }
 
-    /// The object whose surface it is, if it has one: that object shines only while the light is on.
+    /// The object whose surface it is, if it has one: that object shines only while the light is
+    /// on.
     fn object(&self) -> Option<&str> {
         None
     }
@@ -57,8 +58,8 @@ pub trait Light: Debug + Send + Sync {
         self.object().is_some() || self.is_sky()
     }
 
-    /// Light that may arrive at a surface, for [`Light::draws`] pairs of numbers in `[0, 1)`; `None` if
-    /// none does.
+    /// Light that may arrive at a surface, for [`Light::draws`] pairs of numbers in `[0, 1)`;
+    /// `None` if none does.
     fn sample(&self, from: &LightContext, u: &[[f64; 2]]) -> Option<LightSample>;
 
     /// Why [`Light::sample`] gives `None` for these numbers. Asked only then, for an explanation.
@@ -66,8 +67,8 @@ pub trait Light: Debug + Send + Sync {
         Unlit::NoDirection
     }
 
-    /// The density with which [`Light::sample`] draws this point or direction, per steradian; 0 for a light
-    /// that is a single direction, which scattered rays never have.
+    /// The density with which [`Light::sample`] draws this point or direction, per steradian; 0 for
+    /// a light that is a single direction, which scattered rays never have.
     fn pdf(&self, _from: &LightContext, _to: &Target<'_>) -> f64 {
         0.0
     }

@@ -63,8 +63,8 @@ impl Light for PointSource {
     }
 }
 
-/// Light `radiance / d^k` from one place; none at the place itself, where it has no direction, or so near
-/// that it would be infinite.
+/// Light `radiance / d^k` from one place; none at the place itself, where it has no direction, or
+/// so near that it would be infinite.
 pub(super) fn from_point(
     from: Point,
     location: Point,

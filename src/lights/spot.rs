@@ -30,8 +30,8 @@ pub struct Spot {
     pub direction: Vector,
     /// From this angle to the axis on it grows weaker, in degrees; from 0 to `outer`.
     pub inner: f64,
-    /// From this angle to the axis on it is dark, in degrees; at most 180. If it equals `inner`, the
-    /// edge is sharp.
+    /// From this angle to the axis on it is dark, in degrees; at most 180. If it equals `inner`,
+    /// the edge is sharp.
     pub outer: f64,
     /// The exponent `k` of the distance, not negative; as of `point`.
     #[serde(default)]

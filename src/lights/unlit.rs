@@ -4,8 +4,8 @@ use std::sync::Arc;
 
 use serde::Serialize;
 
-/// The reason why a light adds nothing at a hit: the first factor of its light that is 0. Cosines are those
-/// of unit directions from the hit, angles in degrees.
+/// The reason why a light adds nothing at a hit: the first factor of its light that is 0. Cosines
+/// are those of unit directions from the hit, angles in degrees.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[serde(tag = "reason", rename_all = "snake_case")]
 pub enum Unlit {
@@ -28,8 +28,8 @@ pub enum Unlit {
     },
     /// The material has no lobes.
     NoLobes,
-    /// The material has only lobes of a single direction or of traced rays, which samples of lights do not
-    /// meet.
+    /// The material has only lobes of a single direction or of traced rays, which samples of lights
+    /// do not meet.
     TracedLobesOnly,
     /// The light is behind the surface.
     BehindSurface {

@@ -76,8 +76,8 @@ pub struct BsdfSample {
     pub weight: Rgb,
     /// Per steradian; `None` for a single direction.
     pub pdf: Option<f64>,
-    /// For a direction to the other side of the surface, the index of refraction there over the one on
-    /// this side: the weight has a factor `1/η²`.
+    /// For a direction to the other side of the surface, the index of refraction there over the one
+    /// on this side: the weight has a factor `1/η²`.
     pub refracted: Option<f64>,
 }
 
@@ -110,14 +110,14 @@ impl<'a> Bsdf<'a> {
         self.is_outward(self.wo) && self.lobes.iter().any(|(lobe, _)| set.contains(lobe))
     }
 
-    /// With which probability a path takes each lobe: all 0 if nothing is scattered, none if it does not
-    /// choose ([`Bsdf::weigh_lobes`]).
+    /// With which probability a path takes each lobe: all 0 if nothing is scattered, none if it
+    /// does not choose ([`Bsdf::weigh_lobes`]).
     pub fn lobe_probabilities(&self) -> &[f64] {
         &self.lobe_probabilities
     }
 
-    /// The density with which a path goes on in a direction, per steradian, whatever lobe it takes; that
-    /// of a single direction is left out.
+    /// The density with which a path goes on in a direction, per steradian, whatever lobe it takes;
+    /// that of a single direction is left out.
     pub fn pdf(&self, wi: Vector) -> f64 {
         if !(self.is_outward(self.wo) && self.is_outward(wi)) {
             return 0.0;
@@ -134,9 +134,9 @@ impl<'a> Bsdf<'a> {
         self.normals.geometry.dot(direction) > 0.0
     }
 
-    /// The frame of a lobe. Where an interpolated normal faces away from the viewer or sends the mirror
-    /// direction to the other side of the true surface, a mirror and its blurred form are about the true
-    /// normal: without this, smooth mirrors would have black outlines.
+    /// The frame of a lobe. Where an interpolated normal faces away from the viewer or sends the
+    /// mirror direction to the other side of the true surface, a mirror and its blurred form are
+    /// about the true normal: without this, smooth mirrors would have black outlines.
     fn frame_of(&self, lobe: &Lobe, kind: NormalKind) -> Frame {
         let is_mirrored = matches!(lobe.branch(), Branch::Mirror | Branch::Gloss);
         let falls_behind = || {
@@ -150,9 +150,10 @@ impl<'a> Bsdf<'a> {
         }
     }
 
-    /// The direction to the viewer for which a lobe draws directions, in its frame. Where an interpolated
-    /// normal faces away from a viewer above the true surface, it is the one as far above that normal's
-    /// horizon as the viewer is below it: lobes draw nothing for a viewer below.
+    /// The direction to the viewer for which a lobe draws directions, in its frame. Where an
+    /// interpolated normal faces away from a viewer above the true surface, it is the one as far
+    /// above that normal's horizon as the viewer is below it: lobes draw nothing for a viewer
+    /// below.
     fn viewer(&self, lobe: &Lobe, frame: &Frame) -> Vector {
         let wo = frame.to_local(self.wo);
         match !lobe.is_specular() && self.is_outward(self.wo) {
@@ -161,12 +162,12 @@ impl<'a> Bsdf<'a> {
         }
     }
 
-    /// What each of these lobes makes of light from the unit direction `wi`; those that make nothing of it
-    /// are left out.
+    /// What each of these lobes makes of light from the unit direction `wi`; those that make
+    /// nothing of it are left out.
     ///
     /// A viewer below the true surface gets nothing. One above it does, also where an interpolated
-    /// normal faces away, near the outline of a smooth mesh: the book's formulas do not ask on which
-    /// side of that normal the viewer is.
+    /// normal faces away, near the outline of a smooth mesh: the book's formulas do not ask on
+    /// which side of that normal the viewer is.
     pub fn lit(&self, set: LobeSet, wi: Vector) -> ArrayVec<Lit<'a>, MAX_LOBES> {
         let mut lit = ArrayVec::new();
         if !self.is_outward(self.wo) {

@@ -7,8 +7,9 @@ use super::mirrored;
 use crate::invalid::{Invalid, not_negative};
 use crate::math::{Frame, Normal, Vector, atan2, exp, exp_m1, ln, ln_1p, maps, power, tanh_sinh};
 
-/// Refuses exponents that are negative or too large, of the field `exponent`. At 1e15 the lobe is as narrow as
-/// the rounding of directions: a narrower one would have an infinite density, or none, where it draws.
+/// Refuses exponents that are negative or too large, of the field `exponent`. At 1e15 the lobe is
+/// as narrow as the rounding of directions: a narrower one would have an infinite density, or none,
+/// where it draws.
 pub(crate) fn check_exponent(exponent: f64) -> Result<(), Invalid> {
     if not_negative("exponent", exponent)? <= 1e15 {
         return Ok(());
@@ -36,11 +37,11 @@ pub(super) fn sample(exponent: f64, wo: Vector, u: [f64; 2]) -> Option<[Vector; 
     Some([local, flipped].map(|w| frame.to_world(w)))
 }
 
-/// `∫ (r·ω_i)^e cosθ_i dω_i` above the surface for a viewer at this cosine, in rings at the angle α from
-/// r. On a ring that lies above the horizon the mean of `cosθ_i` is `cosα cosθ_o`; those up to
+/// `∫ (r·ω_i)^e cosθ_i dω_i` above the surface for a viewer at this cosine, in rings at the angle α
+/// from r. On a ring that lies above the horizon the mean of `cosθ_i` is `cosα cosθ_o`; those up to
 /// `α_h = π/2 − θ_o` do, and their integral is `2π cosθ_o (1 − cos^(e+2) α_h)/(e + 2)`. Beyond, the
-/// arc `|φ| < φ_h` is left, and its integral is taken over `y = (cosα/cosα_h)^(e+1)` by the tanh–sinh
-/// rule.
+/// arc `|φ| < φ_h` is left, and its integral is taken over `y = (cosα/cosα_h)^(e+1)` by the
+/// tanh–sinh rule.
 pub(super) fn integral(e: f64, cos_o: f64) -> f64 {
     if cos_o <= 0.0 {
         return 0.0;

@@ -20,9 +20,9 @@ pub struct Polarised {
     pub p: Fresnel,
 }
 
-/// The shares for unpolarised light that meets a boundary at `cos_i ≥ 0`, going from a medium into one
-/// whose index is `eta` times as large: the means of both polarisations. Beyond the critical angle
-/// all of it is reflected.
+/// The shares for unpolarised light that meets a boundary at `cos_i ≥ 0`, going from a medium into
+/// one whose index is `eta` times as large: the means of both polarisations. Beyond the critical
+/// angle all of it is reflected.
 pub fn fresnel(cos_i: f64, eta: f64) -> Fresnel {
     let Terms { r_s, r_p, passing, t_s, t_p } = Terms::of(cos_i, eta);
     Fresnel { reflected: 0.5 * (r_p + r_s), transmitted: 2.0 * passing * (t_p + t_s) }

@@ -10,7 +10,8 @@ use crate::invalid::Invalid;
 use crate::math::Vector;
 use crate::rgb::Rgb;
 
-/// Light from about the mirror direction, with the density `p` of a cosine power; rays are traced for it.
+/// Light from about the mirror direction, with the density `p` of a cosine power; rays are traced
+/// for it.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct GlossyReflection {
@@ -38,7 +39,8 @@ pub enum GlossyRule {
 }
 
 impl GlossyReflection {
-    /// Whether a direction was perhaps one below the surface, turned half around the mirror direction.
+    /// Whether a direction was perhaps one below the surface, turned half around the mirror
+    /// direction.
     fn is_doubled(wo: Vector, wi: Vector) -> bool {
         let r = super::mirrored(wo);
         let other = 2.0 * r.dot(wi) * r - wi;
@@ -68,8 +70,8 @@ impl Scatter for GlossyReflection {
         }
     }
 
-    /// By the book's rule every direction above the surface counts for itself and, if that lies below,
-    /// for the one opposite it.
+    /// By the book's rule every direction above the surface counts for itself and, if that lies
+    /// below, for the one opposite it.
     fn density(&self, wo: Vector, wi: Vector) -> f64 {
         let density = cosine_power::density(self.exponent, wo, wi);
         let doubled = self.rule == GlossyRule::Book && Self::is_doubled(wo, wi);
@@ -89,8 +91,8 @@ impl Scatter for GlossyReflection {
         drawn(self, wo, wi)
     }
 
-    /// By the book's rule all of the reflectance: of a direction and the one opposite it about r, at least
-    /// one lies above the surface.
+    /// By the book's rule all of the reflectance: of a direction and the one opposite it about r,
+    /// at least one lies above the surface.
     fn albedo(&self, wo: Vector) -> Rgb {
         if wo.z() <= 0.0 {
             return Rgb::BLACK;

@@ -54,7 +54,8 @@ pub struct Claims {
     pub conserves_energy: bool,
 }
 
-/// The branch by which a path continues at a hit. A branch keeps its number when others are switched off.
+/// The branch by which a path continues at a hit. A branch keeps its number when others are
+/// switched off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Branch {
     /// Scattered evenly.
@@ -80,14 +81,14 @@ trait Scatter {
     /// Whether its data fit.
     fn check(&self) -> Result<(), Invalid>;
 
-    /// The book's formula for `f`, for light from outside (`wi.z() > 0`), whatever side the viewer is
-    /// on. Black for lobes of a single direction.
+    /// The book's formula for `f`, for light from outside (`wi.z() > 0`), whatever side the viewer
+    /// is on. Black for lobes of a single direction.
     fn formula(&self, _wo: Vector, _wi: Vector) -> Rgb {
         Rgb::BLACK
     }
 
-    /// The density of `sample` at `wi`, per steradian, for viewer and light outside; 0 for lobes of a
-    /// single direction.
+    /// The density of `sample` at `wi`, per steradian, for viewer and light outside; 0 for lobes of
+    /// a single direction.
     fn density(&self, _wo: Vector, _wi: Vector) -> f64 {
         0.0
     }
@@ -167,8 +168,8 @@ macro_rules! lobes {
                 match self { $(Self::$Lobe(lobe) => lobe.density(wo, wi)),* }
             }
 
-            /// How often a path takes this lobe, in proportion to the others: about the share of light
-            /// that it sends on, cheaply, and not 0 where it sends any.
+            /// How often a path takes this lobe, in proportion to the others: about the share of
+            /// light that it sends on, cheaply, and not 0 where it sends any.
             pub fn selection_weight(&self, wo: Vector) -> f64 {
                 match self { $(Self::$Lobe(lobe) => lobe.selection_weight(wo)),* }
             }
@@ -211,14 +212,14 @@ macro_rules! lobes {
 }
 
 impl Lobe {
-    /// Radiance towards `wo` for irradiance from `wi`, per steradian; black unless both are outside,
-    /// and for lobes of a single direction.
+    /// Radiance towards `wo` for irradiance from `wi`, per steradian; black unless both are
+    /// outside, and for lobes of a single direction.
     pub fn f(&self, wo: Vector, wi: Vector) -> Rgb {
         if outside(wo, wi) { self.formula(wo, wi) } else { Rgb::BLACK }
     }
 
-    /// The density of [`Lobe::sample`] at `wi`, per steradian; 0 unless both directions are outside,
-    /// and for lobes of a single direction.
+    /// The density of [`Lobe::sample`] at `wi`, per steradian; 0 unless both directions are
+    /// outside, and for lobes of a single direction.
     pub fn pdf(&self, wo: Vector, wi: Vector) -> f64 {
         if outside(wo, wi) { self.density(wo, wi) } else { 0.0 }
     }
@@ -228,8 +229,8 @@ impl Lobe {
         matches!(self.branch(), Branch::Mirror | Branch::Refraction)
     }
 
-    /// Whether ray casting and Whitted's tracer let lights' samples meet it; for the others they trace
-    /// rays.
+    /// Whether ray casting and Whitted's tracer let lights' samples meet it; for the others they
+    /// trace rays.
     pub fn is_lit(&self) -> bool {
         matches!(self.branch(), Branch::Diffuse | Branch::Highlight)
     }

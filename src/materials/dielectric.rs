@@ -15,8 +15,8 @@ use crate::kinds::Resources;
 use crate::lobes::{FresnelReflector, FresnelTransmitter, NormalKind};
 use crate::textures::TexturePoint;
 
-/// Glass, water: a boundary between two media, with Fresnel reflection and refraction, and absorption
-/// on either side. It needs `whitted` or a path tracer.
+/// Glass, water: a boundary between two media, with Fresnel reflection and refraction, and
+/// absorption on either side. It needs `whitted` or a path tracer.
 #[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Dielectric {

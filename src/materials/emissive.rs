@@ -15,8 +15,8 @@ use crate::kinds::{self, Resources};
 use crate::materials::Emission;
 use crate::textures::{Amount, Paint, TexturePoint};
 
-/// Radiance `ls · ce` in every direction on the outer side; black on the inner, unless the material is
-/// two-sided.
+/// Radiance `ls · ce` in every direction on the outer side; black on the inner, unless the material
+/// is two-sided.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Emissive {

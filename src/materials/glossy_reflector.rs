@@ -15,13 +15,13 @@ use crate::kinds::{self, Resources};
 use crate::lobes::{GlossyReflection, GlossyRule, NormalKind};
 use crate::textures::{Amount, Color, Paint, TexturePoint, Value};
 
-/// A blurred mirror of reflectance `kr · cr` over a Phong base. It needs `whitted` or a path tracer, and
-/// some samples a pixel: each looks in one direction.
+/// A blurred mirror of reflectance `kr · cr` over a Phong base. It needs `whitted` or a path
+/// tracer, and some samples a pixel: each looks in one direction.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct GlossyReflector {
-    /// The fields of `phong`, for what is under the mirror; nothing if left out. Its exponent is that of
-    /// the highlights.
+    /// The fields of `phong`, for what is under the mirror; nothing if left out. Its exponent is
+    /// that of the highlights.
     #[serde(default)]
     pub phong: Phong,
     /// The share of light that is reflected, from 0 to 1 mostly; not negative.
@@ -29,8 +29,8 @@ pub struct GlossyReflector {
     /// The colour of the reflection.
     #[serde(default = "kinds::white::<Paint>")]
     pub cr: Paint,
-    /// The exponent `e` of the reflection, from 0 to 1e15: 10 blurs all but the nearest, 10000 hardly
-    /// anything.
+    /// The exponent `e` of the reflection, from 0 to 1e15: 10 blurs all but the nearest, 10000
+    /// hardly anything.
     pub exponent: Amount,
     /// What a reflected ray counts; as in the book if left out.
     #[serde(default)]

@@ -44,14 +44,14 @@ pub trait Material: Debug + Send + Sync {
         None
     }
 
-    /// The textures that count at a point, with the fields that they stand in, as in `phong.cd`. Asked
-    /// only by those who want to know why a point has its colour.
+    /// The textures that count at a point, with the fields that they stand in, as in `phong.cd`.
+    /// Asked only by those who want to know why a point has its colour.
     fn textures(&self, _at: &TexturePoint<'_>) -> Vec<TexturedField<'_>> {
         Vec::new()
     }
 
-    /// The shares of light that are the same at every point, as `("kd · cd", reflectance)`. Asked once,
-    /// for a note on those above 1.
+    /// The shares of light that are the same at every point, as `("kd · cd", reflectance)`. Asked
+    /// once, for a note on those above 1.
     fn reflectances(&self) -> Vec<Reflectance> {
         Vec::new()
     }

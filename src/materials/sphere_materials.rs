@@ -13,9 +13,10 @@ use crate::invalid::Invalid;
 use crate::kinds::Resources;
 use crate::textures::{self, SphereCells, TexturePoint};
 
-/// A material for each of the checkers of a sphere, which are those of the texture `sphere_checker`: about the
-/// origin of its own coordinates, of any radius. Transparent materials are refused: the media on both sides
-/// belong to the whole surface. Emissive ones are refused, too: a lamp has one emission.
+/// A material for each of the checkers of a sphere, which are those of the texture
+/// `sphere_checker`: about the origin of its own coordinates, of any radius. Transparent materials
+/// are refused: the media on both sides belong to the whole surface. Emissive ones are refused,
+/// too: a lamp has one emission.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SphereMaterials {
@@ -25,8 +26,8 @@ pub struct SphereMaterials {
     /// How many there are from the north pole, on the y axis, to the south pole; at least 1.
     #[serde(default = "textures::ten")]
     pub num_vertical: u32,
-    /// The materials: row by row from the north pole, in each row from the +z axis on. If there are fewer
-    /// than checkers, they begin again.
+    /// The materials: row by row from the north pole, in each row from the +z axis on. If there are
+    /// fewer than checkers, they begin again.
     pub materials: Vec<Kind>,
 }
 

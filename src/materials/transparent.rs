@@ -33,8 +33,8 @@ pub struct Transparent {
     pub cr: Paint,
     /// The share of light that is let through; not negative, and `kr + kt` should be 1.
     pub kt: Amount,
-    /// The index of refraction inside over the one outside, `ior` in the book; from 1e-10 to 1e10. Glass
-    /// is about 1.5, water 1.33.
+    /// The index of refraction inside over the one outside, `ior` in the book; from 1e-10 to 1e10.
+    /// Glass is about 1.5, water 1.33.
     pub eta: f64,
 }
 

@@ -13,8 +13,8 @@ pub struct Aabb {
     pub max: Point,
 }
 
-/// The padding of a box relative to its largest coordinate: far more than the rounding of its corners and
-/// of a hit point.
+/// The padding of a box relative to its largest coordinate: far more than the rounding of its
+/// corners and of a hit point.
 const SLACK: f64 = 1.0 / (1 << 30) as f64;
 
 impl Aabb {
@@ -46,8 +46,8 @@ impl Aabb {
         (0..3).all(|i| self.min.along(i) <= p.along(i) && p.along(i) <= self.max.along(i))
     }
 
-    /// Whether the ray may meet the box at `t ≥ start`, which may be −∞. Conservative: also true if the ray
-    /// misses by a few roundings (see [`BoxRay`]).
+    /// Whether the ray may meet the box at `t ≥ start`, which may be −∞. Conservative: also true if
+    /// the ray misses by a few roundings (see [`BoxRay`]).
     pub fn may_meet(&self, ray: &Ray, start: f64) -> bool {
         let box_ray = BoxRay::new(ray, self.largest_coordinate());
         let (enter, leave) = box_ray.crossing(self, start, f64::INFINITY);
@@ -81,8 +81,8 @@ impl Aabb {
         std::array::from_fn(|i| Point::new(ends[i & 1].x(), ends[i >> 1 & 1].y(), ends[i >> 2].z()))
     }
 
-    /// The box grown by 2⁻³⁰ of its largest coordinate: far more than rounding of its corners can move a
-    /// hit.
+    /// The box grown by 2⁻³⁰ of its largest coordinate: far more than rounding of its corners can
+    /// move a hit.
     pub fn padded(self) -> Self {
         let largest = self.largest_coordinate();
         if !largest.is_finite() {

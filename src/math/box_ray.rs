@@ -4,17 +4,19 @@ use super::UNIT_ROUNDOFF;
 use super::bounds::Aabb;
 use super::ray::Ray;
 
-/// Boxes are grown by this part of the largest coordinate of the ray's origin and of the boxes: more than
-/// the error of any shape's hit in its box, and than the roundings below.
+/// Boxes are grown by this part of the largest coordinate of the ray's origin and of the boxes:
+/// more than the error of any shape's hit in its box, and than the roundings below.
 const SLACK: f64 = 128.0 * UNIT_ROUNDOFF;
 
 /// A ray prepared for tests against many boxes, which are grown by a slack on all sides.
 ///
-/// A ray enters the slab between two planes across an axis where it meets the first and leaves it where
-/// it meets the second: `(plane − o) / d`. It is in the box between its last entry and its first exit.
+/// A ray enters the slab between two planes across an axis where it meets the first and leaves it
+/// where it meets the second: `(plane − o) / d`. It is in the box between its last entry and its
+/// first exit.
 #[derive(Clone, Copy, Debug)]
 pub struct BoxRay {
-    /// `o + slack` for lower planes and `o − slack` for upper ones: those are moved down by the slack, these up.
+    /// `o + slack` for lower planes and `o − slack` for upper ones: those are moved down by the
+    /// slack, these up.
     origins: [[f64; 3]; 2],
     /// `1/d`; infinite for a ray along the planes.
     inverse: [f64; 3],
@@ -45,9 +47,9 @@ impl BoxRay {
         self.inverse
     }
 
-    /// Where the ray enters and leaves the grown box, between `start` and `end`; if it misses, the entry is
-    /// beyond the exit. (A ray exactly in a plane of the grown box, where `0·∞` is NaN, counts as a hit or
-    /// as a miss.)
+    /// Where the ray enters and leaves the grown box, between `start` and `end`; if it misses, the
+    /// entry is beyond the exit. (A ray exactly in a plane of the grown box, where `0·∞` is NaN,
+    /// counts as a hit or as a miss.)
     #[inline]
     pub fn crossing(&self, bounds: &Aabb, start: f64, end: f64) -> (f64, f64) {
         let [lower, upper] = &self.origins;
@@ -78,7 +80,8 @@ impl BoxRay {
     }
 }
 
-/// Two boxes with their planes side by side: lower and upper ones, for each axis those of both boxes.
+/// Two boxes with their planes side by side: lower and upper ones, for each axis those of both
+/// boxes.
 #[derive(Clone, Copy, Debug)]
 pub struct TwoBoxes {
     planes: [[[f64; 2]; 3]; 2],

@@ -1,7 +1,8 @@
-//! Products without rounding error, for thin triangles, where cancellation would destroy the result.
+//! Products without rounding error, for thin triangles, where cancellation would destroy the
+//! result.
 //!
-//! Source: Dekker, "A floating-point technique for extending the available precision" (1971). Without
-//! fused multiply-add, which is a slow library call on processors that lack it.
+//! Source: Dekker, "A floating-point technique for extending the available precision" (1971).
+//! Without fused multiply-add, which is a slow library call on processors that lack it.
 
 use super::vectors::{Point, Vector};
 
@@ -36,8 +37,8 @@ pub(crate) fn difference_of_products(a: f64, b: f64, c: f64, d: f64) -> f64 {
     difference + (error + (ab_error - cd_error))
 }
 
-/// `a − b·c`, with the scalar product of two lists, as if in twice the precision (Ogita, Rump & Oishi,
-/// "Accurate Sum and Dot Product", 2005).
+/// `a − b·c`, with the scalar product of two lists, as if in twice the precision (Ogita, Rump &
+/// Oishi, "Accurate Sum and Dot Product", 2005).
 pub(super) fn less_products(a: f64, b: [f64; 3], c: [f64; 3]) -> f64 {
     let less = |(sum, error): (f64, f64), (b, c): (f64, f64)| {
         let (product, lost) = two_product(-b, c);
@@ -50,8 +51,9 @@ pub(super) fn less_products(a: f64, b: [f64; 3], c: [f64; 3]) -> f64 {
 
 /// `(b − a) × (c − a)` correct to a few u in every component, for triangles of any aspect.
 ///
-/// The rounded edges `e` differ from the true ones by `δ`, which `two_sum` gives exactly. The product is
-/// `e₁ × e₂ + δ₁ × e₂ + e₁ × δ₂ + O(u²)`; its first term is computed without cancellation error.
+/// The rounded edges `e` differ from the true ones by `δ`, which `two_sum` gives exactly. The
+/// product is `e₁ × e₂ + δ₁ × e₂ + e₁ × δ₂ + O(u²)`; its first term is computed without
+/// cancellation error.
 pub fn exact_cross(a: Point, b: Point, c: Point) -> Vector {
     let edge = |to: Point, axis: usize| two_sum(to.along(axis), -a.along(axis));
     let [e1, e2] = [b, c].map(|to| [edge(to, 0), edge(to, 1), edge(to, 2)]);

@@ -2,7 +2,8 @@
 
 use super::vectors::{Normal, Vector};
 
-/// Three unit vectors at right angles, right-handed: `u × v = w`; left-handed if it is the frame of a mirrored camera.
+/// Three unit vectors at right angles, right-handed: `u × v = w`; left-handed if it is the frame of
+/// a mirrored camera.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Frame {
     /// First axis.

@@ -9,8 +9,8 @@ pub use libm::{
     sincos as sin_cos, tan,
 };
 
-/// `base^exponent` for `base ≥ 0`; whole exponents up to 2³⁰ by multiplication, because `pow` is not
-/// correctly rounded even for exponent 3.
+/// `base^exponent` for `base ≥ 0`; whole exponents up to 2³⁰ by multiplication, because `pow` is
+/// not correctly rounded even for exponent 3.
 pub fn power(base: f64, exponent: f64) -> f64 {
     if exponent == floor(exponent) && (0.0..=1_073_741_824.0).contains(&exponent) {
         return by_squaring(base, exponent as u32);

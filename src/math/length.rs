@@ -10,7 +10,8 @@ use schemars::{JsonSchema, Schema, SchemaGenerator};
 pub const DIMENSION: &str = "x-dimension";
 
 /// What the schema says of a field whose numbers are lengths: `#[schemars(with = "Length")]`, or
-/// `Length<Vector>` for a displacement. The coordinates of a [`Point`](super::Point) are always lengths.
+/// `Length<Vector>` for a displacement. The coordinates of a [`Point`](super::Point) are always
+/// lengths.
 pub struct Length<T = f64>(PhantomData<T>);
 
 impl<T: JsonSchema> JsonSchema for Length<T> {

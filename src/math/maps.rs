@@ -9,9 +9,9 @@ use super::{ONE_MINUS, Vector, atan, atan2, exp_m1, ln_1p, power, sin_cos};
 /// A point of the unit disk: concentric squares become concentric circles, areas keep their ratio
 /// (Suffern, ch. 6; Shirley & Chiu, "A Low Distortion Map Between Disk and Square", 1997).
 ///
-/// The book has four sectors. Opposite sectors have the same formula, because r and the angle change sign
-/// together. In the upper and lower sectors φ is measured from the y axis (the book's `2 − a/b`), so that
-/// a rotation of the square by 90° rotates the disk exactly.
+/// The book has four sectors. Opposite sectors have the same formula, because r and the angle
+/// change sign together. In the upper and lower sectors φ is measured from the y axis (the book's
+/// `2 − a/b`), so that a rotation of the square by 90° rotates the disk exactly.
 pub fn disk([u1, u2]: [f64; 2]) -> [f64; 2] {
     let (a, b) = (2.0 * u1 - 1.0, 2.0 * u2 - 1.0);
     if a.abs() > b.abs() {
@@ -40,9 +40,9 @@ pub fn disk_inverse([x, y]: [f64; 2]) -> [f64; 2] {
     [a, b].map(|c| in_range(0.5 * (c + 1.0)))
 }
 
-/// Rejection: the points of the square that lie in its inscribed disk, as points of the unit disk. About
-/// π/4 of them remain, and their stratification is lost. Only for comparison with [`disk`] (Suffern,
-/// ch. 6).
+/// Rejection: the points of the square that lie in its inscribed disk, as points of the unit disk.
+/// About π/4 of them remain, and their stratification is lost. Only for comparison with [`disk`]
+/// (Suffern, ch. 6).
 pub fn disk_by_rejection(
     points: impl IntoIterator<Item = [f64; 2]>,
 ) -> impl Iterator<Item = [f64; 2]> {
@@ -50,8 +50,9 @@ pub fn disk_by_rejection(
     centered.filter(|[x, y]| x * x + y * y < 1.0)
 }
 
-/// A unit vector about the z axis with density proportional to `cos^e θ`: `cosθ = (1 − u₂)^(1/(e+1))`,
-/// `φ = 2π u₁` (Suffern, ch. 7). `e ≥ 0` is any real number; 0 is uniform, 1 weighs by the cosine.
+/// A unit vector about the z axis with density proportional to `cos^e θ`:
+/// `cosθ = (1 − u₂)^(1/(e+1))`, `φ = 2π u₁` (Suffern, ch. 7). `e ≥ 0` is any real number; 0 is
+/// uniform, 1 weighs by the cosine.
 pub fn hemisphere([u1, u2]: [f64; 2], e: f64) -> Vector {
     let (sin_phi, cos_phi) = sin_cos(2.0 * PI * u1);
     let (cos_theta, sin_theta) = if e == 1.0 {
@@ -91,8 +92,8 @@ pub fn sphere_inverse(direction: Vector) -> [f64; 2] {
     [in_range(u1), turns(x, y)]
 }
 
-/// Barycentric coordinates `β, γ ≥ 0`, `β + γ ≤ 1`, of a point of a triangle; equal areas become equal
-/// areas (Heitz, "A Low-Distortion Map Between Triangle and Square", 2019).
+/// Barycentric coordinates `β, γ ≥ 0`, `β + γ ≤ 1`, of a point of a triangle; equal areas become
+/// equal areas (Heitz, "A Low-Distortion Map Between Triangle and Square", 2019).
 pub fn triangle([u1, u2]: [f64; 2]) -> [f64; 2] {
     if u2 > u1 { [0.5 * u1, u2 - 0.5 * u1] } else { [u1 - 0.5 * u2, 0.5 * u2] }
 }

@@ -1,10 +1,11 @@
-//! All real roots of polynomials of small degree, in order (Suffern, ch. 19, needs degree 4; a user's own
-//! surface may need more).
+//! All real roots of polynomials of small degree, in order (Suffern, ch. 19, needs degree 4; a
+//! user's own surface may need more).
 //!
-//! Between two neighbouring roots of its derivative a polynomial is monotone: it has at most one root
-//! there, and the signs at both ends tell whether it has one (Yuksel, "High-Performance Polynomial Root
-//! Finding for Graphics", HPG 2022). There is no closed formula, so a leading coefficient that is tiny or
-//! zero is no special case, and no square root is taken of a number that rounding made negative.
+//! Between two neighbouring roots of its derivative a polynomial is monotone: it has at most one
+//! root there, and the signs at both ends tell whether it has one (Yuksel, "High-Performance
+//! Polynomial Root Finding for Graphics", HPG 2022). There is no closed formula, so a leading
+//! coefficient that is tiny or zero is no special case, and no square root is taken of a number
+//! that rounding made negative.
 
 use arrayvec::ArrayVec;
 
@@ -20,15 +21,16 @@ pub type Roots = ArrayVec<f64, MAX_DEGREE>;
 
 type Coefficients = ArrayVec<f64, { MAX_DEGREE + 1 }>;
 
-/// A value counts as zero if a relative change of every coefficient by this could make it zero: rounding
-/// of the coefficients must not lose a double root.
+/// A value counts as zero if a relative change of every coefficient by this could make it zero:
+/// rounding of the coefficients must not lose a double root.
 const ZERO: f64 = 4.0 * UNIT_ROUNDOFF;
 
 /// The real roots of `c₀ + c₁ x + c₂ x² + …` in `[low, high]`, ascending; a root of even
 /// multiplicity counts once or twice. Empty if all coefficients are zero, if one is not finite, or
 /// if the degree is above [`MAX_DEGREE`]; leading zeros do not count.
 ///
-/// Each root is the exact root of a polynomial whose coefficients differ from the given ones by a few u.
+/// Each root is the exact root of a polynomial whose coefficients differ from the given ones by a
+/// few u.
 pub fn roots_between(coefficients: &[f64], low: f64, high: f64) -> Roots {
     let degree = coefficients.iter().rposition(|&c| c != 0.0).unwrap_or(0);
     let coefficients = &coefficients[..coefficients.len().min(degree + 1)];
@@ -56,8 +58,8 @@ pub fn roots_between(coefficients: &[f64], low: f64, high: f64) -> Roots {
     roots
 }
 
-/// All real roots, ascending: those in [−1, 1], and the inverses of the roots in [−1, 1] of the polynomial
-/// with reversed coefficients. See [`roots_between`].
+/// All real roots, ascending: those in [−1, 1], and the inverses of the roots in [−1, 1] of the
+/// polynomial with reversed coefficients. See [`roots_between`].
 pub fn real_roots(coefficients: &[f64]) -> Roots {
     let degree = coefficients.iter().rposition(|&c| c != 0.0).unwrap_or(0);
     let reversed: Vec<f64> = coefficients.iter().take(degree + 1).rev().copied().collect();

@@ -6,8 +6,8 @@ use super::functions::exp;
 
 /// `∫₀¹ f(y) dy` by the tanh–sinh rule (Takahasi & Mori, "Double exponential formulas for numerical
 /// integration", 1974), to about 1e-14 for functions that are analytic inside the interval: with
-/// `y = 1/(1 + e^(−π sinh t))` the integrand falls off so fast in `t` that the trapezoidal rule converges
-/// exponentially, also where `f` has infinite slopes at the ends.
+/// `y = 1/(1 + e^(−π sinh t))` the integrand falls off so fast in `t` that the trapezoidal rule
+/// converges exponentially, also where `f` has infinite slopes at the ends.
 pub fn tanh_sinh(f: impl Fn(f64) -> f64) -> f64 {
     const STEP: f64 = 0.125;
     /// At t = ±3.5 the weight is below 1e-21.

@@ -1,5 +1,5 @@
-//! The random numbers. They are not from a crate, whose generator may change between releases, and every
-//! picture with it.
+//! The random numbers. They are not from a crate, whose generator may change between releases, and
+//! every picture with it.
 
 /// O'Neill's PCG-XSH-RR 64/32 ("PCG: A Family of Simple Fast Space-Efficient Statistically Good
 /// Algorithms for Random Number Generation", 2014).

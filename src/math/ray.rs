@@ -4,7 +4,8 @@ use serde::Serialize;
 
 use super::vectors::{Point, Vector};
 
-/// All points `origin + t·direction`. The direction need not be unit; `t` is in units of its length.
+/// All points `origin + t·direction`. The direction need not be unit; `t` is in units of its
+/// length.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Ray {
     /// Where it starts.

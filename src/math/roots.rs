@@ -4,9 +4,9 @@
 use super::UNIT_ROUNDOFF;
 use super::vectors::Vector;
 
-/// The roots of `a t² + 2 b t + c`, in ascending order. The caller computes `discriminant = b² − a c`.
-/// `None` if it is negative or NaN, or if a and b are 0 and c is not. For `a = 0` one root is infinite or
-/// NaN, which no span contains.
+/// The roots of `a t² + 2 b t + c`, in ascending order. The caller computes
+/// `discriminant = b² − a c`. `None` if it is negative or NaN, or if a and b are 0 and c is not.
+/// For `a = 0` one root is infinite or NaN, which no span contains.
 #[inline(always)] // a call would hand the roots over in memory, which stalls
 pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> {
     if discriminant.is_nan() || discriminant < 0.0 {
@@ -28,9 +28,9 @@ pub fn quadratic(a: f64, b: f64, c: f64, discriminant: f64) -> Option<[f64; 2]> 
 /// Where `|f + t·d| = r`, in ascending order: a sphere about the origin.
 ///
 /// The discriminant `b² − a c` cancels for far, small and huge spheres. With `l`, the part of `f`
-/// perpendicular to `d`, it is `a (r² − |l|²)` (Haines et al., "Precision Improvements for Ray/Sphere
-/// Intersection", Ray Tracing Gems, ch. 7), computed here as `a r² − |f × d|²`, without a division or a
-/// square root.
+/// perpendicular to `d`, it is `a (r² − |l|²)` (Haines et al., "Precision Improvements for
+/// Ray/Sphere Intersection", Ray Tracing Gems, ch. 7), computed here as `a r² − |f × d|²`, without
+/// a division or a square root.
 #[inline(always)] // a call would hand the roots over in memory, which stalls
 pub fn perpendicular_roots(f: Vector, d: Vector, r: f64) -> Option<[f64; 2]> {
     let a = d.length_squared();
@@ -52,8 +52,8 @@ pub fn circle_roots([fx, fy]: [f64; 2], [dx, dy]: [f64; 2], r: f64) -> Option<[f
 /// When [`bracketed_root`] stops. Zero: at the last bit.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tolerance {
-    /// The largest value that may be only rounding, for a function like a squared distance: its second
-    /// derivative is about 2.
+    /// The largest value that may be only rounding, for a function like a squared distance: its
+    /// second derivative is about 2.
     pub(crate) value: f64,
     /// The largest step that does not matter.
     pub(crate) step: f64,
@@ -62,9 +62,9 @@ pub(crate) struct Tolerance {
 /// More halvings than `f64` has exponents and digits.
 const MAX_STEPS: usize = 1200;
 
-/// A root of `f` (value and slope). `bracket` holds a point where `f` is negative, then one where it is
-/// positive. Newton's method; it halves the bracket if a step would leave it or is not half as long as
-/// the step before.
+/// A root of `f` (value and slope). `bracket` holds a point where `f` is negative, then one where
+/// it is positive. Newton's method; it halves the bracket if a step would leave it or is not half
+/// as long as the step before.
 pub(crate) fn bracketed_root(
     f: impl Fn(f64) -> [f64; 2],
     [mut below, mut above]: [f64; 2],

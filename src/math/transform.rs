@@ -83,7 +83,8 @@ pub struct Transform {
 }
 
 impl Step {
-    /// The matrix of the step and that of its inverse; an inverse that does not exist is not finite.
+    /// The matrix of the step and that of its inverse; an inverse that does not exist is not
+    /// finite.
     fn matrices(&self) -> [DAffine3; 2] {
         let linear = |m: DMat3, inverse: DMat3| [m, inverse].map(DAffine3::from_mat3);
         let rotation = |m: DMat3| linear(m, m.transpose());
@@ -122,7 +123,8 @@ impl Step {
     }
 }
 
-/// The inverse of `m` to the last bits, by Newton's iteration from `x`; `None` if `x` is too far off.
+/// The inverse of `m` to the last bits, by Newton's iteration from `x`; `None` if `x` is too far
+/// off.
 fn improved(m: DMat3, mut x: DMat3) -> Option<DMat3> {
     /// Each step doubles the number of correct digits; there are 53.
     const MAX_STEPS: usize = 8;
@@ -214,9 +216,10 @@ impl Transform {
         }
     }
 
-    /// The product `X` of the steps' inverses is only as accurate as the worst of them, and not exactly the
-    /// inverse of the rounded product `M` of the steps. Newton's iteration `X + X (I − M X)` corrects it.
-    /// If `X` is too far off to start from, the iteration starts from the inverse by cofactors.
+    /// The product `X` of the steps' inverses is only as accurate as the worst of them, and not
+    /// exactly the inverse of the rounded product `M` of the steps. Newton's iteration
+    /// `X + X (I − M X)` corrects it. If `X` is too far off to start from, the iteration starts
+    /// from the inverse by cofactors.
     fn refined(self) -> Result<Self, Singular> {
         let (m, x) = (self.forward.matrix3, self.inverse.matrix3);
         let cofactors = inverse_of(m);
@@ -239,7 +242,8 @@ impl Transform {
         self.forward.matrix3.determinant()
     }
 
-    /// Whether it preserves angles up to rounding, as rotations, reflections and uniform scalings do.
+    /// Whether it preserves angles up to rounding, as rotations, reflections and uniform scalings
+    /// do.
     pub fn is_similarity(&self) -> bool {
         /// More than the rounding of typed factors, and invisible.
         const SKEW: f64 = 1e-9;
@@ -278,8 +282,8 @@ impl Transform {
         Vector(self.forward.transform_vector3(v.0))
     }
 
-    /// `M⁻ᵀ n`, not normalised: perpendicular to the transformed surface. Distances along the normal are
-    /// divided by its length.
+    /// `M⁻ᵀ n`, not normalised: perpendicular to the transformed surface. Distances along the
+    /// normal are divided by its length.
     pub fn covector(&self, n: Normal) -> Vector {
         Vector(self.inverse.matrix3.transpose() * n.0)
     }
@@ -302,7 +306,8 @@ impl Transform {
         }
     }
 
-    /// `|M| |v|` for each coordinate: the largest result for a vector of at most `|v|` along each axis.
+    /// `|M| |v|` for each coordinate: the largest result for a vector of at most `|v|` along each
+    /// axis.
     pub fn stretch(&self, v: Vector) -> Vector {
         let (m, v) = (self.forward.matrix3, v.0.abs());
         Vector(m.x_axis.abs() * v.x + m.y_axis.abs() * v.y + m.z_axis.abs() * v.z)

@@ -10,10 +10,10 @@ use super::{
     Lanes, Normal, Point, Ray, UNIT_ROUNDOFF, Vector, difference_of_products, exact_cross,
 };
 
-/// The least projected area of a triangle, relative to the products it is the sum of, for which plain
-/// products are accurate enough. The relative error of the three weights together is then at most
-/// 2u/`MIN_AREA` = 32u, and that of `t` is 32u of the range of the corners' depths. The rounding of the
-/// corners themselves (the condition of `t`) has a larger effect.
+/// The least projected area of a triangle, relative to the products it is the sum of, for which
+/// plain products are accurate enough. The relative error of the three weights together is then at
+/// most 2u/`MIN_AREA` = 32u, and that of `t` is 32u of the range of the corners' depths. The
+/// rounding of the corners themselves (the condition of `t`) has a larger effect.
 const MIN_AREA: f64 = 1.0 / 16.0;
 /// Added to the least area, so that underflow of a product cannot matter.
 const MIN_PRODUCTS: f64 = 1e-140;
@@ -47,8 +47,8 @@ impl ShearedRay {
         }
     }
 
-    /// The intersection with a triangle, at any `t`; `None` if the ray passes beside it, lies in its
-    /// plane, or a result is NaN.
+    /// The intersection with a triangle, at any `t`; `None` if the ray passes beside it, lies in
+    /// its plane, or a result is NaN.
     #[inline]
     pub fn meet(&self, corners: &[Point; 3]) -> Option<Meeting> {
         match self.axes[2] {
@@ -58,7 +58,8 @@ impl ShearedRay {
         }
     }
 
-    /// `new` and `meet` in one, with the same bits, for a ray that is tested against a single triangle.
+    /// `new` and `meet` in one, with the same bits, for a ray that is tested against a single
+    /// triangle.
     #[inline]
     pub fn meet_once(ray: &Ray, corners: &[Point; 3]) -> Option<Meeting> {
         match ray.direction.dominant_axis() {
@@ -77,7 +78,8 @@ impl ShearedRay {
         Self { axes, origin: [origin[axes[0]], origin[axes[1]], origin[Z]], shear }
     }
 
-    /// Vertices, given along the ray's axes, in the ray's coordinates: two offsets across it, and depth.
+    /// Vertices, given along the ray's axes, in the ray's coordinates: two offsets across it, and
+    /// depth.
     #[inline(always)]
     pub fn see<L: Lanes>(&self, [x, y, z]: [L; 3]) -> [L; 3] {
         let [origin_x, origin_y, origin_z] = self.origin;
@@ -200,12 +202,13 @@ fn greatest<L: Lanes>([a, b, c]: [L; 3]) -> L {
     a.max(b).max(c)
 }
 
-/// Twice the least area of a triangle: that of one as long as the shortest supported length, 1e-40, and 1e40
-/// times thinner. The reciprocal of a smaller one can overflow, and the weights of the corners are then NaN.
+/// Twice the least area of a triangle: that of one as long as the shortest supported length, 1e-40,
+/// and 1e40 times thinner. The reciprocal of a smaller one can overflow, and the weights of the
+/// corners are then NaN.
 const LEAST_AREA: f64 = 1e-120;
 
-/// The normal of a triangle by its winding, `(b − a) × (c − a)`; `None` if its area is zero, or too small to
-/// divide by.
+/// The normal of a triangle by its winding, `(b − a) × (c − a)`; `None` if its area is zero, or too
+/// small to divide by.
 pub fn normal([a, b, c]: [Point; 3]) -> Option<Normal> {
     let cross = exact_cross(a, b, c);
     if cross.max_abs() < LEAST_AREA {
@@ -214,9 +217,9 @@ pub fn normal([a, b, c]: [Point; 3]) -> Option<Normal> {
     Normal::new(cross)
 }
 
-/// The point with these barycentric coordinates, and a bound of its distance, along the normal, from the
-/// triangle that the test above intersects: rounding of the vertices relative to the ray's origin, and of
-/// their shear.
+/// The point with these barycentric coordinates, and a bound of its distance, along the normal,
+/// from the triangle that the test above intersects: rounding of the vertices relative to the ray's
+/// origin, and of their shear.
 pub fn point_on([a, b, c]: [Point; 3], [beta, gamma]: [f64; 2], n: Normal) -> (Point, f64) {
     let (ab, ac) = (b - a, c - a);
     let raw = a + (beta * ab + gamma * ac);

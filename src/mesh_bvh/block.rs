@@ -1,8 +1,8 @@
 //! Up to eight triangles on up to eight corners, tested at once: the leaves of a mesh's tree.
 //!
-//! The formulas are those of `watertight.rs`, the same for eight triangles as for one. For a triangle
-//! that the ray sees at a large area the result is certain: its hit, to the last bit. The others are
-//! undecided; [`ShearedRay::meet`] computes their edge functions again.
+//! The formulas are those of `watertight.rs`, the same for eight triangles as for one. For a
+//! triangle that the ray sees at a large area the result is certain: its hit, to the last bit. The
+//! others are undecided; [`ShearedRay::meet`] computes their edge functions again.
 
 use arrayvec::ArrayVec;
 
@@ -58,7 +58,8 @@ impl Found {
 struct Vertices(ArrayVec<u32, SIZE>);
 
 impl Vertices {
-    /// The index of a vertex in the block, which is added if it is new; `None` if the block is full.
+    /// The index of a vertex in the block, which is added if it is new; `None` if the block is
+    /// full.
     fn index(&mut self, vertex: u32) -> Option<u8> {
         let known = self.0.iter().position(|&v| v == vertex);
         let index = match known {
@@ -175,8 +176,8 @@ mod tests {
     use super::*;
     use crate::math::{Pcg32, Ray, Vector, power};
 
-    /// Five corners in one box, which may be flat or thin as a needle. In half of the cases its size is
-    /// between 10⁻¹⁶⁰ and 10⁶⁰; products of the smallest numbers underflow.
+    /// Five corners in one box, which may be flat or thin as a needle. In half of the cases its
+    /// size is between 10⁻¹⁶⁰ and 10⁶⁰; products of the smallest numbers underflow.
     fn corners(random: &mut Pcg32) -> Vec<Point> {
         let mut x = || 2.0 * random.uniform() - 1.0;
         let size = power(10.0, [0.0, 110.0 * x() - 50.0][usize::from(x() > 0.0)]);
@@ -185,8 +186,8 @@ mod tests {
         std::iter::repeat_with(corner).take(5).collect()
     }
 
-    /// A ray towards a point, an edge or a corner of a triangle, from near or far, perhaps almost in its
-    /// plane.
+    /// A ray towards a point, an edge or a corner of a triangle, from near or far, perhaps almost
+    /// in its plane.
     fn ray(random: &mut Pcg32, [a, b, c]: [Point; 3]) -> Ray {
         let mut x = || random.uniform();
         let [u, v] = [x(), x()].map(|w| [w, 0.0, 1.0][(3.0 * x()) as usize]);
@@ -200,8 +201,8 @@ mod tests {
         Ray::new(origin, power(10.0, 60.0 * x() - 30.0) * (target - origin))
     }
 
-    /// Law: a certain hit of a block is the hit of the triangle alone, to the last bit, and no hit is
-    /// missed. Oracle: one triangle at a time.
+    /// Law: a certain hit of a block is the hit of the triangle alone, to the last bit, and no hit
+    /// is missed. Oracle: one triangle at a time.
     #[test]
     fn a_block_finds_the_hits_of_its_triangles() {
         let mut random = Pcg32::new(2324, 0);

@@ -1,8 +1,8 @@
 //! Turns the binary tree into a tree of sixteen children a node, of the least expected cost.
 //!
 //! Source: Ylitie, Karras & Laine, "Efficient Incoherent Ray Traversal on GPUs Through Compressed
-//! Wide BVHs" (HPG 2017), section 3: for every binary subtree, bottom up, the least cost of representing
-//! it by at most 1, 2 … 15 children of one node. A child is a leaf or a node.
+//! Wide BVHs" (HPG 2017), section 3: for every binary subtree, bottom up, the least cost of
+//! representing it by at most 1, 2 … 15 children of one node. A child is a leaf or a node.
 
 use arrayvec::ArrayVec;
 
@@ -27,7 +27,8 @@ struct Choice {
 type Costs = [f64; WIDTH];
 
 /// The wide tree of the least cost over a binary tree: its nodes, the root first, and the blocks of
-/// triangles that are its leaves. `order` are the triangles in the order of the binary tree's leaves.
+/// triangles that are its leaves. `order` are the triangles in the order of the binary tree's
+/// leaves.
 pub fn collapse(
     tree: &[Binary],
     order: &[u32],

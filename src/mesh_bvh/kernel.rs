@@ -1,7 +1,7 @@
 //! The processor's instructions for several boxes, or triangles, at once.
 //!
-//! The kernel is chosen when a structure is built and changes only the speed: every kernel gives the
-//! same hits, to the last bit.
+//! The kernel is chosen when a structure is built and changes only the speed: every kernel gives
+//! the same hits, to the last bit.
 
 /// A set of instructions that this processor has; it cannot be made on a processor without them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

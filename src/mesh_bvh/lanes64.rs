@@ -1,8 +1,8 @@
 //! Eight numbers at a time by AVX2 or AVX-512, for formulas of [`Lanes`].
 //!
 //! Everything is inlined into code that is compiled for these instructions. No function has a
-//! `target_feature` attribute: such functions are not always inlined, and a call costs more than the
-//! operation. All operations round as those of `f64` do.
+//! `target_feature` attribute: such functions are not always inlined, and a call costs more than
+//! the operation. All operations round as those of `f64` do.
 
 use crate::math::Lanes;
 
@@ -170,8 +170,8 @@ mod x86 {
     }
 
     impl Avx2 {
-        /// The lower two bits of an index select a number from each half, the third bit selects the half.
-        /// (A double is moved as two singles.)
+        /// The lower two bits of an index select a number from each half, the third bit selects the
+        /// half. (A double is moved as two singles.)
         #[inline(always)]
         fn pick_four(self, indices: u32) -> __m256d {
             unsafe {

@@ -1,12 +1,12 @@
-//! Meshes at speed: a tree with sixteen boxes to a node and blocks of eight triangles as leaves, each
-//! tested at once by SIMD instructions.
+//! Meshes at speed: a tree with sixteen boxes to a node and blocks of eight triangles as leaves,
+//! each tested at once by SIMD instructions.
 //!
-//! It finds the same hits as the plain tree (`accel/bvh`), to the last bit, several times faster. Nobody
-//! needs to read it to understand the ray tracer. The plain tree is built first, in the normalised
-//! `space` of the mesh; `collapse` turns it into the wide tree of least expected cost; `node` tests
-//! sixteen boxes in single precision, `block` tests eight triangles by the formulas of `watertight`,
-//! and `walk` traverses from the root to the leaves. Every [`Kernel`] finds the same hits; one is plain
-//! Rust.
+//! It finds the same hits as the plain tree (`accel/bvh`), to the last bit, several times faster.
+//! Nobody needs to read it to understand the ray tracer. The plain tree is built first, in the
+//! normalised `space` of the mesh; `collapse` turns it into the wide tree of least expected cost;
+//! `node` tests sixteen boxes in single precision, `block` tests eight triangles by the formulas of
+//! `watertight`, and `walk` traverses from the root to the leaves. Every [`Kernel`] finds the same
+//! hits; one is plain Rust.
 
 mod block;
 mod collapse;
@@ -61,8 +61,8 @@ impl MeshBvh {
         Self { space, nodes, blocks, kernel }
     }
 
-    /// The first hit: the candidate's `part` is its triangle, its parameters are β and γ. `counter` counts
-    /// the cost.
+    /// The first hit: the candidate's `part` is its triangle, its parameters are β and γ. `counter`
+    /// counts the cost.
     pub fn nearest(&self, ray: &Ray, span: Span, counter: &mut impl Counter) -> Option<Candidate> {
         let mut search = Search::<_, false>::new(ray, span, counter);
         self.search(&mut search);
@@ -83,8 +83,9 @@ impl MeshBvh {
     }
 }
 
-/// The triangles with each vertex replaced by the first vertex at the same point. Vertices at one point
-/// may differ in normal or uv, which do not matter here. So more triangles share corners in a block.
+/// The triangles with each vertex replaced by the first vertex at the same point. Vertices at one
+/// point may differ in normal or uv, which do not matter here. So more triangles share corners in a
+/// block.
 fn on_shared_vertices(vertices: &[Point], triangles: &[[u32; 3]]) -> Vec<[u32; 3]> {
     let mut known = HashMap::with_capacity(vertices.len());
     let first: Vec<u32> = (0..)

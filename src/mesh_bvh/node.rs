@@ -1,17 +1,18 @@
 //! A node: the boxes of sixteen children, tested at once.
 //!
-//! The boxes are in single precision and larger by [`PAD`] on all sides than those of `space.rs`, so
-//! that no rounding here loses a box that the ray crosses. The list gives the distance by which each
-//! rounding can move a plane, for an origin within 4.25 of the centre and planes within 1 (u = 2⁻²⁴):
+//! The boxes are in single precision and larger by [`PAD`] on all sides than those of `space.rs`,
+//! so that no rounding here loses a box that the ray crosses. The list gives the distance by which
+//! each rounding can move a plane, for an origin within 4.25 of the centre and planes within 1 (u =
+//! 2⁻²⁴):
 //! - of the origin: 4 u;
 //! - of the direction and of its inverse, relatively 1 u each, on a distance of at most 5.25: 11 u;
 //! - of the product of inverse and origin, and of its sum with the slack: 4.25 u each;
 //! - of the product of inverse and plane, if it is not fused with the sum: 1 u;
 //! - of the sum: 5.25 u.
 //!
-//! Together 30 u, less than [`PAD`]. The slack adds less than 2⁻²⁰ of itself. Clamping 1/d to 10¹⁸ is
-//! harmless: the largest component of d is at least 10⁻⁹, so a plane that is not within 2⁻²⁴ of the
-//! origin is still met beyond the space.
+//! Together 30 u, less than [`PAD`]. The slack adds less than 2⁻²⁰ of itself. Clamping 1/d to 10¹⁸
+//! is harmless: the largest component of d is at least 10⁻⁹, so a plane that is not within 2⁻²⁴ of
+//! the origin is still met beyond the space.
 
 use super::kernel::{Instructions, Kernel};
 use super::lanes32::Lanes;
@@ -82,9 +83,9 @@ impl Rows {
 /// Which boxes the ray crosses, as a mask, and where it enters each.
 pub type Crossed = (u32, [f32; WIDTH]);
 
-/// A single-precision number not above `x ≥ 0`: the factor subtracts at least one unit in the last place,
-/// and rounding to single precision adds at most half of one. (Below 10⁻³⁸ the result may exceed `x` by
-/// 10⁻⁴⁵, which is negligible beside [`PAD`].)
+/// A single-precision number not above `x ≥ 0`: the factor subtracts at least one unit in the last
+/// place, and rounding to single precision adds at most half of one. (Below 10⁻³⁸ the result may
+/// exceed `x` by 10⁻⁴⁵, which is negligible beside [`PAD`].)
 #[inline(always)]
 fn rounded_down(x: f64) -> f32 {
     (1.0 - f32::EPSILON) * x as f32
@@ -258,8 +259,8 @@ mod tests {
         assert_eq!([rounded_down(0.0), rounded_up(f64::INFINITY)], [0.0, f32::INFINITY]);
     }
 
-    /// Law: if a ray crosses a box of the space, every kernel finds that it crosses the node's box, in an
-    /// interval that contains the exact one. Oracle: the slab test in `f64`.
+    /// Law: if a ray crosses a box of the space, every kernel finds that it crosses the node's box,
+    /// in an interval that contains the exact one. Oracle: the slab test in `f64`.
     #[test]
     fn a_node_contains_what_the_space_has_inside_it() {
         let mut random = Pcg32::new(2280, 0);

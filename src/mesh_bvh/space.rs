@@ -1,12 +1,14 @@
-//! The normalised space of a tree: its boxes lie in [−1, 1], so that single precision is enough for them.
+//! The normalised space of a tree: its boxes lie in [−1, 1], so that single precision is enough for
+//! them.
 //!
-//! The origin is the centre of all boxes, and the unit is a power of two. A ray from nearby ([`NEAR`]) is
-//! translated and scaled like the boxes. A ray from elsewhere also starts later: where its longest
-//! component is 2 before the centre. If it meets the boxes, it then starts at most 4 from the centre.
+//! The origin is the centre of all boxes, and the unit is a power of two. A ray from nearby
+//! ([`NEAR`]) is translated and scaled like the boxes. A ray from elsewhere also starts later:
+//! where its longest component is 2 before the centre. If it meets the boxes, it then starts at
+//! most 4 from the centre.
 //!
-//! Boxes are grown by a *slack* that covers the rounding of ray and hit: a fraction of the distance from
-//! which the ray comes. A ray that cannot be represented (from too far away, or with a direction that is
-//! far too long or short) crosses every box.
+//! Boxes are grown by a *slack* that covers the rounding of ray and hit: a fraction of the distance
+//! from which the ray comes. A ray that cannot be represented (from too far away, or with a
+//! direction that is far too long or short) crosses every box.
 
 use crate::math::{Aabb, Point, Ray, Span, Vector, power_of_two};
 
@@ -31,8 +33,8 @@ pub struct Space {
     center: Point,
     /// Units of this space in one unit of the world.
     scale: f64,
-    /// The coordinate extent: the largest coordinate in the world, in units of the space, but at least
-    /// [`NEAR`].
+    /// The coordinate extent: the largest coordinate in the world, in units of the space, but at
+    /// least [`NEAR`].
     extent: f64,
 }
 
@@ -69,8 +71,8 @@ impl Space {
         self.scale * (p - self.center)
     }
 
-    /// The ray in this space, or `None` if it passes beside all boxes. If the span begins before the
-    /// ray's origin, the ray starts before all boxes.
+    /// The ray in this space, or `None` if it passes beside all boxes. If the span begins before
+    /// the ray's origin, the ray starts before all boxes.
     #[inline(always)] // a call would return it in memory, just before it is read
     pub fn ray(&self, ray: &Ray, span: Span) -> Option<SpaceRay> {
         let direction = ray.direction;
@@ -123,8 +125,8 @@ impl SpaceRay {
     }
 }
 
-/// `e` with `2^e ≤ x < 2^(e + 1)`, for a positive normal number; −1023 for 0 and subnormal numbers, 1024
-/// for ∞ and NaN.
+/// `e` with `2^e ≤ x < 2^(e + 1)`, for a positive normal number; −1023 for 0 and subnormal numbers,
+/// 1024 for ∞ and NaN.
 #[inline]
 fn exponent(x: f64) -> i32 {
     ((x.to_bits() >> 52) & 0x7ff) as i32 - 1023
@@ -135,9 +137,9 @@ mod tests {
     use super::*;
     use crate::math::{BoxRay, Pcg32, power};
 
-    /// Law: a ray towards a point of the boxes, from near or far, starts near the centre and has the point
-    /// at its `t`. If the span is a line, no part of the boxes is behind its start. A ray that passes
-    /// beside the boxes is `None` or crosses nothing. Oracle: the point itself.
+    /// Law: a ray towards a point of the boxes, from near or far, starts near the centre and has
+    /// the point at its `t`. If the span is a line, no part of the boxes is behind its start. A ray
+    /// that passes beside the boxes is `None` or crosses nothing. Oracle: the point itself.
     #[test]
     fn a_ray_enters_with_all_that_it_meets() {
         let mut random = Pcg32::new(2210, 0);

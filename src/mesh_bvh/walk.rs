@@ -1,7 +1,7 @@
 //! Traversal of the tree from the root to the leaves, the nearest first.
 //!
-//! The traversal is compiled once for each [`Kernel`], because only then are the kernels inlined. (A
-//! closure would not be compiled for the kernel's instructions.)
+//! The traversal is compiled once for each [`Kernel`], because only then are the kernels inlined.
+//! (A closure would not be compiled for the kernel's instructions.)
 
 use super::MeshBvh;
 use super::block::Found;
@@ -20,8 +20,8 @@ pub struct Search<'a, C, const ANY: bool> {
     sheared: ShearedRay,
     /// Hits inside it can still replace the one found.
     span: Span,
-    /// The `t` of the hit found, or the end of the span: available sooner than `span.max`, which is the
-    /// next larger number.
+    /// The `t` of the hit found, or the end of the span: available sooner than `span.max`, which is
+    /// the next larger number.
     end: f64,
     pub found: Option<Candidate>,
     counter: &'a mut C,
@@ -34,8 +34,8 @@ impl<'a, C: Counter, const ANY: bool> Search<'a, C, ANY> {
         Self { ray, sheared, span, end: span.max, found: None, counter }
     }
 
-    /// Keeps a hit inside the span if it is the nearest; of equally near hits, that of the first triangle.
-    /// Returns whether the search is finished.
+    /// Keeps a hit inside the span if it is the nearest; of equally near hits, that of the first
+    /// triangle. Returns whether the search is finished.
     #[inline(always)]
     fn keep_if_first(&mut self, hit: Candidate) -> bool {
         let comes_after = |best: Candidate| hit.t == best.t && hit.part > best.part;
@@ -47,16 +47,16 @@ impl<'a, C: Counter, const ANY: bool> Search<'a, C, ANY> {
         ANY
     }
 
-    /// The largest distance of a useful hit in the tree's space, rounded up; if it is negative, no hit is
-    /// useful.
+    /// The largest distance of a useful hit in the tree's space, rounded up; if it is negative, no
+    /// hit is useful.
     #[inline(always)]
     fn last(&self, ray: &SpaceRay) -> f32 {
         rounded_up(ray.last(self.end))
     }
 }
 
-/// Why a walk stops. (Eight bytes, returned in a register: a return through memory would stall, because
-/// it is read whole just after it was written in pieces.)
+/// Why a walk stops. (Eight bytes, returned in a register: a return through memory would stall,
+/// because it is read whole just after it was written in pieces.)
 enum Stop {
     /// The search is finished, or the stack is empty.
     Ended,
@@ -75,8 +75,8 @@ impl MeshBvh {
         }
     }
 
-    /// Tests the undecided triangles, then continues the walk. (A call inside the walk would force its
-    /// registers into memory; for the same reason each walk prepares the ray again.)
+    /// Tests the undecided triangles, then continues the walk. (A call inside the walk would force
+    /// its registers into memory; for the same reason each walk prepares the ray again.)
     #[cold]
     fn go_on<C: Counter, const ANY: bool>(
         &self,
@@ -250,7 +250,8 @@ impl MeshBvh {
         Some(nearest as u32)
     }
 
-    /// Prefetches a node or block. Both addresses are computed: a branch between them is hard to predict.
+    /// Prefetches a node or block. Both addresses are computed: a branch between them is hard to
+    /// predict.
     #[inline(always)]
     fn fetch(&self, child: u32) {
         let node = self.nodes.as_ptr().wrapping_add(child as usize).cast();
@@ -281,8 +282,8 @@ impl MeshBvh {
     }
 }
 
-/// The first child of a mask as one number: its distance, which is not negative, in the upper bits and
-/// its index in the lower. So the numbers are ordered by distance.
+/// The first child of a mask as one number: its distance, which is not negative, in the upper bits
+/// and its index in the lower. So the numbers are ordered by distance.
 #[inline(always)]
 fn first_child(node: &Node, mask: u32, near: &[f32; WIDTH]) -> u64 {
     let slot = mask.trailing_zeros() as usize % WIDTH;

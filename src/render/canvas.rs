@@ -24,8 +24,8 @@ pub struct Crop {
     pub height: u32,
 }
 
-/// A picture that is being rendered. Other threads can read it and cancel the rendering; a program of one thread
-/// renders it piece by piece ([`Canvas::render_until`]).
+/// A picture that is being rendered. Other threads can read it and cancel the rendering; a program
+/// of one thread renders it piece by piece ([`Canvas::render_until`]).
 ///
 /// The pixels of a coarse picture come first, one of each block; the others follow, tile by tile.
 #[derive(Debug)]
@@ -51,7 +51,8 @@ const TILE: u32 = 16;
 
 /// The coarse picture has one pixel in each square of this side, which divides [`TILE`].
 const BLOCK: u32 = 8;
-/// One sample in each square of this side comes before all others, so that something of the whole view is seen at once.
+/// One sample in each square of this side comes before all others, so that something of the whole
+/// view is seen at once.
 const FIRST: u32 = 64;
 
 /// Says when to pause. At least one pixel should be rendered before it says so, or nothing ever is.
@@ -79,8 +80,8 @@ impl Partial {
         self.rendered[self.index(pixel)].then(|| self.film.get(pixel))
     }
 
-    /// The coarse picture's radiance around a pixel: that of the top left pixel of its block, or before it
-    /// is rendered, of one of its samples, or of a larger block.
+    /// The coarse picture's radiance around a pixel: that of the top left pixel of its block, or
+    /// before it is rendered, of one of its samples, or of a larger block.
     pub fn coarse(&self, pixel: [u32; 2]) -> Option<Rgb> {
         [BLOCK, FIRST].into_iter().find_map(|side| {
             let corner = pixel.map(|along| along - along % side);
@@ -153,8 +154,8 @@ impl Canvas {
         (self.done.load(Ordering::Relaxed), whole)
     }
 
-    /// The number of values that were found so far, those of the coarse picture among them: another one, and there is
-    /// more to look at.
+    /// The number of values that were found so far, those of the coarse picture among them: another
+    /// one, and there is more to look at.
     pub fn seen(&self) -> u64 {
         self.done.load(Ordering::Relaxed) + self.previewed.load(Ordering::Relaxed)
     }
@@ -173,9 +174,9 @@ impl Canvas {
         self.picture.lock().expect("nothing panics while it holds the picture")
     }
 
-    /// Renders one sample of each pixel of the coarse picture, for [`Partial::coarse`]: the first picture of a
-    /// scene whose pixels take long. They do not count as done. It stops when it is time to pause, and the next call
-    /// goes on there. Whether all is done.
+    /// Renders one sample of each pixel of the coarse picture, for [`Partial::coarse`]: the first
+    /// picture of a scene whose pixels take long. They do not count as done. It stops when it is
+    /// time to pause, and the next call goes on there. Whether all is done.
     pub fn preview(&self, renderer: &impl Renderer, is_over: &Pause<'_>) -> bool {
         let Crop { width, height, .. } = self.crop;
         let blocks = width.div_ceil(BLOCK) as usize * height.div_ceil(BLOCK) as usize;
@@ -203,7 +204,8 @@ impl Canvas {
         self.render_until(renderer, &never);
     }
 
-    /// As [`Canvas::render`], until it is time to pause; the next call goes on there. Whether all is done.
+    /// As [`Canvas::render`], until it is time to pause; the next call goes on there. Whether all
+    /// is done.
     pub fn render_until(&self, renderer: &impl Renderer, is_over: &Pause<'_>) -> bool {
         self.fill_all(&|at| renderer.pixel(at, &self.cancelled), is_over)
     }
@@ -213,7 +215,8 @@ impl Canvas {
         self.fill_until(value, &never);
     }
 
-    /// As [`Canvas::fill`], until it is time to pause; the next call goes on there. Whether all is done.
+    /// As [`Canvas::fill`], until it is time to pause; the next call goes on there. Whether all is
+    /// done.
     pub fn fill_until(&self, value: impl Fn([u32; 2]) -> Rgb + Sync, is_over: &Pause<'_>) -> bool {
         self.fill_all(&|at| Some(value(at)), is_over)
     }
@@ -248,8 +251,8 @@ impl Canvas {
         })
     }
 
-    /// Finds the values of the wanted pixels, and keeps them tile by tile, until it is time to pause, or a value is
-    /// `None`, as all are after cancelling. Whether all were found.
+    /// Finds the values of the wanted pixels, and keeps them tile by tile, until it is time to
+    /// pause, or a value is `None`, as all are after cancelling. Whether all were found.
     fn each_tile(
         &self,
         value: &(impl Fn([u32; 2]) -> Option<Rgb> + Sync),

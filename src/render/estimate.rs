@@ -20,7 +20,8 @@ pub struct RaysPerSample {
     pub mean: f64,
     /// Whether measuring ended within a sample, so that the mean is too low.
     pub is_cut: bool,
-    /// Whether measuring ended in a sample that alone has so many rays that its tree may have no end.
+    /// Whether measuring ended in a sample that alone has so many rays that its tree may have no
+    /// end.
     pub is_endless: bool,
 }
 
@@ -28,14 +29,16 @@ pub struct RaysPerSample {
 const MANY: f64 = 1e9;
 
 impl RaysPerSample {
-    /// A note for the user before `samples` samples are rendered, if they are many rays or a tree has no end.
+    /// A note for the user before `samples` samples are rendered, if they are many rays or a tree
+    /// has no end.
     pub fn note(&self, samples: f64) -> Option<String> {
         let about = if self.is_cut { "at least" } else { "about" };
         let rays = self.mean * samples;
         (rays > MANY || self.is_endless).then(|| format!("this will take {about} {rays:.0e} rays"))
     }
 
-    /// Traces one sample in each of some of a world's pixels, up to `most` rays, at most [`MAX_COUNTED`].
+    /// Traces one sample in each of some of a world's pixels, up to `most` rays, at most
+    /// [`MAX_COUNTED`].
     pub fn measured(world: &World, most: u64) -> Self {
         let mut random = Pcg32::new(world.seed, u64::from(PIXELS));
         let [width, height] = world.picture_size();

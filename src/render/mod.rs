@@ -33,12 +33,13 @@ pub struct CameraSample {
     pub lens: Option<[f64; 2]>,
     /// The factor of its radiance, from the filter.
     pub weight: f64,
-    /// Its ray, with a unit direction; `None` where the camera sees nothing, and the picture is black.
+    /// Its ray, with a unit direction; `None` where the camera sees nothing, and the picture is
+    /// black.
     pub ray: Option<Ray>,
 }
 
-/// The camera ray of one pixel sample; `None` in the gap of a stereo pair. Both eyes of a pair draw the
-/// same samples, because these belong to the pixel of the eye's image.
+/// The camera ray of one pixel sample; `None` in the gap of a stereo pair. Both eyes of a pair draw
+/// the same samples, because these belong to the pixel of the eye's image.
 pub fn camera_sample(world: &World, pixel: [u32; 2], index: u32) -> Option<CameraSample> {
     camera_sample_and_draws(world, pixel, index).map(|(sample, _)| sample)
 }
@@ -60,8 +61,8 @@ fn camera_sample_and_draws(
     Some((CameraSample { pixel, film, lens, weight: weight_x * weight_y, ray }, draws))
 }
 
-/// The point of the view plane for a point in or around a pixel, given in pixels from the pixel's lower
-/// left corner.
+/// The point of the view plane for a point in or around a pixel, given in pixels from the pixel's
+/// lower left corner.
 pub fn film_point(image: &Image, pixel: [u32; 2], [sx, sy]: [f64; 2]) -> [f64; 2] {
     let (column, row) = (f64::from(pixel[0]), f64::from(image.height - 1 - pixel[1]));
     // half as a real number: an integer half would shift pictures of odd size
@@ -70,15 +71,15 @@ pub fn film_point(image: &Image, pixel: [u32; 2], [sx, sy]: [f64; 2]) -> [f64; 2
     [x, y]
 }
 
-/// The point in the image of an eye for a point of the view plane, in pixels from the top left corner, x
-/// right, y down: the centre of the pixel [0, 0] is [0.5, 0.5].
+/// The point in the image of an eye for a point of the view plane, in pixels from the top left
+/// corner, x right, y down: the centre of the pixel [0, 0] is [0.5, 0.5].
 pub fn image_point(image: &Image, [x, y]: [f64; 2]) -> [f64; 2] {
     let [width, height] = [image.width, image.height].map(f64::from);
     [0.5 * width + x / image.pixel_size, 0.5 * height - y / image.pixel_size]
 }
 
-/// The radiance of one sample of one pixel (x right, y down, from 0 at the top left), weighed by the
-/// filter.
+/// The radiance of one sample of one pixel (x right, y down, from 0 at the top left), weighed by
+/// the filter.
 pub fn sample<R: Recorder>(world: &World, pixel: [u32; 2], index: u32, recorder: &mut R) -> Rgb {
     world.sample(pixel, index, recorder, &mut Unlimited)
 }
@@ -97,7 +98,8 @@ pub trait Renderer: Sync {
         budget: &mut B,
     ) -> Rgb;
 
-    /// The radiance of one sample, as [`sample`], within a budget of rays; those beyond it are black.
+    /// The radiance of one sample, as [`sample`], within a budget of rays; those beyond it are
+    /// black.
     fn sample<R: Recorder, B: Budget>(
         &self,
         pixel: [u32; 2],
@@ -190,8 +192,8 @@ pub fn render(renderer: &impl Renderer) -> Film {
     canvas.film()
 }
 
-/// The images of the left and the right eye of a whole picture of a stereo pair; `None` if the world
-/// has one eye, or the film is not its whole picture.
+/// The images of the left and the right eye of a whole picture of a stereo pair; `None` if the
+/// world has one eye, or the film is not its whole picture.
 pub fn eye_images(world: &World, film: &Film) -> Option<[Film; 2]> {
     let first_columns = world.view.stereo()?.first_columns(world.image.width);
     let whole = [film.width(), film.height()] == world.picture_size();

@@ -7,8 +7,8 @@ use std::time::Duration;
 /// The time from one look to the next.
 const INTERVAL: Duration = Duration::from_millis(5);
 
-/// The result of work on another thread. Until it ends, this thread calls `look` again and again: to show how far it is,
-/// or to stop it.
+/// The result of work on another thread. Until it ends, this thread calls `look` again and again:
+/// to show how far it is, or to stop it.
 ///
 /// # Panics
 /// If the work does, with the same words.

@@ -1,5 +1,5 @@
-//! Correlated multi-jittered samples (Kensler, "Correlated Multi-Jittered Sampling", Pixar Technical
-//! Memo 13-01, 2013); not in the book.
+//! Correlated multi-jittered samples (Kensler, "Correlated Multi-Jittered Sampling", Pixar
+//! Technical Memo 13-01, 2013); not in the book.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -7,13 +7,13 @@ use serde::{Deserialize, Serialize};
 use super::{Sampler, in_stratum};
 use crate::math::Pcg32;
 
-/// One point in each cell of an `m × n` grid and, at the same time, one in each of the `m n` rows and
-/// columns, like multi-jittered samples; but one order serves all columns of cells, and one all rows,
-/// so that points of neighbouring cells keep their distance.
+/// One point in each cell of an `m × n` grid and, at the same time, one in each of the `m n` rows
+/// and columns, like multi-jittered samples; but one order serves all columns of cells, and one all
+/// rows, so that points of neighbouring cells keep their distance.
 ///
-/// The grid has `m = ⌊√N⌋` columns and `n = ⌈N/m⌉` rows. A count N that is not `m n` is rounded up to
-/// it: k² to `k (k + 2)` become k², `k (k + 1)` or `k (k + 2)`, far fewer than the next square. (The
-/// paper leaves cells empty instead.) The orders are the paper's hashed permutations.
+/// The grid has `m = ⌊√N⌋` columns and `n = ⌈N/m⌉` rows. A count N that is not `m n` is rounded up
+/// to it: k² to `k (k + 2)` become k², `k (k + 1)` or `k (k + 2)`, far fewer than the next square.
+/// (The paper leaves cells empty instead.) The orders are the paper's hashed permutations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CorrelatedMultiJittered {}
@@ -51,8 +51,8 @@ impl Sampler for CorrelatedMultiJittered {
     }
 }
 
-/// The image of `i` under permutation `pattern` of `0..n` (the paper's hash). Each step is a bijection of
-/// the numbers below a power of two; results of at least `n` are hashed again.
+/// The image of `i` under permutation `pattern` of `0..n` (the paper's hash). Each step is a
+/// bijection of the numbers below a power of two; results of at least `n` are hashed again.
 fn permuted(mut i: u32, n: u32, pattern: u32) -> u32 {
     let mask = n.next_power_of_two() - 1;
     loop {
@@ -96,7 +96,8 @@ mod tests {
         }
     }
 
-    /// Law: each pattern is a permutation. Oracle: sorting, for every n up to 99 and next to powers of two.
+    /// Law: each pattern is a permutation. Oracle: sorting, for every n up to 99 and next to powers
+    /// of two.
     #[test]
     fn every_pattern_permutes() {
         let mut random = Pcg32::new(2013, 0);

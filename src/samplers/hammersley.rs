@@ -14,8 +14,8 @@ use crate::math::{Pcg32, power_of_two};
 /// 0.011₂ = 3/8. Any count; with `n = 2^m` each of the n boxes `2^−a × 2^(a−m)` has one point.
 ///
 /// This is one fixed set. As in the book, all pixels use it, and show the same artefacts; only the
-/// order differs. `shifted` moves it by another random vector for each draw, across the edges of the
-/// square, which makes averages right on average.
+/// order differs. `shifted` moves it by another random vector for each draw, across the edges of
+/// the square, which makes averages right on average.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Hammersley {

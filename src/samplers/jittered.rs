@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::{Sampler, in_stratum, next_square, side};
 use crate::math::Pcg32;
 
-/// The point `((k + ξ₁)/n, (j + ξ₂)/n)` in row `j` and column `k` of an `n × n` grid. A count that is
-/// no square is rounded up to the next.
+/// The point `((k + ξ₁)/n, (j + ξ₂)/n)` in row `j` and column `k` of an `n × n` grid. A count that
+/// is no square is rounded up to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Jittered {}

@@ -1,8 +1,8 @@
 //! Samplers: well-spread points of the unit square (Suffern, ch. 5), the same on every thread.
 //!
-//! A sampler fills one *set* of points; [`SampleSets`] keeps 83, made once from a seed. A draw names its
-//! purpose: set and permutation follow only from seed, pixel and purpose, the index in them from the
-//! sample's index.
+//! A sampler fills one *set* of points; [`SampleSets`] keeps 83, made once from a seed. A draw
+//! names its purpose: set and permutation follow only from seed, pixel and purpose, the index in
+//! them from the sample's index.
 
 /// The specification of a sampler without settings.
 macro_rules! without_settings {
@@ -45,8 +45,8 @@ pub trait Sampler: Debug + Send + Sync {
     /// The smallest number of points, at least `n`, that the pattern can have.
     fn round_up(&self, n: u32) -> u32;
 
-    /// Whether each draw shifts the whole set by a random vector, wrapping around the square (Cranley &
-    /// Patterson 1976): for patterns that have only one set.
+    /// Whether each draw shifts the whole set by a random vector, wrapping around the square
+    /// (Cranley & Patterson 1976): for patterns that have only one set.
     fn is_shifted(&self) -> bool {
         false
     }

@@ -6,8 +6,8 @@ use serde::{Deserialize, Serialize};
 use super::{Sampler, in_stratum, next_square, side};
 use crate::math::Pcg32;
 
-/// One point in each cell of an `n × n` grid and, at the same time, one in each of the `n²` rows and
-/// columns. A count that is no square is rounded up to the next.
+/// One point in each cell of an `n × n` grid and, at the same time, one in each of the `n²` rows
+/// and columns. A count that is no square is rounded up to the next.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct MultiJittered {}

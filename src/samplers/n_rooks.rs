@@ -7,12 +7,12 @@ use serde::{Deserialize, Serialize};
 use super::{Sampler, in_stratum};
 use crate::math::Pcg32;
 
-/// One point in each of `n` rows and in each of `n` columns, as rooks that do not threaten each other:
-/// the diagonal of an `n × n` grid, its rows shuffled. Any count; in two dimensions no better spread
-/// than random points.
+/// One point in each of `n` rows and in each of `n` columns, as rooks that do not threaten each
+/// other: the diagonal of an `n × n` grid, its rows shuffled. Any count; in two dimensions no
+/// better spread than random points.
 ///
-/// The book shuffles the columns too. One shuffle gives the same sets, each as likely; their order is
-/// decided by the draw.
+/// The book shuffles the columns too. One shuffle gives the same sets, each as likely; their order
+/// is decided by the draw.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct NRooks {}

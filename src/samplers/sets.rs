@@ -151,8 +151,8 @@ impl SampleSets {
         Self { per_set, samples, permutations, only, shifted, centered: false }
     }
 
-    /// The same sets, but pixel and lens are sampled at their centres: for one sample a pixel, as in the
-    /// book. Other draws are shifted, because one point a set would give only 83 values.
+    /// The same sets, but pixel and lens are sampled at their centres: for one sample a pixel, as
+    /// in the book. Other draws are shifted, because one point a set would give only 83 values.
     #[must_use]
     pub fn centered(self) -> Self {
         Self { centered: true, ..self }
@@ -182,8 +182,8 @@ impl SampleSets {
     /// Sample `index` of a draw. Each run of [`SampleSets::per_set`] indices returns every sample
     /// of one set exactly once; the next run has a set and an order of its own.
     ///
-    /// The order is one of the 83 permutations, rotated by a random offset. Without the offset, one pixel
-    /// in 83 would use the same permutation for two draws and pair their strata.
+    /// The order is one of the 83 permutations, rotated by a random offset. Without the offset, one
+    /// pixel in 83 would use the same permutation for two draws and pair their strata.
     pub fn draw(&self, key: Key, index: u32) -> [f64; 2] {
         if let Some(only) = self.only {
             return only; // saves the hashes: a tenth of a simple scene's time

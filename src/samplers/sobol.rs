@@ -7,9 +7,9 @@ use serde::{Deserialize, Serialize};
 use super::{Sampler, in_stratum};
 use crate::math::{Pcg32, splitmix};
 
-/// The first n points of Sobol's sequence (1967) in two dimensions, each set with its own Owen scramble
-/// ("Randomly Permuted (t,m,s)-Nets", 1995). Any count; best are powers of two `n = 2^m`: then each of
-/// the n boxes `2^−a × 2^(a−m)` has one point, whatever the scramble.
+/// The first n points of Sobol's sequence (1967) in two dimensions, each set with its own Owen
+/// scramble ("Randomly Permuted (t,m,s)-Nets", 1995). Any count; best are powers of two `n = 2^m`:
+/// then each of the n boxes `2^−a × 2^(a−m)` has one point, whatever the scramble.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Sobol {}
@@ -53,11 +53,11 @@ fn sobol(i: u32) -> [u32; 2] {
     [i.reverse_bits(), y]
 }
 
-/// A nested uniform scramble of a number of `digits` binary digits: whether a digit flips depends only on
-/// the digits before it, so that points in one box `2^−k` wide stay together.
+/// A nested uniform scramble of a number of `digits` binary digits: whether a digit flips depends
+/// only on the digits before it, so that points in one box `2^−k` wide stay together.
 ///
-/// A hash of the preceding digits decides (Burley). Burley's faster hash of the whole number is biased in
-/// its first digits, because few bits of the seed determine them.
+/// A hash of the preceding digits decides (Burley). Burley's faster hash of the whole number is
+/// biased in its first digits, because few bits of the seed determine them.
 fn scramble(x: u32, digits: u32, seed: u64) -> u32 {
     let flips = (0..digits).map(|k| {
         // the digits before this one, with a leading 1: the index of a node in a binary tree
@@ -71,8 +71,9 @@ fn scramble(x: u32, digits: u32, seed: u64) -> u32 {
 mod tests {
     use super::*;
 
-    /// Law: without scramble, these are Sobol's points. Oracle: the numbers that Joe & Kuo's program
-    /// prints for two dimensions, whose order is the Gray code's: their i-th point is `i ⊕ i/2`.
+    /// Law: without scramble, these are Sobol's points. Oracle: the numbers that Joe & Kuo's
+    /// program prints for two dimensions, whose order is the Gray code's: their i-th point is
+    /// `i ⊕ i/2`.
     #[test]
     fn the_sequence_has_the_published_points() {
         let published = [

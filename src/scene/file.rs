@@ -36,7 +36,8 @@ impl Source {
     }
 }
 
-/// The path that means the standard input; files in such a scene are relative to the current folder.
+/// The path that means the standard input; files in such a scene are relative to the current
+/// folder.
 pub const STANDARD_INPUT: &str = "-";
 
 /// Reads a scene file, or the standard input if its path is `-`, without building it.

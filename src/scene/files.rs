@@ -23,7 +23,8 @@ impl Scene {
         file::parse(data.to_string(), folder).map(|(scene, _)| scene)
     }
 
-    /// The names of files in the scene, as they stand in it; none if it has custom kinds, which no file can hold.
+    /// The names of files in the scene, as they stand in it; none if it has custom kinds, which no
+    /// file can hold.
     pub fn files(&self) -> Vec<String> {
         let mut names = Vec::new();
         if let Ok(data) = file::table(self) {

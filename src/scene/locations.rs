@@ -101,8 +101,9 @@ fn string_at<'a>(document: &'a Spanned<DeValue<'_>>, path: &[Key]) -> Option<&'a
     path.iter().try_fold(document.as_ref(), next)?.as_str()
 }
 
-/// Adds the command that describes the field or kind; replaces the name of a Rust type by an example of a table, and
-/// the range of a type by that of the field. `found` is the value, if it is a string.
+/// Adds the command that describes the field or kind; replaces the name of a Rust type by an
+/// example of a table, and the range of a type by that of the field. `found` is the value, if it is
+/// a string.
 fn with_help(path: &[Key], problem: String, found: Option<&str>) -> String {
     let definition = Definition::at(path);
     let topic = definition.title().replace(' ', "_");

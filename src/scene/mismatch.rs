@@ -1,5 +1,6 @@
-//! Lists where a table is meant, and tables where a list of tables is meant. The reader reports these at another
-//! value, as it knows the types of values but not what the header of a table meant; or it takes a list for a table.
+//! Lists where a table is meant, and tables where a list of tables is meant. The reader reports
+//! these at another value, as it knows the types of values but not what the header of a table
+//! meant; or it takes a list for a table.
 
 use toml::Spanned;
 use toml::de::{DeArray, DeTable, DeValue};

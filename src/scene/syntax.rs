@@ -10,8 +10,9 @@ pub(super) fn with_advice(problem: &str, line: &str) -> String {
     }
 }
 
-/// The byte offset of a bracket that is not closed where a text that is not TOML fails, and what to write. A list or a
-/// table of several lines begins with a bracket at the end of its line; another is missing its end there.
+/// The byte offset of a bracket that is not closed where a text that is not TOML fails, and what to
+/// write. A list or a table of several lines begins with a bracket at the end of its line; another
+/// is missing its end there.
 pub(super) fn unclosed(text: &str, at: usize) -> Option<(usize, String)> {
     let line = text[..at].rfind('\n').map_or(0, |end| end + 1);
     let rest = text[line..].lines().next().unwrap_or_default();
@@ -31,7 +32,8 @@ pub(super) fn unclosed(text: &str, at: usize) -> Option<(usize, String)> {
     (is_end || (is_next_entry(rest) && !begins_block)).then_some((open, problem))
 }
 
-/// The brackets that are open at the end of a text, with their byte offsets; none in texts and comments.
+/// The brackets that are open at the end of a text, with their byte offsets; none in texts and
+/// comments.
 fn brackets(text: &str) -> Vec<(usize, char)> {
     let (mut open, mut quote, mut letters) = (Vec::new(), None, text.char_indices());
     while let Some((at, letter)) = letters.next() {

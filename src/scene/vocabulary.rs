@@ -257,7 +257,8 @@ fn can_be(schema: &'static Value, kind: &str) -> bool {
     }
 }
 
-/// Whether an element of a list of this schema can be a value of this type of JSON; `true` if it says nothing.
+/// Whether an element of a list of this schema can be a value of this type of JSON; `true` if it
+/// says nothing.
 fn elements_can_be(schema: &'static Value, kind: &str) -> bool {
     if let Some(definition) = named(schema) {
         return elements_can_be(definition.schema, kind);

@@ -17,8 +17,8 @@ const MAX_TRIANGLES: u64 = 1 << 22;
 /// More parts of compounds in one scene would, too.
 const MAX_PARTS: u64 = 1 << 22;
 
-/// The files of the scene, the shapes built so far, and the limits. Equal meshes, and instances of one mesh
-/// file, are built once and shared.
+/// The files of the scene, the shapes built so far, and the limits. Equal meshes, and instances of
+/// one mesh file, are built once and shared.
 #[derive(Debug, Default)]
 pub struct Context {
     resources: Resources,
@@ -90,7 +90,8 @@ impl Context {
         Self { materials: Materials { known, ..Materials::default() }, ..self }
     }
 
-    /// What is built next is hit as the book does, with this epsilon; `None` for the library's own routines.
+    /// What is built next is hit as the book does, with this epsilon; `None` for the library's own
+    /// routines.
     pub fn set_textbook(&mut self, epsilon: Option<f64>) {
         self.textbook = epsilon;
     }
@@ -134,8 +135,9 @@ impl Context {
         Ok((shape, std::mem::take(&mut self.materials.used)))
     }
 
-    /// Builds the shape of a part of this material, and returns whether anything in it casts shadows. A shape
-    /// without a material of its own inherits that of the part, and a part that of the shape around it.
+    /// Builds the shape of a part of this material, and returns whether anything in it casts
+    /// shadows. A shape without a material of its own inherits that of the part, and a part that of
+    /// the shape around it.
     pub(super) fn part(
         &mut self,
         shape: &Kind,
@@ -217,8 +219,8 @@ impl Context {
         Ok(built)
     }
 
-    /// Builds the shape of an instance, unless it is nested too deep, or its map is singular together
-    /// with those around it.
+    /// Builds the shape of an instance, unless it is nested too deep, or its map is singular
+    /// together with those around it.
     pub(super) fn transformed<T>(
         &mut self,
         transform: &Transform,

@@ -9,7 +9,8 @@ pub struct Facet {
     pub corners: [Point; 3],
     /// The texture coordinates of the corners, if the surface has any.
     pub uvs: Option<[[f64; 2]; 3]>,
-    /// The barycentric coordinates β and γ of the point: the shares of the second and the third corner.
+    /// The barycentric coordinates β and γ of the point: the shares of the second and the third
+    /// corner.
     pub barycentric: [f64; 2],
 }
 
@@ -21,9 +22,9 @@ impl Facet {
         Some([0, 1].map(|i| a[i] + beta * (b[i] - a[i]) + gamma * (c[i] - a[i])))
     }
 
-    /// The same triangle at a point that is moved by a short vector along it. The barycentric coordinates are
-    /// linear in its plane, also beyond its edges: `by = β (b − a) + γ (c − a)`, solved with the normal
-    /// `N = (b − a) × (c − a)`.
+    /// The same triangle at a point that is moved by a short vector along it. The barycentric
+    /// coordinates are linear in its plane, also beyond its edges: `by = β (b − a) + γ (c − a)`,
+    /// solved with the normal `N = (b − a) × (c − a)`.
     pub(super) fn moved(self, by: Vector) -> Self {
         let [a, b, c] = self.corners;
         let normal = exact_cross(a, b, c);

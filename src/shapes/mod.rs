@@ -1,13 +1,13 @@
 //! Shapes: what a ray can hit (Suffern, ch. 3, 19, 21, 23).
 //!
-//! A hit is found in two steps. [`Shape::hit`] returns a small [`Candidate`]; for the nearest one of all
-//! objects, [`Shape::surface`] then computes point, error bound and normals, once. The book's `hit`
-//! does both at a time, and its callers keep the record of the nearest.
+//! A hit is found in two steps. [`Shape::hit`] returns a small [`Candidate`]; for the nearest one
+//! of all objects, [`Shape::surface`] then computes point, error bound and normals, once. The
+//! book's `hit` does both at a time, and its callers keep the record of the nearest.
 //!
-//! Each kind is a file with its plain data (as in a scene), the check that builds it, and its `Shape`. Its
-//! header states the equation and the formula that `hit` solves, in the book's letters: `o` and `d` are
-//! the ray's origin and direction. Its entry in the list at the end gives it its tag in scene files and
-//! enrols it in the contract tests.
+//! Each kind is a file with its plain data (as in a scene), the check that builds it, and its
+//! `Shape`. Its header states the equation and the formula that `hit` solves, in the book's
+//! letters: `o` and `d` are the ray's origin and direction. Its entry in the list at the end gives
+//! it its tag in scene files and enrols it in the contract tests.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -21,21 +21,22 @@ use crate::math::{Aabb, Normal, Point, Ray, Span, UNIT_ROUNDOFF, Vector};
 pub struct Surface {
     /// The point, moved onto the surface: closer to it than `ray.at(t)`.
     pub point: Point,
-    /// Bound on the distance, along the geometric normal, between `point` and the surface that `hit` finds:
-    /// a ray that starts farther off than this does not hit the same point again. (A ray may leave a body
-    /// thinner than a few of these by its far wall: see `docs/accuracy.md`.)
+    /// Bound on the distance, along the geometric normal, between `point` and the surface that
+    /// `hit` finds: a ray that starts farther off than this does not hit the same point again. (A
+    /// ray may leave a body thinner than a few of these by its far wall: see `docs/accuracy.md`.)
     pub error: f64,
-    /// Perpendicular to the surface; outward for a closed shape, unless its data have `inward`. Never
-    /// turned to the viewer.
+    /// Perpendicular to the surface; outward for a closed shape, unless its data have `inward`.
+    /// Never turned to the viewer.
     pub normal: Normal,
     /// The normal that shading uses; differs from `normal` on smooth meshes only.
     pub shading: Normal,
     /// The point in the coordinates of the innermost shape, where textures live.
     pub local: Point,
-    /// Where the point is relative to the border of its part, if that is near. Boxed, because few hits are near
-    /// one and every hit is copied.
+    /// Where the point is relative to the border of its part, if that is near. Boxed, because few
+    /// hits are near one and every hit is copied.
     pub border: Option<Box<Border>>,
-    /// The material of that part of a compound, by its index in the scene; the object's own if `None`.
+    /// The material of that part of a compound, by its index in the scene; the object's own if
+    /// `None`.
     pub material: Option<u32>,
 }
 
@@ -79,9 +80,10 @@ impl Surface {
         self.normal.dot(direction) <= 0.0
     }
 
-    /// Where a ray that leaves in this direction starts: off the surface by three error bounds,
-    /// on the side it leaves to, and not nearer to the border of its part than rounding can tell. There is no
-    /// constant epsilon: see Pharr, Jakob & Humphreys, *PBRT*, "Managing rounding error".
+    /// Where a ray that leaves in this direction starts: off the surface by three error bounds, on
+    /// the side it leaves to, and not nearer to the border of its part than rounding can tell.
+    /// There is no constant epsilon: see Pharr, Jakob & Humphreys, *PBRT*, "Managing rounding
+    /// error".
     pub fn leave(&self, direction: Vector) -> Point {
         let side = 3.0_f64.copysign(self.normal.dot(direction));
         let inside = match &self.border {
@@ -115,20 +117,21 @@ pub trait Shape: Debug + Send + Sync {
         self.hit(ray, span).into_iter().collect()
     }
 
-    /// What of the shape is hit: a shape nested in it, or a part of its own. Called only where a texture or an
-    /// explanation needs it.
+    /// What of the shape is hit: a shape nested in it, or a part of its own. Called only where a
+    /// texture or an explanation needs it.
     fn within(&self, _: &Candidate) -> Within<'_> {
         Within::Whole
     }
 
-    /// A material (its index in the scene) that needs texture coordinates where the shape has none, if
-    /// there is one. `own` is the material of parts that name none. Called once, when a world is built.
+    /// A material (its index in the scene) that needs texture coordinates where the shape has none,
+    /// if there is one. `own` is the material of parts that name none. Called once, when a world is
+    /// built.
     fn material_without_uv(&self, own: u32, needs_uv: &dyn Fn(u32) -> bool) -> Option<u32> {
         needs_uv(own).then_some(own)
     }
 
-    /// The surface as one on which points are drawn in this way, for area lights; `None` if that cannot
-    /// be done. Called once, when a light is built.
+    /// The surface as one on which points are drawn in this way, for area lights; `None` if that
+    /// cannot be done. Called once, when a light is built.
     fn sampled(&self, _: Sampling) -> Option<std::boxed::Box<dyn SampledSurface>> {
         None
     }
@@ -142,13 +145,14 @@ pub trait Shape: Debug + Send + Sync {
         1
     }
 
-    /// The surface without edges of which the shape is a part, and what it is called: the plane of a disk.
+    /// The surface without edges of which the shape is a part, and what it is called: the plane of
+    /// a disk.
     fn whole(&self) -> Option<(&'static str, Arc<dyn Shape>)> {
         None
     }
 
-    /// The shape as the book hits it, beyond epsilon; `None` if the book has no routine for it, or if it is made
-    /// of parts that have theirs.
+    /// The shape as the book hits it, beyond epsilon; `None` if the book has no routine for it, or
+    /// if it is made of parts that have theirs.
     fn textbook(&self, _epsilon: f64) -> Option<Arc<dyn Shape>> {
         None
     }
@@ -236,7 +240,8 @@ crate::kinds! {
     ch28 fish_bowl::FishBowl,
 }
 
-/// What was built of these data: of a supported size, and in the book's form if the scene asks for that.
+/// What was built of these data: of a supported size, and in the book's form if the scene asks for
+/// that.
 fn finished(shape: Arc<dyn Shape>, context: &Context) -> Result<Arc<dyn Shape>, Invalid> {
     let shape = of_supported_size(shape)?;
     let form = context.textbook().and_then(|epsilon| shape.textbook(epsilon));
@@ -261,8 +266,8 @@ fn of_supported_size(shape: Arc<dyn Shape>) -> Result<Arc<dyn Shape>, Invalid> {
     }
 }
 
-/// What is wrong with the extent, unless it is 0, or with the distance from the origin, if they are not
-/// in [`LENGTHS`].
+/// What is wrong with the extent, unless it is 0, or with the distance from the origin, if they are
+/// not in [`LENGTHS`].
 fn size_problem(bounds: Aabb) -> Option<String> {
     let farthest = bounds.min.to_vector().max_abs().max(bounds.max.to_vector().max_abs());
     let extent = bounds.extent().max_abs();

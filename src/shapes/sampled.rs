@@ -1,8 +1,8 @@
 //! Points drawn on a surface, for lights (Suffern, ch. 18).
 //!
-//! By area, as in the book, a part of the surface is drawn with a probability proportional to its area. By
-//! solid angle it is proportional to the solid angle of the part at the shading point: no sample falls
-//! on a part that faces away, and all have the same weight.
+//! By area, as in the book, a part of the surface is drawn with a probability proportional to its
+//! area. By solid angle it is proportional to the solid angle of the part at the shading point: no
+//! sample falls on a part that faces away, and all have the same weight.
 
 use std::fmt::Debug;
 
@@ -23,19 +23,21 @@ pub enum Sampling {
     SolidAngle,
 }
 
-/// A surface on which points are drawn. Contract: `tests/contracts/light.rs`, of the lamps made of it.
+/// A surface on which points are drawn. Contract: `tests/contracts/light.rs`, of the lamps made of
+/// it.
 pub trait SampledSurface: Debug + Send + Sync {
-    /// A point for two numbers in `[0, 1)`, and its density per steradian as seen from `from`: positive
-    /// and finite. `None` for a point that is not seen, or edge-on.
+    /// A point for two numbers in `[0, 1)`, and its density per steradian as seen from `from`:
+    /// positive and finite. `None` for a point that is not seen, or edge-on.
     fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)>;
 
-    /// The candidate of the point for these two numbers, as far as its texture coordinates and its triangle
-    /// need it. Called only if the lamp's colour is a texture.
+    /// The candidate of the point for these two numbers, as far as its texture coordinates and its
+    /// triangle need it. Called only if the lamp's colour is a texture.
     fn candidate(&self, _from: Point, _u: [f64; 2]) -> Candidate {
         Candidate::at(0.0)
     }
 
-    /// The density with which [`SampledSurface::sample`] draws this point of the surface, per steradian.
+    /// The density with which [`SampledSurface::sample`] draws this point of the surface, per
+    /// steradian.
     fn pdf(&self, from: Point, at: &Surface) -> f64;
 }
 
@@ -64,8 +66,8 @@ pub(super) trait EvenSurface: Debug + Send + Sync {
         (pdf > 0.0).then_some((at, pdf))
     }
 
-    /// As [`SampledSurface::pdf`], by area: `d²/(A |cosθ'|)`, the density `1/A` seen from afar; 0 for
-    /// a point seen edge-on, which sends no light.
+    /// As [`SampledSurface::pdf`], by area: `d²/(A |cosθ'|)`, the density `1/A` seen from afar; 0
+    /// for a point seen edge-on, which sends no light.
     fn pdf_by_area(&self, from: Point, at: &Surface) -> f64 {
         if self.is_hidden(from, at) {
             return 0.0;

@@ -1,8 +1,9 @@
-//! A surface without edges and what is kept of it: a disk is a plane within a radius, a part cylinder is
-//! a cylinder between two heights and two azimuths.
+//! A surface without edges and what is kept of it: a disk is a plane within a radius, a part
+//! cylinder is a cylinder between two heights and two azimuths.
 //!
-//! A [`Carrier`] says where a line meets it, a [`Trim`] which of its points are kept and how far they are
-//! from the edges. The rule of borders and the book's own routine are here once, for all of them.
+//! A [`Carrier`] says where a line meets it, a [`Trim`] which of its points are kept and how far
+//! they are from the edges. The rule of borders and the book's own routine are here once, for all
+//! of them.
 
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -23,7 +24,8 @@ pub trait Carrier: Clone + Debug + Send + Sync + 'static {
         Point::ORIGIN
     }
 
-    /// Where the line meets it, ascending. Those outside of the span, or of `bounds`, are not needed.
+    /// Where the line meets it, ascending. Those outside of the span, or of `bounds`, are not
+    /// needed.
     fn roots(&self, ray: &Ray, span: Span, bounds: &Aabb) -> impl Roots;
 
     /// The same by the book's formula.
@@ -47,8 +49,8 @@ pub trait Roots {
     fn all(self, span: Span, has: impl Fn(f64) -> bool) -> Vec<Candidate>;
 }
 
-/// Two roots, or one and NaN. Both are tested: if the near one is beyond an end of the shape, the far one may be
-/// on it.
+/// Two roots, or one and NaN. Both are tested: if the near one is beyond an end of the shape, the
+/// far one may be on it.
 impl Roots for Option<[f64; 2]> {
     #[inline]
     fn first(self, span: Span, has: impl Fn(f64) -> bool) -> Option<Candidate> {
@@ -79,8 +81,8 @@ impl<I: Iterator<Item = f64>> Roots for Searched<I> {
     }
 }
 
-/// What is kept of a carrier: the points between two edges, given from the carrier's centre. An edge that
-/// does not exist is infinitely far away.
+/// What is kept of a carrier: the points between two edges, given from the carrier's centre. An
+/// edge that does not exist is infinitely far away.
 pub trait Trim: Clone + Debug + Send + Sync + 'static {
     /// Whether the point is kept.
     #[inline]
@@ -100,14 +102,15 @@ pub trait Trim: Clone + Debug + Send + Sync + 'static {
     /// The unit vectors along the surface away from both edges.
     fn away(&self, v: Vector) -> [Vector; 2];
 
-    /// Whether the point, at `t` of the ray, is so near an edge that [`Trim::has`] may be wrong by rounding.
-    /// `size` is the largest number in the test.
+    /// Whether the point, at `t` of the ray, is so near an edge that [`Trim::has`] may be wrong by
+    /// rounding. `size` is the largest number in the test.
     #[inline]
     fn nears(&self, v: Vector, size: f64, _ray: &Ray, _t: f64) -> bool {
         nears(self.distances(v), size)
     }
 
-    /// The normal of the wall that meets the carrier at the edges, if it is not along [`Trim::away`].
+    /// The normal of the wall that meets the carrier at the edges, if it is not along
+    /// [`Trim::away`].
     fn wall(&self) -> Option<Vector> {
         None
     }
@@ -154,7 +157,8 @@ impl<C: Carrier> Trimmed<C> {
 }
 
 impl<C: Carrier, A: Trim, B: Trim> Trimmed<C, A, B> {
-    /// A surface on which no points are drawn. `size` is the largest number in the tests of the trims.
+    /// A surface on which no points are drawn. `size` is the largest number in the tests of the
+    /// trims.
     pub fn new(carrier: C, trims: (A, B), size: f64, bounds: Aabb) -> Self {
         Self { carrier, trims, size, bounds, sampler: |_, _| None }
     }

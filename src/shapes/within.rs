@@ -74,8 +74,8 @@ impl dyn Shape + '_ {
         }
     }
 
-    /// The triangle at a hit that is moved by a short vector along the surface, in the coordinates of
-    /// [`Surface::local`](super::Surface::local); `None` if no triangle is hit.
+    /// The triangle at a hit that is moved by a short vector along the surface, in the coordinates
+    /// of [`Surface::local`](super::Surface::local); `None` if no triangle is hit.
     pub fn facet(&self, at: &Candidate, by: Vector) -> Option<Facet> {
         match self.within(at) {
             Within::Triangle(_, facet) if by == Vector::ZERO => Some(facet),

@@ -1,5 +1,5 @@
-//! Checkers on generic objects, with lines (Suffern, ch. 30): they differ in how they divide a point into
-//! columns and rows.
+//! Checkers on generic objects, with lines (Suffern, ch. 30): they differ in how they divide a
+//! point into columns and rows.
 
 use std::sync::Arc;
 
@@ -68,9 +68,9 @@ macro_rules! checker {
 }
 
 checker! {
-    /// Checkers on the open cylinder about the y axis with y from −1 to 1 and any radius: columns by
-    /// the azimuth φ, rows by the height `y/2 + 1/2`. Above and below the cylinder the rows continue.
-    /// With an odd num_horizontal, the two columns beside φ = 0 have the same colour.
+    /// Checkers on the open cylinder about the y axis with y from −1 to 1 and any radius: columns
+    /// by the azimuth φ, rows by the height `y/2 + 1/2`. Above and below the cylinder the rows
+    /// continue. With an odd num_horizontal, the two columns beside φ = 0 have the same colour.
     CylinderChecker {
         /// The length of one unit: half the height of the cylinder; positive.
         unit,
@@ -89,9 +89,9 @@ checker! {
 }
 
 checker! {
-    /// Checkers on the cone about the y axis from y = 0 to its apex at y = 2: columns by the azimuth φ,
-    /// rows of height 2/num_vertical. Above and below the cone the rows continue. With an odd
-    /// num_horizontal, the two columns beside φ = 0 have the same colour.
+    /// Checkers on the cone about the y axis from y = 0 to its apex at y = 2: columns by the
+    /// azimuth φ, rows of height 2/num_vertical. Above and below the cone the rows continue. With
+    /// an odd num_horizontal, the two columns beside φ = 0 have the same colour.
     ConeChecker {
         /// The length of one unit: half the height of the cone; positive.
         unit,
@@ -111,8 +111,8 @@ checker! {
 
 checker! {
     /// Checkers on the disk of radius 1 about the y axis: columns by the azimuth φ, rings of width
-    /// 1/num_radial. Outside the rim the rings continue; the colour does not depend on y. With an odd
-    /// num_angular, the two columns beside φ = 0 have the same colour.
+    /// 1/num_radial. Outside the rim the rings continue; the colour does not depend on y. With an
+    /// odd num_angular, the two columns beside φ = 0 have the same colour.
     DiskChecker {
         /// The length of one unit: the radius of the disk; positive.
         unit,
@@ -122,8 +122,8 @@ checker! {
         num_radial,
         /// The colour of the first checker, in the middle and at φ = 0.
         color1,
-        /// Lines along the borders: the horizontal ones are circles, the vertical ones radial. Half a
-        /// line at the centre and at the rim. None if left out.
+        /// Lines along the borders: the horizontal ones are circles, the vertical ones radial. Half
+        /// a line at the centre and at the rim. None if left out.
         lines,
     }
     divided by |[x, _, z], [columns, rows]| {
@@ -143,8 +143,8 @@ checker! {
         num_vertical,
         /// The colour of the first checker, in the corner x = z = −1.
         color1,
-        /// Lines along the borders: the horizontal ones run along x, the vertical ones along z. Half a
-        /// line at each side of the rectangle. None if left out.
+        /// Lines along the borders: the horizontal ones run along x, the vertical ones along z.
+        /// Half a line at each side of the rectangle. None if left out.
         lines,
     }
     divided by |[x, _, z], [columns, rows]| {

@@ -1,5 +1,5 @@
-//! Colours and numbers of materials, plain or textured: as scene data ([`Paint`], [`Amount`]) and built
-//! ([`Color`], [`Value`]).
+//! Colours and numbers of materials, plain or textured: as scene data ([`Paint`], [`Amount`]) and
+//! built ([`Color`], [`Value`]).
 
 use std::sync::Arc;
 

@@ -20,15 +20,15 @@ use formats::images::{Encoding, Texels};
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Image {
-    /// The file, relative to the scene file: PNG, JPEG, PPM, HDR, EXR or PFM. An alpha channel is ignored.
-    /// Either this, or `drawn`, or `texels`.
+    /// The file, relative to the scene file: PNG, JPEG, PPM, HDR, EXR or PFM. An alpha channel is
+    /// ignored. Either this, or `drawn`, or `texels`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub file: Option<PathBuf>,
     /// Instead of a file: an image drawn by a formula.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub drawn: Option<Drawn>,
-    /// In place of a file: its colours, linear, row by row from the top down, as `[[[1, 0, 0], [0, 0, 1]], [[0, 1, 0],
-    /// 1]]`.
+    /// In place of a file: its colours, linear, row by row from the top down, as
+    /// `[[[1, 0, 0], [0, 0, 1]], [[0, 1, 0], 1]]`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub texels: Option<Vec<Vec<Rgb>>>,
     /// How the image is mapped to the surface; if left out, by the texture coordinates of the
@@ -53,11 +53,12 @@ pub struct Image {
     /// The part of the image that each texel covers.
     #[serde(default)]
     pub rule: Rule,
-    /// How a PNG, JPEG or PPM file encodes colours; if left out, what a PNG file says of itself (sRGB, gAMA), else `srgb`.
-    /// HDR, EXR and PFM files are linear.
+    /// How a PNG, JPEG or PPM file encodes colours; if left out, what a PNG file says of itself
+    /// (sRGB, gAMA), else `srgb`. HDR, EXR and PFM files are linear.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub encoding: Option<Encoding>,
-    /// The layer or view of an EXR file, such as `ViewLayer.Combined`; only needed if it has several.
+    /// The layer or view of an EXR file, such as `ViewLayer.Combined`; only needed if it has
+    /// several.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub layer: Option<String>,
 }

@@ -30,7 +30,8 @@ impl Budget for UntilStopped<'_> {
     }
 }
 
-/// At most a number of rays. Shadow rays count, but are cast beyond it, too: they end by themselves.
+/// At most a number of rays. Shadow rays count, but are cast beyond it, too: they end by
+/// themselves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RayBudget {
     most: u64,

@@ -82,9 +82,9 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
     }
 }
 
-/// Whether light of this weight is at least the smallest single-precision number, in which pictures are kept. Far from its
-/// mirror direction a sharp highlight weighs less, and needs no shadow ray. A larger threshold would
-/// darken sums of many lights.
+/// Whether light of this weight is at least the smallest single-precision number, in which pictures
+/// are kept. Far from its mirror direction a sharp highlight weighs less, and needs no shadow ray.
+/// A larger threshold would darken sums of many lights.
 fn is_representable(weight: Rgb, sample: &LightSample) -> bool {
     /// 2⁻¹⁴⁹.
     const SMALLEST: f64 = f32::from_bits(1) as f64;

@@ -1,8 +1,9 @@
 //! The one recursion: from a ray to the radiance that arrives along it (Suffern, ch. 3, 14, 24).
 //!
 //! Lights and lobes answer "from where, how much?" and never trace; only this module casts rays, so
-//! each one is heard by the recorder: shadow rays in `shadow`, all others in `Tracing::cast`. The book's tracers are values of
-//! one [`Strategy`], and its `Material::shade` and `area_light_shade` are `Tracing::shade`.
+//! each one is heard by the recorder: shadow rays in `shadow`, all others in `Tracing::cast`. The
+//! book's tracers are values of one [`Strategy`], and its `Material::shade` and `area_light_shade`
+//! are `Tracing::shade`.
 //!
 //! Law: what arrives along a ray is `T · Σ terms`, the terms in the order in which the recorder
 //! hears them, each one local or `weight · L(child)`, and `T` the transmittance of the medium.
@@ -65,13 +66,13 @@ struct PathState {
     medium: Rgb,
     /// The vertex before, if lights were sampled there; for multiple importance sampling.
     previous: Option<PreviousVertex>,
-    /// Of a path, the weight at the eye of light that arrives along it, without the 1/η² of radiance and the
-    /// absorption of media; Russian roulette depends on it.
+    /// Of a path, the weight at the eye of light that arrives along it, without the 1/η² of
+    /// radiance and the absorption of media; Russian roulette depends on it.
     throughput: Rgb,
 }
 
-/// The path's vertex before, if lights were sampled there and the path continued in a direction that light
-/// sampling could have chosen.
+/// The path's vertex before, if lights were sampled there and the path continued in a direction
+/// that light sampling could have chosen.
 #[derive(Clone, Copy)]
 struct PreviousVertex {
     light_context: LightContext,
@@ -178,8 +179,8 @@ impl<'a, R: Recorder, B: Budget> Tracing<'a, R, B> {
         }
     }
 
-    /// The weight of light from a target that a path hit, if the light was also sampled at the hit before;
-    /// `None` if it was not, and the weight is 1.
+    /// The weight of light from a target that a path hit, if the light was also sampled at the hit
+    /// before; `None` if it was not, and the weight is 1.
     fn mis_weight(&self, path: &PathState, light: &PlacedLight, to: &Target<'_>) -> Option<f64> {
         match (self.strategy.emitter_hits, path.previous) {
             (EmitterHits::Count, _) | (_, None) => None,
@@ -196,8 +197,8 @@ impl<'a, R: Recorder, B: Budget> Tracing<'a, R, B> {
     }
 }
 
-/// The weight of a direction drawn with density `pdf`, if another strategy would draw it with density
-/// `other`: `p²/(p² + q²)` (Veach 1997, power heuristic with β = 2).
+/// The weight of a direction drawn with density `pdf`, if another strategy would draw it with
+/// density `other`: `p²/(p² + q²)` (Veach 1997, power heuristic with β = 2).
 fn power_heuristic(pdf: f64, other: f64) -> f64 {
     let ratio = other / pdf;
     1.0 / (1.0 + ratio * ratio)

@@ -23,7 +23,8 @@ pub struct Optics {
     pub reflected: Rgb,
     /// The share that is transmitted, `T` (`k_t` in the book), without the `1/η²` of radiance.
     pub transmitted: Rgb,
-    /// Whether refraction multiplies radiance by `1/η²`, as the scene says it; worked out by an explanation.
+    /// Whether refraction multiplies radiance by `1/η²`, as the scene says it; worked out by an
+    /// explanation.
     #[serde(skip)]
     pub scales_radiance: bool,
     /// The media in front of and behind the surface, if the material has them.

@@ -101,17 +101,19 @@ pub enum TermSource {
         f: Rgb,
         /// The cosine of the light's angle to the normal.
         cos_i: f64,
-        /// Of the direction, per steradian; `None` for a light that is a single direction, whose weight
-        /// is `f cosθ_i`.
+        /// Of the direction, per steradian; `None` for a light that is a single direction, whose
+        /// weight is `f cosθ_i`.
         #[serde(skip_serializing_if = "Option::is_none")]
         pdf: Option<f64>,
-        /// The MIS weight, if scattered rays can also hit the light; it is a factor of the term's weight.
+        /// The MIS weight, if scattered rays can also hit the light; it is a factor of the term's
+        /// weight.
         #[serde(skip_serializing_if = "Option::is_none")]
         mis: Option<f64>,
         /// Whether the shadow ray before it says what arrives.
         traced: bool,
     },
-    /// Light along the ray before it: the weight is `f cosθ_i / (pdf · lobe_probability · survival)`.
+    /// Light along the ray before it: the weight is
+    /// `f cosθ_i / (pdf · lobe_probability · survival)`.
     Traced {
         /// The lobe that sent the ray.
         lobe: Lobe,
@@ -136,7 +138,8 @@ pub enum TermSource {
 pub trait Recorder {
     /// A ray begins; the ray before it multiplies its radiance by `weight`.
     fn enter(&mut self, kind: RayKind, ray: &Ray, depth: u32, weight: Rgb);
-    /// A search along it, or along a part of it: a shadow ray that passes transparent surfaces needs several.
+    /// A search along it, or along a part of it: a shadow ray that passes transparent surfaces
+    /// needs several.
     #[inline(always)]
     fn search(&mut self, _search: Search, _ray: &Ray, _span: Span) {}
     /// The surface that it hit, with its lobes.
@@ -147,7 +150,8 @@ pub trait Recorder {
     fn draw(&mut self) {}
     /// A term of its sum, in the order of addition.
     fn term(&mut self, term: Term);
-    /// It ends so, with the transmittance of its medium and the radiance that arrives at its origin.
+    /// It ends so, with the transmittance of its medium and the radiance that arrives at its
+    /// origin.
     fn leave(&mut self, outcome: Outcome, transmittance: Rgb, arriving: Rgb);
 }
 
@@ -172,8 +176,8 @@ pub struct RayCounts {
     pub transmitted: u64,
     /// Towards lights.
     pub shadow: u64,
-    /// Of `reflected` and `transmitted`, those deeper than the tracer's `max_depth`: black, and not cast.
-    /// The light samples that a path leaves out at its last hit are in no count.
+    /// Of `reflected` and `transmitted`, those deeper than the tracer's `max_depth`: black, and not
+    /// cast. The light samples that a path leaves out at its last hit are in no count.
     pub too_deep: u64,
     /// Pairs of random numbers drawn, without those of the camera.
     pub draws: u64,

@@ -43,8 +43,8 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         }
     }
 
-    /// Follows one lobe, chosen with a probability about proportional to its albedo; with Russian roulette
-    /// perhaps none.
+    /// Follows one lobe, chosen with a probability about proportional to its albedo; with Russian
+    /// roulette perhaps none.
     pub(super) fn follow_one(
         &mut self,
         path: &PathState,
@@ -52,7 +52,8 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         bsdf: &Bsdf<'_>,
         sum: &mut RadianceSum,
     ) {
-        /// Russian roulette starts at this depth: earlier, its noise costs more than the time it saves.
+        /// Russian roulette starts at this depth: earlier, its noise costs more than the time it
+        /// saves.
         const ROULETTE_FROM: u32 = 5;
         let probabilities = bsdf.lobe_probabilities();
         if probabilities.iter().all(|probability| *probability == 0.0) {

@@ -28,8 +28,8 @@ enum Blockers {
     Opaque,
     /// Those that cast shadows.
     Casting,
-    /// All, also those that cast no shadow. For lights that paths can hit: where a path reaches such a light
-    /// by itself, a sample of the light would count it twice.
+    /// All, also those that cast no shadow. For lights that paths can hit: where a path reaches
+    /// such a light by itself, a sample of the light would count it twice.
     All,
 }
 
@@ -153,10 +153,10 @@ impl<R: Recorder, B: Budget> Tracing<'_, R, B> {
         Between { blocked_by, boundaries: 0, passed, transmittance: medium.transmittance(length) }
     }
 
-    /// Follows a shadow ray straight through the surfaces that do not block it, an approximation. Each
-    /// transparent surface that casts shadows transmits its share for the straight ray's angle on the side
-    /// of the smaller index, and each stretch between surfaces its medium's transmittance. Bodies that cast
-    /// no shadow do not absorb, unless the point is in them.
+    /// Follows a shadow ray straight through the surfaces that do not block it, an approximation.
+    /// Each transparent surface that casts shadows transmits its share for the straight ray's angle
+    /// on the side of the smaller index, and each stretch between surfaces its medium's
+    /// transmittance. Bodies that cast no shadow do not absorb, unless the point is in them.
     fn straight_through(&mut self, mut medium: Rgb, mut way: Way, blockers: Blockers) -> Between {
         let (passed, transmittance) = (Rgb::WHITE, Rgb::WHITE);
         let mut between = Between { blocked_by: None, boundaries: 0, passed, transmittance };
@@ -216,9 +216,10 @@ fn up_to(light: Point, origin: Point) -> Span {
     Span { min: 0.0, max: 1.0 - rounding }
 }
 
-/// The share of light that a surface transmits along a straight line, without the `1/η²` of radiance;
-/// black if it is opaque. The ray's angle is taken on the side of the smaller index. On the other side it
-/// could exceed the critical angle, but light that enters a pane from outside always passes it.
+/// The share of light that a surface transmits along a straight line, without the `1/η²` of
+/// radiance; black if it is opaque. The ray's angle is taken on the side of the smaller index. On
+/// the other side it could exceed the critical angle, but light that enters a pane from outside
+/// always passes it.
 fn transmitted(hit: &Hit<'_>, direction: Vector) -> Rgb {
     let recipe = &hit.material.recipe;
     if !recipe.transmits() {

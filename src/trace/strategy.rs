@@ -43,8 +43,8 @@ pub enum Scatter {
     OneLobeOrNone,
 }
 
-/// The weight of a lamp that a ray hits, if its light was also sampled at the hit from which the ray
-/// comes. Does not apply to rays of a single direction, which light sampling cannot choose.
+/// The weight of a lamp that a ray hits, if its light was also sampled at the hit from which the
+/// ray comes. Does not apply to rays of a single direction, which light sampling cannot choose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EmitterHits {
     /// 1: light samples and scattered rays never use the same lobe.

@@ -40,7 +40,8 @@ pub struct RecordedRay {
     /// Its number in the tree: 0 is the camera's ray, the others follow in the order in which they
     /// were cast.
     pub number: usize,
-    /// The number of the ray that sent it; `None` for the camera's. As data, children stand in their parent.
+    /// The number of the ray that sent it; `None` for the camera's. As data, children stand in
+    /// their parent.
     #[serde(skip)]
     pub parent: Option<usize>,
     /// Its purpose.
@@ -70,18 +71,21 @@ pub struct RecordedRay {
     /// The lights that add nothing at its hit; asked by an explanation.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub unlit: Vec<UnlitLight>,
-    /// Of an explained ray that brings no light and is no shadow ray, one sentence: which factors are 0.
+    /// Of an explained ray that brings no light and is no shadow ray, one sentence: which factors
+    /// are 0.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub black: Option<String>,
     /// The transmittance of its medium.
     pub transmittance: Rgb,
     /// The radiance that arrives at its origin: the transmittance times the sum of the terms.
     pub radiance: Rgb,
-    /// The contribution of it and of all rays after it to their sample; worked out by an explanation.
+    /// The contribution of it and of all rays after it to their sample; worked out by an
+    /// explanation.
     pub contribution: Rgb,
     /// The contribution of its own terms, without another ray.
     pub own_contribution: Rgb,
-    /// The part of its sample that it adds, from 0 to 1, averaged over the channels; 0 in a black sample.
+    /// The part of its sample that it adds, from 0 to 1, averaged over the channels; 0 in a black
+    /// sample.
     pub share: f64,
     /// The rays it sent, in order.
     pub children: Vec<RecordedRay>,
@@ -111,8 +115,8 @@ pub struct RecordedHit {
     pub front: bool,
     /// The angle of incidence: between the ray and the true normal, in degrees from 0 to 90.
     pub angle_of_incidence: f64,
-    /// The cosine between the true normal and the direction to the viewer; of a two-sided surface, not
-    /// negative.
+    /// The cosine between the true normal and the direction to the viewer; of a two-sided surface,
+    /// not negative.
     #[serde(skip)]
     pub cos_o: f64,
     /// How light divides there, if the surface refracts.
@@ -158,7 +162,8 @@ pub struct RecordedTerm {
     pub value: Rgb,
     /// The contribution to its sample; worked out by an explanation.
     pub contribution: Rgb,
-    /// The part of its sample that it adds, from 0 to 1, averaged over the channels; 0 in a black sample.
+    /// The part of its sample that it adds, from 0 to 1, averaged over the channels; 0 in a black
+    /// sample.
     pub share: f64,
     /// The number of the ray that the light comes along, if it took one.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -120,8 +120,8 @@ pub fn check_image(image: &Image) -> Result<(), Invalid> {
     Ok(())
 }
 
-/// Refuses a view whose rays overflow because the corners of the picture are too far away, and a stereo
-/// pair of too many pixels.
+/// Refuses a view whose rays overflow because the corners of the picture are too far away, and a
+/// stereo pair of too many pixels.
 pub fn check_view(view: &View, image: &Image) -> Result<(), Invalid> {
     let (width, height) = (view.picture_width(image.width), u64::from(image.height));
     if width * height > MAX_PIXELS {

@@ -16,8 +16,8 @@ pub enum Search {
 }
 
 impl World {
-    /// The objects that a search tests along the ray, and the nodes or cells that it visits. What a mesh or another
-    /// composite object searches inside itself is not counted.
+    /// The objects that a search tests along the ray, and the nodes or cells that it visits. What a
+    /// mesh or another composite object searches inside itself is not counted.
     pub fn search_cost(&self, search: Search, ray: &Ray, span: Span) -> Counts {
         let mut counts = Counts::default();
         match search {

@@ -124,7 +124,8 @@ pub(super) fn placed_materials(
     scene.materials.iter().enumerate().map(&mut placed).collect()
 }
 
-/// For each material that reflects more light than it receives wherever it is met, a note that says so.
+/// For each material that reflects more light than it receives wherever it is met, a note that says
+/// so.
 pub(super) fn reflectance_notes(materials: &[PlacedMaterial]) -> Vec<String> {
     let note = |material: &PlacedMaterial| {
         let all = material.recipe.reflectances();

@@ -36,12 +36,10 @@ pub fn trials() -> Vec<Trial> {
             trials.push(trial(name, move || of_composite(kind)));
         }
     }
-    let others: [(&str, fn() -> Holds); 3] = [
-        ("ch21::instance::contract::steps_make_their_matrix", steps_make_their_matrix),
-        ("ch21::instance::contract::hits_of_flat_and_open_shapes_are_exact", of_others),
-        ("ch23::mesh::contract::hits_in_instances_are_exact", of_meshes),
-    ];
-    trials.extend(others.map(|(name, law)| trial(name.to_owned(), law)));
+    let instances = |law: &str| format!("ch21::instance::contract::{law}");
+    trials.push(trial(instances("steps_make_their_matrix"), steps_make_their_matrix));
+    trials.push(trial(instances("hits_of_flat_and_open_shapes_are_exact"), of_others));
+    trials.push(trial("ch23::mesh::contract::hits_in_instances_are_exact".to_owned(), of_meshes));
     trials
 }
 

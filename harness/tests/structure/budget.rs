@@ -24,3 +24,17 @@ fn packages_keep_to_their_budgets() {
     }
     assert!(wrong.is_empty(), "{wrong:#?}");
 }
+
+/// Law: no doc line of the tracer has more than 100 columns; the formatter does not wrap them. Oracle: the files.
+#[test]
+fn doc_lines_of_the_tracer_fit_100_columns() {
+    let mut wide = Vec::new();
+    for file in rust_files(&root().join("src")) {
+        let text = read(&file);
+        let is_doc =
+            |line: &&str| ["///", "//!"].contains(&line.trim_start().get(..3).unwrap_or(""));
+        let docs = text.lines().filter(is_doc);
+        wide.extend(docs.filter(|line| line.chars().count() > 100).map(str::to_owned));
+    }
+    assert!(wide.is_empty(), "{wide:#?}");
+}

@@ -11,12 +11,15 @@ const MAX_SHOWN: usize = 40;
 const SPEED: f64 = 0.005;
 const LEAST: f64 = 0.2;
 
+/// Fields, each with its numbers.
+type Fields = Vec<(Change, Vec<f64>)>;
+
 /// The fields of a scene, and the words by which they are looked for.
 #[derive(Default)]
 pub struct Numbers {
     typed: String,
     /// The fields with numbers, by the rendering that they are of.
-    fields: Option<(u64, Vec<(Change, Vec<f64>)>)>,
+    fields: Option<(u64, Fields)>,
     problem: Option<String>,
 }
 

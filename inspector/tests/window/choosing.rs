@@ -2,9 +2,9 @@
 
 use eframe::egui::{Key, accesskit::Role};
 use egui_kittest::kittest::Queryable;
+use gallery::ranked as found;
 use groundtruth::scene::Intersect;
 use groundtruth::world::World;
-use gallery::ranked as found;
 
 use crate::support::*;
 

@@ -116,18 +116,22 @@ fn few_samples_show_the_whole_view() {
     let world = built(&small("ch28/glass-sphere", [640, 512], 256));
     let (canvas, samples) = (Canvas::new(&world), AtomicU32::new(0));
     let is_over = || samples.fetch_add(1, Ordering::Relaxed) >= 80;
-    assert!(!canvas.preview_until(&world, &is_over), "it is paused");
+    assert!(!canvas.preview(&world, &is_over), "it is paused");
     assert_eq!((canvas.seen(), canvas.progress().0), (80, 0));
     let pixels = || (0..512).flat_map(|y| (0..640).map(move |x| [x, y]));
     assert!(canvas.look_partly(|picture| pixels().all(|at| picture.coarse(at).is_some())));
-    canvas.preview(&world);
+    canvas.preview(&world, &|| false);
     assert_eq!(canvas.seen(), 80 * 64, "one of each block, none twice");
 }
 
 fn luminance(color: Color32) -> f64 {
     let linear = |byte: u8| {
         let part = f64::from(byte) / 255.0;
-        if part <= 0.04045 { part / 12.92 } else { ((part + 0.055) / 1.055).powf(2.4) }
+        if part <= 0.04045 {
+            part / 12.92
+        } else {
+            groundtruth::math::power((part + 0.055) / 1.055, 2.4)
+        }
     };
     0.2126 * linear(color.r()) + 0.7152 * linear(color.g()) + 0.0722 * linear(color.b())
 }

@@ -14,8 +14,8 @@ pub struct Item {
     pub index: u32,
 }
 
-/// A node of a binary tree over `count` primitives, which has `2·count − 1` nodes in depth-first order:
-/// the left half follows its parent, and the right half follows that.
+/// A node of a binary tree over `count` primitives, which has `2·count − 1` nodes in depth-first
+/// order: the left half follows its parent, and the right half follows that.
 #[derive(Clone, Copy, Debug)]
 pub struct Node {
     pub bounds: Aabb,
@@ -24,7 +24,8 @@ pub struct Node {
 
 /// Candidate splits on each axis.
 const BINS: usize = 16;
-/// From this depth on, primitives are split into equal halves, so that the tree is at most 32 deeper.
+/// From this depth on, primitives are split into equal halves, so that the tree is at most 32
+/// deeper.
 const SAH_DEPTH: usize = 40;
 /// The largest depth of a tree: 2³² primitives are single after 32 halvings.
 pub const MAX_DEPTH: usize = SAH_DEPTH + 32;
@@ -38,7 +39,8 @@ impl Item {
     }
 }
 
-/// The tree over `items`, which it puts in the order of the tree's leaves; no nodes if there are none.
+/// The tree over `items`, which it puts in the order of the tree's leaves; no nodes if there are
+/// none.
 pub fn binary_tree(items: &mut [Item]) -> Vec<Node> {
     if items.is_empty() {
         return Vec::new();
@@ -140,8 +142,8 @@ fn cheapest_plane(items: &[Item]) -> Option<Plane> {
     best.map(|(_, plane)| plane)
 }
 
-/// The border between two bins with the least sum of area × count, and that sum. Neither half is empty,
-/// because the first and the last bin are not.
+/// The border between two bins with the least sum of area × count, and that sum. Neither half is
+/// empty, because the first and the last bin are not.
 fn cheapest_border(bins: &[Bin; BINS]) -> (f64, usize) {
     let add = |a: Bin, b: Bin| (a.0 + b.0, a.1.union(b.1));
     let weight =

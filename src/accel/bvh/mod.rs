@@ -1,4 +1,5 @@
-//! The bounding volume hierarchy: a binary tree of boxes. A ray that misses a box misses its whole subtree.
+//! The bounding volume hierarchy: a binary tree of boxes. A ray that misses a box misses its whole
+//! subtree.
 
 pub(crate) mod build;
 
@@ -17,7 +18,8 @@ pub struct Bvh {
     order: Vec<u32>,
 }
 
-/// A place where the tree divides. Both boxes stand here, so that the walk looks at memory once for two tests.
+/// A place where the tree divides. Both boxes stand here, so that the walk looks at memory once for
+/// two tests.
 #[derive(Debug)]
 struct Branch {
     boxes: TwoBoxes,
@@ -51,7 +53,8 @@ impl Bvh {
         Self { root, branches: branches(&nodes), order }
     }
 
-    /// Tests the primitives that the ray may hit, the nearest boxes first. See [`super::Accel::visit`].
+    /// Tests the primitives that the ray may hit, the nearest boxes first. See
+    /// [`super::Accel::visit`].
     #[inline(always)]
     pub(super) fn visit(
         &self,
@@ -123,7 +126,8 @@ fn branches(nodes: &[Node]) -> Vec<Branch> {
     branches
 }
 
-/// The node at an index of the depth-first order, which has so many leaves before it, and all others are branches.
+/// The node at an index of the depth-first order, which has so many leaves before it, and all
+/// others are branches.
 fn child(nodes: &[Node], at: usize, leaves: u32) -> Child {
     if nodes[at].count == 1 { Child::Leaf(leaves) } else { Child::Branch(at as u32 - leaves) }
 }

@@ -1,5 +1,5 @@
-//! Examples: a value where a scene file has it, with the fields that must be written beside it. They
-//! come from the specimens of the kinds and from the first of the commented scenes.
+//! Examples: a value where a scene file has it, with the fields that must be written beside it.
+//! They come from the specimens of the kinds and from the first of the commented scenes.
 
 use std::collections::VecDeque;
 use std::sync::LazyLock;
@@ -111,8 +111,8 @@ fn written_at(path: &[Key], value: Value) -> Option<String> {
     Some(text)
 }
 
-/// A value at the end of these keys as the value of the first of them: a kind on the way has the other
-/// fields of its example, without which a material would be black.
+/// A value at the end of these keys as the value of the first of them: a kind on the way has the
+/// other fields of its example, without which a material would be black.
 fn inside_of_kinds(keys: &[Key], value: Value) -> (Vec<&'static str>, Value) {
     let mut names: Vec<_> = keys.iter().map(|key| key.name).collect();
     let Some(kind) = keys.iter().position(|key| key.example.is_some()) else {

@@ -1,7 +1,7 @@
 //! What a scene file can say, for people: `groundtruth kinds` and docs/scene.md.
 //!
-//! Everything is read from the [`schema`](super::schema()) of scene files, which is made from the doc comments, types,
-//! defaults and specimens of the kinds themselves.
+//! Everything is read from the [`schema`](super::schema()) of scene files, which is made from the
+//! doc comments, types, defaults and specimens of the kinds themselves.
 
 mod example;
 mod topic;
@@ -60,7 +60,8 @@ fn unknown(name: &str) -> String {
     problem + &similar::did_you_mean(name, &names.iter().map(String::as_str).collect::<Vec<_>>())
 }
 
-/// docs/scene.md: a link to each section with the names of its topics, the first scene, and the sections.
+/// docs/scene.md: a link to each section with the names of its topics, the first scene, and the
+/// sections.
 pub fn page() -> String {
     let (mut links, mut sections) = (String::new(), String::new());
     let topics: Vec<Topic> = topics().collect();

@@ -1,9 +1,11 @@
-//! Shapes made of parts: compounds, and the solids that are compounds of parts that their kinds name.
+//! Shapes made of parts: compounds, and the solids that are compounds of parts that their kinds
+//! name.
 //!
-//! A ray hits the nearest hit of all parts, if it meets the box around them (Suffern, ch. 19). Which of all
-//! nested shapes it is on is one number, [`Candidate::leaf`]: the leaves of the first part are counted first,
-//! then those of the second. So a candidate stays as small as that of a sphere, however deep the role (a
-//! hundred instances eight levels deep are 10¹⁶ leaves), and of equal hits the first object wins.
+//! A ray hits the nearest hit of all parts, if it meets the box around them (Suffern, ch. 19).
+//! Which of all nested shapes it is on is one number, [`Candidate::leaf`]: the leaves of the first
+//! part are counted first, then those of the second. So a candidate stays as small as that of a
+//! sphere, however deep the role (a hundred instances eight levels deep are 10¹⁶ leaves), and of
+//! equal hits the first object wins.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
@@ -30,8 +32,8 @@ pub struct PartData<'a> {
 /// The materials of a solid's parts, by the names that its kind gives them.
 pub type Materials = BTreeMap<String, String>;
 
-/// Builds a solid of parts that its kind names; `materials` is its field of that name. Rays find the parts by
-/// `accel`, if it is given.
+/// Builds a solid of parts that its kind names; `materials` is its field of that name. Rays find
+/// the parts by `accel`, if it is given.
 pub fn solid(
     parts: &[(&'static str, Kind)],
     materials: &Materials,

@@ -1,4 +1,5 @@
-//! The compound (Suffern, ch. 19): any shapes as one; with `accel = "grid"` the book's `Grid` (ch. 22).
+//! The compound (Suffern, ch. 19): any shapes as one; with `accel = "grid"` the book's `Grid` (ch.
+//! 22).
 //!
 //! A ray hits the nearest hit of all parts, if it meets the box around them.
 

@@ -1,8 +1,8 @@
 //! Instances (Suffern, ch. 21): a shape transformed by an affine map M.
 //!
-//! A ray meets the instance at the `t` at which the inverse ray `o' = M⁻¹ o`, `d' = M⁻¹ d`, not normalised,
-//! meets the shape. The normal is `(M⁻¹)ᵀ n'`, normalised. Beside the book an instance knows how
-//! far roundings of M and of M⁻¹ can move a point off the surface.
+//! A ray meets the instance at the `t` at which the inverse ray `o' = M⁻¹ o`, `d' = M⁻¹ d`, not
+//! normalised, meets the shape. The normal is `(M⁻¹)ᵀ n'`, normalised. Beside the book an instance
+//! knows how far roundings of M and of M⁻¹ can move a point off the surface.
 
 use std::sync::Arc;
 
@@ -25,8 +25,8 @@ pub struct Instance {
     pub of: Box<Kind>,
     /// The steps, in the order in which they are applied, about the origin of coordinates.
     pub transform: Vec<Step>,
-    /// Whether the texture moves with the shape. If not, it is looked up at the point where the ray hits
-    /// this instance (the book's `transform_the_texture`).
+    /// Whether the texture moves with the shape. If not, it is looked up at the point where the ray
+    /// hits this instance (the book's `transform_the_texture`).
     #[serde(default = "kinds::yes", skip_serializing_if = "kinds::is_yes")]
     #[schemars(extend("default" = true))]
     pub transform_texture: bool,
@@ -192,8 +192,9 @@ fn moved_out(transform: &Transform, inner: Surface, ray: &Ray) -> Surface {
     Surface { point, error, normal, shading: outer(inner.shading), border, ..inner }
 }
 
-/// The box around a transformed box, padded by the rounding of a hit that is moved into the inner coordinates
-/// and back: where large translations cancel, that is more than a few u of the outer coordinates.
+/// The box around a transformed box, padded by the rounding of a hit that is moved into the inner
+/// coordinates and back: where large translations cancel, that is more than a few u of the outer
+/// coordinates.
 pub(in crate::shapes) fn bounds_seen_through(transform: &Transform, inner: &Aabb) -> Aabb {
     let outer = transform.bounds(inner);
     if !outer.is_bounded() {
@@ -218,8 +219,8 @@ struct SampledInstance {
 }
 
 impl SampledInstance {
-    /// The solid angle inside that is one steradian outside, around the direction `v` of an inner point:
-    /// `|M v|³/|det M|` for unit `v`.
+    /// The solid angle inside that is one steradian outside, around the direction `v` of an inner
+    /// point: `|M v|³/|det M|` for unit `v`.
     fn solid_angle_ratio(&self, inner_from: Point, inner_point: Point) -> f64 {
         let way = inner_point - inner_from;
         let stretch = self.transform.vector(way).length() / way.length();

@@ -1,8 +1,8 @@
-//! The lattice: copies of one shape in rows, columns and layers, as in the grids of instances of Suffern,
-//! ch. 22 and 23.
+//! The lattice: copies of one shape in rows, columns and layers, as in the grids of instances of
+//! Suffern, ch. 22 and 23.
 //!
-//! Copy (i, j, k) is moved by `v = (i s_x, j s_y, k s_z)`. A ray meets it where the ray from `o − v` with
-//! the same direction meets the shape, so copies need no matrices.
+//! Copy (i, j, k) is moved by `v = (i s_x, j s_y, k s_z)`. A ray meets it where the ray from
+//! `o − v` with the same direction meets the shape, so copies need no matrices.
 
 use std::sync::Arc;
 
@@ -15,8 +15,8 @@ use crate::invalid::{Invalid, finite_vector};
 use crate::math::{Aabb, Length, Point, Ray, Span, Transform, UNIT_ROUNDOFF, Vector, lists};
 use crate::shapes::{Candidate, Context, Kind, Role, Shape, Specification, Surface, Within};
 
-/// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All share
-/// what is copied, so that a lattice of lattices can hold more copies than there are atoms.
+/// Copies of a shape, moved by `(i, j, k)` times `spacing` with `0 ≤ i, j, k <` the counts. All
+/// share what is copied, so that a lattice of lattices can hold more copies than there are atoms.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Lattice {
@@ -99,8 +99,8 @@ impl Places {
         Ray::new(ray.origin - self.shift(copy), ray.direction)
     }
 
-    /// What [`super::instance::bounds_seen_through`] says of a translation, in a tenth of its time: the
-    /// sizes of both corners' coordinates, here and there, bound the roundings.
+    /// What [`super::instance::bounds_seen_through`] says of a translation, in a tenth of its time:
+    /// the sizes of both corners' coordinates, here and there, bound the roundings.
     fn bounds(&self, copy: u32, inner: &Aabb) -> Aabb {
         let shift = self.shift(copy);
         let sizes = |corner: Point| {

@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use formats::printable;
 
-/// The path from a shape to its innermost part that was hit: an instance of a compound of meshes has
-/// three levels. A shape that holds no others and has no numbered parts has none.
+/// The path from a shape to its innermost part that was hit: an instance of a compound of meshes
+/// has three levels. A shape that holds no others and has no numbered parts has none.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(transparent)]
 pub struct PartPath {
@@ -31,12 +31,12 @@ pub enum Level {
     },
     /// A copy in a lattice: how many times `spacing` it is moved along each axis.
     Copy([u32; 3]),
-    /// One of random spheres, by its index in [`RandomSpheres::spheres`](crate::shapes::RandomSpheres).
+    /// One of random spheres, by its index in
+    /// [`RandomSpheres::spheres`](crate::shapes::RandomSpheres).
     Sphere(u32),
-    /// A triangle of a mesh. Of a mesh file, the triangles are those of its faces in the order of the
-    /// file, a polygon of n corners being cut into n − 2; triangles of area zero are counted,
-    /// although no ray hits them. Of a mesh of lists, it is the
-    /// index into `triangles`.
+    /// A triangle of a mesh. Of a mesh file, the triangles are those of its faces in the order of
+    /// the file, a polygon of n corners being cut into n − 2; triangles of area zero are counted,
+    /// although no ray hits them. Of a mesh of lists, it is the index into `triangles`.
     Triangle(u32),
     /// A face of a box.
     Face(Face),
@@ -92,7 +92,8 @@ impl PartPath {
     }
 }
 
-/// In plain words: `part 2 of a compound, instance, triangle 1543`; empty for a path without levels.
+/// In plain words: `part 2 of a compound, instance, triangle 1543`; empty for a path without
+/// levels.
 impl fmt::Display for PartPath {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         for (index, level) in self.levels.iter().enumerate() {

@@ -21,8 +21,8 @@ use crate::shapes::{Candidate, Context, Shape, Specification, Sphere, Surface, W
 pub struct RandomSpheres {
     /// How many spheres there are; at least 1.
     pub count: u32,
-    /// The radius of each sphere; positive. The book's is `(0.75 · volume / (π · count))^(1/3)` with a
-    /// volume of 0.1.
+    /// The radius of each sphere; positive. The book's is `(0.75 · volume / (π · count))^(1/3)`
+    /// with a volume of 0.1.
     #[schemars(with = "Length")]
     pub radius: f64,
     /// Half the side of the cube of centres; positive.

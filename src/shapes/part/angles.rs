@@ -8,8 +8,8 @@ use crate::shapes::trimmed::Trim;
 /// The directions of a plane from one angle up to another, both included: azimuths φ about the y
 /// axis (as the book measures them, `x = ρ sin φ` and `z = ρ cos φ`), or angles θ around a tube.
 ///
-/// A point is tested by cross products with the two ends, not by its angle. They are exact at multiples of
-/// 90°, and ranges with a common end leave no gap.
+/// A point is tested by cross products with the two ends, not by its angle. They are exact at
+/// multiples of 90°, and ranges with a common end leave no gap.
 #[derive(Clone, Copy, Debug)]
 pub struct Angles {
     /// `[cos, sin]` of the first end and of the last.
@@ -70,8 +70,9 @@ impl Angles {
         }
     }
 
-    /// The distances of the point `[cos, sin]` from both ends, negative beyond; infinite for a full turn. Where
-    /// the range is wide, a point is beyond the nearer end only, and the other counts as infinite.
+    /// The distances of the point `[cos, sin]` from both ends, negative beyond; infinite for a full
+    /// turn. Where the range is wide, a point is beyond the nearer end only, and the other counts
+    /// as infinite.
     pub fn end_distances(&self, at: [f64; 2]) -> [f64; 2] {
         let [start, end] = self.ends;
         let (past_start, before_end) = (cross(start, at), cross(at, end));
@@ -100,8 +101,8 @@ impl Angles {
         [[end(0, -1.0), end(1, -1.0)], [end(0, 1.0), end(1, 1.0)]]
     }
 
-    /// The box around the points of these azimuths, at distances from `near` to `far` from the axis and heights
-    /// from `low` to `high`, from the centre.
+    /// The box around the points of these azimuths, at distances from `near` to `far` from the axis
+    /// and heights from `low` to `high`, from the centre.
     pub fn bounds(&self, center: Point, [near, far]: [f64; 2], [low, high]: [f64; 2]) -> Aabb {
         let [[z0, x0], [z1, x1]] = self.extremes();
         // a coordinate is farthest out where its cosine or sine and the distance are

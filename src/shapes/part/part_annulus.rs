@@ -1,8 +1,8 @@
-//! The part annulus (Suffern, ch. 19): the points of a level [`Annulus`](super::Annulus) with azimuth φ
-//! between two angles, where `x = ρ sin φ` and `z = ρ cos φ`.
+//! The part annulus (Suffern, ch. 19): the points of a level [`Annulus`](super::Annulus) with
+//! azimuth φ between two angles, where `x = ρ sin φ` and `z = ρ cos φ`.
 //!
-//! A hit of the plane is tested for its distance from the centre and for φ. [`Angles`] tests φ by cross
-//! products with both ends; the book computes φ itself and cannot cross φ = 0.
+//! A hit of the plane is tested for its distance from the centre and for φ. [`Angles`] tests φ by
+//! cross products with both ends; the book computes φ itself and cannot cross φ = 0.
 
 use std::sync::Arc;
 
@@ -32,8 +32,8 @@ pub struct PartAnnulus {
     /// The outer radius, above `inner_radius`.
     #[schemars(with = "Length")]
     pub outer_radius: f64,
-    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
-    /// through 360 where the first is larger.
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to
+    /// 360; through 360 where the first is larger.
     #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
 }

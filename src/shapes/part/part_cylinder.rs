@@ -1,8 +1,8 @@
-//! The part cylinder, convex and concave (Suffern, ch. 19): the points of an [`OpenCylinder`] with azimuth φ
-//! between two angles, where `x = r sin φ` and `z = r cos φ`.
+//! The part cylinder, convex and concave (Suffern, ch. 19): the points of an [`OpenCylinder`] with
+//! azimuth φ between two angles, where `x = r sin φ` and `z = r cos φ`.
 //!
-//! Both roots of the cylinder are tested in turn for `y0 ≤ y ≤ y1` and for φ. [`Angles`] tests φ by cross
-//! products with both ends; the book computes φ itself and cannot cross φ = 0.
+//! Both roots of the cylinder are tested in turn for `y0 ≤ y ≤ y1` and for φ. [`Angles`] tests φ by
+//! cross products with both ends; the book computes φ itself and cannot cross φ = 0.
 
 use std::sync::Arc;
 
@@ -29,8 +29,8 @@ pub struct PartCylinder {
     /// The radius; positive.
     #[schemars(with = "Length")]
     pub radius: f64,
-    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
-    /// through 360 where the first is larger.
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to
+    /// 360; through 360 where the first is larger.
     #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
     /// Whether the normal points inward: the book's concave part cylinder.

@@ -1,10 +1,11 @@
-//! The part sphere, convex and concave (Suffern, ch. 19): the points of a [`Sphere`] with azimuth φ and
-//! polar angle θ between two angles each, where `x = r sin θ sin φ`, `y = r cos θ` and
+//! The part sphere, convex and concave (Suffern, ch. 19): the points of a [`Sphere`] with azimuth φ
+//! and polar angle θ between two angles each, where `x = r sin θ sin φ`, `y = r cos θ` and
 //! `z = r sin θ cos φ`.
 //!
-//! Both roots of the sphere are tested in turn. [`Angles`] tests φ by cross products with both ends; the
-//! book computes φ itself and cannot cross φ = 0. The book tests `r cos θ_max ≤ y ≤ r cos θ_min`; here θ
-//! is tested by `sin(θ − θ_min) ≥ 0` and `sin(θ_max − θ) ≥ 0`, as near the poles y hardly changes with θ.
+//! Both roots of the sphere are tested in turn. [`Angles`] tests φ by cross products with both
+//! ends; the book computes φ itself and cannot cross φ = 0. The book tests
+//! `r cos θ_max ≤ y ≤ r cos θ_min`; here θ is tested by `sin(θ − θ_min) ≥ 0` and
+//! `sin(θ_max − θ) ≥ 0`, as near the poles y hardly changes with θ.
 
 use std::sync::Arc;
 
@@ -27,8 +28,8 @@ pub struct PartSphere {
     /// The radius; positive.
     #[schemars(with = "Length")]
     pub radius: f64,
-    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
-    /// through 360 where the first is larger.
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to
+    /// 360; through 360 where the first is larger.
     #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
     /// From the first polar angle down to the second, in degrees from +y: `[0, 90]` is the upper

@@ -1,8 +1,9 @@
-//! The part torus (Suffern, ch. 19): the points of a [`Torus`] with azimuth φ and angle around the tube θ
-//! between two angles each, where `ρ = a + b cos θ`, `x = ρ sin φ`, `y = b sin θ` and `z = ρ cos φ`.
+//! The part torus (Suffern, ch. 19): the points of a [`Torus`] with azimuth φ and angle around the
+//! tube θ between two angles each, where `ρ = a + b cos θ`, `x = ρ sin φ`, `y = b sin θ` and
+//! `z = ρ cos φ`.
 //!
-//! All hits of the torus are tested in turn. [`Angles`] tests φ and θ by cross products with both ends;
-//! the book computes the angles themselves and cannot cross φ = 0.
+//! All hits of the torus are tested in turn. [`Angles`] tests φ and θ by cross products with both
+//! ends; the book computes the angles themselves and cannot cross φ = 0.
 
 use std::sync::Arc;
 
@@ -17,9 +18,9 @@ use crate::shapes::textbook;
 use crate::shapes::trimmed::{Trim, Trimmed};
 use crate::shapes::{Context, Shape, Specification, Torus};
 
-/// The points of a [`Torus`] with azimuth φ (`x = ρ sin φ`, `z = ρ cos φ`) and angle around the tube
-/// θ (`ρ = a + b cos θ`, `y = b sin θ`) in these ranges, ends included. A range whose first end is the
-/// larger goes on through 360°.
+/// The points of a [`Torus`] with azimuth φ (`x = ρ sin φ`, `z = ρ cos φ`) and angle around the
+/// tube θ (`ρ = a + b cos θ`, `y = b sin θ`) in these ranges, ends included. A range whose first
+/// end is the larger goes on through 360°.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PartTorus {
@@ -29,8 +30,8 @@ pub struct PartTorus {
     /// The radius of the tube, the book's `b`: positive, and less than `swept_radius`.
     #[schemars(with = "Length")]
     pub tube_radius: f64,
-    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to 360;
-    /// through 360 where the first is larger.
+    /// From the first azimuth up to the second, in degrees from +z towards +x, each from −360 to
+    /// 360; through 360 where the first is larger.
     #[serde(deserialize_with = "lists::exactly", default = "full_turn")]
     pub phi: [f64; 2],
     /// From the first angle around the tube up to the second, in degrees from its outermost line

@@ -1,12 +1,13 @@
-//! The algebraic surface (implicit surfaces: Suffern, ch. 19): the points of a box with `f(x, y, z) = 0`,
-//! where `f = Σ c xⁱ yʲ zᵏ` is a polynomial of the user's own.
+//! The algebraic surface (implicit surfaces: Suffern, ch. 19): the points of a box with
+//! `f(x, y, z) = 0`, where `f = Σ c xⁱ yʲ zᵏ` is a polynomial of the user's own.
 //!
-//! In the box the ray is `m + s h` with s from −1 to 1, and `f` is a polynomial in s, `F(s) = Σ c_k s^k`.
-//! It is formed about the middle of the chord, not about the ray's origin, so that its coefficients keep
-//! their digits. Still it only says where to search: between the roots of `F′` it is monotone. The signs
-//! there, and the hits between, are those of `f` itself.
+//! In the box the ray is `m + s h` with s from −1 to 1, and `f` is a polynomial in s,
+//! `F(s) = Σ c_k s^k`. It is formed about the middle of the chord, not about the ray's origin, so
+//! that its coefficients keep their digits. Still it only says where to search: between the roots
+//! of `F′` it is monotone. The signs there, and the hits between, are those of `f` itself.
 //!
-//! The usual routine, by samples along the ray (the book has none): `src/shapes/textbook/algebraic.rs`.
+//! The usual routine, by samples along the ray (the book has none):
+//! `src/shapes/textbook/algebraic.rs`.
 
 use std::sync::Arc;
 
@@ -222,8 +223,8 @@ impl AlgebraicShape {
         sum
     }
 
-    /// For each hit, an s where `f` is negative and one where it is positive, or twice the s where it is
-    /// zero; ascending. None of a line that lies in the surface.
+    /// For each hit, an s where `f` is negative and one where it is positive, or twice the s where
+    /// it is zero; ascending. None of a line that lies in the surface.
     fn brackets(&self, chord: &Chord) -> ArrayVec<[f64; 2], MAX_DEGREE> {
         let coefficients = self.along(chord);
         let slopes: [f64; MAX_DEGREE] =
@@ -285,8 +286,8 @@ impl Shape for AlgebraicShape {
         self.hits(ray, span).next()
     }
 
-    /// One step of Newton's method along the gradient moves the point onto the surface, but not where the
-    /// gradient is mere rounding, as where sheets meet.
+    /// One step of Newton's method along the gradient moves the point onto the surface, but not
+    /// where the gradient is mere rounding, as where sheets meet.
     fn surface(&self, ray: &Ray, at: &Candidate) -> Surface {
         let size = self.domain.min.to_vector().abs().max(self.domain.max.to_vector().abs());
         // half of the digits are all that a root has where the gradient vanishes

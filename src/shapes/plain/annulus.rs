@@ -1,8 +1,8 @@
-//! The annulus (Suffern, ch. 19), a disk with a hole: the points `p` of the plane through `c` with the
-//! normal `n` for which `r_in² ≤ |p − c|² ≤ r_out²`.
+//! The annulus (Suffern, ch. 19), a disk with a hole: the points `p` of the plane through `c` with
+//! the normal `n` for which `r_in² ≤ |p − c|² ≤ r_out²`.
 //!
-//! A ray meets the plane at `t = (c − o)·n / d·n`, and then the point is tested, as in the book, whose
-//! own test has `<` for `≤`.
+//! A ray meets the plane at `t = (c − o)·n / d·n`, and then the point is tested, as in the book,
+//! whose own test has `<` for `≤`.
 
 use std::sync::Arc;
 
@@ -66,7 +66,8 @@ impl Radii {
         Self { inner, outer, squares: [inner * inner, outer * outer] }
     }
 
-    /// All points up to this radius. In the book's test an inner radius of 0 would leave out the centre.
+    /// All points up to this radius. In the book's test an inner radius of 0 would leave out the
+    /// centre.
     pub fn within(outer: f64) -> Self {
         Self { squares: [f64::NEG_INFINITY, outer * outer], ..Self::between([0.0, outer]) }
     }

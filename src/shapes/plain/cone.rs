@@ -1,14 +1,14 @@
 //! The open cone (Suffern, ch. 19), a slanted wall without a base: the points with
 //! `(h/r)² (x² + z²) = (h − y)²` and `0 ≤ y ≤ h`.
 //!
-//! About the apex `(0, h, 0)` and with y stretched by `r/h` this is `Q(v) = x² + z² − y² = 0`. With `w`
-//! and `d` the ray's origin and direction in these coordinates, a ray meets the double cone where
-//! `a t² + 2 b t + c = 0` with `a = Q(d)`, `b = w_x d_x + w_z d_z − w_y d_y` and `c = Q(w)`: the book's
-//! quadratic, divided by `(h/r)²`, its `B` halved. Three things differ from the book:
+//! About the apex `(0, h, 0)` and with y stretched by `r/h` this is `Q(v) = x² + z² − y² = 0`. With
+//! `w` and `d` the ray's origin and direction in these coordinates, a ray meets the double cone
+//! where `a t² + 2 b t + c = 0` with `a = Q(d)`, `b = w_x d_x + w_z d_z − w_y d_y` and `c = Q(w)`:
+//! the book's quadratic, divided by `(h/r)²`, its `B` halved. Three things differ from the book:
 //!
 //! - The discriminant `b² − a c` is taken as `Q(w × d)`, which does not cancel.
-//! - A ray nearly along the wall has small `a`, `b` and `c` beside their terms. There `w` is replaced by
-//!   the point of the ray nearest to the apex, and `t` is counted from it.
+//! - A ray nearly along the wall has small `a`, `b` and `c` beside their terms. There `w` is
+//!   replaced by the point of the ray nearest to the apex, and `t` is counted from it.
 //! - A hit on the other half of the double cone, above the apex, is recognised by the signs of the
 //!   coefficients, not by its rounded height.
 
@@ -65,8 +65,8 @@ impl Specification for Cone {
 impl Carrier for Wall {
     const WHOLE: &'static str = "cone without end";
 
-    /// On the half of the double cone below the apex. `l` is `w`, or the point nearest to the apex that
-    /// replaces it.
+    /// On the half of the double cone below the apex. `l` is `w`, or the point nearest to the apex
+    /// that replaces it.
     #[inline(always)] // a call would hand the roots over in memory, which stalls
     fn roots(&self, ray: &Ray, _: Span, _: &Aabb) -> impl Roots {
         let stretched = |v: Vector| Vector::new(v.x(), self.slope * v.y(), v.z());

@@ -1,9 +1,9 @@
 //! The box with faces along the axes (Suffern, ch. 19): the intersection of three slabs.
 //!
-//! Along each axis a ray is in the slab from `(min − o)/d` to `(max − o)/d`, swapped if d < 0. It enters
-//! the box at the largest of the first and leaves it at the smallest of the second, if they are in this
-//! order. The book multiplies by `1/d`; here the differences are divided, as a quotient is monotone: a
-//! segment that ends in front of a face does not reach it by rounding.
+//! Along each axis a ray is in the slab from `(min − o)/d` to `(max − o)/d`, swapped if d < 0. It
+//! enters the box at the largest of the first and leaves it at the smallest of the second, if they
+//! are in this order. The book multiplies by `1/d`; here the differences are divided, as a quotient
+//! is monotone: a segment that ends in front of a face does not reach it by rounding.
 //!
 //! The book's own routine: `src/shapes/textbook/cuboid.rs`.
 
@@ -42,8 +42,8 @@ impl Specification for Cuboid {
 }
 
 impl Cuboid {
-    /// Where the line enters and leaves each of the three slabs. For a ray in the plane of a face one is
-    /// NaN, from `0/0`; [`Cuboid::within`] takes it to be inside that slab.
+    /// Where the line enters and leaves each of the three slabs. For a ray in the plane of a face
+    /// one is NaN, from `0/0`; [`Cuboid::within`] takes it to be inside that slab.
     fn slabs(&self, ray: &Ray) -> [[f64; 3]; 2] {
         let slab = |axis: usize| {
             let (o, d) = (ray.origin.along(axis), ray.direction.along(axis));

@@ -23,8 +23,8 @@ pub struct CutFace {
     /// The side of the square; positive.
     #[schemars(with = "Length")]
     pub size: f64,
-    /// The radius of the hole: positive, and less than from the middle to a corner. Where it is more than
-    /// half of `size`, four corners are left.
+    /// The radius of the hole: positive, and less than from the middle to a corner. Where it is
+    /// more than half of `size`, four corners are left.
     #[schemars(with = "Length")]
     pub radius: f64,
 }

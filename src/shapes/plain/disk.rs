@@ -1,8 +1,8 @@
-//! The disk (Suffern, ch. 19): the points `p` of the plane through `c` with the normal `n` for which
-//! `|p − c|² ≤ r²`.
+//! The disk (Suffern, ch. 19): the points `p` of the plane through `c` with the normal `n` for
+//! which `|p − c|² ≤ r²`.
 //!
-//! A ray meets the plane at `t = (c − o)·n / d·n`, and then the point is tested, as in the book, whose
-//! own test has `<` for `≤`.
+//! A ray meets the plane at `t = (c − o)·n / d·n`, and then the point is tested, as in the book,
+//! whose own test has `<` for `≤`.
 
 use std::f64::consts::PI;
 use std::sync::Arc;

@@ -2,8 +2,8 @@
 //! `y0 ≤ y ≤ y1`.
 //!
 //! A ray meets it where `a t² + 2 b t + c = 0` with `a = d_x² + d_z²`, `b = o_x d_x + o_z d_z` and
-//! `c = o_x² + o_z² − r²` (the book's `b` is twice as large). Both roots are tested in turn: if the near
-//! one is beyond an end, the far one may not be. The discriminant `b² − a c` is taken as
+//! `c = o_x² + o_z² − r²` (the book's `b` is twice as large). Both roots are tested in turn: if the
+//! near one is beyond an end, the far one may not be. The discriminant `b² − a c` is taken as
 //! `a r² − (o_x d_z − o_z d_x)²`, which keeps its digits for far origins and thin cylinders
 //! ([`circle_roots`]).
 
@@ -18,7 +18,8 @@ use crate::shapes::textbook::schoolbook_roots;
 use crate::shapes::trimmed::{All, Carrier, Roots, Trim, Trimmed};
 use crate::shapes::{Context, Shape, Specification, Surface, normal_along};
 
-/// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward, or to the axis.
+/// The points with `x² + z² = radius²` and `y0 ≤ y ≤ y1`; the normal points outward, or to the
+/// axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct OpenCylinder {

@@ -1,10 +1,10 @@
 //! The paraboloid of revolution, open above (a quadric as in Suffern, ch. 19): the points with
 //! `x² + z² = w y` and `y ≤ h`, where `w = r²/h`.
 //!
-//! With `k = w/2` a ray meets it where `a t² + 2 b t + c = 0` with `a = d_x² + d_z²`, `b = e − k d_y`,
-//! `e = o_x d_x + o_z d_z` and `c = o_x² + o_z² − w o_y`. The discriminant `b² − a c` is taken as
-//! `k (d_y (k d_y − 2 e) + 2 a o_y) − (o_z d_x − o_x d_z)²`: the parts of `e²` and `a (o_x² + o_z²)` that
-//! cancel are left out.
+//! With `k = w/2` a ray meets it where `a t² + 2 b t + c = 0` with `a = d_x² + d_z²`,
+//! `b = e − k d_y`, `e = o_x d_x + o_z d_z` and `c = o_x² + o_z² − w o_y`. The discriminant
+//! `b² − a c` is taken as `k (d_y (k d_y − 2 e) + 2 a o_y) − (o_z d_x − o_x d_z)²`: the parts of
+//! `e²` and `a (o_x² + o_z²)` that cancel are left out.
 
 use std::sync::Arc;
 

@@ -1,7 +1,8 @@
 //! The infinite plane (Suffern, ch. 3): the points `p` with `(p − a)·n = 0`.
 //!
 //! A ray meets it at `t = (a − o)·n / d·n`, as in the book. For a ray parallel to the plane that is
-//! infinite or NaN, and no span contains it. The book's own routine takes `n` as the scene gives it.
+//! infinite or NaN, and no span contains it. The book's own routine takes `n` as the scene gives
+//! it.
 
 use std::sync::Arc;
 
@@ -55,8 +56,8 @@ impl PlaneThrough {
         (self.anchor - ray.origin).dot(n) / ray.direction.dot(n)
     }
 
-    /// The box around the disk of this radius about the anchor. It extends `r sin θ` along an axis at the
-    /// angle θ to the normal.
+    /// The box around the disk of this radius about the anchor. It extends `r sin θ` along an axis
+    /// at the angle θ to the normal.
     pub fn bounds_within(&self, radius: f64) -> Aabb {
         let [x, y, z] = self.normal.to_array();
         let sine = |a: f64, b: f64| (a * a + b * b).sqrt();

@@ -1,5 +1,5 @@
-//! The rectangle (Suffern, ch. 19): the points `p` of the plane through `p0` with the normal `n ∝ a × b` for
-//! which `0 ≤ (p − p0)·a ≤ a·a` and `0 ≤ (p − p0)·b ≤ b·b`.
+//! The rectangle (Suffern, ch. 19): the points `p` of the plane through `p0` with the normal
+//! `n ∝ a × b` for which `0 ≤ (p − p0)·a ≤ a·a` and `0 ≤ (p − p0)·b ≤ b·b`.
 //!
 //! A ray meets the plane at `t = (p0 − o)·n / d·n`, and then the point is tested, as in the book.
 

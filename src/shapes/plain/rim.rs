@@ -11,8 +11,8 @@ pub struct Rim {
     pub radius: f64,
     /// Whether the height of the wall is less than `r`: then y is rounded more than ρ.
     pub is_flat: bool,
-    /// `dy/dρ` at the axis and at the rim, linear in between. Where it is not 0 at the axis, the wall has an
-    /// apex there, which is an edge.
+    /// `dy/dρ` at the axis and at the rim, linear in between. Where it is not 0 at the axis, the
+    /// wall has an apex there, which is an edge.
     pub slopes: [f64; 2],
     /// The least and the greatest height in the book's test.
     pub book_heights: [f64; 2],

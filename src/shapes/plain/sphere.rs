@@ -1,8 +1,8 @@
 //! The sphere (Suffern, ch. 3): the points `p` with `|p − c|² = r²`.
 //!
 //! With `f = o − c` a ray meets it where `d·d t² + 2 f·d t + f·f − r² = 0`. The book takes the
-//! discriminant as `b² − 4ac`; here a quarter of it is `r² d·d − |f × d|²`, which keeps its digits for
-//! far and for small spheres ([`perpendicular_roots`]).
+//! discriminant as `b² − 4ac`; here a quarter of it is `r² d·d − |f × d|²`, which keeps its digits
+//! for far and for small spheres ([`perpendicular_roots`]).
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -104,8 +104,8 @@ impl Carrier for Sphere {
 }
 
 impl Sphere {
-    /// Whether the sphere itself hides this point of it from `from`: not if it is on the silhouette, and not
-    /// if `from` is inside.
+    /// Whether the sphere itself hides this point of it from `from`: not if it is on the
+    /// silhouette, and not if `from` is inside.
     fn hides(&self, from: Point, at: &Surface) -> bool {
         let (way, out) = (from - at.point, at.point - self.center);
         way.dot(out) < -64.0 * UNIT_ROUNDOFF * way.length() * self.radius && self.is_outside(from)
@@ -134,13 +134,14 @@ impl EvenSurface for Sphere {
     }
 }
 
-/// A sphere sampled evenly by solid angle: from outside in the cone of directions that meet it; from
-/// inside, where all of it is visible, by area.
+/// A sphere sampled evenly by solid angle: from outside in the cone of directions that meet it;
+/// from inside, where all of it is visible, by area.
 #[derive(Debug)]
 struct BySolidAngle(Sphere);
 
 impl BySolidAngle {
-    /// The axis of the cone, from `from` to the centre, and `1 − cosθ_max` of its half-angle; `None` inside.
+    /// The axis of the cone, from `from` to the centre, and `1 − cosθ_max` of its half-angle;
+    /// `None` inside.
     fn cone(&self, from: Point) -> Option<(Vector, f64)> {
         let axis = self.0.center - from;
         let sine = self.0.radius / axis.length();
@@ -152,15 +153,15 @@ impl BySolidAngle {
     }
 }
 
-/// Points of the unit disk nearer to its rim are moved inward: on the silhouette itself rounding would put
-/// them in front of the sphere or behind it.
+/// Points of the unit disk nearer to its rim are moved inward: on the silhouette itself rounding
+/// would put them in front of the sphere or behind it.
 const RIM: f64 = 1.0 - 1e-12;
 
 impl SampledSurface for BySolidAngle {
     /// The map from the square to the disk keeps ratios of areas, and so does
-    /// `1 − cosθ = ρ² (1 − cosθ_max)` from the disk to the cone. With d the distance of the centre, the
-    /// angle α at the centre between `from` and the point has `sin(α + θ) = (d/r) sinθ`; from it follows
-    /// the normal, without a difference of long distances.
+    /// `1 − cosθ = ρ² (1 − cosθ_max)` from the disk to the cone. With d the distance of the centre,
+    /// the angle α at the centre between `from` and the point has `sin(α + θ) = (d/r) sinθ`; from
+    /// it follows the normal, without a difference of long distances.
     fn sample(&self, from: Point, u: [f64; 2]) -> Option<(Surface, f64)> {
         let Some((axis, opening)) = self.cone(from) else {
             return self.0.sample_by_area(from, u);

@@ -1,8 +1,9 @@
 //! The solid angle of a rectangle as seen from a point, and directions drawn evenly in it.
 //!
-//! Source: Ureña, Fajardo & King, "An Area-Preserving Parametrization for Spherical Rectangles", EGSR
-//! 2013. The paper takes the four angles between the planes through the edges by `acos` of unit normals;
-//! here they are `atan2` of products, which keeps its digits.
+//! Source: Ureña, Fajardo & King, "An Area-Preserving Parametrization for Spherical Rectangles",
+//! EGSR
+//! 2013. The paper takes the four angles between the planes through the edges by `acos` of unit
+//!       normals; here they are `atan2` of products, which keeps its digits.
 
 use std::f64::consts::PI;
 
@@ -22,11 +23,11 @@ pub(in crate::shapes) struct SphericalRectangle {
     start: f64,
 }
 
-/// The solid angle is a difference of angles near 2π, with an error of some 1e-15: a smaller one has too few
-/// digits. Such a rectangle is almost edge-on and sends hardly any light.
+/// The solid angle is a difference of angles near 2π, with an error of some 1e-15: a smaller one
+/// has too few digits. Such a rectangle is almost edge-on and sends hardly any light.
 const MIN_SOLID_ANGLE: f64 = 1e-9;
-/// The square of diagonal over distance. Below it all points of the rectangle look almost equally large, and
-/// sampling by area is as good.
+/// The square of diagonal over distance. Below it all points of the rectangle look almost equally
+/// large, and sampling by area is as good.
 const MIN_SIZE_SQUARED: f64 = 1e-4;
 
 impl SphericalRectangle {

@@ -1,22 +1,22 @@
-//! The torus (Suffern, ch. 19): the points with `(|p|² − a² − b²)² = 4a² (b² − y²)`, or, which is the
-//! same with `ρ² = x² + z²`, `(|p|² + a² − b²)² = 4a² ρ²`.
+//! The torus (Suffern, ch. 19): the points with `(|p|² − a² − b²)² = 4a² (b² − y²)`, or, which is
+//! the same with `ρ² = x² + z²`, `(|p|² + a² − b²)² = 4a² ρ²`.
 //!
-//! The book solves the quartic in `t` that the ray makes of it. Here the ray is measured in lengths `s`
-//! from its point `m` nearest to the origin. So `d` is unit, `m·d = 0`, `|p|² = s² + m·m`, and the
-//! quartic is
+//! The book solves the quartic in `t` that the ray makes of it. Here the ray is measured in lengths
+//! `s` from its point `m` nearest to the origin. So `d` is unit, `m·d = 0`, `|p|² = s² + m·m`, and
+//! the quartic is
 //!
 //! `F(s) = (s² + k)² − 4a² (e s² + 2 h s + m_x² + m_z²)`
 //!
-//! with `k = m·m + a² − b²`, `e = d_x² + d_z²` and `h = m_x d_x + m_z d_z`. Its coefficients lose the
-//! digits of a thin tube, so it is not solved; it only says where to search. `F′/4 = s³ + p s + q` with
-//! `p = k − 2a² e` and `q = −2a² h` is a cubic without a square, and between its roots `F` is monotone.
-//! In each such interval at whose ends `F` has different signs there is one hit. Signs and hits are those
-//! of the tube function `G = (ρ − a)² + y² − b²`, which keeps its digits: `F = G · ((ρ + a)² + y² − b²)`,
-//! and the second factor is positive for `b < a`. Newton's method on `G`, kept in the interval, finds the
-//! hit.
+//! with `k = m·m + a² − b²`, `e = d_x² + d_z²` and `h = m_x d_x + m_z d_z`. Its coefficients lose
+//! the digits of a thin tube, so it is not solved; it only says where to search.
+//! `F′/4 = s³ + p s + q` with `p = k − 2a² e` and `q = −2a² h` is a cubic without a square, and
+//! between its roots `F` is monotone. In each such interval at whose ends `F` has different signs
+//! there is one hit. Signs and hits are those of the tube function `G = (ρ − a)² + y² − b²`, which
+//! keeps its digits: `F = G · ((ρ + a)² + y² − b²)`, and the second factor is positive for `b < a`.
+//! Newton's method on `G`, kept in the interval, finds the hit.
 //!
-//! The idea of searching between the roots of a derivative: Yuksel, "High-Performance Polynomial Root
-//! Finding for Graphics", HPG 2022.
+//! The idea of searching between the roots of a derivative: Yuksel, "High-Performance Polynomial
+//! Root Finding for Graphics", HPG 2022.
 //!
 //! The book's own routine: `src/shapes/textbook/torus.rs`.
 
@@ -105,9 +105,9 @@ struct Bracket {
     outside: f64,
 }
 
-/// The roots of `s³ + p s + q = F′/4` where `F` has a minimum: the only one, or the least and the greatest
-/// of three (Cardano; Viète). They are good to 1e-8, and to 1e-5 where they are close to each other. That
-/// is enough, as `F` hardly changes there.
+/// The roots of `s³ + p s + q = F′/4` where `F` has a minimum: the only one, or the least and the
+/// greatest of three (Cardano; Viète). They are good to 1e-8, and to 1e-5 where they are close to
+/// each other. That is enough, as `F` hardly changes there.
 fn minima(p: f64, q: f64) -> ArrayVec<f64, 2> {
     let (third, half) = (p / 3.0, 0.5 * q);
     let discriminant = half * half + third * third * third;
@@ -202,8 +202,8 @@ impl Torus {
         brackets
     }
 
-    /// The hit of a bracket, by Newton's method. `G` is nearly `G(inside) + (s − inside)²` where it has a
-    /// minimum, so it starts at the root of that.
+    /// The hit of a bracket, by Newton's method. `G` is nearly `G(inside) + (s − inside)²` where it
+    /// has a minimum, so it starts at the root of that.
     fn solve(&self, line: &Line, Bracket { inside, depth, outside }: Bracket) -> f64 {
         let size = self.extent();
         let tolerance = Tolerance {
@@ -235,7 +235,8 @@ impl Carrier for Torus {
         textbook::torus_roots(ray, self.swept_radius, self.tube_radius, span)
     }
 
-    /// The normal points away from the circle in the middle of the tube, and the point is `b` along it.
+    /// The normal points away from the circle in the middle of the tube, and the point is `b` along
+    /// it.
     fn surface(&self, ray: &Ray, t: f64) -> Surface {
         let raw = ray.at(t).to_vector();
         let rho = from_axis(raw);

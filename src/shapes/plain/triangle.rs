@@ -1,7 +1,8 @@
-//! The triangle (Suffern, ch. 19): the points `(1 − β − γ) v0 + β v1 + γ v2` with `β, γ ≥ 0` and `β + γ ≤ 1`.
+//! The triangle (Suffern, ch. 19): the points `(1 − β − γ) v0 + β v1 + γ v2` with `β, γ ≥ 0` and
+//! `β + γ ≤ 1`.
 //!
-//! The book solves for β, γ and t by Cramer's rule. Here [`watertight`] finds them, so that triangles with a
-//! common edge leave no gap between them.
+//! The book solves for β, γ and t by Cramer's rule. Here [`watertight`] finds them, so that
+//! triangles with a common edge leave no gap between them.
 //!
 //! The book's own routine: `src/shapes/textbook/triangle.rs`.
 

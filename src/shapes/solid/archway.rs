@@ -1,9 +1,9 @@
-//! The archway (Suffern, ch. 21): a compound of two columns of beveled boxes and a round arch of beveled
-//! wedges on them.
+//! The archway (Suffern, ch. 21): a compound of two columns of beveled boxes and a round arch of
+//! beveled wedges on them.
 //!
-//! The middle of the arch is at the height `height − width/2`, where the columns end. The wedges are
-//! built about the y axis, from azimuth 90° to 270°, and turned upright by `y → z, z → −y`. The book's
-//! stones touch; here a narrow joint is between them.
+//! The middle of the arch is at the height `height − width/2`, where the columns end. The wedges
+//! are built about the y axis, from azimuth 90° to 270°, and turned upright by `y → z, z → −y`. The
+//! book's stones touch; here a narrow joint is between them.
 
 use std::sync::Arc;
 
@@ -23,8 +23,8 @@ use crate::shapes::{Context, Instance, Shape, Specification};
 const MAX_STONES: u32 = 1000;
 
 /// An archway of stones with round edges, as the parts `columns` and `arch`; normals point outward.
-/// It stands on the plane y = 0 and faces along the z axis, its middle above the origin. Between the stones
-/// are joints, about a thousandth of the bevel wide.
+/// It stands on the plane y = 0 and faces along the z axis, its middle above the origin. Between
+/// the stones are joints, about a thousandth of the bevel wide.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Archway {

@@ -1,9 +1,9 @@
 //! The beveled box (Suffern, ch. 21): the union of 6 rectangles, 12 edges and 8 corners.
 //!
 //! With the bevel `r_b` the inner box is `[min + r_b, max − r_b]`. The surface is all points at the
-//! distance `r_b` from it: a rectangle beside each face of the inner box, a quarter of a cylinder of
-//! radius `r_b` about each edge, an eighth of a sphere about each corner. (The book takes whole cylinders
-//! and spheres: see [`edges`](super::edges).)
+//! distance `r_b` from it: a rectangle beside each face of the inner box, a quarter of a cylinder
+//! of radius `r_b` about each edge, an eighth of a sphere about each corner. (The book takes whole
+//! cylinders and spheres: see [`edges`](super::edges).)
 
 use std::sync::Arc;
 
@@ -17,8 +17,8 @@ use crate::shapes::composite::assembly::{Materials, solid};
 use crate::shapes::{Context, Instance, Rectangle, Shape, Specification};
 
 /// A box with round edges and corners: the points at most `bevel` away from the box that is smaller
-/// by `bevel` on each side. Its parts are the six faces `left`, `right`, `bottom`, `top`, `back` and
-/// `front`, twelve `edges` and eight `corners`, 26 in all; normals point outward.
+/// by `bevel` on each side. Its parts are the six faces `left`, `right`, `bottom`, `top`, `back`
+/// and `front`, twelve `edges` and eight `corners`, 26 in all; normals point outward.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BeveledBox {

@@ -1,8 +1,9 @@
 //! The beveled cylinder (Suffern, ch. 21): the union of two disks, a wall and two round edges.
 //!
-//! With radius `r` and bevel `r_b` the disks at `y0` and `y1` have the radius `r − r_b`, the wall goes from
-//! `y0 + r_b` to `y1 − r_b`, and the edges are parts of tori with `a = r − r_b` and `b = r_b`. Where
-//! `b > a` such a torus meets itself; so each edge is a [`Shoulder`], which is the same surface.
+//! With radius `r` and bevel `r_b` the disks at `y0` and `y1` have the radius `r − r_b`, the wall
+//! goes from `y0 + r_b` to `y1 − r_b`, and the edges are parts of tori with `a = r − r_b` and
+//! `b = r_b`. Where `b > a` such a torus meets itself; so each edge is a [`Shoulder`], which is the
+//! same surface.
 
 use std::sync::Arc;
 

@@ -1,7 +1,9 @@
-//! The beveled ring (Suffern, ch. 21): the union of two annuli, two walls and four quarters of tori.
+//! The beveled ring (Suffern, ch. 21): the union of two annuli, two walls and four quarters of
+//! tori.
 //!
-//! With radii `r0 < r1` and bevel `r_b` the annuli at `y0` and `y1` go from `r0 + r_b` to `r1 − r_b`, the
-//! walls from `y0 + r_b` to `y1 − r_b`, and the tori have `a = r0 + r_b` or `r1 − r_b`, and `b = r_b`.
+//! With radii `r0 < r1` and bevel `r_b` the annuli at `y0` and `y1` go from `r0 + r_b` to
+//! `r1 − r_b`, the walls from `y0 + r_b` to `y1 − r_b`, and the tori have `a = r0 + r_b` or
+//! `r1 − r_b`, and `b = r_b`.
 
 use std::sync::Arc;
 

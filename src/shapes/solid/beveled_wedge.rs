@@ -1,5 +1,5 @@
-//! The beveled wedge (Suffern, ch. 21): a sector of a thick ring with round edges. Its equations stand in
-//! [`wedge_parts`](super::wedge_parts).
+//! The beveled wedge (Suffern, ch. 21): a sector of a thick ring with round edges. Its equations
+//! stand in [`wedge_parts`](super::wedge_parts).
 
 use std::sync::Arc;
 
@@ -16,8 +16,8 @@ use crate::shapes::plain::annulus::radii;
 use crate::shapes::{Context, Shape, Specification};
 
 /// The part of a thick ring between two azimuths, with round edges and corners, as the parts
-/// `bottom`, `top`, `inner_wall`, `outer_wall`, `start`, `end`, `edges` and `corners`; normals point
-/// out of the wedge.
+/// `bottom`, `top`, `inner_wall`, `outer_wall`, `start`, `end`, `edges` and `corners`; normals
+/// point out of the wedge.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BeveledWedge {

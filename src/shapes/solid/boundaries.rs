@@ -1,5 +1,6 @@
 //! Vessels of glass with water in them: one surface for each boundary between two media (Suffern,
-//! ch. 28). With a surface of the glass and one of the water where they touch, air would be between them.
+//! ch. 28). With a surface of the glass and one of the water where they touch, air would be between
+//! them.
 
 use std::sync::Arc;
 
@@ -12,8 +13,8 @@ use crate::shapes::composite::assembly::{Assembly, PartData};
 use crate::shapes::solid::edges::moved;
 use crate::shapes::{Context, Kind, PartTorus, Shape};
 
-/// The materials of a vessel's boundaries. The first medium of each name is on the inner side, the side that
-/// the normals point away from.
+/// The materials of a vessel's boundaries. The first medium of each name is on the inner side, the
+/// side that the normals point away from.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct BoundaryMaterials {
@@ -63,8 +64,8 @@ impl BoundaryMaterials {
 /// A part by its name.
 type Named = (&'static str, Kind);
 
-/// Part of a meniscus: a torus with its circle of radius `swept` at this height, between angles `theta`
-/// around the tube. The water is outside the tube, so the normals point into it.
+/// Part of a meniscus: a torus with its circle of radius `swept` at this height, between angles
+/// `theta` around the tube. The water is outside the tube, so the normals point into it.
 pub(in crate::shapes) fn meniscus(swept: f64, radius: f64, height: f64, theta: [f64; 2]) -> Kind {
     let (swept_radius, tube_radius, phi) = (swept, radius, [0.0, 360.0]);
     let tube = PartTorus { swept_radius, tube_radius, phi, theta, inward: true };

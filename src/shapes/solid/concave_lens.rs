@@ -1,10 +1,10 @@
 //! The concave lens (Suffern, ch. 19): a disk with a spherical hollow of depth
 //! `δ = (thickness − min_distance)/2` in each side.
 //!
-//! The radius `ρ` of the hollows' spheres follows from `ρ² = R² + (ρ − δ)²`, where R is that of the rim:
-//! the book's `ρ = (δ² + R²)/2δ`. Its surface is a compound of two part spheres and an open cylinder. The
-//! book takes [`PartSphere`](crate::shapes::PartSphere)s; for shallow hollows their centres are so far
-//! away that digits are lost, so here they are [`SphericalCap`]s.
+//! The radius `ρ` of the hollows' spheres follows from `ρ² = R² + (ρ − δ)²`, where R is that of the
+//! rim: the book's `ρ = (δ² + R²)/2δ`. Its surface is a compound of two part spheres and an open
+//! cylinder. The book takes [`PartSphere`](crate::shapes::PartSphere)s; for shallow hollows their
+//! centres are so far away that digits are lost, so here they are [`SphericalCap`]s.
 
 use std::sync::Arc;
 
@@ -27,8 +27,8 @@ pub struct ConcaveLens {
     /// The radius of the rim; positive.
     #[schemars(with = "Length")]
     pub radius: f64,
-    /// The thickness at the rim; the lens reaches half of it above and below the plane y = 0. At most
-    /// `min_distance + 2 radius`: no hollow is deeper than half a sphere.
+    /// The thickness at the rim; the lens reaches half of it above and below the plane y = 0. At
+    /// most `min_distance + 2 radius`: no hollow is deeper than half a sphere.
     #[schemars(with = "Length")]
     pub thickness: f64,
     /// From hollow to hollow, on the axis: positive and less than `thickness`.

@@ -1,8 +1,9 @@
-//! Round edges and corners, of which beveled solids and bowls are made: quarters of cylinders and of
-//! tubes, eighths of spheres.
+//! Round edges and corners, of which beveled solids and bowls are made: quarters of cylinders and
+//! of tubes, eighths of spheres.
 //!
-//! The book takes whole cylinders, spheres and tori, most of which is hidden inside the solid. Only the
-//! parts on the surface are taken here, so that a ray inside the solid hits nothing but its surface.
+//! The book takes whole cylinders, spheres and tori, most of which is hidden inside the solid. Only
+//! the parts on the surface are taken here, so that a ray inside the solid hits nothing but its
+//! surface.
 
 use crate::invalid::{Invalid, length, shown};
 use crate::math::{Point, Step, UNIT_ROUNDOFF, Vector};
@@ -11,7 +12,8 @@ use crate::shapes::{Instance, Kind, PartCylinder, PartSphere, PartTorus};
 /// A part by its name.
 pub(in crate::shapes) type Named = (&'static str, Kind);
 
-/// Part of a tube of radius `tube` about the circle of radius `swept`; angles as the book's part torus.
+/// Part of a tube of radius `tube` about the circle of radius `swept`; angles as the book's part
+/// torus.
 pub(in crate::shapes) fn tube(swept: f64, tube: f64, phi: [f64; 2], theta: [f64; 2]) -> Kind {
     PartTorus { swept_radius: swept, tube_radius: tube, phi, theta, inward: false }.into()
 }
@@ -54,8 +56,9 @@ pub(in crate::shapes) fn left_of(range: [f64; 2], by: f64) -> Option<[f64; 2]> {
     (low < high).then_some([low, high])
 }
 
-/// Half the width of the joint between two stones of this bevel. The book's stones touch: there a ray that
-/// leaves one stone meets the face of the next at the same point, and rounding decides which is first.
+/// Half the width of the joint between two stones of this bevel. The book's stones touch: there a
+/// ray that leaves one stone meets the face of the next at the same point, and rounding decides
+/// which is first.
 pub(in crate::shapes) fn half_joint(bevel: f64) -> f64 {
     bevel / 2048.0
 }

@@ -1,9 +1,9 @@
 //! The fish bowl (Suffern, ch. 28): a compound of part spheres, a disk and parts of tori.
 //!
-//! The bowl's inner sphere has radius R, the water's level is at the height `h = water_depth − R`. The
-//! meniscus is part of a torus with `b = m`, the meniscus radius, whose circle is at `y_c = h + m` and at
-//! the distance `R − m` from the origin: `a = x_c = √((R − m)² − y_c²)`. It touches the level, and the
-//! sphere at the angle `β = atan(y_c/x_c)` above the horizontal.
+//! The bowl's inner sphere has radius R, the water's level is at the height `h = water_depth − R`.
+//! The meniscus is part of a torus with `b = m`, the meniscus radius, whose circle is at
+//! `y_c = h + m` and at the distance `R − m` from the origin: `a = x_c = √((R − m)² − y_c²)`. It
+//! touches the level, and the sphere at the angle `β = atan(y_c/x_c)` above the horizontal.
 
 use std::sync::Arc;
 
@@ -18,11 +18,11 @@ use crate::shapes::part::angles::full_turn;
 use crate::shapes::solid::edges::{moved, tube};
 use crate::shapes::{Context, Disk, Kind, PartSphere, Shape, Specification};
 
-/// A spherical bowl about the origin with a rounded rim, and water in it that curves up to the glass.
-/// Its parts are one surface for each boundary: `outside`, `inside` and `rim` between glass and air,
-/// `level`, `meniscus` and `upper meniscus` between water and air, `wall` between water and glass.
-/// Water that does not fill half the bowl has no upper meniscus. Each boundary wants a material of
-/// its own, a dielectric.
+/// A spherical bowl about the origin with a rounded rim, and water in it that curves up to the
+/// glass. Its parts are one surface for each boundary: `outside`, `inside` and `rim` between glass
+/// and air, `level`, `meniscus` and `upper meniscus` between water and air, `wall` between water
+/// and glass. Water that does not fill half the bowl has no upper meniscus. Each boundary wants a
+/// material of its own, a dielectric.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct FishBowl {
@@ -38,7 +38,8 @@ pub struct FishBowl {
     /// The radius of the meniscus.
     #[schemars(with = "Length")]
     pub meniscus_radius: f64,
-    /// The angle at which the opening is seen across from the origin, in degrees above 0 and below 360.
+    /// The angle at which the opening is seen across from the origin, in degrees above 0 and below
+    /// 360.
     pub opening: f64,
     /// The names of the materials of the boundaries.
     #[serde(skip_serializing_if = "BoundaryMaterials::is_empty")]
@@ -87,8 +88,9 @@ impl FishBowl {
 }
 
 impl Specification for FishBowl {
-    /// The rim is half a tube between the spheres, at the polar angle α/2: the half that is turned to the
-    /// opening, from 90° − α/2 around the tube. (The book has α/2, which is the same at 90° only.)
+    /// The rim is half a tube between the spheres, at the polar angle α/2: the half that is turned
+    /// to the opening, from 90° − α/2 around the tube. (The book has α/2, which is the same at 90°
+    /// only.)
     fn build(&self, context: &mut Context) -> Result<Arc<dyn Shape>, Invalid> {
         let r = length("inner_radius", self.inner_radius)?;
         let g = length("glass_thickness", self.glass_thickness)?;

@@ -1,8 +1,8 @@
-//! The flat-rimmed bowl (Suffern, ch. 19): the points with `r_in² ≤ |p|² ≤ r_out²` and `y ≤ r_in cos θ`,
-//! where θ is half the opening angle.
+//! The flat-rimmed bowl (Suffern, ch. 19): the points with `r_in² ≤ |p|² ≤ r_out²` and
+//! `y ≤ r_in cos θ`, where θ is half the opening angle.
 //!
-//! Its surface is a compound of two part spheres and an annulus. The book's bowl is the hemisphere, θ =
-//! 90°; for others the annulus goes from `r_in sin θ` to `√(r_out² − r_in² cos² θ)`.
+//! Its surface is a compound of two part spheres and an annulus. The book's bowl is the hemisphere,
+//! θ = 90°; for others the annulus goes from `r_in sin θ` to `√(r_out² − r_in² cos² θ)`.
 
 use std::sync::Arc;
 
@@ -27,8 +27,9 @@ pub struct FlatRimmedBowl {
     /// The radius of the outside, above `inner_radius`.
     #[schemars(with = "Length")]
     pub outer_radius: f64,
-    /// The angle at which the rim of the inside is seen across from the origin, in degrees above 0 and
-    /// below 360: 180 for the book's hemispherical bowl, less for one that narrows towards its rim.
+    /// The angle at which the rim of the inside is seen across from the origin, in degrees above 0
+    /// and below 360: 180 for the book's hemispherical bowl, less for one that narrows towards its
+    /// rim.
     #[serde(default = "hemisphere")]
     pub opening: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.

@@ -1,9 +1,9 @@
-//! The glass of water (Suffern, ch. 28): a compound of disks, an annulus, open cylinders and part of a
-//! torus.
+//! The glass of water (Suffern, ch. 28): a compound of disks, an annulus, open cylinders and part
+//! of a torus.
 //!
 //! The water's level is at height `y_w`; its meniscus is a quarter of a torus with `a = r − m` and
-//! `b = m` at the height `y_w + m`, where r is the inner radius of the glass and m that of the meniscus.
-//! So it touches the level and the glass without an angle.
+//! `b = m` at the height `y_w + m`, where r is the inner radius of the glass and m that of the
+//! meniscus. So it touches the level and the glass without an angle.
 
 use std::sync::Arc;
 
@@ -15,10 +15,10 @@ use crate::invalid::{Invalid, length, shown};
 use crate::math::{Length, Point, Vector};
 use crate::shapes::{Annulus, Context, Disk, OpenCylinder, Shape, Specification};
 
-/// A cylindrical glass about the y axis that stands on y = 0, with water in it that curves up to the
-/// glass. Its eight parts are one surface for each boundary: `rim`, `bottom`, `inside` and `outside`
-/// between glass and air, `level` and `meniscus` between water and air, `base` and `wall` between
-/// water and glass. Each boundary wants a material of its own, a dielectric.
+/// A cylindrical glass about the y axis that stands on y = 0, with water in it that curves up to
+/// the glass. Its eight parts are one surface for each boundary: `rim`, `bottom`, `inside` and
+/// `outside` between glass and air, `level` and `meniscus` between water and air, `base` and `wall`
+/// between water and glass. Each boundary wants a material of its own, a dielectric.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct GlassOfWater {
@@ -34,8 +34,8 @@ pub struct GlassOfWater {
     /// The thickness of the bottom.
     #[schemars(with = "Length")]
     pub base_thickness: f64,
-    /// The height of the water's level above y = 0: above the bottom, and so far below `height` that
-    /// the meniscus fits.
+    /// The height of the water's level above y = 0: above the bottom, and so far below `height`
+    /// that the meniscus fits.
     #[schemars(with = "Length")]
     pub water_height: f64,
     /// The radius of the meniscus; less than half of `inner_radius`.

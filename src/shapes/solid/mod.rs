@@ -1,4 +1,5 @@
-//! Solids: of a few parts (Suffern, ch. 19 and 28), with round edges, and compounds of them (ch. 21).
+//! Solids: of a few parts (Suffern, ch. 19 and 28), with round edges, and compounds of them (ch.
+//! 21).
 
 // shared by the kinds
 pub mod boundaries;

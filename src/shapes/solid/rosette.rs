@@ -1,7 +1,7 @@
 //! The rosette (Suffern, ch. 21): a compound of rings of beveled wedges, as in a stone floor.
 //!
-//! Ring `i` goes from the radius `hole_radius + i ring_width` to the next; its `n` wedges are `360/n`
-//! degrees wide each. The book's wedges touch; here a narrow joint is between them.
+//! Ring `i` goes from the radius `hole_radius + i ring_width` to the next; its `n` wedges are
+//! `360/n` degrees wide each. The book's wedges touch; here a narrow joint is between them.
 
 use std::sync::Arc;
 
@@ -21,8 +21,8 @@ const WEDGES: [u32; 6] = [10, 12, 15, 18, 24, 36];
 const NAMES: [&str; 6] = ["ring_1", "ring_2", "ring_3", "ring_4", "ring_5", "ring_6"];
 
 /// Rings of 10, 12, 15, 18, 24 and 36 beveled wedges about a hole, as the parts `ring_1` (the
-/// innermost) to `ring_6`; normals point outward. Between the wedges are joints, about a thousandth of the
-/// bevel wide.
+/// innermost) to `ring_6`; normals point outward. Between the wedges are joints, about a thousandth
+/// of the bevel wide.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Rosette {
@@ -34,8 +34,8 @@ pub struct Rosette {
     /// From the inner to the outer wall of each ring; positive.
     #[schemars(with = "Length")]
     pub ring_width: f64,
-    /// The radius of the wedges' edges: positive, at most half of the height, of the ring's width and of
-    /// the width of a wedge's inner wall.
+    /// The radius of the wedges' edges: positive, at most half of the height, of the ring's width
+    /// and of the width of a wedge's inner wall.
     #[schemars(with = "Length")]
     pub bevel: f64,
     /// The height of the bottom.

@@ -1,9 +1,9 @@
-//! The round-rimmed bowl (Suffern, ch. 19 and 21): two part spheres of polar angles from θ, half the
-//! opening angle, to 180°, and a rim.
+//! The round-rimmed bowl (Suffern, ch. 19 and 21): two part spheres of polar angles from θ, half
+//! the opening angle, to 180°, and a rim.
 //!
-//! The rim is half a torus with `a = (r_in + r_out)/2 · sin θ` and `b = (r_out − r_in)/2` at the height
-//! `(r_in + r_out)/2 · cos θ`. The book takes the whole torus, half of which is hidden; here it goes from
-//! `90° − θ` to `270° − θ` around the tube, from sphere to sphere.
+//! The rim is half a torus with `a = (r_in + r_out)/2 · sin θ` and `b = (r_out − r_in)/2` at the
+//! height `(r_in + r_out)/2 · cos θ`. The book takes the whole torus, half of which is hidden; here
+//! it goes from `90° − θ` to `270° − θ` around the tube, from sphere to sphere.
 
 use std::sync::Arc;
 
@@ -31,8 +31,9 @@ pub struct RoundRimmedBowl {
     /// The radius of the outside, above `inner_radius`.
     #[schemars(with = "Length")]
     pub outer_radius: f64,
-    /// The angle at which the middle of the rim is seen across from the origin, in degrees above 0 and
-    /// below 360: 180 for a hemispherical bowl, 120 for figure 21.16, which narrows towards its rim.
+    /// The angle at which the middle of the rim is seen across from the origin, in degrees above 0
+    /// and below 360: 180 for a hemispherical bowl, 120 for figure 21.16, which narrows towards its
+    /// rim.
     #[serde(default = "hemisphere")]
     pub opening: f64,
     /// The names of materials of parts that have one of their own, as `{ wall = "red" }`.

@@ -1,11 +1,11 @@
 //! The round edge of a cylinder's top: with `ρ = √(x² + z²)` the points with `(ρ − a)² + y² = b²`,
 //! `ρ ≥ a` and `y ≥ 0`.
 //!
-//! This is a quarter of a torus (Suffern, ch. 21). But where `b > a` the torus meets itself, and its
-//! quartic has roots on its inner sheet. So what is solved here is `D(s) = b²`, where
-//! `D = max(ρ − a, 0)² + y²` is the squared distance from a disk of radius `a`. A disk is convex, so `D`
-//! is a convex function along a line: it has one minimum, the root of `D′`, and is `b²` at most once on
-//! each side of it.
+//! This is a quarter of a torus (Suffern, ch. 21). But where `b > a` the torus meets itself, and
+//! its quartic has roots on its inner sheet. So what is solved here is `D(s) = b²`, where
+//! `D = max(ρ − a, 0)² + y²` is the squared distance from a disk of radius `a`. A disk is convex,
+//! so `D` is a convex function along a line: it has one minimum, the root of `D′`, and is `b²` at
+//! most once on each side of it.
 
 use arrayvec::ArrayVec;
 
@@ -14,8 +14,8 @@ use crate::shapes::border::{Border, along, is_rounding};
 use crate::shapes::plain::torus::{Line, from_axis};
 use crate::shapes::{Candidate, Shape, Surface, normal_along};
 
-/// The points at the distance `b` from the disk of radius `a` about the origin in the plane y = 0, above
-/// the plane and not above the disk: for `a = 0` a hemisphere.
+/// The points at the distance `b` from the disk of radius `a` about the origin in the plane y = 0,
+/// above the plane and not above the disk: for `a = 0` a hemisphere.
 #[derive(Debug)]
 pub(in crate::shapes) struct Shoulder {
     pub(in crate::shapes) a: f64,

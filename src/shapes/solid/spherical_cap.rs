@@ -1,12 +1,12 @@
 //! The spherical cap, a hollow of the concave lens: about its lowest point the points with
 //! `κ p·p = 2 p_y` inside of its rim.
 //!
-//! Here `κ = 1/ρ = 2δ/(δ² + R²)` is the curvature of a cap of depth δ and rim radius R. A ray meets the
-//! sphere where `a t² + 2 b t + c = 0` with `a = κ d·d`, `b = κ o·d − d_y` and `c = κ o·o − 2 o_y`. A
-//! shallow cap has a far centre; unlike the sphere's own equation this one does not contain it, and is
-//! right for κ = 0, a plane. The discriminant `b² − a c` is taken as
-//! `d_y² + 2κ (o_y |d_⊥|² − d_y o_⊥·d_⊥) − |κ o × d|²`, where `_⊥` is the part across the y axis: the
-//! other terms cancel.
+//! Here `κ = 1/ρ = 2δ/(δ² + R²)` is the curvature of a cap of depth δ and rim radius R. A ray meets
+//! the sphere where `a t² + 2 b t + c = 0` with `a = κ d·d`, `b = κ o·d − d_y` and
+//! `c = κ o·o − 2 o_y`. A shallow cap has a far centre; unlike the sphere's own equation this one
+//! does not contain it, and is right for κ = 0, a plane. The discriminant `b² − a c` is taken as
+//! `d_y² + 2κ (o_y |d_⊥|² − d_y o_⊥·d_⊥) − |κ o × d|²`, where `_⊥` is the part across the y axis:
+//! the other terms cancel.
 
 use crate::math::{Aabb, Point, Ray, Span, UNIT_ROUNDOFF, Vector, quadratic};
 use crate::shapes::border::{Border, along};
@@ -67,9 +67,9 @@ impl SphericalCap {
         quadratic(a, b, c, discriminant)
     }
 
-    /// Whether a point of the sphere is inside of the rim: it is beyond by the sine of an angle at the
-    /// centre. The height alone would be rounded for a flat cap, and the distance from the axis for a
-    /// hemisphere.
+    /// Whether a point of the sphere is inside of the rim: it is beyond by the sine of an angle at
+    /// the centre. The height alone would be rounded for a flat cap, and the distance from the axis
+    /// for a hemisphere.
     fn has(&self, ray: &Ray) -> impl Fn(f64) -> bool {
         |t| {
             let p = self.unmirrored(ray.at(t).to_vector());

@@ -1,15 +1,16 @@
 //! The parts of a beveled wedge (Suffern, ch. 21).
 //!
-//! A sphere of radius `r_b` in each corner touches a wall, a side, and the bottom or the top. The centres
-//! are at the radii `r0 + r_b` and `r1 − r_b` from the axis and at the angles α and β from the side:
+//! A sphere of radius `r_b` in each corner touches a wall, a side, and the bottom or the top. The
+//! centres are at the radii `r0 + r_b` and `r1 − r_b` from the axis and at the angles α and β from
+//! the side:
 //!
 //! - `sin α = r_b/(r0 + r_b)` and `cos α = s0/(r0 + r_b)` with `s0 = √(r0² + 2 r0 r_b)`,
 //! - `sin β = r_b/(r1 − r_b)` and `cos β = s1/(r1 − r_b)` with `s1 = √(r1² − 2 r1 r_b)`.
 //!
-//! So the inner wall goes from `φ0 + α` to `φ1 − α` and the outer one from `φ0 + β` to `φ1 − β`, each with
-//! a part torus above and below it; a side is a rectangle from `s0` to `s1`, with a part cylinder along
-//! each of its edges. The book makes top and bottom of a part annulus and patches; here each is one
-//! annulus, [`Clear`] of the sides.
+//! So the inner wall goes from `φ0 + α` to `φ1 − α` and the outer one from `φ0 + β` to `φ1 − β`,
+//! each with a part torus above and below it; a side is a rectangle from `s0` to `s1`, with a part
+//! cylinder along each of its edges. The book makes top and bottom of a part annulus and patches;
+//! here each is one annulus, [`Clear`] of the sides.
 
 use std::sync::Arc;
 

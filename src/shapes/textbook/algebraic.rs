@@ -1,5 +1,5 @@
-//! A polynomial's surface in a box. The book has no formula for it; this is the usual way, by samples
-//! along the ray. A sign that changes twice between two of them is lost.
+//! A polynomial's surface in a box. The book has no formula for it; this is the usual way, by
+//! samples along the ray. A sign that changes twice between two of them is lost.
 
 use std::iter::repeat_n;
 

@@ -1,14 +1,15 @@
-//! The book's intersection routines (Suffern, ch. 3 and 19), which a scene may ask for: the formulas as
-//! they stand, with a constant epsilon and no care for rounding. They show what the library's own
-//! routines are for: surface acne, lost roots, and leaks.
+//! The book's intersection routines (Suffern, ch. 3 and 19), which a scene may ask for: the
+//! formulas as they stand, with a constant epsilon and no care for rounding. They show what the
+//! library's own routines are for: surface acne, lost roots, and leaks.
 //!
-//! The book's roots of a carrier and its test of a trim stand beside the library's own: `book_roots` and
-//! `book_has` of [`trimmed`](super::trimmed). Here are the other shapes, and what is longer. Where the
-//! book has no formula, what would usually be done. A form only says where a ray hits. Normals, materials
-//! and texture coordinates are those of the library's shape, at that hit. Compounds, solids, instances and
-//! lattices are the library's, made of such forms (the book's compound is its list of parts); meshes and
-//! random spheres are searched as the scene says. The caps of a beveled wedge, for which the book has no
-//! part, and shapes of a user's own keep their routine.
+//! The book's roots of a carrier and its test of a trim stand beside the library's own:
+//! `book_roots` and `book_has` of [`trimmed`](super::trimmed). Here are the other shapes, and what
+//! is longer. Where the book has no formula, what would usually be done. A form only says where a
+//! ray hits. Normals, materials and texture coordinates are those of the library's shape, at that
+//! hit. Compounds, solids, instances and lattices are the library's, made of such forms (the book's
+//! compound is its list of parts); meshes and random spheres are searched as the scene says. The
+//! caps of a beveled wedge, for which the book has no part, and shapes of a user's own keep their
+//! routine.
 
 // shared by the kinds
 mod quartic;
@@ -30,8 +31,8 @@ pub(super) use torus::torus_roots;
 use super::{Candidate, Role, SampledSurface, Sampling, Shape, Surface, Within};
 use crate::math::{Aabb, Ray, Span, Vector, atan2, to_radians};
 
-/// Where a hit is too near to the ray's origin to count, as a distance: the book's `kEpsilon` of most
-/// shapes, here of all (its tori, cones and part objects have a tenth of it).
+/// Where a hit is too near to the ray's origin to count, as a distance: the book's `kEpsilon` of
+/// most shapes, here of all (its tori, cones and part objects have a tenth of it).
 pub const EPSILON: f64 = 0.001;
 
 /// Where a ray hits a shape, as the book finds it.
@@ -80,8 +81,8 @@ pub(super) fn form(
     Some(Arc::new(Textbook::new(form, Arc::new(ours), epsilon)))
 }
 
-/// A whole object, of the book's forms, as the book's tracer meets it: rays are of unit direction, hits
-/// count beyond epsilon, and rays that leave the object start at the hit point itself.
+/// A whole object, of the book's forms, as the book's tracer meets it: rays are of unit direction,
+/// hits count beyond epsilon, and rays that leave the object start at the hit point itself.
 pub(super) fn object(of: Arc<dyn Shape>, epsilon: f64) -> Arc<dyn Shape> {
     let whole = Whole { of: Arc::clone(&of), epsilon };
     Arc::new(Textbook { form: whole, bounds: of.bounds(), ours: of })
@@ -94,7 +95,8 @@ struct Whole {
 }
 
 impl Whole {
-    /// The ray with a unit direction, the span along it from epsilon on, and the length of the direction.
+    /// The ray with a unit direction, the span along it from epsilon on, and the length of the
+    /// direction.
     fn normalised(&self, ray: &Ray, span: Span) -> (Ray, Span, f64) {
         let length = ray.direction.length();
         let unit = Ray::new(ray.origin, (1.0 / length) * ray.direction);

@@ -2,8 +2,8 @@
 //! since Schwarze, "Cubic and Quartic Roots" (Graphics Gems, 1990).
 //!
 //! Written from the mathematics. What is compared here is the method: shift, resolvent, radicals,
-//! and a test for zero that hardly ever succeeds. (The sample code's is `|x| < 1e-90`, which small scenes
-//! would meet.)
+//! and a test for zero that hardly ever succeeds. (The sample code's is `|x| < 1e-90`, which small
+//! scenes would meet.)
 
 use std::f64::consts::PI;
 
@@ -49,8 +49,8 @@ pub fn cubic_roots([c, b, a]: [f64; 3]) -> Vec<f64> {
 
 /// The real roots of `c₄ x⁴ + c₃ x³ + c₂ x² + c₁ x + c₀`, given from `c₀` on; a double root may
 /// stand there twice. With `x = y − c₃/(4 c₄)` it is `y⁴ + p y² + q y + r`, which for every root z
-/// of the resolvent `z³ − p/2 z² − r z + (4 p r − q²)/8` is the difference of the squares of `y² + z` and
-/// `v y − s u`, where `u² = z² − r`, `v² = 2 z − p` and s is the sign of q.
+/// of the resolvent `z³ − p/2 z² − r z + (4 p r − q²)/8` is the difference of the squares of
+/// `y² + z` and `v y − s u`, where `u² = z² − r`, `v² = 2 z − p` and s is the sign of q.
 pub fn quartic_roots([c0, c1, c2, c3, c4]: [f64; 5]) -> Vec<f64> {
     let [a, b, c, d] = [c3 / c4, c2 / c4, c1 / c4, c0 / c4];
     let a2 = a * a;

@@ -3,9 +3,10 @@
 use super::{cuboid, quartic_roots};
 use crate::math::{Point, Ray, Span};
 
-/// The roots of `(|p|² − a² − b²)² = 4 a² (b² − y²)`, ascending: after a test of the bounding box, with
-/// `e = o·o − a² − b²`, `g = o·d`, `D = d·d`,
-/// `D² t⁴ + 4 D g t³ + (2 D e + 4 g² + 4 a² dy²) t² + (4 g e + 8 a² oy dy) t + e² − 4 a² (b² − oy²)`.
+/// The roots of `(|p|² − a² − b²)² = 4 a² (b² − y²)`, ascending: after a test of the bounding box,
+/// with `e = o·o − a² − b²`, `g = o·d`, `D = d·d`,
+/// `D² t⁴ + 4 D g t³ + (2 D e + 4 g² + 4 a² dy²) t² + (4 g e + 8 a² oy dy) t`
+/// `+ e² − 4 a² (b² − oy²)`.
 pub fn torus_roots(ray: &Ray, a: f64, b: f64, span: Span) -> Vec<f64> {
     let corner = Point::new(a + b, b, a + b);
     let (t0, t1) = cuboid::slabs(ray, corner.scaled(-1.0), corner);

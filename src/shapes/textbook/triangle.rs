@@ -6,8 +6,8 @@ use crate::shapes::Candidate;
 
 /// The corners.
 impl Form for [Point; 3] {
-    /// `p = (1 − β − γ) v₀ + β v₁ + γ v₂`: the columns are `v₀ − v₁`, `v₀ − v₂` and `d`, the right side is
-    /// `v₀ − o`.
+    /// `p = (1 − β − γ) v₀ + β v₁ + γ v₂`: the columns are `v₀ − v₁`, `v₀ − v₂` and `d`, the right
+    /// side is `v₀ − o`.
     fn first(&self, ray: &Ray, span: Span) -> Option<Candidate> {
         let [v0, v1, v2] = *self;
         let [a, e, i] = (v0 - v1).to_array();

@@ -215,7 +215,8 @@ fn export_of_a_users_own_kind_names_it() {
     scene.objects[0].shape =
         Instance::new(Instance::new(tile(), vec![Step::RotateZ(10.0)]), vec![]).into();
     let texture = Paint::from(textures::Kind::Custom(Custom(Arc::new(Coordinates))));
-    let changes: [(&str, &dyn Fn(&mut Scene)); 6] = [
+    type Edit<'a> = &'a dyn Fn(&mut Scene);
+    let changes: [(&str, Edit<'_>); 6] = [
         ("objects[0] \"tile\", shape", &|scene| {
             scene.objects[0].shape = Plane { point: Point::ORIGIN, normal: Vector::Z }.into();
         }),

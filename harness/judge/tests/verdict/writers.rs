@@ -242,8 +242,11 @@ fn png(picture: &Picture) -> Picture {
     each(picture, Some(1.0 / 255.0), byte)
 }
 
+/// The name of a way to store a picture, and the picture as stored.
+type WayToStore = (&'static str, fn(&Picture) -> Picture);
+
 /// Other ways to store a picture than by one quantiser in each pixel.
-const OTHERS: [(&str, fn(&Picture) -> Picture); 7] = [
+const OTHERS: [WayToStore; 7] = [
     ("half precision", |it| {
         // to 11 significant bits
         let half = |v: f32| f32::from_bits((v.to_bits() + (1 << 12)) >> 13 << 13);
