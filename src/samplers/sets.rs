@@ -158,11 +158,6 @@ impl SampleSets {
         Self { centered: true, ..self }
     }
 
-    /// Whether pixel and lens are always sampled at their centres; see [`SampleSets::centered`].
-    pub fn is_centered(&self) -> bool {
-        self.centered
-    }
-
     /// The number of samples in a set: `n`, or the next number that the pattern can have.
     pub fn per_set(&self) -> u32 {
         self.per_set

@@ -49,6 +49,18 @@ pub trait Roots {
     fn all(self, span: Span, has: impl Fn(f64) -> bool) -> Vec<Candidate>;
 }
 
+/// The one root of a plane, which is not finite if there is none.
+impl Roots for f64 {
+    #[inline]
+    fn first(self, span: Span, has: impl Fn(f64) -> bool) -> Option<Candidate> {
+        (span.contains(self) && has(self)).then(|| Candidate::at(self))
+    }
+
+    fn all(self, span: Span, has: impl Fn(f64) -> bool) -> Vec<Candidate> {
+        self.first(span, has).into_iter().collect()
+    }
+}
+
 /// Two roots, or one and NaN. Both are tested: if the near one is beyond an end of the shape, the
 /// far one may be on it.
 impl Roots for Option<[f64; 2]> {

@@ -74,11 +74,6 @@ impl Image {
         Self { drawn: Some(drawn), ..Self::empty(mapping) }
     }
 
-    /// The image of these rows, with this mapping or with the surface's texture coordinates.
-    pub fn of_texels(texels: Vec<Vec<Rgb>>, mapping: Option<Mapping>) -> Self {
-        Self { texels: Some(texels), ..Self::empty(mapping) }
-    }
-
     fn empty(mapping: Option<Mapping>) -> Self {
         Self {
             file: None,

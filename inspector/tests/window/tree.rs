@@ -177,7 +177,6 @@ fn windows_read_as_before() {
     globe.tracer = Tracer::PathTrace(Depth { max_depth: 2 });
     let mut globe = open(globe);
     click(&mut globe, [24, 24]);
-    push(&mut globe, "Histogram");
     let all = [glass, noisy, globe].each_ref().map(read_aloud);
     insta::assert_snapshot!(all.join("== another window\n"));
 }

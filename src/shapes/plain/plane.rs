@@ -76,7 +76,7 @@ impl Carrier for PlaneThrough {
 
     #[inline]
     fn roots(&self, ray: &Ray, _: Span, _: &Aabb) -> impl Roots {
-        Some([self.distance(ray, self.normal.into()), f64::NAN])
+        self.distance(ray, self.normal.into())
     }
 
     fn book_roots(&self, ray: &Ray, _: Span) -> impl IntoIterator<Item = f64> {

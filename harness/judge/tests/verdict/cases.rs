@@ -145,7 +145,7 @@ fn a_scene_without_noise_is_judged_by_rounding() {
     let scene = scene("ch14/set", SIZE, 1);
     let film = theirs(&scene, 500);
     let rounded = scaled(&film, 1.0 + 1e-6);
-    let agrees = verdict(&scene, &[rounded.clone()], STRICTNESS);
+    let agrees = verdict(&scene, std::slice::from_ref(&rounded), STRICTNESS);
     assert!(agrees.fixed && agrees.decision == Decision::Agrees, "{agrees}");
     let mut changed = rounded.clone();
     let at = changed.index([20, 30]);
