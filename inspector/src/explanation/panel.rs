@@ -31,7 +31,7 @@ const MIN_HEIGHT: f32 = 24.0;
 const LEGEND_MIN_HEIGHT: f32 = 160.0;
 
 /// The least width with room for the chooser of the sample beside the pixel, in points of the screen.
-const ONE_ROW_MIN_WIDTH: f32 = 460.0;
+const ONE_ROW_MIN_WIDTH: f32 = 505.0;
 
 /// The parts of the explanation, as they are shown.
 #[derive(Default)]
