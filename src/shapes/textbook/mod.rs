@@ -3,7 +3,7 @@
 //! library's own routines are for: surface acne, lost roots, and leaks.
 //!
 //! The book's roots of a carrier and its test of a trim stand beside the library's own:
-//! `book_roots` and `book_has` of [`trimmed`](super::trimmed). Here are the other shapes, and what
+//! `book_roots` and `book_has` of `src/shapes/trimmed.rs`. Here are the other shapes, and what
 //! is longer. Where the book has no formula, what would usually be done. A form only says where a
 //! ray hits. Normals, materials and texture coordinates are those of the library's shape, at that
 //! hit. Compounds, solids, instances and lattices are the library's, made of such forms (the book's
