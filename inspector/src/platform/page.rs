@@ -5,7 +5,8 @@ use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, VecDeque};
 use std::io;
 use std::path::{Path, PathBuf};
-use std::rc::Rc;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, TryRecvError};
 use std::time::Duration;
 
@@ -31,7 +32,7 @@ type Work = Box<dyn FnMut(&Slice) -> bool>;
 
 thread_local! {
     /// The work under way, the newest last, and where it says that it has ended.
-    static WORK: RefCell<Vec<(Work, Rc<Cell<bool>>)>> = const { RefCell::new(Vec::new()) };
+    static WORK: RefCell<Vec<(Work, Arc<AtomicBool>)>> = const { RefCell::new(Vec::new()) };
     /// Whether slices of it follow each other.
     static IS_WORKING: Cell<bool> = const { Cell::new(false) };
     /// The files that the user dropped or chose, by their names.
@@ -70,12 +71,12 @@ impl Slice {
 
 /// Work beside the window.
 #[derive(Debug)]
-pub struct Task(Rc<Cell<bool>>);
+pub struct Task(Arc<AtomicBool>);
 
 impl Task {
     /// Starts it: `work` is called until it is whole, which it says by `true`.
     pub fn start(ctx: &Context, mut work: impl FnMut(&Slice) -> bool + Send + 'static) -> Self {
-        let (is_ended, ctx) = (Rc::new(Cell::new(false)), ctx.clone());
+        let (is_ended, ctx) = (Arc::new(AtomicBool::new(false)), ctx.clone());
         let work = move |slice: &Slice| {
             let is_whole = work(slice);
             if is_whole {
@@ -83,7 +84,7 @@ impl Task {
             }
             is_whole
         };
-        WORK.with_borrow_mut(|all| all.push((Box::new(work), Rc::clone(&is_ended))));
+        WORK.with_borrow_mut(|all| all.push((Box::new(work), Arc::clone(&is_ended))));
         if !IS_WORKING.replace(true) {
             spawn_local(work_in_slices());
         }
@@ -92,7 +93,7 @@ impl Task {
 
     /// Whether it has ended.
     pub fn is_ended(&self) -> bool {
-        self.0.get()
+        self.0.load(Ordering::Relaxed)
     }
 }
 
@@ -101,7 +102,7 @@ fn work_for(time: Duration) {
     let slice = Slice::of(time);
     while let Some((mut work, is_ended)) = WORK.with_borrow_mut(Vec::pop) {
         if work(&slice) {
-            is_ended.set(true);
+            is_ended.store(true, Ordering::Relaxed);
         } else {
             WORK.with_borrow_mut(|all| all.push((work, is_ended)));
         }
