@@ -19,14 +19,6 @@ use crate::support::*;
 
 const ON_GLASS: [u32; 2] = [17, 19];
 
-/// A window on a scene file.
-fn window_on(path: &Path) -> Window {
-    let loaded = Source::File(path.to_owned()).load().expect("the scene is valid");
-    let mut window = window(loaded, [1280.0, 800.0]);
-    settle(&mut window);
-    window
-}
-
 /// Waits until a changed file is read, and until it is shown.
 fn followed(window: &mut Window, is_so: impl Fn(&Window) -> bool) {
     wait_until(window, "the file is followed", is_so);

@@ -122,6 +122,14 @@ pub fn choose(window: &mut Window, list: &str, entry: &str) {
     push_button(window, entry);
 }
 
+/// A window on a scene file.
+pub fn window_on(path: &Path) -> Window {
+    let loaded = Source::File(path.to_owned()).load().expect("the scene is valid");
+    let mut window = window(loaded, [1280.0, 800.0]);
+    settle(&mut window);
+    window
+}
+
 /// Writes a scene file.
 pub fn write(path: &Path, scene: &Scene) {
     let text = groundtruth::scene::to_toml(scene).expect("plain data");

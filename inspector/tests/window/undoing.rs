@@ -9,7 +9,6 @@ use groundtruth::scene::{self, Scene};
 use inspector::action::With;
 use inspector::explanation::beside;
 use inspector::scene::fields::Change;
-use inspector::scene::source::Source;
 
 use crate::support::*;
 
@@ -187,8 +186,7 @@ fn a_changed_number_stays_when_the_file_changes() {
     let path = folder.path().join("scene.toml");
     let mut scene = small_glass_sphere();
     write(&path, &scene);
-    let mut window = window(Source::File(path.clone()).load().expect("valid"), [1280.0, 800.0]);
-    settle(&mut window);
+    let mut window = window_on(&path);
     let wanted = eta("1.2").applied(&scene).expect("a field");
     set(&mut window, |it| {
         it.session.wanted = wanted;
@@ -212,8 +210,7 @@ fn the_picture_of_a_broken_file_is_marked() {
     let path = folder.path().join("scene.toml");
     let mut scene = small_glass_sphere();
     write(&path, &scene);
-    let mut window = window(Source::File(path.clone()).load().expect("valid"), [1280.0, 800.0]);
-    settle(&mut window);
+    let mut window = window_on(&path);
     assert!(window.query_by_label(MARK).is_none());
     std::fs::write(&path, "about = \n").expect("writable");
     wait_until(&mut window, "the error", |window| window.state().message.is_some());
