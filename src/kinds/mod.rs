@@ -82,14 +82,18 @@ pub fn schema_of_list(
 
 const SCENES: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes");
 
-/// The examples of the kind with this tag in the text of its list, where `{scenes}` stands for the
-/// folder of scenes.
+/// The examples of a list by tag, from its text, where `{scenes}` stands for the folder of scenes.
 #[doc(hidden)]
-pub fn specimens<Data: DeserializeOwned>(text: &str, tag: &str) -> Vec<Data> {
-    let list: Result<toml::Table, _> = toml::from_str(&text.replace("{scenes}", SCENES));
-    let mut list = list.unwrap_or_else(|error| panic!("specimens of {tag}: {error}"));
-    let specimens = list.remove(tag).unwrap_or_else(|| panic!("{tag} has no specimens"));
-    specimens.try_into().unwrap_or_else(|error| panic!("specimens of {tag}: {error}"))
+pub fn examples(text: &str) -> toml::Table {
+    let list = toml::from_str(&text.replace("{scenes}", SCENES));
+    list.unwrap_or_else(|error| panic!("specimens: {error}"))
+}
+
+/// The examples of the kind with this tag.
+#[doc(hidden)]
+pub fn specimens<Data: DeserializeOwned>(examples: &toml::Table, tag: &str) -> Vec<Data> {
+    let specimens = examples.get(tag).unwrap_or_else(|| panic!("{tag} has no specimens"));
+    specimens.clone().try_into().unwrap_or_else(|error| panic!("specimens of {tag}: {error}"))
 }
 
 /// The schema of one kind of a list, with the chapter that brings it and its first specimen.
@@ -160,6 +164,11 @@ macro_rules! kinds {
             }
         )*
 
+        /// Read once: whoever asks for all kinds asks for each.
+        static EXAMPLES: ::std::sync::LazyLock<::toml::Table> = ::std::sync::LazyLock::new(
+            || $crate::kinds::examples(include_str!("specimens.toml")),
+        );
+
         impl ::schemars::JsonSchema for $Kind {
             fn schema_name() -> ::std::borrow::Cow<'static, str> {
                 concat!(stringify!($Trait), "Kind").into()
@@ -168,7 +177,7 @@ macro_rules! kinds {
             fn json_schema(generator: &mut ::schemars::SchemaGenerator) -> ::schemars::Schema {
                 let kinds = [$({
                     let tag = $crate::kinds::tag_of(stringify!($Data), &[$($tag)?]);
-                    let first = $crate::kinds::specimens(Self::SPECIMENS, &tag).into_iter().next();
+                    let first = $crate::kinds::specimens(&EXAMPLES, &tag).into_iter().next();
                     let schema = $crate::kinds::schema_of_kind::<$Data>(stringify!($chapter), first, generator);
                     (tag, schema)
                 }),*];
@@ -177,8 +186,6 @@ macro_rules! kinds {
         }
 
         impl $Kind {
-            const SPECIMENS: &'static str = include_str!("specimens.toml");
-
             /// Every kind, in the order of the list.
             pub const ENTRIES: &'static [$crate::kinds::Entry<Self>] = &[$(
                 $crate::kinds::Entry {
@@ -186,7 +193,7 @@ macro_rules! kinds {
                     module: stringify!($module),
                     specimens: || {
                         let tag = $crate::kinds::tag_of(stringify!($Data), &[$($tag)?]);
-                        let all: Vec<$Data> = $crate::kinds::specimens(Self::SPECIMENS, &tag);
+                        let all: Vec<$Data> = $crate::kinds::specimens(&EXAMPLES, &tag);
                         all.into_iter().map(Self::from).collect()
                     },
                     formula: <$Data as Specification>::FORMULA,
