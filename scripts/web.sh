@@ -47,18 +47,18 @@ mkdir -p target/web
 built=target/web-build/$TARGET/release
 cp "$built/groundtruth_web.wasm" target/web/groundtruth.wasm
 cp web/index.html target/web/
-own=(--profile tool --quiet --locked --target-dir target/own --manifest-path web/Cargo.toml)
-cargo run "${own[@]}" --package bind -- "$built/groundtruth_window.wasm" target/web
+cargo run --profile tool --quiet --locked --target-dir target/own --manifest-path web/Cargo.toml --package bind -- \
+    "$built/groundtruth_window.wasm" target/web
 for module in groundtruth.wasm window_bg.wasm; do
     echo "target/web/$module: $(gzip -9 -c "target/web/$module" | wc -c) bytes compressed"
 done
 
 command -v node > /dev/null || { echo "node is missing: nothing is checked" >&2; exit 77; }
-cargo build "${own[@]}" --package groundtruth-web --bin native_bits
+cargo build --quiet --locked --example native_bits
 checks=$(mktemp -d)
 trap 'rm -rf "$checks"' EXIT
 node web/bits.mjs target/web/groundtruth.wasm "${COUNT:-20}" "${SEED:-1}" > "$checks/bits.txt"
-target/own/tool/native_bits "${COUNT:-20}" "${SEED:-1}" | diff - "$checks/bits.txt" || {
+target/debug/examples/native_bits "${COUNT:-20}" "${SEED:-1}" | diff - "$checks/bits.txt" || {
     echo "other bits than the native library's" >&2
     exit 1
 }

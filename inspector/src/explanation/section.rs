@@ -1,6 +1,7 @@
 //! The section of the selected ray: the plane of incidence of its hit, or that of a shadow ray and its light, drawn.
 
 use std::collections::BTreeMap;
+use std::f32::consts::TAU;
 
 use eframe::egui::{
     Align2, Color32, FontId, Painter, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, Vec2,
@@ -162,15 +163,23 @@ fn paint(
             let head = head.map(|at| place.screen(at)).to_vec();
             painter.add(Shape::convex_polygon(head, color, Stroke::NONE));
         }
-        if let Some(ray) = stroke.ray {
-            lines.extend(points.windows(2).map(|ends| (ray, [ends[0], ends[1]])));
-        }
+        lines.extend(points.windows(2).map(|ends| (stroke.ray, [ends[0], ends[1]])));
     }
-    drawing.labels.iter().for_each(|label| write(ui, painter, &place, label));
-    response.hover_pos().and_then(|at| pointing::nearest(&lines, at))
+    let mut words = Vec::new();
+    drawing.labels.iter().for_each(|label| write(ui, painter, &place, label, &lines, &mut words));
+    let rays = lines.iter().filter_map(|(ray, line)| Some(((*ray)?, *line))).collect::<Vec<_>>();
+    response.hover_pos().and_then(|at| pointing::nearest(&rays, at))
 }
 
-fn write(ui: &Ui, painter: &Painter, place: &Place, label: &Label) {
+/// Writes a label at its place, or beside it where the fewest words and lines are.
+fn write(
+    ui: &Ui,
+    painter: &Painter,
+    place: &Place,
+    label: &Label,
+    lines: &[(Option<usize>, [Pos2; 2])],
+    words: &mut Vec<Rect>,
+) {
     let [x, y] = label.side.map(f32::from);
     let anchor = match label.side {
         [-1, _] => Align2::RIGHT_CENTER,
@@ -180,7 +189,31 @@ fn write(ui: &Ui, painter: &Painter, place: &Place, label: &Label) {
         _ => Align2::CENTER_CENTER,
     };
     let at = place.screen(label.at) + 6.0 * Vec2::new(x, -y);
-    painter.text(at, anchor, &label.text, FontId::proportional(13.0), color(ui, label.role));
+    let color = color(ui, label.role);
+    let text = painter.layout_no_wrap(label.text.clone(), FontId::proportional(13.0), color);
+    let own = anchor.anchor_size(at, text.size());
+    // in circles around it, the nearest first
+    let around = (0..6 * 12).map(|step| {
+        let turn = Vec2::angled((step % 12) as f32 * TAU / 12.0);
+        own.translate((step / 12 + 1) as f32 * 8.0 * turn)
+    });
+    let covered = |rect: &Rect| {
+        let crossed = lines.iter().filter(|(_, line)| crosses(*rect, *line)).count();
+        let hidden = words.iter().filter(|other| other.intersects(*rect)).count();
+        (!painter.clip_rect().contains_rect(*rect), hidden, crossed)
+    };
+    let free = std::iter::once(own).chain(around).min_by_key(covered).unwrap_or(own);
+    words.push(free);
+    painter.galley(free.min, text, color);
+}
+
+/// Whether a line goes through a rectangle: their bounds meet, and not all corners are on one side of it.
+fn crosses(rect: Rect, [from, to]: [Pos2; 2]) -> bool {
+    let way = to - from;
+    let sides = [rect.left_top(), rect.right_top(), rect.left_bottom(), rect.right_bottom()]
+        .map(|corner| way.x * (corner.y - from.y) - way.y * (corner.x - from.x));
+    let is_within = Rect::from_two_pos(from, to).intersects(rect);
+    is_within && sides.iter().any(|it| *it >= 0.0) && sides.iter().any(|it| *it <= 0.0)
 }
 
 /// The colour of a line: rays as in the tree.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use eframe::egui::{Color32, Context, Key, Rect, Shape, Theme, Visuals, accesskit::Role};
+use eframe::egui::{Color32, Context, Key, Pos2, Rect, Shape, Theme, Visuals, accesskit::Role};
 use egui_kittest::kittest::Queryable;
 use groundtruth::explain::{self, RecordedRay, short};
 use groundtruth::render::{self, Canvas};
@@ -279,20 +279,62 @@ fn borders_are_sharp_while_space_turns() {
     assert!(wrong < 60, "{wrong} of 19200 squares");
 }
 
-/// The texts that are drawn with an ellipsis, whole, each with its place.
-fn cut_texts(window: &Window) -> Vec<(String, Rect)> {
+/// All that is drawn, without lists of it.
+fn drawn(window: &Window) -> Vec<&Shape> {
     let mut found = Vec::new();
     let mut shapes: Vec<&Shape> = window.output().shapes.iter().map(|it| &it.shape).collect();
     while let Some(shape) = shapes.pop() {
         match shape {
             Shape::Vec(inner) => shapes.extend(inner),
-            Shape::Text(text) if text.galley.elided => {
-                found.push((text.galley.job.text.clone(), text.visual_bounding_rect()));
-            }
-            _ => {}
+            other => found.push(other),
         }
     }
     found
+}
+
+/// The texts that are drawn with an ellipsis, whole, each with its place.
+fn cut_texts(window: &Window) -> Vec<(String, Rect)> {
+    let cut = |shape: &Shape| match shape {
+        Shape::Text(text) if text.galley.elided => {
+            Some((text.galley.job.text.clone(), text.visual_bounding_rect()))
+        }
+        _ => None,
+    };
+    drawn(window).into_iter().filter_map(cut).collect()
+}
+
+/// Law: no line of the section goes through its words, and no words lie on others. Oracle: a hundred points of each line that
+/// is drawn, and the rectangles of the texts.
+#[test]
+fn words_of_the_section_lie_beside_its_lines() {
+    for size in [[1000.0, 700.0], [1400.0, 900.0]] {
+        let mut window = open_sized(small_glass_sphere(), size);
+        click(&mut window, ON_GLASS);
+        push(&mut window, "The section");
+        let area = window.get_by_role_and_label(Role::Image, "section").rect();
+        let (mut words, mut points) = (Vec::new(), Vec::new());
+        let mut line = |ends: &[Pos2]| {
+            let at = |part: usize| ends[0].lerp(ends[1], part as f32 / 100.0);
+            points.extend((0..=100).map(at));
+        };
+        for shape in drawn(&window) {
+            match shape {
+                Shape::Text(text) if area.contains_rect(text.visual_bounding_rect()) => {
+                    words.push(text.visual_bounding_rect());
+                }
+                Shape::LineSegment { points, .. } => line(points),
+                Shape::Path(path) if !path.closed => path.points.windows(2).for_each(&mut line),
+                _ => {}
+            }
+        }
+        points.retain(|at| area.contains(*at));
+        assert!(words.len() > 5 && points.len() > 500, "{} words", words.len());
+        for (index, rect) in words.iter().enumerate() {
+            assert!(!words[..index].iter().any(|other| other.intersects(*rect)), "{size:?}");
+            let crossed = points.iter().find(|at| rect.contains(**at));
+            assert!(crossed.is_none(), "{size:?}: {rect} at {crossed:?}");
+        }
+    }
 }
 
 /// Law: every text that is cut has a tool tip with the whole of it, in windows of every size and in each part of the
